@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reading case files. The text is parsed as TOML first; then every key must be known and every value right.
+// Keys are gone through in the order of their lines, so that the first fault in the file is the one reported.
+#include "case_file.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#define TOML_EXCEPTIONS 1
+#define TOML_ENABLE_FORMATTERS 0
+#include <toml++/toml.h>
+
+#include "core/error.hpp"
+#include "options/nearest.hpp"
+#include "text_file.hpp"
+#include "utf8.hpp"
+
+namespace hfrac::capi {
+namespace {
+
+using Entry = std::pair<std::string_view, const toml::node*>;
+
+// toml++ sorts tables by name.
+std::vector<Entry> entries_by_line(const toml::table& table) {
+  std::vector<Entry> entries;
+  for (const auto& [key, node] : table) entries.emplace_back(key.str(), &node);
+  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return a.second->source().begin.line < b.second->source().begin.line;
+  });
+  return entries;
+}
+
+std::vector<std::string_view> section_names() {
+  std::vector<std::string_view> names;
+  for (const auto& info : option_table()) {
+    const std::string_view key = info.key;
+    const std::string_view section = key.substr(0, key.find('.'));
+    if (names.empty() || names.back() != section) names.push_back(section);
+  }
+  return names;
+}
+
+bool is_known_section(std::string_view name) {
+  const auto names = section_names();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string did_you_mean(std::string_view nearest) {
+  return nearest.empty() ? "." : "; did you mean " + std::string(nearest) + "?";
+}
+
+std::string unknown_section_text(std::string_view name) {
+  auto names = section_names();
+  names.insert(names.end(), {"well", "title"});
+  return printable(name) + " is not a known section" + did_you_mean(nearest_name(name, names));
+}
+
+const char* type_name(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "a list";
+    case toml::node_type::string:
+      return "a text";
+    case toml::node_type::integer:
+      return "an integer";
+    case toml::node_type::floating_point:
+      return "a real number";
+    case toml::node_type::boolean:
+      return "true or false";
+    default:
+      return "a date or time";
+  }
+}
+
+const char* wanted_name(ValueType type) {
+  switch (type) {
+    case ValueType::real:
+      return "a number";
+    case ValueType::integer:
+      return "an integer";
+    case ValueType::choice:
+      return "a word in quotes";
+  }
+  return "";
+}
+
+class CaseReader {
+ public:
+  CaseReader(const std::string& path, const CaseDefinition& base, std::size_t most_wells)
+      : path_(printable(path, 400)), result_(base), most_wells_(most_wells) {}
+
+  CaseDefinition read(const toml::table& root) {
+    const toml::node* wells = nullptr;
+    for (const auto& [name, node] : entries_by_line(root)) {
+      if (name == "title") {
+        read_title(*node);
+      } else if (name == "well") {
+        wells = node;
+      } else {
+        read_section(name, *node);
+      }
+    }
+    // Last, because the centre of the model is a well's default place.
+    if (wells != nullptr) read_wells(*wells);
+    return std::move(result_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const toml::node& at, const std::string& fault) const {
+    throw Error(ErrorKind::case_file, path_ + ":" + std::to_string(at.source().begin.line) + ": " + fault);
+  }
+
+  void read_title(const toml::node& node) {
+    if (!node.is_string()) refuse(node, std::string("title must be a text, not ") + type_name(node) + ".");
+    const std::string title = *node.value<std::string>();
+    constexpr std::size_t longest = 127;
+    if (title.size() > longest) {
+      refuse(node, "title has " + std::to_string(title.size()) + " bytes; at most " +
+                       std::to_string(longest) + " fit.");
+    }
+    if (title.find('\0') != std::string::npos) refuse(node, "title holds a character 0.");
+    result_.title = title;
+  }
+
+  void read_section(std::string_view section, const toml::node& node) {
+    const toml::table* table = node.as_table();
+    if (!is_known_section(section)) {
+      const bool is_section = table != nullptr || node.is_array_of_tables();
+      refuse(node, is_section ? unknown_section_text(section) : unknown_key_text(printable(section)));
+    }
+    const std::string name(section);
+    if (table == nullptr)
+      refuse(node, name + " is a section, not a value; write [" + name + "] and its keys below.");
+    for (const auto& [key, value] : entries_by_line(*table)) {
+      const std::string full = name + "." + printable(key);
+      const OptionInfo* info = find_option(full);
+      if (info == nullptr) refuse(*value, unknown_key_text(full));
+      read_value(result_.options, *info, full, *value);
+    }
+  }
+
+  // One value, the type of which must fit: an integer will do for a real number, nothing else is converted.
+  template <class Values, class Info>
+  void read_value(Values& values, const Info& info, const std::string& key, const toml::node& node) const {
+    const bool fits = info.type == ValueType::choice    ? node.is_string()
+                      : info.type == ValueType::integer ? node.is_integer()
+                                                        : node.is_number();
+    if (!fits) refuse(node, key + " must be " + wanted_name(info.type) + ", not " + type_name(node) + ".");
+    try {
+      if (info.type == ValueType::choice) {
+        set_word(values, info, key, printable(*node.value<std::string_view>()));
+      } else if (node.is_integer()) {
+        set_integer(values, info, key, *node.value<std::int64_t>());
+      } else {
+        set_real(values, info, key, *node.value<double>());
+      }
+    } catch (const Error& error) {
+      refuse(node, error.what());
+    }
+  }
+
+  void read_wells(const toml::node& node) {
+    const toml::array* list = node.as_array();
+    if (list == nullptr)
+      refuse(node, "well must be a list of tables; write [[well]] above each well's keys.");
+    if (list->size() > most_wells_) {
+      refuse(node, std::to_string(list->size()) + " wells are too many; at most " +
+                       std::to_string(most_wells_) + " can be defined.");
+    }
+    result_.wells.clear();
+    for (const toml::node& item : *list) {
+      const toml::table* table = item.as_table();
+      if (table == nullptr)
+        refuse(item, "well must be a list of tables; write [[well]] above each well's keys.");
+      result_.wells.push_back(read_well(*table, "well[" + std::to_string(result_.wells.size()) + "]"));
+    }
+  }
+
+  WellOptions read_well(const toml::table& table, const std::string& name) const {
+    WellOptions well;
+    well.x = 0.5 * result_.options.model_width;
+    well.y = 0.5 * result_.options.model_height;
+    for (const auto& [key, value] : entries_by_line(table)) {
+      const WellOptionInfo* info = find_well_option(key);
+      if (info == nullptr) refuse(*value, unknown_well_key_text(printable(key)));
+      read_value(well, *info, name + "." + info->key, *value);
+    }
+    const auto has = [&](const char* key) { return table.contains(key); };
+    if (!has("radius")) refuse(table, name + " has no radius; a well needs radius, and pressure or rate.");
+    if (!has("control")) {
+      if (has("pressure") == has("rate")) {
+        refuse(table,
+               name + (has("rate")
+                           ? " has both pressure and rate; say which with control = \"pressure\" or \"rate\"."
+                           : " has neither pressure nor rate; it needs one of them."));
+      }
+      well.control = has("rate")            ? WellControl::rate
+                     : has("ramp_per_step") ? WellControl::ramp
+                                            : WellControl::pressure;
+    }
+    const bool by_rate = well.control == WellControl::rate;
+    if (!has(by_rate ? "rate" : "pressure")) {
+      refuse(table, name + (by_rate ? " has control = \"rate\" but no rate."
+                                    : " has no pressure, which its control needs."));
+    }
+    if (well.control == WellControl::ramp && !has("ramp_per_step")) {
+      refuse(table, name + " has control = \"ramp\" but no ramp_per_step.");
+    }
+    return well;
+  }
+
+  std::string path_;
+  CaseDefinition result_;
+  std::size_t most_wells_;
+};
+
+}  // namespace
+
+std::string unknown_well_key_text(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const auto& info : well_option_table()) names.emplace_back(info.key);
+  const std::string_view nearest = nearest_name(name, names);
+  return "well." + std::string(name) + " is not a known key" +
+         did_you_mean(nearest.empty() ? "" : "well." + std::string(nearest));
+}
+
+CaseDefinition load_case(const std::string& path, const CaseDefinition& base, std::size_t most_wells) {
+  const std::string text = read_text_file(path);
+  CaseReader reader(path, base, most_wells);
+  try {
+    return reader.read(toml::parse(std::string_view(text)));
+  } catch (const toml::parse_error& error) {
+    throw Error(ErrorKind::case_file, printable(path, 400) + ":" + std::to_string(error.source().begin.line) +
+                                          ": not valid TOML: " + printable(error.description(), 300) + ".");
+  }
+}
+
+}  // namespace hfrac::capi

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Case files: TOML with a table per section of the options, [[well]] for each well, and a title.
+//
+//   title = "hole under pressure"
+//   [packing]
+//   disc_count = 2000
+//   [[well]]            # x and y left out: the model's centre
+//   radius = 6.0
+//   pressure = 45e6
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "options/options.hpp"
+
+namespace hfrac::capi {
+
+// Reads a case file over `base`. A file with wells replaces those of `base`. Throws Error(case_file) with one
+// sentence "path:line: what is wrong and what is allowed".
+CaseDefinition load_case(const std::string& path, const CaseDefinition& base, std::size_t most_wells);
+
+// A case file with every value; loading it gives the same definition. Throws Error(argument) if a value is
+// out of range, so that what is written can be read.
+std::string case_text(const CaseDefinition& definition);
+
+// "well.radus is not a known key; did you mean well.radius?"
+std::string unknown_well_key_text(std::string_view name);
+
+}  // namespace hfrac::capi

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A definition written as a case file.
+#include "case_file.hpp"
+#include "options/number_text.hpp"
+
+namespace hfrac::capi {
+namespace {
+
+// A TOML basic string.
+std::string quoted(std::string_view text) {
+  constexpr char digits[] = "0123456789abcdef";
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      result += {'\\', c};
+    } else if (byte < 0x20 || byte == 0x7F) {
+      result += std::string("\\u00") + digits[byte >> 4U] + digits[byte & 15U];
+    } else {
+      result += c;
+    }
+  }
+  return result + "\"";
+}
+
+// With a point or an exponent, so that a reader sees what is a real number.
+std::string real_text(double value) {
+  const std::string text = number_text(value);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
+std::string value_text(const OptionInfo& info, const Options& values) {
+  switch (info.type) {
+    case ValueType::real:
+      return real_text(values.*info.real);
+    case ValueType::integer:
+      return number_text(values.*info.integer);
+    case ValueType::choice:
+      return quoted(choice_word(info.choices, values.*info.integer));
+  }
+  return {};
+}
+
+std::string value_text(const WellOptionInfo& info, const WellOptions& values) {
+  if (info.real != nullptr) return real_text(values.*info.real);
+  return quoted(choice_word(info.choices, static_cast<std::int64_t>(values.control)));
+}
+
+}  // namespace
+
+std::string case_text(const CaseDefinition& definition) {
+  check_ranges(definition);
+  std::string text = "title = " + quoted(definition.title) + "\n";
+  std::string_view section;
+  for (const auto& info : option_table()) {
+    const std::string_view key = info.key;
+    const auto dot = key.find('.');
+    if (key.substr(0, dot) != section) {
+      section = key.substr(0, dot);
+      text += "\n[" + std::string(section) + "]\n";
+    }
+    text += std::string(key.substr(dot + 1)) + " = " + value_text(info, definition.options) + "\n";
+  }
+  for (const auto& well : definition.wells) {
+    text += "\n[[well]]\n";
+    for (const auto& info : well_option_table())
+      text += std::string(info.key) + " = " + value_text(info, well) + "\n";
+  }
+  if (definition.wells.empty()) text.insert(text.find('\n') + 1, "well = []\n");
+  return text;
+}
+
+}  // namespace hfrac::capi

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The library that runs, which may be another than the one a host was compiled against.
+#include <string>
+
+#include "hfrac/base.h"
+#include "internal.hpp"
+#if __has_include("solid/kernel_dispatch.hpp")
+#include "solid/kernel_dispatch.hpp"
+#define HFRAC_ISA hfrac::kernel_isa()
+#else
+#define HFRAC_ISA instruction_set()
+#endif
+
+#define HFRAC_TEXT_OF(x) #x
+#define HFRAC_TEXT(x) HFRAC_TEXT_OF(x)
+
+#ifndef HFRAC_BUILD_TYPE
+#define HFRAC_BUILD_TYPE "unknown"
+#endif
+
+using namespace hfrac::capi;
+
+namespace {
+
+#if !__has_include("solid/kernel_dispatch.hpp")
+const char* instruction_set() noexcept {
+#if defined(__x86_64__) && defined(__GNUC__)
+  if (__builtin_cpu_supports("avx512f")) return "avx512";
+  if (__builtin_cpu_supports("avx2")) return "avx2";
+  return "sse2";
+#else
+  return "generic";
+#endif
+}
+#endif
+
+#if defined(__clang__)
+constexpr const char* compiler = "clang " __clang_version__;
+#elif defined(__GNUC__)
+constexpr const char* compiler = "gcc " __VERSION__;
+#else
+constexpr const char* compiler = "unknown compiler";
+#endif
+
+}  // namespace
+
+std::int32_t hfrac_version(std::int32_t* major, std::int32_t* minor, std::int32_t* patch) {
+  return guarded([&] {
+    require_not_null(major, "major");
+    require_not_null(minor, "minor");
+    require_not_null(patch, "patch");
+    *major = HFRAC_VERSION_MAJOR;
+    *minor = HFRAC_VERSION_MINOR;
+    *patch = HFRAC_VERSION_PATCH;
+  });
+}
+
+std::int32_t hfrac_abi_version(std::int32_t* abi) {
+  return guarded([&] {
+    require_not_null(abi, "abi");
+    *abi = HFRAC_ABI_VERSION;
+  });
+}
+
+std::int32_t hfrac_build_info(char* buffer, std::int32_t capacity, std::int32_t* needed) {
+  return guarded([&] {
+    const std::string text = "hfrac " HFRAC_TEXT(HFRAC_VERSION_MAJOR) "." HFRAC_TEXT(
+                                 HFRAC_VERSION_MINOR) "." HFRAC_TEXT(HFRAC_VERSION_PATCH) ", " +
+                             std::string(compiler) + ", " HFRAC_BUILD_TYPE ", kernels " + HFRAC_ISA;
+    copy_text(text, buffer, capacity, needed);
+  });
+}

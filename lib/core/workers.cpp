@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/workers.hpp"
+
+#include <algorithm>
+
+namespace hfrac {
+namespace {
+
+// Waits for a condition: a few thousand spins (about a microsecond each hundred), then the processor is offered to others, so
+// that more workers than cores still make progress.
+template <class Condition>
+void spin_until(Condition&& condition) {
+  for (int spins = 0; !condition(); ++spins) {
+    if (spins < 4000) {
+#if defined(__x86_64__)
+      __builtin_ia32_pause();
+#endif
+    } else {
+      std::this_thread::yield();
+    }
+  }
+}
+
+}  // namespace
+
+Workers::Workers(int count) : count_(std::max(1, count)) {
+  threads_.reserve(static_cast<std::size_t>(count_ - 1));
+  for (int worker = 1; worker < count_; ++worker) threads_.emplace_back([this, worker] { loop(worker); });
+}
+
+Workers::~Workers() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  wake_.notify_all();
+  for (auto& thread : threads_) thread.join();
+}
+
+void Workers::run(const std::function<void(int)>& task) {
+  if (count_ == 1) {
+    task(0);
+    return;
+  }
+  running_.store(count_ - 1, std::memory_order_relaxed);
+  {
+    const std::lock_guard lock(mutex_);
+    task_ = &task;
+    ++generation_;
+  }
+  wake_.notify_all();
+  task(0);
+  spin_until([this] { return running_.load(std::memory_order_acquire) == 0; });
+}
+
+void Workers::loop(int worker) {
+  std::uint64_t seen = 0;
+  for (;;) {
+    const std::function<void(int)>* task = nullptr;
+    {
+      std::unique_lock lock(mutex_);
+      wake_.wait(lock, [&] { return stop_ || generation_ != seen; });
+      if (stop_) return;
+      seen = generation_;
+      task = task_;
+    }
+    (*task)(worker);
+    running_.fetch_sub(1, std::memory_order_release);
+  }
+}
+
+void Workers::barrier() {
+  if (count_ == 1) return;
+  const std::uint64_t phase = phase_.load(std::memory_order_acquire);
+  if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == count_) {
+    arrived_.store(0, std::memory_order_relaxed);
+    phase_.store(phase + 1, std::memory_order_release);
+  } else {
+    spin_until([&] { return phase_.load(std::memory_order_acquire) != phase; });
+  }
+}
+
+Workers::Range Workers::part(int worker, std::int64_t n, std::int64_t grain) const {
+  const std::int64_t blocks = (n + grain - 1) / grain;
+  const std::int64_t first = blocks * worker / count_;
+  const std::int64_t last = blocks * (worker + 1) / count_;
+  return {std::min(n, first * grain), std::min(n, last * grain)};
+}
+
+}  // namespace hfrac

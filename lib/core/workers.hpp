@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Worker threads of one simulation.
+//
+// A time step is a handful of short passes over arrays, so threads that sleep between passes would spend the step
+// waking up. Here a whole batch of cycles runs inside one parallel region, and the workers meet at a barrier that
+// spins for a moment before it yields. Which worker does which part is fixed by index ranges, and no worker adds into
+// what another one adds into, so results do not depend on how many there are.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace hfrac {
+
+class Workers {
+ public:
+  explicit Workers(int count);
+  ~Workers();
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+
+  [[nodiscard]] int count() const { return count_; }
+
+  // Runs task(worker) once on every worker, the calling thread being worker 0; returns when all are done.
+  // The task must not throw.
+  void run(const std::function<void(int)>& task);
+
+  // Inside a task: waits until all workers have come here.
+  void barrier();
+
+  // The part [first, last) of n items, in multiples of `grain`, that belongs to a worker.
+  struct Range {
+    std::int64_t first;
+    std::int64_t last;
+  };
+  [[nodiscard]] Range part(int worker, std::int64_t n, std::int64_t grain) const;
+
+ private:
+  void loop(int worker);
+
+  int count_;
+  std::vector<std::thread> threads_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  const std::function<void(int)>* task_ = nullptr;
+  std::uint64_t generation_ = 0;
+  bool stop_ = false;
+  std::atomic<int> running_{0};
+  std::atomic<int> arrived_{0};
+  std::atomic<std::uint64_t> phase_{0};
+};
+
+}  // namespace hfrac

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From options to a model at rest: pack, cut the wells, bond, find the pores, load, calibrate the apertures.
+#include <chrono>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "couple/simulation.hpp"
+#include "flow/aperture.hpp"
+#include "geom/packing.hpp"
+#include "options/choices.hpp"
+
+namespace hfrac {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Packing take_given(std::span<const double> discs) {
+  Packing packing;
+  const std::size_t n = discs.size() / 3;
+  for (std::size_t i = 0; i < n; ++i) {
+    packing.x.push_back(discs[3 * i]);
+    packing.y.push_back(discs[3 * i + 1]);
+    packing.radius.push_back(discs[3 * i + 2]);
+  }
+  return packing;
+}
+
+}  // namespace
+
+Simulation::Simulation(CaseDefinition definition, std::span<const double> given_discs, const Progress& progress)
+    : definition_(std::move(definition)) {
+  validate(definition_, given_discs);
+  const auto start = std::chrono::steady_clock::now();
+  workers_ = std::make_unique<Workers>(static_cast<int>(options().run_workers));
+  build(given_discs, progress);
+  equilibrate(progress);
+  begin_books();
+  setup_.setup_seconds = seconds_since(start);
+}
+
+void Simulation::build(std::span<const double> given_discs, const Progress& progress) {
+  const Options& o = options();
+  const auto start = std::chrono::steady_clock::now();
+  bool stop = false;
+  Packing packing;
+  if (given_discs.empty()) {
+    PackingOptions p;
+    p.width = o.model_width;
+    p.height = o.model_height;
+    p.count = o.packing_disc_count;
+    p.radius_ratio = o.packing_radius_ratio;
+    p.porosity = o.packing_porosity;
+    p.residual = o.packing_residual;
+    p.seed = static_cast<std::uint64_t>(o.model_seed);
+    packing = pack_discs(p, [&](double done) { return stop = progress && progress(0.5 * done, "packing the discs"); });
+    if (stop) throw Stopped{};
+  } else {
+    packing = take_given(given_discs);
+  }
+  setup_.packing_residual = packing.residual;
+  setup_.packed = static_cast<std::int64_t>(packing.x.size());
+  double solid = 0.0;
+  for (const double r : packing.radius) solid += 3.14159265358979323846 * r * r;
+  setup_.porosity = 1.0 - solid / (o.model_width * o.model_height);
+  setup_.packing_seconds = seconds_since(start);
+
+  if (progress && progress(0.5, "bonding")) throw Stopped{};
+  std::vector<Hole> holes;
+  for (const auto& well : definition_.wells) holes.push_back({{well.x, well.y}, well.radius});
+  const ContactGraph graph = build_contact_graph(packing.x, packing.y, packing.radius, holes, o.bond_gap_tolerance);
+  setup_.removed_in_wells = graph.removed_in_wells;
+  setup_.removed_floaters = graph.removed_floaters;
+  setup_.removed_crossings = graph.removed_crossings;
+  const Faces faces = build_faces(graph);
+
+  std::vector<std::int32_t> well_domains;
+  for (std::size_t w = 0; w < definition_.wells.size(); ++w) {
+    const auto& well = definition_.wells[w];
+    const auto face = face_around(graph, faces, {well.x, well.y});
+    if (face < 0) {
+      throw Error(ErrorKind::model, "well[" + std::to_string(w) + "] at (" + std::to_string(well.x) + ", " + std::to_string(well.y) +
+                                        ") m is not surrounded by rock; move it inward or make it smaller");
+    }
+    well_domains.push_back(face);
+  }
+  assembly_ = build_assembly(graph, o);
+  setup_.coordination = 2.0 * static_cast<double>(assembly_.bond_count()) / static_cast<double>(assembly_.disc_count());
+  network_ = build_network(graph, faces, assembly_, well_domains, o);
+
+  for (std::size_t w = 0; w < definition_.wells.size(); ++w) {
+    const auto& given = definition_.wells[w];
+    Well well;
+    well.place = {{given.x, given.y}, std::sqrt(faces.polygon_area[well_domains[w]] / 3.14159265358979323846), well_domains[w]};
+    well.control = given.control;
+    well.target_pressure = given.pressure;
+    well.ramp_per_step = given.ramp_per_step;
+    well.set_rate = given.rate;
+    wells_.push_back(well);
+  }
+  boundary_ = std::make_unique<Boundary>(assembly_, network_, o);
+  solver_ = std::make_unique<ExplicitSolver>(assembly_, network_, *boundary_, o, *workers_);
+}
+
+// Far field in stages, pores drained at the formation's pressure.
+void Simulation::equilibrate(const Progress& progress) {
+  const Options& o = options();
+  constexpr int stages = 10;
+  solver_->use_scaled_masses();
+  solver_->set_damping(std::max(0.3, o.stepping_damping));
+  solver_->set_undrained(false);
+  ExplicitSolver::Outcome outcome;
+  for (int stage = 1; stage <= stages; ++stage) {
+    boundary_->set_load(assembly_, static_cast<double>(stage) / stages);
+    const bool last = stage == stages;
+    bool stop = false;
+    outcome = solver_->relax(last ? o.stepping_force_ratio : 1e-2, (last ? 20 : 1) * o.stepping_max_cycles, cracks_, [&] {
+      return stop = progress && progress(0.5 + 0.5 * (stage - 1) / stages, "finding equilibrium under the far field");
+    });
+    if (stop) throw Stopped{};
+  }
+  setup_.force_ratio = force_ratio_ = outcome.force_ratio;
+  setup_.cracks = static_cast<std::int64_t>(cracks_.size());
+  at_rest_ = outcome.at_rest;
+  if (WallsAfterSetup{o.boundary_walls_after_setup} == WallsAfterSetup::fixed) boundary_->fix_walls();
+  solver_->stop_motion();
+  solver_->set_damping(o.stepping_damping);
+}
+
+void Simulation::begin_books() {
+  const Options& o = options();
+  start_x_ = assembly_.ux;
+  start_y_ = assembly_.uy;
+  start_rotation_ = assembly_.rotation;
+  solver_->evaluate();  // volumes and forces where they came to rest
+  const bool wet = FlowScheme{o.flow_scheme} != FlowScheme::off;
+  for (std::int64_t d = 0; d < network_.domain_count(); ++d) {
+    network_.pressure[d] = network_.reference_pressure;
+    network_.content[d] = content_at(network_, d, o.fluid_bulk_modulus, network_.reference_pressure);
+    const bool imposed = network_.kind[d] == DomainKind::outside;
+    network_.stiffness[d] = wet && !imposed ? o.fluid_bulk_modulus / network_.volume[d] : 0.0;
+  }
+  source_.assign(static_cast<std::size_t>(network_.domain_count()), 0.0);
+  for (auto& well : wells_) {
+    network_.stiffness[well.place.domain] = 0.0;
+    well_content_.push_back(network_.content[well.place.domain]);
+  }
+  if (wet) {
+    calibrate_aperture(network_, assembly_, o, definition_.wells);
+    setup_.permeability = measure_permeability(network_, assembly_, definition_.wells, o.fluid_viscosity);
+    flow_ = std::make_unique<FlowSolver>(network_, o);
+    solver_->set_undrained(true);
+  }
+  start_content_.assign(network_.content.begin(), network_.content.end());
+  elastic_energy(start_bond_energy_, start_contact_energy_);
+  start_boundary_work_ = boundary_->load_work(assembly_);
+  solver_->energies() = {};
+  if (SteppingMode{o.stepping_mode} == SteppingMode::dynamic) solver_->use_real_masses();
+}
+
+}  // namespace hfrac

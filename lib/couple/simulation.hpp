@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A simulation: the model, its clock, its books. What a step does, in order, stands in step.cpp; how a model is
+// built, in setup.cpp.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/workers.hpp"
+#include "flow/flow_solver.hpp"
+#include "flow/network.hpp"
+#include "frac/crack_log.hpp"
+#include "frac/fractures.hpp"
+#include "options/options.hpp"
+#include "solid/assembly.hpp"
+#include "solid/boundary.hpp"
+#include "solid/explicit_solver.hpp"
+
+namespace hfrac {
+
+// progress(share done, what): true asks to stop.
+using Progress = std::function<bool(double, const char*)>;
+
+struct Well {
+  WellPlace place;
+  WellControl control = WellControl::pressure;
+  double target_pressure = 0.0;   // Pa
+  double ramp_per_step = 0.0;     // Pa
+  double set_rate = 0.0;          // m2/s
+  double rate = 0.0;              // m2/s into the well in the last step
+  double injected = 0.0;          // m2 since set-up
+};
+
+struct SetupReport {
+  double packing_residual = 0.0, porosity = 0.0, coordination = 0.0, permeability = 0.0, force_ratio = 0.0;
+  std::int64_t packed = 0, removed_in_wells = 0, removed_floaters = 0, removed_crossings = 0;
+  double packing_seconds = 0.0, setup_seconds = 0.0;
+  std::int64_t cracks = 0;
+};
+
+struct Balance {
+  double kinetic, bond_elastic, contact_elastic, fluid_work, boundary_work, friction, damping, fracture, energy_error;  // J/m
+  double injected, stored, leaked, fluid_error;  // m2
+};
+
+enum class StopReason : std::int32_t { target = 0, callback = 1, extent = 2, cracks = 3 };
+
+class Simulation {
+ public:
+  // Builds the model and brings it to rest under the far field. Throws Error; Stopped if progress asked for it.
+  Simulation(CaseDefinition definition, std::span<const double> given_discs, const Progress& progress);
+
+  struct StepOutcome {
+    bool stopped = false;  // the step was undone
+    bool at_rest = true;
+  };
+  // One step. If it is interrupted or fails, the state is as before it.
+  StepOutcome step(const std::function<bool()>& interrupt = {});
+
+  void set_well_pressure(std::size_t well, double pressure);
+  void set_well_ramp(std::size_t well, double pressure, double per_step);
+  void set_well_rate(std::size_t well, double rate);
+
+  [[nodiscard]] const CaseDefinition& definition() const { return definition_; }
+  [[nodiscard]] const Options& options() const { return definition_.options; }
+  [[nodiscard]] const Assembly& assembly() const { return assembly_; }
+  [[nodiscard]] const Network& network() const { return network_; }
+  [[nodiscard]] const Boundary& boundary() const { return *boundary_; }
+  [[nodiscard]] const ExplicitSolver& solver() const { return *solver_; }
+  [[nodiscard]] const std::vector<Well>& wells() const { return wells_; }
+  [[nodiscard]] const CrackLog& cracks() const { return cracks_; }
+  [[nodiscard]] const SetupReport& setup() const { return setup_; }
+  [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] std::int64_t step_count() const { return step_; }
+  [[nodiscard]] double force_ratio() const { return force_ratio_; }
+  [[nodiscard]] bool at_rest() const { return at_rest_; }
+  [[nodiscard]] int flow_rounds() const { return flow_rounds_; }
+  [[nodiscard]] double leaked() const { return leaked_; }
+  [[nodiscard]] const Array<double>& start_x() const { return start_x_; }  // displacement at the end of set-up
+  [[nodiscard]] const Array<double>& start_y() const { return start_y_; }
+  [[nodiscard]] const Array<double>& start_rotation() const { return start_rotation_; }
+
+  std::vector<Fracture> fractures() { return find_fractures(assembly_, network_, options(), well_places(), cracks_); }
+  [[nodiscard]] std::vector<WellPlace> well_places() const;
+  [[nodiscard]] Balance balance() const;
+  [[nodiscard]] double tip_distance() const { return tip_distance_; }
+  [[nodiscard]] StopReason stop_reason() const;
+  [[nodiscard]] std::uint64_t state_hash() const;
+
+ private:
+  // setup.cpp
+  void build(std::span<const double> given_discs, const Progress& progress);
+  void equilibrate(const Progress& progress);
+  void begin_books();
+  // step.cpp
+  void drive_wells();
+  void flow_step(double duration);
+  void finish_step(double duration, std::size_t cracks_before);
+  void impose_well_pressure(Well& well, double pressure);
+  // books.cpp
+  struct Kept;
+  [[nodiscard]] std::shared_ptr<const Kept> keep() const;
+  void undo(const Kept& kept);
+  void elastic_energy(double& bonds, double& contacts) const;  // J/m
+
+  CaseDefinition definition_;
+  std::unique_ptr<Workers> workers_;
+  Assembly assembly_;
+  Network network_;
+  std::unique_ptr<Boundary> boundary_;
+  std::unique_ptr<ExplicitSolver> solver_;
+  std::unique_ptr<FlowSolver> flow_;
+  std::vector<Well> wells_;
+  CrackLog cracks_;
+  SetupReport setup_;
+  std::vector<double> source_;        // m2/s per domain, from wells at a rate
+  std::vector<double> well_content_;  // m2, of each well at the end of the last step
+  double time_ = 0.0, force_ratio_ = 0.0, leaked_ = 0.0, tip_distance_ = 0.0;
+  std::int64_t step_ = 0;
+  bool at_rest_ = true;
+  int flow_rounds_ = 0;
+  // where the books begin
+  Array<double> start_x_, start_y_, start_rotation_;
+  std::vector<double> start_content_;
+  double start_bond_energy_ = 0.0, start_contact_energy_ = 0.0, start_boundary_work_ = 0.0;
+};
+
+// Thrown by the constructor when progress asked to stop.
+struct Stopped {};
+
+}  // namespace hfrac

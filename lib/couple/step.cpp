@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The order of a step. Everything a step does is called from Simulation::step, top to bottom:
+//
+//   1  wells take their pressures or rates
+//   2  fluid moves along the pipes for flow_step seconds while the rock stands still (eq. 6, 8; implicit or sub-cycled)
+//   3  the rock moves until it is at rest, or for flow_step seconds of real time (mode dynamic): in every cycle
+//        bond and contact forces (eq. 15-20), breakage (eq. 21-23) -> crack log
+//        pores answer undrained: pressure follows from the fluid they hold and their volume (eq. 8)
+//        pressures push the discs (eq. 9-14), boundary, motion (eq. 11, 12)
+//   4  apertures and conductances at the new geometry (eq. 6, 7)
+//   5  clock, injected and leaked volumes, farthest crack tip
+//
+// Between 2 and 3 no fluid is lost or made: pores keep their content while the rock moves. Freezing the pressure
+// instead (the drained split) is unstable. If a step fails or is interrupted, the state is put back as it was.
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "couple/simulation.hpp"
+#include "flow/aperture.hpp"
+#include "options/choices.hpp"
+
+namespace hfrac {
+
+Simulation::StepOutcome Simulation::step(const std::function<bool()>& interrupt) {
+  const Options& o = options();
+  const auto before = keep();
+  try {
+    drive_wells();
+    flow_step(o.stepping_flow_step);
+
+    ExplicitSolver::Outcome mechanics;
+    const std::size_t cracks_before = cracks_.size();
+    if (SteppingMode{o.stepping_mode} == SteppingMode::dynamic) {
+      const auto cycles = static_cast<std::int64_t>(std::max(1.0, std::ceil(o.stepping_flow_step / solver_->step())));
+      mechanics = solver_->run(cycles, cracks_, interrupt);
+      mechanics.at_rest = true;  // not asked for
+    } else {
+      mechanics = solver_->relax(o.stepping_force_ratio, o.stepping_max_cycles, cracks_, interrupt);
+    }
+    if (mechanics.stopped) {
+      undo(*before);
+      return {true, at_rest_};
+    }
+    force_ratio_ = mechanics.force_ratio;
+    at_rest_ = mechanics.at_rest;
+    solver_->evaluate();
+    if (flow_) update_apertures(network_, assembly_, o);
+    finish_step(o.stepping_flow_step, cracks_before);
+  } catch (...) {
+    undo(*before);
+    throw;
+  }
+  return {false, at_rest_};
+}
+
+void Simulation::drive_wells() {
+  std::fill(source_.begin(), source_.end(), 0.0);
+  for (auto& well : wells_) {
+    const auto d = well.place.domain;
+    switch (well.control) {
+      case WellControl::pressure: impose_well_pressure(well, well.target_pressure); break;
+      case WellControl::ramp: {
+        const double now = network_.pressure[d], gap = well.target_pressure - now;
+        impose_well_pressure(well, std::abs(gap) <= well.ramp_per_step ? well.target_pressure : now + std::copysign(well.ramp_per_step, gap));
+        break;
+      }
+      case WellControl::rate:
+        if (network_.stiffness[d] == 0.0) {
+          network_.stiffness[d] = options().fluid_bulk_modulus / network_.volume[d];
+          network_.content[d] = content_at(network_, d, options().fluid_bulk_modulus, network_.pressure[d]);
+        }
+        source_[static_cast<std::size_t>(d)] = well.set_rate;
+        break;
+    }
+  }
+}
+
+void Simulation::impose_well_pressure(Well& well, double pressure) {
+  network_.stiffness[well.place.domain] = 0.0;
+  network_.pressure[well.place.domain] = std::max(pressure, network_.floor_pressure);
+}
+
+void Simulation::flow_step(double duration) {
+  if (!flow_) return;
+  flow_rounds_ = flow_->advance(network_, duration, source_);
+}
+
+void Simulation::finish_step(double duration, std::size_t cracks_before) {
+  time_ += duration;
+  ++step_;
+  // What left through the pipes; domains of imposed pressure keep no content of their own.
+  std::vector<double> outflow(wells_.size(), 0.0);
+  if (flow_) {
+    double leak = 0.0;
+    for (std::size_t e = 0; e < network_.left.size(); ++e) {
+      const auto l = network_.left[e], r = network_.right[e];
+      if (l == 0) leak -= network_.flow[e];
+      if (r == 0) leak += network_.flow[e];
+      for (std::size_t w = 0; w < wells_.size(); ++w) {
+        if (l == wells_[w].place.domain) outflow[w] += network_.flow[e];
+        if (r == wells_[w].place.domain) outflow[w] -= network_.flow[e];
+      }
+    }
+    leaked_ += duration * leak;
+  }
+  for (std::size_t w = 0; w < wells_.size(); ++w) {
+    Well& well = wells_[w];
+    const auto d = well.place.domain;
+    const double injected_before = well.injected;
+    if (network_.stiffness[d] == 0.0) {
+      // What it took to keep the pressure: what flowed out, and what the hole holds more than before.
+      const double content = content_at(network_, d, options().fluid_bulk_modulus, network_.pressure[d]);
+      well.injected += duration * outflow[w] + content - well_content_[w];
+      network_.content[d] = content;
+    } else {
+      well.injected += duration * source_[static_cast<std::size_t>(d)];
+    }
+    well_content_[w] = network_.content[d];
+    well.rate = (well.injected - injected_before) / duration;
+  }
+  for (std::size_t c = cracks_before; c < cracks_.size(); ++c) {
+    cracks_[c].step = step_;
+    cracks_[c].time = time_;
+    const CrackLine line = crack_line(assembly_, options(), cracks_[c].bond);
+    const Vec2 along{-0.5 * line.length * line.normal.y, 0.5 * line.length * line.normal.x};
+    for (const Vec2 end : {line.middle + along, line.middle - along}) {
+      double nearest = wells_.empty() ? 0.0 : 1e300;
+      for (const auto& well : wells_) {
+        const Vec2 from = end - well.place.centre;
+        nearest = std::min(nearest, std::sqrt(dot(from, from)));
+      }
+      tip_distance_ = std::max(tip_distance_, nearest);
+    }
+  }
+}
+
+void Simulation::set_well_pressure(std::size_t well, double pressure) {
+  wells_[well].control = WellControl::pressure;
+  wells_[well].target_pressure = pressure;
+}
+
+void Simulation::set_well_ramp(std::size_t well, double pressure, double per_step) {
+  wells_[well].control = WellControl::ramp;
+  wells_[well].target_pressure = pressure;
+  wells_[well].ramp_per_step = per_step;
+}
+
+void Simulation::set_well_rate(std::size_t well, double rate) {
+  wells_[well].control = WellControl::rate;
+  wells_[well].set_rate = rate;
+}
+
+}  // namespace hfrac

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "flow/flow_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+#include "options/choices.hpp"
+
+namespace hfrac {
+namespace {
+
+// Pressure from content without the floor of cavitation.
+double full_pressure(const Network& n, std::size_t d) {
+  return n.reference_pressure + n.stiffness[d] * (n.content[d] - n.volume_change[d]);
+}
+
+}  // namespace
+
+FlowSolver::FlowSolver(const Network& n, const Options& options)
+    : explicit_(FlowScheme{options.flow_scheme} == FlowScheme::explicit_scheme) {
+  const auto domains = static_cast<Eigen::Index>(n.domain_count());
+  full_.resize(static_cast<std::size_t>(domains));
+  cavitated_.assign(static_cast<std::size_t>(domains), 0);
+  if (explicit_) return;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index d = 0; d < domains; ++d) entries.emplace_back(d, d, 1.0);
+  for (std::size_t e = 0; e < n.left.size(); ++e) {
+    if (n.left[e] != n.right[e]) entries.emplace_back(std::max(n.left[e], n.right[e]), std::min(n.left[e], n.right[e]), 1.0);
+  }
+  matrix_.resize(domains, domains);
+  matrix_.setFromTriplets(entries.begin(), entries.end());
+  matrix_.makeCompressed();
+  factor_.analyzePattern(matrix_);
+  const auto place = [&](std::int32_t row, std::int32_t column) -> Eigen::Index {
+    const auto* begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column];
+    const auto* end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column + 1];
+    return std::lower_bound(begin, end, row) - matrix_.innerIndexPtr();
+  };
+  for (std::int32_t d = 0; d < domains; ++d) diagonal_.push_back(place(d, d));
+  for (std::size_t e = 0; e < n.left.size(); ++e) {
+    off_diagonal_.push_back(n.left[e] == n.right[e] ? -1 : place(std::max(n.left[e], n.right[e]), std::min(n.left[e], n.right[e])));
+  }
+}
+
+int FlowSolver::advance(Network& n, double step, const std::vector<double>& source) {
+  return explicit_ ? advance_explicit(n, step, source) : advance_implicit(n, step, source);
+}
+
+int FlowSolver::advance_implicit(Network& n, double step, const std::vector<double>& source) {
+  const auto domains = static_cast<std::size_t>(n.domain_count());
+  // A domain is solved for unless its pressure is imposed or, in this round, at the floor.
+  const auto solved = [&](std::size_t d) { return n.stiffness[d] > 0.0 && !cavitated_[d]; };
+  for (std::size_t d = 0; d < domains; ++d) {
+    full_[d] = n.stiffness[d] > 0.0 ? full_pressure(n, d) : n.pressure[d];
+    cavitated_[d] = n.stiffness[d] > 0.0 && n.pressure[d] <= n.floor_pressure && full_[d] < n.floor_pressure ? 1 : 0;
+  }
+  constexpr int most_rounds = 60;
+  Eigen::VectorXd rhs(static_cast<Eigen::Index>(domains)), p(static_cast<Eigen::Index>(domains));
+  int round = 0;
+  for (bool changed = true; changed && round < most_rounds; ++round) {
+    double* value = matrix_.valuePtr();
+    std::fill(value, value + matrix_.nonZeros(), 0.0);
+    for (std::size_t d = 0; d < domains; ++d) {
+      const auto row = static_cast<Eigen::Index>(d);
+      if (solved(d)) {
+        value[diagonal_[d]] = 1.0 / n.stiffness[d];
+        rhs[row] = full_[d] / n.stiffness[d] + (source.empty() ? 0.0 : step * source[d]);
+      } else {
+        value[diagonal_[d]] = 1.0;
+        rhs[row] = n.stiffness[d] > 0.0 ? n.floor_pressure : n.pressure[d];
+      }
+    }
+    for (std::size_t e = 0; e < n.left.size(); ++e) {
+      const auto l = static_cast<std::size_t>(n.left[e]), r = static_cast<std::size_t>(n.right[e]);
+      const double c = step * n.conductance[e];
+      if (l == r || c == 0.0) continue;
+      const bool solve_l = solved(l), solve_r = solved(r);
+      if (solve_l) value[diagonal_[l]] += c;
+      if (solve_r) value[diagonal_[r]] += c;
+      if (solve_l && solve_r) {
+        value[off_diagonal_[e]] -= c;
+      } else if (solve_l) {
+        rhs[static_cast<Eigen::Index>(l)] += c * (n.stiffness[r] > 0.0 ? n.floor_pressure : n.pressure[r]);
+      } else if (solve_r) {
+        rhs[static_cast<Eigen::Index>(r)] += c * (n.stiffness[l] > 0.0 ? n.floor_pressure : n.pressure[l]);
+      }
+    }
+    factor_.factorize(matrix_);
+    if (factor_.info() != Eigen::Success) throw Error(ErrorKind::diverged, "the flow matrix cannot be factorised: an aperture or volume is not finite");
+    p = factor_.solve(rhs);
+
+    changed = false;
+    for (std::size_t e = 0; e < n.left.size(); ++e) {
+      n.flow[e] = n.conductance[e] * (p[n.left[e]] - p[n.right[e]]);
+    }
+    // What a domain at the floor would hold after the step decides whether it stays there.
+    fill_.assign(domains, 0.0);
+    for (std::size_t e = 0; e < n.left.size(); ++e) {
+      fill_[static_cast<std::size_t>(n.left[e])] -= step * n.flow[e];
+      fill_[static_cast<std::size_t>(n.right[e])] += step * n.flow[e];
+    }
+    for (std::size_t d = 0; d < domains; ++d) {
+      if (n.stiffness[d] <= 0.0) continue;
+      const double gain = fill_[d] + (source.empty() ? 0.0 : step * source[d]);
+      const bool at_floor = cavitated_[d] ? full_[d] + n.stiffness[d] * gain <= n.floor_pressure
+                                          : p[static_cast<Eigen::Index>(d)] < n.floor_pressure;
+      if (at_floor != (cavitated_[d] != 0)) {
+        cavitated_[d] = at_floor ? 1 : 0;
+        changed = true;
+      }
+    }
+  }
+  for (std::size_t d = 0; d < domains; ++d) {
+    if (n.stiffness[d] <= 0.0) continue;
+    n.content[d] += fill_[d] + (source.empty() ? 0.0 : step * source[d]);
+    n.pressure[d] = std::max(n.floor_pressure, full_pressure(n, d));
+  }
+  return round;
+}
+
+double FlowSolver::explicit_limit(const Network& n) {
+  std::vector<double> sum(static_cast<std::size_t>(n.domain_count()), 0.0);
+  for (std::size_t e = 0; e < n.left.size(); ++e) {
+    sum[static_cast<std::size_t>(n.left[e])] += n.conductance[e];
+    sum[static_cast<std::size_t>(n.right[e])] += n.conductance[e];
+  }
+  double limit = std::numeric_limits<double>::infinity();
+  for (std::size_t d = 0; d < sum.size(); ++d) {
+    if (n.stiffness[d] > 0.0 && sum[d] > 0.0) limit = std::min(limit, 1.0 / (n.stiffness[d] * sum[d]));
+  }
+  return limit;
+}
+
+int FlowSolver::advance_explicit(Network& n, double step, const std::vector<double>& source) {
+  const double limit = 0.5 * explicit_limit(n);  // half the limit: no domain overshoots its neighbours' mean
+  const double cycles = std::max(1.0, std::ceil(step / limit));
+  if (cycles > 2e6) {
+    throw Error(ErrorKind::model, "explicit flow would need " + std::to_string(cycles) +
+                                      " sub-cycles for one step; use flow.scheme = \"implicit\" or a smaller flow.aperture_limit");
+  }
+  const double dt = step / cycles;
+  const auto domains = static_cast<std::size_t>(n.domain_count());
+  std::fill(n.flow.begin(), n.flow.end(), 0.0);
+  for (int cycle = 0; cycle < static_cast<int>(cycles); ++cycle) {
+    for (std::size_t e = 0; e < n.left.size(); ++e) {
+      const double q = n.conductance[e] * (n.pressure[n.left[e]] - n.pressure[n.right[e]]);
+      n.flow[e] += q / cycles;
+      n.content[n.left[e]] -= dt * q;
+      n.content[n.right[e]] += dt * q;
+    }
+    for (std::size_t d = 0; d < domains; ++d) {
+      if (n.stiffness[d] <= 0.0) {
+        n.content[d] = 0.0;  // kept by the wells' and the boundary's own books
+        continue;
+      }
+      if (!source.empty()) n.content[d] += dt * source[d];
+      n.pressure[d] = std::max(n.floor_pressure, full_pressure(n, d));
+    }
+  }
+  return static_cast<int>(cycles);
+}
+
+}  // namespace hfrac

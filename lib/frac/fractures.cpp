@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "frac/fractures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <queue>
+
+namespace hfrac {
+namespace {
+
+// The graph of one fracture: its domains as nodes, its cracks as edges.
+struct Graph {
+  struct Edge {
+    int to;
+    double length;
+  };
+  std::vector<std::int32_t> domain;
+  std::vector<std::vector<Edge>> edges;
+};
+
+std::vector<double> shortest_ways(const Graph& graph, int from, int blocked) {
+  std::vector<double> way(graph.domain.size(), -1.0);
+  using Item = std::pair<double, int>;
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> open;
+  open.emplace(0.0, from);
+  while (!open.empty()) {
+    const auto [distance, node] = open.top();
+    open.pop();
+    if (way[node] >= 0.0) continue;
+    way[node] = distance;
+    if (node == blocked) continue;
+    for (const auto& edge : graph.edges[node]) {
+      if (way[edge.to] < 0.0) open.emplace(distance + edge.length, edge.to);
+    }
+  }
+  return way;
+}
+
+// Longest way through a fracture without a well: the far end of the far end (exact on trees).
+double longest_way(const Graph& graph) {
+  auto way = shortest_ways(graph, 0, -1);
+  const auto far = static_cast<int>(std::max_element(way.begin(), way.end()) - way.begin());
+  way = shortest_ways(graph, far, -1);
+  return *std::max_element(way.begin(), way.end());
+}
+
+// From a well: the two longest arms, and how many arms there are.
+std::pair<double, std::int64_t> arms_from(const Graph& graph, int well) {
+  std::vector<double> longest;
+  std::vector<char> seen(graph.domain.size(), 0);
+  seen[well] = 1;
+  const auto way = shortest_ways(graph, well, -1);
+  for (const auto& start : graph.edges[well]) {
+    if (seen[start.to]) continue;
+    double reach = 0.0;
+    std::vector<int> stack{start.to};
+    seen[start.to] = 1;
+    while (!stack.empty()) {
+      const int node = stack.back();
+      stack.pop_back();
+      reach = std::max(reach, way[node]);
+      for (const auto& edge : graph.edges[node]) {
+        if (!seen[edge.to]) {
+          seen[edge.to] = 1;
+          stack.push_back(edge.to);
+        }
+      }
+    }
+    longest.push_back(reach);
+  }
+  std::sort(longest.rbegin(), longest.rend());
+  double sum = 0.0;
+  for (std::size_t k = 0; k < std::min<std::size_t>(2, longest.size()); ++k) sum += longest[k];
+  return {sum, static_cast<std::int64_t>(longest.size())};
+}
+
+double largest_distance(std::vector<Vec2> points) {
+  // On the convex hull (Andrew's monotone chain), where the farthest pair lies.
+  std::sort(points.begin(), points.end(), [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  std::vector<Vec2> hull(2 * points.size() + 1);
+  std::size_t k = 0;
+  const auto add = [&](Vec2 p, std::size_t least) {
+    while (k >= least && cross(hull[k - 1] - hull[k - 2], p - hull[k - 1]) <= 0.0) --k;
+    hull[k++] = p;
+  };
+  for (const auto& p : points) add(p, 2);
+  const std::size_t lower = k + 1;
+  for (auto p = points.rbegin() + 1; p != points.rend(); ++p) add(*p, lower);
+  double best = 0.0;
+  for (std::size_t i = 0; i < k; ++i) {
+    for (std::size_t j = i + 1; j < k; ++j) best = std::max(best, dot(hull[i] - hull[j], hull[i] - hull[j]));
+  }
+  return std::sqrt(best);
+}
+
+// Direction of largest spread, -pi/2 to pi/2, about `centre`.
+double main_direction(const std::vector<Vec2>& points, Vec2 centre) {
+  double xx = 0.0, yy = 0.0, xy = 0.0;
+  for (const auto& p : points) {
+    const Vec2 d = p - centre;
+    xx += d.x * d.x;
+    yy += d.y * d.y;
+    xy += d.x * d.y;
+  }
+  return 0.5 * std::atan2(2.0 * xy, xx - yy);
+}
+
+struct Sets {
+  std::vector<std::int32_t> parent;
+  explicit Sets(std::size_t n) : parent(n) { std::iota(parent.begin(), parent.end(), 0); }
+  std::int32_t root(std::int32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  }
+  void join(std::int32_t a, std::int32_t b) {
+    a = root(a);
+    b = root(b);
+    parent[std::max(a, b)] = std::min(a, b);
+  }
+};
+
+}  // namespace
+
+CrackLine crack_line(const Assembly& a, const Options& o, std::int64_t bond) {
+  const BondView view = view_bond(a, o, bond);
+  const auto i = a.first[bond], j = a.second[bond];
+  const double share = a.radius[i] / (a.radius[i] + a.radius[j]);
+  const Vec2 from = a.position(i), to = a.position(j);
+  return {from + share * (to - from), view.normal, 2.0 * a.bond_radius[bond], std::max(0.0, view.gap)};
+}
+
+std::vector<Fracture> find_fractures(const Assembly& a, const Network& n, const Options& o, const std::vector<WellPlace>& wells,
+                                     CrackLog& log) {
+  const auto cracks = static_cast<std::int32_t>(log.size());
+  Sets sets(log.size());
+  std::map<std::int32_t, std::int32_t> first_in_domain;  // ordered: results do not depend on hashing
+  for (std::int32_t c = 0; c < cracks; ++c) {
+    for (const auto d : {n.left[log[c].bond], n.right[log[c].bond]}) {
+      if (d == 0) continue;  // the outside joins nothing
+      const auto [at, fresh] = first_in_domain.emplace(d, c);
+      if (!fresh) sets.join(at->second, c);
+    }
+  }
+  std::map<std::int32_t, std::vector<std::int32_t>> groups;
+  for (std::int32_t c = 0; c < cracks; ++c) groups[sets.root(c)].push_back(c);
+  std::vector<std::vector<std::int32_t>> ordered;
+  for (auto& [root, members] : groups) ordered.push_back(std::move(members));
+  std::stable_sort(ordered.begin(), ordered.end(), [](const auto& p, const auto& q) { return p.size() > q.size(); });
+
+  std::vector<Fracture> fractures;
+  for (const auto& members : ordered) {
+    Fracture f;
+    Graph graph;
+    std::map<std::int32_t, int> node;
+    const auto node_of = [&](std::int32_t d) {
+      const auto [at, fresh] = node.emplace(d, static_cast<int>(graph.domain.size()));
+      if (fresh) {
+        graph.domain.push_back(d);
+        graph.edges.emplace_back();
+      }
+      return at->second;
+    };
+    std::vector<Vec2> ends;
+    Vec2 centre{};
+    double length_sum = 0.0, pressure_sum = 0.0;
+    for (const auto c : members) {
+      log[c].fracture = static_cast<std::int32_t>(fractures.size());
+      const auto bond = log[c].bond;
+      const CrackLine line = crack_line(a, o, bond);
+      const Vec2 along{-line.normal.y, line.normal.x};
+      ends.push_back(line.middle + (0.5 * line.length) * along);
+      ends.push_back(line.middle - (0.5 * line.length) * along);
+      centre = centre + line.middle;
+      ++f.crack_count;
+      f.tensile_cracks += log[c].mode == CrackMode::tension ? 1 : 0;
+      f.largest_aperture = std::max(f.largest_aperture, line.aperture);
+      f.volume += line.aperture * line.length;
+      length_sum += line.length;
+      const auto l = n.left[bond], r = n.right[bond];
+      pressure_sum += 0.5 * (n.pressure[l] + n.pressure[r]);
+      // From pore to pore through the contact; at a well or the outside the way begins at the contact.
+      double way = 0.0;
+      for (const auto d : {l, r}) {
+        if (n.kind[d] != DomainKind::rock) continue;
+        const Vec2 leg = n.centroid[d] - line.middle;
+        way += std::sqrt(dot(leg, leg));
+      }
+      const int node_l = node_of(l), node_r = node_of(r);
+      graph.edges[node_l].push_back({node_r, way});
+      graph.edges[node_r].push_back({node_l, way});
+    }
+    const auto count = static_cast<double>(f.crack_count);
+    centre = (1.0 / count) * centre;
+    f.mean_aperture = f.volume / length_sum;
+    f.mean_pressure = pressure_sum / count;
+    f.extent = largest_distance(ends);
+    for (std::size_t w = 0; w < wells.size() && f.well < 0; ++w) {
+      if (node.count(wells[w].domain) > 0) f.well = static_cast<std::int64_t>(w);
+    }
+    if (f.well >= 0) {
+      const WellPlace& well = wells[static_cast<std::size_t>(f.well)];
+      std::tie(f.length, f.arms) = arms_from(graph, node[well.domain]);
+      for (const auto& p : ends) f.reach = std::max(f.reach, std::sqrt(dot(p - well.centre, p - well.centre)) - well.equivalent_radius);
+      f.azimuth = main_direction(ends, well.centre);
+    } else {
+      f.length = longest_way(graph);
+      f.arms = 1;
+      f.azimuth = main_direction(ends, centre);
+    }
+    fractures.push_back(f);
+  }
+  return fractures;
+}
+
+}  // namespace hfrac

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geom/contact_graph.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "geom/cell_grid.hpp"
+
+namespace hfrac {
+namespace {
+
+struct Join {
+  std::int32_t i, j;
+  double gap;  // m
+};
+
+std::vector<Join> near_pairs(const Array<double>& x, const Array<double>& y, const Array<double>& radius, double tolerance) {
+  const double largest = *std::max_element(radius.begin(), radius.end());
+  const CellGrid grid(x, y, 2.0 * largest + tolerance);
+  std::vector<Join> joins;
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(x.size()); ++i) {
+    const auto begin = joins.size();
+    grid.near(x[i], y[i], radius[i] + largest + tolerance, [&](std::int32_t j) {
+      if (j <= i) return;
+      const double dx = x[j] - x[i], dy = y[j] - y[i];
+      const double gap = std::sqrt(dx * dx + dy * dy) - radius[i] - radius[j];
+      if (gap < tolerance) joins.push_back({i, j, gap});
+    });
+    std::sort(joins.begin() + static_cast<std::ptrdiff_t>(begin), joins.end(),
+              [](const Join& a, const Join& b) { return a.j < b.j; });
+  }
+  return joins;
+}
+
+bool segments_cross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const auto side = [](Vec2 p, Vec2 q, Vec2 r) { return cross(q - p, r - p); };
+  return side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
+}
+
+// Removes the wider of each crossing pair; returns how many went.
+std::int64_t remove_crossings(const Array<double>& x, const Array<double>& y, double largest, std::vector<Join>& joins) {
+  Array<double> mx(joins.size()), my(joins.size());
+  for (std::size_t e = 0; e < joins.size(); ++e) {
+    mx[e] = 0.5 * (x[joins[e].i] + x[joins[e].j]);
+    my[e] = 0.5 * (y[joins[e].i] + y[joins[e].j]);
+  }
+  const CellGrid grid(mx, my, 2.0 * largest);
+  std::vector<char> gone(joins.size(), 0);
+  for (std::int32_t e = 0; e < static_cast<std::int32_t>(joins.size()); ++e) {
+    grid.near(mx[e], my[e], 2.2 * largest, [&](std::int32_t f) {
+      if (f <= e || gone[e] || gone[f]) return;
+      const Join &a = joins[e], &b = joins[f];
+      if (a.i == b.i || a.i == b.j || a.j == b.i || a.j == b.j) return;
+      if (segments_cross({x[a.i], y[a.i]}, {x[a.j], y[a.j]}, {x[b.i], y[b.i]}, {x[b.j], y[b.j]})) {
+        gone[a.gap > b.gap ? e : f] = 1;
+      }
+    });
+  }
+  std::vector<Join> kept;
+  kept.reserve(joins.size());
+  for (std::size_t e = 0; e < joins.size(); ++e) {
+    if (!gone[e]) kept.push_back(joins[e]);
+  }
+  const auto removed = static_cast<std::int64_t>(joins.size() - kept.size());
+  joins.swap(kept);
+  return removed;
+}
+
+// Marks discs with fewer than two joins, again and again, then all but the largest connected piece.
+std::vector<char> discs_held(std::size_t n, const std::vector<Join>& joins) {
+  std::vector<std::int32_t> degree(n, 0), start(n + 1, 0), other(2 * joins.size());
+  for (const auto& join : joins) {
+    ++degree[join.i];
+    ++degree[join.j];
+  }
+  for (std::size_t i = 0; i < n; ++i) start[i + 1] = start[i] + degree[i];
+  auto cursor = start;
+  for (const auto& join : joins) {
+    other[cursor[join.i]++] = join.j;
+    other[cursor[join.j]++] = join.i;
+  }
+  std::vector<char> held(n, 1);
+  std::vector<std::int32_t> stack;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (degree[i] < 2) stack.push_back(static_cast<std::int32_t>(i));
+  }
+  while (!stack.empty()) {
+    const auto i = stack.back();
+    stack.pop_back();
+    if (!held[i]) continue;
+    held[i] = 0;
+    for (auto k = start[i]; k < start[i + 1]; ++k) {
+      if (held[other[k]] && --degree[other[k]] < 2) stack.push_back(other[k]);
+    }
+  }
+  std::vector<std::int32_t> piece(n, -1), size;
+  for (std::size_t seed = 0; seed < n; ++seed) {
+    if (!held[seed] || piece[seed] >= 0) continue;
+    const auto number = static_cast<std::int32_t>(size.size());
+    size.push_back(0);
+    stack.assign(1, static_cast<std::int32_t>(seed));
+    piece[seed] = number;
+    while (!stack.empty()) {
+      const auto i = stack.back();
+      stack.pop_back();
+      ++size[number];
+      for (auto k = start[i]; k < start[i + 1]; ++k) {
+        if (held[other[k]] && piece[other[k]] < 0) {
+          piece[other[k]] = number;
+          stack.push_back(other[k]);
+        }
+      }
+    }
+  }
+  if (size.empty()) return held;
+  const auto largest = static_cast<std::int32_t>(std::max_element(size.begin(), size.end()) - size.begin());
+  for (std::size_t i = 0; i < n; ++i) held[i] = piece[i] == largest ? 1 : 0;
+  return held;
+}
+
+}  // namespace
+
+ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y, const Array<double>& radius,
+                                 const std::vector<Hole>& holes, double gap_tolerance) {
+  ContactGraph graph;
+  const std::size_t n = x.size();
+  graph.mean_radius = std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(n);
+
+  Array<double> cx, cy, cr;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 centre{x[i], y[i]};
+    const bool inside = std::any_of(holes.begin(), holes.end(), [&](const Hole& hole) {
+      const Vec2 d = centre - hole.centre;
+      return dot(d, d) < hole.radius * hole.radius;
+    });
+    if (inside) {
+      ++graph.removed_in_wells;
+      continue;
+    }
+    cx.push_back(x[i]);
+    cy.push_back(y[i]);
+    cr.push_back(radius[i]);
+  }
+  if (cx.size() < 4) throw Error(ErrorKind::model, "fewer than 4 discs are left after cutting the wells; use more discs or smaller wells");
+
+  auto joins = near_pairs(cx, cy, cr, gap_tolerance * graph.mean_radius);
+  graph.removed_crossings = remove_crossings(cx, cy, *std::max_element(cr.begin(), cr.end()), joins);
+  const auto held = discs_held(cx.size(), joins);
+
+  std::vector<std::int32_t> number(cx.size(), -1);
+  for (std::size_t i = 0; i < cx.size(); ++i) {
+    if (!held[i]) continue;
+    number[i] = static_cast<std::int32_t>(graph.x.size());
+    graph.x.push_back(cx[i]);
+    graph.y.push_back(cy[i]);
+    graph.radius.push_back(cr[i]);
+  }
+  graph.removed_floaters = static_cast<std::int64_t>(cx.size() - graph.x.size());
+  for (const auto& join : joins) {
+    if (!held[join.i] || !held[join.j]) continue;
+    graph.first.push_back(number[join.i]);
+    graph.second.push_back(number[join.j]);
+  }
+  if (graph.x.size() < 4) {
+    throw Error(ErrorKind::model, "no coherent rock is left: fewer than 4 discs have two bonds; raise bond.gap_tolerance or lower packing.porosity");
+  }
+  return graph;
+}
+
+}  // namespace hfrac

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "options/options.hpp"
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "options/choices.hpp"
+#include "options/nearest.hpp"
+#include "options/number_text.hpp"
+
+namespace hfrac {
+namespace {
+
+#define F64(section, name, unit, initial, min, max, help)                                   \
+  OptionInfo{{#section "." #name, unit, ValueType::real, nullptr, initial, min, max, help}, \
+             &Options::section##_##name,                                                    \
+             nullptr},
+#define I64(section, name, initial, min, max, help)                                           \
+  OptionInfo{{#section "." #name, "1", ValueType::integer, nullptr, initial, min, max, help}, \
+             nullptr,                                                                         \
+             &Options::section##_##name},
+#define CHOICE(section, name, initial, words, help)                                                          \
+  OptionInfo{                                                                                                \
+      {#section "." #name, "1", ValueType::choice, words, static_cast<double>(choice_index(words, initial)), \
+       0.0, static_cast<double>(choice_count(words) - 1), help},                                             \
+      nullptr,                                                                                               \
+      &Options::section##_##name},
+constexpr OptionInfo option_rows[] = {
+#include "options/option_list.inc"
+};
+#undef F64
+#undef CHOICE
+#undef I64
+
+#define F64(name, unit, initial, min, max, help) \
+  WellOptionInfo{{#name, unit, ValueType::real, nullptr, initial, min, max, help}, &WellOptions::name},
+#define CHOICE(name, initial, words, help)                                                                 \
+  WellOptionInfo{{#name, "1", ValueType::choice, words, static_cast<double>(choice_index(words, initial)), \
+                  0.0, static_cast<double>(choice_count(words) - 1), help},                                \
+                 nullptr},
+constexpr WellOptionInfo well_rows[] = {
+#include "options/well_list.inc"
+};
+#undef F64
+#undef CHOICE
+
+// Mistakes in the tables themselves do not compile.
+constexpr bool sound(const ValueInfo& info) {
+  return info.min <= info.max && (info.initial == 0.0 || info.initial >= info.min) &&
+         info.initial <= info.max;
+}
+constexpr bool tables_sound() {
+  for (const auto& info : option_rows) {
+    if (!sound(info) || info.initial < info.min) return false;
+  }
+  for (const auto& info : well_rows) {
+    if (!sound(info)) return false;
+  }
+  return true;
+}
+static_assert(tables_sound(), "a default lies outside its range, or a range is empty");
+
+constexpr std::string_view words_of(std::string_view key) {
+  for (const auto& info : option_rows) {
+    if (info.key == key) return info.choices;
+  }
+  return {};
+}
+constexpr bool is_word(std::string_view key, std::string_view word, auto index) {
+  return choice_index(words_of(key), word) == static_cast<std::int64_t>(index);
+}
+static_assert(is_word("model.reading", "sound", Reading::sound) &&
+              is_word("model.reading", "paper", Reading::paper));
+static_assert(is_word("contact.mode", "parallel", ContactMode::parallel) &&
+              is_word("contact.mode", "after-break", ContactMode::after_break));
+static_assert(is_word("boundary.kind", "stress", BoundaryKind::stress) &&
+              is_word("boundary.kind", "walls", BoundaryKind::walls));
+static_assert(is_word("boundary.walls_after_setup", "fixed", WallsAfterSetup::fixed) &&
+              is_word("boundary.walls_after_setup", "servo", WallsAfterSetup::servo));
+static_assert(is_word("flow.scheme", "implicit", FlowScheme::implicit_scheme) &&
+              is_word("flow.scheme", "explicit", FlowScheme::explicit_scheme) &&
+              is_word("flow.scheme", "off", FlowScheme::off));
+static_assert(is_word("flow.outer", "formation", OuterPores::formation) &&
+              is_word("flow.outer", "closed", OuterPores::closed));
+static_assert(is_word("stepping.mode", "substep", SteppingMode::substep) &&
+              is_word("stepping.mode", "dynamic", SteppingMode::dynamic));
+static_assert(choice_index(well_rows[6].choices, "ramp") == static_cast<std::int64_t>(WellControl::ramp) &&
+              choice_index(well_rows[6].choices, "rate") == static_cast<std::int64_t>(WellControl::rate));
+
+template <class Table>
+auto find_in(const Table& table, std::string_view key) noexcept -> decltype(&table[0]) {
+  for (const auto& info : table) {
+    if (info.key == key) return &info;
+  }
+  return nullptr;
+}
+
+std::string with_unit(const std::string& number, const ValueInfo& info) {
+  return std::string_view(info.unit) == "1" ? number : number + " " + info.unit;
+}
+
+std::string list_of_words(const ValueInfo& info, bool with_index) {
+  std::string list;
+  const std::int64_t count = choice_count(info.choices);
+  for (std::int64_t i = 0; i < count; ++i) {
+    if (i > 0) list += i + 1 < count ? ", " : " or ";
+    if (with_index) list += number_text(i) + " (";
+    list += choice_word(info.choices, i);
+    if (with_index) list += ")";
+  }
+  return list;
+}
+
+// Bounds are whole numbers for integers, and written as such: 9007199254740991, not 9.007199254740991e15.
+std::string bound_text(const ValueInfo& info, double bound) {
+  return info.type == ValueType::integer ? number_text(static_cast<std::int64_t>(bound)) : number_text(bound);
+}
+
+[[noreturn]] void refuse(std::string_view key, const std::string& fault) {
+  throw Error(ErrorKind::argument, std::string(key) + fault);
+}
+
+void check_value(const ValueInfo& info, std::string_view key, double value, const std::string& shown) {
+  if (info.type == ValueType::choice) {
+    if (value >= info.min && value <= info.max) return;
+    refuse(key, " = " + shown + " is not one of " + list_of_words(info, true) + ".");
+  }
+  const std::string range =
+      bound_text(info, info.min) + " to " + with_unit(bound_text(info, info.max), info) + ".";
+  if (!std::isfinite(value)) refuse(key, " = " + shown + " is not a finite number; allowed is " + range);
+  if (value < info.min || value > info.max) refuse(key, " = " + shown + " is outside " + range);
+}
+
+std::int64_t word_index(const ValueInfo& info, std::string_view key, std::string_view word) {
+  if (info.type != ValueType::choice) {
+    refuse(key, std::string(" is ") + (info.type == ValueType::real ? "a number" : "an integer") +
+                    ", not a text.");
+  }
+  const std::int64_t index = choice_index(info.choices, word);
+  if (index < 0) {
+    refuse(key, " = \"" + std::string(word) + "\" is not one of " + list_of_words(info, false) + ".");
+  }
+  return index;
+}
+
+void check_real(const ValueInfo& info, std::string_view key, double value) {
+  if (info.type == ValueType::integer)
+    refuse(key, " is an integer; " + number_text(value) + " was given as a real.");
+  if (info.type == ValueType::choice)
+    refuse(key, " is one of " + list_of_words(info, false) + ", not a real number.");
+  check_value(info, key, value, number_text(value));
+}
+
+void check_integer(const ValueInfo& info, std::string_view key, std::int64_t value) {
+  check_value(info, key, static_cast<double>(value), number_text(value));
+}
+
+}  // namespace
+
+std::span<const OptionInfo> option_table() noexcept {
+  return option_rows;
+}
+std::span<const WellOptionInfo> well_option_table() noexcept {
+  return well_rows;
+}
+const OptionInfo* find_option(std::string_view key) noexcept {
+  return find_in(option_rows, key);
+}
+const WellOptionInfo* find_well_option(std::string_view name) noexcept {
+  return find_in(well_rows, name);
+}
+
+std::string unknown_key_text(std::string_view key) {
+  std::vector<std::string_view> keys;
+  for (const auto& info : option_rows) keys.emplace_back(info.key);
+  const std::string_view nearest = nearest_name(key, keys);
+  constexpr std::size_t shown = 80;
+  std::string text(key.substr(0, shown));
+  if (key.size() > shown) text += "...";
+  text += " is not a known key";
+  return nearest.empty() ? text + "." : text + "; did you mean " + std::string(nearest) + "?";
+}
+
+double get_value(const Options& values, const OptionInfo& info) noexcept {
+  return info.real != nullptr ? values.*info.real : static_cast<double>(values.*info.integer);
+}
+
+double get_value(const WellOptions& values, const WellOptionInfo& info) noexcept {
+  return info.real != nullptr ? values.*info.real : static_cast<double>(values.control);
+}
+
+void set_real(Options& values, const OptionInfo& info, std::string_view key, double value) {
+  check_real(info, key, value);
+  values.*info.real = value;
+}
+
+void set_integer(Options& values, const OptionInfo& info, std::string_view key, std::int64_t value) {
+  check_integer(info, key, value);
+  if (info.real != nullptr) {
+    values.*info.real = static_cast<double>(value);
+  } else {
+    values.*info.integer = value;
+  }
+}
+
+void set_word(Options& values, const OptionInfo& info, std::string_view key, std::string_view word) {
+  values.*info.integer = word_index(info, key, word);
+}
+
+void set_real(WellOptions& values, const WellOptionInfo& info, std::string_view key, double value) {
+  check_real(info, key, value);
+  values.*info.real = value;
+}
+
+void set_integer(WellOptions& values, const WellOptionInfo& info, std::string_view key, std::int64_t value) {
+  check_integer(info, key, value);
+  if (info.real != nullptr) {
+    values.*info.real = static_cast<double>(value);
+  } else {
+    values.control = WellControl{value};
+  }
+}
+
+void set_word(WellOptions& values, const WellOptionInfo& info, std::string_view key, std::string_view word) {
+  values.control = WellControl{word_index(info, key, word)};
+}
+
+void check_ranges(const CaseDefinition& definition) {
+  for (const auto& info : option_rows) {
+    if (info.real != nullptr) {
+      check_real(info, info.key, definition.options.*info.real);
+    } else {
+      check_integer(info, info.key, definition.options.*info.integer);
+    }
+  }
+  for (std::size_t i = 0; i < definition.wells.size(); ++i) {
+    for (const auto& info : well_rows) {
+      const std::string key = "well[" + std::to_string(i) + "]." + info.key;
+      const double value = get_value(definition.wells[i], info);
+      check_value(info, key, value,
+                  info.real != nullptr ? number_text(value) : number_text(static_cast<std::int64_t>(value)));
+    }
+  }
+}
+
+}  // namespace hfrac

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a simulation is made of: the options, the wells, a title.
+//
+// Members and their description come from the same lines (option_list.inc, well_list.inc), so a value cannot
+// exist without a unit, a range and a sentence of help. Everything that reads or writes options by name goes
+// through the tables option_table() and well_option_table().
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hfrac {
+
+enum class ValueType : std::int32_t { real = 0, integer = 1, choice = 2 };
+
+// What a table says of one value. All texts are literals: 0-terminated, living as long as the library.
+struct ValueInfo {
+  const char* key;  // "section.name"; of a well: "name"
+  const char* unit;
+  ValueType type;
+  const char* choices;  // words split by '|', nullptr unless a choice
+  double initial;       // default; of a choice its index
+  double min;
+  double max;
+  const char* help;
+};
+
+// Words of a choice. In a constant expression an unknown word does not compile.
+constexpr std::int64_t choice_count(std::string_view words) {
+  std::int64_t count = 1;
+  for (const char c : words) count += c == '|';
+  return count;
+}
+constexpr std::string_view choice_word(std::string_view words, std::int64_t index) {
+  for (; index > 0; --index) words.remove_prefix(words.find('|') + 1);
+  return words.substr(0, words.find('|'));
+}
+// Index of a word, -1 if it is none of them.
+constexpr std::int64_t choice_index(std::string_view words, std::string_view word) {
+  const std::int64_t count = choice_count(words);
+  for (std::int64_t i = 0; i < count; ++i) {
+    if (choice_word(words, i) == word) return i;
+  }
+  return -1;
+}
+
+// The options as plain members: section_name.
+struct Options {
+#define F64(section, name, unit, initial, min, max, help) double section##_##name = initial;
+#define I64(section, name, initial, min, max, help) std::int64_t section##_##name = initial;
+#define CHOICE(section, name, initial, words, help) \
+  std::int64_t section##_##name = choice_index(words, initial);
+#include "options/option_list.inc"
+#undef F64
+#undef I64
+#undef CHOICE
+};
+
+enum class WellControl : std::int64_t { pressure = 0, ramp = 1, rate = 2 };
+
+struct WellOptions {
+  double x = 0.0;
+  double y = 0.0;
+  double radius = 0.0;
+  double pressure = 0.0;
+  double ramp_per_step = 0.0;
+  double rate = 0.0;
+  WellControl control = WellControl::pressure;
+};
+
+struct CaseDefinition {
+  Options options;
+  std::vector<WellOptions> wells;
+  std::string title;
+};
+
+struct OptionInfo : ValueInfo {
+  double Options::*real;           // of type real
+  std::int64_t Options::*integer;  // of type integer or choice
+};
+struct WellOptionInfo : ValueInfo {
+  double WellOptions::*real;  // nullptr: the control
+};
+
+std::span<const OptionInfo> option_table() noexcept;
+std::span<const WellOptionInfo> well_option_table() noexcept;
+
+// Entry of a key, nullptr if there is none.
+const OptionInfo* find_option(std::string_view key) noexcept;
+const WellOptionInfo* find_well_option(std::string_view name) noexcept;
+
+// "section.name is not a known key; did you mean section.other?"
+std::string unknown_key_text(std::string_view key);
+
+// As a double; integers and choices converted.
+double get_value(const Options& values, const OptionInfo& info) noexcept;
+double get_value(const WellOptions& values, const WellOptionInfo& info) noexcept;
+
+// Sets one value, after a check of type and range. `key` is the name shown in errors. All throw
+// Error(ErrorKind::argument) and change nothing then. An integer may be given for a real, not the reverse.
+void set_real(Options& values, const OptionInfo& info, std::string_view key, double value);
+void set_integer(Options& values, const OptionInfo& info, std::string_view key, std::int64_t value);
+void set_word(Options& values, const OptionInfo& info, std::string_view key, std::string_view word);
+void set_real(WellOptions& values, const WellOptionInfo& info, std::string_view key, double value);
+void set_integer(WellOptions& values, const WellOptionInfo& info, std::string_view key, std::int64_t value);
+void set_word(WellOptions& values, const WellOptionInfo& info, std::string_view key, std::string_view word);
+
+// Every value by itself: finite and in range. Throws Error(argument).
+void check_ranges(const CaseDefinition& definition);
+
+// check_ranges, then what cannot be built though each value is fine: contradictory stresses, wells outside
+// the model or overlapping, holes smaller than the discs around them. Throws Error(model) with the fix.
+// `given_discs` are the host's own discs (x, y, radius each) instead of a packing.
+void validate(const CaseDefinition& definition, std::span<const double> given_discs = {});
+
+// Mean radius of a packing made from these options.
+double expected_mean_radius(const Options& options) noexcept;
+
+}  // namespace hfrac

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What cannot be built though each value is within its range. Every refusal says which values are at odds,
+// and what to change; a simulation that would run and mean nothing is worse than one that does not start.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/error.hpp"
+#include "options/choices.hpp"
+#include "options/number_text.hpp"
+#include "options/options.hpp"
+
+namespace hfrac {
+namespace {
+
+// A hole narrower than this many mean radii is a missing disc, not a well.
+constexpr double smallest_hole = 2.0;
+// A hole wider than this share of the smaller side leaves no rock between it and the boundary's influence.
+constexpr double largest_hole = 0.25;
+// Sides shorter than this many of the largest radii hold no packing.
+constexpr double shortest_side = 4.0;
+constexpr std::int64_t fewest_discs = 20;
+
+struct Radii {
+  double mean;
+  double largest;
+};
+
+[[noreturn]] void refuse(const std::string& text) {
+  throw Error(ErrorKind::model, text);
+}
+
+std::string value_text(const char* key, double value, const char* unit) {
+  return std::string(key) + " = " + number_text(value) + " " + unit;
+}
+
+Radii radii_of_packing(const Options& o) {
+  const double mean = expected_mean_radius(o);
+  return {mean, mean * 2.0 * o.packing_radius_ratio / (1.0 + o.packing_radius_ratio)};
+}
+
+Radii radii_of_given(std::span<const double> discs, const Options& o) {
+  const auto count = static_cast<std::int64_t>(discs.size() / 3);
+  if (count < fewest_discs) {
+    refuse("given_disc_count = " + number_text(count) + " is too few; give at least " +
+           number_text(fewest_discs) + " discs.");
+  }
+  Radii radii{0.0, 0.0};
+  for (std::int64_t i = 0; i < count; ++i) {
+    const double* disc = &discs[static_cast<std::size_t>(3 * i)];
+    const std::string name = "given_discs[" + number_text(i) + "]";
+    if (!std::isfinite(disc[0]) || !std::isfinite(disc[1]) || !std::isfinite(disc[2])) {
+      refuse(name + " has a coordinate or radius that is not a finite number.");
+    }
+    if (!(disc[2] > 0.0)) refuse(name + " has radius " + number_text(disc[2]) + " m; it must be positive.");
+    if (disc[0] < 0.0 || disc[0] > o.model_width || disc[1] < 0.0 || disc[1] > o.model_height) {
+      refuse(name + " lies at (" + number_text(disc[0]) + ", " + number_text(disc[1]) +
+             ") m, outside the model of " + number_text(o.model_width) + " m x " +
+             number_text(o.model_height) + " m; the origin is its lower left corner.");
+    }
+    radii.mean += disc[2];
+    radii.largest = std::max(radii.largest, disc[2]);
+  }
+  radii.mean /= static_cast<double>(count);
+  return radii;
+}
+
+void check_packing(const Options& o, const Radii& radii) {
+  const double side = std::min(o.model_width, o.model_height);
+  if (side < shortest_side * radii.largest) {
+    refuse("The smaller model side of " + number_text(side) + " m is shorter than " +
+           number_text(shortest_side) + " times the largest disc radius, about " +
+           rounded_text(radii.largest) +
+           " m; raise packing.disc_count or make model.width and model.height less unequal.");
+  }
+}
+
+void check_stresses(const Options& o) {
+  if (o.stress_sigma_h > o.stress_sigma_H) {
+    refuse(value_text("stress.sigma_h", o.stress_sigma_h, "Pa") + " is above " +
+           value_text("stress.sigma_H", o.stress_sigma_H, "Pa") +
+           "; sigma_H along x is the larger one: swap them or turn the model by 90 degrees.");
+  }
+  const bool sound = Reading{o.model_reading} == Reading::sound;
+  const bool wet = FlowScheme{o.flow_scheme} != FlowScheme::off;
+  if (sound && wet && o.stress_sigma_h < o.fluid_formation_pressure) {
+    refuse(value_text("stress.sigma_h", o.stress_sigma_h, "Pa") + " is below " +
+           value_text("fluid.formation_pressure", o.fluid_formation_pressure, "Pa") +
+           ", so the rock would be pulled apart before injection; model.reading = \"sound\" takes total "
+           "stresses: "
+           "raise stress.sigma_h, lower fluid.formation_pressure, or set model.reading = \"paper\" for "
+           "effective ones.");
+  }
+}
+
+void check_material(const Options& o) {
+  if (ContactMode{o.contact_mode} == ContactMode::after_break && o.bond_normal_stiffness == 0.0) {
+    refuse(
+        "bond.normal_stiffness = 0 N/m with contact.mode = \"after-break\" leaves intact rock without "
+        "stiffness; "
+        "give bond.normal_stiffness or set contact.mode = \"parallel\".");
+  }
+  if (o.flow_zero_stress_aperture > o.flow_aperture_limit) {
+    refuse(value_text("flow.zero_stress_aperture", o.flow_zero_stress_aperture, "m") + " is above " +
+           value_text("flow.aperture_limit", o.flow_aperture_limit, "m") +
+           "; raise the limit or lower the aperture.");
+  }
+}
+
+void check_control(const std::string& name, const WellOptions& well, const Options& o) {
+  if (well.control == WellControl::ramp && !(well.ramp_per_step > 0.0)) {
+    refuse(name + ".ramp_per_step = " + number_text(well.ramp_per_step) +
+           " Pa never reaches the target; give a positive rise per sub-step or set " + name +
+           ".control = \"pressure\".");
+  }
+  if (well.control == WellControl::rate) {
+    if (FlowScheme{o.flow_scheme} == FlowScheme::off) {
+      refuse(name + ".control = \"rate\" needs flow, but flow.scheme = \"off\"; set " + name +
+             ".control = \"pressure\" or flow.scheme = \"implicit\".");
+    }
+    return;
+  }
+  const bool sound = Reading{o.model_reading} == Reading::sound;
+  const double lowest = sound ? 0.0 : -o.fluid_formation_pressure;
+  if (well.pressure < lowest) {
+    refuse(name + "." + value_text("pressure", well.pressure, "Pa") +
+           " is below zero absolute pressure, which is " + number_text(lowest) + " Pa in model.reading = \"" +
+           (sound ? "sound" : "paper") + "\".");
+  }
+}
+
+void check_well(const std::string& name, const WellOptions& well, const Options& o, const Radii& radii) {
+  const double side = std::min(o.model_width, o.model_height);
+  if (well.radius > largest_hole * side) {
+    refuse(name + "." + value_text("radius", well.radius, "m") + " is above " + number_text(largest_hole) +
+           " of the smaller model side, " + number_text(largest_hole * side) +
+           " m; enlarge the model or the hole is its boundary.");
+  }
+  if (well.radius < smallest_hole * radii.mean) {
+    refuse(name + "." + value_text("radius", well.radius, "m") + " is below " + number_text(smallest_hole) +
+           " mean disc radii, about " + rounded_text(smallest_hole * radii.mean) +
+           " m; raise packing.disc_count or enlarge the hole.");
+  }
+  const double margin = well.radius + 2.0 * radii.largest;
+  if (well.x < margin || well.x > o.model_width - margin || well.y < margin ||
+      well.y > o.model_height - margin) {
+    refuse(name + " at (" + number_text(well.x) + ", " + number_text(well.y) +
+           ") m does not lie inside the model; its centre must keep its radius and the largest disc's "
+           "diameter, " +
+           rounded_text(margin) + " m together, from each side of " + number_text(o.model_width) + " m x " +
+           number_text(o.model_height) + " m.");
+  }
+}
+
+void check_pair(std::size_t i, std::size_t j, const WellOptions& a, const WellOptions& b,
+                const Radii& radii) {
+  const double distance = std::hypot(a.x - b.x, a.y - b.y);
+  const double least = a.radius + b.radius + 2.0 * radii.largest;
+  if (distance >= least) return;
+  refuse("well[" + std::to_string(i) + "] and well[" + std::to_string(j) + "] overlap: their centres are " +
+         rounded_text(distance) + " m apart, at least " + rounded_text(least) +
+         " m are needed to leave one disc between them.");
+}
+
+}  // namespace
+
+double expected_mean_radius(const Options& o) noexcept {
+  // Radii spread evenly between the smallest and the largest: squared coefficient of variation
+  // ((a-1)/(a+1))^2 / 3.
+  const double spread = (o.packing_radius_ratio - 1.0) / (o.packing_radius_ratio + 1.0);
+  const double mean_square_factor = 1.0 + spread * spread / 3.0;
+  return std::sqrt(o.model_width * o.model_height * (1.0 - o.packing_porosity) /
+                   (static_cast<double>(o.packing_disc_count) * std::numbers::pi * mean_square_factor));
+}
+
+void validate(const CaseDefinition& definition, std::span<const double> given_discs) {
+  check_ranges(definition);
+  const Options& o = definition.options;
+  const Radii radii = given_discs.empty() ? radii_of_packing(o) : radii_of_given(given_discs, o);
+  check_packing(o, radii);
+  check_stresses(o);
+  check_material(o);
+  const auto& wells = definition.wells;
+  for (std::size_t i = 0; i < wells.size(); ++i) {
+    const std::string name = "well[" + std::to_string(i) + "]";
+    check_well(name, wells[i], o, radii);
+    check_control(name, wells[i], o);
+    for (std::size_t j = 0; j < i; ++j) check_pair(j, i, wells[j], wells[i], radii);
+  }
+}
+
+}  // namespace hfrac

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What holds the model from outside: far-field stress on the outermost discs, or four rigid walls.
+//
+// stress  Each edge of the outer loop of bonds carries stress times length, split between its discs by their arms: no
+//         net force and no net torque, exactly, so nothing else needs to hold the model.
+// walls   Frictionless rigid walls press on the discs that touch them at set-up, with the contacts' stiffness and no
+//         tension. While a wall is servo-driven it is a body with one degree of freedom whose unbalanced force is
+//         target stress times length minus what the discs push back; afterwards it may be fixed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "flow/network.hpp"
+#include "solid/assembly.hpp"
+
+namespace hfrac {
+
+class Boundary {
+ public:
+  Boundary(const Assembly& assembly, const Network& network, const Options& options);
+
+  // Share of the far-field stress in force, 0 to 1 (for loading in stages).
+  void set_load(Assembly& assembly, double share);
+
+  // One cycle: forces of the walls on their discs into external_*, motion of servo-driven walls. `step` as the solver's.
+  void cycle(Assembly& assembly, double step, double safety, double damping);
+
+  // Adds the walls' share to the row sums of stiffness that set the stable step.
+  void add_stiffness(std::vector<double>& row_x, std::vector<double>& row_y) const;
+
+  void fix_walls() { servo_ = false; }
+  [[nodiscard]] bool walled() const { return walled_; }
+  [[nodiscard]] bool needs_cycles() const { return walled_; }
+
+  // Mean normal stress on the walls along x and y [Pa], compression positive, without pore pressure outside.
+  [[nodiscard]] Vec2 wall_stress(const Assembly& assembly) const;
+  // Work of walls since the start [J/m].
+  [[nodiscard]] double wall_work() const { return work_; }
+  // Largest unbalanced force on a wall over its target, or 0 when fixed.
+  [[nodiscard]] double wall_imbalance() const { return servo_ ? imbalance_ : 0.0; }
+  // Energy stored in wall contacts now [J/m].
+  [[nodiscard]] double wall_energy(const Assembly& assembly) const;
+  // The constant force of the far field on each disc [N] (stress boundary), for the work it does.
+  [[nodiscard]] double load_work(const Assembly& assembly) const;
+
+  struct Wall {
+    Vec2 inward;                     // unit normal into the model
+    double length = 0.0;             // m
+    double target = 0.0;             // Pa
+    double displacement = 0.0;       // m, inward
+    double velocity = 0.0;
+    std::vector<std::int32_t> discs;
+  };
+  [[nodiscard]] const std::array<Wall, 4>& walls() const { return walls_; }
+  std::array<Wall, 4>& walls() { return walls_; }
+
+ private:
+  bool walled_, servo_ = true;
+  double stiffness_, load_ = 0.0, work_ = 0.0, imbalance_ = 0.0;
+  Array<double> load_x_, load_y_;  // N at full load
+  std::array<Wall, 4> walls_;
+};
+
+}  // namespace hfrac

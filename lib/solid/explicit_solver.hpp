@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Newton's law for every disc, cycle by cycle (eq. 11, 12), with local damping (Cundall 1987).
+//
+// One cycle, in two phases with a barrier after each:
+//   1  bond pass: forces from displacements, breakage    domain pass: undrained pressures from displacements
+//      boundary (worker 0): wall forces, servo
+//   2  disc pass: velocities and displacements from bond forces, pressures and the boundary's forces
+//
+// With real masses a cycle lasts the stable step. To find rest, masses are scaled instead so that every disc is equally close
+// to its stability limit and the step is 1 (density scaling): the way is not physical, the end is.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/workers.hpp"
+#include "flow/network.hpp"
+#include "frac/crack_log.hpp"
+#include "solid/assembly.hpp"
+#include "solid/boundary.hpp"
+#include "solid/kernels.hpp"
+
+namespace hfrac {
+
+struct Energies {
+  double friction = 0.0, damping = 0.0, fluid = 0.0, fracture = 0.0;  // J/m since creation
+};
+
+class ExplicitSolver {
+ public:
+  ExplicitSolver(Assembly& assembly, Network& network, Boundary& boundary, const Options& options, Workers& workers);
+
+  // How the next cycles run.
+  void use_scaled_masses();
+  void use_real_masses();
+  [[nodiscard]] double step() const { return arrays_.step; }
+  // Real stable step times safety [s].
+  [[nodiscard]] double real_step() const { return real_step_; }
+  void set_undrained(bool undrained) { undrained_ = undrained; }
+  void set_damping(double damping) { arrays_.damping = damping; }
+  // After wells change between imposed pressure and rate.
+  void refresh_stiffness();
+
+  struct Outcome {
+    std::int64_t cycles = 0;
+    double force_ratio = 0.0;
+    bool at_rest = false;
+    bool stopped = false;  // by `interrupt`
+  };
+  // Cycles until the unbalanced-force ratio is below `ratio` and nothing breaks, at most `most` cycles. `interrupt` is
+  // asked now and then. New cracks are appended to `log` (bond, cycle, forces, energy, mode).
+  Outcome relax(double ratio, std::int64_t most, CrackLog& log, const std::function<bool()>& interrupt = {});
+
+  // Exactly `cycles` cycles.
+  Outcome run(std::int64_t cycles, CrackLog& log, const std::function<bool()>& interrupt = {});
+
+  // Forces, pressures and volumes at the displacements as they stand (no motion, no breakage).
+  void evaluate();
+
+  [[nodiscard]] double kinetic_energy() const;
+  [[nodiscard]] const Energies& energies() const { return energies_; }
+  Energies& energies() { return energies_; }
+  [[nodiscard]] std::int64_t total_cycles() const { return total_cycles_; }
+  void set_total_cycles(std::int64_t cycles) { total_cycles_ = cycles; }
+  void stop_motion();
+  const KernelArrays& arrays() const { return arrays_; }
+
+ private:
+  void batch(std::int64_t cycles, std::vector<CrackLog>& found);
+  void break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, CrackLog& found);
+  [[nodiscard]] double force_ratio() const;
+  void bind_arrays();
+
+  Assembly& assembly_;
+  Network& network_;
+  Boundary& boundary_;
+  const Options& options_;
+  Workers& workers_;
+  const KernelTable& kernels_;
+  KernelArrays arrays_{};
+  Array<double> inverse_mass_, inverse_inertia_;
+  std::vector<double> row_x_, row_y_, row_rotation_;  // N/m: row sums of stiffness
+  std::vector<BlockSums> bond_sums_, disc_sums_, domain_sums_;
+  Energies energies_;
+  double real_step_ = 0.0;
+  bool scaled_ = true, undrained_ = false;
+  std::int64_t total_cycles_ = 0;
+};
+
+}  // namespace hfrac

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The host's environment is the host's: floating-point traps, rounding, flags and locale neither change
+// results nor are changed. Fortran hosts run with traps (-ffpe-trap), and many German ones with a decimal
+// comma.
+#include <fenv.h>
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <cmath>
+
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
+
+#include "support.hpp"
+
+namespace {
+
+using namespace testing_capi;
+
+TEST(Environment, TrapsOfTheHostDoNotFireInsideAndStayOn) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("[disc]\ndensity = nan\n");
+  hfrac_sim_def def = sound_def();
+  feclearexcept(FE_ALL_EXCEPT);
+  const int traps = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
+  feenableexcept(traps);
+  EXPECT_EQ(hfrac_sim_def_load(&def, path.c_str()), HFRAC_ERR_CASE_FILE);
+  EXPECT_EQ(hfrac_sim_def_set_f64(&def, "disc.density", std::nan("")), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_OK);
+  EXPECT_EQ(fegetexcept() & traps, traps);
+  fedisableexcept(FE_ALL_EXCEPT);
+}
+
+TEST(Environment, FlagsAndRoundingOfTheHostStay) {
+  hfrac_sim_def def = sound_def();
+  const std::string expected = written(def);
+  feclearexcept(FE_ALL_EXCEPT);
+  feraiseexcept(FE_OVERFLOW);
+  fesetround(FE_UPWARD);
+  EXPECT_EQ(written(def), expected);
+  EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_OK);
+  EXPECT_EQ(fegetround(), FE_UPWARD);
+  EXPECT_EQ(fetestexcept(FE_ALL_EXCEPT), FE_OVERFLOW);
+  fesetround(FE_TONEAREST);
+  feclearexcept(FE_ALL_EXCEPT);
+}
+
+#if defined(__SSE__)
+TEST(Environment, DenormalsAreKeptInsideThoughTheHostFlushesThem) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("[[well]]\nradius = 3\nrate = 1e-310\n");
+  hfrac_sim_def def = new_def();
+  const unsigned before = _mm_getcsr();
+  _mm_setcsr(before | 0x8040U);  // flush to zero, denormals are zero
+  const int32_t status = hfrac_sim_def_load(&def, path.c_str());
+  const unsigned after = _mm_getcsr();
+  _mm_setcsr(before);
+  EXPECT_EQ(status, HFRAC_OK) << last_error();
+  EXPECT_EQ(after & 0x8040U, 0x8040U);
+  EXPECT_EQ(def.wells[0].rate, 1e-310);
+}
+#endif
+
+TEST(Environment, LocaleOfTheHostChangesNothing) {
+  const TemporaryFolder folder;
+  const char* const german[] = {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "fr_FR.utf8"};
+  const char* found = nullptr;
+  for (const char* name : german) {
+    if (found == nullptr) found = std::setlocale(LC_ALL, name);
+  }
+  if (found == nullptr) GTEST_SKIP() << "no locale with a decimal comma is installed";
+  hfrac_sim_def def = sound_def();
+  def.model_width = 100.5;
+  const std::string text = written(def);
+  EXPECT_NE(text.find("width = 100.5\n"), std::string::npos);
+  hfrac_sim_def read = new_def();
+  EXPECT_EQ(hfrac_sim_def_load(&read, folder.write(text).c_str()), HFRAC_OK) << last_error();
+  EXPECT_EQ(read.model_width, 100.5);
+  std::setlocale(LC_ALL, "C");
+}
+
+}  // namespace

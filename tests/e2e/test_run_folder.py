@@ -1,0 +1,123 @@
+"""A whole run: every file is there, complete, consistent with the others and the same each time."""
+import math
+import pathlib
+import shutil
+import tempfile
+import unittest
+
+from hfrac_runs import CASE, SERIES, check_whole, entries, hfrac, history, names, run_case, summary
+
+STEPS = 12
+HISTORY = """step time_s well_pressure_Pa well_rate_m2_per_s injected_volume_m2 crack_count tensile_cracks shear_cracks
+tip_distance_m fracture_length_m fracture_width_m fracture_volume_m2 force_ratio cycles at_rest energy_error_J_per_m
+stored_volume_m2 leaked_volume_m2 fluid_error_m2""".split()
+
+
+class WholeRun(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.top = pathlib.Path(tempfile.mkdtemp(prefix="hfrac-e2e-"))
+        cls.addClassCleanup(shutil.rmtree, cls.top)
+        cls.folder = cls.top / "new" / "run"
+        cls.done = run_case(cls.folder, "--workers", 1)
+        assert cls.done.returncode == 0, cls.done.stderr
+
+    def test_prints_a_table_of_what_came_out(self):
+        for word in ("longest fracture", "cracks", "well 0", "fluid", "energy", "state hash", "discs.pvd"):
+            self.assertIn(word, self.done.stdout)
+
+    def test_every_file_is_there_and_readable(self):
+        expected = {"case.toml", "history.csv", "cracks.csv", "fractures.csv", "summary.json"}
+        expected |= {f"{series}.pvd" for series in SERIES}
+        expected |= {file for series in SERIES for _, file in entries(self.folder, series)}
+        self.assertEqual(set(names(self.folder)), expected)
+        check_whole(self, self.folder)
+
+    def test_series_begin_at_zero_and_end_with_the_run(self):
+        last = float(history(self.folder)[-1]["time_s"])
+        for series in SERIES:
+            times = [time for time, _ in entries(self.folder, series)]
+            self.assertEqual(times[0], 0.0)
+            self.assertEqual(times, sorted(set(times)))
+            self.assertEqual(times[-1], last)
+
+    def test_history_has_a_line_per_step(self):
+        rows = history(self.folder)
+        for column in HISTORY:
+            self.assertIn(column, rows[0])
+        self.assertEqual([int(row["step"]) for row in rows], list(range(len(rows))))
+        for row in rows:
+            self.assertTrue(all(math.isfinite(float(value)) for value in row.values()), row)
+            self.assertEqual(int(row["tensile_cracks"]) + int(row["shear_cracks"]), int(row["crack_count"]))
+
+    def test_fluid_is_conserved(self):
+        last = history(self.folder)[-1]
+        injected = float(last["injected_volume_m2"])
+        self.assertGreater(injected, 0.0)
+        self.assertLess(abs(float(last["fluid_error_m2"])), 1e-6 * injected)
+
+    def test_the_files_agree_with_each_other(self):
+        last, short = history(self.folder)[-1], summary(self.folder)
+        self.assertEqual(short["state"]["step"], int(last["step"]))
+        self.assertEqual(short["state"]["crack_count"], int(last["crack_count"]))
+        self.assertEqual(short["balance"]["injected_volume_m2"], float(last["injected_volume_m2"]))
+        cracks = (self.folder / "cracks.csv").read_text().splitlines()
+        self.assertEqual(len(cracks) - 1, int(last["crack_count"]))
+        fractures = (self.folder / "fractures.csv").read_text().splitlines()
+        self.assertEqual(len(fractures) - 1, len(short["fractures"]))
+        self.assertGreater(short["wells"][0]["radius_m"], 0.0)
+        self.assertEqual(short["snapshots"], len(entries(self.folder, "discs")))
+
+    def test_the_case_written_gives_the_same_run(self):
+        again = self.top / "again"
+        done = hfrac("run", self.folder / "case.toml", "-o", again, "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(summary(again)["state_hash"], summary(self.folder)["state_hash"])
+        self.assertEqual((again / "cracks.csv").read_bytes(), (self.folder / "cracks.csv").read_bytes())
+        self.assertEqual((again / "history.csv").read_bytes(), (self.folder / "history.csv").read_bytes())
+
+    def test_workers_change_nothing(self):
+        two = self.top / "two"
+        done = run_case(two, "--workers", 2, "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(summary(two)["state_hash"], summary(self.folder)["state_hash"])
+        for file in ("cracks.csv", "history.csv", "fractures.csv"):
+            self.assertEqual((two / file).read_bytes(), (self.folder / file).read_bytes(), file)
+
+    def test_info_and_check_and_options(self):
+        done = hfrac("info", self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(summary(self.folder)["state_hash"], done.stdout)
+        self.assertEqual(hfrac("info", self.top).returncode, 2)
+        self.assertEqual(hfrac("check", CASE).returncode, 0)
+        self.assertIn("bond.tensile_strength", hfrac("options").stdout)
+        self.assertIn("hfrac 0.", hfrac("--version").stdout)
+
+
+class SecondRun(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="hfrac-e2e-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+        (self.folder / "notes.txt").write_text("mine")
+        done = run_case(self.folder, "--steps", STEPS, "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_is_refused_and_changes_nothing(self):
+        before = {name: (self.folder / name).read_bytes() for name in names(self.folder)}
+        done = run_case(self.folder, "--steps", 1)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--overwrite", done.stderr)
+        self.assertEqual(before, {name: (self.folder / name).read_bytes() for name in names(self.folder)})
+
+    def test_overwrites_only_its_own_files(self):
+        done = run_case(self.folder, "--steps", 1, "--overwrite")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual((self.folder / "notes.txt").read_text(), "mine")
+        self.assertEqual(summary(self.folder)["state"]["step"], 1)
+        listed = {file for series in SERIES for _, file in entries(self.folder, series)}
+        self.assertEqual({name for name in names(self.folder) if name.endswith(".vtu")}, listed)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,29 @@
+// A case file is read over the defaults, so whatever is set before counts only where the file is silent.
+#include "command/case_file.hpp"
+
+#include <algorithm>
+#include <thread>
+
+#include "command/exit_code.hpp"
+#include "output/engine_call.hpp"
+
+namespace hfrac::command {
+namespace {
+
+void require_good(int32_t status) {
+  if (status < 0) throw BadInput(output::error_text(status, nullptr));
+}
+
+}  // namespace
+
+hfrac_sim_def load_case(const std::string& file, int64_t workers) {
+  hfrac_sim_def definition{};
+  require_good(hfrac_sim_def_init(&definition, static_cast<int32_t>(sizeof definition)));
+  definition.run_workers = std::clamp<int64_t>(std::thread::hardware_concurrency(), 1, 4);
+  require_good(hfrac_sim_def_load(&definition, file.c_str()));
+  if (workers > 0) definition.run_workers = workers;
+  require_good(hfrac_sim_def_check(&definition));
+  return definition;
+}
+
+}  // namespace hfrac::command

@@ -1,0 +1,14 @@
+// From the name of a case file to a definition that can be built.
+#pragma once
+
+#include <hfrac/hfrac.h>
+
+#include <string>
+
+namespace hfrac::command {
+
+/** Reads and checks a case file; BadInput with the engine's own sentence if it is wrong. `workers` > 0
+ * replaces run.workers; with 0 a case that does not say gets the machine's cores, at most four. */
+hfrac_sim_def load_case(const std::string& file, int64_t workers);
+
+}  // namespace hfrac::command

@@ -1,0 +1,55 @@
+// hfrac check: is the case file good, and what would be built from it?
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "command/case_file.hpp"
+#include "command/commands.hpp"
+
+namespace hfrac::command {
+namespace {
+
+std::string well_line(const hfrac_well_def& well) {
+  const std::string place = fmt::format("({:g}, {:g}) m, radius {:g} m", well.x, well.y, well.radius);
+  if (well.control == HFRAC_WELL_RATE) return fmt::format("{}, takes {:g} m2/s", place, well.rate);
+  if (well.control == HFRAC_WELL_RAMP)
+    return fmt::format("{}, pressure rises by {:g} MPa per sub-step to {:g} MPa", place,
+                       well.ramp_per_step * 1e-6, well.pressure * 1e-6);
+  return fmt::format("{}, held at {:g} MPa", place, well.pressure * 1e-6);
+}
+
+std::string length_line(const hfrac_sim_def& definition) {
+  if (definition.stepping_end_time > 0.0)
+    return fmt::format("until {:g} s of model time", definition.stepping_end_time);
+  if (definition.stepping_mode != 0) return fmt::format("{} mechanical cycles", definition.stepping_substeps);
+  return fmt::format("{} sub-steps of {:g} s", definition.stepping_substeps, definition.stepping_flow_step);
+}
+
+ExitCode check(const std::string& file) {
+  const auto definition = load_case(file, 0);
+  fmt::print("{}: good\n", file);
+  if (definition.title[0] != '\0') fmt::print("  title      {}\n", definition.title);
+  fmt::print("  model      {:g} m x {:g} m, about {} discs, porosity {:g}\n", definition.model_width,
+             definition.model_height, definition.packing_disc_count, definition.packing_porosity);
+  fmt::print("  reading    {}\n",
+             definition.model_reading == 0 ? "sound (total stresses)" : "paper (effective stresses)");
+  fmt::print("  far field  sigma_H {:g} MPa along x, sigma_h {:g} MPa along y, formation pressure {:g} MPa\n",
+             definition.stress_sigma_H * 1e-6, definition.stress_sigma_h * 1e-6,
+             definition.fluid_formation_pressure * 1e-6);
+  for (int64_t i = 0; i < definition.well_count; ++i)
+    fmt::print("  well {}     {}\n", i, well_line(definition.wells[i]));
+  if (definition.well_count == 0) fmt::print("  wells      none\n");
+  fmt::print("  run        {}, a snapshot every {}\n", length_line(definition), definition.output_every);
+  return kGood;
+}
+
+}  // namespace
+
+void add_check(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("check", "Say whether a case file is good and what it would build");
+  auto file = std::make_shared<std::string>();
+  command->add_option("CASE", *file, "Case file (TOML)")->required();
+  command->callback([file, &action] { action = [file] { return check(*file); }; });
+}
+
+}  // namespace hfrac::command

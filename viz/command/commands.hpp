@@ -1,0 +1,20 @@
+// The subcommands. Each adds itself to the command line and leaves in `action` what to do if it is chosen.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "command/exit_code.hpp"
+
+namespace hfrac::command {
+
+/** What the chosen subcommand does; gives the exit code. */
+using Action = std::function<ExitCode()>;
+
+void add_run(CLI::App& program, Action& action);
+void add_check(CLI::App& program, Action& action);
+void add_info(CLI::App& program, Action& action);
+void add_options(CLI::App& program, Action& action);
+void add_render(CLI::App& program, Action& action);
+
+}  // namespace hfrac::command

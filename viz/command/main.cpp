@@ -1,0 +1,58 @@
+// The hfrac program: chooses a subcommand, turns failures into one sentence and an exit code.
+#include <fmt/format.h>
+
+#include <exception>
+
+#include "command/commands.hpp"
+#include "output/engine_call.hpp"
+
+namespace {
+
+using namespace hfrac::command;
+
+std::string version_text() {
+  int32_t abi = 0;
+  hfrac::output::require(hfrac_abi_version(&abi), nullptr);
+  return fmt::format("hfrac {} (ABI {})\n{}", hfrac::output::version_of_library(), abi,
+                     hfrac::output::build_of_library());
+}
+
+int complain(const char* text, ExitCode code) {
+  fmt::print(stderr, "hfrac: {}\n", text);
+  return code;
+}
+
+int run_program(int argument_count, char** arguments) {
+  CLI::App program("Hydraulic fracturing with bonded discs.", "hfrac");
+  program.footer("Exit codes: 0 good, 1 the run failed, 2 bad usage or case file, 130 interrupted.");
+  program.set_version_flag("--version", version_text);
+  program.require_subcommand(1);
+  Action action;
+  add_run(program, action);
+  add_check(program, action);
+  add_info(program, action);
+  add_options(program, action);
+#ifdef HFRAC_WITH_RENDERER
+  add_render(program, action);
+#endif
+  try {
+    program.parse(argument_count, arguments);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? kGood : kBadInput;
+  }
+  return action();
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+  try {
+    return run_program(argument_count, arguments);
+  } catch (const BadInput& error) {
+    return complain(error.what(), kBadInput);
+  } catch (const std::bad_alloc&) {
+    return complain("out of memory", kRunFailed);
+  } catch (const std::exception& error) {
+    return complain(error.what(), kRunFailed);
+  }
+}

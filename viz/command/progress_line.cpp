@@ -1,0 +1,61 @@
+// Progress goes to standard error, so that standard output holds results only.
+#include "command/progress_line.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace hfrac::command {
+namespace {
+
+using namespace std::chrono_literals;
+constexpr auto kTerminalPause = 150ms;  ///< between two changes of the line
+constexpr auto kLogPause = 5000ms;      ///< between two lines of a log
+
+/** As much of `text` as one line of the terminal holds: a line that wraps cannot be replaced. */
+std::string one_line(const std::string& text) {
+  winsize size{};
+  if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col < 20) return text;
+  return text.substr(0, size.ws_col - 1u);
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine(bool quiet)
+    : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) == 1), next_(Clock::now()) {
+  if (!terminal_) next_ += kLogPause;
+}
+
+bool ProgressLine::due() const {
+  return !quiet_ && Clock::now() >= next_;
+}
+
+void ProgressLine::show(const std::string& text) {
+  if (due()) show_now(text);
+}
+
+void ProgressLine::show_now(const std::string& text) {
+  if (quiet_) return;
+  next_ = Clock::now() + (terminal_ ? kTerminalPause : kLogPause);
+  if (terminal_)
+    fmt::print(stderr, "\r{}\033[K", one_line(text));
+  else
+    fmt::print(stderr, "{}\n", text);
+  std::fflush(stderr);
+  line_open_ = terminal_;
+}
+
+void ProgressLine::end() {
+  if (line_open_) fmt::print(stderr, "\n");
+  line_open_ = false;
+}
+
+std::string readable_duration(double seconds) {
+  if (seconds < 100.0) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
+  return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+}  // namespace hfrac::command

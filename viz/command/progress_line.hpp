@@ -1,0 +1,36 @@
+// Progress for a person: on a terminal one line that changes, in a log a plain line every few seconds.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace hfrac::command {
+
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool quiet);
+  ~ProgressLine() { end(); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /** Whether a line shown now would be printed; ask first where making the text costs. */
+  bool due() const;
+  /** Shows `text` if it is due. */
+  void show(const std::string& text);
+  /** Shows `text` in any case. */
+  void show_now(const std::string& text);
+  /** Leaves the changing line, so that other text can follow. */
+  void end();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool quiet_;
+  bool terminal_;
+  bool line_open_ = false;
+  Clock::time_point next_;
+};
+
+/** "12 s", "3 min", "2.5 h". */
+std::string readable_duration(double seconds);
+
+}  // namespace hfrac::command

@@ -1,0 +1,50 @@
+// hfrac run: the command line of a run, and what is said when it is over.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "command/commands.hpp"
+#include "command/runner.hpp"
+#include "command/summary_text.hpp"
+#include "output/safe_file.hpp"
+
+namespace hfrac::command {
+namespace {
+
+void print_result(const std::filesystem::path& folder) {
+  const auto summary = nlohmann::json::parse(output::read_whole(folder / "summary.json"));
+  fmt::print("{}", summary_text(summary));
+  fmt::print("  {:18} {}: discs.pvd, bonds.pvd, cracks.pvd, flow.pvd (ParaView), history.csv, cracks.csv,\n",
+             "files", folder.string());
+  fmt::print("  {:18} fractures.csv, summary.json, case.toml\n", "");
+#ifdef HFRAC_WITH_RENDERER
+  fmt::print("  {:18} hfrac render {}\n", "pictures", folder.string());
+#endif
+}
+
+ExitCode run(const RunRequest& request) {
+  const auto code = carry_out(request);
+  if (!request.quiet && std::filesystem::exists(request.folder / "summary.json") && code != kBadInput)
+    print_result(request.folder);
+  return code;
+}
+
+}  // namespace
+
+void add_run(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("run", "Run a case and write a run folder");
+  auto request = std::make_shared<RunRequest>();
+  command->add_option("CASE", request->case_file, "Case file (TOML)")->required();
+  command->add_option("-o,--output", request->folder, "Run folder to write; made if it is not there")
+      ->required()
+      ->type_name("DIR");
+  command->add_option("--steps", request->steps, "Take this many steps, whatever the case says")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--workers", request->workers, "Worker threads; results do not depend on it")
+      ->check(CLI::Range(1, 256));
+  command->add_flag("--overwrite", request->overwrite, "Remove the files of an earlier run in DIR first");
+  command->add_flag("-q,--quiet", request->quiet, "Print nothing unless something goes wrong");
+  command->callback([request, &action] { action = [request] { return run(*request); }; });
+}
+
+}  // namespace hfrac::command

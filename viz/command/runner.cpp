@@ -1,0 +1,101 @@
+// The order of a run: read the case, claim the folder, build the model, and only then touch an earlier run's
+// files. Whatever goes wrong before that point leaves the disk as it was.
+#include "command/runner.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+
+#include "command/case_file.hpp"
+#include "command/interrupt.hpp"
+#include "command/progress_line.hpp"
+#include "command/step_loop.hpp"
+#include "output/known_files.hpp"
+#include "output/run_folder.hpp"
+#include "output/safe_file.hpp"
+
+namespace hfrac::command {
+namespace {
+
+struct DestroySimulation {
+  void operator()(hfrac_sim* sim) const { hfrac_sim_destroy(&sim); }
+};
+using Simulation = std::unique_ptr<hfrac_sim, DestroySimulation>;
+
+int32_t show_setup(void* line, double fraction, const char* what) {
+  static_cast<ProgressLine*>(line)->show(
+      fmt::format("set-up {:3.0f} %  {}", fraction * 100.0, what ? what : ""));
+  return interrupted() ? 1 : 0;
+}
+
+void refuse_earlier_run(const RunRequest& request) {
+  if (request.overwrite) return;
+  const auto files = output::files_of_a_run(request.folder);
+  if (!files.empty())
+    throw BadInput(fmt::format(
+        "'{}' already holds {} file(s) of a run, e.g. {}; choose another folder or say --overwrite",
+        request.folder.string(), files.size(), files.front().filename().string()));
+}
+
+/** Builds the model; no simulation if the user interrupted. */
+Simulation build(hfrac_sim_def definition, ProgressLine& line) {
+  definition.progress = show_setup;
+  definition.progress_user = &line;
+  hfrac_sim* sim = nullptr;
+  const int32_t status = hfrac_sim_create(&definition, &sim);
+  Simulation simulation(sim);
+  line.end();
+  if (status == HFRAC_STOPPED) return nullptr;
+  if (status == HFRAC_ERR_MODEL || status == HFRAC_ERR_ARGUMENT)
+    throw BadInput(output::error_text(status, nullptr));
+  output::require(status, nullptr);
+  return simulation;
+}
+
+void report_failure(const output::RunFolder& folder, const std::string& why) {
+  fmt::print(stderr, "hfrac: the run failed: {}\n", why);
+  fmt::print(stderr, "hfrac: {} complete snapshot(s) in '{}' stay readable\n", folder.snapshots(),
+             folder.path().string());
+}
+
+}  // namespace
+
+ExitCode carry_out(const RunRequest& request) {
+  const auto definition = load_case(request.case_file, request.workers);
+  refuse_earlier_run(request);
+  output::FolderClaim claim(request.folder);
+  catch_interrupts();
+
+  ProgressLine line(request.quiet);
+  output::RunFolder folder(request.folder);
+  const auto sim = build(definition, line);
+  if (!sim) {
+    fmt::print(stderr, "hfrac: interrupted during the set-up; nothing was written\n");
+    return kInterrupted;
+  }
+  output::remove_files_of_a_run(request.folder);
+
+  try {
+    folder.open(sim.get());
+    claim.keep();
+    const auto why = take_steps(sim.get(), folder, definition, request.steps, line);
+    folder.finish(sim.get(), why.text);
+    line.end();
+    if (!why.interrupted) return kGood;
+    fmt::print(stderr, "hfrac: interrupted; everything up to the last whole step is in '{}'\n",
+               request.folder.string());
+    return kInterrupted;
+  } catch (const output::FileError& error) {
+    line.end();
+    folder.note_failure(sim.get(), error.what());
+    report_failure(folder, error.what());
+  } catch (const output::EngineError& error) {
+    line.end();
+    folder.finish_failed(sim.get(), error.what());
+    report_failure(folder, error.what());
+  }
+  return kRunFailed;
+}
+
+}  // namespace hfrac::command

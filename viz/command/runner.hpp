@@ -1,0 +1,25 @@
+// A run from case file to finished folder.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "command/exit_code.hpp"
+
+namespace hfrac::command {
+
+/** What the user asked for. */
+struct RunRequest {
+  std::string case_file;
+  std::filesystem::path folder;
+  int64_t steps = -1;   ///< steps to take; -1: as the case says
+  int64_t workers = 0;  ///< 0: as the case says
+  bool overwrite = false;
+  bool quiet = false;
+};
+
+/** Runs it. Failures that leave something readable are told here; others are thrown. */
+ExitCode carry_out(const RunRequest& request);
+
+}  // namespace hfrac::command

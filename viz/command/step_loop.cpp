@@ -1,0 +1,124 @@
+// One step at a time, so that the history has a line for each. In dynamic mode a step is a single mechanical
+// cycle, far too short for a line: there the loop moves by a tenth of the cycles between two snapshots.
+#include "command/step_loop.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include "command/interrupt.hpp"
+
+namespace hfrac::command {
+namespace {
+
+constexpr double kCallbackSeconds = 0.1;
+constexpr int64_t kDynamic = 1;  ///< stepping.mode
+constexpr int64_t kForever = std::numeric_limits<int64_t>::max();
+
+/** When a run ends by itself. */
+struct Limits {
+  int64_t steps;
+  double time;
+};
+
+Limits limits_of(const hfrac_sim_def& definition, int64_t steps) {
+  const double never = std::numeric_limits<double>::infinity();
+  if (steps >= 0) return {steps, never};
+  if (definition.stepping_end_time > 0.0) return {kForever, definition.stepping_end_time};
+  return {definition.stepping_substeps, never};
+}
+
+/** The progress line, made from the state after the last step. */
+class StepReport {
+ public:
+  StepReport(ProgressLine& line, Limits limits) : line_(line), limits_(limits), start_(Clock::now()) {}
+
+  void after_step(hfrac_sim* sim) {
+    if (!line_.due()) return;
+    const auto state = output::state_of(sim);
+    const auto wells = output::wells_of(sim);
+    const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+    const double speed = elapsed > 0.0 ? static_cast<double>(state.step) / elapsed : 0.0;
+    text_ = limits_.steps == kForever ? fmt::format("step {}", state.step)
+                                      : fmt::format("step {}/{}", state.step, limits_.steps);
+    text_ += fmt::format("  {:.6g} s  {} cracks", state.time, state.crack_count);
+    if (!wells.empty()) text_ += fmt::format("  well {:.4g} MPa", wells.front().pressure * 1e-6);
+    text_ += fmt::format("  {:.3g} steps/s  at most {} left", speed,
+                         readable_duration(seconds_left(state, elapsed)));
+    line_.show_now(text_);
+  }
+
+  void within_step(double fraction, const char* what) {
+    line_.show(fmt::format("{}{}now {} {:.0f} %", text_, text_.empty() ? "" : "  ", what ? what : "step",
+                           fraction * 100.0));
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  double seconds_left(const hfrac_sim_state& state, double elapsed) const {
+    const double done = limits_.steps == kForever
+                            ? state.time / limits_.time
+                            : static_cast<double>(state.step) / static_cast<double>(limits_.steps);
+    return done > 0.0 ? elapsed * (1.0 - done) / done : 0.0;
+  }
+
+  ProgressLine& line_;
+  Limits limits_;
+  Clock::time_point start_;
+  std::string text_;
+};
+
+int32_t while_stepping(void* report, double fraction, const char* what) {
+  static_cast<StepReport*>(report)->within_step(fraction, what);
+  return interrupted() ? 1 : 0;
+}
+
+/** Takes the callback out again however the loop is left. */
+class Callback {
+ public:
+  Callback(hfrac_sim* sim, StepReport& report) : sim_(sim) {
+    output::require(hfrac_set_progress(sim, while_stepping, &report, kCallbackSeconds), sim);
+  }
+  Callback(const Callback&) = delete;
+  Callback& operator=(const Callback&) = delete;
+  ~Callback() { hfrac_set_progress(sim_, nullptr, nullptr, kCallbackSeconds); }
+
+ private:
+  hfrac_sim* sim_;
+};
+
+}  // namespace
+
+EndOfRun take_steps(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_def& definition, int64_t steps,
+                    ProgressLine& line) {
+  const auto limits = limits_of(definition, steps);
+  const int64_t stride =
+      definition.stepping_mode == kDynamic ? std::max<int64_t>(1, definition.output_every / 10) : 1;
+  StepReport report(line, limits);
+  const Callback callback(sim, report);
+
+  for (auto state = output::state_of(sim);;) {
+    if (interrupted()) return {"interrupted", true};
+    if (state.stop_reason == HFRAC_REASON_EXTENT)
+      return {
+          "a crack tip reached stop.extent_fraction of the model: what follows would be the boundary's "
+          "doing"};
+    if (state.stop_reason == HFRAC_REASON_CRACKS) return {"stop.cracks reached"};
+    if (state.time >= limits.time) return {"end time reached"};
+    if (state.step >= limits.steps) return {"all steps taken"};
+
+    const int64_t before = state.step;
+    const int32_t status = hfrac_step(sim, std::min(stride, limits.steps - before));
+    output::require(status, sim);
+    state = output::state_of(sim);
+    if (state.step == before) return {"interrupted", true};
+    folder.record_step(sim);
+    if (state.step / definition.output_every != before / definition.output_every) folder.snapshot(sim);
+    report.after_step(sim);
+  }
+}
+
+}  // namespace hfrac::command

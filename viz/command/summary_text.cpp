@@ -1,0 +1,82 @@
+// Lengths in the unit a person thinks in: metres for a fracture, millimetres for its width, MPa for
+// pressures.
+#include "command/summary_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "command/progress_line.hpp"
+
+namespace hfrac::command {
+namespace {
+
+using nlohmann::json;
+
+/** A number of the summary; NaN, which JSON writes as null, stays NaN. */
+double number(const json& part, const char* key) {
+  const auto& value = part.at(key);
+  return value.is_null() ? std::nan("") : value.get<double>();
+}
+
+std::string line(const char* what, const std::string& value) {
+  return fmt::format("  {:18} {}\n", what, value);
+}
+
+/** `error` as a share of `whole`, where there is a whole. */
+std::string share(double error, double whole) {
+  return whole > 0.0 ? fmt::format(" ({:.2g} of it)", std::abs(error) / whole) : std::string();
+}
+
+/** The largest of the energies, against which an error is judged. */
+double energy_scale(const json& balance) {
+  double scale = 0.0;
+  for (const char* key :
+       {"fluid_work_J_per_m", "boundary_work_J_per_m", "damping_J_per_m", "fracture_J_per_m"})
+    scale = std::max(scale, std::abs(number(balance, key)));
+  return scale;
+}
+
+}  // namespace
+
+std::string summary_text(const json& summary) {
+  const auto& state = summary.at("state");
+  const auto& balance = summary.at("balance");
+  const auto& longest = summary.at("longest_fracture");
+  std::string text;
+  if (const auto title = summary.at("title").get<std::string>(); !title.empty()) text += line("title", title);
+  text += line("ended", summary.at("ended").get<std::string>());
+  text += line("steps", fmt::format("{} ({:g} s of model time, {} snapshots, {} of wall time)",
+                                    state.at("step").get<int64_t>(), number(state, "time_s"),
+                                    summary.at("snapshots").get<int64_t>(),
+                                    readable_duration(number(summary, "wall_seconds"))));
+  if (const auto restless = summary.at("steps_not_at_rest").get<int64_t>(); restless > 0)
+    text += line("not at rest", fmt::format("{} steps ended before their mechanics came to rest", restless));
+  text += line("discs, bonds", fmt::format("{}, {}", state.at("disc_count").get<int64_t>(),
+                                           state.at("bond_count").get<int64_t>()));
+  text += line("cracks",
+               fmt::format("{} ({} in tension, {} in shear, {} during set-up)",
+                           state.at("crack_count").get<int64_t>(), state.at("tensile_cracks").get<int64_t>(),
+                           state.at("shear_cracks").get<int64_t>(), state.at("setup_cracks").get<int64_t>()));
+  text += line("longest fracture", fmt::format("{:.4g} m long, {:.4g} mm wide", number(longest, "length_m"),
+                                               number(longest, "width_m") * 1e3));
+  text += line("fracture volume", fmt::format("{:.4g} m2", number(summary, "fracture_volume_m2")));
+  int index = 0;
+  for (const auto& well : summary.at("wells"))
+    text += line(fmt::format("well {}", index++).c_str(),
+                 fmt::format("{:.4g} MPa, {:.4g} m2 injected", number(well, "pressure_Pa") * 1e-6,
+                             number(well, "injected_volume_m2")));
+  const double fluid_error = number(balance, "fluid_error_m2"),
+               injected = number(balance, "injected_volume_m2");
+  text += line("fluid",
+               fmt::format("injected {:.4g}, stored {:.4g}, leaked {:.4g}, missing {:.2g} m2{}", injected,
+                           number(balance, "stored_volume_m2"), number(balance, "leaked_volume_m2"),
+                           fluid_error, share(fluid_error, std::abs(injected))));
+  const double energy_error = number(balance, "energy_error_J_per_m");
+  text += line("energy",
+               fmt::format("missing {:.2g} J/m{}", energy_error, share(energy_error, energy_scale(balance))));
+  text += line("state hash", summary.at("state_hash").get<std::string>());
+  return text;
+}
+
+}  // namespace hfrac::command

@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file
+ * Pictures and a movie of a run, without a display.
+ *
+ * The renderer reads a run folder from disk (finished, or still being written) and needs nothing of the engine: it
+ * is a library of its own, libhfrac_viz. What it reads: discs.pvd, bonds.pvd, cracks.pvd and flow.pvd with their
+ * VTU files, and summary.json (title, reading, model, wells). Only the discs are required.
+ *
+ * - Statuses and texts follow base.h; the codes below are added to its list. Every function that can fail for a
+ *   reason worth reading takes a text buffer: `error` (may be NULL) gets the reason, at most `capacity` bytes with the
+ *   final 0, and an empty text on success.
+ * - Nothing is printed, the process is never ended, no display is opened or needed.
+ * - Pictures appear whole or not at all: each is written under another name in the same folder, then renamed.
+ * - Calls are safe from any thread; drawing is done one call after another. The calling thread must not have an OpenGL
+ *   context current. Calling back from inside a progress callback gives HFRAC_ERR_BUSY.
+ */
+#ifndef HFRAC_VIZ_H
+#define HFRAC_VIZ_H
+
+#include "hfrac/base.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Statuses of the renderer, besides those of base.h. Values are never renumbered. */
+enum hfrac_viz_status {
+  HFRAC_VIZ_ERR_READ = -60,  /**< the run folder, or a file in it, is missing or damaged */
+  HFRAC_VIZ_ERR_WRITE = -61, /**< a picture or the movie cannot be written; nothing is left behind */
+  HFRAC_VIZ_ERR_DRAW = -62   /**< the off-screen renderer or the video encoder cannot do what is asked */
+};
+
+/** What can be drawn. Values may be added together for hfrac_viz_options.pictures. */
+enum hfrac_viz_picture {
+  HFRAC_VIZ_MODEL = 1,     /**< figure3.png: discs, contacts and wells at the first snapshot (the paper's Figure 3) */
+  HFRAC_VIZ_STAGE = 2,     /**< growth_1.png to growth_5.png: discs, bonds and cracks at five stages */
+  HFRAC_VIZ_GROWTH = 4,    /**< growth.png: the five stages on one page (the paper's Figure 4) */
+  HFRAC_VIZ_PRESSURE = 8,  /**< pressure.png: fluid pressure in the domains, cracks over it */
+  HFRAC_VIZ_APERTURE = 16, /**< aperture.png: cracks by aperture, close up */
+  HFRAC_VIZ_MOVIE = 32,    /**< movie.mp4: every snapshot, with the wells' pressure and the number of cracks */
+  HFRAC_VIZ_ALL = 63       /**< all of them */
+};
+
+/** How to draw. Fill with hfrac_viz_options_init first; members are only ever appended. */
+typedef struct hfrac_viz_options {
+  int32_t struct_size;    /**< sizeof(hfrac_viz_options) of the caller, set by init */
+  int32_t struct_version; /**< set by init */
+  int32_t pictures;       /**< sum of enum hfrac_viz_picture; default HFRAC_VIZ_ALL */
+  int32_t width;          /**< [pixel] of each picture, 320 to 8192; default 1600 */
+  int32_t height;         /**< [pixel] 240 to 8192, or 0: as the model's shape asks; default 0 */
+  int32_t movie_width;    /**< [pixel] even, 320 to 4096; default 1280 */
+  int32_t movie_height;   /**< [pixel] even, 240 to 4096, or 0: as the model's shape asks; default 0 */
+  int32_t movie_seconds;  /**< [s] longest movie, 1 to 600; snapshots are left out only above 60 per second; default 12 */
+  int32_t snapshot;       /**< number of the snapshot (the N of discs_N.vtu) for a single picture, pressure.png and
+                               aperture.png; -1: the last (HFRAC_VIZ_MODEL: the first); default -1 */
+} hfrac_viz_options;
+
+/** Called with the share done in [0, 1] and what is being drawn. Nonzero return stops (HFRAC_STOPPED); files already
+ * written stay, the one at work is removed. */
+typedef int32_t (*hfrac_viz_progress_fn)(void *user, double fraction, const char *what);
+
+/** Fills `options` with the defaults. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_options_init(hfrac_viz_options *options);
+
+/** Draws what options->pictures asks for into run_dir/pictures/, which is made if missing. options NULL: the defaults.
+ * progress may be NULL. A picture whose data the run does not have (pressure.png without flow.pvd) is left out.
+ * Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_render_run(const char *run_dir, const hfrac_viz_options *options,
+                                       hfrac_viz_progress_fn progress, void *user, char *error, int32_t capacity,
+                                       int32_t *needed);
+
+/** Draws one picture, a single value of enum hfrac_viz_picture except the movie, to the PNG file `path`.
+ * HFRAC_VIZ_STAGE draws options->snapshot. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_render_picture(const char *run_dir, int32_t picture, const char *path,
+                                           const hfrac_viz_options *options, char *error, int32_t capacity,
+                                           int32_t *needed);
+
+/** Draws the movie to the MP4 file `path` (H.264, yuv420p, index in front). Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_render_movie(const char *run_dir, const char *path, const hfrac_viz_options *options,
+                                         hfrac_viz_progress_fn progress, void *user, char *error, int32_t capacity,
+                                         int32_t *needed);
+
+/** Number of snapshots in the run so far. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_snapshot_count(const char *run_dir, int32_t *count, char *error, int32_t capacity,
+                                           int32_t *needed);
+
+/** Copies the numbers of the snapshots, in order of time, at most `capacity_snapshots` of them; *count is how many there
+ * are. snapshots NULL: only *count. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_snapshots(const char *run_dir, int32_t *snapshots, int32_t capacity_snapshots,
+                                      int32_t *count, char *error, int32_t capacity, int32_t *needed);
+
+/** Numbers of the snapshots that growth_1.png to growth_5.png show; fewer than five (*count) in a run of fewer snapshots.
+ * Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_stages(const char *run_dir, int32_t stages[5], int32_t *count, char *error,
+                                   int32_t capacity, int32_t *needed);
+
+/** What draws: OpenGL renderer and version, VTK and H.264 library versions, as one line. On failure the text says why
+ * nothing can be drawn here. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_renderer_info(char *buffer, int32_t capacity, int32_t *needed);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

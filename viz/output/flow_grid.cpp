@@ -1,0 +1,51 @@
+// flow_*.vtu: each fluid domain as the polygon of the disc centres around it; the outside has no polygon.
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkNew.h>
+
+#include "output/snapshot_grids.hpp"
+#include "output/vtu_grid.hpp"
+
+namespace hfrac::output {
+namespace {
+
+constexpr int32_t kOutside = 2;  ///< value of the field domain.kind
+
+/** The values of `all` that belong to the domains in `chosen`. */
+template <class Value>
+std::vector<Value> pick(const std::vector<Value>& all, const std::vector<int32_t>& chosen) {
+  std::vector<Value> values;
+  values.reserve(chosen.size());
+  for (const int32_t i : chosen) values.push_back(all.at(static_cast<size_t>(i)));
+  return values;
+}
+
+}  // namespace
+
+std::string flow_vtu(const SnapshotFrame& frame) {
+  const auto kind = integers(frame.sim, HFRAC_DOMAIN_KIND);
+  const auto first = integers(frame.sim, HFRAC_DOMAIN_OFFSET);
+  const auto corners = integers(frame.sim, HFRAC_DOMAIN_CORNERS);
+
+  std::vector<int32_t> inside, offsets{0}, connectivity;
+  for (size_t i = 0; i < kind.size(); ++i) {
+    if (kind[i] == kOutside) continue;
+    const auto begin = corners.begin() + first.at(i);
+    const auto end = i + 1 < kind.size() ? corners.begin() + first.at(i + 1) : corners.end();
+    inside.push_back(static_cast<int32_t>(i));
+    connectivity.insert(connectivity.end(), begin, end);
+    offsets.push_back(static_cast<int32_t>(connectivity.size()));
+  }
+
+  vtkNew<vtkUnstructuredGrid> grid;
+  set_points(*grid, frame.positions);
+  set_cells(*grid, VTK_POLYGON, offsets, connectivity);
+  auto& data = *grid->GetCellData();
+  add_floats(data, "pressure_Pa", "Pa", pick(doubles(frame.sim, HFRAC_DOMAIN_PRESSURE), inside));
+  add_floats(data, "volume_m2", "m2", pick(doubles(frame.sim, HFRAC_DOMAIN_VOLUME), inside));
+  add_integers(data, "domain_id", inside);
+  add_integers(data, "kind", pick(kind, inside));
+  return encode(*grid, frame.state, frame.wells);
+}
+
+}  // namespace hfrac::output

@@ -1,0 +1,66 @@
+// Names are matched as a whole; anything else in the folder is left alone.
+#include "output/known_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <regex>
+
+#include "output/safe_file.hpp"
+
+namespace hfrac::output {
+namespace fs = std::filesystem;
+
+namespace {
+
+/** Adds to `files` those in `folder` whose whole name matches. */
+void collect(const fs::path& folder, const std::regex& name, std::vector<fs::path>& files) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (entry->is_regular_file(error) && std::regex_match(entry->path().filename().string(), name))
+      files.push_back(entry->path());
+}
+
+}  // namespace
+
+std::vector<fs::path> files_of_a_run(const fs::path& folder) {
+  static const std::regex data(
+      R"(\.?((discs|bonds|cracks|flow)(_[0-9]{5,}\.vtu|\.pvd)|)"
+      R"((history|cracks|fractures)\.csv|summary\.json|case\.toml)(\.tmp)?|\.hfrac_probe)");
+  static const std::regex pictures(R"((figure3|growth|growth_[1-5]|pressure|aperture)\.png|movie\.mp4)");
+  std::vector<fs::path> files;
+  collect(folder, data, files);
+  collect(folder / "pictures", pictures, files);
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+void remove_files_of_a_run(const fs::path& folder) {
+  for (const auto& file : files_of_a_run(folder)) {
+    std::error_code error;
+    fs::remove(file, error);
+    if (error) throw FileError(fmt::format("cannot remove '{}': {}", file.string(), error.message()));
+  }
+}
+
+FolderClaim::FolderClaim(const fs::path& folder) {
+  for (fs::path path = fs::absolute(folder).lexically_normal(); !fs::exists(path);
+       path = path.parent_path()) {
+    if (path.has_filename()) made_.push_back(path);
+    if (path == path.parent_path()) break;
+  }
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw FileError(fmt::format("cannot make folder '{}': {}", folder.string(), error.message()));
+  if (!fs::is_directory(folder, error)) throw FileError(fmt::format("'{}' is not a folder", folder.string()));
+  const auto probe = folder / ".hfrac_probe";
+  write_whole(probe, "");
+  fs::remove(probe, error);
+}
+
+FolderClaim::~FolderClaim() {
+  std::error_code ignored;
+  for (const auto& path : made_) fs::remove(path, ignored);  // removes a folder only if it is empty
+}
+
+}  // namespace hfrac::output

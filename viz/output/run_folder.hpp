@@ -1,0 +1,56 @@
+// A run folder: everything about one run, readable at any moment while the run goes on and after it was
+// killed.
+//
+//   case.toml        the definition with every option filled in; `hfrac run` on it gives the same run
+//   discs, bonds, cracks, flow: one NAME_STEP.vtu per snapshot and NAME.pvd, the series for ParaView
+//   history.csv      one line per step          cracks.csv      the crack log at the last snapshot
+//   fractures.csv    the fractures at the end   summary.json    everything in short
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+
+#include "output/series_file.hpp"
+#include "output/summary.hpp"
+
+namespace hfrac::output {
+
+class RunFolder {
+ public:
+  /** Starts the clock; touches nothing. */
+  explicit RunFolder(std::filesystem::path folder);
+
+  /** Writes the case, the head of the history and the snapshot at the start. */
+  void open(hfrac_sim* sim);
+
+  /** Adds the line of the step just taken to the history. */
+  void record_step(hfrac_sim* sim);
+
+  /** Writes a snapshot of now, unless there is one of this step already. */
+  void snapshot(hfrac_sim* sim);
+
+  /** The last snapshot, the fractures and the summary with why the run ended. */
+  void finish(hfrac_sim* sim, const std::string& why_ended);
+
+  /** The engine failed: writes what it still has (its state is that before the step) and why. Never throws. */
+  void finish_failed(hfrac_sim* sim, const std::string& why) noexcept;
+
+  /** A file could not be written: notes why in the summary, if that can be written. Never throws. */
+  void note_failure(hfrac_sim* sim, const std::string& why) noexcept;
+
+  int64_t snapshots() const { return course_.snapshots; }
+  const std::filesystem::path& path() const { return folder_; }
+
+ private:
+  void write_series(const SnapshotFrame& frame);
+  void write_summary(const SnapshotFrame& frame);
+
+  std::filesystem::path folder_;
+  std::chrono::steady_clock::time_point start_;
+  SeriesFile discs_, bonds_, cracks_, flow_;
+  RunCourse course_;
+  int64_t last_snapshot_step_ = -1;
+};
+
+}  // namespace hfrac::output

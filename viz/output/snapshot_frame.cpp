@@ -1,0 +1,14 @@
+// Fractures are found before the cracks are read, so that every crack carries the fracture it belongs to now.
+#include "output/snapshot_grids.hpp"
+
+namespace hfrac::output {
+
+SnapshotFrame::SnapshotFrame(hfrac_sim* simulation)
+    : sim(simulation),
+      state(state_of(simulation)),
+      wells(wells_of(simulation)),
+      fractures(fractures_of(simulation)),
+      cracks(cracks_of(simulation)),
+      positions(doubles(simulation, HFRAC_DISC_POSITION)) {}
+
+}  // namespace hfrac::output

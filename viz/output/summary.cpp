@@ -1,0 +1,117 @@
+// Every number has its unit in its name. The state hash is a text, since 64 bits do not fit a JSON reader's
+// double.
+#include "output/summary.hpp"
+
+#include <fmt/format.h>
+#include <vtkVersion.h>
+
+#include "output/tables.hpp"
+
+namespace hfrac::output {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+json setup_part(const hfrac_setup_report& setup) {
+  return {
+      {"mean_radius_m", setup.mean_radius},         {"porosity", setup.porosity},
+      {"packing_residual", setup.packing_residual}, {"coordination", setup.coordination},
+      {"packed_discs", setup.packed_discs},         {"removed_in_wells", setup.removed_in_wells},
+      {"removed_floaters", setup.removed_floaters}, {"removed_crossings", setup.removed_crossings},
+      {"strength_factor", setup.strength_factor},   {"zero_stress_aperture_m", setup.zero_stress_aperture},
+      {"permeability_m2", setup.permeability},      {"setup_force_ratio", setup.setup_force_ratio},
+      {"packing_seconds", setup.packing_seconds},   {"setup_seconds", setup.setup_seconds}};
+}
+
+json state_part(const hfrac_sim_state& state) {
+  return {{"step", state.step},
+          {"time_s", state.time},
+          {"cycles", state.cycles},
+          {"at_rest", state.at_rest != 0},
+          {"force_ratio", state.force_ratio},
+          {"crack_count", state.crack_count},
+          {"tensile_cracks", state.tensile_cracks},
+          {"shear_cracks", state.shear_cracks},
+          {"setup_cracks", state.setup_cracks},
+          {"disc_count", state.disc_count},
+          {"bond_count", state.bond_count},
+          {"domain_count", state.domain_count},
+          {"mechanical_step_s", state.mechanical_step},
+          {"tip_distance_m", state.tip_distance},
+          {"stop_reason", state.stop_reason}};
+}
+
+json balance_part(const hfrac_balance& balance) {
+  return {{"kinetic_J_per_m", balance.kinetic},
+          {"bond_elastic_J_per_m", balance.bond_elastic},
+          {"contact_elastic_J_per_m", balance.contact_elastic},
+          {"fluid_work_J_per_m", balance.fluid_work},
+          {"boundary_work_J_per_m", balance.boundary_work},
+          {"friction_J_per_m", balance.friction},
+          {"damping_J_per_m", balance.damping},
+          {"fracture_J_per_m", balance.fracture},
+          {"energy_error_J_per_m", balance.energy_error},
+          {"injected_volume_m2", balance.injected_volume},
+          {"stored_volume_m2", balance.stored_volume},
+          {"leaked_volume_m2", balance.leaked_volume},
+          {"fluid_error_m2", balance.fluid_error}};
+}
+
+json well_part(const hfrac_well_state& well) {
+  return {{"x_m", well.x},
+          {"y_m", well.y},
+          {"radius_m", well.equivalent_radius},
+          {"pressure_Pa", well.pressure},
+          {"target_pressure_Pa", well.target_pressure},
+          {"rate_m2_per_s", well.rate},
+          {"injected_volume_m2", well.injected_volume}};
+}
+
+json fracture_part(const hfrac_fracture& fracture) {
+  return {{"crack_count", fracture.crack_count},
+          {"tensile_cracks", fracture.tensile_cracks},
+          {"length_m", fracture.length},
+          {"extent_m", fracture.extent},
+          {"reach_m", fracture.reach},
+          {"azimuth_rad", fracture.azimuth},
+          {"mean_aperture_m", fracture.mean_aperture},
+          {"largest_aperture_m", fracture.largest_aperture},
+          {"volume_m2", fracture.volume},
+          {"mean_pressure_Pa", fracture.mean_pressure},
+          {"well", fracture.well}};
+}
+
+}  // namespace
+
+json make_summary(const SnapshotFrame& frame, const RunCourse& course) {
+  const auto definition = definition_of(frame.sim);
+  const auto longest = measure(frame.fractures);
+  int32_t abi = 0;
+  require(hfrac_abi_version(&abi), nullptr);
+
+  json summary;
+  summary["title"] = definition.title;
+  summary["reading"] = definition.model_reading == 0 ? "sound" : "paper";
+  summary["ended"] = course.ended;
+  summary["wall_seconds"] = course.wall_seconds;
+  summary["snapshots"] = course.snapshots;
+  summary["steps_not_at_rest"] = course.steps_not_at_rest;
+  summary["model"] = {{"width_m", definition.model_width}, {"height_m", definition.model_height}};
+  summary["wells"] = json::array();
+  for (const auto& well : frame.wells) summary["wells"].push_back(well_part(well));
+  summary["setup"] = setup_part(setup_of(frame.sim));
+  summary["state"] = state_part(frame.state);
+  summary["longest_fracture"] = {{"length_m", longest.length}, {"width_m", longest.width}};
+  summary["fracture_volume_m2"] = longest.volume;
+  summary["balance"] = balance_part(balance_of(frame.sim));
+  summary["fractures"] = json::array();
+  for (const auto& fracture : frame.fractures) summary["fractures"].push_back(fracture_part(fracture));
+  summary["versions"] = {{"hfrac", version_of_library()},
+                         {"abi", abi},
+                         {"build", build_of_library()},
+                         {"vtk", vtkVersion::GetVTKVersion()}};
+  summary["state_hash"] = fmt::format("{:016x}", static_cast<uint64_t>(state_hash_of(frame.sim)));
+  return summary;
+}
+
+}  // namespace hfrac::output

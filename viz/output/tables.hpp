@@ -1,0 +1,31 @@
+// The CSV files of a run folder: SI units in the column names, numbers exact (they read back as the same
+// doubles).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "output/engine_call.hpp"
+
+namespace hfrac::output {
+
+/** First line of history.csv for a model with `wells` wells. */
+std::string history_header(size_t wells);
+/** One line of history.csv: how the simulation stands after a step. */
+std::string history_row(hfrac_sim* sim);
+
+/** cracks.csv: the whole crack log. */
+std::string crack_table(const std::vector<hfrac_crack>& cracks);
+
+/** fractures.csv: the fractures as they are now. */
+std::string fracture_table(const std::vector<hfrac_fracture>& fractures);
+
+/** What of all fractures goes into one line: the longest one, and the volume of all. */
+struct FractureMeasure {
+  double length = 0.0;  ///< [m] of the longest fracture
+  double width = 0.0;   ///< [m] largest aperture of the longest fracture
+  double volume = 0.0;  ///< [m2] of all fractures
+};
+FractureMeasure measure(const std::vector<hfrac_fracture>& fractures);
+
+}  // namespace hfrac::output

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Discs by vtkPointGaussianMapper: one triangle per disc, and a few lines of shader that keep its round part and darken
+// its rim. Ten thousand discs cost as much as a few hundred polygons would.
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPointGaussianMapper.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "layers.h"
+
+namespace hfrac::viz {
+namespace {
+
+std::string shader_colour(Colour colour) {
+  char text[96];
+  std::snprintf(text, sizeof text, "vec3(%d.0, %d.0, %d.0) / 255.0", colour.red, colour.green, colour.blue);
+  return text;
+}
+
+// offsetVCVSOutput is the place in the disc in units of its radius. The rim is about two drawn pixels wide, at most a
+// quarter of the radius, and fades out where discs are only a few pixels large.
+std::string disc_shader(Colour fill, Colour rim) {
+  return "//VTK::Color::Impl\n"
+         "float discRadius = length(offsetVCVSOutput.xy);\n"
+         "float discPixel = max(fwidth(discRadius), 1e-6);\n"
+         "if (discRadius > 1.0) discard;\n"
+         "float discRimWidth = min(2.0 * discPixel, 0.25);\n"
+         "float discRim = smoothstep(1.0 - discRimWidth - discPixel, 1.0 - discRimWidth, discRadius);\n"
+         "discRim *= clamp((1.0 / discPixel - 2.0) / 4.0, 0.0, 1.0);\n"
+         "ambientColor = vec3(0.0);\n"
+         "diffuseColor = mix(" +
+         shader_colour(fill) + ", " + shader_colour(rim) + ", discRim);\n";
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkActor> disc_layer(const Discs& discs, Colour fill, Colour rim, double pixel) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkDoubleArray> radius;
+  radius->SetName("radius");
+  points->SetNumberOfPoints(static_cast<vtkIdType>(discs.discs.size()));
+  radius->SetNumberOfTuples(static_cast<vtkIdType>(discs.discs.size()));
+  for (std::size_t i = 0; i < discs.discs.size(); ++i) {
+    const Disc& disc = discs.discs[i];
+    points->SetPoint(static_cast<vtkIdType>(i), disc.centre.x, disc.centre.y, 0.0);
+    radius->SetValue(static_cast<vtkIdType>(i), std::max(disc.radius, pixel));
+  }
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  cloud->GetPointData()->AddArray(radius);
+
+  vtkNew<vtkPointGaussianMapper> mapper;
+  mapper->SetInputData(cloud);
+  mapper->SetScaleArray("radius");
+  mapper->SetScaleFactor(1.0);
+  mapper->EmissiveOff();
+  mapper->SetTriangleScale(1.0F);
+  mapper->ScalarVisibilityOff();
+  mapper->SetSplatShaderCode(disc_shader(fill, rim).c_str());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->SetPosition(0.0, 0.0, depth::discs);
+  return actor;
+}
+
+}  // namespace hfrac::viz

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "furniture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "number_text.h"
+
+namespace hfrac::viz {
+namespace {
+
+constexpr double label_size = 24;
+constexpr double tick_size = 21;
+constexpr double rise = 0.36;  // of the em: from a text's baseline to the middle of its digits
+
+}  // namespace
+
+std::string fitted(const Page& page, const std::string& content, const TextStyle& style, double width) {
+  if (page.text_width(content, style) <= width) return content;
+  std::string cut = content;
+  while (!cut.empty()) {
+    // One whole UTF-8 letter less.
+    while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xC0) == 0x80) cut.pop_back();
+    if (!cut.empty()) cut.pop_back();
+    if (page.text_width(cut + "...", style) <= width) break;
+  }
+  return cut + "...";
+}
+
+void draw_title(Page& page, double unit, double left, const std::string& title, const std::string& second_line) {
+  TextStyle style{34 * unit, palette::ink, true};
+  const double room = page.width() - left - 30 * unit;
+  page.text(left, 56 * unit, fitted(page, title, style, room), style);
+  style = {25 * unit, palette::faint_ink};
+  page.text(left, 94 * unit, fitted(page, second_line, style, room), style);
+}
+
+void draw_frame(Page& page, double unit, const View& view) {
+  page.outline(view.box, std::max(1.0, 1.6 * unit), palette::frame);
+}
+
+void draw_axes(Page& page, double unit, const View& view) {
+  draw_frame(page, unit, view);
+  const double length = 8 * unit;
+  const double thickness = std::max(1.0, 1.6 * unit);
+  TextStyle style{tick_size * unit, palette::ink, false, Align::centre};
+  const int ticks_x = std::max(2, static_cast<int>(view.box.width / (190 * unit)));
+  for (const Tick& tick : round_ticks(view.extent.left, view.extent.left + view.extent.width, ticks_x)) {
+    const double x = view.to_page_x(tick.value);
+    page.line(x, view.box.bottom(), x, view.box.bottom() + length, thickness, palette::frame);
+    page.text(x, view.box.bottom() + length + 24 * unit, tick.text, style);
+  }
+  page.text(view.box.left + view.box.width / 2, view.box.bottom() + length + 56 * unit, "x (m)",
+            {label_size * unit, palette::ink, false, Align::centre});
+  style.align = Align::right;
+  double widest = 0;
+  const int ticks_y = std::max(2, static_cast<int>(view.box.height / (190 * unit)));
+  for (const Tick& tick : round_ticks(view.extent.bottom, view.extent.bottom + view.extent.height, ticks_y)) {
+    const double y = view.to_page_y(tick.value);
+    page.line(view.box.left - length, y, view.box.left, y, thickness, palette::frame);
+    page.text(view.box.left - length - 6 * unit, y + rise * style.size, tick.text, style);
+    widest = std::max(widest, page.text_width(tick.text, style));
+  }
+  page.text(view.box.left - length - 16 * unit - widest, view.box.top + view.box.height / 2, "y (m)",
+            {label_size * unit, palette::ink, false, Align::centre, true});
+}
+
+double draw_scale_bar(Page& page, double unit, double left, double top, double room, double metres_per_pixel) {
+  const double metres = round_length(room * metres_per_pixel);
+  const double length = metres / metres_per_pixel;
+  const double thickness = 4 * unit;
+  const double cap = 9 * unit;
+  const double y = top + cap;
+  page.line(left, y, left + length, y, thickness, palette::ink);
+  page.line(left, y - cap, left, y + cap, 3 * unit, palette::ink);
+  page.line(left + length, y - cap, left + length, y + cap, 3 * unit, palette::ink);
+  const TextStyle style{label_size * unit, palette::ink};
+  page.text(left, y + cap + 28 * unit, value_text(metres) + " m", style);
+  return y + cap + 40 * unit;
+}
+
+void draw_colour_bar(Page& page, double unit, const Box& box, const ColourMap& map, double lowest, double highest,
+                     const std::string& label, const std::string& second_label) {
+  const TextStyle label_style{label_size * unit, palette::ink};
+  const double label_bottom = box.top - 20 * unit;
+  page.text(box.left, label_bottom - (second_label.empty() ? 0.0 : 30 * unit), label, label_style);
+  page.text(box.left, label_bottom, second_label, {tick_size * unit, palette::faint_ink});
+  constexpr int slices = 200;
+  for (int i = 0; i < slices; ++i) {
+    const double height = box.height / slices;
+    page.rectangle({box.left, box.bottom() - (i + 1) * height, box.width, height}, map.at((i + 0.5) / slices));
+  }
+  page.outline(box, std::max(1.0, 1.4 * unit), palette::frame);
+  if (!(highest > lowest)) highest = lowest + 1;
+  const TextStyle style{tick_size * unit, palette::ink};
+  const int wanted = std::max(2, static_cast<int>(box.height / (110 * unit)));
+  for (const Tick& tick : round_ticks(lowest, highest, wanted)) {
+    const double y = box.bottom() - box.height * (tick.value - lowest) / (highest - lowest);
+    page.line(box.right(), y, box.right() + 8 * unit, y, std::max(1.0, 1.6 * unit), palette::frame);
+    page.text(box.right() + 16 * unit, y + rise * style.size, tick.text, style);
+  }
+}
+
+double draw_legend(Page& page, double unit, double left, double top, const std::vector<LegendEntry>& entries) {
+  const double pitch = 44 * unit;
+  const double sign_width = 40 * unit;
+  const TextStyle style{label_size * unit, palette::ink};
+  double y = top + pitch / 2;
+  for (const LegendEntry& entry : entries) {
+    const double middle = left + sign_width / 2;
+    switch (entry.sign) {
+      case Sign::disc:
+        page.circle(middle, y, 15 * unit, entry.rim);
+        page.circle(middle, y, 13 * unit, entry.colour);
+        break;
+      case Sign::hole: page.circle(middle, y, 14 * unit, entry.colour); break;
+      case Sign::line: page.line(left, y, left + sign_width, y, 2.4 * unit, entry.colour); break;
+      case Sign::band: page.line(left, y, left + sign_width, y, 7 * unit, entry.colour); break;
+    }
+    page.text(left + sign_width + 16 * unit, y + rise * style.size, entry.text, style);
+    y += pitch;
+  }
+  return y - pitch / 2;
+}
+
+double draw_notes(Page& page, double unit, double left, double top, const std::vector<Note>& notes) {
+  double y = top;
+  for (const Note& note : notes) {
+    page.text(left, y + 22 * unit, note.name, {tick_size * unit, palette::faint_ink});
+    page.text(left, y + 56 * unit, note.value, {30 * unit, palette::ink});
+    y += 84 * unit;
+  }
+  return y;
+}
+
+void draw_curve(Page& page, double unit, const Box& box, const Curve& curve, std::size_t now) {
+  const TextStyle label{tick_size * unit, palette::faint_ink};
+  page.text(box.left, box.top - 12 * unit, curve.label, label);
+  const double thickness = std::max(1.0, 1.6 * unit);
+  page.line(box.left, box.bottom(), box.right(), box.bottom(), thickness, palette::frame);
+  page.line(box.left, box.top, box.left, box.bottom(), thickness, palette::frame);
+  if (curve.times.empty() || curve.values.size() != curve.times.size()) return;
+  const auto [lowest, highest] = std::minmax_element(curve.values.begin(), curve.values.end());
+  const double bottom = std::min(0.0, *lowest);
+  const double top = *highest > bottom ? *highest : bottom + 1;
+  const double start = curve.times.front();
+  const double end = curve.times.back() > start ? curve.times.back() : start + 1;
+  const auto at = [&](std::size_t i, double value) {
+    return Point{box.left + box.width * (curve.times[i] - start) / (end - start),
+                 box.bottom() - box.height * (value - bottom) / (top - bottom)};
+  };
+  const TextStyle small{0.85 * tick_size * unit, palette::faint_ink, false, Align::right};
+  page.text(box.left - 8 * unit, box.top + rise * small.size, value_text(top), small);
+  page.text(box.left - 8 * unit, box.bottom() + rise * small.size, value_text(bottom), small);
+  page.text(box.right(), box.bottom() + 28 * unit, time_text(curve.times.back()), small);
+  now = std::min(now, curve.times.size() - 1);
+  Point previous = at(0, curve.values[0]);
+  for (std::size_t i = 1; i <= now; ++i) {
+    const Point next = at(i, curve.values[i]);
+    if (curve.stepped) page.line(previous.x, previous.y, next.x, previous.y, 3 * unit, curve.colour);
+    page.line(curve.stepped ? next.x : previous.x, previous.y, next.x, next.y, 3 * unit, curve.colour);
+    previous = next;
+  }
+  page.circle(previous.x, previous.y, 6 * unit, curve.colour);
+}
+
+}  // namespace hfrac::viz

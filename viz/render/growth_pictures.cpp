@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures of the discs, their bonds and the cracks: the model, the stages of growth, the page of stages, a movie's frame.
+#include <algorithm>
+#include <cmath>
+
+#include "failure.h"
+#include "layers.h"
+#include "number_text.h"
+#include "pictures.h"
+#include "sheet.h"
+
+namespace hfrac::viz {
+namespace {
+
+constexpr double pascal_per_megapascal = 1e6;
+
+std::vector<LegendEntry> growth_legend(bool bonds) {
+  std::vector<LegendEntry> entries = {{Sign::disc, palette::disc, palette::disc_rim, "disc"}};
+  if (bonds) entries.push_back({Sign::line, palette::bond, {}, "intact bond"});
+  entries.push_back({Sign::band, palette::tension, {}, "crack, tension"});
+  entries.push_back({Sign::band, palette::shear, {}, "crack, shear"});
+  entries.push_back({Sign::hole, palette::well, {}, "wellbore"});
+  return entries;
+}
+
+// Bold at the scale of the whole model, not wider than the discs close up.
+double crack_half_width(double pixel_metres, double radius) {
+  return std::clamp(0.2 * radius, 2.2 * pixel_metres, 5.0 * pixel_metres);
+}
+
+// `unit_metres`: one design pixel in the view.
+void add_growth_layers(const View& view, const Page& page, const RunFolder& run, const Scene& scene,
+                       double unit_metres) {
+  const double radius = mean_radius(scene.discs);
+  view.renderer->AddActor(well_layer(scene.flow, run.wells, 2 * view.metres_per_pixel));
+  view.renderer->AddActor(
+      disc_layer(scene.discs, palette::disc, palette::disc_rim, view.metres_per_pixel / page.drawn_pixels()));
+  if (!scene.bonds.intact.empty()) {
+    const double width = std::clamp(0.14 * radius / view.metres_per_pixel, 0.5, 1.5) * page.drawn_pixels();
+    view.renderer->AddActor(bond_layer(scene.bonds.intact, palette::bond, width));
+  }
+  if (!scene.cracks.cracks.empty()) {
+    view.renderer->AddActor(crack_layer(scene.cracks.cracks, crack_half_width(unit_metres, radius), 0.0));
+  }
+}
+
+std::string megapascal_text(double pascal) {
+  return value_text(std::round(pascal / pascal_per_megapascal * 100) / 100) + " MPa";
+}
+
+std::vector<Note> moment_notes(const RunFolder& run, const HistoryPoint& point) {
+  std::vector<Note> notes = {{"time", time_text(point.moment.time)}};
+  if (point.moment.step >= 0) notes.push_back({"step", count_text(point.moment.step)});
+  const std::string net = run.net_pressures ? ", net" : "";
+  const std::size_t wells = std::min<std::size_t>(point.moment.well_pressure.size(), 2);
+  for (std::size_t i = 0; i < wells; ++i) {
+    std::string name = "well pressure";
+    if (wells > 1) name.append(" ").append(std::to_string(i + 1));
+    notes.push_back({name + net, megapascal_text(point.moment.well_pressure[i])});
+  }
+  notes.push_back({"cracks", count_text(point.cracks())});
+  notes.push_back({"in tension / in shear", count_text(point.tensile_cracks) + " / " + count_text(point.shear_cracks)});
+  return notes;
+}
+
+}  // namespace
+
+Image model_picture(const Studio& studio, const Scene& scene) {
+  Sheet sheet(studio, whole_model(*studio.run, scene.discs));
+  const double radius_pixels = mean_radius(scene.discs) / sheet.view.metres_per_pixel;
+  sheet.view.renderer->AddActor(well_layer(scene.flow, studio.run->wells, 2 * sheet.view.metres_per_pixel));
+  sheet.view.renderer->AddActor(disc_layer(scene.discs, palette::disc, palette::disc_rim, sheet.drawn_pixel()));
+  if (!scene.bonds.intact.empty()) {
+    const double width = std::clamp(0.16 * radius_pixels, 0.5, 2.0) * sheet.page.drawn_pixels();
+    sheet.view.renderer->AddActor(bond_layer(scene.bonds.intact, palette::ink, width));
+  }
+  const auto disc_count = static_cast<std::int64_t>(scene.discs.discs.size());
+  const auto bond_count = static_cast<std::int64_t>(scene.bonds.intact.size());
+  draw_sheet_title(sheet, *studio.run,
+                   "Particle model: " + counted(disc_count, "disc") +
+                       (bond_count > 0 ? ", " + counted(bond_count, "bonded contact") : ""));
+  draw_axes(sheet.page, sheet.unit, sheet.view);
+  std::vector<LegendEntry> entries = {{Sign::disc, palette::disc, palette::disc_rim, "disc"}};
+  if (bond_count > 0) entries.push_back({Sign::line, palette::ink, {}, "bonded contact"});
+  entries.push_back({Sign::hole, palette::well, {}, "wellbore"});
+  const double below = draw_legend(sheet.page, sheet.unit, sheet.column_left, sheet.view.box.top, entries);
+  draw_scale_bar(sheet.page, sheet.unit, sheet.column_left, below + 50 * sheet.unit, 0.8 * sheet.column_width,
+                 sheet.view.metres_per_pixel);
+  return sheet.page.draw();
+}
+
+Image stage_picture(const Studio& studio, const Scene& scene) {
+  Sheet sheet(studio, whole_model(*studio.run, scene.discs));
+  add_growth_layers(sheet.view, sheet.page, *studio.run, scene, sheet.metres(1));
+  draw_sheet_title(sheet, *studio.run,
+                   "Fracture growth: " + moment_text(scene.point) + ", " + counted(scene.point.cracks(), "crack"));
+  draw_axes(sheet.page, sheet.unit, sheet.view);
+  double below = draw_legend(sheet.page, sheet.unit, sheet.column_left, sheet.view.box.top,
+                             growth_legend(!scene.bonds.intact.empty()));
+  below = draw_scale_bar(sheet.page, sheet.unit, sheet.column_left, below + 40 * sheet.unit,
+                         0.8 * sheet.column_width, sheet.view.metres_per_pixel);
+  draw_notes(sheet.page, sheet.unit, sheet.column_left, below + 40 * sheet.unit,
+             moment_notes(*studio.run, scene.point));
+  return sheet.page.draw();
+}
+
+Image growth_picture(const Studio& studio, const std::vector<Scene>& scenes) {
+  constexpr int columns = 3;
+  constexpr int rows = 2;
+  if (scenes.empty()) fail_reading("the run has no snapshots");
+  const Extent extent = whole_model(*studio.run, scenes.front().discs);
+  double unit = studio.size.width / 1600.0;
+  const double margin = 40 * unit;
+  const double top = 124 * unit;
+  const double gap = 30 * unit;
+  const double caption = 64 * unit;
+  double cell_width = (studio.size.width - 2 * margin - (columns - 1) * gap) / columns;
+  double cell_height = cell_width * extent.height / extent.width;
+  int height = studio.size.height;
+  if (height <= 0) {
+    cell_height = std::clamp(cell_height, 420 * unit, 3 * cell_width);
+    height = std::clamp(static_cast<int>(std::ceil(top + rows * (cell_height + caption) + 10 * unit)), 240, 8192);
+  }
+  cell_height = std::max(16.0, (height - top - 10 * unit) / rows - caption);
+  Page page(studio.window, studio.size.width, height);
+  const std::string what = "Fracture growth";
+  const bool untitled = studio.run->title.empty();
+  draw_title(page, unit, margin, untitled ? what : studio.run->title, untitled ? "" : what);
+  double metres_per_pixel = 0;
+  bool bonds = false;
+  for (std::size_t i = 0; i < scenes.size() && i + 1 < static_cast<std::size_t>(columns) * rows; ++i) {
+    const double left = margin + static_cast<double>(i % columns) * (cell_width + gap);
+    const double cell_top = top + static_cast<double>(i / columns) * (cell_height + caption);
+    const View view = page.view({left, cell_top, cell_width, cell_height}, extent);
+    metres_per_pixel = view.metres_per_pixel;
+    bonds = bonds || !scenes[i].bonds.intact.empty();
+    add_growth_layers(view, page, *studio.run, scenes[i], 0.8 * unit * view.metres_per_pixel);
+    draw_frame(page, unit, view);
+    const TextStyle style{24 * unit, palette::ink};
+    std::string letter = "(a) ";
+    letter[1] = static_cast<char>('a' + i);
+    page.text(left, view.box.bottom() + 34 * unit,
+              fitted(page, letter + moment_text(scenes[i].point) + ", " + counted(scenes[i].point.cracks(), "crack"),
+                     style, cell_width),
+              style);
+  }
+  const double legend_left = margin + (columns - 1) * (cell_width + gap) + 20 * unit;
+  const double legend_top = top + (rows - 1) * (cell_height + caption);
+  const double below = draw_legend(page, unit, legend_left, legend_top, growth_legend(bonds));
+  draw_scale_bar(page, unit, legend_left, below + 40 * unit, 0.5 * cell_width, metres_per_pixel);
+  return page.draw();
+}
+
+Image movie_frame(const Studio& studio, const Scene& scene, const std::vector<HistoryPoint>& history,
+                  std::size_t now) {
+  Sheet sheet(studio, whole_model(*studio.run, scene.discs), 1400);
+  add_growth_layers(sheet.view, sheet.page, *studio.run, scene, sheet.metres(1));
+  draw_sheet_title(sheet, *studio.run, "Fracture growth");
+  draw_axes(sheet.page, sheet.unit, sheet.view);
+  const double unit = sheet.unit;
+  double below = draw_notes(sheet.page, unit, sheet.column_left, sheet.view.box.top,
+                            moment_notes(*studio.run, scene.point));
+  Curve pressure{"well pressure (MPa)", {}, {}, palette::well};
+  Curve cracks{"cracks", {}, {}, palette::tension, true};
+  for (const HistoryPoint& point : history) {
+    cracks.times.push_back(point.moment.time);
+    cracks.values.push_back(point.cracks());
+    if (point.moment.well_pressure.empty()) continue;
+    pressure.times.push_back(point.moment.time);
+    pressure.values.push_back(point.moment.well_pressure.front() / pascal_per_megapascal);
+  }
+  const double curve_height = 110 * unit;
+  const double curve_left = sheet.column_left + 56 * unit;
+  below += 50 * unit;
+  for (const Curve* curve : {&pressure, &cracks}) {
+    if (curve->times.size() != history.size() || below + curve_height > sheet.page.height()) continue;
+    draw_curve(sheet.page, unit, {curve_left, below, sheet.column_width - 76 * unit, curve_height}, *curve, now);
+    below += curve_height + 90 * unit;
+  }
+  return sheet.page.draw();
+}
+
+}  // namespace hfrac::viz

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The run as a whole: what was when, read from the small crack files before anything is drawn.
+#pragma once
+
+#include <vector>
+
+#include "run_folder.h"
+#include "snapshot.h"
+
+namespace hfrac::viz {
+
+struct HistoryPoint {
+  int number = 0;  // of the snapshot
+  Moment moment;
+  int tensile_cracks = 0;
+  int shear_cracks = 0;
+
+  int cracks() const { return tensile_cracks + shear_cracks; }
+};
+
+// One point per snapshot of the discs, in order.
+std::vector<HistoryPoint> read_history(const RunFolder& run);
+
+// Up to five snapshots (indices into the history) that show how the cracks grew: evenly over the run, as in the
+// paper; if the first of them would show no crack, or the cracks stand still in two of them, evenly over the growth
+// of the cracks instead.
+std::vector<int> growth_stages(const std::vector<HistoryPoint>& history);
+
+}  // namespace hfrac::viz

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What lies in a view of the model, each layer one VTK actor: discs, bonds, cracks, domains, wells.
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkSmartPointer.h>
+
+#include <span>
+#include <vector>
+
+#include "colour.h"
+#include "run_folder.h"
+#include "snapshot.h"
+
+namespace hfrac::viz {
+
+// Order from below; the values only need to rise.
+namespace depth {
+inline constexpr double wells = 0.0;
+inline constexpr double domains = 1.0;
+inline constexpr double discs = 2.0;
+inline constexpr double bonds = 3.0;
+inline constexpr double cracks = 4.0;
+inline constexpr double rings = 5.0;
+}  // namespace depth
+
+// Discs as round points: the graphics processor cuts each disc out of one triangle. `pixel` [m] is the size of a drawn
+// pixel; discs are never drawn smaller than one, and their rim is one to two pixels wide whatever the view.
+vtkSmartPointer<vtkActor> disc_layer(const Discs& discs, Colour fill, Colour rim, double pixel);
+
+// Lines between disc centres, `width` drawn pixels wide.
+vtkSmartPointer<vtkActor> bond_layer(std::span<const Segment> bonds, Colour colour, double width);
+
+// Cracks as bands of equal width, tension and shear in their colours; `casing` [m] of white around them, if positive.
+vtkSmartPointer<vtkActor> crack_layer(std::span<const Crack> cracks, double half_width, double casing);
+
+// Cracks in the colour of their aperture, wider the wider they are open: half_width [m] at aperture `widest`.
+vtkSmartPointer<vtkActor> aperture_layer(std::span<const Crack> cracks, double widest, double half_width);
+
+// Domains in the colour of their pressure between two values.
+vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, double lowest, double highest);
+
+// The holes of the wells, to lie under the discs: the wells' domains if flow has any, otherwise circles.
+vtkSmartPointer<vtkActor> well_layer(const Flow& flow, std::span<const WellPlace> wells, double smallest_radius);
+
+// An outline around each well's domain, or its circle.
+vtkSmartPointer<vtkActor> well_rings(const Flow& flow, std::span<const WellPlace> wells, double half_width,
+                                     Colour colour);
+
+}  // namespace hfrac::viz

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "movie_file.h"
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+#include <libavutil/log.h>
+#include <libavutil/opt.h>
+#include <libswscale/swscale.h>
+}
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <thread>
+
+#include "failure.h"
+#include "whole_file.h"
+
+namespace hfrac::viz {
+namespace {
+
+std::string reason(int error) {
+  std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
+  av_strerror(error, text.data(), text.size());
+  return text.data();
+}
+
+// The muxer says what it does on the process-wide log; only that can be turned down, and only for everyone.
+class QuietLog {
+ public:
+  QuietLog() : level_(av_log_get_level()) { av_log_set_level(AV_LOG_QUIET); }
+  ~QuietLog() { av_log_set_level(level_); }
+  QuietLog(const QuietLog&) = delete;
+  QuietLog& operator=(const QuietLog&) = delete;
+
+ private:
+  int level_;
+};
+
+struct FreeCodec {
+  void operator()(AVCodecContext* codec) const { avcodec_free_context(&codec); }
+};
+struct FreeFrame {
+  void operator()(AVFrame* frame) const { av_frame_free(&frame); }
+};
+struct FreePacket {
+  void operator()(AVPacket* packet) const { av_packet_free(&packet); }
+};
+struct FreeScaler {
+  void operator()(SwsContext* scaler) const { sws_freeContext(scaler); }
+};
+struct FreeFormat {
+  void operator()(AVFormatContext* format) const {
+    if (format->pb != nullptr) avio_closep(&format->pb);
+    avformat_free_context(format);
+  }
+};
+
+}  // namespace
+
+struct MovieFile::Parts {
+  explicit Parts(const std::filesystem::path& target) : file(target) {}
+
+  WholeFile file;
+  std::unique_ptr<AVFormatContext, FreeFormat> format;
+  std::unique_ptr<AVCodecContext, FreeCodec> codec;
+  std::unique_ptr<SwsContext, FreeScaler> scaler;
+  std::unique_ptr<AVFrame, FreeFrame> frame;
+  std::unique_ptr<AVPacket, FreePacket> packet;
+  AVStream* stream = nullptr;
+  std::int64_t next_frame = 0;
+
+  void check_written(int result) const {
+    if (result >= 0 && format->pb != nullptr) result = std::min(result, format->pb->error);
+    if (result < 0) fail_writing("cannot write " + file.target().string() + ": " + reason(result));
+  }
+  void open_codec(int width, int height, int frames_per_second);
+  void open_file();
+  void write_packets(const AVFrame* input);
+};
+
+void MovieFile::Parts::open_codec(int width, int height, int frames_per_second) {
+  const AVCodec* encoder = avcodec_find_encoder_by_name("libx264");
+  if (encoder == nullptr) fail_drawing("libavcodec was built without libx264: no movie");
+  codec.reset(avcodec_alloc_context3(encoder));
+  scaler.reset(sws_getContext(width, height, AV_PIX_FMT_RGB24, width, height, AV_PIX_FMT_YUV420P, SWS_BICUBIC,
+                              nullptr, nullptr, nullptr));
+  frame.reset(av_frame_alloc());
+  packet.reset(av_packet_alloc());
+  if (!codec || !scaler || !frame || !packet) throw std::bad_alloc();
+  const int* high_definition = sws_getCoefficients(SWS_CS_ITU709);
+  sws_setColorspaceDetails(scaler.get(), high_definition, 1, high_definition, 0, 0, 1 << 16, 1 << 16);
+  codec->width = width;
+  codec->height = height;
+  codec->pix_fmt = AV_PIX_FMT_YUV420P;
+  codec->time_base = {1, frames_per_second};
+  codec->framerate = {frames_per_second, 1};
+  codec->gop_size = std::max(2, 2 * frames_per_second);  // a place to jump to every two seconds
+  codec->colorspace = AVCOL_SPC_BT709;
+  codec->color_primaries = AVCOL_PRI_BT709;
+  codec->color_trc = AVCOL_TRC_BT709;
+  codec->color_range = AVCOL_RANGE_MPEG;
+  codec->thread_count = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
+  codec->log_level_offset = 100;  // says nothing, whatever the process-wide level
+  codec->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
+  av_opt_set(codec->priv_data, "preset", "veryfast", 0);
+  av_opt_set(codec->priv_data, "tune", "animation", 0);
+  av_opt_set(codec->priv_data, "crf", "17", 0);
+  const int opened = avcodec_open2(codec.get(), encoder, nullptr);
+  if (opened < 0) fail_drawing("the H.264 encoder cannot be opened: " + reason(opened));
+  frame->format = codec->pix_fmt;
+  frame->width = width;
+  frame->height = height;
+  if (av_frame_get_buffer(frame.get(), 0) < 0) throw std::bad_alloc();
+}
+
+void MovieFile::Parts::open_file() {
+  const QuietLog quiet;
+  AVFormatContext* made = nullptr;
+  if (avformat_alloc_output_context2(&made, nullptr, "mp4", file.working_path().c_str()) < 0 || made == nullptr) {
+    fail_drawing("libavformat cannot write MP4");
+  }
+  format.reset(made);
+  stream = avformat_new_stream(made, nullptr);
+  if (stream == nullptr) throw std::bad_alloc();
+  stream->time_base = codec->time_base;
+  stream->avg_frame_rate = codec->framerate;
+  avcodec_parameters_from_context(stream->codecpar, codec.get());
+  check_written(avio_open(&made->pb, file.working_path().c_str(), AVIO_FLAG_WRITE));
+  AVDictionary* options = nullptr;
+  av_dict_set(&options, "movflags", "+faststart", 0);
+  const int written = avformat_write_header(made, &options);
+  av_dict_free(&options);
+  check_written(written);
+}
+
+void MovieFile::Parts::write_packets(const AVFrame* input) {
+  const int sent = avcodec_send_frame(codec.get(), input);
+  if (sent < 0) fail_drawing("the H.264 encoder failed: " + reason(sent));
+  while (true) {
+    const int received = avcodec_receive_packet(codec.get(), packet.get());
+    if (received == AVERROR(EAGAIN) || received == AVERROR_EOF) return;
+    if (received < 0) fail_drawing("the H.264 encoder failed: " + reason(received));
+    packet->stream_index = stream->index;
+    packet->duration = 1;  // in the encoder's time base; without it the last picture would last no time
+    av_packet_rescale_ts(packet.get(), codec->time_base, stream->time_base);
+    check_written(av_interleaved_write_frame(format.get(), packet.get()));
+  }
+}
+
+MovieFile::MovieFile(const std::filesystem::path& target, int width, int height, int frames_per_second)
+    : parts_(std::make_unique<Parts>(target)) {
+  parts_->open_codec(width, height, frames_per_second);
+  parts_->open_file();
+}
+
+MovieFile::~MovieFile() = default;
+
+void MovieFile::add(const Image& image) {
+  AVFrame* frame = parts_->frame.get();
+  if (image.width != frame->width || image.height != frame->height) fail_drawing("a movie's pictures differ in size");
+  if (av_frame_make_writable(frame) < 0) throw std::bad_alloc();
+  const std::array<const std::uint8_t*, 1> rows = {image.rgb.data()};
+  const std::array<int, 1> strides = {3 * image.width};
+  sws_scale(parts_->scaler.get(), rows.data(), strides.data(), 0, image.height, frame->data, frame->linesize);
+  frame->pts = parts_->next_frame++;
+  parts_->write_packets(frame);
+}
+
+void MovieFile::finish() {
+  parts_->write_packets(nullptr);
+  {
+    const QuietLog quiet;
+    parts_->check_written(av_write_trailer(parts_->format.get()));
+    parts_->check_written(avio_closep(&parts_->format->pb));
+  }
+  parts_->file.commit();
+}
+
+const char* movie_encoder_text() { return LIBAVCODEC_IDENT; }
+
+}  // namespace hfrac::viz

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "page.h"
+
+#include <unistd.h>
+#include <vtkCamera.h>
+#include <vtkNew.h>
+#include <vtkTextActor.h>
+#include <vtkTextRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "failure.h"
+
+namespace hfrac::viz {
+namespace {
+
+constexpr int largest_drawn = 16384;  // [pixel] OSMesa's largest framebuffer
+constexpr int text_resolution = 72;   // one point of a font is one drawn pixel
+
+void look_down(vtkRenderer* renderer, double centre_x, double centre_y, double height) {
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetFocalPoint(centre_x, centre_y, 0.0);
+  camera->SetPosition(centre_x, centre_y, 10.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->SetParallelScale(height / 2);
+  camera->SetClippingRange(1.0, 12.0);
+}
+
+bool readable(const char* path) { return path[0] != 0 && ::access(path, R_OK) == 0; }
+
+}  // namespace
+
+Page::Page(OffscreenWindow* window, int width, int height)
+    : window_(window), width_(width), height_(height), factor_(2 * std::max(width, height) <= largest_drawn ? 2 : 1) {
+  window_->SetSize(width * factor_, height * factor_);
+  window_->SetNumberOfLayers(2);
+  overlay_ = vtkSmartPointer<vtkRenderer>::New();
+  overlay_->SetLayer(1);
+  overlay_->InteractiveOff();
+  look_down(overlay_, width * factor_ / 2.0, height * factor_ / 2.0, height * factor_);
+  // A white sheet below everything: views cover only their boxes.
+  auto sheet = vtkSmartPointer<vtkRenderer>::New();
+  sheet->SetBackground(1.0, 1.0, 1.0);
+  window_->AddRenderer(sheet);
+  views_.push_back(sheet);
+}
+
+Page::~Page() {
+  for (const auto& renderer : views_) window_->RemoveRenderer(renderer);
+  window_->RemoveRenderer(overlay_);
+}
+
+View Page::view(const Box& room, const Extent& extent) {
+  View view;
+  view.extent = extent;
+  view.metres_per_pixel = std::max(extent.width / room.width, extent.height / room.height);
+  // Whole pixels, so that the view's edge is the frame's edge.
+  view.box = {std::round(room.left), std::round(room.top), std::round(extent.width / view.metres_per_pixel),
+              std::round(extent.height / view.metres_per_pixel)};
+  view.renderer = vtkSmartPointer<vtkRenderer>::New();
+  view.renderer->SetBackground(1.0, 1.0, 1.0);
+  view.renderer->SetViewport(view.box.left / width_, 1.0 - view.box.bottom() / height_, view.box.right() / width_,
+                             1.0 - view.box.top / height_);
+  look_down(view.renderer, extent.left + extent.width / 2, extent.bottom + extent.height / 2, extent.height);
+  window_->AddRenderer(view.renderer);
+  views_.push_back(view.renderer);
+  return view;
+}
+
+void Page::line(double x0, double y0, double x1, double y1, double width, Colour colour) {
+  shapes_.band({place(x0, y0), place(x1, y1)}, width * factor_ / 2, width * factor_ / 2, colour);
+}
+
+void Page::rectangle(const Box& box, Colour colour) {
+  shapes_.rectangle(place(box.left, box.bottom()), place(box.right(), box.top), colour);
+}
+
+void Page::outline(const Box& box, double width, Colour colour) {
+  line(box.left, box.top, box.right(), box.top, width, colour);
+  line(box.left, box.bottom(), box.right(), box.bottom(), width, colour);
+  line(box.left, box.top, box.left, box.bottom(), width, colour);
+  line(box.right(), box.top, box.right(), box.bottom(), width, colour);
+}
+
+void Page::circle(double x, double y, double radius, Colour colour) {
+  shapes_.circle(place(x, y), radius * factor_, colour);
+}
+
+vtkSmartPointer<vtkTextProperty> Page::text_property(const TextStyle& style) const {
+  auto property = vtkSmartPointer<vtkTextProperty>::New();
+  const char* file = style.bold && readable(HFRAC_VIZ_BOLD_FONT) ? HFRAC_VIZ_BOLD_FONT : HFRAC_VIZ_FONT;
+  if (readable(file)) {
+    property->SetFontFamily(VTK_FONT_FILE);
+    property->SetFontFile(file);
+  } else {  // VTK's own, without Greek letters
+    property->SetFontFamilyToArial();
+    property->SetBold(style.bold ? 1 : 0);
+  }
+  property->SetFontSize(std::max(4, static_cast<int>(std::lround(style.size * factor_))));
+  property->SetColor(style.colour.red / 255.0, style.colour.green / 255.0, style.colour.blue / 255.0);
+  property->SetVerticalJustificationToBottom();
+  property->SetUseTightBoundingBox(0);
+  return property;
+}
+
+void Page::text(double x, double y, const std::string& content, const TextStyle& style) {
+  if (content.empty()) return;
+  const auto property = text_property(style);
+  if (style.align == Align::centre) property->SetJustificationToCentered();
+  if (style.align == Align::right) property->SetJustificationToRight();
+  if (style.upwards) property->SetOrientation(90.0);
+  vtkNew<vtkTextActor> actor;
+  actor->SetTextScaleModeToNone();
+  actor->SetTextProperty(property);
+  actor->SetInput(content.c_str());
+  const Point at = place(x, y);
+  actor->SetPosition(at.x, at.y);
+  overlay_->AddActor2D(actor);
+}
+
+double Page::text_width(const std::string& content, const TextStyle& style) const {
+  if (content.empty()) return 0;
+  int bounds[4] = {0, 0, 0, 0};
+  vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
+  if (renderer == nullptr || !renderer->GetBoundingBox(text_property(style), content, bounds, text_resolution)) {
+    return 0.6 * style.size * static_cast<double>(content.size());
+  }
+  return static_cast<double>(bounds[1] - bounds[0] + 1) / factor_;
+}
+
+Image Page::draw() {
+  if (!shapes_.empty()) overlay_->AddActor(shapes_.actor(0.0));
+  window_->AddRenderer(overlay_);
+  window_->SetDPI(text_resolution);
+  window_->Render();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  const int drawn_width = width_ * factor_;
+  const int drawn_height = height_ * factor_;
+  const int read = window_->GetPixelData(0, 0, drawn_width - 1, drawn_height - 1, 1, pixels, 0);
+  if (read == VTK_ERROR ||
+      pixels->GetNumberOfValues() != static_cast<vtkIdType>(drawn_width) * drawn_height * 3) {
+    fail_drawing("the picture cannot be read back from the off-screen window");
+  }
+  return reduced(pixels->GetPointer(0), width_, height_, factor_);
+}
+
+}  // namespace hfrac::viz

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A page: views of the model and, over them, lines, boxes and text at places given in pixels.
+//
+// Places on the page are in pixels of the finished picture, x to the right, y DOWN from the top left corner. The page is
+// drawn twice as large in both directions and reduced (image.h); drawn_pixels says how many drawn pixels one is.
+#pragma once
+
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkTextProperty.h>
+
+#include <string>
+#include <vector>
+
+#include "image.h"
+#include "mesh.h"
+#include "offscreen_window.h"
+
+namespace hfrac::viz {
+
+struct Box {
+  double left = 0;
+  double top = 0;
+  double width = 0;
+  double height = 0;
+  double right() const { return left + width; }
+  double bottom() const { return top + height; }
+};
+
+// A part of the model, in metres, y up.
+struct Extent {
+  double left = 0;
+  double bottom = 0;
+  double width = 0;
+  double height = 0;
+};
+
+enum class Align { left, centre, right };
+
+struct TextStyle {
+  double size = 20;  // [pixel] of the em
+  Colour colour = palette::ink;
+  bool bold = false;
+  Align align = Align::left;
+  bool upwards = false;  // turned by 90 degrees
+};
+
+// A view of the model on a page: add actors in metres to the renderer.
+struct View {
+  Box box;
+  Extent extent;
+  double metres_per_pixel = 0;  // finished pixels
+  vtkSmartPointer<vtkRenderer> renderer;
+
+  double to_page_x(double x) const { return box.left + (x - extent.left) / metres_per_pixel; }
+  double to_page_y(double y) const { return box.bottom() - (y - extent.bottom) / metres_per_pixel; }
+};
+
+class Page {
+ public:
+  Page(OffscreenWindow* window, int width, int height);
+  ~Page();
+  Page(const Page&) = delete;
+  Page& operator=(const Page&) = delete;
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  int drawn_pixels() const { return factor_; }
+
+  // A view of `extent`, as large as fits into `room`, at its top left corner.
+  View view(const Box& room, const Extent& extent);
+  void line(double x0, double y0, double x1, double y1, double width, Colour colour);
+  void rectangle(const Box& box, Colour colour);
+  void outline(const Box& box, double width, Colour colour);
+  void circle(double x, double y, double radius, Colour colour);
+  // x, y: the start (middle, end) of the text's baseline.
+  void text(double x, double y, const std::string& content, const TextStyle& style);
+  // Width of a text in pixels.
+  double text_width(const std::string& content, const TextStyle& style) const;
+
+  Image draw();
+
+ private:
+  vtkSmartPointer<vtkTextProperty> text_property(const TextStyle& style) const;
+  Point place(double x, double y) const { return {x * factor_, (height_ - y) * factor_}; }
+
+  OffscreenWindow* window_;
+  int width_;
+  int height_;
+  int factor_;
+  Mesh shapes_;
+  std::vector<vtkSmartPointer<vtkRenderer>> views_;
+  vtkSmartPointer<vtkRenderer> overlay_;
+};
+
+}  // namespace hfrac::viz

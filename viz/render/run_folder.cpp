@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run_folder.h"
+
+#include <vtkSmartPointer.h>
+#include <vtkXMLDataElement.h>
+#include <vtkXMLUtilities.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "failure.h"
+
+namespace hfrac::viz {
+namespace {
+
+namespace fs = std::filesystem;
+
+// "discs_00012.vtu" -> 12; -1 if there is no number
+int snapshot_number(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  std::size_t first = stem.size();
+  while (first > 0 && std::isdigit(static_cast<unsigned char>(stem[first - 1])) != 0) --first;
+  if (first == stem.size() || stem.size() - first > 9) return -1;
+  return std::stoi(stem.substr(first));
+}
+
+Series read_series(const fs::path& folder, const std::string& kind) {
+  Series series;
+  const fs::path path = folder / (kind + ".pvd");
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return series;
+  const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(path.c_str()));
+  vtkXMLDataElement* collection = root != nullptr ? root->FindNestedElementWithName("Collection") : nullptr;
+  if (collection == nullptr) fail_reading(path.string() + " is not a ParaView collection");
+  for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i) {
+    vtkXMLDataElement* entry = collection->GetNestedElement(i);
+    const char* file = entry->GetAttribute("file");
+    if (file == nullptr) continue;
+    SeriesFile listed{folder / file, static_cast<double>(i)};
+    double time = 0;
+    if (entry->GetScalarAttribute("timestep", time) != 0 && std::isfinite(time)) listed.time = time;
+    const int number = snapshot_number(listed.path);
+    series[number >= 0 ? number : i] = std::move(listed);
+  }
+  return series;
+}
+
+double positive_number(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_number()) return 0;
+  const double value = found->get<double>();
+  return std::isfinite(value) && value > 0 ? value : 0;
+}
+
+double number(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_number()) return 0;
+  const double value = found->get<double>();
+  return std::isfinite(value) ? value : 0;
+}
+
+std::string text(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+// Everything in it is optional; only a file that is no JSON at all is an error.
+void read_summary(RunFolder& run) {
+  const fs::path path = run.path / "summary.json";
+  std::ifstream file(path);
+  if (!file) return;
+  const nlohmann::json summary = nlohmann::json::parse(file, nullptr, false);
+  if (summary.is_discarded()) fail_reading(path.string() + " is not valid JSON");
+  if (!summary.is_object()) return;
+  run.title = text(summary, "title");
+  run.net_pressures = text(summary, "reading") == "paper";
+  const auto model = summary.find("model");
+  if (model != summary.end() && model->is_object()) {
+    run.model_width = positive_number(*model, "width_m");
+    run.model_height = positive_number(*model, "height_m");
+  }
+  const auto wells = summary.find("wells");
+  if (wells == summary.end() || !wells->is_array()) return;
+  for (const nlohmann::json& well : *wells) {
+    if (!well.is_object()) continue;
+    run.wells.push_back({number(well, "x_m"), number(well, "y_m"), positive_number(well, "radius_m")});
+  }
+}
+
+}  // namespace
+
+RunFolder open_run(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) fail_reading("there is no folder " + folder.string());
+  RunFolder run;
+  run.path = folder;
+  run.discs = read_series(folder, "discs");
+  if (run.discs.empty()) {
+    fail_reading(folder.string() + " is not a run folder: discs.pvd is missing or lists no snapshots");
+  }
+  run.bonds = read_series(folder, "bonds");
+  run.cracks = read_series(folder, "cracks");
+  run.flow = read_series(folder, "flow");
+  read_summary(run);
+  return run;
+}
+
+}  // namespace hfrac::viz

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sheet.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hfrac::viz {
+namespace {
+
+constexpr double margin_left = 112;  // all in units, see furniture.h
+constexpr double margin_top = 124;
+constexpr double margin_bottom = 86;
+constexpr double column_gap = 36;
+constexpr double column_units = 300;
+constexpr int smallest_height = 240;  // [pixel]
+constexpr int largest_height = 8192;
+
+double unit_of(const Studio& studio, double design_width) { return studio.size.width / design_width; }
+
+double view_width(const Studio& studio, double unit) {
+  return studio.size.width - unit * (margin_left + column_gap + column_units);
+}
+
+int even(double height) { return static_cast<int>(std::ceil(height / 2)) * 2; }
+
+int page_height(const Studio& studio, const Extent& extent, double unit) {
+  if (studio.size.height > 0) return studio.size.height;
+  const double view_height = view_width(studio, unit) * extent.height / extent.width;
+  const double column_needs = 700 * unit;
+  return std::clamp(even(std::max(view_height, column_needs) + unit * (margin_top + margin_bottom)), smallest_height,
+                    std::min(largest_height, std::max(smallest_height, 3 * studio.size.width)));
+}
+
+Box room_of(const Studio& studio, const Page& page, double unit) {
+  return {margin_left * unit, margin_top * unit, std::max(16.0, view_width(studio, unit)),
+          std::max(16.0, page.height() - unit * (margin_top + margin_bottom))};
+}
+
+}  // namespace
+
+Extent whole_model(const RunFolder& run, const Discs& discs) {
+  Extent extent{0, 0, run.model_width, run.model_height};
+  if (!(run.model_width > 0) || !(run.model_height > 0)) {
+    double left = 0;
+    double right = 1;
+    double bottom = 0;
+    double top = 1;
+    bool first = true;
+    for (const Disc& disc : discs.discs) {
+      left = first ? disc.centre.x - disc.radius : std::min(left, disc.centre.x - disc.radius);
+      right = first ? disc.centre.x + disc.radius : std::max(right, disc.centre.x + disc.radius);
+      bottom = first ? disc.centre.y - disc.radius : std::min(bottom, disc.centre.y - disc.radius);
+      top = first ? disc.centre.y + disc.radius : std::max(top, disc.centre.y + disc.radius);
+      first = false;
+    }
+    extent = {left, bottom, std::max(right - left, 1e-9), std::max(top - bottom, 1e-9)};
+  }
+  const double margin = 0.012 * std::max(extent.width, extent.height);
+  return {extent.left - margin, extent.bottom - margin, extent.width + 2 * margin, extent.height + 2 * margin};
+}
+
+double mean_radius(const Discs& discs) {
+  if (discs.discs.empty()) return 0;
+  double sum = 0;
+  for (const Disc& disc : discs.discs) sum += disc.radius;
+  return sum / static_cast<double>(discs.discs.size());
+}
+
+Sheet::Sheet(const Studio& studio, const Extent& extent, double design_width)
+    : page(studio.window, studio.size.width, page_height(studio, extent, unit_of(studio, design_width))),
+      unit(std::min(unit_of(studio, design_width), page.height() / 640.0)),
+      column_left(0),
+      column_width(column_units * unit) {
+  view = page.view(room_of(studio, page, unit), extent);
+  column_left = view.box.right() + column_gap * unit;
+}
+
+void draw_sheet_title(Sheet& sheet, const RunFolder& run, const std::string& what) {
+  const bool untitled = run.title.empty();
+  draw_title(sheet.page, sheet.unit, sheet.view.box.left, untitled ? what : run.title, untitled ? "" : what);
+}
+
+}  // namespace hfrac::viz

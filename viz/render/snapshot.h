@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The content of the VTU files as plain arrays, checked: every index is in range and every coordinate is finite, so
+// that nothing that follows has to ask again.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "run_folder.h"
+
+namespace hfrac::viz {
+
+struct Point {
+  double x = 0;  // [m]
+  double y = 0;  // [m]
+};
+
+struct Segment {
+  Point from;
+  Point to;
+};
+
+struct Disc {
+  Point centre;
+  double radius = 0;  // [m]
+};
+
+// When a file was written and how the wells stood.
+struct Moment {
+  double time = 0;                    // [s]
+  std::int64_t step = -1;             // -1 if unknown
+  std::vector<double> well_pressure;  // [Pa] one per well, may be empty
+};
+
+struct Discs {
+  Moment moment;
+  std::vector<Disc> discs;
+};
+
+struct Bonds {
+  std::vector<Segment> intact;  // between disc centres
+};
+
+enum class CrackMode { tension, shear };
+
+struct Crack {
+  Segment line;
+  CrackMode mode = CrackMode::tension;
+  double aperture = 0;  // [m]
+};
+
+struct Cracks {
+  Moment moment;
+  std::vector<Crack> cracks;
+};
+
+struct Domain {
+  std::uint32_t first_corner = 0;  // in Flow::corners
+  std::uint32_t corner_count = 0;
+  double pressure = 0;  // [Pa]
+  bool well = false;
+};
+
+struct Flow {
+  std::vector<Domain> domains;
+  std::vector<Point> corners;
+};
+
+// Each throws Failure(HFRAC_VIZ_ERR_READ) if the file is missing or damaged.
+Discs read_discs(const SeriesFile& file);
+Bonds read_bonds(const SeriesFile& file);
+Cracks read_cracks(const SeriesFile& file);
+Flow read_flow(const SeriesFile& file);
+
+// The file of snapshot `number`, or nullptr.
+const SeriesFile* file_of(const Series& series, int number);
+
+}  // namespace hfrac::viz
