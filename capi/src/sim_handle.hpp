@@ -2,7 +2,10 @@
 // What is behind `hfrac_sim *`.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <memory>
+#include <vector>
 
 #include "hfrac/sim.h"
 #include "internal.hpp"
@@ -19,4 +22,13 @@ struct hfrac_sim : hfrac::capi::HandleBase {
   hfrac_progress_fn progress = nullptr;
   void* progress_user = nullptr;
   double progress_seconds = 0.0;
+
+  // Raised by every call that may change the simulation. Views are filled when asked for and hold for their epoch.
+  std::int64_t epoch = 1;
+  struct View {
+    std::int64_t epoch = 0;
+    std::vector<double> values;
+    std::vector<std::int32_t> indices;
+  };
+  std::map<std::int32_t, View> views;
 };

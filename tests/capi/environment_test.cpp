@@ -7,6 +7,8 @@
 
 #include <clocale>
 #include <cmath>
+#include <cstdlib>
+#include <locale>
 
 #if defined(__SSE__)
 #include <xmmintrin.h>
@@ -62,22 +64,34 @@ TEST(Environment, DenormalsAreKeptInsideThoughTheHostFlushesThem) {
 }
 #endif
 
+// A host in Germany: C and C++ locale both write a decimal comma.
+bool use_decimal_comma() {
+  if (const char* folder = std::getenv("HFRAC_TEST_LOCALES")) ::setenv("LOCPATH", folder, 1);
+  const bool found = std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr;
+  if (found) std::locale::global(std::locale("de_DE.UTF-8"));
+  ::unsetenv("LOCPATH");
+  return found;
+}
+
 TEST(Environment, LocaleOfTheHostChangesNothing) {
   const TemporaryFolder folder;
-  const char* const german[] = {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "fr_FR.utf8"};
-  const char* found = nullptr;
-  for (const char* name : german) {
-    if (found == nullptr) found = std::setlocale(LC_ALL, name);
-  }
-  if (found == nullptr) GTEST_SKIP() << "no locale with a decimal comma is installed";
+  if (!use_decimal_comma()) GTEST_SKIP() << "no locale with a decimal comma can be had";
+  EXPECT_STREQ(std::localeconv()->decimal_point, ",");
   hfrac_sim_def def = sound_def();
   def.model_width = 100.5;
+  def.packing_disc_count = 1234567;
   const std::string text = written(def);
   EXPECT_NE(text.find("width = 100.5\n"), std::string::npos);
+  EXPECT_NE(text.find("disc_count = 1234567\n"), std::string::npos);
   hfrac_sim_def read = new_def();
   EXPECT_EQ(hfrac_sim_def_load(&read, folder.write(text).c_str()), HFRAC_OK) << last_error();
   EXPECT_EQ(read.model_width, 100.5);
-  std::setlocale(LC_ALL, "C");
+  def.packing_porosity = 0.9;
+  def.packing_disc_count = 10000000;
+  EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(last_error(), "packing.disc_count = 10000000 is outside 20 to 5000000.");
+  EXPECT_STREQ(std::localeconv()->decimal_point, ",");
+  std::locale::global(std::locale::classic());
 }
 
 }  // namespace

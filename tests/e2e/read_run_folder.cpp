@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Reads a run folder with VTK's own readers: what ParaView and the renderer rely on must hold in every file
 // that a list names, also in the folder of a run that failed. The folder comes in HFRAC_RUN_FOLDER.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A case file is read over the defaults, so whatever is set before counts only where the file is silent.
 #include "command/case_file.hpp"
 

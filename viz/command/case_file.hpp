@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From the name of a case file to a definition that can be built.
 #pragma once
 

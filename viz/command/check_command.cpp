@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // hfrac check: is the case file good, and what would be built from it?
 #include <fmt/format.h>
 

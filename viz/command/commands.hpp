@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The subcommands. Each adds itself to the command line and leaves in `action` what to do if it is chosen.
 #pragma once
 

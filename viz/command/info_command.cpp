@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // hfrac info: what came out of a run, or how far it is.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // sig_atomic_t is all that a handler may touch safely.
 #include "command/interrupt.hpp"
 

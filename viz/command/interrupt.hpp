@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Ctrl-C and kill: the handler only raises a flag, the run ends cleanly at its next callback.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The hfrac program: chooses a subcommand, turns failures into one sentence and an exit code.
 #include <fmt/format.h>
 

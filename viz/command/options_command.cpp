@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // hfrac options: the engine's own table of options, the same that reads case files.
 #include <fmt/format.h>
 

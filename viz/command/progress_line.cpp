@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Progress goes to standard error, so that standard output holds results only.
 #include "command/progress_line.hpp"
 

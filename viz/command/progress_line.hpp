@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Progress for a person: on a terminal one line that changes, in a log a plain line every few seconds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // hfrac render: pictures and a movie of a run folder, drawn without a display.
 #include <fmt/format.h>
 #include <hfrac/viz.h>

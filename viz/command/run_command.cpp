@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // hfrac run: the command line of a run, and what is said when it is over.
 #include <fmt/format.h>
 
@@ -11,9 +12,10 @@
 namespace hfrac::command {
 namespace {
 
-void print_result(const std::filesystem::path& folder) {
+void print_result(const std::filesystem::path& folder, bool complete) {
   const auto summary = nlohmann::json::parse(output::read_whole(folder / "summary.json"));
   fmt::print("{}", summary_text(summary));
+  if (!complete) return;
   fmt::print("  {:18} {}: discs.pvd, bonds.pvd, cracks.pvd, flow.pvd (ParaView), history.csv, cracks.csv,\n",
              "files", folder.string());
   fmt::print("  {:18} fractures.csv, summary.json, case.toml\n", "");
@@ -24,8 +26,8 @@ void print_result(const std::filesystem::path& folder) {
 
 ExitCode run(const RunRequest& request) {
   const auto code = carry_out(request);
-  if (!request.quiet && std::filesystem::exists(request.folder / "summary.json") && code != kBadInput)
-    print_result(request.folder);
+  if (!request.quiet && std::filesystem::exists(request.folder / "summary.json"))
+    print_result(request.folder, code != kRunFailed);
   return code;
 }
 

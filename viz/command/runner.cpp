@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The order of a run: read the case, claim the folder, build the model, and only then touch an earlier run's
 // files. Whatever goes wrong before that point leaves the disk as it was.
 #include "command/runner.hpp"

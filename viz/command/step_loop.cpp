@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One step at a time, so that the history has a line for each. In dynamic mode a step is a single mechanical
 // cycle, far too short for a line: there the loop moves by a tenth of the cycles between two snapshots.
 #include "command/step_loop.hpp"

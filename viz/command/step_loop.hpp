@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The loop of a run: step, note, now and then a snapshot, until something says stop.
 #pragma once
 

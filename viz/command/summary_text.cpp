@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Lengths in the unit a person thinks in: metres for a fracture, millimetres for its width, MPa for
 // pressures.
 #include "command/summary_text.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The short table that ends a run and that `hfrac info` prints; both come from summary.json.
 #pragma once
 

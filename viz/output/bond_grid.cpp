@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // bonds_*.vtu: one line per bonded contact, whole or broken. The pipe that crosses a bond has the bond's
 // index.
 #include <vtkCellData.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // cracks_*.vtu: one line per broken bond, drawn where the rock parts: across the contact, not along the bond.
 #include <vtkCellData.h>
 #include <vtkCellType.h>

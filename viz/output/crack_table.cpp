@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // cracks.csv and fractures.csv. Positions and apertures are those of now, so both files are written anew each
 // time.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // discs_*.vtu: one vertex per disc; scale glyphs by radius_m to see the packing.
 #include <vtkCellType.h>
 #include <vtkNew.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Two-call copies (first the count, then the values) and the error path, written once.
 #include "output/engine_call.hpp"
 

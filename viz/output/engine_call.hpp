@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The C interface seen from C++: statuses become exceptions, arrays become vectors, structs come with their
 // size.
 #pragma once

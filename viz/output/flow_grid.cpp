@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // flow_*.vtu: each fluid domain as the polygon of the disc centres around it; the outside has no polygon.
 #include <vtkCellData.h>
 #include <vtkCellType.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // history.csv: one line per step. `well_...` is the first well; further ones are well_1_..., well_2_... as in
 // the case file, where wells count from 0.
 #include <fmt/format.h>

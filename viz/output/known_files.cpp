@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Names are matched as a whole; anything else in the folder is left alone.
 #include "output/known_files.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which files in a folder are ours: so that a new run neither mixes with an earlier one nor removes a
 // stranger's file.
 #pragma once

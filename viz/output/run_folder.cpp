@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The order of writing is the order of trust: first the data, then the lists that name them, last the
 // summary.
 #include "output/run_folder.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A run folder: everything about one run, readable at any moment while the run goes on and after it was
 // killed.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Writing by system calls, because only they tell reliably that a disk is full or a folder may not be
 // written.
 #include "output/safe_file.hpp"

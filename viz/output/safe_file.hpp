@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Files that appear whole or not at all.
 //
 // A file is written under the name `.NAME.tmp` beside its place, synced to the disk and renamed. A reader, a

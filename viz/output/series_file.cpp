@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A .pvd file is a small XML list; times are in seconds and file names relative to the list.
 #include "output/series_file.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One ParaView series: the files NAME_00000.vtu, NAME_00010.vtu, ... and NAME.pvd that lists them with their
 // times.
 #pragma once

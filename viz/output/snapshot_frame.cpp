@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Fractures are found before the cracks are read, so that every crack carries the fracture it belongs to now.
 #include "output/snapshot_grids.hpp"
 

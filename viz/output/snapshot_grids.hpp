@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The four grids of a snapshot. Each function reads what it needs from the simulation and gives the text of a
 // VTU file.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every number has its unit in its name. The state hash is a text, since 64 bits do not fit a JSON reader's
 // double.
 #include "output/summary.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // summary.json: what a run was, what came out of it and why it ended, for programs and for `hfrac info`.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The CSV files of a run folder: SI units in the column names, numbers exact (they read back as the same
 // doubles).
 #pragma once

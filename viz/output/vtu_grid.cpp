@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // VTK's array and cell classes, wrapped so that the four writers read as lists of what is in a file.
 #include "output/vtu_grid.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the four kinds of VTU files share: making an unstructured grid from plain vectors, and turning it into
 // text.
 //

@@ -22,11 +22,12 @@ inline constexpr Colour paper{255, 255, 255};
 inline constexpr Colour ink{28, 28, 32};
 inline constexpr Colour faint_ink{110, 112, 120};
 inline constexpr Colour frame{150, 152, 160};
-inline constexpr Colour disc{255, 217, 77};
-inline constexpr Colour disc_rim{214, 164, 20};
+inline constexpr Colour disc{255, 221, 87};
+inline constexpr Colour disc_rim{222, 172, 30};
+inline constexpr Colour soft_disc_rim{245, 204, 62};  // under a network of bonds
 inline constexpr Colour quiet_disc{232, 233, 236};
 inline constexpr Colour quiet_disc_rim{196, 198, 204};
-inline constexpr Colour bond{38, 92, 190};
+inline constexpr Colour bond{24, 84, 214};
 inline constexpr Colour tension{12, 12, 16};
 inline constexpr Colour shear{200, 20, 140};
 inline constexpr Colour well{214, 32, 38};

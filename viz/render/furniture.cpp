@@ -44,7 +44,7 @@ void draw_axes(Page& page, double unit, const View& view) {
   const double length = 8 * unit;
   const double thickness = std::max(1.0, 1.6 * unit);
   TextStyle style{tick_size * unit, palette::ink, false, Align::centre};
-  const int ticks_x = std::max(2, static_cast<int>(view.box.width / (190 * unit)));
+  const int ticks_x = std::max(2, static_cast<int>(view.box.width / (160 * unit)));
   for (const Tick& tick : round_ticks(view.extent.left, view.extent.left + view.extent.width, ticks_x)) {
     const double x = view.to_page_x(tick.value);
     page.line(x, view.box.bottom(), x, view.box.bottom() + length, thickness, palette::frame);
@@ -54,7 +54,7 @@ void draw_axes(Page& page, double unit, const View& view) {
             {label_size * unit, palette::ink, false, Align::centre});
   style.align = Align::right;
   double widest = 0;
-  const int ticks_y = std::max(2, static_cast<int>(view.box.height / (190 * unit)));
+  const int ticks_y = std::max(2, static_cast<int>(view.box.height / (160 * unit)));
   for (const Tick& tick : round_ticks(view.extent.bottom, view.extent.bottom + view.extent.height, ticks_y)) {
     const double y = view.to_page_y(tick.value);
     page.line(view.box.left - length, y, view.box.left, y, thickness, palette::frame);

@@ -33,10 +33,11 @@ void add_growth_layers(const View& view, const Page& page, const RunFolder& run,
                        double unit_metres) {
   const double radius = mean_radius(scene.discs);
   view.renderer->AddActor(well_layer(scene.flow, run.wells, 2 * view.metres_per_pixel));
+  const Colour rim = scene.bonds.intact.empty() ? palette::disc_rim : palette::soft_disc_rim;
   view.renderer->AddActor(
-      disc_layer(scene.discs, palette::disc, palette::disc_rim, view.metres_per_pixel / page.drawn_pixels()));
+      disc_layer(scene.discs, palette::disc, rim, view.metres_per_pixel / page.drawn_pixels()));
   if (!scene.bonds.intact.empty()) {
-    const double width = std::clamp(0.14 * radius / view.metres_per_pixel, 0.5, 1.5) * page.drawn_pixels();
+    const double width = std::clamp(0.13 * radius / view.metres_per_pixel, 0.1, 1.5) * page.drawn_pixels();
     view.renderer->AddActor(bond_layer(scene.bonds.intact, palette::bond, width));
   }
   if (!scene.cracks.cracks.empty()) {
@@ -69,9 +70,9 @@ Image model_picture(const Studio& studio, const Scene& scene) {
   Sheet sheet(studio, whole_model(*studio.run, scene.discs));
   const double radius_pixels = mean_radius(scene.discs) / sheet.view.metres_per_pixel;
   sheet.view.renderer->AddActor(well_layer(scene.flow, studio.run->wells, 2 * sheet.view.metres_per_pixel));
-  sheet.view.renderer->AddActor(disc_layer(scene.discs, palette::disc, palette::disc_rim, sheet.drawn_pixel()));
+  sheet.view.renderer->AddActor(disc_layer(scene.discs, palette::disc, palette::soft_disc_rim, sheet.drawn_pixel()));
   if (!scene.bonds.intact.empty()) {
-    const double width = std::clamp(0.16 * radius_pixels, 0.5, 2.0) * sheet.page.drawn_pixels();
+    const double width = std::clamp(0.13 * radius_pixels, 0.1, 2.0) * sheet.page.drawn_pixels();
     sheet.view.renderer->AddActor(bond_layer(scene.bonds.intact, palette::ink, width));
   }
   const auto disc_count = static_cast<std::int64_t>(scene.discs.discs.size());

@@ -47,7 +47,8 @@ vtkSmartPointer<vtkActor> bond_layer(std::span<const Segment> bonds, Colour colo
   actor->SetMapper(mapper);
   actor->GetProperty()->LightingOff();
   actor->GetProperty()->SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
-  actor->GetProperty()->SetLineWidth(static_cast<float>(width));
+  actor->GetProperty()->SetLineWidth(static_cast<float>(std::max(1.0, width)));
+  if (width < 1.0) actor->GetProperty()->SetOpacity(std::max(0.1, width));
   actor->SetPosition(0.0, 0.0, depth::bonds);
   return actor;
 }

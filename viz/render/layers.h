@@ -28,7 +28,7 @@ inline constexpr double rings = 5.0;
 // pixel; discs are never drawn smaller than one, and their rim is one to two pixels wide whatever the view.
 vtkSmartPointer<vtkActor> disc_layer(const Discs& discs, Colour fill, Colour rim, double pixel);
 
-// Lines between disc centres, `width` drawn pixels wide.
+// Lines between disc centres, `width` drawn pixels wide; below one they fade instead of getting thinner.
 vtkSmartPointer<vtkActor> bond_layer(std::span<const Segment> bonds, Colour colour, double width);
 
 // Cracks as bands of equal width, tension and shear in their colours; `casing` [m] of white around them, if positive.

@@ -116,7 +116,9 @@ void Page::text(double x, double y, const std::string& content, const TextStyle&
   actor->SetTextScaleModeToNone();
   actor->SetTextProperty(property);
   actor->SetInput(content.c_str());
-  const Point at = place(x, y);
+  // VTK places the line's box, which reaches below the baseline by the letters' descent.
+  const double descent = 0.236 * style.size;
+  const Point at = style.upwards ? place(x + descent, y) : place(x, y + descent);
   actor->SetPosition(at.x, at.y);
   overlay_->AddActor2D(actor);
 }

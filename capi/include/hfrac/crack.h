@@ -45,7 +45,7 @@ typedef struct hfrac_fracture {
   int64_t index;           /**< from 0, most cracks first */
   int64_t crack_count;     /**< cracks in it */
   int64_t tensile_cracks;  /**< of them in tension */
-  double length;           /**< [m] longest path along it, the hole's diameter not counted */
+  double length;           /**< [m] longest way along it: from the two longest arms if it starts at a well, the hole left out */
   double extent;           /**< [m] largest distance between two of its crack ends */
   double reach;            /**< [m] farthest crack end from the wall of its well; 0 if not connected */
   double azimuth;          /**< [rad] direction of its long axis against x (sigma_H), -pi/2 to pi/2 */
@@ -54,6 +54,7 @@ typedef struct hfrac_fracture {
   double volume;           /**< [m2] aperture times length, summed */
   double mean_pressure;    /**< [Pa] of the domains along it */
   int64_t well;            /**< index of the well it is connected to, -1 if none */
+  int64_t arms;            /**< separate branches that start at its well; 1 if not connected to one */
 } hfrac_fracture;
 
 /** Finds the fractures as they are now and copies up to `capacity`; *count is how many there are. `fracture_size` is

@@ -41,8 +41,8 @@ enum hfrac_stop_reason {
  * *reached >= target on success. Stable since 0.1. */
 HFRAC_API int32_t hfrac_advance(hfrac_sim *sim, double target, double *reached, int32_t *reason);
 
-/** Sets the callback of hfrac_step and hfrac_advance, called at most every `seconds` of wall time and at least between
- * steps; NULL removes it. Stable since 0.1. */
+/** Sets the callback of hfrac_step and hfrac_advance, called about every `seconds` of wall time (0: between any two
+ * steps and often within one); NULL removes it. Stable since 0.1. */
 HFRAC_API int32_t hfrac_set_progress(hfrac_sim *sim, hfrac_progress_fn progress, void *user, double seconds);
 
 /** How the simulation stands. Set struct_size before the call. */

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cracks and fractures from C.
+#include "hfrac/crack.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "couple/simulation.hpp"
+#include "internal.hpp"
+#include "sim_handle.hpp"
+
+using namespace hfrac;
+using namespace hfrac::capi;
+
+namespace {
+
+hfrac_crack describe(const Simulation& s, std::int64_t id) {
+  const Crack& crack = s.cracks()[static_cast<std::size_t>(id)];
+  const CrackLine line = crack_line(s.assembly(), s.options(), crack.bond);
+  hfrac_crack c{};
+  c.id = id;
+  c.bond = crack.bond;
+  c.disc[0] = s.assembly().first[static_cast<std::size_t>(crack.bond)];
+  c.disc[1] = s.assembly().second[static_cast<std::size_t>(crack.bond)];
+  c.step = crack.step;
+  c.cycle = crack.cycle;
+  c.time = crack.time;
+  c.position[0] = line.middle.x;
+  c.position[1] = line.middle.y;
+  c.normal[0] = line.normal.x;
+  c.normal[1] = line.normal.y;
+  c.length = line.length;
+  c.aperture = line.aperture;
+  c.normal_force = crack.normal_force;
+  c.shear_force = crack.shear_force;
+  c.energy = crack.energy;
+  c.mode = static_cast<std::int32_t>(crack.mode);
+  c.fracture = crack.fracture;
+  return c;
+}
+
+hfrac_fracture describe(const Fracture& f, std::int64_t index) {
+  hfrac_fracture c{};
+  c.index = index;
+  c.crack_count = f.crack_count;
+  c.tensile_cracks = f.tensile_cracks;
+  c.length = f.length;
+  c.extent = f.extent;
+  c.reach = f.reach;
+  c.azimuth = f.azimuth;
+  c.mean_aperture = f.mean_aperture;
+  c.largest_aperture = f.largest_aperture;
+  c.volume = f.volume;
+  c.mean_pressure = f.mean_pressure;
+  c.well = f.well;
+  c.arms = f.arms;
+  return c;
+}
+
+// Items of an array of structs whose size in the caller may differ from ours: the common head is copied, the rest
+// of a larger one zeroed.
+template <class Struct>
+void put_item(Struct* buffer, std::int64_t index, std::int32_t size, const Struct& item) {
+  auto* to = reinterpret_cast<unsigned char*>(buffer) + index * size;
+  const auto common = std::min<std::size_t>(static_cast<std::size_t>(size), sizeof item);
+  std::memcpy(to, &item, common);
+  std::memset(to + common, 0, static_cast<std::size_t>(size) - common);
+}
+
+void require_item_size(std::int32_t size, const char* name) {
+  if (size < 8 || size > struct_size_limit) {
+    throw Error(ErrorKind::struct_size, std::string(name) + " = " + std::to_string(size) + " cannot be a struct's size; give sizeof the struct.");
+  }
+}
+
+}  // namespace
+
+int32_t hfrac_cracks_since(hfrac_sim* sim, int64_t cursor, int32_t crack_size, hfrac_crack* buffer, int64_t capacity,
+                           int64_t* count, int64_t* next) {
+  return guarded_sim(sim, Access::read, [&] {
+    require_not_null(count, "count");
+    require_item_size(crack_size, "crack_size");
+    const Simulation& s = *sim->simulation;
+    const auto there = static_cast<std::int64_t>(s.cracks().size());
+    if (cursor < 0 || cursor > there) {
+      throw Error(ErrorKind::argument, "cursor = " + std::to_string(cursor) + " is outside 0 to " + std::to_string(there) + ", the cracks there are.");
+    }
+    if (buffer == nullptr) {
+      *count = there - cursor;
+      if (next != nullptr) *next = cursor;
+      return;
+    }
+    if (capacity < 0) throw Error(ErrorKind::argument, "capacity is negative.");
+    const std::int64_t taken = std::min(capacity, there - cursor);
+    for (std::int64_t k = 0; k < taken; ++k) put_item(buffer, k, crack_size, describe(s, cursor + k));
+    *count = taken;
+    if (next != nullptr) *next = cursor + taken;
+  });
+}
+
+int32_t hfrac_fractures(hfrac_sim* sim, int32_t fracture_size, hfrac_fracture* buffer, int64_t capacity, int64_t* count) {
+  // Finding fractures numbers the cracks anew but moves nothing, so it counts as reading.
+  return guarded_sim(sim, Access::read, [&] {
+    require_not_null(count, "count");
+    require_item_size(fracture_size, "fracture_size");
+    const std::vector<Fracture> found = sim->simulation->fractures();
+    *count = static_cast<std::int64_t>(found.size());
+    if (buffer == nullptr) return;
+    if (capacity < 0) throw Error(ErrorKind::argument, "capacity is negative.");
+    const std::int64_t taken = std::min(capacity, *count);
+    for (std::int64_t k = 0; k < taken; ++k) put_item(buffer, k, fracture_size, describe(found[static_cast<std::size_t>(k)], k));
+  });
+}

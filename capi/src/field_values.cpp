@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "field_values.hpp"
+
+#include "core/error.hpp"
+#include "hfrac/field.h"
+
+namespace hfrac::capi {
+namespace {
+
+// Mean stress of each disc's cell: sum of force times arm over its contacts, per cell area (Love's formula; Bagi
+// 1996). The cell is the disc's share of the packing, pores included.
+void write_stress(const Simulation& s, double* to) {
+  const Assembly& a = s.assembly();
+  const auto discs = static_cast<std::size_t>(a.disc_count());
+  std::fill(to, to + 3 * discs, 0.0);
+  const auto add = [&](std::size_t disc, Vec2 force, Vec2 arm) {
+    to[3 * disc] -= force.x * arm.x;
+    to[3 * disc + 1] -= force.y * arm.y;
+    to[3 * disc + 2] -= 0.5 * (force.x * arm.y + force.y * arm.x);
+  };
+  for (std::size_t e = 0; e < a.first.size(); ++e) {
+    const BondView bond = view_bond(a, s.options(), static_cast<std::int64_t>(e));
+    const Vec2 tangent{-bond.normal.y, bond.normal.x};
+    const Vec2 on_first = bond.normal_force() * bond.normal + bond.shear_force() * tangent;
+    const auto i = static_cast<std::size_t>(a.first[e]), j = static_cast<std::size_t>(a.second[e]);
+    add(i, on_first, a.arm[e] * bond.normal);
+    add(j, -1.0 * on_first, (a.arm[e] - a.length[e]) * bond.normal);
+  }
+  for (const auto& wall : s.boundary().walls()) {
+    for (const auto i : wall.discs) {
+      const double closing = wall.displacement - (a.ux[i] * wall.inward.x + a.uy[i] * wall.inward.y);
+      const double force = s.options().contact_normal_stiffness * std::max(0.0, closing);
+      add(static_cast<std::size_t>(i), force * wall.inward, -a.radius[i] * wall.inward);
+    }
+  }
+  const double solid = 1.0 - s.setup().porosity;
+  for (std::size_t i = 0; i < discs; ++i) {
+    const double cell = 3.14159265358979323846 * a.radius[i] * a.radius[i] / solid;
+    for (std::size_t k = 0; k < 3; ++k) to[3 * i + k] /= cell;
+  }
+}
+
+template <class Get>
+void write_bonds(const Simulation& s, double* to, Get get) {
+  for (std::int64_t e = 0; e < s.assembly().bond_count(); ++e) to[e] = get(view_bond(s.assembly(), s.options(), e));
+}
+
+void write_pairs(const Array<double>& x, const Array<double>& y, double* to) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    to[2 * i] = x[i];
+    to[2 * i + 1] = y[i];
+  }
+}
+
+}  // namespace
+
+void write_values(const Simulation& s, std::int32_t field, double* to) {
+  const Assembly& a = s.assembly();
+  const Network& n = s.network();
+  switch (field) {
+    case HFRAC_DISC_POSITION:
+      for (std::size_t i = 0; i < a.x.size(); ++i) {
+        to[2 * i] = a.x[i] + a.ux[i];
+        to[2 * i + 1] = a.y[i] + a.uy[i];
+      }
+      return;
+    case HFRAC_DISC_RADIUS: std::copy(a.radius.begin(), a.radius.end(), to); return;
+    case HFRAC_DISC_DISPLACEMENT:
+      for (std::size_t i = 0; i < a.x.size(); ++i) {
+        to[2 * i] = a.ux[i] - s.start_x()[i];
+        to[2 * i + 1] = a.uy[i] - s.start_y()[i];
+      }
+      return;
+    case HFRAC_DISC_ROTATION:
+      for (std::size_t i = 0; i < a.x.size(); ++i) to[i] = a.rotation[i] - s.start_rotation()[i];
+      return;
+    case HFRAC_DISC_VELOCITY: write_pairs(a.vx, a.vy, to); return;
+    case HFRAC_DISC_STRESS: write_stress(s, to); return;
+    case HFRAC_BOND_NORMAL_FORCE: write_bonds(s, to, [](const BondView& b) { return b.normal_force(); }); return;
+    case HFRAC_BOND_SHEAR_FORCE: write_bonds(s, to, [](const BondView& b) { return b.shear_force(); }); return;
+    case HFRAC_BOND_MOMENT: write_bonds(s, to, [](const BondView& b) { return b.bond_moment; }); return;
+    case HFRAC_BOND_GAP: write_bonds(s, to, [](const BondView& b) { return b.gap; }); return;
+    case HFRAC_PIPE_APERTURE: std::copy(n.aperture.begin(), n.aperture.end(), to); return;
+    case HFRAC_PIPE_FLOW: std::copy(n.flow.begin(), n.flow.end(), to); return;
+    case HFRAC_DOMAIN_PRESSURE: std::copy(n.pressure.begin(), n.pressure.end(), to); return;
+    case HFRAC_DOMAIN_VOLUME:
+      for (std::size_t d = 0; d < n.kind.size(); ++d) to[d] = n.volume[d] + n.volume_change[d];
+      return;
+    case HFRAC_DOMAIN_CENTRE:
+      for (std::size_t d = 0; d < n.kind.size(); ++d) {
+        to[2 * d] = n.centroid[d].x;
+        to[2 * d + 1] = n.centroid[d].y;
+      }
+      return;
+    default: throw Error(ErrorKind::internal, "a field of doubles without values");
+  }
+}
+
+void write_indices(const Simulation& s, std::int32_t field, std::int32_t* to) {
+  const Assembly& a = s.assembly();
+  const Network& n = s.network();
+  const auto pairs = [&](const std::vector<std::int32_t>& p, const std::vector<std::int32_t>& q) {
+    for (std::size_t e = 0; e < p.size(); ++e) {
+      to[2 * e] = p[e];
+      to[2 * e + 1] = q[e];
+    }
+  };
+  switch (field) {
+    case HFRAC_DISC_INTACT_BONDS:
+      for (std::int64_t i = 0; i < a.disc_count(); ++i) {
+        to[i] = 0;
+        for (auto k = a.incidence_start[i]; k < a.incidence_start[i + 1]; ++k) to[i] += a.intact[a.incidence[k] / 2] > 0.0 ? 1 : 0;
+      }
+      return;
+    case HFRAC_BOND_DISCS: pairs(a.first, a.second); return;
+    case HFRAC_BOND_STATE:
+      std::fill(to, to + a.bond_count(), 0);
+      for (const auto& crack : s.cracks()) to[crack.bond] = static_cast<std::int32_t>(crack.mode);
+      return;
+    case HFRAC_PIPE_DOMAINS: pairs(n.left, n.right); return;
+    case HFRAC_DOMAIN_KIND:
+      for (std::size_t d = 0; d < n.kind.size(); ++d) to[d] = static_cast<std::int32_t>(n.kind[d]);
+      return;
+    case HFRAC_DOMAIN_OFFSET: std::copy(n.corner_start.begin(), n.corner_start.end() - 1, to); return;
+    case HFRAC_DOMAIN_CORNERS: std::copy(n.corner_disc.begin(), n.corner_disc.end(), to); return;
+    default: throw Error(ErrorKind::internal, "a field of int32 without values");
+  }
+}
+
+}  // namespace hfrac::capi

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A simulation's life from C: create, step, ask how it stands, destroy.
+#include "hfrac/sim.h"
+
+#include <chrono>
+#include <cmath>
+#include <string>
+
+#include "couple/simulation.hpp"
+#include "def_image.hpp"
+#include "internal.hpp"
+#include "sim_handle.hpp"
+
+using namespace hfrac;
+using namespace hfrac::capi;
+
+hfrac_sim::hfrac_sim() = default;
+hfrac_sim::~hfrac_sim() = default;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// The host's progress callback, asked about every so many seconds. Once it has said stop it is not asked again.
+class Asker {
+ public:
+  Asker(hfrac_sim& sim, hfrac_progress_fn progress, void* user, double seconds)
+      : sim_(sim), progress_(progress), user_(user), seconds_(seconds), last_(Clock::now()) {}
+
+  bool stop(double fraction, const char* what) {
+    if (stopped_ || progress_ == nullptr) return stopped_;
+    const auto now = Clock::now();
+    if (std::chrono::duration<double>(now - last_).count() < seconds_) return false;
+    last_ = now;
+    stopped_ = call_host(&sim_, [&] { return progress_(user_, fraction, what); }) != 0;
+    return stopped_;
+  }
+
+ private:
+  hfrac_sim& sim_;
+  hfrac_progress_fn progress_;
+  void* user_;
+  double seconds_;
+  Clock::time_point last_;
+  bool stopped_ = false;
+};
+
+// What is left of `fraction` when the current step is part of a longer call.
+std::int32_t take_step(hfrac_sim& sim, Asker& asker, double fraction) {
+  ++sim.epoch;
+  const auto outcome = sim.simulation->step([&] { return asker.stop(fraction, "stepping"); });
+  if (outcome.stopped) return HFRAC_STOPPED;
+  return outcome.at_rest ? HFRAC_OK : HFRAC_NOT_AT_REST;
+}
+
+Well const& well_at(const hfrac_sim& sim, std::int32_t index) {
+  const auto& wells = sim.simulation->wells();
+  if (index < 0 || static_cast<std::size_t>(index) >= wells.size()) {
+    throw Error(ErrorKind::argument, "well " + std::to_string(index) + " is not there: this simulation has " +
+                                         std::to_string(wells.size()) + " wells, counted from 0.");
+  }
+  return wells[static_cast<std::size_t>(index)];
+}
+
+void require_finite(double value, const char* name) {
+  if (!std::isfinite(value)) throw Error(ErrorKind::argument, std::string(name) + " is not a finite number.");
+}
+
+}  // namespace
+
+int32_t hfrac_sim_create(const hfrac_sim_def* def, hfrac_sim** sim) {
+  return guarded([&]() -> std::int32_t {
+    require_not_null(sim, "sim");
+    *sim = nullptr;
+    const hfrac_sim_def full = read_def(def);
+    auto handle = std::make_unique<hfrac_sim>();
+    Asker asker(*handle, full.progress, full.progress_user, 0.05);
+    try {
+      handle->simulation = std::make_unique<Simulation>(
+          case_of(full), given_discs_of(full), [&](double done, const char* what) { return asker.stop(done, what); });
+    } catch (const Stopped&) {
+      return HFRAC_STOPPED;
+    }
+    *sim = handle.release();
+    return HFRAC_OK;
+  });
+}
+
+int32_t hfrac_sim_destroy(hfrac_sim** sim) {
+  return guarded([&] {
+    if (sim == nullptr || *sim == nullptr) return;
+    require_handle(*sim);
+    if ((*sim)->in_callback) {
+      throw Error(ErrorKind::busy, "a simulation cannot be destroyed from inside its own callback; return nonzero to stop it first.");
+    }
+    delete *sim;
+    *sim = nullptr;
+  });
+}
+
+int32_t hfrac_sim_definition(const hfrac_sim* sim, hfrac_sim_def* def) {
+  return guarded_sim(sim, [&] {
+    hfrac_sim_def full = default_def();
+    put_case(sim->simulation->definition(), full);
+    write_struct(def, full, "hfrac_sim_def");
+  });
+}
+
+int32_t hfrac_step(hfrac_sim* sim, int64_t count) {
+  return guarded_sim(sim, [&]() -> std::int32_t {
+    if (count < 0) throw Error(ErrorKind::argument, "count = " + std::to_string(count) + " is negative; give 0 or more steps.");
+    Asker asker(*sim, sim->progress, sim->progress_user, sim->progress_seconds);
+    std::int32_t status = HFRAC_OK;
+    for (std::int64_t k = 0; k < count; ++k) {
+      const double fraction = static_cast<double>(k) / static_cast<double>(count);
+      if (asker.stop(fraction, "stepping")) return HFRAC_STOPPED;
+      status = take_step(*sim, asker, fraction);
+      if (status == HFRAC_STOPPED) return status;
+    }
+    return status;
+  });
+}
+
+int32_t hfrac_advance(hfrac_sim* sim, double target, double* reached, int32_t* reason) {
+  return guarded_sim(sim, [&]() -> std::int32_t {
+    require_finite(target, "target");
+    require_not_null(reached, "reached");
+    require_not_null(reason, "reason");
+    const Simulation& s = *sim->simulation;
+    const double start = s.time();
+    Asker asker(*sim, sim->progress, sim->progress_user, sim->progress_seconds);
+    std::int32_t status = HFRAC_OK;
+    *reached = start;
+    *reason = HFRAC_REASON_TARGET;
+    // Half a step of slack: adding up steps must not cost one more by rounding.
+    while (s.time() < target - 0.5e-6 * s.options().stepping_flow_step) {
+      *reason = static_cast<std::int32_t>(s.stop_reason());
+      if (*reason != HFRAC_REASON_TARGET) return status;
+      const double fraction = (s.time() - start) / (target - start);
+      if (asker.stop(fraction, "stepping") || take_step(*sim, asker, fraction) == HFRAC_STOPPED) {
+        *reason = HFRAC_REASON_CALLBACK;
+        return HFRAC_STOPPED;
+      }
+      if (!s.at_rest()) status = HFRAC_NOT_AT_REST;
+      *reached = s.time();
+    }
+    return status;
+  });
+}
+
+int32_t hfrac_set_progress(hfrac_sim* sim, hfrac_progress_fn progress, void* user, double seconds) {
+  return guarded_sim(sim, [&] {
+    require_finite(seconds, "seconds");
+    sim->progress = progress;
+    sim->progress_user = user;
+    sim->progress_seconds = seconds;
+  });
+}
+
+int32_t hfrac_sim_get_state(const hfrac_sim* sim, hfrac_sim_state* state) {
+  return guarded_sim(sim, [&] {
+    const Simulation& s = *sim->simulation;
+    hfrac_sim_state full{};
+    full.at_rest = s.at_rest() ? 1 : 0;
+    full.time = s.time();
+    full.step = s.step_count();
+    full.cycles = s.solver().total_cycles();
+    full.force_ratio = s.force_ratio();
+    for (const auto& crack : s.cracks()) {
+      ++full.crack_count;
+      ++(crack.mode == CrackMode::tension ? full.tensile_cracks : full.shear_cracks);
+    }
+    full.setup_cracks = s.setup().cracks;
+    full.disc_count = s.assembly().disc_count();
+    full.bond_count = s.assembly().bond_count();
+    full.domain_count = s.network().domain_count();
+    full.mechanical_step = s.solver().real_step();
+    full.tip_distance = s.tip_distance();
+    full.stop_reason = static_cast<std::int32_t>(s.stop_reason());
+    full.flow_subcycles = s.flow_rounds();
+    write_struct(state, full, "hfrac_sim_state");
+  });
+}
+
+int32_t hfrac_sim_get_setup(const hfrac_sim* sim, hfrac_setup_report* report) {
+  return guarded_sim(sim, [&] {
+    const Simulation& s = *sim->simulation;
+    const SetupReport& setup = s.setup();
+    hfrac_setup_report full{};
+    full.mean_radius = s.assembly().mean_radius;
+    full.porosity = setup.porosity;
+    full.packing_residual = setup.packing_residual;
+    full.coordination = setup.coordination;
+    full.packed_discs = setup.packed;
+    full.removed_in_wells = setup.removed_in_wells;
+    full.removed_floaters = setup.removed_floaters;
+    full.removed_crossings = setup.removed_crossings;
+    full.strength_factor = s.assembly().strength_factor;
+    full.zero_stress_aperture = s.network().zero_stress_aperture;
+    full.permeability = setup.permeability;
+    full.setup_force_ratio = setup.force_ratio;
+    full.packing_seconds = setup.packing_seconds;
+    full.setup_seconds = setup.setup_seconds;
+    write_struct(report, full, "hfrac_setup_report");
+  });
+}
+
+int32_t hfrac_get_balance(const hfrac_sim* sim, hfrac_balance* balance) {
+  return guarded_sim(sim, [&] {
+    const Balance b = sim->simulation->balance();
+    hfrac_balance full{};
+    full.kinetic = b.kinetic;
+    full.bond_elastic = b.bond_elastic;
+    full.contact_elastic = b.contact_elastic;
+    full.fluid_work = b.fluid_work;
+    full.boundary_work = b.boundary_work;
+    full.friction = b.friction;
+    full.damping = b.damping;
+    full.fracture = b.fracture;
+    full.energy_error = b.energy_error;
+    full.injected_volume = b.injected;
+    full.stored_volume = b.stored;
+    full.leaked_volume = b.leaked;
+    full.fluid_error = b.fluid_error;
+    write_struct(balance, full, "hfrac_balance");
+  });
+}
+
+int32_t hfrac_state_hash(const hfrac_sim* sim, int64_t* hash) {
+  return guarded_sim(sim, [&] {
+    require_not_null(hash, "hash");
+    *hash = static_cast<std::int64_t>(sim->simulation->state_hash());
+  });
+}
+
+int32_t hfrac_well_count(const hfrac_sim* sim, int32_t* count) {
+  return guarded_sim(sim, [&] {
+    require_not_null(count, "count");
+    *count = static_cast<std::int32_t>(sim->simulation->wells().size());
+  });
+}
+
+int32_t hfrac_well_get(const hfrac_sim* sim, int32_t index, hfrac_well_state* state) {
+  return guarded_sim(sim, [&] {
+    const Well& well = well_at(*sim, index);
+    hfrac_well_state full{};
+    full.control = static_cast<std::int32_t>(well.control);
+    full.x = well.place.centre.x;
+    full.y = well.place.centre.y;
+    full.equivalent_radius = well.place.equivalent_radius;
+    full.pressure = sim->simulation->network().pressure[static_cast<std::size_t>(well.place.domain)];
+    full.target_pressure = well.target_pressure;
+    full.rate = well.rate;
+    full.injected_volume = well.injected;
+    full.domain = well.place.domain;
+    write_struct(state, full, "hfrac_well_state");
+  });
+}
+
+int32_t hfrac_well_set_pressure(hfrac_sim* sim, int32_t index, double pressure) {
+  return guarded_sim(sim, [&] {
+    well_at(*sim, index);
+    require_finite(pressure, "pressure");
+    sim->simulation->set_well_pressure(static_cast<std::size_t>(index), pressure);
+    ++sim->epoch;
+  });
+}
+
+int32_t hfrac_well_set_ramp(hfrac_sim* sim, int32_t index, double pressure, double per_step) {
+  return guarded_sim(sim, [&] {
+    well_at(*sim, index);
+    require_finite(pressure, "pressure");
+    require_finite(per_step, "per_step");
+    if (per_step <= 0.0) throw Error(ErrorKind::argument, "per_step = " + std::to_string(per_step) + " must be positive, in Pa per step.");
+    sim->simulation->set_well_ramp(static_cast<std::size_t>(index), pressure, per_step);
+    ++sim->epoch;
+  });
+}
+
+int32_t hfrac_well_set_rate(hfrac_sim* sim, int32_t index, double rate) {
+  return guarded_sim(sim, [&] {
+    well_at(*sim, index);
+    require_finite(rate, "rate");
+    sim->simulation->set_well_rate(static_cast<std::size_t>(index), rate);
+    ++sim->epoch;
+  });
+}
