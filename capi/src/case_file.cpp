@@ -7,13 +7,11 @@
 #include <utility>
 #include <vector>
 
-#define TOML_EXCEPTIONS 1
-#define TOML_ENABLE_FORMATTERS 0
-#include <toml++/toml.h>
-
 #include "core/error.hpp"
 #include "options/nearest.hpp"
 #include "text_file.hpp"
+#include "toml.hpp"
+#include "toml_scan.hpp"
 #include "utf8.hpp"
 
 namespace hfrac::capi {
@@ -229,9 +227,17 @@ std::string unknown_well_key_text(std::string_view name) {
 
 CaseDefinition load_case(const std::string& path, const CaseDefinition& base, std::size_t most_wells) {
   const std::string text = read_text_file(path);
+  if (const std::size_t line = line_of_stray_character(text)) {
+    throw Error(
+        ErrorKind::case_file,
+        printable(path, 400) + ":" + std::to_string(line) +
+            ": not a case file: a quote or a character beyond ASCII stands where a case file has none.");
+  }
   CaseReader reader(path, base, most_wells);
   try {
     return reader.read(toml::parse(std::string_view(text)));
+  } catch (const TomlFault&) {
+    throw Error(ErrorKind::case_file, printable(path, 400) + ": not valid TOML.");
   } catch (const toml::parse_error& error) {
     throw Error(ErrorKind::case_file, printable(path, 400) + ":" + std::to_string(error.source().begin.line) +
                                           ": not valid TOML: " + printable(error.description(), 300) + ".");

@@ -132,7 +132,7 @@ std::int32_t hfrac_sim_def_set_i64(hfrac_sim_def* def, const char* key, std::int
 }
 
 std::int32_t hfrac_sim_def_set_str(hfrac_sim_def* def, const char* key, const char* value) {
-  if (value == nullptr) return guarded([] { require_not_null(nullptr, "value"); });
+  if (value == nullptr) return guarded([&] { require_not_null(value, "value"); });
   if (key == nullptr || key != std::string_view("title")) {
     const std::string word = printable(value);
     return set_by_key(def, key, [&](auto& values, const auto& info) { set_word(values, info, key, word); });

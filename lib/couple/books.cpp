@@ -23,6 +23,7 @@ void Simulation::elastic_energy(double& bonds, double& contacts) const {
     bonds += view.bond_energy;
     contacts += view.contact_energy;
   }
+  contacts += solver_->loose_contacts().energy();
 }
 
 // Works of fluid and far field = change of stored energy + what was dissipated + what breaking bonds took along.
@@ -65,6 +66,11 @@ std::uint64_t Simulation::state_hash() const {
     hash.add(wall.displacement);
     hash.add(wall.velocity);
   }
+  for (const auto& pair : solver_->loose_contacts().pairs()) {
+    hash.add(static_cast<std::int64_t>(pair.first));
+    hash.add(static_cast<std::int64_t>(pair.second));
+    hash.add(pair.shear_force);
+  }
   for (const auto& well : wells_) {
     hash.add(well.injected);
     hash.add(well.target_pressure);
@@ -84,9 +90,10 @@ std::uint64_t Simulation::state_hash() const {
 
 // All that a step changes. Arrays are copied whole: a copy costs about one cycle, a step has dozens at least.
 struct Simulation::Kept {
-  std::array<Array<double>, 10> solid;
+  std::array<Array<double>, 11> solid;
   std::array<Array<double>, 7> fluid;
   std::array<Boundary::Wall, 4> walls;
+  LooseContacts::State loose;
   std::vector<Well> wells;
   std::vector<double> well_content;
   std::size_t cracks;
@@ -100,9 +107,9 @@ std::shared_ptr<const Simulation::Kept> Simulation::keep() const {
   const Assembly& a = assembly_;
   const Network& n = network_;
   auto kept = std::make_shared<const Kept>(Kept{
-      {a.ux, a.uy, a.rotation, a.vx, a.vy, a.spin, a.external_x, a.external_y, a.intact, a.slip},
+      {a.ux, a.uy, a.rotation, a.vx, a.vy, a.spin, a.external_x, a.external_y, a.external_moment, a.intact, a.slip},
       {n.aperture, n.conductance, n.flow, n.volume_change, n.content, n.pressure, n.stiffness},
-      boundary_->walls(), wells_, well_content_, cracks_.size(), solver_->energies(), time_, force_ratio_, leaked_, tip_distance_,
+      boundary_->walls(), solver_->loose_contacts().state(), wells_, well_content_, cracks_.size(), solver_->energies(), time_, force_ratio_, leaked_, tip_distance_,
       step_, solver_->total_cycles(), at_rest_});
   return kept;
 }
@@ -110,12 +117,14 @@ std::shared_ptr<const Simulation::Kept> Simulation::keep() const {
 void Simulation::undo(const Kept& kept) {
   Assembly& a = assembly_;
   Network& n = network_;
-  Array<double>* const solid[] = {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin, &a.external_x, &a.external_y, &a.intact, &a.slip};
+  Array<double>* const solid[] = {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin, &a.external_x, &a.external_y, &a.external_moment,
+                                   &a.intact, &a.slip};
   Array<double>* const fluid[] = {&n.aperture, &n.conductance, &n.flow, &n.volume_change, &n.content, &n.pressure, &n.stiffness};
   // Element by element: the solver holds the arrays' addresses.
   for (std::size_t k = 0; k < kept.solid.size(); ++k) std::copy(kept.solid[k].begin(), kept.solid[k].end(), solid[k]->begin());
   for (std::size_t k = 0; k < kept.fluid.size(); ++k) std::copy(kept.fluid[k].begin(), kept.fluid[k].end(), fluid[k]->begin());
   boundary_->walls() = kept.walls;
+  solver_->restore_loose_contacts(kept.loose);
   wells_ = kept.wells;
   well_content_ = kept.well_content;
   cracks_.resize(kept.cracks);

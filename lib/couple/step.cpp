@@ -7,7 +7,7 @@
 //        bond and contact forces (eq. 15-20), breakage (eq. 21-23) -> crack log
 //        pores answer undrained: pressure follows from the fluid they hold and their volume (eq. 8)
 //        pressures push the discs (eq. 9-14), boundary, motion (eq. 11, 12)
-//   4  apertures and conductances at the new geometry (eq. 6, 7)
+//   4  apertures and conductances at the new geometry (eq. 6, 7); new contacts around cracks
 //   5  clock, injected and leaked volumes, farthest crack tip
 //
 // Between 2 and 3 no fluid is lost or made: pores keep their content while the rock moves. Freezing the pressure
@@ -46,6 +46,7 @@ Simulation::StepOutcome Simulation::step(const std::function<bool()>& interrupt)
     at_rest_ = mechanics.at_rest;
     solver_->evaluate();
     if (flow_) update_apertures(network_, assembly_, o);
+    solver_->search_contacts(cracks_);
     finish_step(o.stepping_flow_step, cracks_before);
   } catch (...) {
     undo(*before);

@@ -36,7 +36,7 @@ Assembly build_assembly(const ContactGraph& graph, const Options& options) {
   a.radius = graph.radius;
   a.mean_radius = graph.mean_radius;
   const std::size_t n = a.x.size(), bonds = graph.first.size();
-  for (auto* values : {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin, &a.external_x, &a.external_y}) values->assign(n, 0.0);
+  for (auto* values : {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin, &a.external_x, &a.external_y, &a.external_moment}) values->assign(n, 0.0);
   a.mass.resize(n);
   a.inertia.resize(n);
   for (std::size_t i = 0; i < n; ++i) {

@@ -21,7 +21,7 @@ struct Assembly {
   Array<double> x, y, radius;                 // m, at bonding
   Array<double> ux, uy, rotation;             // m, m, rad since bonding
   Array<double> vx, vy, spin;                 // m/s, rad/s (per unit of the solver's step)
-  Array<double> external_x, external_y;       // N
+  Array<double> external_x, external_y, external_moment;  // N, N, N m: far field, walls, loose contacts
   Array<double> mass, inertia;                // kg, kg m2 per metre thickness
   // bonds, sorted by (first, second)
   std::vector<std::int32_t> first, second;

@@ -28,11 +28,14 @@ Boundary::Boundary(const Assembly& a, const Network& n, const Options& o)
   walls_[2] = {{0.0, 1.0}, width, o.stress_sigma_h - outside, 0.0, 0.0, {}};
   walls_[3] = {{0.0, -1.0}, width, o.stress_sigma_h - outside, 0.0, 0.0, {}};
   const double tolerance = std::max(o.bond_gap_tolerance, 0.01) * a.mean_radius;
+  at_wall_.assign(a.x.size(), 0);
   for (std::int32_t i = 0; i < a.disc_count(); ++i) {
     const double distance[4] = {a.x[i] - a.radius[i], width - a.x[i] - a.radius[i], a.y[i] - a.radius[i],
                                 height - a.y[i] - a.radius[i]};
     for (std::size_t w = 0; w < 4; ++w) {
-      if (distance[w] < tolerance) walls_[w].discs.push_back(i);
+      if (distance[w] >= tolerance) continue;
+      walls_[w].discs.push_back(i);
+      at_wall_[static_cast<std::size_t>(i)] = 1;
     }
   }
 }

@@ -30,6 +30,12 @@ class Boundary {
   // Adds the walls' share to the row sums of stiffness that set the stable step.
   void add_stiffness(std::vector<double>& row_x, std::vector<double>& row_y) const;
 
+  // The far field's force on a disc now (stress boundary) [N], and whether a disc is one of a wall's.
+  [[nodiscard]] Vec2 load_on(std::int32_t disc) const {
+    return walled_ ? Vec2{} : Vec2{load_ * load_x_[static_cast<std::size_t>(disc)], load_ * load_y_[static_cast<std::size_t>(disc)]};
+  }
+  [[nodiscard]] bool touches_wall(std::int32_t disc) const { return walled_ && at_wall_[static_cast<std::size_t>(disc)] != 0; }
+
   void fix_walls() { servo_ = false; }
   [[nodiscard]] bool walled() const { return walled_; }
   [[nodiscard]] bool needs_cycles() const { return walled_; }
@@ -61,6 +67,7 @@ class Boundary {
   double stiffness_, load_ = 0.0, work_ = 0.0, imbalance_ = 0.0;
   Array<double> load_x_, load_y_;  // N at full load
   std::array<Wall, 4> walls_;
+  std::vector<char> at_wall_;  // per disc
 };
 
 }  // namespace hfrac

@@ -35,7 +35,7 @@ double take_work(std::vector<BlockSums>& sums) {
 }  // namespace
 
 ExplicitSolver::ExplicitSolver(Assembly& assembly, Network& network, Boundary& boundary, const Options& options, Workers& workers)
-    : assembly_(assembly), network_(network), boundary_(boundary), options_(options), workers_(workers), kernels_(kernels()) {
+    : assembly_(assembly), network_(network), boundary_(boundary), loose_(options), options_(options), workers_(workers), kernels_(kernels()) {
   const auto discs = assembly.disc_count();
   inverse_mass_.resize(static_cast<std::size_t>(discs));
   inverse_inertia_.resize(static_cast<std::size_t>(discs));
@@ -61,6 +61,7 @@ void ExplicitSolver::bind_arrays() {
   k.inverse_inertia = inverse_inertia_.data();
   k.external_x = a.external_x.data();
   k.external_y = a.external_y.data();
+  k.external_moment = a.external_moment.data();
   k.disc_count = a.disc_count();
   k.first = a.first.data();
   k.second = a.second.data();
@@ -106,6 +107,7 @@ void ExplicitSolver::bind_arrays() {
 void ExplicitSolver::refresh_stiffness() {
   stiffness_rows(assembly_, network_, options_, row_x_, row_y_, row_rotation_);
   boundary_.add_stiffness(row_x_, row_y_);
+  loose_.add_stiffness(assembly_, row_x_, row_y_, row_rotation_);
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < row_x_.size(); ++i) {
     const double row = std::max(row_x_[i], row_y_[i]);
@@ -180,6 +182,7 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
       if (worker == 0 && boundary_.needs_cycles()) {
         boundary_.cycle(assembly_, arrays_.step, options_.stepping_safety, arrays_.damping);
       }
+      if (worker == 0 && !loose_.empty()) loose_.cycle(assembly_, boundary_, arrays_.step, energies_.friction);
       workers_.barrier();
       kernels_.disc_pass(arrays_, discs.first, discs.last);
       workers_.barrier();
@@ -246,6 +249,15 @@ void ExplicitSolver::evaluate() {
   if (arrays_.with_pressure != 0) kernels_.domain_pass(arrays_, 0, arrays_.domain_count);
   energies_.friction += take_work(bond_sums_);
   energies_.fluid += take_work(domain_sums_);
+}
+
+void ExplicitSolver::search_contacts(const CrackLog& cracks) {
+  if (loose_.search(assembly_, boundary_, cracks)) refresh_stiffness();
+}
+
+void ExplicitSolver::restore_loose_contacts(const LooseContacts::State& state) {
+  loose_.restore(state);
+  refresh_stiffness();
 }
 
 double ExplicitSolver::kinetic_energy() const {

@@ -20,6 +20,7 @@
 #include "solid/assembly.hpp"
 #include "solid/boundary.hpp"
 #include "solid/kernels.hpp"
+#include "solid/loose_contacts.hpp"
 
 namespace hfrac {
 
@@ -64,6 +65,10 @@ class ExplicitSolver {
   [[nodiscard]] std::int64_t total_cycles() const { return total_cycles_; }
   void set_total_cycles(std::int64_t cycles) { total_cycles_ = cycles; }
   void stop_motion();
+  // Looks for new contacts around cracks; call between steps.
+  void search_contacts(const CrackLog& cracks);
+  [[nodiscard]] const LooseContacts& loose_contacts() const { return loose_; }
+  void restore_loose_contacts(const LooseContacts::State& state);
   const KernelArrays& arrays() const { return arrays_; }
 
  private:
@@ -75,6 +80,7 @@ class ExplicitSolver {
   Assembly& assembly_;
   Network& network_;
   Boundary& boundary_;
+  LooseContacts loose_;
   const Options& options_;
   Workers& workers_;
   const KernelTable& kernels_;

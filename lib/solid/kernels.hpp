@@ -33,7 +33,7 @@ struct KernelArrays {
   double *ux, *uy, *rotation;                // m, m, rad
   double *vx, *vy, *spin;                    // per unit of `step`
   const double *inverse_mass, *inverse_inertia;
-  const double *external_x, *external_y;     // N: far field, walls, loose contacts
+  const double *external_x, *external_y, *external_moment;  // N, N, N m: far field, walls, loose contacts
   int64_t disc_count;
   // bonds, sorted by first disc
   const int32_t *first, *second;

@@ -152,7 +152,7 @@ void disc_block(const KernelArrays& a, int64_t first, int64_t last, BlockSums& s
     }
     fx[d - first] = sum[0] + px + a.external_x[d];
     fy[d - first] = sum[1] + py + a.external_y[d];
-    moment[d - first] = sum[2] + sum[3];
+    moment[d - first] = sum[2] + sum[3] + a.external_moment[d];
   }
   const int64_t n = last - first;
   double unbalanced[kernel_block];

@@ -124,6 +124,9 @@ class FailingRun(unittest.TestCase):
             self.assertEqual(short["state"]["step"], int(rows[-1]["step"]))
             self.assertEqual(entries(self.folder, "discs")[-1][0], float(rows[-1]["time_s"]))
             self.assertEqual(hfrac("info", self.folder).returncode, 0)
+            whole = self.top / f"whole-{number}"
+            run_case(whole, "--steps", short["state"]["step"], "--quiet")
+            self.assertEqual(short["state_hash"], summary(whole)["state_hash"], "not at a whole step")
             shutil.rmtree(self.folder)
 
     def test_a_killed_run_stays_readable(self):

@@ -1,5 +1,6 @@
 """A whole run: every file is there, complete, consistent with the others and the same each time."""
 import math
+import os
 import pathlib
 import shutil
 import tempfile
@@ -93,6 +94,21 @@ class WholeRun(unittest.TestCase):
         self.assertEqual(hfrac("check", CASE).returncode, 0)
         self.assertIn("bond.tensile_strength", hfrac("options").stdout)
         self.assertIn("hfrac 0.", hfrac("--version").stdout)
+
+
+@unittest.skipUnless("HFRAC_RENDERS" in os.environ, "built without the renderer")
+class Pictures(unittest.TestCase):
+    def test_are_drawn_and_go_when_a_new_run_begins(self):
+        with tempfile.TemporaryDirectory(prefix="hfrac-e2e-") as folder:
+            self.assertEqual(run_case(folder, "--steps", STEPS, "--quiet").returncode, 0)
+            done = hfrac("render", folder, "--width", 640)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            pictures = pathlib.Path(folder) / "pictures"
+            for name in ("figure3.png", "growth.png", "pressure.png", "movie.mp4"):
+                self.assertGreater((pictures / name).stat().st_size, 1000, name)
+            self.assertEqual(run_case(folder, "--steps", 1, "--quiet", "--overwrite").returncode, 0)
+            self.assertEqual(list(pictures.iterdir()), [])
+        self.assertEqual(hfrac("render", "/no/such/run").returncode, 2)
 
 
 class SecondRun(unittest.TestCase):

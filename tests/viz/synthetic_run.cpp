@@ -12,6 +12,7 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -26,9 +27,10 @@ namespace {
 namespace fs = std::filesystem;
 using Value = std::function<double(vtkIdType)>;
 
-void add_array(vtkFieldData* data, const char* name, vtkIdType count, const Value& value, bool integer = false) {
-  const auto array = vtkSmartPointer<vtkDataArray>::Take(integer ? static_cast<vtkDataArray*>(vtkIntArray::New())
-                                                                 : vtkDoubleArray::New());
+void add_array(vtkFieldData* data, const char* name, vtkIdType count, const Value& value,
+               bool integer = false) {
+  const auto array = vtkSmartPointer<vtkDataArray>::Take(
+      integer ? static_cast<vtkDataArray*>(vtkIntArray::New()) : vtkDoubleArray::New());
   array->SetName(name);
   array->SetNumberOfTuples(count);
   for (vtkIdType i = 0; i < count; ++i) array->SetTuple1(i, value(i));
@@ -64,7 +66,8 @@ double share(const SyntheticRun& run, int snapshot) {
 void write_grid(const fs::path& folder, const char* kind, int snapshot, const SyntheticRun& run,
                 vtkUnstructuredGrid* grid) {
   add_array(grid->GetFieldData(), "TimeValue", 1, [&](vtkIdType) { return 2.5 * snapshot; });
-  add_array(grid->GetFieldData(), "step", 1, [&](vtkIdType) { return 100 * snapshot; }, true);
+  add_array(
+      grid->GetFieldData(), "step", 1, [&](vtkIdType) { return 100 * snapshot; }, true);
   add_array(grid->GetFieldData(), "well_pressure_Pa", 1,
             [&](vtkIdType) { return 45e6 * std::sqrt(share(run, snapshot)); });
   char name[64];
@@ -85,7 +88,8 @@ void write_discs(const fs::path& folder, int snapshot, const SyntheticRun& run, 
   grid->Allocate(count);
   for (vtkIdType i = 0; i < count; ++i) grid->InsertNextCell(VTK_VERTEX, 1, &i);
   add_array(grid->GetPointData(), "radius_m", count, [&](vtkIdType) { return run.spacing() / 2; });
-  add_array(grid->GetPointData(), "disc_id", count, [](vtkIdType i) { return static_cast<double>(i); }, true);
+  add_array(
+      grid->GetPointData(), "disc_id", count, [](vtkIdType i) { return static_cast<double>(i); }, true);
   write_grid(folder, "discs", snapshot, run, grid);
 }
 
@@ -110,8 +114,9 @@ void write_bonds(const fs::path& folder, int snapshot, const SyntheticRun& run, 
       if (j + 1 < lattice.rows) bond(lattice.at(i, j), lattice.at(i, j + 1));
     }
   }
-  add_array(grid->GetCellData(), "state", grid->GetNumberOfCells(),
-            [&](vtkIdType i) { return state[static_cast<std::size_t>(i)]; }, true);
+  add_array(
+      grid->GetCellData(), "state", grid->GetNumberOfCells(),
+      [&](vtkIdType i) { return state[static_cast<std::size_t>(i)]; }, true);
   write_grid(folder, "bonds", snapshot, run, grid);
 }
 
@@ -132,13 +137,15 @@ void write_cracks(const fs::path& folder, int snapshot, const SyntheticRun& run)
   }
   grid->SetPoints(points);
   const vtkIdType count = grid->GetNumberOfCells();
-  add_array(grid->GetCellData(), "mode", count, [](vtkIdType i) { return i % 5 == 4 ? 2 : 1; }, true);
+  add_array(
+      grid->GetCellData(), "mode", count, [](vtkIdType i) { return i % 5 == 4 ? 2 : 1; }, true);
   add_array(grid->GetCellData(), "aperture_m", count,
             [&](vtkIdType i) { return aperture[static_cast<std::size_t>(i)]; });
   write_grid(folder, "cracks", snapshot, run, grid);
 }
 
-// Squares between four discs; pressure falls off with the distance from the crack. The well is the square around it.
+// Squares between four discs; pressure falls off with the distance from the crack. The well is the square
+// around it.
 void write_flow(const fs::path& folder, int snapshot, const SyntheticRun& run, Lattice& lattice) {
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(lattice.centres);
@@ -147,7 +154,8 @@ void write_flow(const fs::path& folder, int snapshot, const SyntheticRun& run, L
   const double well_pressure = 45e6 * std::sqrt(share(run, snapshot));
   for (int j = 0; j + 1 < lattice.rows; ++j) {
     for (int i = 0; i + 1 < lattice.columns; ++i) {
-      const int corners[4] = {lattice.at(i, j), lattice.at(i + 1, j), lattice.at(i + 1, j + 1), lattice.at(i, j + 1)};
+      const int corners[4] = {lattice.at(i, j), lattice.at(i + 1, j), lattice.at(i + 1, j + 1),
+                              lattice.at(i, j + 1)};
       vtkIdType ids[4];
       bool whole = true;
       for (int k = 0; k < 4; ++k) {
@@ -187,18 +195,21 @@ void write_flow(const fs::path& folder, int snapshot, const SyntheticRun& run, L
   const vtkIdType count = grid->GetNumberOfCells();
   add_array(grid->GetCellData(), "pressure_Pa", count,
             [&](vtkIdType i) { return pressure[static_cast<std::size_t>(i)]; });
-  add_array(grid->GetCellData(), "kind", count, [&](vtkIdType i) { return i == count - 1 ? 1 : 0; }, true);
+  add_array(
+      grid->GetCellData(), "kind", count, [&](vtkIdType i) { return i == count - 1 ? 1 : 0; }, true);
   write_grid(folder, "flow", snapshot, run, grid);
 }
 
 void write_collection(const fs::path& folder, const std::string& kind, const SyntheticRun& run) {
   std::ofstream file(folder / (kind + ".pvd"));
-  file << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+  file << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+          "byte_order=\"LittleEndian\">\n"
           "  <Collection>\n";
   for (int i = 0; i < run.snapshots; ++i) {
     char number[16];
     std::snprintf(number, sizeof number, "%05d", i);
-    file << "    <DataSet timestep=\"" << 2.5 * i << "\" part=\"0\" file=\"" << kind << '_' << number << ".vtu\"/>\n";
+    file << "    <DataSet timestep=\"" << 2.5 * i << "\" part=\"0\" file=\"" << kind << '_' << number
+         << ".vtu\"/>\n";
   }
   file << "  </Collection>\n</VTKFile>\n";
 }
@@ -221,7 +232,8 @@ void write_run(const fs::path& folder, const SyntheticRun& run) {
   for (const char* kind : {"discs", "bonds", "cracks"}) write_collection(folder, kind, run);
   if (run.with_flow) write_collection(folder, "flow", run);
   std::ofstream summary(folder / "summary.json");
-  summary << "{\"title\": \"" << run.title << "\", \"reading\": \"paper\", \"model\": {\"width_m\": " << run.width
+  summary << "{\"title\": \"" << run.title
+          << "\", \"reading\": \"paper\", \"model\": {\"width_m\": " << run.width
           << ", \"height_m\": " << run.height << "}, \"wells\": [{\"x_m\": " << run.well_x()
           << ", \"y_m\": " << run.well_y() << ", \"radius_m\": " << run.well_radius << "}]}\n";
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A run folder made up for tests: discs on a lattice with a hole, a straight crack growing out of it on both sides.
-// Everything in it is known in closed form, so a test can say which pixel must have which colour.
+// A run folder made up for tests: discs on a lattice with a hole, a straight crack growing out of it on both
+// sides. Everything in it is known in closed form, so a test can say which pixel must have which colour.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,12 @@
 namespace hfrac::viz_test {
 
 struct SyntheticRun {
-  int columns = 24;       // discs along x; rows follow from the height
-  double width = 12.0;    // [m]
-  double height = 12.0;   // [m]
+  int columns = 24;      // discs along x; rows follow from the height
+  double width = 12.0;   // [m]
+  double height = 12.0;  // [m]
   int snapshots = 3;
-  double well_radius = 1.1;   // [m]
-  double half_length = 4.0;   // [m] of the crack at the end, from the well's centre
+  double well_radius = 1.1;  // [m]
+  double half_length = 4.0;  // [m] of the crack at the end, from the well's centre
   std::string title = "Synthetic run: a crack from a hole";
   bool with_flow = true;
 

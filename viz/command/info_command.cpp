@@ -19,8 +19,8 @@ ExitCode inform(const std::filesystem::path& folder) {
     const auto summary = nlohmann::json::parse(output::read_whole(file));
     fmt::print("{}\n{}", folder.string(), summary_text(summary));
     const auto& versions = summary.at("versions");
-    fmt::print("  {:18} hfrac {}, {}, VTK {}\n", "made by", versions.at("hfrac").get<std::string>(),
-               versions.at("build").get<std::string>(), versions.at("vtk").get<std::string>());
+    fmt::print("  {:18} {}, VTK {}\n", "made by", versions.at("build").get<std::string>(),
+               versions.at("vtk").get<std::string>());
   } catch (const nlohmann::json::exception& error) {
     throw BadInput(fmt::format("'{}' is not a summary that hfrac wrote: {}", file.string(), error.what()));
   }

@@ -14,8 +14,7 @@ using namespace hfrac::command;
 std::string version_text() {
   int32_t abi = 0;
   hfrac::output::require(hfrac_abi_version(&abi), nullptr);
-  return fmt::format("hfrac {} (ABI {})\n{}", hfrac::output::version_of_library(), abi,
-                     hfrac::output::build_of_library());
+  return fmt::format("{}, ABI {}", hfrac::output::build_of_library(), abi);
 }
 
 int complain(const char* text, ExitCode code) {

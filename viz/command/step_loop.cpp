@@ -37,10 +37,10 @@ class StepReport {
   StepReport(ProgressLine& line, Limits limits) : line_(line), limits_(limits), start_(Clock::now()) {}
 
   void after_step(hfrac_sim* sim) {
-    if (!line_.due()) return;
     const auto state = output::state_of(sim);
     const auto wells = output::wells_of(sim);
-    const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+    step_start_ = Clock::now();
+    const double elapsed = seconds_since(start_);
     const double speed = elapsed > 0.0 ? static_cast<double>(state.step) / elapsed : 0.0;
     text_ = limits_.steps == kForever ? fmt::format("step {}", state.step)
                                       : fmt::format("step {}/{}", state.step, limits_.steps);
@@ -48,16 +48,23 @@ class StepReport {
     if (!wells.empty()) text_ += fmt::format("  well {:.4g} MPa", wells.front().pressure * 1e-6);
     text_ += fmt::format("  {:.3g} steps/s  at most {} left", speed,
                          readable_duration(seconds_left(state, elapsed)));
-    line_.show_now(text_);
+    line_.show(text_);
   }
 
-  void within_step(double fraction, const char* what) {
-    line_.show(fmt::format("{}{}now {} {:.0f} %", text_, text_.empty() ? "" : "  ", what ? what : "step",
-                           fraction * 100.0));
+  /** A long step must not look like a dead one. */
+  void within_step() {
+    if (!line_.due()) return;
+    const double seconds = seconds_since(step_start_);
+    line_.show(seconds < 2.0 ? text_
+                             : fmt::format("{}  in this step since {}", text_, readable_duration(seconds)));
   }
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  static double seconds_since(Clock::time_point then) {
+    return std::chrono::duration<double>(Clock::now() - then).count();
+  }
 
   double seconds_left(const hfrac_sim_state& state, double elapsed) const {
     const double done = limits_.steps == kForever
@@ -69,11 +76,12 @@ class StepReport {
   ProgressLine& line_;
   Limits limits_;
   Clock::time_point start_;
-  std::string text_;
+  Clock::time_point step_start_ = start_;
+  std::string text_ = "first step";
 };
 
-int32_t while_stepping(void* report, double fraction, const char* what) {
-  static_cast<StepReport*>(report)->within_step(fraction, what);
+int32_t while_stepping(void* report, double, const char*) {
+  static_cast<StepReport*>(report)->within_step();
   return interrupted() ? 1 : 0;
 }
 

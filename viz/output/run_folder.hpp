@@ -34,7 +34,7 @@ class RunFolder {
   /** The last snapshot, the fractures and the summary with why the run ended. */
   void finish(hfrac_sim* sim, const std::string& why_ended);
 
-  /** The engine failed: writes what it still has (its state is that before the step) and why. Never throws. */
+  /** The engine failed: writes the state it still has, that before the step, and why. Never throws. */
   void finish_failed(hfrac_sim* sim, const std::string& why) noexcept;
 
   /** A file could not be written: notes why in the summary, if that can be written. Never throws. */

@@ -2,8 +2,8 @@
 // Colours: the palette of all pictures, and the two scales for quantities.
 //
 // Everything stays apart for the common kinds of colour blindness, because what must be told apart differs in
-// lightness too: yellow discs, blue bonds, black tensile cracks, magenta shear cracks, red wells. Both scales are even
-// in lightness from end to end.
+// lightness too: yellow discs, blue bonds, black tensile cracks, magenta shear cracks, red wells. Both scales
+// are even in lightness from end to end.
 #pragma once
 
 #include <cstdint>

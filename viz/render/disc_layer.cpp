@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Discs by vtkPointGaussianMapper: one triangle per disc, and a few lines of shader that keep its round part and darken
-// its rim. Ten thousand discs cost as much as a few hundred polygons would.
+// Discs by vtkPointGaussianMapper: one triangle per disc, and a few lines of shader that keep its round part
+// and darken its rim. Ten thousand discs cost as much as a few hundred polygons would.
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -10,7 +10,6 @@
 #include <vtkProperty.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 
 #include "layers.h"
@@ -19,13 +18,12 @@ namespace hfrac::viz {
 namespace {
 
 std::string shader_colour(Colour colour) {
-  char text[96];
-  std::snprintf(text, sizeof text, "vec3(%d.0, %d.0, %d.0) / 255.0", colour.red, colour.green, colour.blue);
-  return text;
+  const auto part = [](std::uint8_t value) { return std::to_string(value) + ".0"; };
+  return "vec3(" + part(colour.red) + ", " + part(colour.green) + ", " + part(colour.blue) + ") / 255.0";
 }
 
-// offsetVCVSOutput is the place in the disc in units of its radius. The rim is about two drawn pixels wide, at most a
-// quarter of the radius, and fades out where discs are only a few pixels large.
+// offsetVCVSOutput is the place in the disc in units of its radius. The rim is about two drawn pixels wide,
+// at most a quarter of the radius, and fades out where discs are only a few pixels large.
 std::string disc_shader(Colour fill, Colour rim) {
   return "//VTK::Color::Impl\n"
          "float discRadius = length(offsetVCVSOutput.xy);\n"

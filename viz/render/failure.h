@@ -19,9 +19,17 @@ class Failure : public std::runtime_error {
   std::int32_t status_;
 };
 
-[[noreturn]] inline void fail_reading(const std::string& text) { throw Failure(HFRAC_VIZ_ERR_READ, text); }
-[[noreturn]] inline void fail_writing(const std::string& text) { throw Failure(HFRAC_VIZ_ERR_WRITE, text); }
-[[noreturn]] inline void fail_drawing(const std::string& text) { throw Failure(HFRAC_VIZ_ERR_DRAW, text); }
-[[noreturn]] inline void fail_argument(const std::string& text) { throw Failure(HFRAC_ERR_ARGUMENT, text); }
+[[noreturn]] inline void fail_reading(const std::string& text) {
+  throw Failure(HFRAC_VIZ_ERR_READ, text);
+}
+[[noreturn]] inline void fail_writing(const std::string& text) {
+  throw Failure(HFRAC_VIZ_ERR_WRITE, text);
+}
+[[noreturn]] inline void fail_drawing(const std::string& text) {
+  throw Failure(HFRAC_VIZ_ERR_DRAW, text);
+}
+[[noreturn]] inline void fail_argument(const std::string& text) {
+  throw Failure(HFRAC_ERR_ARGUMENT, text);
+}
 
 }  // namespace hfrac::viz

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of quantities: fluid pressure in the domains, apertures of the cracks; and what every scene is loaded from.
+// Pictures of quantities: fluid pressure in the domains, apertures of the cracks; and what every scene is
+// loaded from.
 #include <algorithm>
 #include <cmath>
 
@@ -40,7 +41,8 @@ Extent around_cracks(const RunFolder& run, const Scene& scene) {
   const double width = std::min(model.width, std::max(1.16 * (right - left), 0.9 * size));
   const double height = std::min(model.height, std::max(1.16 * (top - bottom), 0.7 * size));
   const double x = std::clamp((left + right - width) / 2, model.left, model.left + model.width - width);
-  const double y = std::clamp((bottom + top - height) / 2, model.bottom, model.bottom + model.height - height);
+  const double y =
+      std::clamp((bottom + top - height) / 2, model.bottom, model.bottom + model.height - height);
   return {x, y, width, height};
 }
 
@@ -67,7 +69,8 @@ Scene load_scene(const RunFolder& run, const HistoryPoint& point, bool with_bond
 }
 
 Image pressure_picture(const Studio& studio, const Scene& scene) {
-  if (scene.flow.domains.empty()) fail_reading("snapshot " + std::to_string(scene.point.number) + " has no flow data");
+  if (scene.flow.domains.empty())
+    fail_reading("snapshot " + std::to_string(scene.point.number) + " has no flow data");
   Sheet sheet(studio, whole_model(*studio.run, scene.discs));
   const auto [low, high] =
       std::minmax_element(scene.flow.domains.begin(), scene.flow.domains.end(),
@@ -83,12 +86,13 @@ Image pressure_picture(const Studio& studio, const Scene& scene) {
   draw_axes(sheet.page, sheet.unit, sheet.view);
   const double unit = sheet.unit;
   const double legend_height = 3 * 44 * unit;
-  const Box bar{sheet.column_left, sheet.view.box.top + 76 * unit, 44 * unit,
-                std::max(80.0 * unit, std::min(900 * unit, sheet.view.box.height - 76 * unit - legend_height - 60 * unit))};
+  const Box bar{sheet.column_left, sheet.column_top + 76 * unit, 44 * unit,
+                std::max(80.0 * unit, std::min(900 * unit, sheet.column_bottom - sheet.column_top -
+                                                               76 * unit - legend_height - 60 * unit))};
   draw_colour_bar(sheet.page, unit, bar, pressure_map, lowest / pascal_per_megapascal,
                   highest / pascal_per_megapascal, "fluid pressure (MPa)",
                   studio.run->net_pressures ? "above the formation's" : "");
-  draw_legend(sheet.page, unit, sheet.column_left, sheet.view.box.bottom() - legend_height,
+  draw_legend(sheet.page, unit, sheet.column_left, sheet.column_bottom - legend_height,
               {{Sign::band, palette::tension, {}, "crack, tension"},
                {Sign::band, palette::shear, {}, "crack, shear"},
                {Sign::line, palette::well, {}, "wellbore"}});
@@ -108,16 +112,18 @@ Image aperture_picture(const Studio& studio, const Scene& scene) {
     sheet.view.renderer->AddActor(aperture_layer(scene.cracks.cracks, widest, half_width));
   }
   draw_sheet_title(sheet, *studio.run,
-                   "Crack aperture: " + moment_text(scene.point) + ", " + counted(scene.point.cracks(), "crack") +
+                   "Crack aperture: " + moment_text(scene.point) + ", " +
+                       counted(scene.point.cracks(), "crack") +
                        (widest > 0 ? ", widest " + value_text(widest * millimetres_per_metre) + " mm" : ""));
   draw_axes(sheet.page, sheet.unit, sheet.view);
   const double unit = sheet.unit;
   const double legend_height = 2 * 44 * unit;
-  const Box bar{sheet.column_left, sheet.view.box.top + 46 * unit, 44 * unit,
-                std::max(80.0 * unit, std::min(900 * unit, sheet.view.box.height - 46 * unit - legend_height - 60 * unit))};
+  const Box bar{sheet.column_left, sheet.column_top + 46 * unit, 44 * unit,
+                std::max(80.0 * unit, std::min(900 * unit, sheet.column_bottom - sheet.column_top -
+                                                               46 * unit - legend_height - 60 * unit))};
   draw_colour_bar(sheet.page, unit, bar, aperture_map, 0, widest > 0 ? widest * millimetres_per_metre : 1.0,
                   "aperture (mm)", "");
-  draw_legend(sheet.page, unit, sheet.column_left, sheet.view.box.bottom() - legend_height,
+  draw_legend(sheet.page, unit, sheet.column_left, sheet.column_bottom - legend_height,
               {{Sign::disc, palette::quiet_disc, palette::quiet_disc_rim, "disc"},
                {Sign::hole, palette::well, {}, "wellbore"}});
   return sheet.page.draw();

@@ -27,9 +27,12 @@ std::string fitted(const Page& page, const std::string& content, const TextStyle
   return cut + "...";
 }
 
-void draw_title(Page& page, double unit, double left, const std::string& title, const std::string& second_line) {
+void draw_title(Page& page, double unit, double left, const std::string& title,
+                const std::string& second_line) {
   TextStyle style{34 * unit, palette::ink, true};
   const double room = page.width() - left - 30 * unit;
+  // A long title is set smaller first and cut only then.
+  style.size *= std::clamp(room / std::max(1.0, page.text_width(title, style)), 0.7, 1.0);
   page.text(left, 56 * unit, fitted(page, title, style, room), style);
   style = {25 * unit, palette::faint_ink};
   page.text(left, 94 * unit, fitted(page, second_line, style, room), style);
@@ -65,7 +68,8 @@ void draw_axes(Page& page, double unit, const View& view) {
             {label_size * unit, palette::ink, false, Align::centre, true});
 }
 
-double draw_scale_bar(Page& page, double unit, double left, double top, double room, double metres_per_pixel) {
+double draw_scale_bar(Page& page, double unit, double left, double top, double room,
+                      double metres_per_pixel) {
   const double metres = round_length(room * metres_per_pixel);
   const double length = metres / metres_per_pixel;
   const double thickness = 4 * unit;
@@ -79,8 +83,8 @@ double draw_scale_bar(Page& page, double unit, double left, double top, double r
   return y + cap + 40 * unit;
 }
 
-void draw_colour_bar(Page& page, double unit, const Box& box, const ColourMap& map, double lowest, double highest,
-                     const std::string& label, const std::string& second_label) {
+void draw_colour_bar(Page& page, double unit, const Box& box, const ColourMap& map, double lowest,
+                     double highest, const std::string& label, const std::string& second_label) {
   const TextStyle label_style{label_size * unit, palette::ink};
   const double label_bottom = box.top - 20 * unit;
   page.text(box.left, label_bottom - (second_label.empty() ? 0.0 : 30 * unit), label, label_style);
@@ -88,7 +92,8 @@ void draw_colour_bar(Page& page, double unit, const Box& box, const ColourMap& m
   constexpr int slices = 200;
   for (int i = 0; i < slices; ++i) {
     const double height = box.height / slices;
-    page.rectangle({box.left, box.bottom() - (i + 1) * height, box.width, height}, map.at((i + 0.5) / slices));
+    page.rectangle({box.left, box.bottom() - (i + 1) * height, box.width, height},
+                   map.at((i + 0.5) / slices));
   }
   page.outline(box, std::max(1.0, 1.4 * unit), palette::frame);
   if (!(highest > lowest)) highest = lowest + 1;
@@ -101,7 +106,8 @@ void draw_colour_bar(Page& page, double unit, const Box& box, const ColourMap& m
   }
 }
 
-double draw_legend(Page& page, double unit, double left, double top, const std::vector<LegendEntry>& entries) {
+double draw_legend(Page& page, double unit, double left, double top,
+                   const std::vector<LegendEntry>& entries) {
   const double pitch = 44 * unit;
   const double sign_width = 40 * unit;
   const TextStyle style{label_size * unit, palette::ink};
@@ -113,9 +119,15 @@ double draw_legend(Page& page, double unit, double left, double top, const std::
         page.circle(middle, y, 15 * unit, entry.rim);
         page.circle(middle, y, 13 * unit, entry.colour);
         break;
-      case Sign::hole: page.circle(middle, y, 14 * unit, entry.colour); break;
-      case Sign::line: page.line(left, y, left + sign_width, y, 2.4 * unit, entry.colour); break;
-      case Sign::band: page.line(left, y, left + sign_width, y, 7 * unit, entry.colour); break;
+      case Sign::hole:
+        page.circle(middle, y, 14 * unit, entry.colour);
+        break;
+      case Sign::line:
+        page.line(left, y, left + sign_width, y, 2.4 * unit, entry.colour);
+        break;
+      case Sign::band:
+        page.line(left, y, left + sign_width, y, 7 * unit, entry.colour);
+        break;
     }
     page.text(left + sign_width + 16 * unit, y + rise * style.size, entry.text, style);
     y += pitch;

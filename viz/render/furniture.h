@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What stands around a view: title, axes, scale bar, colour bar, legend, notes, small curves. Sizes are in units of
-// `unit`, 1/1600 of a picture's width or as the caller sets it, so that pages of any size look alike.
+// What stands around a view: title, axes, scale bar, colour bar, legend, notes, small curves. Sizes are in
+// units of `unit`, 1/1600 of a picture's width or as the caller sets it, so that pages of any size look
+// alike.
 #pragma once
 
 #include <string>
@@ -15,7 +16,8 @@ namespace hfrac::viz {
 std::string fitted(const Page& page, const std::string& content, const TextStyle& style, double width);
 
 // Two lines at the top left; the second may be empty.
-void draw_title(Page& page, double unit, double left, const std::string& title, const std::string& second_line);
+void draw_title(Page& page, double unit, double left, const std::string& title,
+                const std::string& second_line);
 
 // A frame with ticks in metres at the left and the lower edge.
 void draw_axes(Page& page, double unit, const View& view);
@@ -26,8 +28,8 @@ void draw_frame(Page& page, double unit, const View& view);
 double draw_scale_bar(Page& page, double unit, double left, double top, double room, double metres_per_pixel);
 
 // Upright, values to its right; `label` above, may be two lines. Values are in the label's unit.
-void draw_colour_bar(Page& page, double unit, const Box& box, const ColourMap& map, double lowest, double highest,
-                     const std::string& label, const std::string& second_label);
+void draw_colour_bar(Page& page, double unit, const Box& box, const ColourMap& map, double lowest,
+                     double highest, const std::string& label, const std::string& second_label);
 
 enum class Sign { disc, line, band, hole };
 struct LegendEntry {

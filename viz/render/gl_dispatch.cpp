@@ -5,8 +5,8 @@
 
 #include "failure.h"
 
-// The part of libglvnd's binary interface that window-system libraries use. It has no installed header; its number
-// (1 since libglvnd 1.0) is checked before anything else is called.
+// The part of libglvnd's binary interface that window-system libraries use. It has no installed header; its
+// number (1 since libglvnd 1.0) is checked before anything else is called.
 // NOLINTBEGIN(bugprone-reserved-identifier)
 extern "C" {
 struct HfracDispatchThreadState {
@@ -62,13 +62,16 @@ thread_local HfracDispatchThreadState thread_state{own_tag, nothing_to_free, nul
 
 }  // namespace
 
-bool bound() noexcept { return __glDispatchGetCurrentThreadState() == &thread_state; }
+bool bound() noexcept {
+  return __glDispatchGetCurrentThreadState() == &thread_state;
+}
 
 void bind() {
   const Vendor& osmesa = vendor();
   if (bound()) return;
   if (__glDispatchGetCurrentThreadState() != nullptr) {
-    fail_drawing("another OpenGL context is current on this thread; release it or render from another thread");
+    fail_drawing(
+        "another OpenGL context is current on this thread; release it or render from another thread");
   }
   if (__glDispatchMakeCurrent(&thread_state, osmesa.table, osmesa.id, nullptr) == 0) {
     fail_drawing("libGLdispatch refused to make OSMesa current");

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "grid_file.h"
 
-#include <vtkCellData.h>
-#include <vtkDataArraySelection.h>
-#include <vtkFieldData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkXMLUnstructuredGridReader.h>
+#include <vtkLZ4DataCompressor.h>
+#include <vtkLZMADataCompressor.h>
+#include <vtkZLibDataCompressor.h>
 
 #include <cmath>
-#include <string>
-#include <system_error>
+#include <cstdlib>
 
 #include "failure.h"
 #include "vtk_messages.h"
@@ -18,109 +14,138 @@
 namespace hfrac::viz {
 namespace {
 
-void select(vtkDataArraySelection* selection, std::initializer_list<const char*> names) {
-  selection->DisableAllArrays();
-  for (const char* name : names) {
-    if (selection->ArrayExists(name) != 0) selection->EnableArray(name);
-  }
+vtkSmartPointer<vtkDataCompressor> make_compressor(const std::string& name) {
+  if (name == "vtkZLibDataCompressor") return vtkSmartPointer<vtkZLibDataCompressor>::New();
+  if (name == "vtkLZ4DataCompressor") return vtkSmartPointer<vtkLZ4DataCompressor>::New();
+  if (name == "vtkLZMADataCompressor") return vtkSmartPointer<vtkLZMADataCompressor>::New();
+  return nullptr;
+}
+
+// 0 if it is no sensible number
+std::size_t count_attribute(const XmlElement& element, const char* name) {
+  const long long count = std::strtoll(element.attribute(name).c_str(), nullptr, 10);
+  return count > 0 && count < 4'000'000'000LL ? static_cast<std::size_t>(count) : 0;
 }
 
 }  // namespace
 
-GridFile::GridFile(const SeriesFile& file, std::initializer_list<const char*> point_arrays,
-                   std::initializer_list<const char*> cell_arrays)
-    : file_(file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file.path, error)) fail_reading("there is no file " + file.path.string());
-  VtkMessages messages;
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->SetFileName(file.path.c_str());
-  reader->UpdateInformation();
-  std::string errors = messages.take_errors();
-  if (errors.empty()) {
-    select(reader->GetPointDataArraySelection(), point_arrays);
-    select(reader->GetCellDataArraySelection(), cell_arrays);
-    reader->Update();
-    errors = messages.take_errors();
-  }
-  if (!errors.empty()) fail_reading(file.path.string() + " cannot be read: " + errors);
-  grid_ = reader->GetOutput();
-  if (grid_ == nullptr || (grid_->GetNumberOfPoints() > 0 && grid_->GetPoints() == nullptr)) damaged("no points");
-  check_cells();
+GridFile::GridFile(const SeriesFile& file) : file_(file), root_(read_xml(file.path)) {
+  grid_ = root_->child("UnstructuredGrid");
+  if (grid_ == nullptr) damaged("it holds no UnstructuredGrid");
+  if (root_->attribute("byte_order") == "BigEndian")
+    damaged("its numbers are big-endian, which is not supported");
+  coding_.wide_headers = root_->attribute("header_type") == "UInt64";
+  const std::string compressor = root_->attribute("compressor");
+  coding_.compressor = make_compressor(compressor);
+  if (!compressor.empty() && coding_.compressor == nullptr)
+    damaged("its compressor " + compressor + " is unknown");
+  piece_ = grid_->child("Piece");
+  if (piece_ == nullptr) damaged("it holds no Piece");
+  point_count_ = count_attribute(*piece_, "NumberOfPoints");
+  cell_count_ = count_attribute(*piece_, "NumberOfCells");
 }
 
-void GridFile::damaged(const char* what) const {
-  fail_reading(file_.path.string() + " is damaged: " + what);
+void GridFile::damaged(const std::string& what) const {
+  fail_reading(file_.path.string() + " cannot be read: " + what);
 }
 
-void GridFile::check_cells() const {
-  vtkCellArray* cells = grid_->GetCells();
-  if (cells == nullptr) {
-    if (grid_->GetNumberOfCells() > 0) damaged("no cells");
-    return;
+const XmlElement* GridFile::find_array(const char* section, const char* name) const {
+  const XmlElement* arrays = piece_->child(section);
+  if (arrays == nullptr) return nullptr;
+  for (const auto& array : arrays->children) {
+    if (array->attribute("Name") == name) return array.get();
   }
-  vtkDataArray* offsets = cells->GetOffsetsArray();
-  vtkDataArray* connectivity = cells->GetConnectivityArray();
-  const vtkIdType corner_count = connectivity->GetNumberOfTuples();
-  vtkIdType previous = 0;
-  for (vtkIdType i = 0; i < offsets->GetNumberOfTuples(); ++i) {
-    const auto offset = static_cast<vtkIdType>(offsets->GetComponent(i, 0));
-    if (offset < previous || offset > corner_count) damaged("cell offsets out of order");
-    previous = offset;
-  }
-  for (vtkIdType i = 0; i < corner_count; ++i) {
-    const auto corner = static_cast<vtkIdType>(connectivity->GetComponent(i, 0));
-    if (corner < 0 || corner >= point_count()) damaged("a cell refers to a point that is not there");
+  return nullptr;
+}
+
+std::vector<double> GridFile::decode(const XmlElement& array, const std::string& name) const {
+  try {
+    VtkMessages messages;  // a compressor says aloud what its result says too
+    return decode_array(array.text, array.attribute("type"), array.attribute("format"), coding_);
+  } catch (const ArrayDamage& damage) {
+    this->damaged("array " + name + ": " + damage.what());
   }
 }
 
-Point GridFile::point(vtkIdType index) const {
-  double position[3];
-  grid_->GetPoint(index, position);
-  if (!std::isfinite(position[0]) || !std::isfinite(position[1])) damaged("a coordinate is not finite");
-  return {position[0], position[1]};
+std::vector<double> GridFile::scalars(const char* section, const char* name, std::size_t count) const {
+  if (count == 0) return {};
+  const XmlElement* array = find_array(section, name);
+  if (array == nullptr) damaged(std::string("array ") + name + " is missing");
+  std::vector<double> values = decode(*array, name);
+  if (values.size() != count) damaged(std::string("array ") + name + " has the wrong length");
+  return values;
 }
 
-std::span<const vtkIdType> GridFile::corners(vtkIdType cell) {
-  vtkIdType count = 0;
-  const vtkIdType* points = nullptr;
-  grid_->GetCellPoints(cell, count, points);
-  return {points, static_cast<std::size_t>(count)};
+std::vector<double> GridFile::point_array(const char* name) const {
+  return scalars("PointData", name, point_count_);
 }
 
-vtkDataArray* GridFile::point_array(const char* name) const {
-  vtkDataArray* array = grid_->GetPointData()->GetArray(name);
-  if (array == nullptr || array->GetNumberOfTuples() != point_count() || array->GetNumberOfComponents() < 1) {
-    damaged((std::string("the array ") + name + " is missing or too short").c_str());
+std::vector<double> GridFile::cell_array(const char* name) const {
+  return scalars("CellData", name, cell_count_);
+}
+
+std::vector<Point> GridFile::points() const {
+  if (point_count_ == 0) return {};
+  const XmlElement* section = piece_->child("Points");
+  const XmlElement* array = section != nullptr ? section->child("DataArray") : nullptr;
+  if (array == nullptr) damaged("the points are missing");
+  const std::vector<double> values = decode(*array, "Points");
+  if (values.size() != 3 * point_count_) damaged("array Points has the wrong length");
+  std::vector<Point> points(point_count_);
+  for (std::size_t i = 0; i < point_count_; ++i) {
+    points[i] = {values[3 * i], values[3 * i + 1]};
+    // Beyond single precision nothing can be drawn.
+    constexpr double farthest = 1e30;
+    if (!(std::fabs(points[i].x) < farthest) || !(std::fabs(points[i].y) < farthest)) {
+      damaged("a coordinate is not finite");
+    }
   }
-  return array;
+  return points;
 }
 
-vtkDataArray* GridFile::cell_array(const char* name) const {
-  vtkDataArray* array = grid_->GetCellData()->GetArray(name);
-  if (array == nullptr || array->GetNumberOfTuples() != cell_count() || array->GetNumberOfComponents() < 1) {
-    damaged((std::string("the array ") + name + " is missing or too short").c_str());
+GridFile::Cells GridFile::cells() const {
+  Cells cells;
+  cells.first.push_back(0);
+  if (cell_count_ == 0) return cells;
+  const XmlElement* connectivity = find_array("Cells", "connectivity");
+  if (connectivity == nullptr) damaged("array connectivity is missing");
+  const std::vector<double> corners = decode(*connectivity, "connectivity");
+  cells.corners.reserve(corners.size());
+  for (const double corner : corners) {
+    if (!(corner >= 0) || corner >= static_cast<double>(point_count_)) {
+      damaged("a cell refers to a point that is not there");
+    }
+    cells.corners.push_back(static_cast<std::uint32_t>(corner));
   }
-  return array;
+  cells.first.reserve(cell_count_ + 1);
+  for (const double end : scalars("Cells", "offsets", cell_count_)) {
+    if (!(end >= cells.first.back()) || end > static_cast<double>(corners.size()))
+      damaged("cells are out of order");
+    cells.first.push_back(static_cast<std::uint32_t>(end));
+  }
+  return cells;
+}
+
+std::vector<double> GridFile::field_values(const char* name) const {
+  const XmlElement* fields = grid_->child("FieldData");
+  if (fields == nullptr) return {};
+  for (const auto& array : fields->children) {
+    if (array->attribute("Name") == name) return decode(*array, name);
+  }
+  return {};
 }
 
 Moment GridFile::moment() const {
   Moment moment;
   moment.time = file_.time;
-  vtkFieldData* facts = grid_->GetFieldData();
-  if (facts == nullptr) return moment;
-  if (vtkDataArray* time = facts->GetArray("TimeValue"); time != nullptr && time->GetNumberOfTuples() > 0) {
-    if (std::isfinite(time->GetComponent(0, 0))) moment.time = time->GetComponent(0, 0);
+  const std::vector<double> time = field_values("TimeValue");
+  if (!time.empty() && std::isfinite(time.front())) moment.time = time.front();
+  const std::vector<double> step = field_values("step");
+  if (!step.empty() && step.front() >= 0 && step.front() < 9e15) {
+    moment.step = static_cast<std::int64_t>(step.front());
   }
-  if (vtkDataArray* step = facts->GetArray("step"); step != nullptr && step->GetNumberOfTuples() > 0) {
-    moment.step = static_cast<std::int64_t>(step->GetComponent(0, 0));
-  }
-  if (vtkDataArray* pressure = facts->GetArray("well_pressure_Pa"); pressure != nullptr) {
-    for (vtkIdType i = 0; i < pressure->GetNumberOfTuples(); ++i) {
-      for (int k = 0; k < pressure->GetNumberOfComponents(); ++k) {
-        moment.well_pressure.push_back(pressure->GetComponent(i, k));
-      }
-    }
+  for (const double pressure : field_values("well_pressure_Pa")) {
+    moment.well_pressure.push_back(std::isfinite(pressure) ? pressure : 0.0);
   }
   return moment;
 }

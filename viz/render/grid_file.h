@@ -1,42 +1,57 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One VTU file, opened with the few arrays that are wanted and checked for damage.
+// One VTU file in memory, checked for damage. Only arrays that are asked for are decoded.
 #pragma once
 
-#include <vtkCellArray.h>
-#include <vtkDataArray.h>
-#include <vtkSmartPointer.h>
-#include <vtkUnstructuredGrid.h>
-
-#include <filesystem>
-#include <initializer_list>
+#include <cstdint>
+#include <memory>
 #include <span>
+#include <string>
+#include <vector>
 
+#include "array_text.h"
 #include "snapshot.h"
+#include "xml_tree.h"
 
 namespace hfrac::viz {
 
 class GridFile {
  public:
-  // Reads the points, the cells and the named arrays only.
-  GridFile(const SeriesFile& file, std::initializer_list<const char*> point_arrays,
-           std::initializer_list<const char*> cell_arrays);
+  // Reads the file. Throws Failure(HFRAC_VIZ_ERR_READ), as all below do.
+  explicit GridFile(const SeriesFile& file);
 
-  vtkIdType point_count() const { return grid_->GetNumberOfPoints(); }
-  vtkIdType cell_count() const { return grid_->GetNumberOfCells(); }
-  // Points are finite, corners are in range.
-  Point point(vtkIdType index) const;
-  std::span<const vtkIdType> corners(vtkIdType cell);
+  std::size_t point_count() const { return point_count_; }
+  std::size_t cell_count() const { return cell_count_; }
+  // All points, finite.
+  std::vector<Point> points() const;
   // A scalar array as long as there are points or cells.
-  vtkDataArray* point_array(const char* name) const;
-  vtkDataArray* cell_array(const char* name) const;
+  std::vector<double> point_array(const char* name) const;
+  std::vector<double> cell_array(const char* name) const;
   Moment moment() const;
 
+  // Corners of the cells, all in range: those of cell i are corners[first[i]] to corners[first[i + 1] - 1].
+  struct Cells {
+    std::vector<std::uint32_t> first;
+    std::vector<std::uint32_t> corners;
+    std::span<const std::uint32_t> of(std::size_t cell) const {
+      return std::span<const std::uint32_t>(corners).subspan(first[cell], first[cell + 1] - first[cell]);
+    }
+  };
+  Cells cells() const;
+
  private:
-  [[noreturn]] void damaged(const char* what) const;
-  void check_cells() const;
+  [[noreturn]] void damaged(const std::string& what) const;
+  const XmlElement* find_array(const char* section, const char* name) const;
+  std::vector<double> decode(const XmlElement& array, const std::string& name) const;
+  std::vector<double> scalars(const char* section, const char* name, std::size_t count) const;
+  std::vector<double> field_values(const char* name) const;
 
   SeriesFile file_;
-  vtkSmartPointer<vtkUnstructuredGrid> grid_;
+  std::unique_ptr<XmlElement> root_;
+  const XmlElement* grid_ = nullptr;
+  const XmlElement* piece_ = nullptr;
+  ArrayCoding coding_;
+  std::size_t point_count_ = 0;
+  std::size_t cell_count_ = 0;
 };
 
 }  // namespace hfrac::viz

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of the discs, their bonds and the cracks: the model, the stages of growth, the page of stages, a movie's frame.
+// Pictures of the discs, their bonds and the cracks: the model, the stages of growth, the page of stages, a
+// movie's frame.
 #include <algorithm>
 #include <cmath>
 
@@ -28,6 +29,11 @@ double crack_half_width(double pixel_metres, double radius) {
   return std::clamp(0.2 * radius, 2.2 * pixel_metres, 5.0 * pixel_metres);
 }
 
+// [pixel] A hair on discs of two pixels, where lines would hide the discs, one on discs of five.
+double bond_width(double radius_pixels) {
+  return std::clamp(0.25 * radius_pixels - 0.3, 0.1, 2.0);
+}
+
 // `unit_metres`: one design pixel in the view.
 void add_growth_layers(const View& view, const Page& page, const RunFolder& run, const Scene& scene,
                        double unit_metres) {
@@ -37,7 +43,7 @@ void add_growth_layers(const View& view, const Page& page, const RunFolder& run,
   view.renderer->AddActor(
       disc_layer(scene.discs, palette::disc, rim, view.metres_per_pixel / page.drawn_pixels()));
   if (!scene.bonds.intact.empty()) {
-    const double width = std::clamp(0.13 * radius / view.metres_per_pixel, 0.1, 1.5) * page.drawn_pixels();
+    const double width = bond_width(radius / view.metres_per_pixel) * page.drawn_pixels();
     view.renderer->AddActor(bond_layer(scene.bonds.intact, palette::bond, width));
   }
   if (!scene.cracks.cracks.empty()) {
@@ -60,9 +66,54 @@ std::vector<Note> moment_notes(const RunFolder& run, const HistoryPoint& point) 
     notes.push_back({name + net, megapascal_text(point.moment.well_pressure[i])});
   }
   notes.push_back({"cracks", count_text(point.cracks())});
-  notes.push_back({"in tension / in shear", count_text(point.tensile_cracks) + " / " + count_text(point.shear_cracks)});
+  notes.push_back(
+      {"in tension / in shear", count_text(point.tensile_cracks) + " / " + count_text(point.shear_cracks)});
   return notes;
 }
+
+// Where the stages are on the page of stages: three beside each other, two if the model is much wider than
+// high; the last place is the legend's.
+struct GrowthGrid {
+  int columns;
+  int rows;
+  double unit;
+  double margin;
+  double top;
+  double gap;
+  double caption;
+  double cell_width;
+  double cell_height;
+  int page_height;  // [pixel]
+
+  GrowthGrid(const Studio& studio, const Extent& extent)
+      : columns(extent.height < 0.55 * extent.width ? 2 : 3),
+        rows(columns == 2 ? 3 : 2),
+        unit(studio.size.width / 1600.0),
+        margin(40 * unit),
+        top(124 * unit),
+        gap(30 * unit),
+        caption(64 * unit),
+        cell_width((studio.size.width - 2 * margin - (columns - 1) * gap) / columns),
+        cell_height(std::min(cell_width * extent.height / extent.width, 3 * cell_width)),
+        page_height(studio.size.height) {
+    const double legend_height = 400 * unit;
+    const double last_row = std::max(cell_height + caption, legend_height);
+    if (page_height <= 0) {
+      page_height =
+          static_cast<int>(std::ceil(top + (rows - 1) * (cell_height + caption) + last_row + 10 * unit));
+      page_height = std::clamp(page_height, 240, 8192);
+    }
+    const double room = page_height - top - 10 * unit;
+    cell_height = std::max(
+        16.0, std::min({cell_height, (room - legend_height) / (rows - 1) - caption, room / rows - caption}));
+  }
+  Box cell(int index) const {
+    const int row = index / columns;
+    const int column = index % columns;
+    return {margin + column * (cell_width + gap), top + row * (cell_height + caption), cell_width,
+            cell_height};
+  }
+};
 
 }  // namespace
 
@@ -70,9 +121,10 @@ Image model_picture(const Studio& studio, const Scene& scene) {
   Sheet sheet(studio, whole_model(*studio.run, scene.discs));
   const double radius_pixels = mean_radius(scene.discs) / sheet.view.metres_per_pixel;
   sheet.view.renderer->AddActor(well_layer(scene.flow, studio.run->wells, 2 * sheet.view.metres_per_pixel));
-  sheet.view.renderer->AddActor(disc_layer(scene.discs, palette::disc, palette::soft_disc_rim, sheet.drawn_pixel()));
+  sheet.view.renderer->AddActor(
+      disc_layer(scene.discs, palette::disc, palette::soft_disc_rim, sheet.drawn_pixel()));
   if (!scene.bonds.intact.empty()) {
-    const double width = std::clamp(0.13 * radius_pixels, 0.1, 2.0) * sheet.page.drawn_pixels();
+    const double width = bond_width(radius_pixels) * sheet.page.drawn_pixels();
     sheet.view.renderer->AddActor(bond_layer(scene.bonds.intact, palette::ink, width));
   }
   const auto disc_count = static_cast<std::int64_t>(scene.discs.discs.size());
@@ -84,7 +136,7 @@ Image model_picture(const Studio& studio, const Scene& scene) {
   std::vector<LegendEntry> entries = {{Sign::disc, palette::disc, palette::disc_rim, "disc"}};
   if (bond_count > 0) entries.push_back({Sign::line, palette::ink, {}, "bonded contact"});
   entries.push_back({Sign::hole, palette::well, {}, "wellbore"});
-  const double below = draw_legend(sheet.page, sheet.unit, sheet.column_left, sheet.view.box.top, entries);
+  const double below = draw_legend(sheet.page, sheet.unit, sheet.column_left, sheet.column_top, entries);
   draw_scale_bar(sheet.page, sheet.unit, sheet.column_left, below + 50 * sheet.unit, 0.8 * sheet.column_width,
                  sheet.view.metres_per_pixel);
   return sheet.page.draw();
@@ -93,10 +145,11 @@ Image model_picture(const Studio& studio, const Scene& scene) {
 Image stage_picture(const Studio& studio, const Scene& scene) {
   Sheet sheet(studio, whole_model(*studio.run, scene.discs));
   add_growth_layers(sheet.view, sheet.page, *studio.run, scene, sheet.metres(1));
-  draw_sheet_title(sheet, *studio.run,
-                   "Fracture growth: " + moment_text(scene.point) + ", " + counted(scene.point.cracks(), "crack"));
+  draw_sheet_title(
+      sheet, *studio.run,
+      "Fracture growth: " + moment_text(scene.point) + ", " + counted(scene.point.cracks(), "crack"));
   draw_axes(sheet.page, sheet.unit, sheet.view);
-  double below = draw_legend(sheet.page, sheet.unit, sheet.column_left, sheet.view.box.top,
+  double below = draw_legend(sheet.page, sheet.unit, sheet.column_left, sheet.column_top,
                              growth_legend(!scene.bonds.intact.empty()));
   below = draw_scale_bar(sheet.page, sheet.unit, sheet.column_left, below + 40 * sheet.unit,
                          0.8 * sheet.column_width, sheet.view.metres_per_pixel);
@@ -106,49 +159,34 @@ Image stage_picture(const Studio& studio, const Scene& scene) {
 }
 
 Image growth_picture(const Studio& studio, const std::vector<Scene>& scenes) {
-  constexpr int columns = 3;
-  constexpr int rows = 2;
   if (scenes.empty()) fail_reading("the run has no snapshots");
   const Extent extent = whole_model(*studio.run, scenes.front().discs);
-  double unit = studio.size.width / 1600.0;
-  const double margin = 40 * unit;
-  const double top = 124 * unit;
-  const double gap = 30 * unit;
-  const double caption = 64 * unit;
-  double cell_width = (studio.size.width - 2 * margin - (columns - 1) * gap) / columns;
-  double cell_height = cell_width * extent.height / extent.width;
-  int height = studio.size.height;
-  if (height <= 0) {
-    cell_height = std::clamp(cell_height, 420 * unit, 3 * cell_width);
-    height = std::clamp(static_cast<int>(std::ceil(top + rows * (cell_height + caption) + 10 * unit)), 240, 8192);
-  }
-  cell_height = std::max(16.0, (height - top - 10 * unit) / rows - caption);
-  Page page(studio.window, studio.size.width, height);
+  const GrowthGrid grid(studio, extent);
+  const double unit = grid.unit;
+  Page page(studio.window, studio.size.width, grid.page_height);
   const std::string what = "Fracture growth";
   const bool untitled = studio.run->title.empty();
-  draw_title(page, unit, margin, untitled ? what : studio.run->title, untitled ? "" : what);
-  double metres_per_pixel = 0;
+  draw_title(page, unit, grid.margin, untitled ? what : studio.run->title, untitled ? "" : what);
+  double metres_per_pixel = 1;
   bool bonds = false;
-  for (std::size_t i = 0; i < scenes.size() && i + 1 < static_cast<std::size_t>(columns) * rows; ++i) {
-    const double left = margin + static_cast<double>(i % columns) * (cell_width + gap);
-    const double cell_top = top + static_cast<double>(i / columns) * (cell_height + caption);
-    const View view = page.view({left, cell_top, cell_width, cell_height}, extent);
+  for (int i = 0; i < static_cast<int>(scenes.size()) && i < grid.columns * grid.rows - 1; ++i) {
+    const View view = page.view(grid.cell(i), extent);
+    const HistoryPoint& point = scenes[i].point;
     metres_per_pixel = view.metres_per_pixel;
     bonds = bonds || !scenes[i].bonds.intact.empty();
     add_growth_layers(view, page, *studio.run, scenes[i], 0.8 * unit * view.metres_per_pixel);
     draw_frame(page, unit, view);
+    std::string caption = "(a) ";
+    caption[1] = static_cast<char>('a' + i);
+    caption += moment_text(point) + ", " + counted(point.cracks(), "crack");
     const TextStyle style{24 * unit, palette::ink};
-    std::string letter = "(a) ";
-    letter[1] = static_cast<char>('a' + i);
-    page.text(left, view.box.bottom() + 34 * unit,
-              fitted(page, letter + moment_text(scenes[i].point) + ", " + counted(scenes[i].point.cracks(), "crack"),
-                     style, cell_width),
+    page.text(view.box.left, view.box.bottom() + 34 * unit, fitted(page, caption, style, grid.cell_width),
               style);
   }
-  const double legend_left = margin + (columns - 1) * (cell_width + gap) + 20 * unit;
-  const double legend_top = top + (rows - 1) * (cell_height + caption);
-  const double below = draw_legend(page, unit, legend_left, legend_top, growth_legend(bonds));
-  draw_scale_bar(page, unit, legend_left, below + 40 * unit, 0.5 * cell_width, metres_per_pixel);
+  const Box last = grid.cell(grid.columns * grid.rows - 1);
+  const double left = last.left + 20 * unit;
+  const double below = draw_legend(page, unit, left, last.top, growth_legend(bonds));
+  draw_scale_bar(page, unit, left, below + 40 * unit, 0.5 * last.width, metres_per_pixel);
   return page.draw();
 }
 
@@ -159,7 +197,7 @@ Image movie_frame(const Studio& studio, const Scene& scene, const std::vector<Hi
   draw_sheet_title(sheet, *studio.run, "Fracture growth");
   draw_axes(sheet.page, sheet.unit, sheet.view);
   const double unit = sheet.unit;
-  double below = draw_notes(sheet.page, unit, sheet.column_left, sheet.view.box.top,
+  double below = draw_notes(sheet.page, unit, sheet.column_left, sheet.column_top,
                             moment_notes(*studio.run, scene.point));
   Curve pressure{"well pressure (MPa)", {}, {}, palette::well};
   Curve cracks{"cracks", {}, {}, palette::tension, true};
@@ -175,7 +213,8 @@ Image movie_frame(const Studio& studio, const Scene& scene, const std::vector<Hi
   below += 50 * unit;
   for (const Curve* curve : {&pressure, &cracks}) {
     if (curve->times.size() != history.size() || below + curve_height > sheet.page.height()) continue;
-    draw_curve(sheet.page, unit, {curve_left, below, sheet.column_width - 76 * unit, curve_height}, *curve, now);
+    draw_curve(sheet.page, unit, {curve_left, below, sheet.column_width - 76 * unit, curve_height}, *curve,
+               now);
     below += curve_height + 90 * unit;
   }
   return sheet.page.draw();

@@ -18,7 +18,7 @@ HistoryPoint read_point(const RunFolder& run, int number, const SeriesFile& disc
   point.moment.time = discs.time;
   const SeriesFile* file = file_of(run.cracks, number);
   if (file == nullptr) {
-    point.moment = GridFile(discs, {}, {}).moment();
+    point.moment = GridFile(discs).moment();
     return point;
   }
   const Cracks read = read_cracks(*file);

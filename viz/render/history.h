@@ -21,9 +21,9 @@ struct HistoryPoint {
 // One point per snapshot of the discs, in order.
 std::vector<HistoryPoint> read_history(const RunFolder& run);
 
-// Up to five snapshots (indices into the history) that show how the cracks grew: evenly over the run, as in the
-// paper; if the first of them would show no crack, or the cracks stand still in two of them, evenly over the growth
-// of the cracks instead.
+// Up to five snapshots (indices into the history) that show how the cracks grew: evenly over the run, as in
+// the paper; if the first of them would show no crack, or the cracks stand still in two of them, evenly over
+// the growth of the cracks instead.
 std::vector<int> growth_stages(const std::vector<HistoryPoint>& history);
 
 }  // namespace hfrac::viz

@@ -53,7 +53,8 @@ std::vector<std::uint8_t> png(const Image& image) {
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray* content = writer->GetResult();
-  if (content == nullptr || content->GetNumberOfValues() == 0) fail_drawing("the picture cannot be coded as PNG");
+  if (content == nullptr || content->GetNumberOfValues() == 0)
+    fail_drawing("the picture cannot be coded as PNG");
   const std::uint8_t* first = content->GetPointer(0);
   return {first, first + content->GetNumberOfValues()};
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "mesh.h"
 
@@ -17,7 +18,8 @@ namespace hfrac::viz {
 namespace {
 
 bool has_well_domain(const Flow& flow) {
-  return std::any_of(flow.domains.begin(), flow.domains.end(), [](const Domain& domain) { return domain.well; });
+  return std::any_of(flow.domains.begin(), flow.domains.end(),
+                     [](const Domain& domain) { return domain.well; });
 }
 
 std::span<const Point> corners_of(const Flow& flow, const Domain& domain) {
@@ -93,7 +95,8 @@ vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, double lowest, double h
   return mesh.actor(depth::domains);
 }
 
-vtkSmartPointer<vtkActor> well_layer(const Flow& flow, std::span<const WellPlace> wells, double smallest_radius) {
+vtkSmartPointer<vtkActor> well_layer(const Flow& flow, std::span<const WellPlace> wells,
+                                     double smallest_radius) {
   Mesh mesh;
   if (has_well_domain(flow)) {
     for (const Domain& domain : flow.domains) {
@@ -124,7 +127,7 @@ vtkSmartPointer<vtkActor> well_rings(const Flow& flow, std::span<const WellPlace
     for (const WellPlace& well : wells) {
       std::vector<Point> circle;
       for (int i = 0; i < corner_count; ++i) {
-        const double angle = 2 * 3.14159265358979323846 * i / corner_count;
+        const double angle = 2 * std::numbers::pi * i / corner_count;
         circle.push_back({well.x + well.radius * std::cos(angle), well.y + well.radius * std::sin(angle)});
       }
       outline(circle);

@@ -24,14 +24,16 @@ inline constexpr double cracks = 4.0;
 inline constexpr double rings = 5.0;
 }  // namespace depth
 
-// Discs as round points: the graphics processor cuts each disc out of one triangle. `pixel` [m] is the size of a drawn
-// pixel; discs are never drawn smaller than one, and their rim is one to two pixels wide whatever the view.
+// Discs as round points: the graphics processor cuts each disc out of one triangle. `pixel` [m] is the size
+// of a drawn pixel; discs are never drawn smaller than one, and their rim is one to two pixels wide whatever
+// the view.
 vtkSmartPointer<vtkActor> disc_layer(const Discs& discs, Colour fill, Colour rim, double pixel);
 
 // Lines between disc centres, `width` drawn pixels wide; below one they fade instead of getting thinner.
 vtkSmartPointer<vtkActor> bond_layer(std::span<const Segment> bonds, Colour colour, double width);
 
-// Cracks as bands of equal width, tension and shear in their colours; `casing` [m] of white around them, if positive.
+// Cracks as bands of equal width, tension and shear in their colours; `casing` [m] of white around them, if
+// positive.
 vtkSmartPointer<vtkActor> crack_layer(std::span<const Crack> cracks, double half_width, double casing);
 
 // Cracks in the colour of their aperture, wider the wider they are open: half_width [m] at aperture `widest`.
@@ -41,7 +43,8 @@ vtkSmartPointer<vtkActor> aperture_layer(std::span<const Crack> cracks, double w
 vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, double lowest, double highest);
 
 // The holes of the wells, to lie under the discs: the wells' domains if flow has any, otherwise circles.
-vtkSmartPointer<vtkActor> well_layer(const Flow& flow, std::span<const WellPlace> wells, double smallest_radius);
+vtkSmartPointer<vtkActor> well_layer(const Flow& flow, std::span<const WellPlace> wells,
+                                     double smallest_radius);
 
 // An outline around each well's domain, or its circle.
 vtkSmartPointer<vtkActor> well_rings(const Flow& flow, std::span<const WellPlace> wells, double half_width,

@@ -118,7 +118,8 @@ void MovieFile::Parts::open_codec(int width, int height, int frames_per_second) 
 void MovieFile::Parts::open_file() {
   const QuietLog quiet;
   AVFormatContext* made = nullptr;
-  if (avformat_alloc_output_context2(&made, nullptr, "mp4", file.working_path().c_str()) < 0 || made == nullptr) {
+  if (avformat_alloc_output_context2(&made, nullptr, "mp4", file.working_path().c_str()) < 0 ||
+      made == nullptr) {
     fail_drawing("libavformat cannot write MP4");
   }
   format.reset(made);
@@ -159,7 +160,8 @@ MovieFile::~MovieFile() = default;
 
 void MovieFile::add(const Image& image) {
   AVFrame* frame = parts_->frame.get();
-  if (image.width != frame->width || image.height != frame->height) fail_drawing("a movie's pictures differ in size");
+  if (image.width != frame->width || image.height != frame->height)
+    fail_drawing("a movie's pictures differ in size");
   if (av_frame_make_writable(frame) < 0) throw std::bad_alloc();
   const std::array<const std::uint8_t*, 1> rows = {image.rgb.data()};
   const std::array<int, 1> strides = {3 * image.width};
@@ -178,6 +180,8 @@ void MovieFile::finish() {
   parts_->file.commit();
 }
 
-const char* movie_encoder_text() { return LIBAVCODEC_IDENT; }
+const char* movie_encoder_text() {
+  return LIBAVCODEC_IDENT;
+}
 
 }  // namespace hfrac::viz

@@ -3,27 +3,31 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
+#include <system_error>
 
 namespace hfrac::viz {
 namespace {
 
+// Not printf: that one obeys the host's locale.
+std::string written(double value, std::chars_format format, int precision) {
+  std::array<char, 400> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value, format, precision);
+  return error == std::errc() ? std::string(text.data(), end) : std::string("?");
+}
+
 std::string fixed(double value, int decimals) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  return text.data();
+  return written(value, std::chars_format::fixed, decimals);
 }
 
 }  // namespace
 
 std::string value_text(double value) {
   if (!std::isfinite(value)) return "?";
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
   const double size = std::fabs(value);
-  if (size >= 1000 && size < 1e6) return fixed(value, 0);  // %g would write 1.23e+03
-  return text.data();
+  if (size >= 1000 && size < 1e6) return fixed(value, 0);  // the general format would write 1.23e+03
+  return written(value, std::chars_format::general, 3);
 }
 
 std::string time_text(double seconds) {

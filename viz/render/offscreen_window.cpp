@@ -29,11 +29,13 @@
 namespace hfrac::viz {
 namespace {
 
-OSMesaContext as_context(void* pointer) { return static_cast<OSMesaContext>(pointer); }
+OSMesaContext as_context(void* pointer) {
+  return static_cast<OSMesaContext>(pointer);
+}
 
-// OSMesa's own exit handler joins its drawing threads and hangs if a context is still alive then. Handlers run in
-// reverse order of registration: ours is registered after the first context was made, so it runs before and ends
-// whatever is alive. The set is never freed, because exit may come at any time.
+// OSMesa's own exit handler joins its drawing threads and hangs if a context is still alive then. Handlers
+// run in reverse order of registration: ours is registered after the first context was made, so it runs
+// before and ends whatever is alive. The set is never freed, because exit may come at any time.
 struct LiveWindows {
   std::mutex mutex;
   std::set<OffscreenWindow*> windows;
@@ -74,7 +76,7 @@ std::string gl_text(GLenum name) {
 
 vtkStandardNewMacro(OffscreenWindow)
 
-OffscreenWindow::OffscreenWindow() {
+    OffscreenWindow::OffscreenWindow() {
   this->DoubleBuffer = 0;
   this->ShowWindow = false;
   this->UseOffScreenBuffers = true;
@@ -86,14 +88,25 @@ OffscreenWindow::~OffscreenWindow() {
   Finalize();
   vtkCollectionSimpleIterator position;
   this->Renderers->InitTraversal(position);
-  while (vtkRenderer* renderer = this->Renderers->GetNextRenderer(position)) renderer->SetRenderWindow(nullptr);
+  while (vtkRenderer* renderer = this->Renderers->GetNextRenderer(position))
+    renderer->SetRenderWindow(nullptr);
 }
 
 void OffscreenWindow::Initialize() {
   if (context_ != nullptr) return;
-  static constexpr std::array<int, 13> wanted = {
-      OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_STENCIL_BITS, 0,
-      OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 2, 0};
+  static constexpr std::array<int, 13> wanted = {OSMESA_FORMAT,
+                                                 OSMESA_RGBA,
+                                                 OSMESA_DEPTH_BITS,
+                                                 24,
+                                                 OSMESA_STENCIL_BITS,
+                                                 0,
+                                                 OSMESA_PROFILE,
+                                                 OSMESA_CORE_PROFILE,
+                                                 OSMESA_CONTEXT_MAJOR_VERSION,
+                                                 3,
+                                                 OSMESA_CONTEXT_MINOR_VERSION,
+                                                 2,
+                                                 0};
   context_ = OSMesaCreateContextAttribs(wanted.data(), nullptr);
   if (context_ == nullptr) fail_drawing("OSMesa offers no OpenGL 3.2 context");
   register_live(this);
@@ -109,7 +122,8 @@ void OffscreenWindow::OpenGLInitContext() {
   // GLEW loads every OpenGL function and only then looks for an X display, whose absence is no error here.
   const GLenum result = glewInit();
   this->GlewInitValid = result == GLEW_OK || result == GLEW_ERROR_NO_GLX_DISPLAY;
-  if (!this->GlewInitValid || !GLEW_VERSION_3_2) fail_drawing("the OpenGL functions of OSMesa cannot be loaded");
+  if (!this->GlewInitValid || !GLEW_VERSION_3_2)
+    fail_drawing("the OpenGL functions of OSMesa cannot be loaded");
   this->Initialized = true;
   std::array<GLfloat, 2> line_widths{1.0F, 1.0F};
   glGetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, line_widths.data());

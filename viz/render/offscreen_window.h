@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The one place that knows where pixels come from: a VTK render window in plain memory.
 //
-// VTK draws into its own framebuffer object, so the context's default framebuffer is only a few pixels that nobody looks
-// at and resizing needs nothing. Nothing else in the renderer knows about OSMesa; a window on another off-screen
-// system replaces make_offscreen_window and this class.
+// VTK draws into its own framebuffer object, so the context's default framebuffer is only a few pixels that
+// nobody looks at and resizing needs nothing. Nothing else in the renderer knows about OSMesa; a window on
+// another off-screen system replaces make_offscreen_window and this class.
 #pragma once
 
 #include <vtkOpenGLRenderWindow.h>
@@ -19,7 +19,7 @@ class OffscreenWindow final : public vtkOpenGLRenderWindow {
   static OffscreenWindow* New();
   vtkTypeMacro(OffscreenWindow, vtkOpenGLRenderWindow)
 
-  void Initialize() override;
+      void Initialize() override;
   void Finalize() override;
   void MakeCurrent() override;
   void ReleaseCurrent() override;

@@ -29,12 +29,17 @@ void look_down(vtkRenderer* renderer, double centre_x, double centre_y, double h
   camera->SetClippingRange(1.0, 12.0);
 }
 
-bool readable(const char* path) { return path[0] != 0 && ::access(path, R_OK) == 0; }
+bool readable(const char* path) {
+  return path[0] != 0 && ::access(path, R_OK) == 0;
+}
 
 }  // namespace
 
 Page::Page(OffscreenWindow* window, int width, int height)
-    : window_(window), width_(width), height_(height), factor_(2 * std::max(width, height) <= largest_drawn ? 2 : 1) {
+    : window_(window),
+      width_(width),
+      height_(height),
+      factor_(2 * std::max(width, height) <= largest_drawn ? 2 : 1) {
   window_->SetSize(width * factor_, height * factor_);
   window_->SetNumberOfLayers(2);
   overlay_ = vtkSmartPointer<vtkRenderer>::New();
@@ -62,8 +67,8 @@ View Page::view(const Box& room, const Extent& extent) {
               std::round(extent.height / view.metres_per_pixel)};
   view.renderer = vtkSmartPointer<vtkRenderer>::New();
   view.renderer->SetBackground(1.0, 1.0, 1.0);
-  view.renderer->SetViewport(view.box.left / width_, 1.0 - view.box.bottom() / height_, view.box.right() / width_,
-                             1.0 - view.box.top / height_);
+  view.renderer->SetViewport(view.box.left / width_, 1.0 - view.box.bottom() / height_,
+                             view.box.right() / width_, 1.0 - view.box.top / height_);
   look_down(view.renderer, extent.left + extent.width / 2, extent.bottom + extent.height / 2, extent.height);
   window_->AddRenderer(view.renderer);
   views_.push_back(view.renderer);
@@ -127,7 +132,8 @@ double Page::text_width(const std::string& content, const TextStyle& style) cons
   if (content.empty()) return 0;
   int bounds[4] = {0, 0, 0, 0};
   vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
-  if (renderer == nullptr || !renderer->GetBoundingBox(text_property(style), content, bounds, text_resolution)) {
+  if (renderer == nullptr ||
+      !renderer->GetBoundingBox(text_property(style), content, bounds, text_resolution)) {
     return 0.6 * style.size * static_cast<double>(content.size());
   }
   return static_cast<double>(bounds[1] - bounds[0] + 1) / factor_;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A page: views of the model and, over them, lines, boxes and text at places given in pixels.
 //
-// Places on the page are in pixels of the finished picture, x to the right, y DOWN from the top left corner. The page is
-// drawn twice as large in both directions and reduced (image.h); drawn_pixels says how many drawn pixels one is.
+// Places on the page are in pixels of the finished picture, x to the right, y DOWN from the top left corner.
+// The page is drawn twice as large in both directions and reduced (image.h); drawn_pixels says how many drawn
+// pixels one is.
 #pragma once
 
 #include <vtkRenderer.h>

@@ -62,16 +62,24 @@ Image single_picture(const Workshop& shop, int picture) {
   const HistoryPoint& last = shop.chosen(shop.history.back());
   switch (picture) {
     case HFRAC_VIZ_MODEL:
-      return model_picture(shop.studio(), load_scene(shop.run, shop.chosen(shop.history.front()), true, true));
-    case HFRAC_VIZ_STAGE: return stage_picture(shop.studio(), load_scene(shop.run, last, true, true));
-    case HFRAC_VIZ_GROWTH: return growth_picture(shop.studio(), stage_scenes(shop));
-    case HFRAC_VIZ_PRESSURE: return pressure_picture(shop.studio(), load_scene(shop.run, last, false, true));
-    case HFRAC_VIZ_APERTURE: return aperture_picture(shop.studio(), load_scene(shop.run, last, false, true));
-    default: fail_argument("no such picture: " + std::to_string(picture));
+      return model_picture(shop.studio(),
+                           load_scene(shop.run, shop.chosen(shop.history.front()), true, true));
+    case HFRAC_VIZ_STAGE:
+      return stage_picture(shop.studio(), load_scene(shop.run, last, true, true));
+    case HFRAC_VIZ_GROWTH:
+      return growth_picture(shop.studio(), stage_scenes(shop));
+    case HFRAC_VIZ_PRESSURE:
+      return pressure_picture(shop.studio(), load_scene(shop.run, last, false, true));
+    case HFRAC_VIZ_APERTURE:
+      return aperture_picture(shop.studio(), load_scene(shop.run, last, false, true));
+    default:
+      fail_argument("no such picture: " + std::to_string(picture));
   }
 }
 
-void save(const std::filesystem::path& target, const Image& image) { write_whole(target, png(image)); }
+void save(const std::filesystem::path& target, const Image& image) {
+  write_whole(target, png(image));
+}
 
 void tell(const Progress& progress, double fraction, const std::string& what) {
   if (progress && progress(fraction, what)) throw Stopped{};
@@ -116,7 +124,8 @@ void render_movie(const std::filesystem::path& folder, const std::filesystem::pa
   make_movie(Workshop(folder, options), target, progress);
 }
 
-void render_run(const std::filesystem::path& folder, const hfrac_viz_options& options, const Progress& progress) {
+void render_run(const std::filesystem::path& folder, const hfrac_viz_options& options,
+                const Progress& progress) {
   constexpr double pictures_share = 0.3;  // of the time, the movie takes the rest
   tell(progress, 0.0, "reading");
   const Workshop shop(folder, options);

@@ -17,7 +17,8 @@ using Progress = std::function<bool(double fraction, const std::string& what)>;
 struct Stopped {};
 
 // `options` has been checked. All throw Failure or Stopped.
-void render_run(const std::filesystem::path& folder, const hfrac_viz_options& options, const Progress& progress);
+void render_run(const std::filesystem::path& folder, const hfrac_viz_options& options,
+                const Progress& progress);
 void render_picture(const std::filesystem::path& folder, int picture, const std::filesystem::path& target,
                     const hfrac_viz_options& options);
 void render_movie(const std::filesystem::path& folder, const std::filesystem::path& target,

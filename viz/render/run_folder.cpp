@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder.h"
 
-#include <vtkSmartPointer.h>
-#include <vtkXMLDataElement.h>
-#include <vtkXMLUtilities.h>
-
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <fstream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "failure.h"
+#include "xml_tree.h"
 
 namespace hfrac::viz {
 namespace {
@@ -33,18 +32,21 @@ Series read_series(const fs::path& folder, const std::string& kind) {
   const fs::path path = folder / (kind + ".pvd");
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return series;
-  const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(path.c_str()));
-  vtkXMLDataElement* collection = root != nullptr ? root->FindNestedElementWithName("Collection") : nullptr;
+  const std::unique_ptr<XmlElement> root = read_xml(path);
+  const XmlElement* collection = root->child("Collection");
   if (collection == nullptr) fail_reading(path.string() + " is not a ParaView collection");
-  for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i) {
-    vtkXMLDataElement* entry = collection->GetNestedElement(i);
-    const char* file = entry->GetAttribute("file");
-    if (file == nullptr) continue;
-    SeriesFile listed{folder / file, static_cast<double>(i)};
-    double time = 0;
-    if (entry->GetScalarAttribute("timestep", time) != 0 && std::isfinite(time)) listed.time = time;
+  int position = 0;
+  for (const auto& entry : collection->children) {
+    const std::string file = entry->attribute("file");
+    if (file.empty()) continue;
+    SeriesFile listed{folder / file, static_cast<double>(position)};
+    const std::string time = entry->attribute("timestep");
+    double seconds = 0;
+    const auto [end, error] = std::from_chars(time.data(), time.data() + time.size(), seconds);
+    if (error == std::errc() && std::isfinite(seconds)) listed.time = seconds;
     const int number = snapshot_number(listed.path);
-    series[number >= 0 ? number : i] = std::move(listed);
+    series[number >= 0 ? number : position] = std::move(listed);
+    ++position;
   }
   return series;
 }

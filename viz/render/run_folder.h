@@ -26,12 +26,12 @@ struct WellPlace {
 
 struct RunFolder {
   std::filesystem::path path;
-  std::string title;            // empty if unknown
-  bool net_pressures = false;   // the paper's reading: pressures are above the formation's
-  double model_width = 0;       // [m], 0 if unknown
-  double model_height = 0;      // [m], 0 if unknown
+  std::string title;           // empty if unknown
+  bool net_pressures = false;  // the paper's reading: pressures are above the formation's
+  double model_width = 0;      // [m], 0 if unknown
+  double model_height = 0;     // [m], 0 if unknown
   std::vector<WellPlace> wells;
-  Series discs;   // never empty
+  Series discs;  // never empty
   Series bonds;
   Series cracks;
   Series flow;

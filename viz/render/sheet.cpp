@@ -15,19 +15,24 @@ constexpr double column_units = 300;
 constexpr int smallest_height = 240;  // [pixel]
 constexpr int largest_height = 8192;
 
-double unit_of(const Studio& studio, double design_width) { return studio.size.width / design_width; }
+double unit_of(const Studio& studio, double design_width) {
+  return studio.size.width / design_width;
+}
 
 double view_width(const Studio& studio, double unit) {
   return studio.size.width - unit * (margin_left + column_gap + column_units);
 }
 
-int even(double height) { return static_cast<int>(std::ceil(height / 2)) * 2; }
+int even(double height) {
+  return static_cast<int>(std::ceil(height / 2)) * 2;
+}
 
 int page_height(const Studio& studio, const Extent& extent, double unit) {
   if (studio.size.height > 0) return studio.size.height;
   const double view_height = view_width(studio, unit) * extent.height / extent.width;
   const double column_needs = 700 * unit;
-  return std::clamp(even(std::max(view_height, column_needs) + unit * (margin_top + margin_bottom)), smallest_height,
+  return std::clamp(even(std::max(view_height, column_needs) + unit * (margin_top + margin_bottom)),
+                    smallest_height,
                     std::min(largest_height, std::max(smallest_height, 3 * studio.size.width)));
 }
 
@@ -56,7 +61,8 @@ Extent whole_model(const RunFolder& run, const Discs& discs) {
     extent = {left, bottom, std::max(right - left, 1e-9), std::max(top - bottom, 1e-9)};
   }
   const double margin = 0.012 * std::max(extent.width, extent.height);
-  return {extent.left - margin, extent.bottom - margin, extent.width + 2 * margin, extent.height + 2 * margin};
+  return {extent.left - margin, extent.bottom - margin, extent.width + 2 * margin,
+          extent.height + 2 * margin};
 }
 
 double mean_radius(const Discs& discs) {
@@ -70,8 +76,13 @@ Sheet::Sheet(const Studio& studio, const Extent& extent, double design_width)
     : page(studio.window, studio.size.width, page_height(studio, extent, unit_of(studio, design_width))),
       unit(std::min(unit_of(studio, design_width), page.height() / 640.0)),
       column_left(0),
-      column_width(column_units * unit) {
-  view = page.view(room_of(studio, page, unit), extent);
+      column_width(column_units * unit),
+      column_top(margin_top * unit),
+      column_bottom(page.height() - margin_bottom * unit) {
+  Box room = room_of(studio, page, unit);
+  // A view lower than the page lies in the middle; the column still has the whole height.
+  room.top += std::max(0.0, room.height - room.width * extent.height / extent.width) / 2;
+  view = page.view(room, extent);
   column_left = view.box.right() + column_gap * unit;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The layout all single pictures share: title lines at the top, one framed view with axes, a column at its right.
+// The layout all single pictures share: title lines at the top, one framed view with axes, a column at its
+// right.
 #pragma once
 
 #include <string>
@@ -22,6 +23,8 @@ struct Sheet {
   double unit;         // see furniture.h
   double column_left;  // [pixel] of the column at the right
   double column_width;
+  double column_top;
+  double column_bottom;
 
   // `design_width`: the width at which the unit is one pixel.
   Sheet(const Studio& studio, const Extent& extent, double design_width = 1600);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "snapshot.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "grid_file.h"
@@ -10,71 +11,81 @@ namespace {
 
 constexpr int shear_code = 2;  // in `state` of bonds and `mode` of cracks
 
-int code(vtkDataArray* array, vtkIdType index) { return static_cast<int>(std::lround(array->GetComponent(index, 0))); }
+int code(double value) {
+  return value > 0 && value < 100 ? static_cast<int>(value + 0.5) : 0;
+}
 
-double finite_or_zero(double value) { return std::isfinite(value) ? value : 0.0; }
+// Larger than any real value and still a number that can be reckoned with.
+constexpr double largest = 1e30;
+
+double usable(double value) {
+  return std::fabs(value) < largest ? value : 0.0;
+}
 
 }  // namespace
 
 Discs read_discs(const SeriesFile& file) {
-  GridFile grid(file, {"radius_m"}, {});
+  const GridFile grid(file);
   Discs read;
   read.moment = grid.moment();
-  vtkDataArray* radius = grid.point_array("radius_m");
-  read.discs.reserve(static_cast<std::size_t>(grid.point_count()));
-  for (vtkIdType i = 0; i < grid.point_count(); ++i) {
-    read.discs.push_back({grid.point(i), std::fabs(finite_or_zero(radius->GetComponent(i, 0)))});
-  }
+  const std::vector<Point> points = grid.points();
+  const std::vector<double> radius = grid.point_array("radius_m");
+  read.discs.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    read.discs.push_back({points[i], std::fabs(usable(radius[i]))});
   return read;
 }
 
 Bonds read_bonds(const SeriesFile& file) {
-  GridFile grid(file, {}, {"state"});
+  const GridFile grid(file);
   Bonds read;
-  vtkDataArray* state = grid.cell_array("state");
-  for (vtkIdType cell = 0; cell < grid.cell_count(); ++cell) {
-    if (code(state, cell) != 0) continue;
-    const auto corners = grid.corners(cell);
-    if (corners.size() < 2) continue;
-    read.intact.push_back({grid.point(corners[0]), grid.point(corners[1])});
+  const std::vector<Point> points = grid.points();
+  const GridFile::Cells cells = grid.cells();
+  const std::vector<double> state = grid.cell_array("state");
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
+    const auto corners = cells.of(cell);
+    if (code(state[cell]) != 0 || corners.size() < 2) continue;
+    read.intact.push_back({points[corners[0]], points[corners[1]]});
   }
   return read;
 }
 
 Cracks read_cracks(const SeriesFile& file) {
-  GridFile grid(file, {}, {"mode", "aperture_m"});
+  const GridFile grid(file);
   Cracks read;
   read.moment = grid.moment();
-  if (grid.cell_count() == 0) return read;
-  vtkDataArray* mode = grid.cell_array("mode");
-  vtkDataArray* aperture = grid.cell_array("aperture_m");
-  for (vtkIdType cell = 0; cell < grid.cell_count(); ++cell) {
-    const auto corners = grid.corners(cell);
+  const std::vector<Point> points = grid.points();
+  const GridFile::Cells cells = grid.cells();
+  const std::vector<double> mode = grid.cell_array("mode");
+  const std::vector<double> aperture = grid.cell_array("aperture_m");
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
+    const auto corners = cells.of(cell);
     if (corners.size() < 2) continue;
     Crack crack;
-    crack.line = {grid.point(corners[0]), grid.point(corners[1])};
-    crack.mode = code(mode, cell) == shear_code ? CrackMode::shear : CrackMode::tension;
-    crack.aperture = std::max(0.0, finite_or_zero(aperture->GetComponent(cell, 0)));
+    crack.line = {points[corners[0]], points[corners[1]]};
+    crack.mode = code(mode[cell]) == shear_code ? CrackMode::shear : CrackMode::tension;
+    crack.aperture = std::max(0.0, usable(aperture[cell]));
     read.cracks.push_back(crack);
   }
   return read;
 }
 
 Flow read_flow(const SeriesFile& file) {
-  GridFile grid(file, {}, {"pressure_Pa", "kind"});
+  const GridFile grid(file);
   Flow read;
-  if (grid.cell_count() == 0) return read;
-  vtkDataArray* pressure = grid.cell_array("pressure_Pa");
-  vtkDataArray* kind = grid.cell_array("kind");
-  for (vtkIdType cell = 0; cell < grid.cell_count(); ++cell) {
-    const auto corners = grid.corners(cell);
+  const std::vector<Point> points = grid.points();
+  const GridFile::Cells cells = grid.cells();
+  const std::vector<double> pressure = grid.cell_array("pressure_Pa");
+  const std::vector<double> kind = grid.cell_array("kind");
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
+    const auto corners = cells.of(cell);
     if (corners.size() < 3) continue;
     Domain domain;
     domain.first_corner = static_cast<std::uint32_t>(read.corners.size());
     domain.corner_count = static_cast<std::uint32_t>(corners.size());
-    domain.pressure = finite_or_zero(pressure->GetComponent(cell, 0));
-    domain.well = code(kind, cell) == 1;
-    for (const vtkIdType corner : corners) read.corners.push_back(grid.point(corner));
+    domain.pressure = usable(pressure[cell]);
+    domain.well = code(kind[cell]) == 1;
+    for (const std::uint32_t corner : corners) read.corners.push_back(points[corner]);
     read.domains.push_back(domain);
   }
   return read;

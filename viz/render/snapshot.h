@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The content of the VTU files as plain arrays, checked: every index is in range and every coordinate is finite, so
-// that nothing that follows has to ask again.
+// The content of the VTU files as plain arrays, checked: every index is in range and every coordinate is
+// finite, so that nothing that follows has to ask again.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The C interface: arguments checked, one call at a time, no exception out, every reason into the caller's buffer.
+// The C interface: arguments checked, one call at a time, no exception out, every reason into the caller's
+// buffer.
 #include <vtkVersion.h>
 
 #include <algorithm>
@@ -30,7 +31,8 @@ void copy_text(const std::string& text, char* buffer, std::int32_t capacity, std
   if (buffer == nullptr || capacity <= 0) return;
   std::size_t length = std::min(text.size(), static_cast<std::size_t>(capacity) - 1);
   // Do not cut a UTF-8 letter in two.
-  while (length > 0 && length < text.size() && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80) --length;
+  while (length > 0 && length < text.size() && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80)
+    --length;
   std::memcpy(buffer, text.data(), length);
   buffer[length] = 0;
 }
@@ -93,8 +95,8 @@ std::string required_text(const char* text, const char* name) {
 
 void check_range(const char* name, int value, int lowest, int highest, bool zero_allowed = false) {
   if ((value >= lowest && value <= highest) || (zero_allowed && value == 0)) return;
-  fail_argument(std::string(name) + " is " + std::to_string(value) + "; allowed: " + std::to_string(lowest) + " to " +
-                std::to_string(highest) + (zero_allowed ? ", or 0" : ""));
+  fail_argument(std::string(name) + " is " + std::to_string(value) + "; allowed: " + std::to_string(lowest) +
+                " to " + std::to_string(highest) + (zero_allowed ? ", or 0" : ""));
 }
 
 hfrac_viz_options checked(const hfrac_viz_options* options) {
@@ -111,7 +113,8 @@ hfrac_viz_options checked(const hfrac_viz_options* options) {
   check_range("movie_width", own.movie_width, 320, 4096);
   check_range("movie_height", own.movie_height, 240, 4096, true);
   check_range("movie_seconds", own.movie_seconds, 1, 600);
-  if (own.movie_width % 2 != 0 || own.movie_height % 2 != 0) fail_argument("a movie's width and height must be even");
+  if (own.movie_width % 2 != 0 || own.movie_height % 2 != 0)
+    fail_argument("a movie's width and height must be even");
   return own;
 }
 
@@ -142,14 +145,17 @@ int32_t hfrac_viz_options_init(hfrac_viz_options* options) {
   return HFRAC_OK;
 }
 
-int32_t hfrac_viz_render_run(const char* run_dir, const hfrac_viz_options* options, hfrac_viz_progress_fn progress,
-                             void* user, char* error, int32_t capacity, int32_t* needed) {
-  return call(error, capacity, needed,
-              [&] { render_run(required_text(run_dir, "run_dir"), checked(options), wrapped(progress, user)); });
+int32_t hfrac_viz_render_run(const char* run_dir, const hfrac_viz_options* options,
+                             hfrac_viz_progress_fn progress, void* user, char* error, int32_t capacity,
+                             int32_t* needed) {
+  return call(error, capacity, needed, [&] {
+    render_run(required_text(run_dir, "run_dir"), checked(options), wrapped(progress, user));
+  });
 }
 
 int32_t hfrac_viz_render_picture(const char* run_dir, int32_t picture, const char* path,
-                                 const hfrac_viz_options* options, char* error, int32_t capacity, int32_t* needed) {
+                                 const hfrac_viz_options* options, char* error, int32_t capacity,
+                                 int32_t* needed) {
   return call(error, capacity, needed, [&] {
     render_picture(required_text(run_dir, "run_dir"), picture, required_text(path, "path"), checked(options));
   });
@@ -169,8 +175,8 @@ int32_t hfrac_viz_snapshot_count(const char* run_dir, int32_t* count, char* erro
   return hfrac_viz_snapshots(run_dir, nullptr, 0, count, error, capacity, needed);
 }
 
-int32_t hfrac_viz_snapshots(const char* run_dir, int32_t* snapshots, int32_t capacity_snapshots, int32_t* count,
-                            char* error, int32_t capacity, int32_t* needed) {
+int32_t hfrac_viz_snapshots(const char* run_dir, int32_t* snapshots, int32_t capacity_snapshots,
+                            int32_t* count, char* error, int32_t capacity, int32_t* needed) {
   return call(error, capacity, needed, [&] {
     if (count == nullptr) fail_argument("count is NULL");
     const RunFolder run = open_run(required_text(run_dir, "run_dir"));
@@ -183,8 +189,8 @@ int32_t hfrac_viz_snapshots(const char* run_dir, int32_t* snapshots, int32_t cap
   });
 }
 
-int32_t hfrac_viz_stages(const char* run_dir, int32_t stages[5], int32_t* count, char* error, int32_t capacity,
-                         int32_t* needed) {
+int32_t hfrac_viz_stages(const char* run_dir, int32_t stages[5], int32_t* count, char* error,
+                         int32_t capacity, int32_t* needed) {
   return call(error, capacity, needed, [&] {
     if (stages == nullptr || count == nullptr) fail_argument("stages or count is NULL");
     const std::vector<HistoryPoint> history = read_history(open_run(required_text(run_dir, "run_dir")));

@@ -9,7 +9,8 @@
 namespace hfrac::viz {
 namespace {
 
-constexpr std::size_t longest_kept = 4000;  // [byte] an error is often followed by hundreds of its consequences
+constexpr std::size_t longest_kept =
+    4000;  // [byte] an error is often followed by hundreds of its consequences
 
 // "ERROR: In file.cxx, line 12\nvtkThing (0x1234): what happened\n\n" -> "what happened"
 std::string without_position(const std::string& message) {
@@ -32,8 +33,7 @@ std::string without_position(const std::string& message) {
 class VtkMessages::Keeper final : public vtkOutputWindow {
  public:
   static Keeper* New();
-  vtkTypeMacro(Keeper, vtkOutputWindow)
-  Keeper(const Keeper&) = delete;
+  vtkTypeMacro(Keeper, vtkOutputWindow) Keeper(const Keeper&) = delete;
   Keeper& operator=(const Keeper&) = delete;
 
   void DisplayErrorText(const char* message) override {
@@ -72,7 +72,8 @@ class VtkMessages::Keeper final : public vtkOutputWindow {
 
 vtkStandardNewMacro(VtkMessages::Keeper)
 
-VtkMessages::VtkMessages() : previous_(vtkOutputWindow::GetInstance()), keeper_(vtkSmartPointer<Keeper>::New()) {
+    VtkMessages::VtkMessages()
+    : previous_(vtkOutputWindow::GetInstance()), keeper_(vtkSmartPointer<Keeper>::New()) {
   keeper_->previous = previous_;
   previous_verbosity_ = vtkLogger::GetCurrentVerbosityCutoff();
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);

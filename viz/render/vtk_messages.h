@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK reports errors by printing them. While one of these lives, what VTK says on this thread is kept instead, so
-// that it can become the text of an error; messages of other threads still go where they went before.
+// VTK reports errors by printing them. While one of these lives, what VTK says on this thread is kept
+// instead, so that it can become the text of an error; messages of other threads still go where they went
+// before.
 #pragma once
 
 #include <vtkOutputWindow.h>

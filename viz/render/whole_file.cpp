@@ -14,7 +14,9 @@
 namespace hfrac::viz {
 namespace {
 
-std::string reason(int error_number) { return std::generic_category().message(error_number); }
+std::string reason(int error_number) {
+  return std::generic_category().message(error_number);
+}
 
 std::string cannot_write(const std::filesystem::path& path, int error_number) {
   return "cannot write " + path.string() + ": " + reason(error_number);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files that appear whole or not at all.
 //
-// The content goes to another name in the same folder and reaches the disk before the name is changed: a reader sees
-// the old file or the new one, never half of one, whatever happens in between. Whatever goes wrong leaves no rest.
+// The content goes to another name in the same folder and reaches the disk before the name is changed: a
+// reader sees the old file or the new one, never half of one, whatever happens in between. Whatever goes
+// wrong leaves no rest.
 #pragma once
 
 #include <cstdint>

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solid/loose_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geom/cell_grid.hpp"
+
+namespace hfrac {
+namespace {
+
+constexpr double search_gap = 0.4;   // pairs up to this gap are listed, in mean radii
+constexpr double search_move = 0.1;  // listed anew when a disc moved this far, in mean radii
+
+bool bonded(const Assembly& a, std::int32_t i, std::int32_t j) {
+  for (auto k = a.incidence_start[i]; k < a.incidence_start[i + 1]; ++k) {
+    const auto e = a.incidence[k] / 2;
+    if (a.first[e] == j || a.second[e] == j) return true;
+  }
+  return false;
+}
+
+std::vector<std::int32_t> discs_with_broken_bonds(const Assembly& a, const CrackLog& cracks) {
+  std::vector<std::int32_t> discs;
+  for (const auto& crack : cracks) {
+    discs.push_back(a.first[crack.bond]);
+    discs.push_back(a.second[crack.bond]);
+  }
+  std::sort(discs.begin(), discs.end());
+  discs.erase(std::unique(discs.begin(), discs.end()), discs.end());
+  return discs;
+}
+
+}  // namespace
+
+bool LooseContacts::search(Assembly& a, const Boundary& boundary, const CrackLog& cracks) {
+  if (cracks.empty()) return false;
+  bool due = cracks.size() != cracks_seen_;
+  if (!due) {
+    const double limit = search_move * a.mean_radius;
+    for (std::size_t k = 0; k < cracked_.size() && !due; ++k) {
+      due = std::hypot(a.ux[cracked_[k]] - searched_x_[k], a.uy[cracked_[k]] - searched_y_[k]) > limit;
+    }
+  }
+  if (!due) return false;
+
+  cracked_ = discs_with_broken_bonds(a, cracks);
+  cracks_seen_ = cracks.size();
+  searched_x_.clear();
+  searched_y_.clear();
+  for (const auto i : cracked_) {
+    searched_x_.push_back(a.ux[i]);
+    searched_y_.push_back(a.uy[i]);
+  }
+  Array<double> x(a.x.size()), y(a.x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    x[i] = a.x[i] + a.ux[i];
+    y[i] = a.y[i] + a.uy[i];
+  }
+  const double largest = *std::max_element(a.radius.begin(), a.radius.end()), reach = search_gap * a.mean_radius;
+  const CellGrid grid(x, y, 2.0 * largest + reach);
+  std::vector<Pair> found;
+  for (const auto i : cracked_) {
+    grid.near(x[i], y[i], a.radius[i] + largest + reach, [&](std::int32_t j) {
+      if (i == j) return;
+      const double touch = a.radius[i] + a.radius[j];
+      if (std::hypot(x[j] - x[i], y[j] - y[i]) - touch > reach || bonded(a, i, j)) return;
+      const double at_bonding = std::hypot(a.x[j] - a.x[i], a.y[j] - a.y[i]) - touch;
+      found.push_back({std::min(i, j), std::max(i, j), std::min(0.0, at_bonding)});
+    });
+  }
+  const auto before = [](const Pair& p, const Pair& q) { return p.first != q.first ? p.first < q.first : p.second < q.second; };
+  std::sort(found.begin(), found.end(), before);
+  found.erase(std::unique(found.begin(), found.end(), [](const Pair& p, const Pair& q) { return p.first == q.first && p.second == q.second; }),
+              found.end());
+  for (auto& pair : found) {
+    const auto old = std::lower_bound(pairs_.begin(), pairs_.end(), pair, before);
+    if (old != pairs_.end() && old->first == pair.first && old->second == pair.second) {
+      pair.shear_force = old->shear_force;
+      pair.normal_force = old->normal_force;
+    }
+  }
+  release(a, boundary);
+  pairs_.swap(found);
+  discs_.clear();
+  for (const auto& pair : pairs_) {
+    discs_.push_back(pair.first);
+    discs_.push_back(pair.second);
+  }
+  std::sort(discs_.begin(), discs_.end());
+  discs_.erase(std::unique(discs_.begin(), discs_.end()), discs_.end());
+  return true;
+}
+
+// The boundary's own force back onto the discs of the list.
+void LooseContacts::release(Assembly& a, const Boundary& boundary) {
+  for (const auto i : discs_) {
+    a.external_moment[i] = 0.0;
+    if (boundary.touches_wall(i)) continue;  // written anew in every cycle
+    const Vec2 load = boundary.load_on(i);
+    a.external_x[i] = load.x;
+    a.external_y[i] = load.y;
+  }
+}
+
+void LooseContacts::cycle(Assembly& a, const Boundary& boundary, double step, double& friction) {
+  release(a, boundary);
+  const double kn = options_.contact_normal_stiffness, ks = options_.contact_shear_stiffness;
+  for (auto& pair : pairs_) {
+    const auto i = pair.first, j = pair.second;
+    const Vec2 d = a.position(j) - a.position(i);
+    const double distance = std::sqrt(dot(d, d));
+    const double gap = distance - a.radius[i] - a.radius[j] - pair.reference_gap;
+    if (gap >= 0.0) {
+      pair.shear_force = pair.normal_force = 0.0;
+      continue;
+    }
+    const Vec2 normal = (1.0 / distance) * d, tangent{-normal.y, normal.x};
+    const double share = distance / (a.radius[i] + a.radius[j]), arm_i = share * a.radius[i], arm_j = share * a.radius[j];
+    const Vec2 speed{a.vx[j] - a.vx[i], a.vy[j] - a.vy[i]};
+    const double slide = step * (dot(speed, tangent) - a.spin[i] * arm_i - a.spin[j] * arm_j);
+    pair.normal_force = -kn * gap;
+    const double limit = options_.contact_friction * pair.normal_force;
+    const double trial = pair.shear_force + ks * slide;
+    pair.shear_force = std::clamp(trial, -limit, limit);
+    if (ks > 0.0) friction += std::abs(pair.shear_force * (trial - pair.shear_force)) / ks;
+    const Vec2 on_first = -pair.normal_force * normal + pair.shear_force * tangent;
+    a.external_x[i] += on_first.x;
+    a.external_y[i] += on_first.y;
+    a.external_x[j] -= on_first.x;
+    a.external_y[j] -= on_first.y;
+    a.external_moment[i] += pair.shear_force * arm_i;
+    a.external_moment[j] += pair.shear_force * arm_j;
+  }
+}
+
+void LooseContacts::add_stiffness(const Assembly& a, std::vector<double>& row_x, std::vector<double>& row_y,
+                                  std::vector<double>& row_rotation) const {
+  const double translation = 2.0 * (options_.contact_normal_stiffness + options_.contact_shear_stiffness);
+  for (const auto& pair : pairs_) {
+    for (const auto i : {pair.first, pair.second}) {
+      row_x[i] += translation;
+      row_y[i] += translation;
+      row_rotation[i] += 5.0 * options_.contact_shear_stiffness * a.radius[i] * a.radius[i];
+    }
+  }
+}
+
+double LooseContacts::energy() const {
+  double sum = 0.0;
+  for (const auto& pair : pairs_) {
+    sum += 0.5 * pair.normal_force * pair.normal_force / options_.contact_normal_stiffness;
+    if (options_.contact_shear_stiffness > 0.0) sum += 0.5 * pair.shear_force * pair.shear_force / options_.contact_shear_stiffness;
+  }
+  return sum;
+}
+
+void LooseContacts::restore(const State& state) {
+  pairs_ = state.pairs;
+  discs_ = state.discs;
+  cracked_ = state.cracked;
+  searched_x_ = state.searched_x;
+  searched_y_ = state.searched_y;
+  cracks_seen_ = state.cracks_seen;
+}
+
+}  // namespace hfrac

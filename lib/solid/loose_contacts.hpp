@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contacts between discs that were never bonded to each other.
+//
+// Intact rock keeps its neighbours, so the step loop knows bonded pairs only. Where bonds broke, discs may slide along and meet
+// others: around such discs, and only there, near pairs are searched for again whenever something broke or moved. Their
+// law is that of any contact, with the shear force kept as history: F_n = k_n max(0, -g), dF_s = k_s du_s,
+// |F_s| <= mu F_n. Overlap that pairs had at bonding carries no force. There are few of them, so one worker does all.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "frac/crack_log.hpp"
+#include "options/options.hpp"
+#include "solid/assembly.hpp"
+#include "solid/boundary.hpp"
+
+namespace hfrac {
+
+class LooseContacts {
+ public:
+  struct Pair {
+    std::int32_t first, second;
+    double reference_gap;       // m, 0 or the overlap at bonding
+    double shear_force = 0.0;   // N
+    double normal_force = 0.0;  // N, compression positive
+  };
+
+  explicit LooseContacts(const Options& options) : options_(options) {}
+
+  // Looks for pairs if cracks were added or discs moved since the last time. True if the list changed.
+  bool search(Assembly& assembly, const Boundary& boundary, const CrackLog& cracks);
+
+  // Forces of one cycle into external_*; after Boundary::cycle. Adds friction work to `friction`.
+  void cycle(Assembly& assembly, const Boundary& boundary, double step, double& friction);
+
+  // Adds to the row sums that set the stable step.
+  void add_stiffness(const Assembly& assembly, std::vector<double>& row_x, std::vector<double>& row_y, std::vector<double>& row_rotation) const;
+
+  [[nodiscard]] bool empty() const { return pairs_.empty(); }
+  [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
+  [[nodiscard]] double energy() const;  // J/m, stored now
+
+  // For undoing a step.
+  struct State {
+    std::vector<Pair> pairs;
+    std::vector<std::int32_t> discs, cracked;
+    std::vector<double> searched_x, searched_y;
+    std::size_t cracks_seen = 0;
+  };
+  [[nodiscard]] State state() const { return {pairs_, discs_, cracked_, searched_x_, searched_y_, cracks_seen_}; }
+  void restore(const State& state);
+
+ private:
+  void release(Assembly& assembly, const Boundary& boundary);
+
+  const Options& options_;
+  std::vector<Pair> pairs_;               // sorted by (first, second)
+  std::vector<std::int32_t> discs_;       // discs of the pairs, each once
+  std::vector<std::int32_t> cracked_;     // discs with a broken bond
+  std::vector<double> searched_x_, searched_y_;  // m, displacement of cracked_ at the last search
+  std::size_t cracks_seen_ = 0;
+};
+
+}  // namespace hfrac

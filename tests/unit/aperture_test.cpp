@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Apertures of pipes: both branches of eq. 7, the cap, and the cubic law.
+#include "flow/aperture.hpp"
+
+#include <gtest/gtest.h>
+
+#include "model.hpp"
+
+namespace {
+
+using namespace testing_unit;
+
+TEST(Aperture, ShrinksWithCompression) {
+  const Options o;
+  BondView bond{};
+  EXPECT_EQ(pipe_aperture(o, 5e-5, bond, true), 5e-5);
+  bond.bond_normal = -20e6;
+  bond.contact_normal = 30e6;  // together pressed with F0 = 50 MN
+  bond.gap = -1e-3;
+  EXPECT_DOUBLE_EQ(pipe_aperture(o, 5e-5, bond, true), 2.5e-5);
+  EXPECT_DOUBLE_EQ(pipe_aperture(o, 5e-5, bond, false), 2.5e-5);
+  bond.contact_normal = 130e6;
+  EXPECT_DOUBLE_EQ(pipe_aperture(o, 5e-5, bond, true), 1.25e-5);
+}
+
+TEST(Aperture, GrowsWithTheGap) {
+  Options o;
+  BondView bond{};
+  bond.gap = 2e-3;
+  bond.bond_normal = 1e7;
+  EXPECT_DOUBLE_EQ(pipe_aperture(o, 5e-5, bond, true), 5e-5);  // intact rock keeps r0 by default
+  bond.bond_normal = 0.0;
+  EXPECT_DOUBLE_EQ(pipe_aperture(o, 5e-5, bond, false), 5e-5 + 2e-3);
+  o.flow_gap_factor = 0.5;
+  o.flow_bonded_gap_factor = 0.1;
+  EXPECT_DOUBLE_EQ(pipe_aperture(o, 5e-5, bond, false), 5e-5 + 1e-3);
+  EXPECT_DOUBLE_EQ(pipe_aperture(o, 5e-5, bond, true), 5e-5 + 2e-4);
+}
+
+TEST(Aperture, IsCapped) {
+  Options o;
+  BondView bond{};
+  bond.gap = 0.5;
+  EXPECT_DOUBLE_EQ(pipe_aperture(o, 5e-5, bond, false), o.flow_aperture_limit);
+  o.flow_aperture_limit = 0.2;
+  EXPECT_DOUBLE_EQ(pipe_aperture(o, 5e-5, bond, false), 0.2);
+}
+
+TEST(Aperture, SetsTheConductanceOfItsPipe) {
+  Options o = dry_options(300);
+  o.flow_scheme = choice(FlowScheme::implicit_scheme);
+  Model m(o, packed(o));
+  m.network.zero_stress_aperture = 4e-5;
+  m.shake(1e-4, 6);
+  m.assembly.intact[7] = 0.0;
+  update_apertures(m.network, m.assembly, o);
+  for (std::size_t e = 0; e < m.network.left.size(); ++e) {
+    const double w = m.network.aperture[e];
+    const BondView bond = view_bond(m.assembly, o, static_cast<std::int64_t>(e));
+    EXPECT_EQ(w, pipe_aperture(o, 4e-5, bond, m.assembly.intact[e] > 0.0));
+    const double length = m.assembly.radius[m.assembly.first[e]] + m.assembly.radius[m.assembly.second[e]];
+    EXPECT_NEAR(m.network.conductance[e], w * w * w / (12.0 * 0.3 * length), 1e-12 * m.network.conductance[e]);
+  }
+}
+
+}  // namespace

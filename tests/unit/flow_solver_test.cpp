@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One flow step: nothing is lost or made, both schemes agree, a vapour-filled pore fills before its pressure rises,
+// imposed pressures stay.
+#include "flow/flow_solver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "model.hpp"
+
+namespace {
+
+using namespace testing_unit;
+
+// Rigid rock of equal pipes, one of them wide; pores at the reference pressure.
+Model flow_model(FlowScheme scheme, double wide = 1e-3) {
+  Options o = dry_options(400);
+  o.flow_scheme = choice(scheme);
+  Model m(o, packed(o), {{{10.0, 10.0}, 3.0}});
+  m.fill_pores();
+  for (std::size_t e = 0; e < m.network.left.size(); ++e) {
+    const double w = e == m.network.left.size() / 2 ? wide : 5e-5;
+    m.network.aperture[e] = w;
+    m.network.conductance[e] =
+        m.network.left[e] == m.network.right[e] ? 0.0 : w * w * w / (12.0 * o.fluid_viscosity * m.network.pipe_length[e]);
+  }
+  return m;
+}
+
+void close_outside(Model& m) {
+  for (std::size_t e = 0; e < m.network.left.size(); ++e) {
+    if (m.network.left[e] == 0 || m.network.right[e] == 0) m.network.conductance[e] = 0.0;
+  }
+}
+
+void set_pressure(Model& m, std::int64_t d, double p) {
+  m.network.pressure[d] = p;
+  if (m.network.stiffness[d] > 0.0) m.network.content[d] = content_at(m.network, d, m.options.fluid_bulk_modulus, p);
+}
+
+TEST(FlowSolver, KeepsContent) {
+  for (const auto scheme : {FlowScheme::implicit_scheme, FlowScheme::explicit_scheme}) {
+    Model m = flow_model(scheme, 1e-4);
+    close_outside(m);
+    // The well as a pore like the others.
+    const auto well = m.well_domains[0];
+    m.network.stiffness[well] = m.options.fluid_bulk_modulus / m.network.volume[well];
+    Random random(3);
+    for (std::int64_t d = 1; d < m.network.domain_count(); ++d) set_pressure(m, d, 25e6 + 1e7 * random.uniform());
+    const double before = sum(m.network.content) - m.network.content[0];
+    FlowSolver flow(m.network, m.options);
+    for (int step = 0; step < 10; ++step) flow.advance(m.network, 10.0, {});
+    const double after = sum(m.network.content) - m.network.content[0];
+    EXPECT_NEAR(after, before, 1e-12 * before);
+  }
+}
+
+TEST(FlowSolver, BooksSourcesAndFlowsToTheOutside) {
+  for (const auto scheme : {FlowScheme::implicit_scheme, FlowScheme::explicit_scheme}) {
+    Model m = flow_model(scheme, 1e-4);
+    const auto well = m.well_domains[0];
+    m.network.stiffness[well] = m.options.fluid_bulk_modulus / m.network.volume[well];
+    std::vector<double> source(static_cast<std::size_t>(m.network.domain_count()), 0.0);
+    source[static_cast<std::size_t>(well)] = 2e-4;
+    FlowSolver flow(m.network, m.options);
+    double leaked = 0.0, stored = 0.0;
+    constexpr double step = 50.0;
+    for (int k = 0; k < 40; ++k) {
+      flow.advance(m.network, step, source);
+      for (std::size_t e = 0; e < m.network.left.size(); ++e) {
+        if (m.network.left[e] == 0) leaked -= step * m.network.flow[e];
+        if (m.network.right[e] == 0) leaked += step * m.network.flow[e];
+      }
+    }
+    for (std::int64_t d = 1; d < m.network.domain_count(); ++d) stored += m.network.content[d];
+    EXPECT_GT(leaked, 0.0);
+    EXPECT_NEAR(stored + leaked, 40.0 * step * 2e-4, 1e-12 * 0.4);
+    EXPECT_EQ(m.network.pressure[0], 25e6);
+  }
+}
+
+TEST(FlowSolver, BothSchemesAgree) {
+  Model implicit_model = flow_model(FlowScheme::implicit_scheme), explicit_model = flow_model(FlowScheme::explicit_scheme);
+  const auto well = implicit_model.well_domains[0];
+  for (Model* m : {&implicit_model, &explicit_model}) m->network.pressure[well] = 35e6;
+  FlowSolver implicit_flow(implicit_model.network, implicit_model.options);
+  FlowSolver explicit_flow(explicit_model.network, explicit_model.options);
+  // Half a minute: pressure is a few pores into the rock. The wide pipe alone limits the explicit step.
+  for (int step = 0; step < 200; ++step) {
+    implicit_flow.advance(implicit_model.network, 2.0, {});
+    explicit_flow.advance(explicit_model.network, 2.0, {});
+  }
+  double worst = 0.0, raised = 0.0;
+  for (std::int64_t d = 1; d < implicit_model.network.domain_count(); ++d) {
+    worst = std::max(worst, std::abs(implicit_model.network.pressure[d] - explicit_model.network.pressure[d]));
+    if (d != well) raised = std::max(raised, implicit_model.network.pressure[d] - 25e6);
+  }
+  RecordProperty("worst_difference_over_rise", std::to_string(worst / 10e6));
+  EXPECT_LT(worst, 0.01 * 10e6);
+  EXPECT_GT(raised, 1e6);
+}
+
+TEST(FlowSolver, ImposedPressuresStayAndSteadyFlowIsReached) {
+  Model m = flow_model(FlowScheme::implicit_scheme, 5e-5);
+  const auto well = m.well_domains[0];
+  m.network.pressure[well] = 30e6;
+  FlowSolver flow(m.network, m.options);
+  for (int step = 0; step < 3; ++step) flow.advance(m.network, 1e12, {});
+  EXPECT_EQ(m.network.pressure[well], 30e6);
+  EXPECT_EQ(m.network.pressure[0], 25e6);
+  std::vector<double> net(static_cast<std::size_t>(m.network.domain_count()), 0.0);
+  for (std::size_t e = 0; e < m.network.left.size(); ++e) {
+    net[static_cast<std::size_t>(m.network.left[e])] -= m.network.flow[e];
+    net[static_cast<std::size_t>(m.network.right[e])] += m.network.flow[e];
+  }
+  const double through = -net[static_cast<std::size_t>(well)];
+  EXPECT_GT(through, 0.0);
+  EXPECT_NEAR(net[0], through, 1e-9 * through);
+  for (std::int64_t d = 1; d < m.network.domain_count(); ++d) {
+    if (d == well) continue;
+    EXPECT_LT(std::abs(net[static_cast<std::size_t>(d)]), 1e-9 * through);
+    EXPECT_GE(m.network.pressure[d], 25e6 - 1.0);  // no maximum or minimum inside
+    EXPECT_LE(m.network.pressure[d], 30e6 + 1.0);
+  }
+}
+
+TEST(FlowSolver, CavitiesFillBeforeTheirPressureRises) {
+  for (const auto scheme : {FlowScheme::implicit_scheme, FlowScheme::explicit_scheme}) {
+    Model m = flow_model(scheme, 1e-4);
+    // Pores near the hole have opened by ten times what their fluid can follow.
+    std::vector<std::int64_t> opened;
+    for (std::int64_t d = 1; d < m.network.domain_count(); ++d) {
+      const Vec2 from = m.network.centroid[d] - Vec2{10.0, 14.0};
+      if (m.network.kind[d] == DomainKind::rock && dot(from, from) < 2.0) {
+        m.network.volume_change[d] = 10.0 * m.network.volume[d] * 25e6 / m.options.fluid_bulk_modulus;
+        m.network.pressure[d] = 0.0;
+        opened.push_back(d);
+      }
+    }
+    ASSERT_GE(opened.size(), 2u);
+    FlowSolver flow(m.network, m.options);
+    bool half_full = false;
+    for (int step = 0; step < 400; ++step) {
+      flow.advance(m.network, 200.0, {});
+      for (std::int64_t d = 0; d < m.network.domain_count(); ++d) {
+        ASSERT_GE(m.network.pressure[d], 0.0);
+        if (m.network.stiffness[d] == 0.0) continue;
+        // Pressure and content belong together at all times.
+        const double full = 25e6 + m.network.stiffness[d] * (m.network.content[d] - m.network.volume_change[d]);
+        ASSERT_NEAR(m.network.pressure[d], std::max(0.0, full), 1e-3);
+        half_full = half_full || (m.network.pressure[d] == 0.0 && m.network.content[d] > 0.0);
+      }
+    }
+    EXPECT_TRUE(half_full);
+    for (const auto d : opened) EXPECT_GT(m.network.pressure[d], 0.0) << "domain " << d << " never filled";
+  }
+}
+
+TEST(FlowSolver, TooManySubCyclesAreRefused) {
+  Model m = flow_model(FlowScheme::explicit_scheme, 0.1);
+  FlowSolver flow(m.network, m.options);
+  EXPECT_THROW(flow.advance(m.network, 1e6, {}), Error);
+}
+
+}  // namespace

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A small model for the tests of the engine's parts: discs, graph, faces, bonds, pores, boundary and solver, built the
+// way setup.cpp does it but open to the test's hands.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/random.hpp"
+#include "core/workers.hpp"
+#include "flow/network.hpp"
+#include "geom/contact_graph.hpp"
+#include "geom/faces.hpp"
+#include "geom/packing.hpp"
+#include "options/choices.hpp"
+#include "options/options.hpp"
+#include "solid/assembly.hpp"
+#include "solid/boundary.hpp"
+#include "solid/explicit_solver.hpp"
+
+namespace testing_unit {
+
+using namespace hfrac;
+
+constexpr double pi = 3.14159265358979323846;
+
+struct Discs {
+  Array<double> x, y, radius;
+};
+
+// Rows and columns of equal discs that just touch; the first centre lies at (radius, radius).
+inline Discs square_lattice(int columns, int rows, double radius) {
+  Discs discs;
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      discs.x.push_back(radius * (1.0 + 2.0 * column));
+      discs.y.push_back(radius * (1.0 + 2.0 * row));
+      discs.radius.push_back(radius);
+    }
+  }
+  return discs;
+}
+
+inline PackingOptions packing_options(const Options& o) {
+  PackingOptions p;
+  p.width = o.model_width;
+  p.height = o.model_height;
+  p.count = o.packing_disc_count;
+  p.radius_ratio = o.packing_radius_ratio;
+  p.porosity = o.packing_porosity;
+  p.residual = o.packing_residual;
+  p.seed = static_cast<std::uint64_t>(o.model_seed);
+  return p;
+}
+
+inline Discs packed(const Options& o) {
+  const Packing packing = pack_discs(packing_options(o));
+  return {packing.x, packing.y, packing.radius};
+}
+
+class Model {
+ public:
+  Model(const Options& given, const Discs& discs, const std::vector<Hole>& holes = {}, int worker_count = 1)
+      : options(given),
+        graph(build_contact_graph(discs.x, discs.y, discs.radius, holes, given.bond_gap_tolerance)),
+        faces(build_faces(graph)),
+        assembly(build_assembly(graph, options)) {
+    for (const auto& hole : holes) well_domains.push_back(face_around(graph, faces, hole.centre));
+    network = build_network(graph, faces, assembly, well_domains, options);
+    boundary = std::make_unique<Boundary>(assembly, network, options);
+    workers = std::make_unique<Workers>(worker_count);
+    solver = std::make_unique<ExplicitSolver>(assembly, network, *boundary, options, *workers);
+  }
+
+  // Displacements and rotations at random, up to `size` radii and radians.
+  void shake(double size, std::uint64_t seed) {
+    Random random(seed);
+    for (std::int64_t i = 0; i < assembly.disc_count(); ++i) {
+      assembly.ux[i] = size * assembly.radius[i] * (2.0 * random.uniform() - 1.0);
+      assembly.uy[i] = size * assembly.radius[i] * (2.0 * random.uniform() - 1.0);
+      assembly.rotation[i] = size * (2.0 * random.uniform() - 1.0);
+    }
+  }
+
+  // Pores answer to their change of volume from here on, wells and outside excepted.
+  void fill_pores() {
+    for (std::int64_t d = 0; d < network.domain_count(); ++d) {
+      const bool rock = network.kind[d] == DomainKind::rock;
+      network.stiffness[d] = rock ? options.fluid_bulk_modulus / network.volume[d] : 0.0;
+    }
+  }
+
+  [[nodiscard]] double elastic_energy() const {
+    double energy = boundary->walled() ? boundary->wall_energy(assembly) : 0.0;
+    for (std::int64_t e = 0; e < assembly.bond_count(); ++e) {
+      const BondView bond = view_bond(assembly, options, e);
+      energy += bond.bond_energy + bond.contact_energy;
+    }
+    return energy;
+  }
+
+  Options options;
+  ContactGraph graph;
+  Faces faces;
+  Assembly assembly;
+  std::vector<std::int32_t> well_domains;
+  Network network;
+  std::unique_ptr<Boundary> boundary;
+  std::unique_ptr<Workers> workers;
+  std::unique_ptr<ExplicitSolver> solver;
+};
+
+inline std::int64_t choice(ContactMode mode) { return static_cast<std::int64_t>(mode); }
+inline std::int64_t choice(FlowScheme scheme) { return static_cast<std::int64_t>(scheme); }
+inline std::int64_t choice(BoundaryKind kind) { return static_cast<std::int64_t>(kind); }
+inline std::int64_t choice(WallsAfterSetup after) { return static_cast<std::int64_t>(after); }
+inline std::int64_t choice(Reading reading) { return static_cast<std::int64_t>(reading); }
+inline std::int64_t choice(OuterPores outer) { return static_cast<std::int64_t>(outer); }
+inline std::int64_t choice(SteppingMode mode) { return static_cast<std::int64_t>(mode); }
+
+// A dry rock of a few hundred discs that does not break.
+inline Options dry_options(std::int64_t discs) {
+  Options o;
+  o.model_width = o.model_height = 20.0;
+  o.packing_disc_count = discs;
+  o.flow_scheme = choice(FlowScheme::off);
+  o.bond_tensile_strength = o.bond_shear_strength = 1e12;
+  return o;
+}
+
+inline double sum(const Array<double>& values) {
+  double total = 0.0;
+  for (const double value : values) total += value;
+  return total;
+}
+
+template <class Values>
+bool same_bits(const Values& a, const Values& b) {
+  return a.size() == b.size() && __builtin_memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
+}
+
+}  // namespace testing_unit

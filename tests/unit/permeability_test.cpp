@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Calibration of the aperture at zero stress: the network then has the permeability asked for.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "flow/aperture.hpp"
+#include "model.hpp"
+
+namespace {
+
+using namespace testing_unit;
+
+TEST(Permeability, IsTheOneAskedFor) {
+  for (const bool with_well : {false, true}) {
+    for (const double asked : {5.527e-15, 1e-12}) {
+      Options o = dry_options(800);
+      o.model_width = o.model_height = 100.0;
+      o.flow_scheme = choice(FlowScheme::implicit_scheme);
+      o.flow_permeability = asked;
+      std::vector<Hole> holes;
+      std::vector<WellOptions> wells;
+      if (with_well) {
+        holes.push_back({{50.0, 50.0}, 9.0});
+        wells.push_back({50.0, 50.0, 9.0});
+      }
+      Model m(o, packed(o), holes);
+      calibrate_aperture(m.network, m.assembly, o, wells);
+      EXPECT_NEAR(measure_permeability(m.network, m.assembly, wells, o.fluid_viscosity), asked, 1e-6 * asked);
+      // physics.md 1.8: k = C r0^3 / R_mean with C about 0.032; few discs scatter more.
+      const double c = asked * m.assembly.mean_radius / std::pow(m.network.zero_stress_aperture, 3);
+      EXPECT_GT(c, 0.025);
+      EXPECT_LT(c, 0.040);
+    }
+  }
+}
+
+TEST(Permeability, IsReachedUnderStressToo) {
+  Options o = dry_options(800);
+  o.flow_scheme = choice(FlowScheme::implicit_scheme);
+  o.flow_bonded_gap_factor = 0.2;  // not a pure cube of r0 any more
+  Model m(o, packed(o));
+  m.shake(1e-6, 9);
+  calibrate_aperture(m.network, m.assembly, o, {});
+  EXPECT_NEAR(measure_permeability(m.network, m.assembly, {}, o.fluid_viscosity), o.flow_permeability,
+              1e-6 * o.flow_permeability);
+}
+
+TEST(Permeability, GivenApertureIsTaken) {
+  Options o = dry_options(300);
+  o.flow_scheme = choice(FlowScheme::implicit_scheme);
+  o.flow_zero_stress_aperture = 7e-5;
+  Model m(o, packed(o));
+  calibrate_aperture(m.network, m.assembly, o, {});
+  for (const double w : m.network.aperture) EXPECT_EQ(w, 7e-5);
+}
+
+}  // namespace

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The movie as a player sees it.
+#include <gtest/gtest.h>
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+}
+
+#include <fstream>
+#include <iterator>
+
+#include "viz_fixture.h"
+
+namespace hfrac::viz_test {
+namespace {
+
+using Movie = VizTest;
+
+struct Decoded {
+  int frames = 0;
+  int width = 0;
+  int height = 0;
+  std::string codec;
+  AVPixelFormat format = AV_PIX_FMT_NONE;
+  double seconds = 0;
+  int darkest = 255;
+  int lightest = 0;
+};
+
+Decoded decode(const std::filesystem::path& path) {
+  Decoded decoded;
+  AVFormatContext* format = nullptr;
+  if (avformat_open_input(&format, path.c_str(), nullptr, nullptr) < 0) return decoded;
+  avformat_find_stream_info(format, nullptr);
+  const AVCodec* codec = nullptr;
+  const int stream = av_find_best_stream(format, AVMEDIA_TYPE_VIDEO, -1, -1, &codec, 0);
+  AVCodecContext* context = avcodec_alloc_context3(codec);
+  avcodec_parameters_to_context(context, format->streams[stream]->codecpar);
+  avcodec_open2(context, codec, nullptr);
+  decoded.codec = codec->name;
+  decoded.seconds = static_cast<double>(format->duration) / AV_TIME_BASE;
+  AVPacket* packet = av_packet_alloc();
+  AVFrame* frame = av_frame_alloc();
+  bool more = true;
+  while (more) {
+    more = av_read_frame(format, packet) >= 0;
+    avcodec_send_packet(context, more ? packet : nullptr);
+    av_packet_unref(packet);
+    while (avcodec_receive_frame(context, frame) >= 0) {
+      ++decoded.frames;
+      decoded.width = frame->width;
+      decoded.height = frame->height;
+      decoded.format = static_cast<AVPixelFormat>(frame->format);
+      for (int y = 0; y < frame->height; ++y) {
+        for (int x = 0; x < frame->width; ++x) {
+          const int light = frame->data[0][y * frame->linesize[0] + x];
+          decoded.darkest = std::min(decoded.darkest, light);
+          decoded.lightest = std::max(decoded.lightest, light);
+        }
+      }
+    }
+  }
+  av_frame_free(&frame);
+  av_packet_free(&packet);
+  avcodec_free_context(&context);
+  avformat_close_input(&format);
+  return decoded;
+}
+
+TEST_F(Movie, HasEverySnapshotAsAFrameOfH264) {
+  run.snapshots = 9;
+  write_run(folder(), run);
+  options.movie_width = 640;
+  options.movie_height = 480;
+  testing::internal::CaptureStderr();
+  testing::internal::CaptureStdout();
+  const Result result = render_movie(file("movie.mp4"));
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  ASSERT_EQ(result.status, HFRAC_OK) << result.text;
+  const Decoded decoded = decode(file("movie.mp4"));
+  EXPECT_EQ(decoded.frames, 9);
+  EXPECT_EQ(decoded.width, 640);
+  EXPECT_EQ(decoded.height, 480);
+  EXPECT_EQ(decoded.codec, "h264");
+  EXPECT_EQ(decoded.format, AV_PIX_FMT_YUV420P);
+  EXPECT_LE(decoded.seconds, 12.0);
+  EXPECT_LT(decoded.darkest, 60);
+  EXPECT_GT(decoded.lightest, 220);
+}
+
+TEST_F(Movie, IndexIsInFront) {
+  write_run(folder(), run);
+  options.movie_width = 320;
+  ASSERT_EQ(render_movie(file("movie.mp4")).status, HFRAC_OK);
+  std::ifstream stream(file("movie.mp4"), std::ios::binary);
+  const std::string content((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  ASSERT_NE(content.find("moov"), std::string::npos);
+  EXPECT_LT(content.find("moov"), content.find("mdat"));
+}
+
+TEST_F(Movie, LeavesSnapshotsOutOnlyWhenThereAreTooMany) {
+  run.snapshots = 130;
+  run.columns = 8;
+  write_run(folder(), run);
+  options.movie_width = 320;
+  options.movie_height = 240;
+  options.movie_seconds = 1;
+  ASSERT_EQ(render_movie(file("movie.mp4")).status, HFRAC_OK);
+  const Decoded decoded = decode(file("movie.mp4"));
+  EXPECT_LE(decoded.frames, 60);
+  EXPECT_GE(decoded.frames, 40);
+  EXPECT_LE(decoded.seconds, 1.1);
+}
+
+}  // namespace
+}  // namespace hfrac::viz_test

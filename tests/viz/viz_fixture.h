@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A synthetic run per test, and calls of the C interface that keep the error text.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <string>
+
+#include "hfrac/viz.h"
+#include "synthetic_run.h"
+
+namespace hfrac::viz_test {
+
+struct Result {
+  std::int32_t status = 0;
+  std::string text;
+};
+
+class VizTest : public testing::Test {
+ protected:
+  VizTest() { hfrac_viz_options_init(&options); }
+
+  const std::filesystem::path& folder() const { return temporary_.path(); }
+  std::filesystem::path file(const std::string& name) const { return folder() / name; }
+
+  Result render_run(hfrac_viz_progress_fn progress = nullptr, void* user = nullptr) {
+    std::array<char, 2000> text{};
+    const std::int32_t status =
+        hfrac_viz_render_run(folder().c_str(), &options, progress, user, text.data(), text.size(), nullptr);
+    return {status, text.data()};
+  }
+
+  Result render_picture(std::int32_t picture, const std::filesystem::path& path) {
+    std::array<char, 2000> text{};
+    const std::int32_t status = hfrac_viz_render_picture(folder().c_str(), picture, path.c_str(), &options,
+                                                         text.data(), text.size(), nullptr);
+    return {status, text.data()};
+  }
+
+  Result render_movie(const std::filesystem::path& path) {
+    std::array<char, 2000> text{};
+    const std::int32_t status = hfrac_viz_render_movie(folder().c_str(), path.c_str(), &options, nullptr,
+                                                       nullptr, text.data(), text.size(), nullptr);
+    return {status, text.data()};
+  }
+
+  // Files in the folder that a failed or stopped call must not leave behind.
+  int leftovers(const std::filesystem::path& where) const {
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(where)) {
+      count += entry.path().extension() == ".part" ? 1 : 0;
+    }
+    return count;
+  }
+
+  hfrac_viz_options options;
+  SyntheticRun run;
+
+ private:
+  TemporaryFolder temporary_;
+};
+
+}  // namespace hfrac::viz_test
