@@ -111,8 +111,8 @@ void require_condition(const HandleBase& handle, Access access) {
   }
 }
 
-void require_not_null(const void* pointer, const char* name) {
-  if (pointer == nullptr) throw Error(ErrorKind::argument, std::string(name) + " is NULL.");
+void refuse_null(const char* name) {
+  throw Error(ErrorKind::argument, std::string(name) + " is NULL.");
 }
 
 void copy_text(std::string_view text, char* buffer, std::int32_t capacity, std::int32_t* needed) {

@@ -161,7 +161,10 @@ auto call_host(HandleBase* handle, Function&& function) {
 }
 
 // Throws Error(argument) "name is NULL."
-void require_not_null(const void* pointer, const char* name);
+[[noreturn]] void refuse_null(const char* name);
+inline void require_not_null(const void* pointer, const char* name) {
+  if (pointer == nullptr) refuse_null(name);
+}
 
 // Copies `text` with its final 0, cut between characters if too long. Throws Error(argument) if there is no
 // room to copy to, or nothing was asked for.

@@ -45,7 +45,7 @@ class Asker {
   bool stopped_ = false;
 };
 
-// What is left of `fraction` when the current step is part of a longer call.
+// One step of a longer call; `fraction` of that call is done when it begins.
 std::int32_t take_step(hfrac_sim& sim, Asker& asker, double fraction) {
   ++sim.epoch;
   const auto outcome = sim.simulation->step([&] { return asker.stop(fraction, "stepping"); });

@@ -35,7 +35,9 @@ Balance Simulation::balance() const {
   b.kinetic = solver_->kinetic_energy();
   b.bond_elastic = bonds;
   b.contact_elastic = contacts;
-  b.fluid_work = e.fluid;
+  // The outside's pressure does its work through walls' discs only; under stress control the far field is all there is.
+  const double outside = boundary_->walled() ? 0.0 : network_.reference_pressure * (network_.volume_change[0] - start_outside_change_);
+  b.fluid_work = e.fluid - outside;
   b.boundary_work = boundary_->load_work(assembly_) - start_boundary_work_;
   b.friction = e.friction;
   b.damping = e.damping;

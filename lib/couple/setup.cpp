@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From options to a model at rest: pack, cut the wells, bond, find the pores, load, calibrate the apertures.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -103,7 +104,8 @@ void Simulation::build(std::span<const double> given_discs, const Progress& prog
   solver_ = std::make_unique<ExplicitSolver>(assembly_, network_, *boundary_, o, *workers_);
 }
 
-// Far field in stages, pores drained at the formation's pressure.
+// Far field and formation pressure in stages, together: at every stage effective stresses are a share of the final ones.
+// Pores are drained, so breakage here is the far field's doing alone.
 void Simulation::equilibrate(const Progress& progress) {
   const Options& o = options();
   constexpr int stages = 10;
@@ -112,7 +114,9 @@ void Simulation::equilibrate(const Progress& progress) {
   solver_->set_undrained(false);
   ExplicitSolver::Outcome outcome;
   for (int stage = 1; stage <= stages; ++stage) {
-    boundary_->set_load(assembly_, static_cast<double>(stage) / stages);
+    const double share = static_cast<double>(stage) / stages;
+    boundary_->set_load(assembly_, share);
+    std::fill(network_.pressure.begin(), network_.pressure.end(), share * network_.reference_pressure);
     const bool last = stage == stages;
     bool stop = false;
     outcome = solver_->relax(last ? o.stepping_force_ratio : 1e-2, (last ? 20 : 1) * o.stepping_max_cycles, cracks_, [&] {
@@ -155,6 +159,7 @@ void Simulation::begin_books() {
   start_content_.assign(network_.content.begin(), network_.content.end());
   elastic_energy(start_bond_energy_, start_contact_energy_);
   start_boundary_work_ = boundary_->load_work(assembly_);
+  start_outside_change_ = network_.volume_change[0];
   solver_->energies() = {};
   if (SteppingMode{o.stepping_mode} == SteppingMode::dynamic) solver_->use_real_masses();
 }

@@ -126,7 +126,8 @@ class Simulation {
   // where the books begin
   Array<double> start_x_, start_y_, start_rotation_;
   std::vector<double> start_content_;
-  double start_bond_energy_ = 0.0, start_contact_energy_ = 0.0, start_boundary_work_ = 0.0;
+  double start_bond_energy_ = 0.0, start_contact_energy_ = 0.0, start_boundary_work_ = 0.0,
+         start_outside_change_ = 0.0;
 };
 
 // Thrown by the constructor when progress asked to stop.

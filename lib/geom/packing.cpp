@@ -110,7 +110,7 @@ void relax(const PackingOptions& box, Packing& p, const std::function<bool(doubl
   constexpr std::int64_t most = 200000;
   double step = 0.1, mixing = mixing_start;
   int downhill = 0;
-  double first = 0.0;
+  double first = 0.0, done = 0.0;
   for (std::int64_t iteration = 0;; ++iteration) {
     list.refresh(p.x, p.y);
     const Overlaps now = overlap_forces(box, p, list, fx, fy);
@@ -123,11 +123,10 @@ void relax(const PackingOptions& box, Packing& p, const std::function<bool(doubl
       throw Error(ErrorKind::model, "the packing did not relax below packing.residual = " + std::to_string(box.residual) +
                                         " (reached " + std::to_string(p.residual) + "); raise packing.residual or lower packing.porosity");
     }
+    // The residual falls by fits and starts; what was reached once is what counts as done.
     if (iteration == 0) first = std::max(p.residual, 10.0 * box.residual);
-    if (progress && iteration % 50 == 0 &&
-        progress(std::clamp(std::log(first / p.residual) / std::log(first / box.residual), 0.0, 1.0))) {
-      return;
-    }
+    done = std::clamp(std::log(first / p.residual) / std::log(first / box.residual), done, 1.0);
+    if (progress && iteration % 50 == 0 && progress(done)) return;
     double power = 0.0, f2 = 0.0, v2 = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
       power += fx[i] * vx[i] + fy[i] * vy[i];

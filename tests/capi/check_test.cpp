@@ -20,7 +20,9 @@ struct Contradiction {
 };
 
 // Instead of the bytes of the struct, which differ from run to run.
-void PrintTo(const Contradiction& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const Contradiction& c, std::ostream* out) {
+  *out << c.name;
+}
 
 void second_well(hfrac_sim_def& def, double x) {
   def.well_count = 2;
@@ -63,7 +65,8 @@ const Contradiction contradictions[] = {
      {"packing.disc_count = 9223372036854775807", "20 to 5000000"}},
     {"ModelTooThin",
      [](auto& d) {
-       d.model_height = 1.0; d.packing_disc_count = 100;
+       d.model_height = 1.0;
+       d.packing_disc_count = 100;
        d.well_count = 0;
      },
      HFRAC_ERR_MODEL,

@@ -64,13 +64,19 @@ TEST(Environment, DenormalsAreKeptInsideThoughTheHostFlushesThem) {
 }
 #endif
 
-// A host in Germany: C and C++ locale both write a decimal comma.
+// A host in Germany: its C and its C++ locale write 1.234,5.
+class GermanNumbers : public std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
 bool use_decimal_comma() {
   if (const char* folder = std::getenv("HFRAC_TEST_LOCALES")) ::setenv("LOCPATH", folder, 1);
   const bool found = std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr;
-  if (found) std::locale::global(std::locale("de_DE.UTF-8"));
   ::unsetenv("LOCPATH");
-  return found;
+  std::locale::global(std::locale(std::locale::classic(), new GermanNumbers));
+  return found && std::setlocale(LC_ALL, nullptr) != std::string("C");
 }
 
 TEST(Environment, LocaleOfTheHostChangesNothing) {
@@ -91,7 +97,7 @@ TEST(Environment, LocaleOfTheHostChangesNothing) {
   EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(last_error(), "packing.disc_count = 10000000 is outside 20 to 5000000.");
   EXPECT_STREQ(std::localeconv()->decimal_point, ",");
-  std::locale::global(std::locale::classic());
+  std::locale::global(std::locale::classic());  // C's too
 }
 
 }  // namespace

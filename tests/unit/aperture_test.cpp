@@ -59,7 +59,8 @@ TEST(Aperture, SetsTheConductanceOfItsPipe) {
     const BondView bond = view_bond(m.assembly, o, static_cast<std::int64_t>(e));
     EXPECT_EQ(w, pipe_aperture(o, 4e-5, bond, m.assembly.intact[e] > 0.0));
     const double length = m.assembly.radius[m.assembly.first[e]] + m.assembly.radius[m.assembly.second[e]];
-    EXPECT_NEAR(m.network.conductance[e], w * w * w / (12.0 * 0.3 * length), 1e-12 * m.network.conductance[e]);
+    EXPECT_NEAR(m.network.conductance[e], w * w * w / (12.0 * 0.3 * length),
+                1e-12 * m.network.conductance[e]);
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The planar graph of bonds and its faces: crossings and floaters go, wells are cut, Euler holds, areas add up.
+// The planar graph of bonds and its faces: crossings and floaters go, wells are cut, Euler holds, areas add
+// up.
 #include "geom/contact_graph.hpp"
 
 #include <gtest/gtest.h>
@@ -77,7 +78,8 @@ TEST(Faces, OfAPackingFillItsOutline) {
     if (with_hole) holes.push_back({{50.0, 50.0}, 9.0});
     const ContactGraph graph = graph_of(packed(o), holes);
     const Faces faces = build_faces(graph);
-    const auto n = static_cast<std::int64_t>(graph.x.size()), e = static_cast<std::int64_t>(graph.first.size());
+    const auto n = static_cast<std::int64_t>(graph.x.size()),
+               e = static_cast<std::int64_t>(graph.first.size());
     EXPECT_EQ(n - e + faces.count(), 2);
     double area = 0.0;
     for (std::int32_t f = 1; f < faces.count(); ++f) {
@@ -114,8 +116,8 @@ TEST(ContactGraph, CrossingJoinsLoseTheWiderOne) {
 
 TEST(ContactGraph, FloatersAndTailsGo) {
   Discs discs = square_lattice(3, 3, 0.5);
-  add(discs, 10.0, 10.0, 0.5);   // alone
-  add(discs, 3.5, 0.5, 0.5);     // a tail of two, held at one end only
+  add(discs, 10.0, 10.0, 0.5);  // alone
+  add(discs, 3.5, 0.5, 0.5);    // a tail of two, held at one end only
   add(discs, 4.5, 0.5, 0.5);
   const ContactGraph graph = graph_of(discs);
   EXPECT_EQ(graph.removed_floaters, 3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A small model for the tests of the engine's parts: discs, graph, faces, bonds, pores, boundary and solver, built the
-// way setup.cpp does it but open to the test's hands.
+// A small model for the tests of the engine's parts: discs, graph, faces, bonds, pores, boundary and solver,
+// built the way setup.cpp does it but open to the test's hands.
 #pragma once
 
 #include <memory>
@@ -73,6 +73,9 @@ class Model {
     solver = std::make_unique<ExplicitSolver>(assembly, network, *boundary, options, *workers);
   }
 
+  Model(const Model&) = delete;  // the solver holds the parts' addresses
+  Model& operator=(const Model&) = delete;
+
   // Displacements and rotations at random, up to `size` radii and radians.
   void shake(double size, std::uint64_t seed) {
     Random random(seed);
@@ -111,13 +114,27 @@ class Model {
   std::unique_ptr<ExplicitSolver> solver;
 };
 
-inline std::int64_t choice(ContactMode mode) { return static_cast<std::int64_t>(mode); }
-inline std::int64_t choice(FlowScheme scheme) { return static_cast<std::int64_t>(scheme); }
-inline std::int64_t choice(BoundaryKind kind) { return static_cast<std::int64_t>(kind); }
-inline std::int64_t choice(WallsAfterSetup after) { return static_cast<std::int64_t>(after); }
-inline std::int64_t choice(Reading reading) { return static_cast<std::int64_t>(reading); }
-inline std::int64_t choice(OuterPores outer) { return static_cast<std::int64_t>(outer); }
-inline std::int64_t choice(SteppingMode mode) { return static_cast<std::int64_t>(mode); }
+inline std::int64_t choice(ContactMode mode) {
+  return static_cast<std::int64_t>(mode);
+}
+inline std::int64_t choice(FlowScheme scheme) {
+  return static_cast<std::int64_t>(scheme);
+}
+inline std::int64_t choice(BoundaryKind kind) {
+  return static_cast<std::int64_t>(kind);
+}
+inline std::int64_t choice(WallsAfterSetup after) {
+  return static_cast<std::int64_t>(after);
+}
+inline std::int64_t choice(Reading reading) {
+  return static_cast<std::int64_t>(reading);
+}
+inline std::int64_t choice(OuterPores outer) {
+  return static_cast<std::int64_t>(outer);
+}
+inline std::int64_t choice(SteppingMode mode) {
+  return static_cast<std::int64_t>(mode);
+}
 
 // A dry rock of a few hundred discs that does not break.
 inline Options dry_options(std::int64_t discs) {

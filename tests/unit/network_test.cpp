@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pores and pipes: the weights of eq. 10, by which pressure pushes discs and discs squeeze pores, and pore volumes.
+// Pores and pipes: the weights of eq. 10, by which pressure pushes discs and discs squeeze pores, and pore
+// volumes.
 #include "flow/network.hpp"
 
 #include <gtest/gtest.h>
@@ -81,7 +82,8 @@ TEST(Network, VolumeChangeIsThatOfThePolygonWhenRadiiAreEqual) {
   for (std::int64_t d = 1; d < m.network.domain_count(); ++d) {
     const auto corners = m.network.corner_start[d + 1] - m.network.corner_start[d];
     // What is left is of second order in the displacement.
-    EXPECT_NEAR(m.network.volume_change[d], polygon_area(m, d) - before[d], 10.0 * corners * size * size * radius * radius)
+    EXPECT_NEAR(m.network.volume_change[d], polygon_area(m, d) - before[d],
+                10.0 * corners * size * size * radius * radius)
         << "domain " << d;
     EXPECT_NEAR(m.network.pressure[d],
                 m.network.reference_pressure - m.network.stiffness[d] * m.network.volume_change[d], 1e-6);
@@ -132,7 +134,8 @@ TEST(Network, BothListsOfCornersSayTheSame) {
   for (std::size_t i = 0; i < ux.size(); ++i) {
     for (auto k = m.network.disc_corner_start[i]; k < m.network.disc_corner_start[i + 1]; ++k) {
       const double pressure = p[static_cast<std::size_t>(m.network.disc_corner_domain[k])];
-      by_disc += pressure * (m.network.disc_corner_weight[2 * k] * ux[i] + m.network.disc_corner_weight[2 * k + 1] * uy[i]);
+      by_disc += pressure * (m.network.disc_corner_weight[2 * k] * ux[i] +
+                             m.network.disc_corner_weight[2 * k + 1] * uy[i]);
     }
   }
   EXPECT_NEAR(by_domain, by_disc, 1e-10);

@@ -99,9 +99,9 @@ typedef struct hfrac_sim_def {
   double bond_toughness_reference_radius;
 
   /** [Pa] Far-field stress along x, compression positive; at least sigma_h. Total in the sound reading,
-   * effective in the paper's. Default 0.0. */
+   * effective in the paper's. Default 33e6. */
   double stress_sigma_H;
-  /** [Pa] Far-field stress along y, compression positive. Default 0.0. */
+  /** [Pa] Far-field stress along y, compression positive. Default 25e6. */
   double stress_sigma_h;
 
   /** 0: stress, 1: walls. stress: far-field stress as forces on the outermost discs. walls: four rigid

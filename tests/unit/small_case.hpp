@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A small hydraulic-fracturing case that cracks within a few steps, for tests of whole simulations.
+#pragma once
+
+#include "couple/simulation.hpp"
+#include "model.hpp"
+
+namespace testing_unit {
+
+// The paper's reading at 1 000 discs: rigid walls, no far field, hole of about 5 mean radii.
+inline CaseDefinition cracking_case() {
+  CaseDefinition definition;
+  Options& o = definition.options;
+  o.model_reading = choice(Reading::paper);
+  o.boundary_kind = choice(BoundaryKind::walls);
+  o.packing_disc_count = 1000;
+  WellOptions well;
+  well.x = well.y = 50.0;
+  well.radius = 8.5;
+  well.pressure = 60e6;
+  definition.wells.push_back(well);
+  return definition;
+}
+
+// Total stresses, stress boundary, nothing breaks.
+inline CaseDefinition quiet_case() {
+  CaseDefinition definition = cracking_case();
+  Options& o = definition.options;
+  o.model_reading = choice(Reading::sound);
+  o.boundary_kind = choice(BoundaryKind::stress);
+  o.packing_disc_count = 500;
+  o.stress_sigma_H = o.stress_sigma_h = 30e6;
+  o.bond_tensile_strength = o.bond_shear_strength = 1e12;
+  definition.wells[0].radius = 10.0;
+  definition.wells[0].pressure = 30e6;
+  return definition;
+}
+
+}  // namespace testing_unit
