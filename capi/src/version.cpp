@@ -4,12 +4,7 @@
 
 #include "hfrac/base.h"
 #include "internal.hpp"
-#if __has_include("solid/kernel_dispatch.hpp")
-#include "solid/kernel_dispatch.hpp"
-#define HFRAC_ISA hfrac::kernel_isa()
-#else
-#define HFRAC_ISA instruction_set()
-#endif
+#include "solid/kernels.hpp"
 
 #define HFRAC_TEXT_OF(x) #x
 #define HFRAC_TEXT(x) HFRAC_TEXT_OF(x)
@@ -21,18 +16,6 @@
 using namespace hfrac::capi;
 
 namespace {
-
-#if !__has_include("solid/kernel_dispatch.hpp")
-const char* instruction_set() noexcept {
-#if defined(__x86_64__) && defined(__GNUC__)
-  if (__builtin_cpu_supports("avx512f")) return "avx512";
-  if (__builtin_cpu_supports("avx2")) return "avx2";
-  return "sse2";
-#else
-  return "generic";
-#endif
-}
-#endif
 
 #if defined(__clang__)
 constexpr const char* compiler = "clang " __clang_version__;
@@ -66,7 +49,7 @@ std::int32_t hfrac_build_info(char* buffer, std::int32_t capacity, std::int32_t*
   return guarded([&] {
     const std::string text = "hfrac " HFRAC_TEXT(HFRAC_VERSION_MAJOR) "." HFRAC_TEXT(
                                  HFRAC_VERSION_MINOR) "." HFRAC_TEXT(HFRAC_VERSION_PATCH) ", " +
-                             std::string(compiler) + ", " HFRAC_BUILD_TYPE ", kernels " + HFRAC_ISA;
+                             std::string(compiler) + ", " HFRAC_BUILD_TYPE ", kernels " + hfrac::kernel_isa();
     copy_text(text, buffer, capacity, needed);
   });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the verification cases share: simulations made and read through hfrac.h as a user would, linear fits, and the
-// line each case prints for every figure it checks.
+// What the verification cases share: simulations made and read through hfrac.h as a user would, linear fits,
+// and the line each case prints for every figure it checks.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -79,8 +79,8 @@ class Simulation {
 struct Plane {
   double a, b, c;
 };
-inline Plane fit_plane(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& value,
-                       const std::vector<char>& use) {
+inline Plane fit_plane(const std::vector<double>& x, const std::vector<double>& y,
+                       const std::vector<double>& value, const std::vector<char>& use) {
   double n = 0.0, mx = 0.0, my = 0.0, mv = 0.0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (use[i] == 0) continue;
@@ -102,14 +102,16 @@ inline Plane fit_plane(const std::vector<double>& x, const std::vector<double>& 
     xv += dx * dv;
     yv += dy * dv;
   }
-  const double determinant = xx * yy - xy * xy, b = (xv * yy - yv * xy) / determinant, c = (yv * xx - xv * xy) / determinant;
+  const double determinant = xx * yy - xy * xy, b = (xv * yy - yv * xy) / determinant,
+               c = (yv * xx - xv * xy) / determinant;
   return {mv - b * mx - c * my, b, c};
 }
 
-// One line of the case's record: what, measured, analytic, error, tolerance (both relative to the analytic value).
+// One line of the case's record: what, measured, analytic, error, tolerance (both relative to the analytic
+// value).
 inline void report(const char* what, double measured, double analytic, double tolerance) {
-  std::printf("  %-52s measured %12.6g  analytic %12.6g  error %+9.2e  tolerance %.1e\n", what, measured, analytic,
-              measured / analytic - 1.0, tolerance);
+  std::printf("  %-52s measured %12.6g  analytic %12.6g  error %+9.2e  tolerance %.1e\n", what, measured,
+              analytic, measured / analytic - 1.0, tolerance);
   EXPECT_NEAR(measured, analytic, tolerance * std::abs(analytic)) << what;
 }
 
