@@ -85,7 +85,8 @@ Faces build_faces(const ContactGraph& graph) {
     throw Error(ErrorKind::model, "the contact graph is not planar: N - E + F = " + std::to_string(euler) +
                                       " instead of 2; check the given discs for overlaps");
   }
-  std::swap(loops[0], loops[outside]);
+  // The outside first; the others stay sorted by their lowest edge, and so by their lowest disc.
+  std::rotate(loops.begin(), loops.begin() + static_cast<std::ptrdiff_t>(outside), loops.begin() + static_cast<std::ptrdiff_t>(outside) + 1);
 
   Faces faces;
   faces.left.resize(graph.first.size());

@@ -42,6 +42,7 @@ ExplicitSolver::ExplicitSolver(Assembly& assembly, Network& network, Boundary& b
   bond_sums_.assign(blocks(assembly.bond_count()), {});
   disc_sums_.assign(blocks(discs), {});
   domain_sums_.assign(blocks(network.domain_count()), {});
+  sweeps_ = plan_sweeps(assembly, network, workers.count());
   bind_arrays();
   refresh_stiffness();
   use_scaled_masses();
@@ -164,27 +165,31 @@ void ExplicitSolver::break_bonds(std::int64_t first, std::int64_t last, std::int
   kernels_.bond_pass(arrays_, first, last);  // what the block's bonds bear now
 }
 
+void ExplicitSolver::take(const SweepItem& item, std::int64_t cycle, CrackLog& found) {
+  switch (item.kind) {
+    case SweepItem::Kind::bonds:
+      kernels_.bond_pass(arrays_, item.first, item.last);
+      if (bond_sums_[static_cast<std::size_t>(item.first / kernel_block)].flagged != 0) break_bonds(item.first, item.last, cycle, found);
+      break;
+    case SweepItem::Kind::domains:
+      if (arrays_.with_pressure != 0 && undrained_) kernels_.domain_pass(arrays_, item.first, item.last);
+      break;
+    case SweepItem::Kind::discs: kernels_.disc_pass(arrays_, item.first, item.last); break;
+  }
+}
+
 void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
-  const bool wet = arrays_.with_pressure != 0;
   arrays_.stiffness = network_.stiffness.data();
   const std::function<void(int)> task = [&](int worker) {
-    const auto bonds = workers_.part(worker, arrays_.bond_count, kernel_block);
-    const auto discs = workers_.part(worker, arrays_.disc_count, kernel_block);
-    const auto domains = workers_.part(worker, arrays_.domain_count, kernel_block);
-    for (std::int64_t cycle = 0; cycle < cycles; ++cycle) {
-      kernels_.bond_pass(arrays_, bonds.first, bonds.last);
-      for (auto b = bonds.first; b < bonds.last; b += kernel_block) {
-        if (bond_sums_[b / kernel_block].flagged != 0) {
-          break_bonds(b, std::min(b + kernel_block, bonds.last), total_cycles_ + cycle, found[worker]);
-        }
-      }
-      if (wet && undrained_) kernels_.domain_pass(arrays_, domains.first, domains.last);
+    const auto w = static_cast<std::size_t>(worker);
+    for (std::int64_t cycle = total_cycles_; cycle < total_cycles_ + cycles; ++cycle) {
+      for (const auto& item : sweeps_[w].shared) take(item, cycle, found[w]);
       if (worker == 0 && boundary_.needs_cycles()) {
         boundary_.cycle(assembly_, arrays_.step, options_.stepping_safety, arrays_.damping);
       }
       if (worker == 0 && !loose_.empty()) loose_.cycle(assembly_, boundary_, arrays_.step, energies_.friction);
       workers_.barrier();
-      kernels_.disc_pass(arrays_, discs.first, discs.last);
+      for (const auto& item : sweeps_[w].own) take(item, cycle, found[w]);
       workers_.barrier();
     }
   };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Newton's law for every disc, cycle by cycle (eq. 11, 12), with local damping (Cundall 1987).
 //
-// One cycle, in two phases with a barrier after each:
-//   1  bond pass: forces from displacements, breakage    domain pass: undrained pressures from displacements
-//      boundary (worker 0): wall forces, servo
-//   2  disc pass: velocities and displacements from bond forces, pressures and the boundary's forces
+// One cycle, in two phases with a barrier after each; sweep.hpp says what is done in which:
+//   bond pass: forces from displacements, breakage       domain pass: undrained pressures from displacements
+//   boundary (worker 0, first phase): wall forces, servo
+//   disc pass: velocities and displacements from bond forces, pressures and the boundary's forces
 //
 // With real masses a cycle lasts the stable step. To find rest, masses are scaled instead so that every disc is equally close
 // to its stability limit and the step is 1 (density scaling): the way is not physical, the end is.
@@ -21,6 +21,7 @@
 #include "solid/boundary.hpp"
 #include "solid/kernels.hpp"
 #include "solid/loose_contacts.hpp"
+#include "solid/sweep.hpp"
 
 namespace hfrac {
 
@@ -73,6 +74,7 @@ class ExplicitSolver {
 
  private:
   void batch(std::int64_t cycles, std::vector<CrackLog>& found);
+  void take(const SweepItem& item, std::int64_t cycle, CrackLog& found);
   void break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, CrackLog& found);
   [[nodiscard]] double force_ratio() const;
   void bind_arrays();
@@ -84,6 +86,7 @@ class ExplicitSolver {
   const Options& options_;
   Workers& workers_;
   const KernelTable& kernels_;
+  std::vector<Sweep> sweeps_;
   KernelArrays arrays_{};
   Array<double> inverse_mass_, inverse_inertia_;
   std::vector<double> row_x_, row_y_, row_rotation_;  // N/m: row sums of stiffness
