@@ -2,7 +2,6 @@
 // A simulation's life from C: create, step, ask how it stands, destroy.
 #include "hfrac/sim.h"
 
-#include <chrono>
 #include <cmath>
 #include <string>
 
@@ -10,6 +9,7 @@
 #include "def_image.hpp"
 #include "internal.hpp"
 #include "sim_handle.hpp"
+#include "stepping.hpp"
 
 using namespace hfrac;
 using namespace hfrac::capi;
@@ -18,32 +18,6 @@ hfrac_sim::hfrac_sim() = default;
 hfrac_sim::~hfrac_sim() = default;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-// The host's progress callback, asked about every so many seconds. Once it has said stop it is not asked again.
-class Asker {
- public:
-  Asker(hfrac_sim& sim, hfrac_progress_fn progress, void* user, double seconds)
-      : sim_(sim), progress_(progress), user_(user), seconds_(seconds), last_(Clock::now()) {}
-
-  bool stop(double fraction, const char* what) {
-    if (stopped_ || progress_ == nullptr) return stopped_;
-    const auto now = Clock::now();
-    if (std::chrono::duration<double>(now - last_).count() < seconds_) return false;
-    last_ = now;
-    stopped_ = call_host(&sim_, [&] { return progress_(user_, fraction, what); }) != 0;
-    return stopped_;
-  }
-
- private:
-  hfrac_sim& sim_;
-  hfrac_progress_fn progress_;
-  void* user_;
-  double seconds_;
-  Clock::time_point last_;
-  bool stopped_ = false;
-};
 
 // One step of a longer call; `fraction` of that call is done when it begins.
 std::int32_t take_step(hfrac_sim& sim, Asker& asker, double fraction) {
@@ -109,6 +83,7 @@ int32_t hfrac_sim_definition(const hfrac_sim* sim, hfrac_sim_def* def) {
 int32_t hfrac_step(hfrac_sim* sim, int64_t count) {
   return guarded_sim(sim, [&]() -> std::int32_t {
     if (count < 0) throw Error(ErrorKind::argument, "count = " + std::to_string(count) + " is negative; give 0 or more steps.");
+    require_no_open_step(*sim);
     Asker asker(*sim, sim->progress, sim->progress_user, sim->progress_seconds);
     std::int32_t status = HFRAC_OK;
     for (std::int64_t k = 0; k < count; ++k) {
@@ -126,6 +101,7 @@ int32_t hfrac_advance(hfrac_sim* sim, double target, double* reached, int32_t* r
     require_finite(target, "target");
     require_not_null(reached, "reached");
     require_not_null(reason, "reason");
+    require_no_open_step(*sim);
     const Simulation& s = *sim->simulation;
     const double start = s.time();
     Asker asker(*sim, sim->progress, sim->progress_user, sim->progress_seconds);

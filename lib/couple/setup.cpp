@@ -148,7 +148,7 @@ void Simulation::begin_books() {
   source_.assign(static_cast<std::size_t>(network_.domain_count()), 0.0);
   for (auto& well : wells_) {
     network_.stiffness[well.place.domain] = 0.0;
-    well_content_.push_back(network_.content[well.place.domain]);
+    well.content = network_.content[well.place.domain];
   }
   if (wet) {
     calibrate_aperture(network_, assembly_, o, definition_.wells);

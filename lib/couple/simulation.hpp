@@ -3,6 +3,7 @@
 // built, in setup.cpp.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -33,6 +34,7 @@ struct Well {
   double set_rate = 0.0;          // m2/s
   double rate = 0.0;              // m2/s into the well in the last step
   double injected = 0.0;          // m2 since set-up
+  double content = 0.0;           // m2 at the end of the last step
 };
 
 struct SetupReport {
@@ -59,7 +61,7 @@ class Simulation {
     bool at_rest = true;
   };
   // One step. If it is interrupted or fails, the state is as before it.
-  StepOutcome step(const std::function<bool()>& interrupt = {});
+  StepOutcome step(const std::function<bool()>& interrupt = {}) { return step_for(options().stepping_flow_step, interrupt); }
 
   void set_well_pressure(std::size_t well, double pressure);
   void set_well_ramp(std::size_t well, double pressure, double per_step);
@@ -91,20 +93,41 @@ class Simulation {
   [[nodiscard]] StopReason stop_reason() const;
   [[nodiscard]] std::uint64_t state_hash() const;
 
+  // The state as bytes, and back. A restored simulation goes on bit for bit as the saved one did. Images fit the model they
+  // were taken from; anything else is refused and changes nothing.
+  [[nodiscard]] std::vector<std::byte> image() const;
+  void restore(std::span<const std::byte> image);
+
+  // A step in three parts, for hosts that iterate: try_step may be called again and again, with another duration or
+  // other wells, and always starts from where begin_step was called; accept_step keeps the last one, reject_step
+  // goes back.
+  void begin_step();
+  StepOutcome try_step(double duration, const std::function<bool()>& interrupt = {});
+  void accept_step();
+  void reject_step();
+  [[nodiscard]] bool step_open() const { return step_open_; }
+
+  // From the next step on; stress-controlled or servo-driven boundaries only.
+  void set_far_field(double sigma_H, double sigma_h);
+
  private:
   // setup.cpp
   void build(std::span<const double> given_discs, const Progress& progress);
   void equilibrate(const Progress& progress);
   void begin_books();
   // step.cpp
+  StepOutcome step_for(double duration, const std::function<bool()>& interrupt);
   void drive_wells();
   void flow_step(double duration);
   void finish_step(double duration, std::size_t cracks_before);
   void impose_well_pressure(Well& well, double pressure);
+  // state.cpp
+  template <class Archive, class Self>
+  static void visit_state(Archive& archive, Self& self);
+  void save_state(std::vector<std::byte>& image) const;
+  void load_state(std::span<const std::byte> image);
+  [[nodiscard]] std::uint64_t model_fingerprint() const;
   // books.cpp
-  struct Kept;
-  [[nodiscard]] std::shared_ptr<const Kept> keep() const;
-  void undo(const Kept& kept);
   void elastic_energy(double& bonds, double& contacts) const;  // J/m
 
   CaseDefinition definition_;
@@ -118,14 +141,15 @@ class Simulation {
   CrackLog cracks_;
   SetupReport setup_;
   std::vector<double> source_;        // m2/s per domain, from wells at a rate
-  std::vector<double> well_content_;  // m2, of each well at the end of the last step
   double time_ = 0.0, force_ratio_ = 0.0, leaked_ = 0.0, tip_distance_ = 0.0;
   std::int64_t step_ = 0;
   bool at_rest_ = true;
   int flow_rounds_ = 0;
   // where the books begin
   Array<double> start_x_, start_y_, start_rotation_;
-  std::vector<double> start_content_;
+  Array<double> start_content_;
+  std::vector<std::byte> before_step_, opened_;  // images to go back to
+  bool step_open_ = false;
   double start_bond_energy_ = 0.0, start_contact_energy_ = 0.0, start_boundary_work_ = 0.0,
          start_outside_change_ = 0.0;
 };

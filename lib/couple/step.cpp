@@ -22,24 +22,24 @@
 
 namespace hfrac {
 
-Simulation::StepOutcome Simulation::step(const std::function<bool()>& interrupt) {
+Simulation::StepOutcome Simulation::step_for(double duration, const std::function<bool()>& interrupt) {
   const Options& o = options();
-  const auto before = keep();
+  save_state(before_step_);
   try {
     drive_wells();
-    flow_step(o.stepping_flow_step);
+    flow_step(duration);
 
     ExplicitSolver::Outcome mechanics;
     const std::size_t cracks_before = cracks_.size();
     if (SteppingMode{o.stepping_mode} == SteppingMode::dynamic) {
-      const auto cycles = static_cast<std::int64_t>(std::max(1.0, std::ceil(o.stepping_flow_step / solver_->step())));
+      const auto cycles = static_cast<std::int64_t>(std::max(1.0, std::ceil(duration / solver_->step())));
       mechanics = solver_->run(cycles, cracks_, interrupt);
       mechanics.at_rest = true;  // not asked for
     } else {
       mechanics = solver_->relax(o.stepping_force_ratio, o.stepping_max_cycles, cracks_, interrupt);
     }
     if (mechanics.stopped) {
-      undo(*before);
+      load_state(before_step_);
       return {true, at_rest_};
     }
     force_ratio_ = mechanics.force_ratio;
@@ -47,9 +47,9 @@ Simulation::StepOutcome Simulation::step(const std::function<bool()>& interrupt)
     solver_->evaluate();
     if (flow_) update_apertures(network_, assembly_, o);
     solver_->search_contacts(cracks_);
-    finish_step(o.stepping_flow_step, cracks_before);
+    finish_step(duration, cracks_before);
   } catch (...) {
-    undo(*before);
+    load_state(before_step_);
     throw;
   }
   return {false, at_rest_};
@@ -112,12 +112,12 @@ void Simulation::finish_step(double duration, std::size_t cracks_before) {
     if (network_.stiffness[d] == 0.0) {
       // What it took to keep the pressure: what flowed out, and what the hole holds more than before.
       const double content = content_at(network_, d, options().fluid_bulk_modulus, network_.pressure[d]);
-      well.injected += duration * outflow[w] + content - well_content_[w];
+      well.injected += duration * outflow[w] + content - well.content;
       network_.content[d] = content;
     } else {
       well.injected += duration * source_[static_cast<std::size_t>(d)];
     }
-    well_content_[w] = network_.content[d];
+    well.content = network_.content[d];
     well.rate = (well.injected - injected_before) / duration;
   }
   for (std::size_t c = cracks_before; c < cracks_.size(); ++c) {
@@ -134,6 +134,48 @@ void Simulation::finish_step(double duration, std::size_t cracks_before) {
       tip_distance_ = std::max(tip_distance_, nearest);
     }
   }
+}
+
+void Simulation::begin_step() {
+  save_state(opened_);
+  step_open_ = true;
+}
+
+Simulation::StepOutcome Simulation::try_step(double duration, const std::function<bool()>& interrupt) {
+  if (!step_open_) throw Error(ErrorKind::argument, "no step is open; call hfrac_step_prepare first.");
+  // Wells and far field are the host's: what it set since the last try stays.
+  const auto wells = wells_;
+  const double sigma_H = options().stress_sigma_H, sigma_h = options().stress_sigma_h;
+  load_state(opened_);
+  for (std::size_t w = 0; w < wells.size(); ++w) {
+    wells_[w].control = wells[w].control;
+    wells_[w].target_pressure = wells[w].target_pressure;
+    wells_[w].ramp_per_step = wells[w].ramp_per_step;
+    wells_[w].set_rate = wells[w].set_rate;
+  }
+  if (sigma_H != options().stress_sigma_H || sigma_h != options().stress_sigma_h) set_far_field(sigma_H, sigma_h);
+  return step_for(duration, interrupt);
+}
+
+void Simulation::accept_step() {
+  if (!step_open_) throw Error(ErrorKind::argument, "no step is open; call hfrac_step_prepare first.");
+  step_open_ = false;
+}
+
+void Simulation::reject_step() {
+  if (!step_open_) throw Error(ErrorKind::argument, "no step is open; call hfrac_step_prepare first.");
+  load_state(opened_);
+  step_open_ = false;
+}
+
+void Simulation::set_far_field(double sigma_H, double sigma_h) {
+  if (!boundary_->follows_far_field()) {
+    throw Error(ErrorKind::argument, "the walls are fixed, so the far field cannot act; use boundary.kind = \"stress\" or boundary.walls_after_setup = \"servo\".");
+  }
+  if (sigma_h > sigma_H) throw Error(ErrorKind::argument, "sigma_h = " + std::to_string(sigma_h) + " Pa is larger than sigma_H = " + std::to_string(sigma_H) + " Pa; swap them.");
+  definition_.options.stress_sigma_H = sigma_H;
+  definition_.options.stress_sigma_h = sigma_h;
+  boundary_->set_far_field(assembly_, sigma_H, sigma_h);
 }
 
 void Simulation::set_well_pressure(std::size_t well, double pressure) {

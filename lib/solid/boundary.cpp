@@ -11,22 +11,23 @@ namespace hfrac {
 Boundary::Boundary(const Assembly& a, const Network& n, const Options& o)
     : walled_(BoundaryKind{o.boundary_kind} == BoundaryKind::walls), stiffness_(o.contact_normal_stiffness) {
   if (!walled_) {
-    load_x_.assign(a.x.size(), 0.0);
-    load_y_.assign(a.x.size(), 0.0);
+    for (auto* values : {&weight_x_, &weight_y_, &load_x_, &load_y_}) values->assign(a.x.size(), 0.0);
     // The outside's weights are force per pressure; a stress presses with its own component along each axis.
     for (auto k = n.corner_start[0]; k < n.corner_start[1]; ++k) {
-      load_x_[n.corner_disc[k]] += o.stress_sigma_H * n.corner_weight[2 * k];
-      load_y_[n.corner_disc[k]] += o.stress_sigma_h * n.corner_weight[2 * k + 1];
+      weight_x_[n.corner_disc[k]] += n.corner_weight[2 * k];
+      weight_y_[n.corner_disc[k]] += n.corner_weight[2 * k + 1];
     }
+    put_far_field(o.stress_sigma_H, o.stress_sigma_h);
     return;
   }
   // Walls carry effective stress: the pores outside push with the formation's pressure.
-  const double outside = n.reference_pressure;
+  outside_pressure_ = n.reference_pressure;
   const double width = o.model_width, height = o.model_height;
-  walls_[0] = {{1.0, 0.0}, height, o.stress_sigma_H - outside, 0.0, 0.0, {}};
-  walls_[1] = {{-1.0, 0.0}, height, o.stress_sigma_H - outside, 0.0, 0.0, {}};
-  walls_[2] = {{0.0, 1.0}, width, o.stress_sigma_h - outside, 0.0, 0.0, {}};
-  walls_[3] = {{0.0, -1.0}, width, o.stress_sigma_h - outside, 0.0, 0.0, {}};
+  walls_[0] = {{1.0, 0.0}, height, 0.0, 0.0, 0.0, {}};
+  walls_[1] = {{-1.0, 0.0}, height, 0.0, 0.0, 0.0, {}};
+  walls_[2] = {{0.0, 1.0}, width, 0.0, 0.0, 0.0, {}};
+  walls_[3] = {{0.0, -1.0}, width, 0.0, 0.0, 0.0, {}};
+  put_far_field(o.stress_sigma_H, o.stress_sigma_h);
   const double tolerance = std::max(o.bond_gap_tolerance, 0.01) * a.mean_radius;
   at_wall_.assign(a.x.size(), 0);
   for (std::int32_t i = 0; i < a.disc_count(); ++i) {
@@ -37,6 +38,28 @@ Boundary::Boundary(const Assembly& a, const Network& n, const Options& o)
       walls_[w].discs.push_back(i);
       at_wall_[static_cast<std::size_t>(i)] = 1;
     }
+  }
+}
+
+void Boundary::put_far_field(double sigma_H, double sigma_h) {
+  if (walled_) {
+    walls_[0].target = walls_[1].target = sigma_H - outside_pressure_;
+    walls_[2].target = walls_[3].target = sigma_h - outside_pressure_;
+    return;
+  }
+  for (std::size_t i = 0; i < load_x_.size(); ++i) {
+    load_x_[i] = sigma_H * weight_x_[i];
+    load_y_[i] = sigma_h * weight_y_[i];
+  }
+}
+
+void Boundary::set_far_field(Assembly& a, double sigma_H, double sigma_h) {
+  // The work done so far stays what it was: load_work() measures from where displacements began.
+  const double before = load_work(a);
+  put_far_field(sigma_H, sigma_h);
+  if (!walled_) {
+    set_load(a, load_);
+    carried_work_ += before - load_work(a);
   }
 }
 
@@ -109,7 +132,7 @@ double Boundary::wall_energy(const Assembly& a) const {
 
 double Boundary::load_work(const Assembly& a) const {
   if (walled_) return work_;
-  double work = 0.0;
+  double work = carried_work_;
   for (std::size_t i = 0; i < a.x.size(); ++i) work += load_ * (load_x_[i] * a.ux[i] + load_y_[i] * a.uy[i]);
   return work;
 }

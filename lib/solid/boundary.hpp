@@ -37,6 +37,18 @@ class Boundary {
   [[nodiscard]] bool touches_wall(std::int32_t disc) const { return walled_ && at_wall_[static_cast<std::size_t>(disc)] != 0; }
 
   void fix_walls() { servo_ = false; }
+  [[nodiscard]] bool follows_far_field() const { return !walled_ || servo_; }
+  // New far-field stress [Pa], total in the sound reading; the share in force stays.
+  void set_far_field(Assembly& assembly, double sigma_H, double sigma_h);
+
+  template <class Archive>
+  void visit_state(Archive& archive) {
+    visit(archive, *this);
+  }
+  template <class Archive>
+  void visit_state(Archive& archive) const {
+    visit(archive, *this);
+  }
   [[nodiscard]] bool walled() const { return walled_; }
   [[nodiscard]] bool needs_cycles() const { return walled_; }
 
@@ -63,9 +75,26 @@ class Boundary {
   std::array<Wall, 4>& walls() { return walls_; }
 
  private:
+  void put_far_field(double sigma_H, double sigma_h);
+
+  template <class Archive, class Self>
+  static void visit(Archive& archive, Self& s) {
+    for (auto& wall : s.walls_) {
+      archive.value(wall.displacement);
+      archive.value(wall.velocity);
+    }
+    archive.value(s.servo_);
+    archive.value(s.load_);
+    archive.value(s.work_);
+    archive.value(s.imbalance_);
+    archive.value(s.carried_work_);
+  }
+
   bool walled_, servo_ = true;
-  double stiffness_, load_ = 0.0, work_ = 0.0, imbalance_ = 0.0;
-  Array<double> load_x_, load_y_;  // N at full load
+  double stiffness_, load_ = 0.0, work_ = 0.0, imbalance_ = 0.0, carried_work_ = 0.0;
+  double outside_pressure_ = 0.0;           // Pa, what walls leave to the pores outside
+  Array<double> weight_x_, weight_y_;       // m: force on a disc per stress along x, y
+  Array<double> load_x_, load_y_;           // N at full load
   std::array<Wall, 4> walls_;
   std::vector<char> at_wall_;  // per disc
 };

@@ -260,10 +260,7 @@ void ExplicitSolver::search_contacts(const CrackLog& cracks) {
   if (loose_.search(assembly_, boundary_, cracks)) refresh_stiffness();
 }
 
-void ExplicitSolver::restore_loose_contacts(const LooseContacts::State& state) {
-  loose_.restore(state);
-  refresh_stiffness();
-}
+void ExplicitSolver::after_restore() { refresh_stiffness(); }
 
 double ExplicitSolver::kinetic_energy() const {
   double energy = 0.0;

@@ -64,15 +64,32 @@ class ExplicitSolver {
   [[nodiscard]] const Energies& energies() const { return energies_; }
   Energies& energies() { return energies_; }
   [[nodiscard]] std::int64_t total_cycles() const { return total_cycles_; }
-  void set_total_cycles(std::int64_t cycles) { total_cycles_ = cycles; }
   void stop_motion();
   // Looks for new contacts around cracks; call between steps.
   void search_contacts(const CrackLog& cracks);
   [[nodiscard]] const LooseContacts& loose_contacts() const { return loose_; }
-  void restore_loose_contacts(const LooseContacts::State& state);
+
+  // After the state was restored: the stable step follows from it (forces are found anew in every cycle).
+  void after_restore();
+  template <class Archive>
+  void visit_state(Archive& archive) {
+    visit(archive, *this);
+  }
+  template <class Archive>
+  void visit_state(Archive& archive) const {
+    visit(archive, *this);
+  }
   const KernelArrays& arrays() const { return arrays_; }
 
  private:
+  template <class Archive, class Self>
+  static void visit(Archive& archive, Self& s) {
+    auto& e = s.energies_;
+    for (auto* value : {&e.friction, &e.damping, &e.fluid, &e.fracture}) archive.value(*value);
+    archive.value(s.total_cycles_);
+    s.loose_.visit_state(archive);
+  }
+
   void batch(std::int64_t cycles, std::vector<CrackLog>& found);
   void take(const SweepItem& item, std::int64_t cycle, CrackLog& found);
   void break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, CrackLog& found);

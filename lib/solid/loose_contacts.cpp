@@ -155,13 +155,4 @@ double LooseContacts::energy() const {
   return sum;
 }
 
-void LooseContacts::restore(const State& state) {
-  pairs_ = state.pairs;
-  discs_ = state.discs;
-  cracked_ = state.cracked;
-  searched_x_ = state.searched_x;
-  searched_y_ = state.searched_y;
-  cracks_seen_ = state.cracks_seen;
-}
-
 }  // namespace hfrac

@@ -41,17 +41,31 @@ class LooseContacts {
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
   [[nodiscard]] double energy() const;  // J/m, stored now
 
-  // For undoing a step.
-  struct State {
-    std::vector<Pair> pairs;
-    std::vector<std::int32_t> discs, cracked;
-    std::vector<double> searched_x, searched_y;
-    std::size_t cracks_seen = 0;
-  };
-  [[nodiscard]] State state() const { return {pairs_, discs_, cracked_, searched_x_, searched_y_, cracks_seen_}; }
-  void restore(const State& state);
+  template <class Archive>
+  void visit_state(Archive& archive) {
+    visit(archive, *this);
+  }
+  template <class Archive>
+  void visit_state(Archive& archive) const {
+    visit(archive, *this);
+  }
 
  private:
+  template <class Archive, class Self>
+  static void visit(Archive& archive, Self& s) {
+    archive.list(s.pairs_, [](auto& ar, auto& pair) {
+      ar.value(pair.first);
+      ar.value(pair.second);
+      for (auto* value : {&pair.reference_gap, &pair.shear_force, &pair.normal_force}) ar.value(*value);
+    });
+    const auto plain = [](auto& ar, auto& item) { ar.value(item); };
+    archive.list(s.discs_, plain);
+    archive.list(s.cracked_, plain);
+    archive.list(s.searched_x_, plain);
+    archive.list(s.searched_y_, plain);
+    archive.value(s.cracks_seen_);
+  }
+
   void release(Assembly& assembly, const Boundary& boundary);
 
   const Options& options_;

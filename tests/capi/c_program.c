@@ -1,64 +1,220 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The interface as a C99 program sees it: no C++ anywhere, every result through a pointer. */
+/* The interface as a C99 program sees it: no C++ anywhere, every result through a pointer, every function
+ * called. */
 #include <hfrac/hfrac.h>
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static int failures = 0;
 
-static void expect(int32_t status, int32_t wanted, const char *what) {
+static void expect(int32_t status, int32_t wanted, const hfrac_sim* sim, const char* what) {
   if (status != wanted) {
     char text[1024];
-    hfrac_last_error(NULL, text, (int32_t)sizeof text, NULL);
+    hfrac_last_error(sim, text, (int32_t)sizeof text, NULL);
     fprintf(stderr, "%s: status %d instead of %d: %s\n", what, (int)status, (int)wanted, text);
     ++failures;
   }
 }
 
-/* Every option of the table, read by its key. */
-static void list_options(const hfrac_sim_def *def) {
+static void good(int32_t status, const hfrac_sim* sim, const char* what) {
+  expect(status, HFRAC_OK, sim, what);
+}
+
+static void check(int holds, const char* what) {
+  if (!holds) {
+    fprintf(stderr, "not so: %s\n", what);
+    ++failures;
+  }
+}
+
+/* base.h */
+static void library(void) {
+  char text[1024];
+  int32_t major = 0, minor = 0, patch = 0, abi = -1, needed = 0;
+  good(hfrac_version(&major, &minor, &patch), NULL, "version");
+  check(major == HFRAC_VERSION_MAJOR && minor == HFRAC_VERSION_MINOR && patch == HFRAC_VERSION_PATCH,
+        "the library is the header's");
+  good(hfrac_abi_version(&abi), NULL, "abi_version");
+  check(abi == HFRAC_ABI_VERSION, "so is its ABI");
+  good(hfrac_build_info(text, (int32_t)sizeof text, NULL), NULL, "build_info");
+  printf("%s\n", text);
+  good(hfrac_status_text(HFRAC_ERR_MODEL, text, (int32_t)sizeof text, NULL), NULL, "status_text");
+  good(hfrac_last_error(NULL, NULL, 0, &needed), NULL, "last_error");
+}
+
+/* def.h: every option of the table, read by its key */
+static void list_options(const hfrac_sim_def* def) {
   int32_t count = 0, i;
-  expect(hfrac_option_count(&count), HFRAC_OK, "option_count");
+  good(hfrac_option_count(&count), NULL, "option_count");
   for (i = 0; i < count; ++i) {
     hfrac_option_info info;
     double value = 0.0;
     memset(&info, 0, sizeof info);
     info.struct_size = (int32_t)sizeof info;
-    expect(hfrac_option_at(i, &info), HFRAC_OK, "option_at");
-    expect(hfrac_sim_def_get_f64(def, info.key, &value), HFRAC_OK, info.key);
+    good(hfrac_option_at(i, &info), NULL, "option_at");
+    good(hfrac_sim_def_get_f64(def, info.key, &value), NULL, info.key);
     printf("%s = %g %s\n", info.key, value, info.unit);
   }
 }
 
+static void define(hfrac_sim_def* def) {
+  char text[8192];
+  int32_t needed = 0;
+  good(hfrac_sim_def_init(def, (int32_t)sizeof *def), NULL, "def_init");
+  list_options(def);
+  def->stress_sigma_H = 0.0;
+  def->packing_residual = 1e-3;
+  good(hfrac_sim_def_set_f64(def, "stress.sigma_h", 0.0), NULL, "set_f64");
+  good(hfrac_sim_def_set_i64(def, "packing.disc_count", 500), NULL, "set_i64");
+  good(hfrac_sim_def_set_str(def, "model.reading", "paper"), NULL, "set_str");
+  good(hfrac_sim_def_set_str(def, "boundary.kind", "walls"), NULL, "set_str");
+  good(hfrac_sim_def_set_str(def, "title", "from C"), NULL, "set_str");
+  def->well_count = 1;
+  def->wells[0].x = def->wells[0].y = 50.0;
+  def->wells[0].radius = 10.0;
+  def->wells[0].pressure = 60e6;
+  def->wells[0].control = HFRAC_WELL_PRESSURE;
+  good(hfrac_sim_def_check(def), NULL, "def_check");
+  good(hfrac_sim_def_write(def, text, (int32_t)sizeof text, &needed), NULL, "def_write");
+  check(needed == (int32_t)strlen(text) + 1, "the text has the size it says");
+
+  def->wells[0].radius = -1.0;
+  expect(hfrac_sim_def_check(def), HFRAC_ERR_ARGUMENT, NULL, "negative radius");
+  def->wells[0].radius = 10.0;
+  expect(hfrac_sim_def_load(def, "/nonexistent/case.toml"), HFRAC_ERR_CASE_FILE, NULL, "missing file");
+}
+
+/* sim.h */
+static int32_t on_progress(void* user, double fraction, const char* what) {
+  ++*(int*)user;
+  check(fraction >= 0.0 && fraction <= 1.0 && what != NULL, "progress makes sense");
+  return 0;
+}
+
+static void run(hfrac_sim* sim) {
+  hfrac_sim_def def;
+  hfrac_sim_state state;
+  hfrac_setup_report setup;
+  hfrac_balance balance;
+  int64_t before = 0, after = 0, epoch = 0, later = 0;
+  int32_t reason = -1;
+  int calls = 0;
+  double reached = 0.0;
+
+  good(hfrac_sim_def_init(&def, (int32_t)sizeof def), NULL, "def_init");
+  good(hfrac_sim_definition(sim, &def), sim, "definition");
+  check(def.packing_disc_count == 500 && strcmp(def.title, "from C") == 0, "the definition comes back");
+  setup.struct_size = (int32_t)sizeof setup;
+  good(hfrac_sim_get_setup(sim, &setup), sim, "get_setup");
+  check(setup.packed_discs == 500 && setup.mean_radius > 0.0, "the set-up is reported");
+
+  good(hfrac_set_progress(sim, on_progress, &calls, 0.0), sim, "set_progress");
+  good(hfrac_state_hash(sim, &before), sim, "state_hash");
+  good(hfrac_epoch(sim, &epoch), sim, "epoch");
+  good(hfrac_step(sim, 1), sim, "step");
+  good(hfrac_advance(sim, 3.0, &reached, &reason), sim, "advance");
+  check(reached == 3.0 && reason == HFRAC_REASON_TARGET, "the target is reached");
+  good(hfrac_set_progress(sim, NULL, NULL, 0.0), sim, "set_progress");
+  good(hfrac_state_hash(sim, &after), sim, "state_hash");
+  good(hfrac_epoch(sim, &later), sim, "epoch");
+  check(before != after && epoch < later && calls > 3, "steps were taken");
+  expect(hfrac_step(sim, -1), HFRAC_ERR_ARGUMENT, sim, "negative count");
+
+  state.struct_size = (int32_t)sizeof state;
+  good(hfrac_sim_get_state(sim, &state), sim, "get_state");
+  check(state.time == 3.0 && state.step == 3 && state.crack_count > 0, "the state is reported");
+  balance.struct_size = (int32_t)sizeof balance;
+  good(hfrac_get_balance(sim, &balance), sim, "get_balance");
+  check(balance.injected_volume > 0.0 && fabs(balance.fluid_error) < 1e-6 * balance.injected_volume,
+        "the fluid balance closes");
+}
+
+static void drive_well(hfrac_sim* sim) {
+  hfrac_well_state well;
+  int32_t count = 0;
+  double injected;
+  good(hfrac_well_count(sim, &count), sim, "well_count");
+  check(count == 1, "there is one well");
+  well.struct_size = (int32_t)sizeof well;
+  good(hfrac_well_get(sim, 0, &well), sim, "well_get");
+  check(well.pressure == 60e6 && well.control == HFRAC_WELL_PRESSURE, "it is held");
+  injected = well.injected_volume;
+  good(hfrac_well_set_rate(sim, 0, 1e-3), sim, "well_set_rate");
+  good(hfrac_step(sim, 2), sim, "step");
+  good(hfrac_well_get(sim, 0, &well), sim, "well_get");
+  check(fabs(well.injected_volume - injected - 2e-3) < 1e-9, "it takes its rate");
+  good(hfrac_well_set_ramp(sim, 0, 1e6, 100e6), sim, "well_set_ramp");
+  good(hfrac_step(sim, 1), sim, "step");
+  good(hfrac_well_get(sim, 0, &well), sim, "well_get");
+  check(well.pressure == 1e6 && well.control == HFRAC_WELL_RAMP, "it is ramped");
+  good(hfrac_well_set_pressure(sim, 0, 60e6), sim, "well_set_pressure");
+  expect(hfrac_well_get(sim, 1, &well), HFRAC_ERR_ARGUMENT, sim, "no second well");
+}
+
+/* field.h: every field of the list, copied and viewed */
+static void look(hfrac_sim* sim, int32_t field, const char* name) {
+  hfrac_field_desc desc;
+  int64_t count = 0, there = 0, epoch = 0;
+  int32_t found = -1;
+  const void* data = NULL;
+  void* copy;
+  size_t size;
+  good(hfrac_field_find(name, &found), NULL, "field_find");
+  check(found == field, name);
+  desc.struct_size = (int32_t)sizeof desc;
+  good(hfrac_field_info(sim, field, &desc), sim, "field_info");
+  check(strcmp(desc.name, name) == 0, name);
+  count = desc.count * desc.components;
+  size = (size_t)count * (desc.dtype == 0 ? sizeof(double) : sizeof(int32_t));
+  copy = malloc(size);
+  if (desc.dtype == 0) {
+    good(hfrac_field_copy_f64(sim, field, (double*)copy, count, &there), sim, "field_copy_f64");
+  } else {
+    good(hfrac_field_copy_i32(sim, field, (int32_t*)copy, count, &there), sim, "field_copy_i32");
+  }
+  check(there == count, name);
+  good(hfrac_field_view(sim, field, &data, &there, &epoch), sim, "field_view");
+  check(there == count && epoch == desc.epoch && memcmp(copy, data, size) == 0, name);
+  free(copy);
+}
+
+#define LOOK(name, value, key, unit, location, dtype, components, help) look(sim, name, key);
+static void fields(hfrac_sim* sim) {
+  HFRAC_FIELD_LIST(LOOK)
+}
+
+/* crack.h */
+static void cracks(hfrac_sim* sim) {
+  hfrac_crack page[2];
+  hfrac_fracture largest;
+  int64_t cursor = 0, count = 0, next = 0, all = 0;
+  good(hfrac_cracks_since(sim, 0, (int32_t)sizeof page[0], NULL, 0, &all, NULL), sim, "cracks_since");
+  do {
+    good(hfrac_cracks_since(sim, cursor, (int32_t)sizeof page[0], page, 2, &count, &next), sim,
+         "cracks_since");
+    check(count == 0 || page[0].id == cursor, "cracks are numbered");
+    cursor = next;
+  } while (count > 0 && failures == 0);
+  check(cursor == all && all > 0, "all cracks were seen");
+  good(hfrac_fractures(sim, (int32_t)sizeof largest, &largest, 1, &count), sim, "fractures");
+  check(count > 0 && largest.length > 0.0 && largest.well == 0, "there is a fracture at the well");
+}
+
 int main(void) {
   hfrac_sim_def def;
-  char text[8192];
-  int32_t major = 0, minor = 0, patch = 0, abi = -1, needed = 0;
-
-  expect(hfrac_version(&major, &minor, &patch), HFRAC_OK, "version");
-  expect(hfrac_abi_version(&abi), HFRAC_OK, "abi_version");
-  expect(abi, HFRAC_ABI_VERSION, "abi number");
-  expect(hfrac_build_info(text, (int32_t)sizeof text, NULL), HFRAC_OK, "build_info");
-  printf("%s\n", text);
-  expect(hfrac_status_text(HFRAC_ERR_MODEL, text, (int32_t)sizeof text, NULL), HFRAC_OK, "status_text");
-
-  expect(hfrac_sim_def_init(&def, (int32_t)sizeof def), HFRAC_OK, "def_init");
-  list_options(&def);
-  def.stress_sigma_H = 40e6;
-  expect(hfrac_sim_def_set_f64(&def, "stress.sigma_h", 30e6), HFRAC_OK, "set_f64");
-  expect(hfrac_sim_def_set_i64(&def, "packing.disc_count", 2000), HFRAC_OK, "set_i64");
-  expect(hfrac_sim_def_set_str(&def, "title", "from C"), HFRAC_OK, "set_str");
-  def.well_count = 1;
-  def.wells[0].x = def.wells[0].y = 50.0;
-  def.wells[0].radius = 6.0;
-  def.wells[0].pressure = 45e6;
-  def.wells[0].control = HFRAC_WELL_PRESSURE;
-  expect(hfrac_sim_def_check(&def), HFRAC_OK, "def_check");
-  expect(hfrac_sim_def_write(&def, text, (int32_t)sizeof text, &needed), HFRAC_OK, "def_write");
-  expect(needed, (int32_t)strlen(text) + 1, "size of the text");
-
-  def.wells[0].radius = -1.0;
-  expect(hfrac_sim_def_check(&def), HFRAC_ERR_ARGUMENT, "negative radius");
-  expect(hfrac_sim_def_load(&def, "/nonexistent/case.toml"), HFRAC_ERR_CASE_FILE, "missing file");
+  hfrac_sim* sim = NULL;
+  library();
+  define(&def);
+  good(hfrac_sim_create(&def, &sim), NULL, "create");
+  if (sim != NULL) {
+    run(sim);
+    drive_well(sim);
+    fields(sim);
+    cracks(sim);
+  }
+  good(hfrac_sim_destroy(&sim), NULL, "destroy");
+  check(sim == NULL, "the simulation is gone");
   return failures == 0 ? 0 : 1;
 }

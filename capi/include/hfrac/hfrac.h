@@ -10,5 +10,6 @@
 #include "def.h"
 #include "field.h"
 #include "sim.h"
+#include "state.h"
 
 #endif

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Images of the state and the three-part step, from C.
+#include "hfrac/state.h"
+
+#include <cmath>
+#include <string>
+
+#include "couple/simulation.hpp"
+#include "internal.hpp"
+#include "sim_handle.hpp"
+#include "stepping.hpp"
+
+using namespace hfrac;
+using namespace hfrac::capi;
+
+int32_t hfrac_state_size(const hfrac_sim* sim, int64_t* size) {
+  return guarded_sim(sim, [&] {
+    require_not_null(size, "size");
+    *size = static_cast<std::int64_t>(sim->simulation->image().size());
+  });
+}
+
+int32_t hfrac_state_save(const hfrac_sim* sim, void* buffer, int64_t capacity, int64_t* size) {
+  return guarded_sim(sim, [&] {
+    require_not_null(buffer, "buffer");
+    const std::vector<std::byte> image = sim->simulation->image();
+    const auto needed = static_cast<std::int64_t>(image.size());
+    if (capacity < needed) {
+      throw Error(ErrorKind::argument, "capacity = " + std::to_string(capacity) + " is less than the " + std::to_string(needed) +
+                                           " bytes of the image; ask hfrac_state_size.");
+    }
+    std::memcpy(buffer, image.data(), image.size());
+    if (size != nullptr) *size = needed;
+  });
+}
+
+int32_t hfrac_state_restore(hfrac_sim* sim, const void* image, int64_t size) {
+  return guarded_sim(sim, [&] {
+    require_not_null(image, "image");
+    require_no_open_step(*sim);
+    if (size < 0) throw Error(ErrorKind::argument, "size = " + std::to_string(size) + " is negative.");
+    ++sim->epoch;
+    sim->simulation->restore({static_cast<const std::byte*>(image), static_cast<std::size_t>(size)});
+  });
+}
+
+int32_t hfrac_step_prepare(hfrac_sim* sim) {
+  return guarded_sim(sim, [&] {
+    require_no_open_step(*sim);
+    sim->simulation->begin_step();
+  });
+}
+
+int32_t hfrac_step_do(hfrac_sim* sim, double duration) {
+  return guarded_sim(sim, [&]() -> std::int32_t {
+    if (!(duration > 0.0) || !std::isfinite(duration)) {
+      throw Error(ErrorKind::argument, "duration = " + std::to_string(duration) + " s must be positive and finite.");
+    }
+    ++sim->epoch;
+    Asker asker(*sim, sim->progress, sim->progress_user, sim->progress_seconds);
+    const auto outcome = sim->simulation->try_step(duration, [&] { return asker.stop(0.0, "stepping"); });
+    if (outcome.stopped) return HFRAC_STOPPED;
+    return outcome.at_rest ? HFRAC_OK : HFRAC_NOT_AT_REST;
+  });
+}
+
+int32_t hfrac_step_finalize(hfrac_sim* sim) {
+  return guarded_sim(sim, [&] { sim->simulation->accept_step(); });
+}
+
+int32_t hfrac_step_reject(hfrac_sim* sim) {
+  return guarded_sim(sim, [&] {
+    sim->simulation->reject_step();
+    ++sim->epoch;
+  });
+}
+
+int32_t hfrac_set_far_field(hfrac_sim* sim, double sigma_H, double sigma_h) {
+  return guarded_sim(sim, [&] {
+    if (!std::isfinite(sigma_H) || !std::isfinite(sigma_h)) throw Error(ErrorKind::argument, "a stress is not a finite number.");
+    sim->simulation->set_far_field(sigma_H, sigma_h);
+    ++sim->epoch;
+  });
+}

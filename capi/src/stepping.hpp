@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the functions that step share: asking the host whether to go on, and the rule of the open step.
+#pragma once
+
+#include <chrono>
+
+#include "couple/simulation.hpp"
+#include "internal.hpp"
+#include "sim_handle.hpp"
+
+namespace hfrac::capi {
+
+// The host's progress callback, asked about every so many seconds. Once it has said stop it is not asked again.
+class Asker {
+ public:
+  Asker(hfrac_sim& sim, hfrac_progress_fn progress, void* user, double seconds)
+      : sim_(sim), progress_(progress), user_(user), seconds_(seconds), last_(Clock::now()) {}
+
+  bool stop(double fraction, const char* what) {
+    if (stopped_ || progress_ == nullptr) return stopped_;
+    const auto now = Clock::now();
+    if (std::chrono::duration<double>(now - last_).count() < seconds_) return false;
+    last_ = now;
+    stopped_ = call_host(&sim_, [&] { return progress_(user_, fraction, what); }) != 0;
+    return stopped_;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  hfrac_sim& sim_;
+  hfrac_progress_fn progress_;
+  void* user_;
+  double seconds_;
+  Clock::time_point last_;
+  bool stopped_ = false;
+};
+
+inline void require_no_open_step(const hfrac_sim& sim) {
+  if (sim.simulation->step_open()) {
+    throw Error(ErrorKind::argument, "a step is open; end it with hfrac_step_finalize or hfrac_step_reject first.");
+  }
+}
+
+}  // namespace hfrac::capi

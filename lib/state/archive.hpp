@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One walk over a simulation's state serves saving, restoring and hashing: Simulation::visit_state lists every value once,
+// and the archives here say what happens to it. A value forgotten in one of the three cannot be.
+//
+// The bytes are those of the machine (little-endian here; the image's header says so), doubles bit for bit.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/hash.hpp"
+
+namespace hfrac {
+
+// Appends to a byte vector.
+class Saver {
+ public:
+  explicit Saver(std::vector<std::byte>& out) : out_(out) {}
+  template <class Value>
+  void value(const Value& v) {
+    static_assert(std::is_arithmetic_v<Value> || std::is_enum_v<Value>);
+    append(&v, sizeof v);
+  }
+  // An array whose length the model fixes.
+  template <class Values>
+  void array(const Values& values) {
+    value(static_cast<std::int64_t>(values.size()));
+    append(values.data(), values.size() * sizeof values[0]);
+  }
+  // A list that grows and shrinks; item(archive, element) visits one.
+  template <class Values, class Item>
+  void list(const Values& values, Item&& item) {
+    value(static_cast<std::int64_t>(values.size()));
+    for (const auto& element : values) item(*this, element);
+  }
+  static constexpr bool loading = false;
+
+ private:
+  void append(const void* data, std::size_t size) {
+    if (size == 0) return;
+    const auto at = out_.size();
+    out_.resize(at + size);
+    std::memcpy(out_.data() + at, data, size);
+  }
+  std::vector<std::byte>& out_;
+};
+
+// Reads back, never past the end. Throws Error(argument) if the bytes are not those of such a simulation.
+class Loader {
+ public:
+  explicit Loader(std::span<const std::byte> from) : from_(from) {}
+  template <class Value>
+  void value(Value& v) {
+    static_assert(std::is_arithmetic_v<Value> || std::is_enum_v<Value>);
+    take(&v, sizeof v);
+  }
+  template <class Values>
+  void array(Values& values) {
+    std::int64_t count = 0;
+    value(count);
+    if (count != static_cast<std::int64_t>(values.size())) refuse();
+    take(values.data(), values.size() * sizeof values[0]);
+  }
+  template <class Values, class Item>
+  void list(Values& values, Item&& item) {
+    std::int64_t count = 0;
+    value(count);
+    if (count < 0 || static_cast<std::uint64_t>(count) > from_.size()) refuse();
+    values.resize(static_cast<std::size_t>(count));
+    for (auto& element : values) item(*this, element);
+  }
+  [[nodiscard]] std::size_t left() const { return from_.size(); }
+  static constexpr bool loading = true;
+
+ private:
+  [[noreturn]] static void refuse() {
+    throw Error(ErrorKind::argument, "the state image does not fit this simulation: it was taken from another model, or is damaged.");
+  }
+  void take(void* to, std::size_t size) {
+    if (size > from_.size()) refuse();
+    if (size > 0) std::memcpy(to, from_.data(), size);
+    from_ = from_.subspan(size);
+  }
+  std::span<const std::byte> from_;
+};
+
+// Hashes what it is shown.
+class Hasher {
+ public:
+  template <class Value>
+  void value(const Value& v) {
+    if constexpr (std::is_floating_point_v<Value>) {
+      hash_.add(static_cast<double>(v));
+    } else {
+      hash_.add(static_cast<std::uint64_t>(v));
+    }
+  }
+  template <class Values>
+  void array(const Values& values) {
+    for (const auto& v : values) value(v);
+  }
+  template <class Values, class Item>
+  void list(const Values& values, Item&& item) {
+    value(static_cast<std::int64_t>(values.size()));
+    for (const auto& element : values) item(*this, element);
+  }
+  [[nodiscard]] std::uint64_t result() const { return hash_.value(); }
+  static constexpr bool loading = false;
+
+ private:
+  Hash hash_;
+};
+
+}  // namespace hfrac

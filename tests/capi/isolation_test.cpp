@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Simulations know nothing of each other, nor do results of the number of workers.
+#include <functional>
+#include <thread>
+
+#include "sim_support.hpp"
+
+namespace {
+
+using namespace testing_capi;
+
+// Four different ones; each must give what it gives alone.
+hfrac_sim_def definition(int number) {
+  hfrac_sim_def def = number % 2 == 0 ? cracking_def() : quiet_def(600);
+  def.model_seed = number + 1;
+  def.run_workers = number == 2 ? 2 : 1;
+  return def;
+}
+
+std::vector<int64_t> hashes_alone(int number, int steps) {
+  const Sim sim(definition(number));
+  std::vector<int64_t> hashes;
+  for (int k = 0; k < steps; ++k) {
+    EXPECT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+    hashes.push_back(hash_of(sim));
+  }
+  return hashes;
+}
+
+TEST(Isolation, InterleavedSimulationsGiveWhatEachGivesAlone) {
+  const auto first = hashes_alone(0, 3), second = hashes_alone(1, 3);
+  const Sim one(definition(0));
+  ASSERT_EQ(hfrac_step(one, 1), HFRAC_OK);
+  const Sim other(definition(1));  // built while the other one is under way
+  EXPECT_EQ(hash_of(one), first[0]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    ASSERT_EQ(hfrac_step(other, 1), HFRAC_OK);
+    EXPECT_EQ(hash_of(other), second[k]);
+    if (k == 2) break;
+    ASSERT_EQ(hfrac_step(one, 1), HFRAC_OK);
+    EXPECT_EQ(hash_of(one), first[k + 1]);
+  }
+}
+
+TEST(Isolation, OneDestroyedLeavesTheOtherAlone) {
+  const auto alone = hashes_alone(0, 2);
+  const Sim kept(definition(0));
+  {
+    const Sim passing(definition(1));
+    ASSERT_EQ(hfrac_step(passing, 1), HFRAC_OK);
+    ASSERT_EQ(hfrac_step(kept, 1), HFRAC_OK);
+  }
+  ASSERT_EQ(hfrac_step(kept, 1), HFRAC_OK);
+  EXPECT_EQ(hash_of(kept), alone[1]);
+}
+
+TEST(Isolation, FourThreadsGiveWhatOneGives) {
+  constexpr int steps = 3;
+  std::vector<std::vector<int64_t>> alone, together(4);
+  for (int number = 0; number < 4; ++number) alone.push_back(hashes_alone(number, steps));
+  std::vector<std::thread> threads;
+  for (int number = 0; number < 4; ++number) {
+    threads.emplace_back(
+        [&, number] { together[static_cast<std::size_t>(number)] = hashes_alone(number, steps); });
+  }
+  for (auto& thread : threads) thread.join();
+  for (std::size_t number = 0; number < 4; ++number) EXPECT_EQ(together[number], alone[number]) << number;
+}
+
+TEST(Isolation, ASimulationMayMoveFromThreadToThread) {
+  const auto alone = hashes_alone(2, 3);
+  const Sim sim(definition(2));
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::thread([&] { EXPECT_EQ(hfrac_step(sim, 1), HFRAC_OK); }).join();
+    EXPECT_EQ(hash_of(sim), alone[k]);
+  }
+}
+
+TEST(Isolation, WorkersDoNotChangeResults) {
+  // Enough discs that every worker has some; each boundary and scheme.
+  const std::vector<std::function<void(hfrac_sim_def&)>> variants = {
+      [](hfrac_sim_def&) {},
+      [](hfrac_sim_def& def) { def.boundary_kind = 0; },
+      [](hfrac_sim_def& def) {
+        def.stepping_mode = 1;
+        def.stepping_flow_step = 5e-3;
+      },
+      [](hfrac_sim_def& def) { def.contact_mode = 1; },
+  };
+  for (std::size_t v = 0; v < variants.size(); ++v) {
+    std::vector<Sight> sights;
+    for (const int64_t workers : {1, 2, 3}) {
+      hfrac_sim_def def = cracking_def(1200);
+      def.run_workers = workers;
+      def.wells[0].pressure = 80e6;
+      variants[v](def);
+      const Sim sim(def);
+      ASSERT_GE(hfrac_step(sim, 2), HFRAC_OK) << last_error(sim);
+      sights.push_back(sight_of(sim));
+      SCOPED_TRACE("variant " + std::to_string(v) + ", workers " + std::to_string(workers));
+      expect_same(sights.back(), sights.front());
+    }
+    EXPECT_FALSE(sights[0]["cracks"].empty()) << "variant " << v;
+  }
+}
+
+}  // namespace

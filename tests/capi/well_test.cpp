@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Wells while a simulation runs: held, ramped, at a rate, and changed from one to another.
+#include <cmath>
+#include <cstdint>
+
+#include "sim_support.hpp"
+
+namespace {
+
+using namespace testing_capi;
+
+TEST(Well, IsAsDefined) {
+  hfrac_sim_def def = quiet_def();
+  def.wells[0].x = 45.0;
+  const Sim sim(def);
+  int32_t count = 0;
+  ASSERT_EQ(hfrac_well_count(sim, &count), HFRAC_OK);
+  EXPECT_EQ(count, 1);
+  const auto well = well_of(sim);
+  EXPECT_EQ(well.control, HFRAC_WELL_PRESSURE);
+  EXPECT_EQ(well.x, 45.0);
+  EXPECT_EQ(well.y, 50.0);
+  EXPECT_GT(well.equivalent_radius, 10.0);
+  EXPECT_LT(well.equivalent_radius, 16.0);
+  EXPECT_EQ(well.target_pressure, 30e6);
+  EXPECT_EQ(well.injected_volume, 0.0);
+  EXPECT_EQ(indices(sim, HFRAC_DOMAIN_KIND)[static_cast<std::size_t>(well.domain)], 1);
+}
+
+TEST(Well, IsHeldAtItsPressure) {
+  const Sim sim(quiet_def());
+  ASSERT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+  EXPECT_EQ(well_of(sim).pressure, 30e6);
+  const double injected = well_of(sim).injected_volume;
+  EXPECT_GT(injected, 0.0);
+  EXPECT_NEAR(well_of(sim).rate, injected, 1e-12);
+  ASSERT_EQ(hfrac_well_set_pressure(sim, 0, 27e6), HFRAC_OK);
+  EXPECT_EQ(well_of(sim).pressure, 30e6);  // from the next step on
+  EXPECT_EQ(well_of(sim).target_pressure, 27e6);
+  ASSERT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+  EXPECT_EQ(well_of(sim).pressure, 27e6);
+  EXPECT_LT(well_of(sim).injected_volume, injected);
+}
+
+TEST(Well, RampsUpAndDown) {
+  hfrac_sim_def def = quiet_def();
+  def.wells[0].control = HFRAC_WELL_RAMP;
+  def.wells[0].ramp_per_step = 2e6;
+  const Sim sim(def);
+  for (const double expected : {27e6, 29e6, 30e6, 30e6}) {
+    ASSERT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+    EXPECT_DOUBLE_EQ(well_of(sim).pressure, expected);
+  }
+  ASSERT_EQ(hfrac_well_set_ramp(sim, 0, 26e6, 3e6), HFRAC_OK);
+  EXPECT_EQ(well_of(sim).control, HFRAC_WELL_RAMP);
+  for (const double expected : {27e6, 26e6, 26e6}) {
+    ASSERT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+    EXPECT_DOUBLE_EQ(well_of(sim).pressure, expected);
+  }
+}
+
+TEST(Well, TakesItsRate) {
+  for (const double rate : {2e-3, -2e-3}) {
+    hfrac_sim_def def = quiet_def();
+    def.stepping_flow_step = 0.5;
+    def.wells[0].control = HFRAC_WELL_RATE;
+    def.wells[0].rate = rate;
+    const Sim sim(def);
+    for (int k = 1; k <= 4; ++k) {
+      ASSERT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+      EXPECT_NEAR(well_of(sim).injected_volume, rate * state_of(sim).time, 1e-15);
+      EXPECT_NEAR(well_of(sim).rate, rate, 1e-14);
+    }
+    EXPECT_GT((well_of(sim).pressure - 25e6) / rate, 0.0);
+    EXPECT_EQ(balance_of(sim).injected_volume, well_of(sim).injected_volume);
+  }
+}
+
+TEST(Well, ChangesItsControlWhileRunning) {
+  const Sim sim(quiet_def());
+  ASSERT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+  const double injected = well_of(sim).injected_volume;
+  ASSERT_EQ(hfrac_well_set_rate(sim, 0, 0.0), HFRAC_OK);  // shut in
+  EXPECT_EQ(well_of(sim).control, HFRAC_WELL_RATE);
+  ASSERT_EQ(hfrac_step(sim, 2), HFRAC_OK);
+  EXPECT_NEAR(well_of(sim).injected_volume, injected, 1e-15);
+  EXPECT_LE(well_of(sim).pressure, 30e6);
+  ASSERT_EQ(hfrac_well_set_rate(sim, 0, 1e-3), HFRAC_OK);
+  ASSERT_EQ(hfrac_step(sim, 3), HFRAC_OK);
+  EXPECT_NEAR(well_of(sim).injected_volume, injected + 3e-3, 1e-14);
+  const double before = well_of(sim).pressure;
+  ASSERT_EQ(hfrac_well_set_ramp(sim, 0, before + 1e6, 4e5), HFRAC_OK);  // from where it is
+  ASSERT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+  EXPECT_NEAR(well_of(sim).pressure, before + 4e5, 1.0);
+  ASSERT_EQ(hfrac_well_set_pressure(sim, 0, 30e6), HFRAC_OK);
+  ASSERT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+  EXPECT_EQ(well_of(sim).pressure, 30e6);
+  EXPECT_LE(std::abs(balance_of(sim).fluid_error), 1e-6 * balance_of(sim).injected_volume);
+}
+
+TEST(Well, EachHasItsOwn) {
+  hfrac_sim_def def = quiet_def(800);
+  def.well_count = 2;
+  def.wells[0].x = 30.0;
+  def.wells[0].radius = 8.0;
+  def.wells[1] = def.wells[0];
+  def.wells[1].x = 70.0;
+  def.wells[1].control = HFRAC_WELL_RATE;
+  def.wells[1].rate = 1e-3;
+  const Sim sim(def);
+  ASSERT_EQ(hfrac_step(sim, 2), HFRAC_OK);
+  EXPECT_NE(well_of(sim, 0).domain, well_of(sim, 1).domain);
+  EXPECT_EQ(well_of(sim, 0).pressure, 30e6);
+  EXPECT_NEAR(well_of(sim, 1).injected_volume, 2e-3, 1e-15);
+  EXPECT_NEAR(balance_of(sim).injected_volume,
+              well_of(sim, 0).injected_volume + well_of(sim, 1).injected_volume, 1e-15);
+  ASSERT_EQ(hfrac_well_set_pressure(sim, 1, 28e6), HFRAC_OK);
+  ASSERT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+  EXPECT_EQ(well_of(sim, 0).pressure, 30e6);
+  EXPECT_EQ(well_of(sim, 1).pressure, 28e6);
+}
+
+TEST(Well, RefusesAnIndexThatIsNotThere) {
+  const Sim sim(quiet_def());
+  hfrac_well_state well{};
+  well.struct_size = sizeof well;
+  const int64_t before = hash_of(sim), epoch = epoch_of(sim);
+  for (const int32_t index : {-1, 1, INT32_MAX, INT32_MIN}) {
+    EXPECT_EQ(hfrac_well_get(sim, index, &well), HFRAC_ERR_ARGUMENT);
+    EXPECT_EQ(hfrac_well_set_pressure(sim, index, 30e6), HFRAC_ERR_ARGUMENT);
+    EXPECT_EQ(hfrac_well_set_ramp(sim, index, 30e6, 1e6), HFRAC_ERR_ARGUMENT);
+    EXPECT_EQ(hfrac_well_set_rate(sim, index, 0.0), HFRAC_ERR_ARGUMENT);
+    EXPECT_EQ(last_error(sim).rfind("well " + std::to_string(index) + " is not there", 0), 0u)
+        << last_error(sim);
+    EXPECT_NE(last_error(sim).find("has 1 well"), std::string::npos) << last_error(sim);
+  }
+  EXPECT_EQ(hash_of(sim), before);
+  EXPECT_EQ(epoch_of(sim), epoch);
+}
+
+TEST(Well, RefusesWhatIsNotFinite) {
+  const Sim sim(quiet_def());
+  const int64_t before = hash_of(sim), epoch = epoch_of(sim);
+  for (const double value : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    EXPECT_EQ(hfrac_well_set_pressure(sim, 0, value), HFRAC_ERR_ARGUMENT);
+    EXPECT_NE(last_error(sim).find("pressure"), std::string::npos);
+    EXPECT_EQ(hfrac_well_set_ramp(sim, 0, value, 1e6), HFRAC_ERR_ARGUMENT);
+    EXPECT_EQ(hfrac_well_set_ramp(sim, 0, 30e6, value), HFRAC_ERR_ARGUMENT);
+    EXPECT_NE(last_error(sim).find("per_step"), std::string::npos);
+    EXPECT_EQ(hfrac_well_set_rate(sim, 0, value), HFRAC_ERR_ARGUMENT);
+    EXPECT_NE(last_error(sim).find("rate"), std::string::npos);
+  }
+  for (const double step : {0.0, -1e6}) {
+    EXPECT_EQ(hfrac_well_set_ramp(sim, 0, 30e6, step), HFRAC_ERR_ARGUMENT);
+    EXPECT_NE(last_error(sim).find("per_step = " + std::to_string(step)), std::string::npos)
+        << last_error(sim);
+    EXPECT_NE(last_error(sim).find("must be positive"), std::string::npos) << last_error(sim);
+  }
+  EXPECT_EQ(hash_of(sim), before);
+  EXPECT_EQ(epoch_of(sim), epoch);
+}
+
+// The limits of the option table hold for wells changed later too.
+TEST(Well, RefusesWhatItsDefinitionWouldRefuse) {
+  const Sim sim(quiet_def());
+  EXPECT_EQ(hfrac_well_set_pressure(sim, 0, 2e12), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_well_set_ramp(sim, 0, 2e12, 1e6), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_well_set_ramp(sim, 0, 30e6, 2e12), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_well_set_rate(sim, 0, 2e6), HFRAC_ERR_ARGUMENT);
+}
+
+// hfrac_sim_def_check refuses a rate without flow; so must this, or volumes are counted that are nowhere.
+TEST(Well, RefusesARateWithoutFlow) {
+  hfrac_sim_def def = quiet_def();
+  ASSERT_EQ(hfrac_sim_def_set_str(&def, "flow.scheme", "off"), HFRAC_OK);
+  const Sim sim(def);
+  EXPECT_EQ(hfrac_well_set_rate(sim, 0, 1e-3), HFRAC_ERR_ARGUMENT);
+  ASSERT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+  EXPECT_EQ(balance_of(sim).fluid_error, 0.0);
+}
+
+}  // namespace
