@@ -58,8 +58,8 @@ hfrac_fracture describe(const Fracture& f, std::int64_t index) {
   return c;
 }
 
-// Items of an array of structs whose size in the caller may differ from ours: the common head is copied, the rest
-// of a larger one zeroed.
+// Items of an array of structs whose size in the caller may differ from ours: the common head is copied, the
+// rest of a larger one zeroed.
 template <class Struct>
 void put_item(Struct* buffer, std::int64_t index, std::int32_t size, const Struct& item) {
   auto* to = reinterpret_cast<unsigned char*>(buffer) + index * size;
@@ -70,21 +70,23 @@ void put_item(Struct* buffer, std::int64_t index, std::int32_t size, const Struc
 
 void require_item_size(std::int32_t size, const char* name) {
   if (size < 8 || size > struct_size_limit) {
-    throw Error(ErrorKind::struct_size, std::string(name) + " = " + std::to_string(size) + " cannot be a struct's size; give sizeof the struct.");
+    throw Error(ErrorKind::struct_size, std::string(name) + " = " + std::to_string(size) +
+                                            " cannot be a struct's size; give sizeof the struct.");
   }
 }
 
 }  // namespace
 
-int32_t hfrac_cracks_since(hfrac_sim* sim, int64_t cursor, int32_t crack_size, hfrac_crack* buffer, int64_t capacity,
-                           int64_t* count, int64_t* next) {
+int32_t hfrac_cracks_since(hfrac_sim* sim, int64_t cursor, int32_t crack_size, hfrac_crack* buffer,
+                           int64_t capacity, int64_t* count, int64_t* next) {
   return guarded_sim(sim, Access::read, [&] {
     require_not_null(count, "count");
     require_item_size(crack_size, "crack_size");
     const Simulation& s = *sim->simulation;
     const auto there = static_cast<std::int64_t>(s.cracks().size());
     if (cursor < 0 || cursor > there) {
-      throw Error(ErrorKind::argument, "cursor = " + std::to_string(cursor) + " is outside 0 to " + std::to_string(there) + ", the cracks there are.");
+      throw Error(ErrorKind::argument, "cursor = " + std::to_string(cursor) + " is outside 0 to " +
+                                           std::to_string(there) + ", the cracks there are.");
     }
     if (buffer == nullptr) {
       *count = there - cursor;
@@ -99,7 +101,8 @@ int32_t hfrac_cracks_since(hfrac_sim* sim, int64_t cursor, int32_t crack_size, h
   });
 }
 
-int32_t hfrac_fractures(hfrac_sim* sim, int32_t fracture_size, hfrac_fracture* buffer, int64_t capacity, int64_t* count) {
+int32_t hfrac_fractures(hfrac_sim* sim, int32_t fracture_size, hfrac_fracture* buffer, int64_t capacity,
+                        int64_t* count) {
   // Finding fractures numbers the cracks anew but moves nothing, so it counts as reading.
   return guarded_sim(sim, Access::read, [&] {
     require_not_null(count, "count");
@@ -109,6 +112,7 @@ int32_t hfrac_fractures(hfrac_sim* sim, int32_t fracture_size, hfrac_fracture* b
     if (buffer == nullptr) return;
     if (capacity < 0) throw Error(ErrorKind::argument, "capacity is negative.");
     const std::int64_t taken = std::min(capacity, *count);
-    for (std::int64_t k = 0; k < taken; ++k) put_item(buffer, k, fracture_size, describe(found[static_cast<std::size_t>(k)], k));
+    for (std::int64_t k = 0; k < taken; ++k)
+      put_item(buffer, k, fracture_size, describe(found[static_cast<std::size_t>(k)], k));
   });
 }

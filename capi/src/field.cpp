@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Arrays of a simulation from C. Values are laid out in field_values.cpp; here is how they get out: by copy, or as a
-// view into a cache that the handle keeps until the epoch moves on.
+// Arrays of a simulation from C. Values are laid out in field_values.cpp; here is how they get out: by copy,
+// or as a view into a cache that the handle keeps until the epoch moves on.
 #include "hfrac/field.h"
 
 #include <algorithm>
@@ -22,7 +22,8 @@ struct Entry {
   std::int32_t location, dtype, components;
   const char* help;
 };
-#define HFRAC_ENTRY_(name, value, key, unit, location, dtype, components, help) {value, key, unit, location, dtype, components, help},
+#define HFRAC_ENTRY_(name, value, key, unit, location, dtype, components, help) \
+  {value, key, unit, location, dtype, components, help},
 constexpr Entry entries[] = {HFRAC_FIELD_LIST(HFRAC_ENTRY_)};
 #undef HFRAC_ENTRY_
 
@@ -30,26 +31,34 @@ const Entry& entry_of(std::int32_t field) {
   for (const auto& entry : entries) {
     if (entry.field == field) return entry;
   }
-  throw Error(ErrorKind::argument, "field " + std::to_string(field) + " is not one of enum hfrac_field; ask hfrac_field_find for a name's.");
+  throw Error(ErrorKind::argument, "field " + std::to_string(field) +
+                                       " is not one of enum hfrac_field; ask hfrac_field_find for a name's.");
 }
 
 std::int64_t item_count(const Simulation& s, std::int32_t location) {
   switch (location) {
-    case 0: return s.assembly().disc_count();
+    case 0:
+      return s.assembly().disc_count();
     case 1:
-    case 2: return s.assembly().bond_count();
-    case 3: return s.network().domain_count();
-    default: return static_cast<std::int64_t>(s.network().corner_disc.size());
+    case 2:
+      return s.assembly().bond_count();
+    case 3:
+      return s.network().domain_count();
+    default:
+      return static_cast<std::int64_t>(s.network().corner_disc.size());
   }
 }
 
 void require_dtype(const Entry& entry, std::int32_t dtype) {
   if (entry.dtype == dtype) return;
-  throw Error(ErrorKind::argument, std::string(entry.name) + (dtype == 0 ? " holds int32; use hfrac_field_copy_i32." : " holds doubles; use hfrac_field_copy_f64."));
+  throw Error(ErrorKind::argument,
+              std::string(entry.name) + (dtype == 0 ? " holds int32; use hfrac_field_copy_i32."
+                                                    : " holds doubles; use hfrac_field_copy_f64."));
 }
 
 template <class Value>
-std::int32_t copy_out(hfrac_sim* sim, std::int32_t field, std::int32_t dtype, Value* destination, std::int64_t capacity, std::int64_t* count) {
+std::int32_t copy_out(hfrac_sim* sim, std::int32_t field, std::int32_t dtype, Value* destination,
+                      std::int64_t capacity, std::int64_t* count) {
   return guarded_sim(sim, Access::read, [&] {
     require_not_null(count, "count");
     const Entry& entry = entry_of(field);
@@ -60,8 +69,9 @@ std::int32_t copy_out(hfrac_sim* sim, std::int32_t field, std::int32_t dtype, Va
       return;
     }
     if (capacity < values) {
-      throw Error(ErrorKind::argument, "capacity = " + std::to_string(capacity) + " is less than the " + std::to_string(values) +
-                                           " values of " + entry.name + "; ask for the count first.");
+      throw Error(ErrorKind::argument, "capacity = " + std::to_string(capacity) + " is less than the " +
+                                           std::to_string(values) + " values of " + entry.name +
+                                           "; ask for the count first.");
     }
     if constexpr (sizeof(Value) == sizeof(double)) {
       write_values(*sim->simulation, field, destination);
@@ -101,15 +111,18 @@ int32_t hfrac_field_find(const char* name, int32_t* field) {
         return;
       }
     }
-    throw Error(ErrorKind::unknown_key, "no field of that name; the names are in HFRAC_FIELD_LIST of hfrac/field.h.");
+    throw Error(ErrorKind::unknown_key,
+                "no field of that name; the names are in HFRAC_FIELD_LIST of hfrac/field.h.");
   });
 }
 
-int32_t hfrac_field_copy_f64(hfrac_sim* sim, int32_t field, double* destination, int64_t capacity, int64_t* count) {
+int32_t hfrac_field_copy_f64(hfrac_sim* sim, int32_t field, double* destination, int64_t capacity,
+                             int64_t* count) {
   return copy_out(sim, field, 0, destination, capacity, count);
 }
 
-int32_t hfrac_field_copy_i32(hfrac_sim* sim, int32_t field, int32_t* destination, int64_t capacity, int64_t* count) {
+int32_t hfrac_field_copy_i32(hfrac_sim* sim, int32_t field, int32_t* destination, int64_t capacity,
+                             int64_t* count) {
   return copy_out(sim, field, 1, destination, capacity, count);
 }
 

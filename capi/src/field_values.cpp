@@ -7,8 +7,8 @@
 namespace hfrac::capi {
 namespace {
 
-// Mean stress of each disc's cell: sum of force times arm over its contacts, per cell area (Love's formula; Bagi
-// 1996). The cell is the disc's share of the packing, pores included.
+// Mean stress of each disc's cell: sum of force times arm over its contacts, per cell area (Love's formula;
+// Bagi 1996). The cell is the disc's share of the packing, pores included.
 void write_stress(const Simulation& s, double* to) {
   const Assembly& a = s.assembly();
   const auto discs = static_cast<std::size_t>(a.disc_count());
@@ -42,7 +42,8 @@ void write_stress(const Simulation& s, double* to) {
 
 template <class Get>
 void write_bonds(const Simulation& s, double* to, Get get) {
-  for (std::int64_t e = 0; e < s.assembly().bond_count(); ++e) to[e] = get(view_bond(s.assembly(), s.options(), e));
+  for (std::int64_t e = 0; e < s.assembly().bond_count(); ++e)
+    to[e] = get(view_bond(s.assembly(), s.options(), e));
 }
 
 void write_pairs(const Array<double>& x, const Array<double>& y, double* to) {
@@ -64,7 +65,9 @@ void write_values(const Simulation& s, std::int32_t field, double* to) {
         to[2 * i + 1] = a.y[i] + a.uy[i];
       }
       return;
-    case HFRAC_DISC_RADIUS: std::copy(a.radius.begin(), a.radius.end(), to); return;
+    case HFRAC_DISC_RADIUS:
+      std::copy(a.radius.begin(), a.radius.end(), to);
+      return;
     case HFRAC_DISC_DISPLACEMENT:
       for (std::size_t i = 0; i < a.x.size(); ++i) {
         to[2 * i] = a.ux[i] - s.start_x()[i];
@@ -74,15 +77,33 @@ void write_values(const Simulation& s, std::int32_t field, double* to) {
     case HFRAC_DISC_ROTATION:
       for (std::size_t i = 0; i < a.x.size(); ++i) to[i] = a.rotation[i] - s.start_rotation()[i];
       return;
-    case HFRAC_DISC_VELOCITY: write_pairs(a.vx, a.vy, to); return;
-    case HFRAC_DISC_STRESS: write_stress(s, to); return;
-    case HFRAC_BOND_NORMAL_FORCE: write_bonds(s, to, [](const BondView& b) { return b.normal_force(); }); return;
-    case HFRAC_BOND_SHEAR_FORCE: write_bonds(s, to, [](const BondView& b) { return b.shear_force(); }); return;
-    case HFRAC_BOND_MOMENT: write_bonds(s, to, [](const BondView& b) { return b.bond_moment; }); return;
-    case HFRAC_BOND_GAP: write_bonds(s, to, [](const BondView& b) { return b.gap; }); return;
-    case HFRAC_PIPE_APERTURE: std::copy(n.aperture.begin(), n.aperture.end(), to); return;
-    case HFRAC_PIPE_FLOW: std::copy(n.flow.begin(), n.flow.end(), to); return;
-    case HFRAC_DOMAIN_PRESSURE: std::copy(n.pressure.begin(), n.pressure.end(), to); return;
+    case HFRAC_DISC_VELOCITY:
+      write_pairs(a.vx, a.vy, to);
+      return;
+    case HFRAC_DISC_STRESS:
+      write_stress(s, to);
+      return;
+    case HFRAC_BOND_NORMAL_FORCE:
+      write_bonds(s, to, [](const BondView& b) { return b.normal_force(); });
+      return;
+    case HFRAC_BOND_SHEAR_FORCE:
+      write_bonds(s, to, [](const BondView& b) { return b.shear_force(); });
+      return;
+    case HFRAC_BOND_MOMENT:
+      write_bonds(s, to, [](const BondView& b) { return b.bond_moment; });
+      return;
+    case HFRAC_BOND_GAP:
+      write_bonds(s, to, [](const BondView& b) { return b.gap; });
+      return;
+    case HFRAC_PIPE_APERTURE:
+      std::copy(n.aperture.begin(), n.aperture.end(), to);
+      return;
+    case HFRAC_PIPE_FLOW:
+      std::copy(n.flow.begin(), n.flow.end(), to);
+      return;
+    case HFRAC_DOMAIN_PRESSURE:
+      std::copy(n.pressure.begin(), n.pressure.end(), to);
+      return;
     case HFRAC_DOMAIN_VOLUME:
       for (std::size_t d = 0; d < n.kind.size(); ++d) to[d] = n.volume[d] + n.volume_change[d];
       return;
@@ -92,7 +113,8 @@ void write_values(const Simulation& s, std::int32_t field, double* to) {
         to[2 * d + 1] = n.centroid[d].y;
       }
       return;
-    default: throw Error(ErrorKind::internal, "a field of doubles without values");
+    default:
+      throw Error(ErrorKind::internal, "a field of doubles without values");
   }
 }
 
@@ -109,21 +131,31 @@ void write_indices(const Simulation& s, std::int32_t field, std::int32_t* to) {
     case HFRAC_DISC_INTACT_BONDS:
       for (std::int64_t i = 0; i < a.disc_count(); ++i) {
         to[i] = 0;
-        for (auto k = a.incidence_start[i]; k < a.incidence_start[i + 1]; ++k) to[i] += a.intact[a.incidence[k] / 2] > 0.0 ? 1 : 0;
+        for (auto k = a.incidence_start[i]; k < a.incidence_start[i + 1]; ++k)
+          to[i] += a.intact[a.incidence[k] / 2] > 0.0 ? 1 : 0;
       }
       return;
-    case HFRAC_BOND_DISCS: pairs(a.first, a.second); return;
+    case HFRAC_BOND_DISCS:
+      pairs(a.first, a.second);
+      return;
     case HFRAC_BOND_STATE:
       std::fill(to, to + a.bond_count(), 0);
       for (const auto& crack : s.cracks()) to[crack.bond] = static_cast<std::int32_t>(crack.mode);
       return;
-    case HFRAC_PIPE_DOMAINS: pairs(n.left, n.right); return;
+    case HFRAC_PIPE_DOMAINS:
+      pairs(n.left, n.right);
+      return;
     case HFRAC_DOMAIN_KIND:
       for (std::size_t d = 0; d < n.kind.size(); ++d) to[d] = static_cast<std::int32_t>(n.kind[d]);
       return;
-    case HFRAC_DOMAIN_OFFSET: std::copy(n.corner_start.begin(), n.corner_start.end() - 1, to); return;
-    case HFRAC_DOMAIN_CORNERS: std::copy(n.corner_disc.begin(), n.corner_disc.end(), to); return;
-    default: throw Error(ErrorKind::internal, "a field of int32 without values");
+    case HFRAC_DOMAIN_OFFSET:
+      std::copy(n.corner_start.begin(), n.corner_start.end() - 1, to);
+      return;
+    case HFRAC_DOMAIN_CORNERS:
+      std::copy(n.corner_disc.begin(), n.corner_disc.end(), to);
+      return;
+    default:
+      throw Error(ErrorKind::internal, "a field of int32 without values");
   }
 }
 

@@ -8,6 +8,7 @@
 #include "couple/simulation.hpp"
 #include "def_image.hpp"
 #include "internal.hpp"
+#include "options/choices.hpp"
 #include "sim_handle.hpp"
 #include "stepping.hpp"
 
@@ -23,6 +24,7 @@ namespace {
 std::int32_t take_step(hfrac_sim& sim, Asker& asker, double fraction) {
   ++sim.epoch;
   const auto outcome = sim.simulation->step([&] { return asker.stop(fraction, "stepping"); });
+  ++sim.epoch;  // a callback may have looked at the middle of the step
   if (outcome.stopped) return HFRAC_STOPPED;
   return outcome.at_rest ? HFRAC_OK : HFRAC_NOT_AT_REST;
 }
@@ -34,6 +36,12 @@ Well const& well_at(const hfrac_sim& sim, std::int32_t index) {
                                          std::to_string(wells.size()) + " wells, counted from 0.");
   }
   return wells[static_cast<std::size_t>(index)];
+}
+
+// The range the option table gives for a well's value.
+void require_in_range(const char* name, double value) {
+  WellOptions any;
+  set_real(any, *find_well_option(name), name, value);
 }
 
 void require_finite(double value, const char* name) {
@@ -50,8 +58,9 @@ int32_t hfrac_sim_create(const hfrac_sim_def* def, hfrac_sim** sim) {
     auto handle = std::make_unique<hfrac_sim>();
     Asker asker(*handle, full.progress, full.progress_user, 0.05);
     try {
-      handle->simulation = std::make_unique<Simulation>(
-          case_of(full), given_discs_of(full), [&](double done, const char* what) { return asker.stop(done, what); });
+      handle->simulation =
+          std::make_unique<Simulation>(case_of(full), given_discs_of(full),
+                                       [&](double done, const char* what) { return asker.stop(done, what); });
     } catch (const Stopped&) {
       return HFRAC_STOPPED;
     }
@@ -65,7 +74,9 @@ int32_t hfrac_sim_destroy(hfrac_sim** sim) {
     if (sim == nullptr || *sim == nullptr) return;
     require_handle(*sim);
     if ((*sim)->in_callback) {
-      throw Error(ErrorKind::busy, "a simulation cannot be destroyed from inside its own callback; return nonzero to stop it first.");
+      throw Error(
+          ErrorKind::busy,
+          "a simulation cannot be destroyed from inside its own callback; return nonzero to stop it first.");
     }
     delete *sim;
     *sim = nullptr;
@@ -82,7 +93,9 @@ int32_t hfrac_sim_definition(const hfrac_sim* sim, hfrac_sim_def* def) {
 
 int32_t hfrac_step(hfrac_sim* sim, int64_t count) {
   return guarded_sim(sim, [&]() -> std::int32_t {
-    if (count < 0) throw Error(ErrorKind::argument, "count = " + std::to_string(count) + " is negative; give 0 or more steps.");
+    if (count < 0)
+      throw Error(ErrorKind::argument,
+                  "count = " + std::to_string(count) + " is negative; give 0 or more steps.");
     require_no_open_step(*sim);
     Asker asker(*sim, sim->progress, sim->progress_user, sim->progress_seconds);
     std::int32_t status = HFRAC_OK;
@@ -236,7 +249,7 @@ int32_t hfrac_well_get(const hfrac_sim* sim, int32_t index, hfrac_well_state* st
 int32_t hfrac_well_set_pressure(hfrac_sim* sim, int32_t index, double pressure) {
   return guarded_sim(sim, [&] {
     well_at(*sim, index);
-    require_finite(pressure, "pressure");
+    require_in_range("pressure", pressure);
     sim->simulation->set_well_pressure(static_cast<std::size_t>(index), pressure);
     ++sim->epoch;
   });
@@ -245,9 +258,11 @@ int32_t hfrac_well_set_pressure(hfrac_sim* sim, int32_t index, double pressure) 
 int32_t hfrac_well_set_ramp(hfrac_sim* sim, int32_t index, double pressure, double per_step) {
   return guarded_sim(sim, [&] {
     well_at(*sim, index);
-    require_finite(pressure, "pressure");
-    require_finite(per_step, "per_step");
-    if (per_step <= 0.0) throw Error(ErrorKind::argument, "per_step = " + std::to_string(per_step) + " must be positive, in Pa per step.");
+    require_in_range("pressure", pressure);
+    require_in_range("ramp_per_step", per_step);
+    if (per_step <= 0.0)
+      throw Error(ErrorKind::argument,
+                  "per_step = " + std::to_string(per_step) + " must be positive, in Pa per step.");
     sim->simulation->set_well_ramp(static_cast<std::size_t>(index), pressure, per_step);
     ++sim->epoch;
   });
@@ -256,7 +271,11 @@ int32_t hfrac_well_set_ramp(hfrac_sim* sim, int32_t index, double pressure, doub
 int32_t hfrac_well_set_rate(hfrac_sim* sim, int32_t index, double rate) {
   return guarded_sim(sim, [&] {
     well_at(*sim, index);
-    require_finite(rate, "rate");
+    require_in_range("rate", rate);
+    if (FlowScheme{sim->simulation->options().flow_scheme} == FlowScheme::off) {
+      throw Error(ErrorKind::argument,
+                  "a well cannot be driven at a rate with flow.scheme = \"off\"; use implicit or explicit.");
+    }
     sim->simulation->set_well_rate(static_cast<std::size_t>(index), rate);
     ++sim->epoch;
   });

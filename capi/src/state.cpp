@@ -26,7 +26,8 @@ int32_t hfrac_state_save(const hfrac_sim* sim, void* buffer, int64_t capacity, i
     const std::vector<std::byte> image = sim->simulation->image();
     const auto needed = static_cast<std::int64_t>(image.size());
     if (capacity < needed) {
-      throw Error(ErrorKind::argument, "capacity = " + std::to_string(capacity) + " is less than the " + std::to_string(needed) +
+      throw Error(ErrorKind::argument, "capacity = " + std::to_string(capacity) + " is less than the " +
+                                           std::to_string(needed) +
                                            " bytes of the image; ask hfrac_state_size.");
     }
     std::memcpy(buffer, image.data(), image.size());
@@ -54,11 +55,13 @@ int32_t hfrac_step_prepare(hfrac_sim* sim) {
 int32_t hfrac_step_do(hfrac_sim* sim, double duration) {
   return guarded_sim(sim, [&]() -> std::int32_t {
     if (!(duration > 0.0) || !std::isfinite(duration)) {
-      throw Error(ErrorKind::argument, "duration = " + std::to_string(duration) + " s must be positive and finite.");
+      throw Error(ErrorKind::argument,
+                  "duration = " + std::to_string(duration) + " s must be positive and finite.");
     }
     ++sim->epoch;
     Asker asker(*sim, sim->progress, sim->progress_user, sim->progress_seconds);
     const auto outcome = sim->simulation->try_step(duration, [&] { return asker.stop(0.0, "stepping"); });
+    ++sim->epoch;  // a callback may have looked at the middle of the step
     if (outcome.stopped) return HFRAC_STOPPED;
     return outcome.at_rest ? HFRAC_OK : HFRAC_NOT_AT_REST;
   });
@@ -77,7 +80,8 @@ int32_t hfrac_step_reject(hfrac_sim* sim) {
 
 int32_t hfrac_set_far_field(hfrac_sim* sim, double sigma_H, double sigma_h) {
   return guarded_sim(sim, [&] {
-    if (!std::isfinite(sigma_H) || !std::isfinite(sigma_h)) throw Error(ErrorKind::argument, "a stress is not a finite number.");
+    if (!std::isfinite(sigma_H) || !std::isfinite(sigma_h))
+      throw Error(ErrorKind::argument, "a stress is not a finite number.");
     sim->simulation->set_far_field(sigma_H, sigma_h);
     ++sim->epoch;
   });

@@ -10,7 +10,8 @@
 
 namespace hfrac::capi {
 
-// The host's progress callback, asked about every so many seconds. Once it has said stop it is not asked again.
+// The host's progress callback, asked about every so many seconds. Once it has said stop it is not asked
+// again.
 class Asker {
  public:
   Asker(hfrac_sim& sim, hfrac_progress_fn progress, void* user, double seconds)
@@ -37,7 +38,8 @@ class Asker {
 
 inline void require_no_open_step(const hfrac_sim& sim) {
   if (sim.simulation->step_open()) {
-    throw Error(ErrorKind::argument, "a step is open; end it with hfrac_step_finalize or hfrac_step_reject first.");
+    throw Error(ErrorKind::argument,
+                "a step is open; end it with hfrac_step_finalize or hfrac_step_reject first.");
   }
 }
 

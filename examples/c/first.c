@@ -3,7 +3,7 @@
 #include <hfrac/hfrac.h>
 #include <stdio.h>
 
-static int failed(int32_t status, const hfrac_sim *sim) {
+static int failed(int32_t status, const hfrac_sim* sim) {
   char text[512];
   if (status >= 0) return 0;
   hfrac_last_error(sim, text, sizeof text, NULL);
@@ -11,9 +11,9 @@ static int failed(int32_t status, const hfrac_sim *sim) {
   return 1;
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
   hfrac_sim_def def;
-  hfrac_sim *sim = NULL;
+  hfrac_sim* sim = NULL;
   hfrac_fracture fracture;
   int64_t count = 0;
 
@@ -22,9 +22,11 @@ int main(int argc, char **argv) {
   if (failed(hfrac_sim_create(&def, &sim), NULL)) return 1;
   if (!failed(hfrac_step(sim, def.stepping_substeps), sim) &&
       !failed(hfrac_fractures(sim, sizeof fracture, &fracture, 1, &count), sim)) {
-    if (count == 0) printf("no fracture\n");
-    else printf("fracture of %.1f m, %.1f mm wide, %d cracks\n", fracture.length, 1e3 * fracture.largest_aperture,
-                (int)fracture.crack_count);
+    if (count == 0)
+      printf("no fracture\n");
+    else
+      printf("fracture of %.1f m, %.1f mm wide, %d cracks\n", fracture.length,
+             1e3 * fracture.largest_aperture, (int)fracture.crack_count);
   }
   hfrac_sim_destroy(&sim);
   return 0;

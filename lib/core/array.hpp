@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Arrays of the engine: std::vector on cache-line boundaries, so that every kernel may load whole vectors from the
-// start of an array.
+// Arrays of the engine: std::vector on cache-line boundaries, so that every kernel may load whole vectors
+// from the start of an array.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,8 @@ struct CacheLineAllocator {
   static constexpr std::align_val_t alignment{64};
   CacheLineAllocator() = default;
   template <class U>
-  CacheLineAllocator(const CacheLineAllocator<U>& /*other*/) noexcept {}  // NOLINT: the standard wants it implicit
+  CacheLineAllocator(const CacheLineAllocator<U>& /*other*/) noexcept {
+  }  // NOLINT: the standard wants it implicit
   T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
   void deallocate(T* p, std::size_t /*n*/) noexcept { ::operator delete(p, alignment); }
   template <class U>
@@ -31,10 +32,20 @@ struct Vec2 {
   double x = 0.0;
   double y = 0.0;
 };
-inline Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
-inline Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
-inline Vec2 operator*(double s, Vec2 a) { return {s * a.x, s * a.y}; }
-inline double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
-inline double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+inline Vec2 operator+(Vec2 a, Vec2 b) {
+  return {a.x + b.x, a.y + b.y};
+}
+inline Vec2 operator-(Vec2 a, Vec2 b) {
+  return {a.x - b.x, a.y - b.y};
+}
+inline Vec2 operator*(double s, Vec2 a) {
+  return {s * a.x, s * a.y};
+}
+inline double dot(Vec2 a, Vec2 b) {
+  return a.x * b.x + a.y * b.y;
+}
+inline double cross(Vec2 a, Vec2 b) {
+  return a.x * b.y - a.y * b.x;
+}
 
 }  // namespace hfrac

@@ -25,7 +25,8 @@ void Simulation::elastic_energy(double& bonds, double& contacts) const {
   contacts += solver_->loose_contacts().energy();
 }
 
-// Works of fluid and far field = change of stored energy + what was dissipated + what breaking bonds took along.
+// Works of fluid and far field = change of stored energy + what was dissipated + what breaking bonds took
+// along.
 Balance Simulation::balance() const {
   Balance b{};
   double bonds = 0.0, contacts = 0.0;
@@ -34,15 +35,18 @@ Balance Simulation::balance() const {
   b.kinetic = solver_->kinetic_energy();
   b.bond_elastic = bonds;
   b.contact_elastic = contacts;
-  // The outside's pressure does its work through walls' discs only; under stress control the far field is all there is.
-  const double outside = boundary_->walled() ? 0.0 : network_.reference_pressure * (network_.volume_change[0] - start_outside_change_);
+  // The outside's pressure does its work through walls' discs only; under stress control the far field is all
+  // there is.
+  const double outside =
+      boundary_->walled() ? 0.0
+                          : network_.reference_pressure * (network_.volume_change[0] - start_outside_change_);
   b.fluid_work = e.fluid - outside;
   b.boundary_work = boundary_->load_work(assembly_) - start_boundary_work_;
   b.friction = e.friction;
   b.damping = e.damping;
   b.fracture = e.fracture;
-  b.energy_error = b.fluid_work + b.boundary_work - b.kinetic - (bonds - start_bond_energy_) - (contacts - start_contact_energy_) -
-                   b.friction - b.damping - b.fracture;
+  b.energy_error = b.fluid_work + b.boundary_work - b.kinetic - (bonds - start_bond_energy_) -
+                   (contacts - start_contact_energy_) - b.friction - b.damping - b.fracture;
   for (const auto& well : wells_) b.injected += well.injected;
   for (std::size_t d = 1; d < start_content_.size(); ++d) b.stored += network_.content[d] - start_content_[d];
   b.leaked = leaked_;
@@ -52,8 +56,10 @@ Balance Simulation::balance() const {
 
 StopReason Simulation::stop_reason() const {
   const Options& o = options();
-  if (tip_distance_ > o.stop_extent_fraction * std::min(o.model_width, o.model_height)) return StopReason::extent;
-  if (o.stop_cracks > 0 && static_cast<std::int64_t>(cracks_.size()) >= o.stop_cracks) return StopReason::cracks;
+  if (tip_distance_ > o.stop_extent_fraction * std::min(o.model_width, o.model_height))
+    return StopReason::extent;
+  if (o.stop_cracks > 0 && static_cast<std::int64_t>(cracks_.size()) >= o.stop_cracks)
+    return StopReason::cracks;
   return StopReason::target;
 }
 

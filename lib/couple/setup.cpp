@@ -30,7 +30,8 @@ Packing take_given(std::span<const double> discs) {
 
 }  // namespace
 
-Simulation::Simulation(CaseDefinition definition, std::span<const double> given_discs, const Progress& progress)
+Simulation::Simulation(CaseDefinition definition, std::span<const double> given_discs,
+                       const Progress& progress)
     : definition_(std::move(definition)) {
   validate(definition_, given_discs);
   const auto start = std::chrono::steady_clock::now();
@@ -55,7 +56,8 @@ void Simulation::build(std::span<const double> given_discs, const Progress& prog
     p.porosity = o.packing_porosity;
     p.residual = o.packing_residual;
     p.seed = static_cast<std::uint64_t>(o.model_seed);
-    packing = pack_discs(p, [&](double done) { return stop = progress && progress(0.5 * done, "packing the discs"); });
+    packing = pack_discs(
+        p, [&](double done) { return stop = progress && progress(0.5 * done, "packing the discs"); });
     if (stop) throw Stopped{};
   } else {
     packing = take_given(given_discs);
@@ -70,7 +72,8 @@ void Simulation::build(std::span<const double> given_discs, const Progress& prog
   if (progress && progress(0.5, "bonding")) throw Stopped{};
   std::vector<Hole> holes;
   for (const auto& well : definition_.wells) holes.push_back({{well.x, well.y}, well.radius});
-  const ContactGraph graph = build_contact_graph(packing.x, packing.y, packing.radius, holes, o.bond_gap_tolerance);
+  const ContactGraph graph =
+      build_contact_graph(packing.x, packing.y, packing.radius, holes, o.bond_gap_tolerance);
   setup_.removed_in_wells = graph.removed_in_wells;
   setup_.removed_floaters = graph.removed_floaters;
   setup_.removed_crossings = graph.removed_crossings;
@@ -81,19 +84,23 @@ void Simulation::build(std::span<const double> given_discs, const Progress& prog
     const auto& well = definition_.wells[w];
     const auto face = face_around(graph, faces, {well.x, well.y});
     if (face < 0) {
-      throw Error(ErrorKind::model, "well[" + std::to_string(w) + "] at (" + std::to_string(well.x) + ", " + std::to_string(well.y) +
+      throw Error(ErrorKind::model, "well[" + std::to_string(w) + "] at (" + std::to_string(well.x) + ", " +
+                                        std::to_string(well.y) +
                                         ") m is not surrounded by rock; move it inward or make it smaller");
     }
     well_domains.push_back(face);
   }
   assembly_ = build_assembly(graph, o);
-  setup_.coordination = 2.0 * static_cast<double>(assembly_.bond_count()) / static_cast<double>(assembly_.disc_count());
+  setup_.coordination =
+      2.0 * static_cast<double>(assembly_.bond_count()) / static_cast<double>(assembly_.disc_count());
   network_ = build_network(graph, faces, assembly_, well_domains, o);
 
   for (std::size_t w = 0; w < definition_.wells.size(); ++w) {
     const auto& given = definition_.wells[w];
     Well well;
-    well.place = {{given.x, given.y}, std::sqrt(faces.polygon_area[well_domains[w]] / 3.14159265358979323846), well_domains[w]};
+    well.place = {{given.x, given.y},
+                  std::sqrt(faces.polygon_area[well_domains[w]] / 3.14159265358979323846),
+                  well_domains[w]};
     well.control = given.control;
     well.target_pressure = given.pressure;
     well.ramp_per_step = given.ramp_per_step;
@@ -104,8 +111,8 @@ void Simulation::build(std::span<const double> given_discs, const Progress& prog
   solver_ = std::make_unique<ExplicitSolver>(assembly_, network_, *boundary_, o, *workers_);
 }
 
-// Far field and formation pressure in stages, together: at every stage effective stresses are a share of the final ones.
-// Pores are drained, so breakage here is the far field's doing alone.
+// Far field and formation pressure in stages, together: at every stage effective stresses are a share of the
+// final ones. Pores are drained, so breakage here is the far field's doing alone.
 void Simulation::equilibrate(const Progress& progress) {
   const Options& o = options();
   constexpr int stages = 10;
@@ -119,9 +126,11 @@ void Simulation::equilibrate(const Progress& progress) {
     std::fill(network_.pressure.begin(), network_.pressure.end(), share * network_.reference_pressure);
     const bool last = stage == stages;
     bool stop = false;
-    outcome = solver_->relax(last ? o.stepping_force_ratio : 1e-2, (last ? 20 : 1) * o.stepping_max_cycles, cracks_, [&] {
-      return stop = progress && progress(0.5 + 0.5 * (stage - 1) / stages, "finding equilibrium under the far field");
-    });
+    outcome = solver_->relax(
+        last ? o.stepping_force_ratio : 1e-2, (last ? 20 : 1) * o.stepping_max_cycles, cracks_, [&] {
+          return stop = progress &&
+                        progress(0.5 + 0.5 * (stage - 1) / stages, "finding equilibrium under the far field");
+        });
     if (stop) throw Stopped{};
   }
   setup_.force_ratio = force_ratio_ = outcome.force_ratio;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A simulation: the model, its clock, its books. What a step does, in order, stands in step.cpp; how a model is
-// built, in setup.cpp.
+// A simulation: the model, its clock, its books. What a step does, in order, stands in step.cpp; how a model
+// is built, in setup.cpp.
 #pragma once
 
 #include <cstddef>
@@ -29,12 +29,12 @@ using Progress = std::function<bool(double, const char*)>;
 struct Well {
   WellPlace place;
   WellControl control = WellControl::pressure;
-  double target_pressure = 0.0;   // Pa
-  double ramp_per_step = 0.0;     // Pa
-  double set_rate = 0.0;          // m2/s
-  double rate = 0.0;              // m2/s into the well in the last step
-  double injected = 0.0;          // m2 since set-up
-  double content = 0.0;           // m2 at the end of the last step
+  double target_pressure = 0.0;  // Pa
+  double ramp_per_step = 0.0;    // Pa
+  double set_rate = 0.0;         // m2/s
+  double rate = 0.0;             // m2/s into the well in the last step
+  double injected = 0.0;         // m2 since set-up
+  double content = 0.0;          // m2 at the end of the last step
 };
 
 struct SetupReport {
@@ -45,7 +45,8 @@ struct SetupReport {
 };
 
 struct Balance {
-  double kinetic, bond_elastic, contact_elastic, fluid_work, boundary_work, friction, damping, fracture, energy_error;  // J/m
+  double kinetic, bond_elastic, contact_elastic, fluid_work, boundary_work, friction, damping, fracture,
+      energy_error;                              // J/m
   double injected, stored, leaked, fluid_error;  // m2
 };
 
@@ -53,7 +54,8 @@ enum class StopReason : std::int32_t { target = 0, callback = 1, extent = 2, cra
 
 class Simulation {
  public:
-  // Builds the model and brings it to rest under the far field. Throws Error; Stopped if progress asked for it.
+  // Builds the model and brings it to rest under the far field. Throws Error; Stopped if progress asked for
+  // it.
   Simulation(CaseDefinition definition, std::span<const double> given_discs, const Progress& progress);
 
   struct StepOutcome {
@@ -61,7 +63,9 @@ class Simulation {
     bool at_rest = true;
   };
   // One step. If it is interrupted or fails, the state is as before it.
-  StepOutcome step(const std::function<bool()>& interrupt = {}) { return step_for(options().stepping_flow_step, interrupt); }
+  StepOutcome step(const std::function<bool()>& interrupt = {}) {
+    return step_for(options().stepping_flow_step, interrupt);
+  }
 
   void set_well_pressure(std::size_t well, double pressure);
   void set_well_ramp(std::size_t well, double pressure, double per_step);
@@ -82,25 +86,29 @@ class Simulation {
   [[nodiscard]] bool at_rest() const { return at_rest_; }
   [[nodiscard]] int flow_rounds() const { return flow_rounds_; }
   [[nodiscard]] double leaked() const { return leaked_; }
-  [[nodiscard]] const Array<double>& start_x() const { return start_x_; }  // displacement at the end of set-up
+  [[nodiscard]] const Array<double>& start_x() const {
+    return start_x_;
+  }  // displacement at the end of set-up
   [[nodiscard]] const Array<double>& start_y() const { return start_y_; }
   [[nodiscard]] const Array<double>& start_rotation() const { return start_rotation_; }
 
-  std::vector<Fracture> fractures() { return find_fractures(assembly_, network_, options(), well_places(), cracks_); }
+  std::vector<Fracture> fractures() {
+    return find_fractures(assembly_, network_, options(), well_places(), cracks_);
+  }
   [[nodiscard]] std::vector<WellPlace> well_places() const;
   [[nodiscard]] Balance balance() const;
   [[nodiscard]] double tip_distance() const { return tip_distance_; }
   [[nodiscard]] StopReason stop_reason() const;
   [[nodiscard]] std::uint64_t state_hash() const;
 
-  // The state as bytes, and back. A restored simulation goes on bit for bit as the saved one did. Images fit the model they
-  // were taken from; anything else is refused and changes nothing.
+  // The state as bytes, and back. A restored simulation goes on bit for bit as the saved one did. Images fit
+  // the model they were taken from; anything else is refused and changes nothing.
   [[nodiscard]] std::vector<std::byte> image() const;
   void restore(std::span<const std::byte> image);
 
-  // A step in three parts, for hosts that iterate: try_step may be called again and again, with another duration or
-  // other wells, and always starts from where begin_step was called; accept_step keeps the last one, reject_step
-  // goes back.
+  // A step in three parts, for hosts that iterate: try_step may be called again and again, with another
+  // duration or other wells, and always starts from where begin_step was called; accept_step keeps the last
+  // one, reject_step goes back.
   void begin_step();
   StepOutcome try_step(double duration, const std::function<bool()>& interrupt = {});
   void accept_step();
@@ -140,7 +148,7 @@ class Simulation {
   std::vector<Well> wells_;
   CrackLog cracks_;
   SetupReport setup_;
-  std::vector<double> source_;        // m2/s per domain, from wells at a rate
+  std::vector<double> source_;  // m2/s per domain, from wells at a rate
   double time_ = 0.0, force_ratio_ = 0.0, leaked_ = 0.0, tip_distance_ = 0.0;
   std::int64_t step_ = 0;
   bool at_rest_ = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The state of a simulation: the one list of what it is made of, and what is done with it: keeping a step undoable, images
-// in memory, the state hash.
+// The state of a simulation: the one list of what it is made of, and what is done with it: keeping a step
+// undoable, images in memory, the state hash.
 #include <algorithm>
 #include <bit>
 
@@ -14,15 +14,17 @@ template <class Archive, class Self>
 void Simulation::visit_state(Archive& archive, Self& s) {
   auto& a = s.assembly_;
   auto& n = s.network_;
-  for (auto* values : {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin, &a.external_x, &a.external_y, &a.external_moment, &a.intact,
-                       &a.slip, &n.aperture, &n.conductance, &n.flow, &n.volume_change, &n.content, &n.pressure, &n.stiffness}) {
+  for (auto* values : {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin, &a.external_x, &a.external_y,
+                       &a.external_moment, &a.intact, &a.slip, &n.aperture, &n.conductance, &n.flow,
+                       &n.volume_change, &n.content, &n.pressure, &n.stiffness}) {
     archive.array(*values);
   }
   archive.value(n.zero_stress_aperture);
-  for (auto* values : {&s.start_x_, &s.start_y_, &s.start_rotation_, &s.start_content_}) archive.array(*values);
-  for (auto* value : {&s.start_bond_energy_, &s.start_contact_energy_, &s.start_boundary_work_, &s.start_outside_change_, &s.time_,
-                      &s.force_ratio_, &s.leaked_, &s.tip_distance_, &s.definition_.options.stress_sigma_H,
-                      &s.definition_.options.stress_sigma_h}) {
+  for (auto* values : {&s.start_x_, &s.start_y_, &s.start_rotation_, &s.start_content_})
+    archive.array(*values);
+  for (auto* value : {&s.start_bond_energy_, &s.start_contact_energy_, &s.start_boundary_work_,
+                      &s.start_outside_change_, &s.time_, &s.force_ratio_, &s.leaked_, &s.tip_distance_,
+                      &s.definition_.options.stress_sigma_H, &s.definition_.options.stress_sigma_h}) {
     archive.value(*value);
   }
   archive.value(s.step_);
@@ -36,13 +38,16 @@ void Simulation::visit_state(Archive& archive, Self& s) {
     ar.value(well.place.equivalent_radius);
     ar.value(well.place.domain);
     ar.value(well.control);
-    for (auto* value : {&well.target_pressure, &well.ramp_per_step, &well.set_rate, &well.rate, &well.injected, &well.content}) ar.value(*value);
+    for (auto* value : {&well.target_pressure, &well.ramp_per_step, &well.set_rate, &well.rate,
+                        &well.injected, &well.content})
+      ar.value(*value);
   });
   archive.list(s.cracks_, [](auto& ar, auto& crack) {
     ar.value(crack.bond);
     ar.value(crack.step);
     ar.value(crack.cycle);
-    for (auto* value : {&crack.time, &crack.normal_force, &crack.shear_force, &crack.energy}) ar.value(*value);
+    for (auto* value : {&crack.time, &crack.normal_force, &crack.shear_force, &crack.energy})
+      ar.value(*value);
     ar.value(crack.mode);
   });
 }
@@ -56,7 +61,8 @@ void Simulation::save_state(std::vector<std::byte>& image) const {
 void Simulation::load_state(std::span<const std::byte> image) {
   Loader loader(image);
   visit_state(loader, *this);
-  if (loader.left() != 0) throw Error(ErrorKind::argument, "the state image is longer than this simulation's state.");
+  if (loader.left() != 0)
+    throw Error(ErrorKind::argument, "the state image is longer than this simulation's state.");
   boundary_->set_far_field(assembly_, options().stress_sigma_H, options().stress_sigma_h);
   solver_->after_restore();
 }
@@ -67,7 +73,8 @@ std::uint64_t Simulation::state_hash() const {
   return hasher.result();
 }
 
-// Image in memory: magic, format, byte order, fingerprint of the model, size and checksum of the state, the state.
+// Image in memory: magic, format, byte order, fingerprint of the model, size and checksum of the state, the
+// state.
 namespace {
 
 struct ImageHeader {
@@ -91,7 +98,9 @@ std::uint64_t checksum(std::span<const std::byte> bytes) {
   return hash.value();
 }
 
-[[noreturn]] void refuse(const char* why) { throw Error(ErrorKind::argument, std::string("the state image cannot be restored: ") + why); }
+[[noreturn]] void refuse(const char* why) {
+  throw Error(ErrorKind::argument, std::string("the state image cannot be restored: ") + why);
+}
 
 }  // namespace
 
@@ -126,10 +135,12 @@ void Simulation::restore(std::span<const std::byte> image) {
   if (image.size() < sizeof header) refuse("it is shorter than an image's header.");
   std::memcpy(&header, image.data(), sizeof header);
   const auto state = image.subspan(sizeof header);
-  if (std::memcmp(header.magic, image_magic, sizeof header.magic) != 0) refuse("it is not an image of this library.");
+  if (std::memcmp(header.magic, image_magic, sizeof header.magic) != 0)
+    refuse("it is not an image of this library.");
   if (header.byte_order != image_byte_order) refuse("it comes from a machine of the other byte order.");
   if (header.format != image_format) refuse("it has another format version than this library reads.");
-  if (header.size != state.size() || header.checksum != checksum(state)) refuse("it is damaged: size or checksum differ.");
+  if (header.size != state.size() || header.checksum != checksum(state))
+    refuse("it is damaged: size or checksum differ.");
   if (header.model != model_fingerprint()) refuse("it was taken from another model.");
   std::vector<std::byte> before;
   save_state(before);

@@ -2,16 +2,18 @@
 // The order of a step. Everything a step does is called from Simulation::step, top to bottom:
 //
 //   1  wells take their pressures or rates
-//   2  fluid moves along the pipes for flow_step seconds while the rock stands still (eq. 6, 8; implicit or sub-cycled)
-//   3  the rock moves until it is at rest, or for flow_step seconds of real time (mode dynamic): in every cycle
+//   2  fluid moves along the pipes for flow_step seconds while the rock stands still (eq. 6, 8; implicit or
+//   sub-cycled) 3  the rock moves until it is at rest, or for flow_step seconds of real time (mode dynamic):
+//   in every cycle
 //        bond and contact forces (eq. 15-20), breakage (eq. 21-23) -> crack log
 //        pores answer undrained: pressure follows from the fluid they hold and their volume (eq. 8)
 //        pressures push the discs (eq. 9-14), boundary, motion (eq. 11, 12)
 //   4  apertures and conductances at the new geometry (eq. 6, 7); new contacts around cracks
 //   5  clock, injected and leaked volumes, farthest crack tip
 //
-// Between 2 and 3 no fluid is lost or made: pores keep their content while the rock moves. Freezing the pressure
-// instead (the drained split) is unstable. If a step fails or is interrupted, the state is put back as it was.
+// Between 2 and 3 no fluid is lost or made: pores keep their content while the rock moves. Freezing the
+// pressure instead (the drained split) is unstable. If a step fails or is interrupted, the state is put back
+// as it was.
 #include <algorithm>
 #include <cmath>
 
@@ -60,10 +62,14 @@ void Simulation::drive_wells() {
   for (auto& well : wells_) {
     const auto d = well.place.domain;
     switch (well.control) {
-      case WellControl::pressure: impose_well_pressure(well, well.target_pressure); break;
+      case WellControl::pressure:
+        impose_well_pressure(well, well.target_pressure);
+        break;
       case WellControl::ramp: {
         const double now = network_.pressure[d], gap = well.target_pressure - now;
-        impose_well_pressure(well, std::abs(gap) <= well.ramp_per_step ? well.target_pressure : now + std::copysign(well.ramp_per_step, gap));
+        impose_well_pressure(well, std::abs(gap) <= well.ramp_per_step
+                                       ? well.target_pressure
+                                       : now + std::copysign(well.ramp_per_step, gap));
         break;
       }
       case WellControl::rate:
@@ -153,7 +159,8 @@ Simulation::StepOutcome Simulation::try_step(double duration, const std::functio
     wells_[w].ramp_per_step = wells[w].ramp_per_step;
     wells_[w].set_rate = wells[w].set_rate;
   }
-  if (sigma_H != options().stress_sigma_H || sigma_h != options().stress_sigma_h) set_far_field(sigma_H, sigma_h);
+  if (sigma_H != options().stress_sigma_H || sigma_h != options().stress_sigma_h)
+    set_far_field(sigma_H, sigma_h);
   return step_for(duration, interrupt);
 }
 
@@ -170,9 +177,14 @@ void Simulation::reject_step() {
 
 void Simulation::set_far_field(double sigma_H, double sigma_h) {
   if (!boundary_->follows_far_field()) {
-    throw Error(ErrorKind::argument, "the walls are fixed, so the far field cannot act; use boundary.kind = \"stress\" or boundary.walls_after_setup = \"servo\".");
+    throw Error(ErrorKind::argument,
+                "the walls are fixed, so the far field cannot act; use boundary.kind = \"stress\" or "
+                "boundary.walls_after_setup = \"servo\".");
   }
-  if (sigma_h > sigma_H) throw Error(ErrorKind::argument, "sigma_h = " + std::to_string(sigma_h) + " Pa is larger than sigma_H = " + std::to_string(sigma_H) + " Pa; swap them.");
+  if (sigma_h > sigma_H)
+    throw Error(ErrorKind::argument, "sigma_h = " + std::to_string(sigma_h) +
+                                         " Pa is larger than sigma_H = " + std::to_string(sigma_H) +
+                                         " Pa; swap them.");
   definition_.options.stress_sigma_H = sigma_H;
   definition_.options.stress_sigma_h = sigma_h;
   boundary_->set_far_field(assembly_, sigma_H, sigma_h);

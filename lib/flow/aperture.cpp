@@ -15,7 +15,8 @@ double band_permeability(const Network& n, const Assembly& a, double low, double
   std::vector<std::int32_t> unknown(domains, -1);
   std::int32_t count = 0;
   for (std::size_t d = 1; d < domains; ++d) {
-    if (n.kind[d] == DomainKind::rock && n.centroid[d].x > low + edge && n.centroid[d].x < high - edge) unknown[d] = count++;
+    if (n.kind[d] == DomainKind::rock && n.centroid[d].x > low + edge && n.centroid[d].x < high - edge)
+      unknown[d] = count++;
   }
   if (count < 8) return 0.0;
   const auto imposed = [&](std::int32_t d) { return n.centroid[d].x <= low + edge ? 1.0 : 0.0; };
@@ -38,7 +39,8 @@ double band_permeability(const Network& n, const Assembly& a, double low, double
       }
     }
   }
-  // A domain without pipes would make the matrix singular: tie it to nothing with a unit entry far below the rest.
+  // A domain without pipes would make the matrix singular: tie it to nothing with a unit entry far below the
+  // rest.
   double typical = 0.0;
   for (const auto& entry : entries) typical = std::max(typical, std::abs(entry.value()));
   for (std::int32_t d = 0; d < count; ++d) entries.emplace_back(d, d, 1e-14 * typical);
@@ -48,7 +50,8 @@ double band_permeability(const Network& n, const Assembly& a, double low, double
   if (solver.info() != Eigen::Success) return 0.0;
   const Eigen::VectorXd p = solver.solve(rhs);
 
-  // Flow through the inlet and the distance between the mean positions of inlet and outlet domains that take part.
+  // Flow through the inlet and the distance between the mean positions of inlet and outlet domains that take
+  // part.
   double inflow = 0.0, inlet = 0.0, outlet = 0.0, inlet_weight = 0.0, outlet_weight = 0.0;
   for (std::size_t e = 0; e < n.left.size(); ++e) {
     const auto l = n.left[e], r = n.right[e];
@@ -88,11 +91,13 @@ void update_apertures(Network& n, const Assembly& a, const Options& o) {
     const BondView bond = view_bond(a, o, static_cast<std::int64_t>(e));
     const double w = pipe_aperture(o, n.zero_stress_aperture, bond, a.intact[e] > 0.0);
     n.aperture[e] = w;
-    n.conductance[e] = n.left[e] == n.right[e] ? 0.0 : w * w * w / (12.0 * o.fluid_viscosity * n.pipe_length[e]);
+    n.conductance[e] =
+        n.left[e] == n.right[e] ? 0.0 : w * w * w / (12.0 * o.fluid_viscosity * n.pipe_length[e]);
   }
 }
 
-double measure_permeability(const Network& n, const Assembly& a, const std::vector<WellOptions>& wells, double viscosity) {
+double measure_permeability(const Network& n, const Assembly& a, const std::vector<WellOptions>& wells,
+                            double viscosity) {
   const auto [x_low, x_high] = std::minmax_element(a.x.begin(), a.x.end());
   double left_end = *x_high, right_begin = *x_low;
   for (const auto& well : wells) {
@@ -117,13 +122,15 @@ double measure_permeability(const Network& n, const Assembly& a, const std::vect
   return weight > 0.0 ? sum / weight : 0.0;
 }
 
-void calibrate_aperture(Network& n, const Assembly& a, const Options& o, const std::vector<WellOptions>& wells) {
+void calibrate_aperture(Network& n, const Assembly& a, const Options& o,
+                        const std::vector<WellOptions>& wells) {
   if (o.flow_zero_stress_aperture > 0.0) {
     n.zero_stress_aperture = o.flow_zero_stress_aperture;
     update_apertures(n, a, o);
     return;
   }
-  // k = C r0^3 / R_mean with C near 0.032 starts it; k goes with r0^3, so one correction is exact unless gaps count.
+  // k = C r0^3 / R_mean with C near 0.032 starts it; k goes with r0^3, so one correction is exact unless gaps
+  // count.
   n.zero_stress_aperture = std::cbrt(o.flow_permeability * a.mean_radius / 0.032);
   for (int round = 0; round < 4; ++round) {
     update_apertures(n, a, o);

@@ -27,7 +27,8 @@ FlowSolver::FlowSolver(const Network& n, const Options& options)
   std::vector<Eigen::Triplet<double>> entries;
   for (Eigen::Index d = 0; d < domains; ++d) entries.emplace_back(d, d, 1.0);
   for (std::size_t e = 0; e < n.left.size(); ++e) {
-    if (n.left[e] != n.right[e]) entries.emplace_back(std::max(n.left[e], n.right[e]), std::min(n.left[e], n.right[e]), 1.0);
+    if (n.left[e] != n.right[e])
+      entries.emplace_back(std::max(n.left[e], n.right[e]), std::min(n.left[e], n.right[e]), 1.0);
   }
   matrix_.resize(domains, domains);
   matrix_.setFromTriplets(entries.begin(), entries.end());
@@ -40,7 +41,9 @@ FlowSolver::FlowSolver(const Network& n, const Options& options)
   };
   for (std::int32_t d = 0; d < domains; ++d) diagonal_.push_back(place(d, d));
   for (std::size_t e = 0; e < n.left.size(); ++e) {
-    off_diagonal_.push_back(n.left[e] == n.right[e] ? -1 : place(std::max(n.left[e], n.right[e]), std::min(n.left[e], n.right[e])));
+    off_diagonal_.push_back(n.left[e] == n.right[e]
+                                ? -1
+                                : place(std::max(n.left[e], n.right[e]), std::min(n.left[e], n.right[e])));
   }
 }
 
@@ -54,7 +57,8 @@ int FlowSolver::advance_implicit(Network& n, double step, const std::vector<doub
   const auto solved = [&](std::size_t d) { return n.stiffness[d] > 0.0 && !cavitated_[d]; };
   for (std::size_t d = 0; d < domains; ++d) {
     full_[d] = n.stiffness[d] > 0.0 ? full_pressure(n, d) : n.pressure[d];
-    cavitated_[d] = n.stiffness[d] > 0.0 && n.pressure[d] <= n.floor_pressure && full_[d] < n.floor_pressure ? 1 : 0;
+    cavitated_[d] =
+        n.stiffness[d] > 0.0 && n.pressure[d] <= n.floor_pressure && full_[d] < n.floor_pressure ? 1 : 0;
   }
   constexpr int most_rounds = 60;
   Eigen::VectorXd rhs(static_cast<Eigen::Index>(domains)), p(static_cast<Eigen::Index>(domains));
@@ -88,7 +92,9 @@ int FlowSolver::advance_implicit(Network& n, double step, const std::vector<doub
       }
     }
     factor_.factorize(matrix_);
-    if (factor_.info() != Eigen::Success) throw Error(ErrorKind::diverged, "the flow matrix cannot be factorised: an aperture or volume is not finite");
+    if (factor_.info() != Eigen::Success)
+      throw Error(ErrorKind::diverged,
+                  "the flow matrix cannot be factorised: an aperture or volume is not finite");
     p = factor_.solve(rhs);
 
     changed = false;
@@ -137,8 +143,10 @@ int FlowSolver::advance_explicit(Network& n, double step, const std::vector<doub
   const double limit = 0.5 * explicit_limit(n);  // half the limit: no domain overshoots its neighbours' mean
   const double cycles = std::max(1.0, std::ceil(step / limit));
   if (cycles > 2e6) {
-    throw Error(ErrorKind::model, "explicit flow would need " + std::to_string(cycles) +
-                                      " sub-cycles for one step; use flow.scheme = \"implicit\" or a smaller flow.aperture_limit");
+    throw Error(
+        ErrorKind::model,
+        "explicit flow would need " + std::to_string(cycles) +
+            " sub-cycles for one step; use flow.scheme = \"implicit\" or a smaller flow.aperture_limit");
   }
   const double dt = step / cycles;
   const auto domains = static_cast<std::size_t>(n.domain_count());

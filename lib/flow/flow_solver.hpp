@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One step of flow through the pipes while the rock stands still.
 //
-// Both schemes move content along pipes, so what one domain loses the next one gains to the last bit but rounding:
-//   implicit  backward Euler on all domains at once (sparse Cholesky, the pattern analysed once). Cavitation makes it
-//             a complementarity problem: p >= floor, a domain at the floor first fills its void. A primal-dual active
-//             set finds it in a few rounds.
-//   explicit  the paper's eq. 8 as it stands, sub-cycled below its stability limit V / (K_f sum of conductances).
+// Both schemes move content along pipes, so what one domain loses the next one gains to the last bit but
+// rounding:
+//   implicit  backward Euler on all domains at once (sparse Cholesky, the pattern analysed once). Cavitation
+//   makes it
+//             a complementarity problem: p >= floor, a domain at the floor first fills its void. A
+//             primal-dual active set finds it in a few rounds.
+//   explicit  the paper's eq. 8 as it stands, sub-cycled below its stability limit V / (K_f sum of
+//   conductances).
 #pragma once
 
 #include <Eigen/SparseCholesky>
@@ -33,11 +36,12 @@ class FlowSolver {
 
   using Matrix = Eigen::SparseMatrix<double>;
   bool explicit_;
-  Matrix matrix_;                                  // lower triangle, pattern of all domains
-  std::vector<Eigen::Index> diagonal_, off_diagonal_;  // places in the value array: per domain, per pipe (-1: none)
+  Matrix matrix_;  // lower triangle, pattern of all domains
+  std::vector<Eigen::Index> diagonal_,
+      off_diagonal_;  // places in the value array: per domain, per pipe (-1: none)
   Eigen::SimplicialLDLT<Matrix, Eigen::Lower> factor_;
-  std::vector<double> full_;                       // Pa, pressure the content would have without the floor
-  std::vector<double> fill_;                       // m2, content gained in the step
+  std::vector<double> full_;  // Pa, pressure the content would have without the floor
+  std::vector<double> fill_;  // m2, content gained in the step
   std::vector<char> cavitated_;
 };
 

@@ -9,8 +9,8 @@
 namespace hfrac {
 namespace {
 
-// Share of the mean disc's square below which a pore is not taken: slivers between overlapping discs would be stiffer
-// than the rock and rule the stable step.
+// Share of the mean disc's square below which a pore is not taken: slivers between overlapping discs would be
+// stiffer than the rock and rule the stable step.
 constexpr double smallest_pore = 0.05;
 
 }  // namespace
@@ -46,26 +46,32 @@ Network build_network(const ContactGraph& graph, const Faces& faces, const Assem
       const auto before = k > begin ? k - 1 : end - 1, after = k + 1 < end ? k + 1 : begin;
       const auto i = faces.corner[k], from = faces.corner[before], to = faces.corner[after];
       const Vec2 centre{graph.x[i], graph.y[i]};
-      const Vec2 back = Vec2{graph.x[from], graph.y[from]} - centre, ahead = Vec2{graph.x[to], graph.y[to]} - centre;
-      // Chord from the contact behind to the contact ahead; turned clockwise it is the force per pressure (eq. 10).
+      const Vec2 back = Vec2{graph.x[from], graph.y[from]} - centre,
+                 ahead = Vec2{graph.x[to], graph.y[to]} - centre;
+      // Chord from the contact behind to the contact ahead; turned clockwise it is the force per pressure
+      // (eq. 10).
       const double share_back = graph.radius[i] / (graph.radius[i] + graph.radius[from]);
       const double share_ahead = graph.radius[i] / (graph.radius[i] + graph.radius[to]);
       const Vec2 chord = share_ahead * ahead - share_back * back;
       n.corner_weight[2 * k] = chord.y;
       n.corner_weight[2 * k + 1] = -chord.x;
-      double angle = std::atan2(cross(ahead, back), dot(ahead, back));  // of the disc's sector inside the polygon
+      double angle =
+          std::atan2(cross(ahead, back), dot(ahead, back));  // of the disc's sector inside the polygon
       if (angle < 0.0) angle += 2.0 * 3.14159265358979323846;
       sectors += 0.5 * graph.radius[i] * graph.radius[i] * angle;
     }
-    n.volume[d] = std::max(faces.polygon_area[d] - sectors, smallest_pore * graph.mean_radius * graph.mean_radius);
+    n.volume[d] =
+        std::max(faces.polygon_area[d] - sectors, smallest_pore * graph.mean_radius * graph.mean_radius);
   }
 
-  // The same corners by disc. The outside pushes on walled models only: under stress control the far field is total.
+  // The same corners by disc. The outside pushes on walled models only: under stress control the far field is
+  // total.
   const bool outside_pushes = BoundaryKind{options.boundary_kind} == BoundaryKind::walls;
   const auto discs = static_cast<std::size_t>(a.disc_count());
   n.disc_corner_start.assign(discs + 1, 0);
   for (std::size_t d = outside_pushes ? 0 : 1; d < domains; ++d) {
-    for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) ++n.disc_corner_start[n.corner_disc[k] + 1];
+    for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k)
+      ++n.disc_corner_start[n.corner_disc[k] + 1];
   }
   for (std::size_t i = 0; i < discs; ++i) n.disc_corner_start[i + 1] += n.disc_corner_start[i];
   n.disc_corner_domain.resize(static_cast<std::size_t>(n.disc_corner_start.back()));

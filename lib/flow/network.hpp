@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The fluid's side of the model: a domain in every pore, a pipe across every contact.
 //
-// What a domain stores is its content zeta: fluid taken in since the start, as a volume at reference pressure. The
-// pressure follows from content and the pore's change of volume,
+// What a domain stores is its content zeta: fluid taken in since the start, as a volume at reference
+// pressure. The pressure follows from content and the pore's change of volume,
 //     p = max(floor, p_ref + K_f (zeta - dV) / V)                                       (eq. 8 in total form)
-// so mass is never lost to linearisation. dV = sum of w.u over the discs around the domain, with the very weights
-// w = s1 n1 + s2 n2 by which the pressure pushes the discs (eq. 10): what the fluid loses the discs get, exactly. The
-// weights are taken at bonding (small rotations).
+// so mass is never lost to linearisation. dV = sum of w.u over the discs around the domain, with the very
+// weights w = s1 n1 + s2 n2 by which the pressure pushes the discs (eq. 10): what the fluid loses the discs
+// get, exactly. The weights are taken at bonding (small rotations).
 #pragma once
 
 #include <cstdint>
@@ -24,22 +24,22 @@ enum class DomainKind : std::int32_t { rock = 0, well = 1, outside = 2 };
 struct Network {
   // pipes, one per bond, from the domain left of (first -> second) to the one right of it
   std::vector<std::int32_t> left, right;
-  Array<double> pipe_length;   // m, R_i + R_j (eq. 6)
-  Array<double> aperture;      // m, hydraulic
-  Array<double> conductance;   // m2/(Pa s): w^3 / (12 eta L)
-  Array<double> flow;          // m2/s, left to right, of the last flow step
+  Array<double> pipe_length;  // m, R_i + R_j (eq. 6)
+  Array<double> aperture;     // m, hydraulic
+  Array<double> conductance;  // m2/(Pa s): w^3 / (12 eta L)
+  Array<double> flow;         // m2/s, left to right, of the last flow step
   // domains; 0 is the outside
   std::vector<DomainKind> kind;
-  Array<double> volume;        // m2, pore volume at bonding
-  Array<double> volume_change; // m2
-  Array<double> content;       // m2
-  Array<double> pressure;      // Pa
-  Array<double> stiffness;     // Pa/m2: K_f / V, 0 where the pressure is imposed
+  Array<double> volume;         // m2, pore volume at bonding
+  Array<double> volume_change;  // m2
+  Array<double> content;        // m2
+  Array<double> pressure;       // Pa
+  Array<double> stiffness;      // Pa/m2: K_f / V, 0 where the pressure is imposed
   std::vector<std::int32_t> corner_start, corner_disc, corner_edge;
   Array<double> corner_weight;  // m, (x, y) per corner
   std::vector<std::int32_t> disc_corner_start, disc_corner_domain;
   Array<double> disc_corner_weight;
-  std::vector<Vec2> centroid;   // m, at bonding
+  std::vector<Vec2> centroid;                             // m, at bonding
   double reference_pressure = 0.0, floor_pressure = 0.0;  // Pa
   double zero_stress_aperture = 0.0;                      // m, r0
 

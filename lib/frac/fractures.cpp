@@ -131,8 +131,8 @@ CrackLine crack_line(const Assembly& a, const Options& o, std::int64_t bond) {
   return {from + share * (to - from), view.normal, 2.0 * a.bond_radius[bond], std::max(0.0, view.gap)};
 }
 
-std::vector<Fracture> find_fractures(const Assembly& a, const Network& n, const Options& o, const std::vector<WellPlace>& wells,
-                                     CrackLog& log) {
+std::vector<Fracture> find_fractures(const Assembly& a, const Network& n, const Options& o,
+                                     const std::vector<WellPlace>& wells, CrackLog& log) {
   const auto cracks = static_cast<std::int32_t>(log.size());
   Sets sets(log.size());
   std::map<std::int32_t, std::int32_t> first_in_domain;  // ordered: results do not depend on hashing
@@ -147,7 +147,8 @@ std::vector<Fracture> find_fractures(const Assembly& a, const Network& n, const 
   for (std::int32_t c = 0; c < cracks; ++c) groups[sets.root(c)].push_back(c);
   std::vector<std::vector<std::int32_t>> ordered;
   for (auto& [root, members] : groups) ordered.push_back(std::move(members));
-  std::stable_sort(ordered.begin(), ordered.end(), [](const auto& p, const auto& q) { return p.size() > q.size(); });
+  std::stable_sort(ordered.begin(), ordered.end(),
+                   [](const auto& p, const auto& q) { return p.size() > q.size(); });
 
   std::vector<Fracture> fractures;
   for (const auto& members : ordered) {
@@ -202,7 +203,9 @@ std::vector<Fracture> find_fractures(const Assembly& a, const Network& n, const 
     if (f.well >= 0) {
       const WellPlace& well = wells[static_cast<std::size_t>(f.well)];
       std::tie(f.length, f.arms) = arms_from(graph, node[well.domain]);
-      for (const auto& p : ends) f.reach = std::max(f.reach, std::sqrt(dot(p - well.centre, p - well.centre)) - well.equivalent_radius);
+      for (const auto& p : ends)
+        f.reach =
+            std::max(f.reach, std::sqrt(dot(p - well.centre, p - well.centre)) - well.equivalent_radius);
       f.azimuth = main_direction(ends, well.centre);
     } else {
       f.length = longest_way(graph);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fractures: cracks that belong together.
 //
-// A broken bond opens a way between the domain on its left and the one on its right. Cracks that share a domain are one
-// fracture; a well's domain joins what starts from it. Seen as a graph, domains are the nodes and cracks the edges, and a
-// fracture's length is the longest way through it (two shortest-path sweeps); ways through a well leave out the hole.
+// A broken bond opens a way between the domain on its left and the one on its right. Cracks that share a
+// domain are one fracture; a well's domain joins what starts from it. Seen as a graph, domains are the nodes
+// and cracks the edges, and a fracture's length is the longest way through it (two shortest-path sweeps);
+// ways through a well leave out the hole.
 #pragma once
 
 #include <vector>
@@ -22,18 +23,18 @@ struct WellPlace {
 
 struct Fracture {
   std::int64_t crack_count = 0, tensile_cracks = 0;
-  std::int64_t arms = 0;          // separate branches that start at the well; 1 if not connected to one
-  double length = 0.0, extent = 0.0, reach = 0.0, azimuth = 0.0;      // m, m, m, rad
-  double mean_aperture = 0.0, largest_aperture = 0.0, volume = 0.0;   // m, m, m2
-  double mean_pressure = 0.0;     // Pa
+  std::int64_t arms = 0;  // separate branches that start at the well; 1 if not connected to one
+  double length = 0.0, extent = 0.0, reach = 0.0, azimuth = 0.0;     // m, m, m, rad
+  double mean_aperture = 0.0, largest_aperture = 0.0, volume = 0.0;  // m, m, m2
+  double mean_pressure = 0.0;                                        // Pa
   std::int64_t well = -1;
 };
 
 // The line a crack is drawn as: across the contact, one bond diameter long.
 struct CrackLine {
-  Vec2 middle, normal;   // m; from first to second disc
-  double length;         // m
-  double aperture;       // m, mechanical opening
+  Vec2 middle, normal;  // m; from first to second disc
+  double length;        // m
+  double aperture;      // m, mechanical opening
 };
 CrackLine crack_line(const Assembly& assembly, const Options& options, std::int64_t bond);
 

@@ -41,8 +41,8 @@ class CellGrid {
     for (std::int64_t i = 0; i < n; ++i) items_[cursor[cell_of[i]]++] = static_cast<std::int32_t>(i);
   }
 
-  // Calls visit(index) for every point in the cells that a square of half-width `reach` around (x, y) touches, in a
-  // fixed order.
+  // Calls visit(index) for every point in the cells that a square of half-width `reach` around (x, y)
+  // touches, in a fixed order.
   template <class Visit>
   void near(double x, double y, double reach, Visit&& visit) const {
     if (items_.empty()) return;
@@ -55,10 +55,12 @@ class CellGrid {
 
  private:
   [[nodiscard]] std::int64_t column(double x) const {
-    return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor((x - x0_) * inverse_)), 0, columns_ - 1);
+    return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor((x - x0_) * inverse_)), 0,
+                                    columns_ - 1);
   }
   [[nodiscard]] std::int64_t row(double y) const {
-    return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor((y - y0_) * inverse_)), 0, rows_ - 1);
+    return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor((y - y0_) * inverse_)), 0,
+                                    rows_ - 1);
   }
 
   double x0_ = 0.0, y0_ = 0.0, inverse_ = 1.0;

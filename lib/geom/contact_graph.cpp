@@ -16,7 +16,8 @@ struct Join {
   double gap;  // m
 };
 
-std::vector<Join> near_pairs(const Array<double>& x, const Array<double>& y, const Array<double>& radius, double tolerance) {
+std::vector<Join> near_pairs(const Array<double>& x, const Array<double>& y, const Array<double>& radius,
+                             double tolerance) {
   const double largest = *std::max_element(radius.begin(), radius.end());
   const CellGrid grid(x, y, 2.0 * largest + tolerance);
   std::vector<Join> joins;
@@ -40,7 +41,8 @@ bool segments_cross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 }
 
 // Removes the wider of each crossing pair; returns how many went.
-std::int64_t remove_crossings(const Array<double>& x, const Array<double>& y, double largest, std::vector<Join>& joins) {
+std::int64_t remove_crossings(const Array<double>& x, const Array<double>& y, double largest,
+                              std::vector<Join>& joins) {
   Array<double> mx(joins.size()), my(joins.size());
   for (std::size_t e = 0; e < joins.size(); ++e) {
     mx[e] = 0.5 * (x[joins[e].i] + x[joins[e].j]);
@@ -143,7 +145,9 @@ ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y,
     cy.push_back(y[i]);
     cr.push_back(radius[i]);
   }
-  if (cx.size() < 4) throw Error(ErrorKind::model, "fewer than 4 discs are left after cutting the wells; use more discs or smaller wells");
+  if (cx.size() < 4)
+    throw Error(ErrorKind::model,
+                "fewer than 4 discs are left after cutting the wells; use more discs or smaller wells");
 
   auto joins = near_pairs(cx, cy, cr, gap_tolerance * graph.mean_radius);
   graph.removed_crossings = remove_crossings(cx, cy, *std::max_element(cr.begin(), cr.end()), joins);
@@ -164,7 +168,9 @@ ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y,
     graph.second.push_back(number[join.j]);
   }
   if (graph.x.size() < 4) {
-    throw Error(ErrorKind::model, "no coherent rock is left: fewer than 4 discs have two bonds; raise bond.gap_tolerance or lower packing.porosity");
+    throw Error(ErrorKind::model,
+                "no coherent rock is left: fewer than 4 discs have two bonds; raise bond.gap_tolerance or "
+                "lower packing.porosity");
   }
   return graph;
 }

@@ -74,19 +74,21 @@ Faces build_faces(const ContactGraph& graph) {
       moment = moment + (c / 6.0) * (a + b);
       mean = mean + a;
     }
-    loop.centroid = std::abs(loop.area) > 0.0 ? origin + (1.0 / loop.area) * moment
-                                              : origin + (1.0 / static_cast<double>(loop.half_edges.size())) * mean;
+    loop.centroid = std::abs(loop.area) > 0.0
+                        ? origin + (1.0 / loop.area) * moment
+                        : origin + (1.0 / static_cast<double>(loop.half_edges.size())) * mean;
     loops.push_back(std::move(loop));
     if (loops.back().area < loops[outside].area) outside = loops.size() - 1;
   }
-  const auto euler = static_cast<std::int64_t>(graph.x.size()) - static_cast<std::int64_t>(graph.first.size()) +
-                     static_cast<std::int64_t>(loops.size());
+  const auto euler = static_cast<std::int64_t>(graph.x.size()) -
+                     static_cast<std::int64_t>(graph.first.size()) + static_cast<std::int64_t>(loops.size());
   if (euler != 2) {
     throw Error(ErrorKind::model, "the contact graph is not planar: N - E + F = " + std::to_string(euler) +
                                       " instead of 2; check the given discs for overlaps");
   }
   // The outside first; the others stay sorted by their lowest edge, and so by their lowest disc.
-  std::rotate(loops.begin(), loops.begin() + static_cast<std::ptrdiff_t>(outside), loops.begin() + static_cast<std::ptrdiff_t>(outside) + 1);
+  std::rotate(loops.begin(), loops.begin() + static_cast<std::ptrdiff_t>(outside),
+              loops.begin() + static_cast<std::ptrdiff_t>(outside) + 1);
 
   Faces faces;
   faces.left.resize(graph.first.size());
@@ -114,7 +116,8 @@ std::int32_t face_around(const ContactGraph& graph, const Faces& faces, Vec2 poi
       const auto following = k + 1 < faces.corner_start[f + 1] ? k + 1 : faces.corner_start[f];
       const Vec2 a{graph.x[faces.corner[k]], graph.y[faces.corner[k]]};
       const Vec2 b{graph.x[faces.corner[following]], graph.y[faces.corner[following]]};
-      if ((a.y > point.y) != (b.y > point.y) && point.x < a.x + (point.y - a.y) * (b.x - a.x) / (b.y - a.y)) inside = !inside;
+      if ((a.y > point.y) != (b.y > point.y) && point.x < a.x + (point.y - a.y) * (b.x - a.x) / (b.y - a.y))
+        inside = !inside;
     }
     if (inside) best = f;
   }

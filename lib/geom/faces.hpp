@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The faces of the contact graph: polygons of disc centres that enclose the pores.
 //
-// Each edge is walked once in either direction, always turning to the next edge clockwise at a disc, so that the face
-// lies to the left. Face 0 is the one outside. The graph is connected, so N - E + F = 2 (Euler), which is checked.
+// Each edge is walked once in either direction, always turning to the next edge clockwise at a disc, so that
+// the face lies to the left. Face 0 is the one outside. The graph is connected, so N - E + F = 2 (Euler),
+// which is checked.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +14,13 @@
 namespace hfrac {
 
 struct Faces {
-  std::vector<std::int32_t> left, right;       // face on either side of each edge, seen from first to second disc
-  std::vector<std::int32_t> corner_start;      // corners of face f: corner[corner_start[f] .. corner_start[f + 1])
-  std::vector<std::int32_t> corner;            // discs, anticlockwise (clockwise around the outside face)
-  std::vector<std::int32_t> corner_edge;       // edge from this corner to the next one
-  std::vector<double> polygon_area;            // m2; of the polygon of disc centres, 0 for the outside
-  std::vector<Vec2> centroid;                  // m
+  std::vector<std::int32_t> left, right;  // face on either side of each edge, seen from first to second disc
+  std::vector<std::int32_t>
+      corner_start;                       // corners of face f: corner[corner_start[f] .. corner_start[f + 1])
+  std::vector<std::int32_t> corner;       // discs, anticlockwise (clockwise around the outside face)
+  std::vector<std::int32_t> corner_edge;  // edge from this corner to the next one
+  std::vector<double> polygon_area;       // m2; of the polygon of disc centres, 0 for the outside
+  std::vector<Vec2> centroid;             // m
   [[nodiscard]] std::int32_t count() const { return static_cast<std::int32_t>(corner_start.size()) - 1; }
 };
 

@@ -55,13 +55,13 @@ class NeighbourList {
 };
 
 struct Overlaps {
-  double mean_force = 0.0;      // mean of all contact forces (stiffness 1: mean overlap)
+  double mean_force = 0.0;  // mean of all contact forces (stiffness 1: mean overlap)
   double mean_unbalanced = 0.0;
 };
 
 // Forces of overlapping discs and walls, stiffness 1.
-Overlaps overlap_forces(const PackingOptions& box, const Packing& p, const NeighbourList& list, Array<double>& fx,
-                        Array<double>& fy) {
+Overlaps overlap_forces(const PackingOptions& box, const Packing& p, const NeighbourList& list,
+                        Array<double>& fx, Array<double>& fy) {
   const std::size_t n = p.x.size();
   std::fill(fx.begin(), fx.end(), 0.0);
   std::fill(fy.begin(), fy.end(), 0.0);
@@ -120,8 +120,10 @@ void relax(const PackingOptions& box, Packing& p, const std::function<bool(doubl
     // Below the jamming density all overlaps vanish: that is at rest too.
     if (p.residual <= box.residual || p.mean_overlap < 1e-6) return;
     if (iteration == most) {
-      throw Error(ErrorKind::model, "the packing did not relax below packing.residual = " + std::to_string(box.residual) +
-                                        " (reached " + std::to_string(p.residual) + "); raise packing.residual or lower packing.porosity");
+      throw Error(ErrorKind::model,
+                  "the packing did not relax below packing.residual = " + std::to_string(box.residual) +
+                      " (reached " + std::to_string(p.residual) +
+                      "); raise packing.residual or lower packing.porosity");
     }
     // The residual falls by fits and starts; what was reached once is what counts as done.
     if (iteration == 0) first = std::max(p.residual, 10.0 * box.residual);
@@ -171,7 +173,8 @@ std::vector<std::int32_t> hilbert_order(const Array<double>& x, const Array<doub
     place[i] = hilbert_index(static_cast<std::uint32_t>((x[i] - *x_low) * scale),
                              static_cast<std::uint32_t>((y[i] - *y_low) * scale));
   }
-  std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) { return place[a] < place[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::int32_t a, std::int32_t b) { return place[a] < place[b]; });
   return order;
 }
 
@@ -184,7 +187,8 @@ Packing pack_discs(const PackingOptions& options, const std::function<bool(doubl
   p.radius.resize(n);
   double area = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
-    p.radius[i] = 1.0 + (options.radius_ratio - 1.0) * (static_cast<double>(i) + 0.5) / static_cast<double>(n);
+    p.radius[i] =
+        1.0 + (options.radius_ratio - 1.0) * (static_cast<double>(i) + 0.5) / static_cast<double>(n);
     area += 3.14159265358979323846 * p.radius[i] * p.radius[i];
   }
   const double scale = std::sqrt((1.0 - options.porosity) * options.width * options.height / area);
@@ -204,7 +208,8 @@ Packing pack_discs(const PackingOptions& options, const std::function<bool(doubl
   p.x.resize(n);
   p.y.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const double column = static_cast<double>(sites[i] % columns), row = static_cast<double>(sites[i] / columns);
+    const double column = static_cast<double>(sites[i] % columns),
+                 row = static_cast<double>(sites[i] / columns);
     p.x[i] = (column + 0.1 + 0.8 * random.uniform()) * options.width / static_cast<double>(columns);
     p.y[i] = (row + 0.1 + 0.8 * random.uniform()) * options.height / static_cast<double>(rows);
   }

@@ -36,7 +36,9 @@ Assembly build_assembly(const ContactGraph& graph, const Options& options) {
   a.radius = graph.radius;
   a.mean_radius = graph.mean_radius;
   const std::size_t n = a.x.size(), bonds = graph.first.size();
-  for (auto* values : {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin, &a.external_x, &a.external_y, &a.external_moment}) values->assign(n, 0.0);
+  for (auto* values :
+       {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin, &a.external_x, &a.external_y, &a.external_moment})
+    values->assign(n, 0.0);
   a.mass.resize(n);
   a.inertia.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -44,14 +46,16 @@ Assembly build_assembly(const ContactGraph& graph, const Options& options) {
     a.inertia[i] = 0.5 * a.mass[i] * a.radius[i] * a.radius[i];  // a cylinder about its axis
   }
 
-  // Toughness of a bonded assembly goes with strength times sqrt(R) (Potyondy and Cundall 2004): strengths given for
-  // one mean radius serve any resolution of the same rock.
+  // Toughness of a bonded assembly goes with strength times sqrt(R) (Potyondy and Cundall 2004): strengths
+  // given for one mean radius serve any resolution of the same rock.
   if (options.bond_toughness_reference_radius > 0.0) {
     a.strength_factor = std::sqrt(options.bond_toughness_reference_radius / a.mean_radius);
   }
   a.first = graph.first;
   a.second = graph.second;
-  for (auto* values : {&a.dx, &a.dy, &a.length, &a.arm, &a.bond_radius, &a.tensile_capacity, &a.shear_capacity}) values->resize(bonds);
+  for (auto* values :
+       {&a.dx, &a.dy, &a.length, &a.arm, &a.bond_radius, &a.tensile_capacity, &a.shear_capacity})
+    values->resize(bonds);
   a.intact.assign(bonds, 1.0);
   a.slip.assign(bonds, 0.0);
   a.force.assign(bonds, BondForce{0.0, 0.0, 0.0, 0.0});
@@ -91,7 +95,8 @@ BondView view_bond(const Assembly& a, const Options& o, std::int64_t e) {
   const double limit = o.contact_friction * v.contact_normal;
   v.contact_shear = std::clamp(o.contact_shear_stiffness * (v.shear - a.slip[e]), -limit, limit);
   v.contact_energy = 0.5 * v.contact_normal * std::max(0.0, -v.gap);
-  if (o.contact_shear_stiffness > 0.0) v.contact_energy += 0.5 * v.contact_shear * v.contact_shear / o.contact_shear_stiffness;
+  if (o.contact_shear_stiffness > 0.0)
+    v.contact_energy += 0.5 * v.contact_shear * v.contact_shear / o.contact_shear_stiffness;
   const double pull = v.bond_normal + o.bond_moment_contribution * 3.0 * std::abs(v.bond_moment) / r;
   v.tensile_excess = a.tensile_capacity[e] > 0.0 ? pull / a.tensile_capacity[e] : (pull >= 0.0 ? 1.0 : 0.0);
   v.shear_excess = a.shear_capacity[e] > 0.0 ? std::abs(v.bond_shear) / a.shear_capacity[e] : 1.0;

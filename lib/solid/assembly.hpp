@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The solid: discs and the bonds between them, as plain arrays.
 //
-// Positions are kept as reference (at bonding) plus displacement, so that gaps of a ten-thousandth of a disc lose no digits.
-// A bond and the contact of the same two discs share one entry: the bond is there while `intact` is 1, the contact
-// always (contact.mode = parallel) or once the bond broke (after-break). The law stands in kernels_body.hpp.
+// Positions are kept as reference (at bonding) plus displacement, so that gaps of a ten-thousandth of a disc
+// lose no digits. A bond and the contact of the same two discs share one entry: the bond is there while
+// `intact` is 1, the contact always (contact.mode = parallel) or once the bond broke (after-break). The law
+// stands in kernels_body.hpp.
 #pragma once
 
 #include <cstdint>
@@ -18,19 +19,19 @@ namespace hfrac {
 
 struct Assembly {
   // discs
-  Array<double> x, y, radius;                 // m, at bonding
-  Array<double> ux, uy, rotation;             // m, m, rad since bonding
-  Array<double> vx, vy, spin;                 // m/s, rad/s (per unit of the solver's step)
+  Array<double> x, y, radius;                             // m, at bonding
+  Array<double> ux, uy, rotation;                         // m, m, rad since bonding
+  Array<double> vx, vy, spin;                             // m/s, rad/s (per unit of the solver's step)
   Array<double> external_x, external_y, external_moment;  // N, N, N m: far field, walls, loose contacts
-  Array<double> mass, inertia;                // kg, kg m2 per metre thickness
+  Array<double> mass, inertia;                            // kg, kg m2 per metre thickness
   // bonds, sorted by (first, second)
   std::vector<std::int32_t> first, second;
   Array<double> dx, dy, length, arm, bond_radius;  // m
   Array<double> intact, tensile_capacity, shear_capacity, slip;
   Array<BondForce> force;
   std::vector<std::int32_t> incidence_start, incidence;
-  double mean_radius = 0.0;       // m
-  double strength_factor = 1.0;   // strengths used over strengths given
+  double mean_radius = 0.0;      // m
+  double strength_factor = 1.0;  // strengths used over strengths given
 
   [[nodiscard]] std::int64_t disc_count() const { return static_cast<std::int64_t>(x.size()); }
   [[nodiscard]] std::int64_t bond_count() const { return static_cast<std::int64_t>(first.size()); }
@@ -39,7 +40,8 @@ struct Assembly {
 
 Assembly build_assembly(const ContactGraph& graph, const Options& options);
 
-// One bond as it stands, by the same formulas as the kernel (for logs, fields and energies; not for the step loop).
+// One bond as it stands, by the same formulas as the kernel (for logs, fields and energies; not for the step
+// loop).
 struct BondView {
   double gap;             // m, positive: open
   double shear;           // m, relative shear displacement

@@ -89,10 +89,14 @@ void Boundary::cycle(Assembly& a, double step, double safety, double damping) {
     if (!servo_ || wall.discs.empty()) continue;
     const double target = load_ * wall.target * wall.length;
     const double force = target - push;
-    imbalance_ = std::max(imbalance_, std::abs(force) / std::max(std::abs(target), 1e-9 * stiffness_ * wall.length));
-    // Mass of the wall: stable with the step in use, as light as that allows (a servo has no inertia of its own).
-    const double mass = 0.5 * step * step * stiffness_ * static_cast<double>(wall.discs.size()) / (safety * safety);
-    const double drag = damping * std::abs(force) * (wall.velocity > 0.0 ? 1.0 : (wall.velocity < 0.0 ? -1.0 : 0.0));
+    imbalance_ =
+        std::max(imbalance_, std::abs(force) / std::max(std::abs(target), 1e-9 * stiffness_ * wall.length));
+    // Mass of the wall: stable with the step in use, as light as that allows (a servo has no inertia of its
+    // own).
+    const double mass =
+        0.5 * step * step * stiffness_ * static_cast<double>(wall.discs.size()) / (safety * safety);
+    const double drag =
+        damping * std::abs(force) * (wall.velocity > 0.0 ? 1.0 : (wall.velocity < 0.0 ? -1.0 : 0.0));
     wall.velocity += step * (force - drag) / mass;
     wall.displacement += step * wall.velocity;
     work_ += target * step * wall.velocity;
@@ -112,7 +116,8 @@ Vec2 Boundary::wall_stress(const Assembly& a) const {
   double sum[4] = {0.0, 0.0, 0.0, 0.0};
   for (std::size_t w = 0; w < 4; ++w) {
     for (const auto i : walls_[w].discs) {
-      const double closing = walls_[w].displacement - (a.ux[i] * walls_[w].inward.x + a.uy[i] * walls_[w].inward.y);
+      const double closing =
+          walls_[w].displacement - (a.ux[i] * walls_[w].inward.x + a.uy[i] * walls_[w].inward.y);
       sum[w] += stiffness_ * std::max(0.0, closing) / walls_[w].length;
     }
   }
@@ -123,7 +128,8 @@ double Boundary::wall_energy(const Assembly& a) const {
   double energy = 0.0;
   for (const auto& wall : walls_) {
     for (const auto i : wall.discs) {
-      const double closing = std::max(0.0, wall.displacement - (a.ux[i] * wall.inward.x + a.uy[i] * wall.inward.y));
+      const double closing =
+          std::max(0.0, wall.displacement - (a.ux[i] * wall.inward.x + a.uy[i] * wall.inward.y));
       energy += 0.5 * stiffness_ * closing * closing;
     }
   }

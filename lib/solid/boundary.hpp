@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What holds the model from outside: far-field stress on the outermost discs, or four rigid walls.
 //
-// stress  Each edge of the outer loop of bonds carries stress times length, split between its discs by their arms: no
+// stress  Each edge of the outer loop of bonds carries stress times length, split between its discs by their
+// arms: no
 //         net force and no net torque, exactly, so nothing else needs to hold the model.
-// walls   Frictionless rigid walls press on the discs that touch them at set-up, with the contacts' stiffness and no
-//         tension. While a wall is servo-driven it is a body with one degree of freedom whose unbalanced force is
-//         target stress times length minus what the discs push back; afterwards it may be fixed.
+// walls   Frictionless rigid walls press on the discs that touch them at set-up, with the contacts' stiffness
+// and no
+//         tension. While a wall is servo-driven it is a body with one degree of freedom whose unbalanced
+//         force is target stress times length minus what the discs push back; afterwards it may be fixed.
 #pragma once
 
 #include <array>
@@ -24,7 +26,8 @@ class Boundary {
   // Share of the far-field stress in force, 0 to 1 (for loading in stages).
   void set_load(Assembly& assembly, double share);
 
-  // One cycle: forces of the walls on their discs into external_*, motion of servo-driven walls. `step` as the solver's.
+  // One cycle: forces of the walls on their discs into external_*, motion of servo-driven walls. `step` as
+  // the solver's.
   void cycle(Assembly& assembly, double step, double safety, double damping);
 
   // Adds the walls' share to the row sums of stiffness that set the stable step.
@@ -32,9 +35,13 @@ class Boundary {
 
   // The far field's force on a disc now (stress boundary) [N], and whether a disc is one of a wall's.
   [[nodiscard]] Vec2 load_on(std::int32_t disc) const {
-    return walled_ ? Vec2{} : Vec2{load_ * load_x_[static_cast<std::size_t>(disc)], load_ * load_y_[static_cast<std::size_t>(disc)]};
+    return walled_ ? Vec2{}
+                   : Vec2{load_ * load_x_[static_cast<std::size_t>(disc)],
+                          load_ * load_y_[static_cast<std::size_t>(disc)]};
   }
-  [[nodiscard]] bool touches_wall(std::int32_t disc) const { return walled_ && at_wall_[static_cast<std::size_t>(disc)] != 0; }
+  [[nodiscard]] bool touches_wall(std::int32_t disc) const {
+    return walled_ && at_wall_[static_cast<std::size_t>(disc)] != 0;
+  }
 
   void fix_walls() { servo_ = false; }
   [[nodiscard]] bool follows_far_field() const { return !walled_ || servo_; }
@@ -64,10 +71,10 @@ class Boundary {
   [[nodiscard]] double load_work(const Assembly& assembly) const;
 
   struct Wall {
-    Vec2 inward;                     // unit normal into the model
-    double length = 0.0;             // m
-    double target = 0.0;             // Pa
-    double displacement = 0.0;       // m, inward
+    Vec2 inward;                // unit normal into the model
+    double length = 0.0;        // m
+    double target = 0.0;        // Pa
+    double displacement = 0.0;  // m, inward
     double velocity = 0.0;
     std::vector<std::int32_t> discs;
   };
@@ -92,9 +99,9 @@ class Boundary {
 
   bool walled_, servo_ = true;
   double stiffness_, load_ = 0.0, work_ = 0.0, imbalance_ = 0.0, carried_work_ = 0.0;
-  double outside_pressure_ = 0.0;           // Pa, what walls leave to the pores outside
-  Array<double> weight_x_, weight_y_;       // m: force on a disc per stress along x, y
-  Array<double> load_x_, load_y_;           // N at full load
+  double outside_pressure_ = 0.0;      // Pa, what walls leave to the pores outside
+  Array<double> weight_x_, weight_y_;  // m: force on a disc per stress along x, y
+  Array<double> load_x_, load_y_;      // N at full load
   std::array<Wall, 4> walls_;
   std::vector<char> at_wall_;  // per disc
 };

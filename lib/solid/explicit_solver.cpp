@@ -15,7 +15,9 @@ namespace {
 // Cycles between looks at the force ratio. Breakage is watched in every cycle.
 constexpr std::int64_t look_every = 20;
 
-std::size_t blocks(std::int64_t n) { return static_cast<std::size_t>((n + kernel_block - 1) / kernel_block); }
+std::size_t blocks(std::int64_t n) {
+  return static_cast<std::size_t>((n + kernel_block - 1) / kernel_block);
+}
 
 double sum_force(const std::vector<BlockSums>& sums) {
   double total = 0.0;
@@ -34,8 +36,15 @@ double take_work(std::vector<BlockSums>& sums) {
 
 }  // namespace
 
-ExplicitSolver::ExplicitSolver(Assembly& assembly, Network& network, Boundary& boundary, const Options& options, Workers& workers)
-    : assembly_(assembly), network_(network), boundary_(boundary), loose_(options), options_(options), workers_(workers), kernels_(kernels()) {
+ExplicitSolver::ExplicitSolver(Assembly& assembly, Network& network, Boundary& boundary,
+                               const Options& options, Workers& workers)
+    : assembly_(assembly),
+      network_(network),
+      boundary_(boundary),
+      loose_(options),
+      options_(options),
+      workers_(workers),
+      kernels_(kernels()) {
   const auto discs = assembly.disc_count();
   inverse_mass_.resize(static_cast<std::size_t>(discs));
   inverse_inertia_.resize(static_cast<std::size_t>(discs));
@@ -169,12 +178,15 @@ void ExplicitSolver::take(const SweepItem& item, std::int64_t cycle, CrackLog& f
   switch (item.kind) {
     case SweepItem::Kind::bonds:
       kernels_.bond_pass(arrays_, item.first, item.last);
-      if (bond_sums_[static_cast<std::size_t>(item.first / kernel_block)].flagged != 0) break_bonds(item.first, item.last, cycle, found);
+      if (bond_sums_[static_cast<std::size_t>(item.first / kernel_block)].flagged != 0)
+        break_bonds(item.first, item.last, cycle, found);
       break;
     case SweepItem::Kind::domains:
       if (arrays_.with_pressure != 0 && undrained_) kernels_.domain_pass(arrays_, item.first, item.last);
       break;
-    case SweepItem::Kind::discs: kernels_.disc_pass(arrays_, item.first, item.last); break;
+    case SweepItem::Kind::discs:
+      kernels_.disc_pass(arrays_, item.first, item.last);
+      break;
   }
 }
 
@@ -187,7 +199,8 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
       if (worker == 0 && boundary_.needs_cycles()) {
         boundary_.cycle(assembly_, arrays_.step, options_.stepping_safety, arrays_.damping);
       }
-      if (worker == 0 && !loose_.empty()) loose_.cycle(assembly_, boundary_, arrays_.step, energies_.friction);
+      if (worker == 0 && !loose_.empty())
+        loose_.cycle(assembly_, boundary_, arrays_.step, energies_.friction);
       workers_.barrier();
       for (const auto& item : sweeps_[w].own) take(item, cycle, found[w]);
       workers_.barrier();
@@ -199,18 +212,21 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
 
 double ExplicitSolver::force_ratio() const {
   const double unbalanced = sum_force(disc_sums_) / static_cast<double>(arrays_.disc_count);
-  const double contact = sum_force(bond_sums_) / static_cast<double>(std::max<std::int64_t>(1, arrays_.bond_count));
+  const double contact =
+      sum_force(bond_sums_) / static_cast<double>(std::max<std::int64_t>(1, arrays_.bond_count));
   // Below a strain of 1e-12 everywhere there is nothing to balance.
   const double least = 1e-12 * arrays_.contact_normal * assembly_.mean_radius;
   const double ratio = std::max(unbalanced / std::max(contact, least), boundary_.wall_imbalance());
   if (!std::isfinite(unbalanced) || !std::isfinite(contact)) {
-    throw Error(ErrorKind::diverged, "a force is no longer a finite number after cycle " + std::to_string(total_cycles_) +
-                                         " (eq. 11); lower stepping.safety, or check stiffnesses and stresses");
+    throw Error(ErrorKind::diverged,
+                "a force is no longer a finite number after cycle " + std::to_string(total_cycles_) +
+                    " (eq. 11); lower stepping.safety, or check stiffnesses and stresses");
   }
   return ratio;
 }
 
-ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, CrackLog& log, const std::function<bool()>& interrupt) {
+ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, CrackLog& log,
+                                              const std::function<bool()>& interrupt) {
   Outcome outcome;
   std::vector<CrackLog> found(static_cast<std::size_t>(workers_.count()));
   while (outcome.cycles < most) {
@@ -244,7 +260,8 @@ ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, C
   return outcome;
 }
 
-ExplicitSolver::Outcome ExplicitSolver::run(std::int64_t cycles, CrackLog& log, const std::function<bool()>& interrupt) {
+ExplicitSolver::Outcome ExplicitSolver::run(std::int64_t cycles, CrackLog& log,
+                                            const std::function<bool()>& interrupt) {
   return relax(-1.0, cycles, log, interrupt);
 }
 
@@ -260,13 +277,17 @@ void ExplicitSolver::search_contacts(const CrackLog& cracks) {
   if (loose_.search(assembly_, boundary_, cracks)) refresh_stiffness();
 }
 
-void ExplicitSolver::after_restore() { refresh_stiffness(); }
+void ExplicitSolver::after_restore() {
+  refresh_stiffness();
+}
 
 double ExplicitSolver::kinetic_energy() const {
   double energy = 0.0;
   for (std::size_t i = 0; i < inverse_mass_.size(); ++i) {
-    energy += 0.5 * (assembly_.vx[i] * assembly_.vx[i] + assembly_.vy[i] * assembly_.vy[i]) / inverse_mass_[i];
-    if (inverse_inertia_[i] > 0.0) energy += 0.5 * assembly_.spin[i] * assembly_.spin[i] / inverse_inertia_[i];
+    energy +=
+        0.5 * (assembly_.vx[i] * assembly_.vx[i] + assembly_.vy[i] * assembly_.vy[i]) / inverse_mass_[i];
+    if (inverse_inertia_[i] > 0.0)
+      energy += 0.5 * assembly_.spin[i] * assembly_.spin[i] / inverse_inertia_[i];
   }
   return energy;
 }

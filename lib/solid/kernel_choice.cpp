@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Picks the kernels for the processor at hand. All give the same bits: multiply-add is never fused, and sums are
-// taken in one order whatever the vector width.
+// Picks the kernels for the processor at hand. All give the same bits: multiply-add is never fused, and sums
+// are taken in one order whatever the vector width.
 #include <cstring>
 #include <initializer_list>
 
@@ -24,8 +24,9 @@ const KernelTable* kernels_for(const char* name) noexcept {
   if (std::strcmp(name, "baseline") == 0) return &kernels_baseline::table;
 #if defined(HFRAC_KERNELS_X86)
   if (std::strcmp(name, "avx2") == 0 && __builtin_cpu_supports("avx2")) return &kernels_avx2::table;
-  if (std::strcmp(name, "avx512") == 0 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw")) {
+  if (std::strcmp(name, "avx512") == 0 && __builtin_cpu_supports("avx512f") &&
+      __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512bw")) {
     return &kernels_avx512::table;
   }
 #endif
@@ -39,6 +40,8 @@ const KernelTable& kernels() noexcept {
   return kernels_baseline::table;
 }
 
-const char* kernel_isa() noexcept { return kernels().name; }
+const char* kernel_isa() noexcept {
+  return kernels().name;
+}
 
 }  // namespace hfrac

@@ -57,7 +57,8 @@ bool LooseContacts::search(Assembly& a, const Boundary& boundary, const CrackLog
     x[i] = a.x[i] + a.ux[i];
     y[i] = a.y[i] + a.uy[i];
   }
-  const double largest = *std::max_element(a.radius.begin(), a.radius.end()), reach = search_gap * a.mean_radius;
+  const double largest = *std::max_element(a.radius.begin(), a.radius.end()),
+               reach = search_gap * a.mean_radius;
   const CellGrid grid(x, y, 2.0 * largest + reach);
   std::vector<Pair> found;
   for (const auto i : cracked_) {
@@ -69,10 +70,14 @@ bool LooseContacts::search(Assembly& a, const Boundary& boundary, const CrackLog
       found.push_back({std::min(i, j), std::max(i, j), std::min(0.0, at_bonding)});
     });
   }
-  const auto before = [](const Pair& p, const Pair& q) { return p.first != q.first ? p.first < q.first : p.second < q.second; };
+  const auto before = [](const Pair& p, const Pair& q) {
+    return p.first != q.first ? p.first < q.first : p.second < q.second;
+  };
   std::sort(found.begin(), found.end(), before);
-  found.erase(std::unique(found.begin(), found.end(), [](const Pair& p, const Pair& q) { return p.first == q.first && p.second == q.second; }),
-              found.end());
+  found.erase(
+      std::unique(found.begin(), found.end(),
+                  [](const Pair& p, const Pair& q) { return p.first == q.first && p.second == q.second; }),
+      found.end());
   for (auto& pair : found) {
     const auto old = std::lower_bound(pairs_.begin(), pairs_.end(), pair, before);
     if (old != pairs_.end() && old->first == pair.first && old->second == pair.second) {
@@ -116,7 +121,8 @@ void LooseContacts::cycle(Assembly& a, const Boundary& boundary, double step, do
       continue;
     }
     const Vec2 normal = (1.0 / distance) * d, tangent{-normal.y, normal.x};
-    const double share = distance / (a.radius[i] + a.radius[j]), arm_i = share * a.radius[i], arm_j = share * a.radius[j];
+    const double share = distance / (a.radius[i] + a.radius[j]), arm_i = share * a.radius[i],
+                 arm_j = share * a.radius[j];
     const Vec2 speed{a.vx[j] - a.vx[i], a.vy[j] - a.vy[i]};
     const double slide = step * (dot(speed, tangent) - a.spin[i] * arm_i - a.spin[j] * arm_j);
     pair.normal_force = -kn * gap;
@@ -150,7 +156,8 @@ double LooseContacts::energy() const {
   double sum = 0.0;
   for (const auto& pair : pairs_) {
     sum += 0.5 * pair.normal_force * pair.normal_force / options_.contact_normal_stiffness;
-    if (options_.contact_shear_stiffness > 0.0) sum += 0.5 * pair.shear_force * pair.shear_force / options_.contact_shear_stiffness;
+    if (options_.contact_shear_stiffness > 0.0)
+      sum += 0.5 * pair.shear_force * pair.shear_force / options_.contact_shear_stiffness;
   }
   return sum;
 }

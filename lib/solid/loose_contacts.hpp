@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contacts between discs that were never bonded to each other.
 //
-// Intact rock keeps its neighbours, so the step loop knows bonded pairs only. Where bonds broke, discs may slide along and meet
-// others: around such discs, and only there, near pairs are searched for again whenever something broke or moved. Their
-// law is that of any contact, with the shear force kept as history: F_n = k_n max(0, -g), dF_s = k_s du_s,
-// |F_s| <= mu F_n. Overlap that pairs had at bonding carries no force. There are few of them, so one worker does all.
+// Intact rock keeps its neighbours, so the step loop knows bonded pairs only. Where bonds broke, discs may
+// slide along and meet others: around such discs, and only there, near pairs are searched for again whenever
+// something broke or moved. Their law is that of any contact, with the shear force kept as history: F_n = k_n
+// max(0, -g), dF_s = k_s du_s, |F_s| <= mu F_n. Overlap that pairs had at bonding carries no force. There are
+// few of them, so one worker does all.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +36,8 @@ class LooseContacts {
   void cycle(Assembly& assembly, const Boundary& boundary, double step, double& friction);
 
   // Adds to the row sums that set the stable step.
-  void add_stiffness(const Assembly& assembly, std::vector<double>& row_x, std::vector<double>& row_y, std::vector<double>& row_rotation) const;
+  void add_stiffness(const Assembly& assembly, std::vector<double>& row_x, std::vector<double>& row_y,
+                     std::vector<double>& row_rotation) const;
 
   [[nodiscard]] bool empty() const { return pairs_.empty(); }
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
@@ -69,9 +71,9 @@ class LooseContacts {
   void release(Assembly& assembly, const Boundary& boundary);
 
   const Options& options_;
-  std::vector<Pair> pairs_;               // sorted by (first, second)
-  std::vector<std::int32_t> discs_;       // discs of the pairs, each once
-  std::vector<std::int32_t> cracked_;     // discs with a broken bond
+  std::vector<Pair> pairs_;                      // sorted by (first, second)
+  std::vector<std::int32_t> discs_;              // discs of the pairs, each once
+  std::vector<std::int32_t> cracked_;            // discs with a broken bond
   std::vector<double> searched_x_, searched_y_;  // m, displacement of cracked_ at the last search
   std::size_t cracks_seen_ = 0;
 };

@@ -10,8 +10,8 @@
 
 namespace hfrac {
 
-void stiffness_rows(const Assembly& a, const Network& n, const Options& o, std::vector<double>& row_x, std::vector<double>& row_y,
-                    std::vector<double>& row_rotation) {
+void stiffness_rows(const Assembly& a, const Network& n, const Options& o, std::vector<double>& row_x,
+                    std::vector<double>& row_y, std::vector<double>& row_rotation) {
   const auto discs = static_cast<std::size_t>(a.disc_count());
   row_x.assign(discs, 0.0);
   row_y.assign(discs, 0.0);
@@ -24,7 +24,8 @@ void stiffness_rows(const Assembly& a, const Network& n, const Options& o, std::
                              : std::max(o.bond_shear_stiffness, o.contact_shear_stiffness);
   for (std::size_t e = 0; e < a.first.size(); ++e) {
     const double nx = a.dx[e] / a.length[e], ny = a.dy[e] / a.length[e];
-    const double xx = kn * nx * nx + ks * ny * ny, yy = kn * ny * ny + ks * nx * nx, xy = std::abs((kn - ks) * nx * ny);
+    const double xx = kn * nx * nx + ks * ny * ny, yy = kn * ny * ny + ks * nx * nx,
+                 xy = std::abs((kn - ks) * nx * ny);
     const auto i = a.first[e], j = a.second[e];
     const double arm_i = a.arm[e], arm_j = a.length[e] - a.arm[e];
     const double lever = arm_i / a.radius[i] + arm_j / a.radius[j];

@@ -8,7 +8,9 @@
 namespace hfrac {
 namespace {
 
-std::int64_t block_count(std::int64_t n) { return (n + kernel_block - 1) / kernel_block; }
+std::int64_t block_count(std::int64_t n) {
+  return (n + kernel_block - 1) / kernel_block;
+}
 
 // Lowest and highest disc that a block of bonds or domains looks at.
 struct Reach {

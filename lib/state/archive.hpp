@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One walk over a simulation's state serves saving, restoring and hashing: Simulation::visit_state lists every value once,
-// and the archives here say what happens to it. A value forgotten in one of the three cannot be.
+// One walk over a simulation's state serves saving, restoring and hashing: Simulation::visit_state lists
+// every value once, and the archives here say what happens to it. A value forgotten in one of the three
+// cannot be.
 //
 // The bytes are those of the machine (little-endian here; the image's header says so), doubles bit for bit.
 #pragma once
@@ -80,7 +81,9 @@ class Loader {
 
  private:
   [[noreturn]] static void refuse() {
-    throw Error(ErrorKind::argument, "the state image does not fit this simulation: it was taken from another model, or is damaged.");
+    throw Error(
+        ErrorKind::argument,
+        "the state image does not fit this simulation: it was taken from another model, or is damaged.");
   }
   void take(void* to, std::size_t size) {
     if (size > from_.size()) refuse();

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How fast the explicit step is, per pass and whole, on the paper's packing, with the machine's triad beside it.
+// How fast the explicit step is, per pass and whole, on the paper's packing, with the machine's triad beside
+// it.
 //
-// One bond update is: gap, shear and bending of one bond, its contact with friction, breakage test, and its share of the disc
-// pass (gathering, damping, integration). "dry" is that and nothing else; "coupled" adds pressures and domains.
+// One bond update is: gap, shear and bending of one bond, its contact with friction, breakage test, and its
+// share of the disc pass (gathering, damping, integration). "dry" is that and nothing else; "coupled" adds
+// pressures and domains.
 #include <benchmark/benchmark.h>
 
 #include <map>
@@ -57,13 +59,19 @@ void step(benchmark::State& state, bool wet) {
   for (auto _ : state) solver.run(cycles, log);
   const auto steps = static_cast<double>(state.iterations() * cycles);
   using benchmark::Counter;
-  state.counters["bond_updates"] = Counter(steps * static_cast<double>(m.assembly.bond_count()), Counter::kIsRate);
-  state.counters["disc_steps"] = Counter(steps * static_cast<double>(m.assembly.disc_count()), Counter::kIsRate);
+  state.counters["bond_updates"] =
+      Counter(steps * static_cast<double>(m.assembly.bond_count()), Counter::kIsRate);
+  state.counters["disc_steps"] =
+      Counter(steps * static_cast<double>(m.assembly.disc_count()), Counter::kIsRate);
   state.SetLabel(kernel_isa());
 }
 
-void dry_step(benchmark::State& state) { step(state, false); }
-void coupled_step(benchmark::State& state) { step(state, true); }
+void dry_step(benchmark::State& state) {
+  step(state, false);
+}
+void coupled_step(benchmark::State& state) {
+  step(state, true);
+}
 
 void flow_solve(benchmark::State& state) {
   Model& m = model(state.range(0));
@@ -76,13 +84,19 @@ void flow_solve(benchmark::State& state) {
 void machine_triad(benchmark::State& state) {
   double rate = 0.0;
   for (auto _ : state) rate = std::max(rate, bench::triad(static_cast<std::size_t>(state.range(0)), 3));
-  state.counters["bytes"] = benchmark::Counter(rate, benchmark::Counter::kDefaults, benchmark::Counter::kIs1000);
+  state.counters["bytes"] =
+      benchmark::Counter(rate, benchmark::Counter::kDefaults, benchmark::Counter::kIs1000);
 }
 
 }  // namespace
 
 BENCHMARK(machine_triad)->Arg(1 << 14)->Arg(1 << 24)->Iterations(3)->Unit(benchmark::kMillisecond);
-BENCHMARK(dry_step)->Args({10000, 1})->Args({10000, 2})->Args({100000, 1})->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(dry_step)
+    ->Args({10000, 1})
+    ->Args({10000, 2})
+    ->Args({100000, 1})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(coupled_step)->Args({10000, 1})->Args({10000, 2})->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(flow_solve)->Arg(10000)->Unit(benchmark::kMillisecond);
 BENCHMARK_MAIN();

@@ -72,7 +72,7 @@ HFRAC_API int32_t hfrac_sim_get_state(const hfrac_sim *sim, hfrac_sim_state *sta
 typedef struct hfrac_setup_report {
   int32_t struct_size;           /**< sizeof(hfrac_setup_report) of the caller */
   int32_t struct_pad;            /**< 0 */
-  double mean_radius;            /**< [m] mean disc radius */
+  double mean_radius;            /**< [m] mean radius of all discs packed */
   double porosity;               /**< void fraction of the packing before the well is cut */
   double packing_residual;       /**< unbalanced over mean contact force of the relaxed packing */
   double coordination;           /**< bonds per disc times two */
