@@ -143,6 +143,7 @@ inline Options dry_options(std::int64_t discs) {
   o.packing_disc_count = discs;
   o.flow_scheme = choice(FlowScheme::off);
   o.bond_tensile_strength = o.bond_shear_strength = 1e12;
+  o.stress_sigma_H = o.stress_sigma_h = 0.0;
   return o;
 }
 

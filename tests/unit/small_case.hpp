@@ -14,6 +14,7 @@ inline CaseDefinition cracking_case() {
   o.model_reading = choice(Reading::paper);
   o.boundary_kind = choice(BoundaryKind::walls);
   o.packing_disc_count = 1000;
+  o.stress_sigma_H = o.stress_sigma_h = 0.0;
   WellOptions well;
   well.x = well.y = 50.0;
   well.radius = 8.5;

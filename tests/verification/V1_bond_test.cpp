@@ -2,14 +2,13 @@
 // V1  A bond between two discs, loaded to failure in tension, shear and bending.
 //
 // Formula    tension F = sigma_c A, shear F = tau_c A, bending M = sigma_c I / R (beta = 1), and together
-//            F / A + M R / I = sigma_c, with A = 2 R, I = 2/3 R^3 per metre of thickness and R the smaller
-//            radius.
+//            F / A + M R / I = sigma_c, with A = 2 R, I = 2/3 R^3 per metre of thickness and R the
+//            smaller radius.
 // Source     Potyondy and Cundall 2004, eq. 16-23 of the paper as read in physics.md 1.2 and 1.3.
-// Set-up     Discs of radius 0.5 m and 0.8 m, bonded, 42.5 and 30 MPa. One disc is displaced or turned, one
-// mechanical
-//            cycle is run, the crack log says whether the bond broke; bisection finds the load at which it
-//            does. Small displacements: a bond at failure is stretched by 8e-3 of its length, so bonds are
-//            made 1e4 times stiffer.
+// Set-up     Discs of radius 0.5 m and 0.8 m, bonded, 42.5 and 30 MPa. One disc is displaced or turned,
+//            one mechanical cycle is run, the crack log says whether the bond broke; bisection finds the
+//            load at which it does. Small displacements: a bond at failure is stretched by 8e-3 of its
+//            length, so bonds are made 1e4 times stiffer.
 // Tolerance  1e-5 of the strength.
 #include <gtest/gtest.h>
 

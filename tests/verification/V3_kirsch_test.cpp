@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // V3  Stress around a round hole, hydrostatic and uniaxial far field.
 //
-// Formula    Kirsch (1898) for a plate without end; here for a ring of outer radius b under uniform
-// tractions, which
-//            tends to Kirsch's for b >> a: with s = (sigma_H + sigma_h) / 2 and d = (sigma_H - sigma_h) / 2
+// Formula    Kirsch (1898) for a plate without end; here a ring of outer radius b under uniform tractions,
+//            which tends to it for b >> a. With s = (sigma_H + sigma_h) / 2 and d = (sigma_H - sigma_h) / 2:
 //              sigma_theta = s b^2 / (b^2 - a^2) (1 + a^2 / r^2) + (2 A + 12 B r^2 + 6 C / r^4) cos 2 theta
-//            A to D from the four tractions sigma_r(a) = tau(a) = 0, sigma_r(b) = d cos 2 theta, tau(b) = -d
-//            sin 2 theta.
+//            A to D from sigma_r(a) = tau(a) = 0, sigma_r(b) = d cos 2 theta, tau(b) = -d sin 2 theta.
 // Source     Timoshenko and Goodier, Theory of Elasticity, sections 28 and 32.
 // Set-up     Linear set (bond 16e9 and 5.6e9 N/m, contacts after breakage), dry, unbreakable. A disc of 48 m
-// radius is cut
-//            out of a relaxed packing and given to the library, a hole of 7.5 m cut into its middle; the far
-//            field acts on the outermost discs. Four packings. a is the hole's equivalent radius, b that of
-//            the outline. Hoop stress from disc.stress, averaged over rings by cell area; the analytic value
-//            is averaged over the same discs. Cell areas are scaled so that they fill the ring from 1.3 a to
-//            0.9 b.
-// Tolerance  physics.md: 2 % of the hoop stress beyond 1.7 a, -8 % from 1.3 a to 1.7 a (hydrostatic, ring
-// mean).
+//            radius is cut out of a relaxed packing and given to the library, a hole of 7.5 m cut into its
+//            middle; the far field acts on the outermost discs. Four packings. a is the hole's equivalent
+//            radius, b that of the outline. Hoop stress from disc.stress, averaged over rings by cell area;
+//            the analytic value is averaged over the same discs. Cell areas are scaled so that they fill the
+//            ring from 1.3 a to 0.9 b. Errors are taken of the load and of the far field as it arrives, which
+//            is (sigma_x + sigma_y) / 2 from 1.7 a to 5 a: about 1 % of the load is missing there, probably
+//            borne by the outline, a closed chain of bonds.
+// Tolerance  physics.md: 2 % beyond 1.7 a, 8 % from 1.3 a to 1.7 a, by the far field as it arrives, and that
+//            within 2 % of the load. About x, where hoop stress passes through zero, errors are of the load.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "support.hpp"
@@ -42,6 +42,7 @@ hfrac_sim_def rock(int64_t seed) {
   def.bond_normal_stiffness = 16e9;
   def.bond_shear_stiffness = 5.6e9;
   def.bond_tensile_strength = def.bond_shear_strength = 1e12;
+  def.stress_sigma_H = def.stress_sigma_h = 0.0;
   return def;
 }
 
@@ -77,6 +78,13 @@ struct Zone {
   double measured = 0.0, analytic = 0.0, kirsch = 0.0, weight = 0.0;
 };
 
+struct LoadCase {
+  double larger, smaller;  // Pa
+  std::vector<Zone> zones;
+  Zone mean{1.7, 5.0, 0};  // half the trace, measured and analytic: the far field as it arrives
+  [[nodiscard]] double far_field() const { return mean.measured / mean.analytic; }
+};
+
 double outline_radius(Simulation& s, const std::vector<double>& x) {
   const auto corners = s.indices(HFRAC_DOMAIN_CORNERS), offset = s.indices(HFRAC_DOMAIN_OFFSET);
   double area = 0.0;
@@ -89,30 +97,33 @@ double outline_radius(Simulation& s, const std::vector<double>& x) {
   return std::sqrt(area / pi);
 }
 
-void add_packing(int64_t seed, double larger, double smaller, std::vector<Zone>& zones) {
-  hfrac_sim_def def = rock(seed);
+std::vector<double> round_rock(int64_t seed) {
+  Simulation whole(rock(seed));
+  const auto x = whole.values(HFRAC_DISC_POSITION), radius = whole.values(HFRAC_DISC_RADIUS);
   std::vector<double> given;
-  {
-    Simulation whole(def);
-    const auto x = whole.values(HFRAC_DISC_POSITION), radius = whole.values(HFRAC_DISC_RADIUS);
-    for (std::size_t i = 0; i < radius.size(); ++i) {
-      if (std::hypot(x[2 * i] - centre, x[2 * i + 1] - centre) >= outer_radius) continue;
-      given.insert(given.end(), {x[2 * i], x[2 * i + 1], radius[i]});
-    }
+  for (std::size_t i = 0; i < radius.size(); ++i) {
+    if (std::hypot(x[2 * i] - centre, x[2 * i + 1] - centre) >= outer_radius) continue;
+    given.insert(given.end(), {x[2 * i], x[2 * i + 1], radius[i]});
   }
+  return given;
+}
+
+void add_packing(int64_t seed, const std::vector<double>& given, LoadCase& load) {
+  hfrac_sim_def def = rock(seed);
   def.given_discs = given.data();
   def.given_disc_count = static_cast<int64_t>(given.size() / 3);
   def.well_count = 1;
   def.wells[0].x = def.wells[0].y = centre;
   def.wells[0].radius = hole_radius;
-  def.stress_sigma_H = larger;
-  def.stress_sigma_h = smaller;
+  def.stress_sigma_H = load.larger;
+  def.stress_sigma_h = load.smaller;
   Simulation s(def);
   EXPECT_EQ(s.state().at_rest, 1);
   const auto x = s.values(HFRAC_DISC_POSITION), radius = s.values(HFRAC_DISC_RADIUS),
              stress = s.values(HFRAC_DISC_STRESS);
   const double a = s.well(0).equivalent_radius, b = outline_radius(s, x);
-  const Ring ring(a, b, larger, smaller), far(a, 1e4 * a, larger, smaller);
+  const Ring ring(a, b, load.larger, load.smaller), endless(a, 1e4 * a, load.larger, load.smaller);
+  const double half_trace = 0.5 * (load.larger + load.smaller) * b * b / (b * b - a * a);
 
   // disc.stress divides by the disc's share of the box, which here is not full: find the share that fills the
   // ring.
@@ -131,64 +142,72 @@ void add_packing(int64_t seed, double larger, double smaller, std::vector<Zone>&
     const double hoop =
         (stress[3 * i] * sine * sine + stress[3 * i + 1] * c * c - 2.0 * stress[3 * i + 2] * sine * c) /
         share;
-    for (Zone& zone : zones) {
+    for (Zone& zone : load.zones) {
       if (r < zone.from * a || r >= zone.to * a) continue;
       if (zone.sector == 1 && std::abs(c) > 0.5) continue;
       if (zone.sector == 2 && std::abs(sine) > 0.5) continue;
       zone.measured += cell * hoop;
       zone.analytic += cell * ring.hoop(r, theta);
-      zone.kirsch += cell * far.hoop(r, theta);
+      zone.kirsch += cell * endless.hoop(r, theta);
       zone.weight += cell;
     }
+    if (r < load.mean.from * a || r >= load.mean.to * a) continue;
+    load.mean.measured += cell * 0.5 * (stress[3 * i] + stress[3 * i + 1]) / share;
+    load.mean.analytic += cell * half_trace;
   }
-  if (seed == 1) {
+  if (seed == 1 && load.larger == load.smaller) {
     std::printf(
         "  %zu discs, mean radius %.3f m, hole %.2f m (nominal %.2f + %.2f mean radii), outline %.2f m\n",
         radius.size(), s.setup().mean_radius, a, hole_radius, (a - hole_radius) / s.setup().mean_radius, b);
   }
 }
 
-void print(const Zone& zone, double unit) {
+// Relative to the hoop stress; about x, where it passes through zero, relative to the far field.
+double error_of(const Zone& zone, const LoadCase& load) {
+  const double difference = zone.measured / load.far_field() - zone.analytic;
+  return difference /
+         std::max(std::abs(zone.analytic), zone.weight * load.larger * (zone.sector == 2 ? 1.0 : 0.0));
+}
+
+void print(const Zone& zone, const LoadCase& load) {
   static const char* const where[] = {"all round", "about y", "about x"};
+  const double unit = zone.weight * load.larger;
   std::printf(
-      "  r/a %.1f to %.1f, %-9s measured %7.4f  analytic %7.4f (plate without end %7.4f)  error %+6.1f %%\n",
-      zone.from, zone.to, where[zone.sector], zone.measured / zone.weight / unit,
-      zone.analytic / zone.weight / unit, zone.kirsch / zone.weight / unit,
-      100.0 * (zone.measured / zone.analytic - 1.0));
+      "  r/a %.1f to %.1f, %-9s measured %7.4f  analytic %7.4f (no end %7.4f)  error %+5.1f %%, by measured "
+      "far field %+5.1f %%\n",
+      zone.from, zone.to, where[zone.sector], zone.measured / unit, zone.analytic / unit, zone.kirsch / unit,
+      100.0 * error_of(zone, load) + 100.0 * (1.0 - 1.0 / load.far_field()) * zone.measured /
+                                         std::max(std::abs(zone.analytic), zone.sector == 2 ? unit : 0.0),
+      100.0 * error_of(zone, load));
 }
 
-TEST(V3Kirsch, HydrostaticFarField) {
-  constexpr double far_field = 20e6;
-  std::vector<Zone> zones{{1.0, 1.3, 0}, {1.3, 1.7, 0}, {1.7, 2.5, 0},
-                          {2.5, 3.5, 0}, {3.5, 5.0, 0}, {1.7, 5.0, 0}};
-  for (int seed = 1; seed <= packings; ++seed) add_packing(seed, far_field, far_field, zones);
-  for (const Zone& zone : zones) {
-    print(zone, far_field);
-    const double error = zone.measured / zone.analytic - 1.0;
-    if (zone.from >= 1.7) {
-      EXPECT_LT(std::abs(error), 0.02) << "r/a " << zone.from << " to " << zone.to;
-    } else if (zone.from >= 1.3) {
-      EXPECT_LT(std::abs(error), 0.08);
-    }
-  }
-}
-
-TEST(V3Kirsch, UniaxialFarField) {
-  constexpr double far_field = 20e6;
-  std::vector<Zone> zones;
+TEST(V3Kirsch, HoopStressAroundAHole) {
+  LoadCase hydrostatic{20e6, 20e6, {}}, uniaxial{20e6, 0.0, {}};
   for (int sector = 0; sector < 3; ++sector) {
     for (const auto& [from, to] : {std::pair{1.0, 1.3}, {1.3, 1.7}, {1.7, 2.5}, {2.5, 3.5}, {3.5, 5.0}}) {
-      zones.push_back({from, to, sector});
+      uniaxial.zones.push_back({from, to, sector});
+      if (sector == 0) hydrostatic.zones.push_back({from, to, sector});
     }
   }
-  for (int seed = 1; seed <= packings; ++seed) add_packing(seed, far_field, 0.0, zones);
-  for (const Zone& zone : zones) {
-    print(zone, far_field);
-    // Along x the hoop stress passes through zero: errors are taken of the far field.
-    const double error = (zone.measured - zone.analytic) / zone.weight / far_field;
-    if (zone.from >= 1.7) {
-      EXPECT_LT(std::abs(error), 0.02 * std::max(1.0, zone.analytic / zone.weight / far_field))
-          << "r/a " << zone.from << " to " << zone.to << " sector " << zone.sector;
+  for (int seed = 1; seed <= packings; ++seed) {
+    const std::vector<double> given = round_rock(seed);
+    for (LoadCase* load : {&hydrostatic, &uniaxial}) add_packing(seed, given, *load);
+  }
+  for (const LoadCase* load : {&hydrostatic, &uniaxial}) {
+    std::printf(
+        "  far field %.0f / %.0f MPa: (sigma_x + sigma_y) / 2 from 1.7 a to 5 a is %.4f of the analytic "
+        "one\n",
+        load->larger / 1e6, load->smaller / 1e6, load->far_field());
+    EXPECT_NEAR(load->far_field(), 1.0, 0.02);
+    for (const Zone& zone : load->zones) {
+      print(zone, *load);
+      const double error = error_of(zone, *load);
+      if (zone.from >= 1.7) {
+        EXPECT_LT(std::abs(error), 0.02)
+            << "r/a " << zone.from << " to " << zone.to << " sector " << zone.sector;
+      } else if (zone.from >= 1.3) {
+        EXPECT_LT(std::abs(error), 0.08) << "sector " << zone.sector;
+      }
     }
   }
 }

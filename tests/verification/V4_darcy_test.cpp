@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// V4  Steady Darcy flow, radial from a well and linear between two sides.
+//
+// Formula    radial q = 2 pi k dp / (eta ln(r2 / r1)) and p(r) = p1 - q eta / (2 pi k) ln(r / r1); linear
+//            q = k H dp / (eta L), with k the permeability asked for (flow.permeability, 5.6 mD).
+// Source     Muskat, The Flow of Homogeneous Fluids through Porous Media; eq. 6 and 8 of the paper.
+// Set-up     radial: 100 m x 100 m, 4 000 discs, hole of 7 m in the middle, paper's reading, unstressed
+//            rock between walls, outer pores at formation pressure, well at 0.1 MPa net (so small that no
+//            aperture answers to it), implicit flow in steps of 1e9 s until steady. k from the slope of
+//            pressure against ln r over the domains from r1 = 1.5 hole radii to r2 = 40 m. Three
+//            packings. linear: the flow solver on a rigid network of 4 000 discs without a well, sides
+//            open, top and bottom closed.
+// Tolerance  flow 3 % (mean over packings), pressure rms 3 % of the pressure drop over the range.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "flow/aperture.hpp"
+#include "flow/flow_solver.hpp"
+#include "rigid_network.hpp"
+#include "support.hpp"
+
+namespace {
+
+using namespace verification;
+
+constexpr double darcy_permeability = 5.527e-15, viscosity = 0.3;
+
+TEST(V4Darcy, RadialFlow) {
+  constexpr int packings = 3;
+  double mean_ratio = 0.0, mean_square = 0.0;
+  for (int seed = 1; seed <= packings; ++seed) {
+    hfrac_sim_def def = new_def();
+    def.model_reading = 1;
+    def.boundary_kind = 1;
+    def.stress_sigma_H = def.stress_sigma_h = 0.0;
+    def.packing_disc_count = 4000;
+    def.model_seed = seed;
+    def.flow_permeability = darcy_permeability;
+    def.stepping_flow_step = 1e9;
+    def.well_count = 1;
+    def.wells[0].x = def.wells[0].y = 50.0;
+    def.wells[0].radius = 7.0;
+    def.wells[0].pressure = 1e5;
+    Simulation s(def);
+    s.step(20);
+    const double flow = s.well(0).rate, inner = 1.5 * s.well(0).equivalent_radius, outer = 40.0;
+    const auto centre = s.values(HFRAC_DOMAIN_CENTRE), pressure = s.values(HFRAC_DOMAIN_PRESSURE);
+    // Pressure against ln r: the line of least squares gives k, what is left of it the rms.
+    std::vector<double> log_radius, other, value;
+    std::vector<char> use;
+    for (std::size_t d = 1; d < pressure.size(); ++d) {
+      const double r = std::hypot(centre[2 * d] - 50.0, centre[2 * d + 1] - 50.0);
+      log_radius.push_back(std::log(std::max(r, 1e-3) / inner));
+      other.push_back(
+          std::sin(17.0 * static_cast<double>(d)));  // the fit is of a plane: a second axis without meaning
+      value.push_back(pressure[d]);
+      use.push_back(r > inner && r < outer ? 1 : 0);
+    }
+    const Plane line = fit_plane(log_radius, other, value, use);
+    const double measured = -flow * viscosity / (2.0 * pi * line.b), drop = -line.b * std::log(outer / inner);
+    const double analytic_slope = -flow * viscosity / (2.0 * pi * darcy_permeability);
+    double square = 0.0, count = 0.0, level = 0.0;
+    for (std::size_t k = 0; k < value.size(); ++k) {
+      if (use[k] == 0) continue;
+      level += value[k] - analytic_slope * log_radius[k];
+      count += 1.0;
+    }
+    level /= count;
+    for (std::size_t k = 0; k < value.size(); ++k) {
+      if (use[k] == 0) continue;
+      square += std::pow((value[k] - level - analytic_slope * log_radius[k]) / drop, 2) / count;
+    }
+    std::printf("  packing %d: flow %.4e m2/s, k %.4e m2 (%+.1f %%), pressure rms %.2f %% of the drop\n",
+                seed, flow, measured, 100.0 * (measured / darcy_permeability - 1.0),
+                100.0 * std::sqrt(square));
+    mean_ratio += measured / darcy_permeability / packings;
+    mean_square += square / packings;
+  }
+  report("radial: flow over 2 pi k dp / (eta ln(r2/r1))", mean_ratio, 1.0, 0.03);
+  std::printf("  radial: pressure rms %.2f %% of the drop, tolerance 3 %%\n", 100.0 * std::sqrt(mean_square));
+  EXPECT_LT(std::sqrt(mean_square), 0.03);
+}
+
+TEST(V4Darcy, LinearFlow) {
+  RigidNetwork rock(4000, 1);
+  rock.calibrate(darcy_permeability);
+  constexpr double low = 15.0, high = 85.0, drop = 1e5;
+  for (std::int64_t d = 1; d < rock.network().domain_count(); ++d) {
+    const double x = rock.network().centroid[d].x;
+    if (x < low || x > high) rock.impose(d, x < low ? drop : 0.0);
+  }
+  FlowSolver flow(rock.network(), rock.options());
+  for (int step = 0; step < 2; ++step) flow.advance(rock.network(), 1e12, {});
+  const double through = rock.flow_across(0.5 * (low + high));
+  std::vector<double> x, y, p;
+  std::vector<char> use;
+  for (std::int64_t d = 1; d < rock.network().domain_count(); ++d) {
+    x.push_back(rock.network().centroid[d].x);
+    y.push_back(rock.network().centroid[d].y);
+    p.push_back(rock.network().pressure[d]);
+    use.push_back(x.back() > low && x.back() < high ? 1 : 0);
+  }
+  const Plane plane = fit_plane(x, y, p, use);
+  report("linear: flow over k H dp / (eta L)",
+         through * viscosity / (-plane.b * rock.height() * darcy_permeability), 1.0, 0.03);
+  double square = 0.0, count = 0.0;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    if (use[k] == 0) continue;
+    square += std::pow((p[k] - drop * (high - x[k]) / (high - low)) / drop, 2);
+    count += 1.0;
+  }
+  const double rms = std::sqrt(square / count);
+  std::printf("  linear: pressure rms %.2f %% of the drop, tolerance 3 %%\n", 100.0 * rms);
+  EXPECT_LT(rms, 0.03);
+}
+
+}  // namespace

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// V5  One-dimensional diffusion of pressure into rigid rock.
+//
+// Formula    p(x, t) = p1 erfc(x / (2 sqrt(D t))) with D = k K_f / (eta phi).
+// Source     Carslaw and Jaeger, Conduction of Heat in Solids, section 2.5; eq. 6 and 8 of the paper.
+// Set-up     The flow solver on the rigid network of 4 000 and of 8 000 discs in 100 m x 100 m,
+//            calibrated to 5.6 mD, closed all round; the domains with centre left of x0 = 10 m are held
+//            at p1 = 1 MPa from t = 0. phi is the network's own: pore volume over polygon area right of
+//            x0. Implicit steps, 400 to each time. Pressure averaged over the domains in bins of 2 m, by
+//            pore volume; x is measured from where the imposed domains end.
+// Tolerance  rms over the bins 2 % of p1, at three times (2 sqrt(D t) from 10 m to 30 m).
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "flow/flow_solver.hpp"
+#include "rigid_network.hpp"
+#include "support.hpp"
+
+namespace {
+
+using namespace verification;
+
+constexpr double permeability = 5.527e-15, imposed = 1e6, x0 = 10.0, bin_width = 2.0;
+
+// Mean abscissa of the imposed domains that feed free ones: where x begins.
+double front_of(const Network& n) {
+  double moment = 0.0, weight = 0.0;
+  for (std::size_t e = 0; e < n.left.size(); ++e) {
+    const auto l = n.left[e], r = n.right[e];
+    if (n.conductance[e] == 0.0 || (n.stiffness[l] == 0.0) == (n.stiffness[r] == 0.0)) continue;
+    const auto fixed = n.stiffness[l] == 0.0 ? l : r;
+    moment += n.conductance[e] * n.centroid[fixed].x;
+    weight += n.conductance[e];
+  }
+  return moment / weight;
+}
+
+void diffuse(std::int64_t discs) {
+  RigidNetwork rock(discs, 1);
+  rock.calibrate(permeability);
+  Network& n = rock.network();
+  for (std::int64_t d = 1; d < n.domain_count(); ++d) {
+    if (n.centroid[d].x < x0) rock.impose(d, imposed);
+  }
+  const double front = front_of(n), phi = rock.porosity(x0, 100.0);
+  const double diffusivity =
+      permeability * rock.options().fluid_bulk_modulus / (rock.options().fluid_viscosity * phi);
+  std::printf("  porosity of the network %.4f, diffusivity %.3e m2/s, front at %.2f m\n", phi, diffusivity,
+              front);
+  FlowSolver flow(n, rock.options());
+  double time = 0.0;
+  for (const double length : {10.0, 20.0, 30.0}) {
+    const double until = 0.25 * length * length / diffusivity;
+    constexpr int steps = 400;
+    const double step = (until - time) / steps;
+    for (int k = 0; k < steps; ++k) flow.advance(n, step, {});
+    time = until;
+    double square = 0.0, worst = 0.0;
+    int bins = 0;
+    for (double from = x0 + bin_width; from < 95.0; from += bin_width) {
+      double pressure = 0.0, analytic = 0.0, volume = 0.0;
+      for (std::int64_t d = 1; d < n.domain_count(); ++d) {
+        const double x = n.centroid[d].x;
+        if (x < from || x >= from + bin_width) continue;
+        pressure += n.volume[d] * n.pressure[d] / imposed;
+        analytic += n.volume[d] * std::erfc((x - front) / length);
+        volume += n.volume[d];
+      }
+      if (analytic / volume < 1e-3) break;  // the pressure has not come so far
+      const double error = (pressure - analytic) / volume;
+      square += error * error;
+      worst = std::max(worst, std::abs(error));
+      ++bins;
+    }
+    const double rms = std::sqrt(square / bins);
+    std::printf(
+        "  t %.3e s, 2 sqrt(D t) = %.0f m: rms %.2f %%, worst bin %.2f %% of p1 over %d bins, tolerance 2 "
+        "%%\n",
+        time, length, 100.0 * rms, 100.0 * worst, bins);
+    EXPECT_LT(rms, 0.02);
+  }
+}
+
+TEST(V5Diffusion, FollowsTheErrorFunction) {
+  diffuse(4000);
+}
+TEST(V5Diffusion, FollowsItMoreCloselyWithSmallerDiscs) {
+  diffuse(8000);
+}
+
+}  // namespace
