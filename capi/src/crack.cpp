@@ -58,8 +58,8 @@ hfrac_fracture describe(const Fracture& f, std::int64_t index) {
   return c;
 }
 
-// Items of an array of structs whose size in the caller may differ from ours: the common head is copied, the
-// rest of a larger one zeroed.
+// Items of an array of structs whose size in the caller may differ from ours: the common head is copied, the rest
+// of a larger one zeroed.
 template <class Struct>
 void put_item(Struct* buffer, std::int64_t index, std::int32_t size, const Struct& item) {
   auto* to = reinterpret_cast<unsigned char*>(buffer) + index * size;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Arrays of a simulation from C. Values are laid out in field_values.cpp; here is how they get out: by copy,
-// or as a view into a cache that the handle keeps until the epoch moves on.
+// Arrays of a simulation from C. Values are laid out in field_values.cpp; here is how they get out: by copy, or as a
+// view into a cache that the handle keeps until the epoch moves on.
 #include "hfrac/field.h"
 
 #include <algorithm>

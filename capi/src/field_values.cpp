@@ -7,8 +7,8 @@
 namespace hfrac::capi {
 namespace {
 
-// Mean stress of each disc's cell: sum of force times arm over its contacts, per cell area (Love's formula;
-// Bagi 1996). The cell is the disc's share of the packing, pores included.
+// Mean stress of each disc's cell: sum of force times arm over its contacts, per cell area (Love's formula; Bagi
+// 1996). The cell is the disc's share of the packing, pores included.
 void write_stress(const Simulation& s, double* to) {
   const Assembly& a = s.assembly();
   const auto discs = static_cast<std::size_t>(a.disc_count());

@@ -23,8 +23,7 @@ struct hfrac_sim : hfrac::capi::HandleBase {
   void* progress_user = nullptr;
   double progress_seconds = 0.0;
 
-  // Raised by every call that may change the simulation. Views are filled when asked for and hold for their
-  // epoch.
+  // Raised by every call that may change the simulation. Views are filled when asked for and hold for their epoch.
   std::int64_t epoch = 1;
   struct View {
     std::int64_t epoch = 0;

@@ -10,8 +10,7 @@
 
 namespace hfrac::capi {
 
-// The host's progress callback, asked about every so many seconds. Once it has said stop it is not asked
-// again.
+// The host's progress callback, asked about every so many seconds. Once it has said stop it is not asked again.
 class Asker {
  public:
   Asker(hfrac_sim& sim, hfrac_progress_fn progress, void* user, double seconds)

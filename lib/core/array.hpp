@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Arrays of the engine: std::vector on cache-line boundaries, so that every kernel may load whole vectors
-// from the start of an array.
+// Arrays of the engine: std::vector on cache-line boundaries, so that every kernel may load whole vectors from the
+// start of an array.
 #pragma once
 
 #include <cstddef>

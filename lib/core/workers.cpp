@@ -6,8 +6,8 @@
 namespace hfrac {
 namespace {
 
-// Waits for a condition: a few thousand spins (about a microsecond each hundred), then the processor is
-// offered to others, so that more workers than cores still make progress.
+// Waits for a condition: a few thousand spins (about a microsecond each hundred), then the processor is offered to others, so
+// that more workers than cores still make progress.
 template <class Condition>
 void spin_until(Condition&& condition) {
   for (int spins = 0; !condition(); ++spins) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Worker threads of one simulation.
 //
-// A time step is a handful of short passes over arrays, so threads that sleep between passes would spend the
-// step waking up. Here a whole batch of cycles runs inside one parallel region, and the workers meet at a
-// barrier that spins for a moment before it yields. Which worker does which part is fixed by index ranges,
-// and no worker adds into what another one adds into, so results do not depend on how many there are.
+// A time step is a handful of short passes over arrays, so threads that sleep between passes would spend the step
+// waking up. Here a whole batch of cycles runs inside one parallel region, and the workers meet at a barrier that
+// spins for a moment before it yields. Which worker does which part is fixed by index ranges, and no worker adds into
+// what another one adds into, so results do not depend on how many there are.
 #pragma once
 
 #include <atomic>

@@ -25,8 +25,7 @@ void Simulation::elastic_energy(double& bonds, double& contacts) const {
   contacts += solver_->loose_contacts().energy();
 }
 
-// Works of fluid and far field = change of stored energy + what was dissipated + what breaking bonds took
-// along.
+// Works of fluid and far field = change of stored energy + what was dissipated + what breaking bonds took along.
 Balance Simulation::balance() const {
   Balance b{};
   double bonds = 0.0, contacts = 0.0;
@@ -35,8 +34,7 @@ Balance Simulation::balance() const {
   b.kinetic = solver_->kinetic_energy();
   b.bond_elastic = bonds;
   b.contact_elastic = contacts;
-  // The outside's pressure does its work through walls' discs only; under stress control the far field is all
-  // there is.
+  // The outside's pressure does its work through walls' discs only; under stress control the far field is all there is.
   const double outside =
       boundary_->walled() ? 0.0
                           : network_.reference_pressure * (network_.volume_change[0] - start_outside_change_);

@@ -111,8 +111,8 @@ void Simulation::build(std::span<const double> given_discs, const Progress& prog
   solver_ = std::make_unique<ExplicitSolver>(assembly_, network_, *boundary_, o, *workers_);
 }
 
-// Far field and formation pressure in stages, together: at every stage effective stresses are a share of the
-// final ones. Pores are drained, so breakage here is the far field's doing alone.
+// Far field and formation pressure in stages, together: at every stage effective stresses are a share of the final ones.
+// Pores are drained, so breakage here is the far field's doing alone.
 void Simulation::equilibrate(const Progress& progress) {
   const Options& o = options();
   constexpr int stages = 10;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A simulation: the model, its clock, its books. What a step does, in order, stands in step.cpp; how a model
-// is built, in setup.cpp.
+// A simulation: the model, its clock, its books. What a step does, in order, stands in step.cpp; how a model is
+// built, in setup.cpp.
 #pragma once
 
 #include <cstddef>
@@ -54,8 +54,7 @@ enum class StopReason : std::int32_t { target = 0, callback = 1, extent = 2, cra
 
 class Simulation {
  public:
-  // Builds the model and brings it to rest under the far field. Throws Error; Stopped if progress asked for
-  // it.
+  // Builds the model and brings it to rest under the far field. Throws Error; Stopped if progress asked for it.
   Simulation(CaseDefinition definition, std::span<const double> given_discs, const Progress& progress);
 
   struct StepOutcome {
@@ -101,14 +100,14 @@ class Simulation {
   [[nodiscard]] StopReason stop_reason() const;
   [[nodiscard]] std::uint64_t state_hash() const;
 
-  // The state as bytes, and back. A restored simulation goes on bit for bit as the saved one did. Images fit
-  // the model they were taken from; anything else is refused and changes nothing.
+  // The state as bytes, and back. A restored simulation goes on bit for bit as the saved one did. Images fit the model they
+  // were taken from; anything else is refused and changes nothing.
   [[nodiscard]] std::vector<std::byte> image() const;
   void restore(std::span<const std::byte> image);
 
-  // A step in three parts, for hosts that iterate: try_step may be called again and again, with another
-  // duration or other wells, and always starts from where begin_step was called; accept_step keeps the last
-  // one, reject_step goes back.
+  // A step in three parts, for hosts that iterate: try_step may be called again and again, with another duration or
+  // other wells, and always starts from where begin_step was called; accept_step keeps the last one, reject_step
+  // goes back.
   void begin_step();
   StepOutcome try_step(double duration, const std::function<bool()>& interrupt = {});
   void accept_step();

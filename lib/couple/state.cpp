@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The state of a simulation: the one list of what it is made of, and what is done with it: keeping a step
-// undoable, images in memory, the state hash.
+// The state of a simulation: the one list of what it is made of, and what is done with it: keeping a step undoable, images
+// in memory, the state hash.
 #include <algorithm>
 #include <bit>
 
@@ -73,8 +73,7 @@ std::uint64_t Simulation::state_hash() const {
   return hasher.result();
 }
 
-// Image in memory: magic, format, byte order, fingerprint of the model, size and checksum of the state, the
-// state.
+// Image in memory: magic, format, byte order, fingerprint of the model, size and checksum of the state, the state.
 namespace {
 
 struct ImageHeader {

@@ -2,18 +2,16 @@
 // The order of a step. Everything a step does is called from Simulation::step, top to bottom:
 //
 //   1  wells take their pressures or rates
-//   2  fluid moves along the pipes for flow_step seconds while the rock stands still (eq. 6, 8; implicit or
-//   sub-cycled) 3  the rock moves until it is at rest, or for flow_step seconds of real time (mode dynamic):
-//   in every cycle
+//   2  fluid moves along the pipes for flow_step seconds while the rock stands still (eq. 6, 8; implicit or sub-cycled)
+//   3  the rock moves until it is at rest, or for flow_step seconds of real time (mode dynamic): in every cycle
 //        bond and contact forces (eq. 15-20), breakage (eq. 21-23) -> crack log
 //        pores answer undrained: pressure follows from the fluid they hold and their volume (eq. 8)
 //        pressures push the discs (eq. 9-14), boundary, motion (eq. 11, 12)
 //   4  apertures and conductances at the new geometry (eq. 6, 7); new contacts around cracks
 //   5  clock, injected and leaked volumes, farthest crack tip
 //
-// Between 2 and 3 no fluid is lost or made: pores keep their content while the rock moves. Freezing the
-// pressure instead (the drained split) is unstable. If a step fails or is interrupted, the state is put back
-// as it was.
+// Between 2 and 3 no fluid is lost or made: pores keep their content while the rock moves. Freezing the pressure
+// instead (the drained split) is unstable. If a step fails or is interrupted, the state is put back as it was.
 #include <algorithm>
 #include <cmath>
 

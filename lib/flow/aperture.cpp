@@ -39,8 +39,7 @@ double band_permeability(const Network& n, const Assembly& a, double low, double
       }
     }
   }
-  // A domain without pipes would make the matrix singular: tie it to nothing with a unit entry far below the
-  // rest.
+  // A domain without pipes would make the matrix singular: tie it to nothing with a unit entry far below the rest.
   double typical = 0.0;
   for (const auto& entry : entries) typical = std::max(typical, std::abs(entry.value()));
   for (std::int32_t d = 0; d < count; ++d) entries.emplace_back(d, d, 1e-14 * typical);
@@ -50,8 +49,7 @@ double band_permeability(const Network& n, const Assembly& a, double low, double
   if (solver.info() != Eigen::Success) return 0.0;
   const Eigen::VectorXd p = solver.solve(rhs);
 
-  // Flow through the inlet and the distance between the mean positions of inlet and outlet domains that take
-  // part.
+  // Flow through the inlet and the distance between the mean positions of inlet and outlet domains that take part.
   double inflow = 0.0, inlet = 0.0, outlet = 0.0, inlet_weight = 0.0, outlet_weight = 0.0;
   for (std::size_t e = 0; e < n.left.size(); ++e) {
     const auto l = n.left[e], r = n.right[e];
@@ -129,8 +127,7 @@ void calibrate_aperture(Network& n, const Assembly& a, const Options& o,
     update_apertures(n, a, o);
     return;
   }
-  // k = C r0^3 / R_mean with C near 0.032 starts it; k goes with r0^3, so one correction is exact unless gaps
-  // count.
+  // k = C r0^3 / R_mean with C near 0.032 starts it; k goes with r0^3, so one correction is exact unless gaps count.
   n.zero_stress_aperture = std::cbrt(o.flow_permeability * a.mean_radius / 0.032);
   for (int round = 0; round < 4; ++round) {
     update_apertures(n, a, o);

@@ -15,13 +15,12 @@ double pipe_aperture(const Options& options, double zero_stress_aperture, const 
 // All apertures and conductances w^3 / (12 eta L) (cubic law, eq. 6) from the assembly as it stands.
 void update_apertures(Network& network, const Assembly& assembly, const Options& options);
 
-// Permeability of the network as it stands, k = q eta L / dp [m2]: a steady solve between two bands of
-// domains across the part of the model left of the wells and, likewise, right of them; their mean.
+// Permeability of the network as it stands, k = q eta L / dp [m2]: a steady solve between two bands of domains across the part
+// of the model left of the wells and, likewise, right of them; their mean.
 double measure_permeability(const Network& network, const Assembly& assembly,
                             const std::vector<WellOptions>& wells, double viscosity);
 
-// Sets zero_stress_aperture so that the network has flow.permeability now (or takes flow.zero_stress_aperture
-// as given).
+// Sets zero_stress_aperture so that the network has flow.permeability now (or takes flow.zero_stress_aperture as given).
 void calibrate_aperture(Network& network, const Assembly& assembly, const Options& options,
                         const std::vector<WellOptions>& wells);
 

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One step of flow through the pipes while the rock stands still.
 //
-// Both schemes move content along pipes, so what one domain loses the next one gains to the last bit but
-// rounding:
-//   implicit  backward Euler on all domains at once (sparse Cholesky, the pattern analysed once). Cavitation
-//   makes it
-//             a complementarity problem: p >= floor, a domain at the floor first fills its void. A
-//             primal-dual active set finds it in a few rounds.
-//   explicit  the paper's eq. 8 as it stands, sub-cycled below its stability limit V / (K_f sum of
-//   conductances).
+// Both schemes move content along pipes, so what one domain loses the next one gains to the last bit but rounding:
+//   implicit  backward Euler on all domains at once (sparse Cholesky, the pattern analysed once). Cavitation makes it
+//             a complementarity problem: p >= floor, a domain at the floor first fills its void. A primal-dual active
+//             set finds it in a few rounds.
+//   explicit  the paper's eq. 8 as it stands, sub-cycled below its stability limit V / (K_f sum of conductances).
 #pragma once
 
 #include <Eigen/SparseCholesky>

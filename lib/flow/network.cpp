@@ -9,8 +9,8 @@
 namespace hfrac {
 namespace {
 
-// Share of the mean disc's square below which a pore is not taken: slivers between overlapping discs would be
-// stiffer than the rock and rule the stable step.
+// Share of the mean disc's square below which a pore is not taken: slivers between overlapping discs would be stiffer
+// than the rock and rule the stable step.
 constexpr double smallest_pore = 0.05;
 
 }  // namespace
@@ -48,8 +48,7 @@ Network build_network(const ContactGraph& graph, const Faces& faces, const Assem
       const Vec2 centre{graph.x[i], graph.y[i]};
       const Vec2 back = Vec2{graph.x[from], graph.y[from]} - centre,
                  ahead = Vec2{graph.x[to], graph.y[to]} - centre;
-      // Chord from the contact behind to the contact ahead; turned clockwise it is the force per pressure
-      // (eq. 10).
+      // Chord from the contact behind to the contact ahead; turned clockwise it is the force per pressure (eq. 10).
       const double share_back = graph.radius[i] / (graph.radius[i] + graph.radius[from]);
       const double share_ahead = graph.radius[i] / (graph.radius[i] + graph.radius[to]);
       const Vec2 chord = share_ahead * ahead - share_back * back;
@@ -64,8 +63,7 @@ Network build_network(const ContactGraph& graph, const Faces& faces, const Assem
         std::max(faces.polygon_area[d] - sectors, smallest_pore * graph.mean_radius * graph.mean_radius);
   }
 
-  // The same corners by disc. The outside pushes on walled models only: under stress control the far field is
-  // total.
+  // The same corners by disc. The outside pushes on walled models only: under stress control the far field is total.
   const bool outside_pushes = BoundaryKind{options.boundary_kind} == BoundaryKind::walls;
   const auto discs = static_cast<std::size_t>(a.disc_count());
   n.disc_corner_start.assign(discs + 1, 0);

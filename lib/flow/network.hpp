@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The fluid's side of the model: a domain in every pore, a pipe across every contact.
 //
-// What a domain stores is its content zeta: fluid taken in since the start, as a volume at reference
-// pressure. The pressure follows from content and the pore's change of volume,
+// What a domain stores is its content zeta: fluid taken in since the start, as a volume at reference pressure. The
+// pressure follows from content and the pore's change of volume,
 //     p = max(floor, p_ref + K_f (zeta - dV) / V)                                       (eq. 8 in total form)
-// so mass is never lost to linearisation. dV = sum of w.u over the discs around the domain, with the very
-// weights w = s1 n1 + s2 n2 by which the pressure pushes the discs (eq. 10): what the fluid loses the discs
-// get, exactly. The weights are taken at bonding (small rotations).
+// so mass is never lost to linearisation. dV = sum of w.u over the discs around the domain, with the very weights
+// w = s1 n1 + s2 n2 by which the pressure pushes the discs (eq. 10): what the fluid loses the discs get, exactly. The
+// weights are taken at bonding (small rotations).
 #pragma once
 
 #include <cstdint>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fractures: cracks that belong together.
 //
-// A broken bond opens a way between the domain on its left and the one on its right. Cracks that share a
-// domain are one fracture; a well's domain joins what starts from it. Seen as a graph, domains are the nodes
-// and cracks the edges, and a fracture's length is the longest way through it (two shortest-path sweeps);
-// ways through a well leave out the hole.
+// A broken bond opens a way between the domain on its left and the one on its right. Cracks that share a domain are one
+// fracture; a well's domain joins what starts from it. Seen as a graph, domains are the nodes and cracks the edges, and a
+// fracture's length is the longest way through it (two shortest-path sweeps); ways through a well leave out the hole.
 #pragma once
 
 #include <vector>

@@ -41,8 +41,8 @@ class CellGrid {
     for (std::int64_t i = 0; i < n; ++i) items_[cursor[cell_of[i]]++] = static_cast<std::int32_t>(i);
   }
 
-  // Calls visit(index) for every point in the cells that a square of half-width `reach` around (x, y)
-  // touches, in a fixed order.
+  // Calls visit(index) for every point in the cells that a square of half-width `reach` around (x, y) touches, in a
+  // fixed order.
   template <class Visit>
   void near(double x, double y, double reach, Visit&& visit) const {
     if (items_.empty()) return;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which discs are bonded: a planar graph of near contacts without loose ends.
 //
-// Steps: cut the wells (discs whose centre lies inside a hole go), join all pairs closer than the gap
-// tolerance, drop the longer of two joins that cross, drop discs with fewer than two joins until none is
-// left, keep the largest connected piece. What remains has planar faces, every disc is held, and Euler's N -
-// E + F = 2 holds (faces.hpp).
+// Steps: cut the wells (discs whose centre lies inside a hole go), join all pairs closer than the gap tolerance, drop
+// the longer of two joins that cross, drop discs with fewer than two joins until none is left, keep the largest
+// connected piece. What remains has planar faces, every disc is held, and Euler's N - E + F = 2 holds (faces.hpp).
 #pragma once
 
 #include <cstdint>

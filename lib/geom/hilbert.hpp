@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Position along a Hilbert curve (Hilbert 1891): points close on the curve are close in the plane, so discs
-// numbered along it find their neighbours in cache.
+// Position along a Hilbert curve (Hilbert 1891): points close on the curve are close in the plane, so discs numbered
+// along it find their neighbours in cache.
 #pragma once
 
 #include <cstdint>

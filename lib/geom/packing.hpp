@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A dense, relaxed packing of discs in a rectangle.
 //
-// Radii are drawn evenly between R_min and R_max and scaled so that the discs fill (1 - porosity) of the box.
-// Discs start on a jittered lattice, overlapping at random, and the energy of their overlaps (contacts
-// without friction, the box's sides as flat walls) is minimised with FIRE (Bitzek et al. 2006) until the
-// forces balance. What overlap is left carries no stress later: bonding takes the gaps it finds as reference.
+// Radii are drawn evenly between R_min and R_max and scaled so that the discs fill (1 - porosity) of the box. Discs
+// start on a jittered lattice, overlapping at random, and the energy of their overlaps (contacts without friction, the
+// box's sides as flat walls) is minimised with FIRE (Bitzek et al. 2006) until the forces balance. What overlap is left
+// carries no stress later: bonding takes the gaps it finds as reference.
 #pragma once
 
 #include <cstdint>
@@ -32,8 +32,7 @@ struct Packing {
   double mean_overlap = 0.0;    // mean overlap of contacts over mean radius
 };
 
-// progress(fraction) may return true to stop; the packing is then not relaxed. Throws Error(model) if it does
-// not relax.
+// progress(fraction) may return true to stop; the packing is then not relaxed. Throws Error(model) if it does not relax.
 Packing pack_discs(const PackingOptions& options, const std::function<bool(double)>& progress = {});
 
 // The permutation that numbers points along a Hilbert curve: order[new] = old.

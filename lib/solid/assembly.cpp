@@ -46,8 +46,8 @@ Assembly build_assembly(const ContactGraph& graph, const Options& options) {
     a.inertia[i] = 0.5 * a.mass[i] * a.radius[i] * a.radius[i];  // a cylinder about its axis
   }
 
-  // Toughness of a bonded assembly goes with strength times sqrt(R) (Potyondy and Cundall 2004): strengths
-  // given for one mean radius serve any resolution of the same rock.
+  // Toughness of a bonded assembly goes with strength times sqrt(R) (Potyondy and Cundall 2004): strengths given for
+  // one mean radius serve any resolution of the same rock.
   if (options.bond_toughness_reference_radius > 0.0) {
     a.strength_factor = std::sqrt(options.bond_toughness_reference_radius / a.mean_radius);
   }

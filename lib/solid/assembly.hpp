@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The solid: discs and the bonds between them, as plain arrays.
 //
-// Positions are kept as reference (at bonding) plus displacement, so that gaps of a ten-thousandth of a disc
-// lose no digits. A bond and the contact of the same two discs share one entry: the bond is there while
-// `intact` is 1, the contact always (contact.mode = parallel) or once the bond broke (after-break). The law
-// stands in kernels_body.hpp.
+// Positions are kept as reference (at bonding) plus displacement, so that gaps of a ten-thousandth of a disc lose no digits.
+// A bond and the contact of the same two discs share one entry: the bond is there while `intact` is 1, the contact
+// always (contact.mode = parallel) or once the bond broke (after-break). The law stands in kernels_body.hpp.
 #pragma once
 
 #include <cstdint>
@@ -40,8 +39,7 @@ struct Assembly {
 
 Assembly build_assembly(const ContactGraph& graph, const Options& options);
 
-// One bond as it stands, by the same formulas as the kernel (for logs, fields and energies; not for the step
-// loop).
+// One bond as it stands, by the same formulas as the kernel (for logs, fields and energies; not for the step loop).
 struct BondView {
   double gap;             // m, positive: open
   double shear;           // m, relative shear displacement

@@ -91,8 +91,7 @@ void Boundary::cycle(Assembly& a, double step, double safety, double damping) {
     const double force = target - push;
     imbalance_ =
         std::max(imbalance_, std::abs(force) / std::max(std::abs(target), 1e-9 * stiffness_ * wall.length));
-    // Mass of the wall: stable with the step in use, as light as that allows (a servo has no inertia of its
-    // own).
+    // Mass of the wall: stable with the step in use, as light as that allows (a servo has no inertia of its own).
     const double mass =
         0.5 * step * step * stiffness_ * static_cast<double>(wall.discs.size()) / (safety * safety);
     const double drag =

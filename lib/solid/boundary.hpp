@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What holds the model from outside: far-field stress on the outermost discs, or four rigid walls.
 //
-// stress  Each edge of the outer loop of bonds carries stress times length, split between its discs by their
-// arms: no
+// stress  Each edge of the outer loop of bonds carries stress times length, split between its discs by their arms: no
 //         net force and no net torque, exactly, so nothing else needs to hold the model.
-// walls   Frictionless rigid walls press on the discs that touch them at set-up, with the contacts' stiffness
-// and no
-//         tension. While a wall is servo-driven it is a body with one degree of freedom whose unbalanced
-//         force is target stress times length minus what the discs push back; afterwards it may be fixed.
+// walls   Frictionless rigid walls press on the discs that touch them at set-up, with the contacts' stiffness and no
+//         tension. While a wall is servo-driven it is a body with one degree of freedom whose unbalanced force is
+//         target stress times length minus what the discs push back; afterwards it may be fixed.
 #pragma once
 
 #include <array>
@@ -26,8 +24,7 @@ class Boundary {
   // Share of the far-field stress in force, 0 to 1 (for loading in stages).
   void set_load(Assembly& assembly, double share);
 
-  // One cycle: forces of the walls on their discs into external_*, motion of servo-driven walls. `step` as
-  // the solver's.
+  // One cycle: forces of the walls on their discs into external_*, motion of servo-driven walls. `step` as the solver's.
   void cycle(Assembly& assembly, double step, double safety, double damping);
 
   // Adds the walls' share to the row sums of stiffness that set the stable step.

@@ -6,9 +6,8 @@
 //   boundary (worker 0, first phase): wall forces, servo
 //   disc pass: velocities and displacements from bond forces, pressures and the boundary's forces
 //
-// With real masses a cycle lasts the stable step. To find rest, masses are scaled instead so that every disc
-// is equally close to its stability limit and the step is 1 (density scaling): the way is not physical, the
-// end is.
+// With real masses a cycle lasts the stable step. To find rest, masses are scaled instead so that every disc is equally close
+// to its stability limit and the step is 1 (density scaling): the way is not physical, the end is.
 #pragma once
 
 #include <cstdint>
@@ -52,8 +51,8 @@ class ExplicitSolver {
     bool at_rest = false;
     bool stopped = false;  // by `interrupt`
   };
-  // Cycles until the unbalanced-force ratio is below `ratio` and nothing breaks, at most `most` cycles.
-  // `interrupt` is asked now and then. New cracks are appended to `log` (bond, cycle, forces, energy, mode).
+  // Cycles until the unbalanced-force ratio is below `ratio` and nothing breaks, at most `most` cycles. `interrupt` is
+  // asked now and then. New cracks are appended to `log` (bond, cycle, forces, energy, mode).
   Outcome relax(double ratio, std::int64_t most, CrackLog& log, const std::function<bool()>& interrupt = {});
 
   // Exactly `cycles` cycles.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Picks the kernels for the processor at hand. All give the same bits: multiply-add is never fused, and sums
-// are taken in one order whatever the vector width.
+// Picks the kernels for the processor at hand. All give the same bits: multiply-add is never fused, and sums are
+// taken in one order whatever the vector width.
 #include <cstring>
 #include <initializer_list>
 

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The step loop's three passes over raw arrays, compiled for several instruction sets from one source.
 //
-//   bond pass     displacements -> force and moment of every bond and contact, breakage flags       (writes
-//   force[e]) disc pass     forces of its bonds, pressures of its domains, external forces -> new velocity
-//   and displacement domain pass   displacements of its corner discs -> change of volume -> undrained
-//   pressure
+//   bond pass     displacements -> force and moment of every bond and contact, breakage flags       (writes force[e])
+//   disc pass     forces of its bonds, pressures of its domains, external forces -> new velocity and displacement
+//   domain pass   displacements of its corner discs -> change of volume -> undrained pressure
 //
-// Every pass gathers: an item adds up what acts on it in a fixed order, nothing is scattered, so any number
-// of workers gives the same bits. Sums for the balances are kept per block of `kernel_block` items and added
-// in block order. This header and the sources behind it include no standard templates: they are compiled with
-// wider instructions than the rest, and an inline function from here must never be the one the linker keeps
-// for the whole library.
+// Every pass gathers: an item adds up what acts on it in a fixed order, nothing is scattered, so any number of workers
+// gives the same bits. Sums for the balances are kept per block of `kernel_block` items and added in block order.
+// This header and the sources behind it include no standard templates: they are compiled with wider instructions
+// than the rest, and an inline function from here must never be the one the linker keeps for the whole library.
 #pragma once
 
 #include <stdint.h>  // NOLINT(modernize-deprecated-headers): see above
@@ -87,8 +85,7 @@ struct KernelTable {
 const KernelTable& kernels() noexcept;
 const char* kernel_isa() noexcept;
 
-// For tests and benchmarks: the table of an instruction set by name ("baseline", "avx2", "avx512"), or
-// nullptr.
+// For tests and benchmarks: the table of an instruction set by name ("baseline", "avx2", "avx512"), or nullptr.
 const KernelTable* kernels_for(const char* name) noexcept;
 
 }  // namespace hfrac

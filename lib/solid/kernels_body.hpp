@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The body of the kernels, included once per instruction set with HFRAC_KERNEL_NAMESPACE set. See
-// kernels.hpp.
+// The body of the kernels, included once per instruction set with HFRAC_KERNEL_NAMESPACE set. See kernels.hpp.
 //
-// The bond law is written in total form: elastic forces follow from the displacements since bonding, so there
-// is no history to drift and elastic energy is a function of state. With D the vector from disc i to disc j
-// at bonding, d the vector now, L0 and L their lengths:
+// The bond law is written in total form: elastic forces follow from the displacements since bonding, so there is no
+// history to drift and elastic energy is a function of state. With D the vector from disc i to disc j at bonding, d
+// the vector now, L0 and L their lengths:
 //   gap            g  = L - L0, as (2 D.du + du.du) / (L + L0): no cancellation
 //   turn of d      phi = asin(D x d / (L0 L))
 //   shear          u_s = L0 phi - (a_i theta_i + a_j theta_j)
-//   bond           F_n = k_n g, F_s = k_s u_s, M = k_n (R^2 / 3) (theta_j - theta_i)     (eq. 16-20; I / A =
-//   R^2 / 3) contact        F_n = -k_n max(0, -g), F_s = k_s (u_s - slip), |F_s| <= mu F_n forces on i    F_n
-//   n + F_s (L0 / L) t, moments F_s a_i + M and F_s a_j - M: the exact gradient of the energy breakage F_n +
-//   3 beta |M| / R >= sigma_c A  or  |F_s| >= tau_c A                (eq. 21-23, tension positive)
+//   bond           F_n = k_n g, F_s = k_s u_s, M = k_n (R^2 / 3) (theta_j - theta_i)     (eq. 16-20; I / A = R^2 / 3)
+//   contact        F_n = -k_n max(0, -g), F_s = k_s (u_s - slip), |F_s| <= mu F_n
+//   forces on i    F_n n + F_s (L0 / L) t, moments F_s a_i + M and F_s a_j - M: the exact gradient of the energy
+//   breakage       F_n + 3 beta |M| / R >= sigma_c A  or  |F_s| >= tau_c A                (eq. 21-23, tension positive)
 #include "solid/kernels.hpp"
 
 namespace hfrac {
@@ -69,8 +68,8 @@ __attribute__((noinline)) void bond_block(const KernelArrays& a, int64_t first, 
                contact_with_bond = a.contact_with_bond;
   double force_size[kernel_block], friction_work[kernel_block], over[kernel_block];
   const double inverse_contact_shear = a.contact_shear > 0.0 ? 1.0 / a.contact_shear : 0.0;
-#pragma GCC ivdep  // arrays written here are never the gathered ones; restrict alone does not reach gathers
-                   // in GCC 12
+#pragma GCC \
+    ivdep  // arrays written here are never the gathered ones; restrict alone does not reach gathers in GCC 12
   for (int64_t e = first; e < last; ++e) {
     const int32_t i = first_disc[e], j = second_disc[e];
     const double dux = ux[j] - ux[i], duy = uy[j] - uy[i];
@@ -124,8 +123,7 @@ __attribute__((noinline)) void bond_block(const KernelArrays& a, int64_t first, 
   sums.flagged = sum_of(over, n) > 0.0 ? 1 : 0;
 }
 
-// One degree of freedom of a block of discs: leap-frog with local damping (Cundall 1987). Returns the damping
-// work.
+// One degree of freedom of a block of discs: leap-frog with local damping (Cundall 1987). Returns the damping work.
 double integrate(int64_t n, double step, double damping, const double* __restrict force,
                  const double* __restrict inverse_mass, double* __restrict velocity,
                  double* __restrict displacement) {

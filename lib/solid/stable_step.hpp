@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Row sums of the stiffness matrix, from which the stable step follows (Gershgorin's bound on its
-// eigenvalues).
+// Row sums of the stiffness matrix, from which the stable step follows (Gershgorin's bound on its eigenvalues).
 #pragma once
 
 #include <vector>
@@ -10,8 +9,8 @@
 
 namespace hfrac {
 
-// Sum of the absolute entries of each disc's rows [N/m for translations; N m for rotations, taken with the
-// rotation scaled by the radius]: bonds, contacts, and pores that answer undrained (K_f w w^T / V).
+// Sum of the absolute entries of each disc's rows [N/m for translations; N m for rotations, taken with the rotation
+// scaled by the radius]: bonds, contacts, and pores that answer undrained (K_f w w^T / V).
 void stiffness_rows(const Assembly& assembly, const Network& network, const Options& options,
                     std::vector<double>& row_x, std::vector<double>& row_y,
                     std::vector<double>& row_rotation);

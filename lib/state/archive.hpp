@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One walk over a simulation's state serves saving, restoring and hashing: Simulation::visit_state lists
-// every value once, and the archives here say what happens to it. A value forgotten in one of the three
-// cannot be.
+// One walk over a simulation's state serves saving, restoring and hashing: Simulation::visit_state lists every value once,
+// and the archives here say what happens to it. A value forgotten in one of the three cannot be.
 //
 // The bytes are those of the machine (little-endian here; the image's header says so), doubles bit for bit.
 #pragma once

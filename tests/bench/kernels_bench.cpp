@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How fast the explicit step is, per pass and whole, on the paper's packing, with the machine's triad beside
-// it.
+// How fast the explicit step is, per pass and whole, on the paper's packing, with the machine's triad beside it.
 //
-// One bond update is: gap, shear and bending of one bond, its contact with friction, breakage test, and its
-// share of the disc pass (gathering, damping, integration). "dry" is that and nothing else; "coupled" adds
-// pressures and domains.
+// One bond update is: gap, shear and bending of one bond, its contact with friction, breakage test, and its share of the disc
+// pass (gathering, damping, integration). "dry" is that and nothing else; "coupled" adds pressures and domains.
 #include <benchmark/benchmark.h>
 
 #include <map>

@@ -6,8 +6,7 @@
 
 namespace hfrac::bench {
 
-// Best of `rounds` of a[i] = b[i] + s c[i] over arrays of `count` doubles each: bytes a second, three arrays
-// counted.
+// Best of `rounds` of a[i] = b[i] + s c[i] over arrays of `count` doubles each: bytes a second, three arrays counted.
 double triad(std::size_t count, int rounds);
 
 }  // namespace hfrac::bench
