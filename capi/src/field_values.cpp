@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field_values.hpp"
 
+#include <algorithm>
+#include <vector>
+
 #include "core/error.hpp"
 #include "hfrac/field.h"
 
@@ -8,7 +11,7 @@ namespace hfrac::capi {
 namespace {
 
 // Mean stress of each disc's cell: sum of force times arm over its contacts, per cell area (Love's formula; Bagi
-// 1996). The cell is the disc's share of the packing, pores included.
+// 1996). The cell is the disc with its share of the pores around it; wells and the outside are nobody's.
 void write_stress(const Simulation& s, double* to) {
   const Assembly& a = s.assembly();
   const auto discs = static_cast<std::size_t>(a.disc_count());
@@ -33,10 +36,17 @@ void write_stress(const Simulation& s, double* to) {
       add(static_cast<std::size_t>(i), force * wall.inward, -a.radius[i] * wall.inward);
     }
   }
-  const double solid = 1.0 - s.setup().porosity;
+  std::vector<double> cell(discs);
+  for (std::size_t i = 0; i < discs; ++i) cell[i] = 3.14159265358979323846 * a.radius[i] * a.radius[i];
+  const Network& n = s.network();
+  for (std::size_t d = 1; d < n.kind.size(); ++d) {
+    if (n.kind[d] != DomainKind::rock) continue;
+    const auto begin = n.corner_start[d], end = n.corner_start[d + 1];
+    for (auto k = begin; k < end; ++k)
+      cell[static_cast<std::size_t>(n.corner_disc[k])] += n.volume[d] / (end - begin);
+  }
   for (std::size_t i = 0; i < discs; ++i) {
-    const double cell = 3.14159265358979323846 * a.radius[i] * a.radius[i] / solid;
-    for (std::size_t k = 0; k < 3; ++k) to[3 * i + k] /= cell;
+    for (std::size_t k = 0; k < 3; ++k) to[3 * i + k] /= cell[i];
   }
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "options/choices.hpp"
+
 namespace hfrac {
 namespace {
 
@@ -85,12 +87,13 @@ double pipe_aperture(const Options& o, double zero_stress_aperture, const BondVi
 }
 
 void update_apertures(Network& n, const Assembly& a, const Options& o) {
+  const bool closed = OuterPores{o.flow_outer} == OuterPores::closed;
   for (std::size_t e = 0; e < n.left.size(); ++e) {
     const BondView bond = view_bond(a, o, static_cast<std::int64_t>(e));
     const double w = pipe_aperture(o, n.zero_stress_aperture, bond, a.intact[e] > 0.0);
     n.aperture[e] = w;
-    n.conductance[e] =
-        n.left[e] == n.right[e] ? 0.0 : w * w * w / (12.0 * o.fluid_viscosity * n.pipe_length[e]);
+    const bool shut = n.left[e] == n.right[e] || (closed && (n.left[e] == 0 || n.right[e] == 0));
+    n.conductance[e] = shut ? 0.0 : w * w * w / (12.0 * o.fluid_viscosity * n.pipe_length[e]);
   }
 }
 

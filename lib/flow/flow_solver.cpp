@@ -63,7 +63,8 @@ int FlowSolver::advance_implicit(Network& n, double step, const std::vector<doub
   constexpr int most_rounds = 60;
   Eigen::VectorXd rhs(static_cast<Eigen::Index>(domains)), p(static_cast<Eigen::Index>(domains));
   int round = 0;
-  for (bool changed = true; changed && round < most_rounds; ++round) {
+  bool changed = true;
+  for (; changed && round < most_rounds; ++round) {
     double* value = matrix_.valuePtr();
     std::fill(value, value + matrix_.nonZeros(), 0.0);
     for (std::size_t d = 0; d < domains; ++d) {
@@ -117,6 +118,11 @@ int FlowSolver::advance_implicit(Network& n, double step, const std::vector<doub
         changed = true;
       }
     }
+  }
+  if (changed) {
+    throw Error(ErrorKind::diverged, "which pores are cavitated did not settle in " +
+                                         std::to_string(most_rounds) +
+                                         " rounds of the flow step; use a smaller stepping.flow_step");
   }
   for (std::size_t d = 0; d < domains; ++d) {
     if (n.stiffness[d] <= 0.0) continue;

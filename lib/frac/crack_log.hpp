@@ -16,7 +16,8 @@ struct Crack {
   double time = 0.0;          // s
   double normal_force = 0.0;  // N at failure, tension positive
   double shear_force = 0.0;   // N at failure
-  double energy = 0.0;        // J/m, elastic, at failure
+  double energy = 0.0;        // J/m, elastic, of the bond at failure
+  double released = 0.0;      // J/m, lost by bond and contact together; for the books of its step
   CrackMode mode = CrackMode::tension;
   std::int32_t fracture = -1;  // when last found
 };

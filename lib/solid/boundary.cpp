@@ -10,18 +10,25 @@ namespace hfrac {
 
 Boundary::Boundary(const Assembly& a, const Network& n, const Options& o)
     : walled_(BoundaryKind{o.boundary_kind} == BoundaryKind::walls), stiffness_(o.contact_normal_stiffness) {
+  // In a dry model nothing pushes from inside, and stresses are all there is.
+  outside_pressure_ = FlowScheme{o.flow_scheme} == FlowScheme::off ? 0.0 : n.reference_pressure;
   if (!walled_) {
-    for (auto* values : {&weight_x_, &weight_y_, &load_x_, &load_y_}) values->assign(a.x.size(), 0.0);
-    // The outside's weights are force per pressure; a stress presses with its own component along each axis.
-    for (auto k = n.corner_start[0]; k < n.corner_start[1]; ++k) {
-      weight_x_[n.corner_disc[k]] += n.corner_weight[2 * k];
-      weight_y_[n.corner_disc[k]] += n.corner_weight[2 * k + 1];
+    for (auto* values : {&pore_x_, &pore_y_, &weight_x_, &weight_y_, &load_x_, &load_y_})
+      values->assign(a.x.size(), 0.0);
+    const auto begin = n.corner_start[0], end = n.corner_start[1];
+    for (auto k = begin; k < end; ++k) {
+      const auto i = n.corner_disc[k], from = n.corner_disc[k > begin ? k - 1 : end - 1],
+                 to = n.corner_disc[k + 1 < end ? k + 1 : begin];
+      pore_x_[i] += outside_pressure_ * n.corner_weight[2 * k];
+      pore_y_[i] += outside_pressure_ * n.corner_weight[2 * k + 1];
+      // Half of the edge behind and half of the one ahead, turned inward.
+      weight_x_[i] += 0.5 * (a.y[to] - a.y[from]);
+      weight_y_[i] -= 0.5 * (a.x[to] - a.x[from]);
     }
     put_far_field(o.stress_sigma_H, o.stress_sigma_h);
     return;
   }
   // Walls carry effective stress: the pores outside push with the formation's pressure.
-  outside_pressure_ = n.reference_pressure;
   const double width = o.model_width, height = o.model_height;
   walls_[0] = {{1.0, 0.0}, height, 0.0, 0.0, 0.0, {}};
   walls_[1] = {{-1.0, 0.0}, height, 0.0, 0.0, 0.0, {}};
@@ -48,8 +55,8 @@ void Boundary::put_far_field(double sigma_H, double sigma_h) {
     return;
   }
   for (std::size_t i = 0; i < load_x_.size(); ++i) {
-    load_x_[i] = sigma_H * weight_x_[i];
-    load_y_[i] = sigma_h * weight_y_[i];
+    load_x_[i] = pore_x_[i] + (sigma_H - outside_pressure_) * weight_x_[i];
+    load_y_[i] = pore_y_[i] + (sigma_h - outside_pressure_) * weight_y_[i];
   }
 }
 
@@ -69,6 +76,41 @@ void Boundary::set_load(Assembly& a, double share) {
   for (std::size_t i = 0; i < a.x.size(); ++i) {
     a.external_x[i] = share * load_x_[i];
     a.external_y[i] = share * load_y_[i];
+  }
+}
+
+void Boundary::hold_still(Assembly& a) const {
+  if (walled_) return;
+  const auto n = static_cast<std::size_t>(a.disc_count());
+  double mass = 0.0, inertia = 0.0;
+  Vec2 centre{}, shift{}, drift{};
+  for (std::size_t i = 0; i < n; ++i) {
+    const double m = a.mass[i];
+    mass += m;
+    centre = centre + m * Vec2{a.x[i], a.y[i]};
+    shift = shift + m * Vec2{a.ux[i], a.uy[i]};
+    drift = drift + m * Vec2{a.vx[i], a.vy[i]};
+  }
+  centre = (1.0 / mass) * centre;
+  shift = (1.0 / mass) * shift;
+  drift = (1.0 / mass) * drift;
+  double turn = 0.0, spin = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 r = Vec2{a.x[i], a.y[i]} - centre;
+    inertia += a.mass[i] * dot(r, r);
+    turn += a.mass[i] * cross(r, Vec2{a.ux[i], a.uy[i]} - shift);
+    spin += a.mass[i] * cross(r, Vec2{a.vx[i], a.vy[i]} - drift);
+  }
+  turn /= inertia;
+  spin /= inertia;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 r = Vec2{a.x[i], a.y[i]} - centre;
+    a.ux[i] -= shift.x - turn * r.y;
+    a.uy[i] -= shift.y + turn * r.x;
+    a.rotation[i] -= turn;
+    a.vx[i] -= drift.x - spin * r.y;
+    a.vy[i] -= drift.y + spin * r.x;
+    a.spin[i] -= spin;
   }
 }
 

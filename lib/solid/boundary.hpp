@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What holds the model from outside: far-field stress on the outermost discs, or four rigid walls.
 //
-// stress  Each edge of the outer loop of bonds carries stress times length, split between its discs by their arms: no
-//         net force and no net torque, exactly, so nothing else needs to hold the model.
+// stress  Each edge of the outer loop of bonds carries stress times length, half to each of its discs: no net force and no
+//         net torque, for any uniform stress. (The part that balances the pore pressure is split by the pores' own weights
+//         instead, so that a stress equal to the pore pressure leaves every disc in peace.) Fixed forces on a free body
+//         pressed together are in unstable balance: the least turn of the whole gives them a lever. Rock around the
+//         model would hold it, so its mean displacement and rotation are taken out now and then (hold_still).
 // walls   Frictionless rigid walls press on the discs that touch them at set-up, with the contacts' stiffness and no
 //         tension. While a wall is servo-driven it is a body with one degree of freedom whose unbalanced force is
 //         target stress times length minus what the discs push back; afterwards it may be fixed.
@@ -26,6 +29,9 @@ class Boundary {
 
   // One cycle: forces of the walls on their discs into external_*, motion of servo-driven walls. `step` as the solver's.
   void cycle(Assembly& assembly, double step, double safety, double damping);
+
+  // Takes the mean displacement and rotation since bonding, and their rates, out of a model held by nothing else.
+  void hold_still(Assembly& assembly) const;
 
   // Adds the walls' share to the row sums of stiffness that set the stable step.
   void add_stiffness(std::vector<double>& row_x, std::vector<double>& row_y) const;
@@ -97,7 +103,8 @@ class Boundary {
   bool walled_, servo_ = true;
   double stiffness_, load_ = 0.0, work_ = 0.0, imbalance_ = 0.0, carried_work_ = 0.0;
   double outside_pressure_ = 0.0;      // Pa, what walls leave to the pores outside
-  Array<double> weight_x_, weight_y_;  // m: force on a disc per stress along x, y
+  Array<double> pore_x_, pore_y_;      // N: what balances the pores' pressure at the start
+  Array<double> weight_x_, weight_y_;  // m: force on a disc per stress beyond that along x, y
   Array<double> load_x_, load_y_;      // N at full load
   std::array<Wall, 4> walls_;
   std::vector<char> at_wall_;  // per disc

@@ -167,9 +167,12 @@ void ExplicitSolver::break_bonds(std::int64_t first, std::int64_t last, std::int
     crack.normal_force = bond.bond_normal;
     crack.shear_force = bond.bond_shear;
     crack.energy = bond.bond_energy;
+    crack.released = bond.bond_energy + bond.contact_energy;
     crack.mode = bond.tensile_excess >= bond.shear_excess ? CrackMode::tension : CrackMode::shear;
     found.push_back(crack);
     assembly_.intact[e] = 0.0;
+    // In mode after-break a contact takes over where discs were pressed together.
+    found.back().released -= view_bond(assembly_, options_, e).contact_energy;
   }
   kernels_.bond_pass(arrays_, first, last);  // what the block's bonds bear now
 }
@@ -232,6 +235,7 @@ ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, C
   while (outcome.cycles < most) {
     const std::int64_t cycles = std::min(look_every, most - outcome.cycles);
     batch(cycles, found);
+    boundary_.hold_still(assembly_);
     outcome.cycles += cycles;
     outcome.force_ratio = force_ratio();
     energies_.friction += take_work(bond_sums_);
@@ -246,7 +250,7 @@ ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, C
     std::sort(broken.begin(), broken.end(), [](const Crack& a, const Crack& b) {
       return a.cycle != b.cycle ? a.cycle < b.cycle : a.bond < b.bond;
     });
-    for (const auto& crack : broken) energies_.fracture += crack.energy;
+    for (const auto& crack : broken) energies_.fracture += crack.released;
     log.insert(log.end(), broken.begin(), broken.end());
     if (broken.empty() && outcome.force_ratio <= ratio) {
       outcome.at_rest = true;
