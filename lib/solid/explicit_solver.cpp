@@ -235,7 +235,7 @@ ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, C
   while (outcome.cycles < most) {
     const std::int64_t cycles = std::min(look_every, most - outcome.cycles);
     batch(cycles, found);
-    boundary_.hold_still(assembly_);
+    if (scaled_) boundary_.hold_still(assembly_);  // on the way to rest; real motion is left alone
     outcome.cycles += cycles;
     outcome.force_ratio = force_ratio();
     energies_.friction += take_work(bond_sums_);

@@ -202,6 +202,34 @@ static void cracks(hfrac_sim* sim) {
   check(count > 0 && largest.length > 0.0 && largest.well == 0, "there is a fracture at the well");
 }
 
+/* state.h */
+static void go_back(hfrac_sim* sim) {
+  int64_t size = 0, written = 0, before = 0, after = 0;
+  void* image;
+  good(hfrac_state_hash(sim, &before), sim, "state_hash");
+  good(hfrac_state_size(sim, &size), sim, "state_size");
+  image = malloc((size_t)size);
+  good(hfrac_state_save(sim, image, size, &written), sim, "state_save");
+  check(written == size, "the image has the size it says");
+  good(hfrac_step(sim, 1), sim, "step");
+  good(hfrac_state_restore(sim, image, size), sim, "state_restore");
+  good(hfrac_state_hash(sim, &after), sim, "state_hash");
+  check(before == after, "the image is restored");
+  free(image);
+
+  good(hfrac_step_prepare(sim), sim, "step_prepare");
+  good(hfrac_step_do(sim, 1.0), sim, "step_do");
+  good(hfrac_step_reject(sim), sim, "step_reject");
+  good(hfrac_state_hash(sim, &after), sim, "state_hash");
+  check(before == after, "the step is undone");
+  good(hfrac_step_prepare(sim), sim, "step_prepare");
+  good(hfrac_step_do(sim, 0.5), sim, "step_do");
+  good(hfrac_step_finalize(sim), sim, "step_finalize");
+  good(hfrac_state_hash(sim, &after), sim, "state_hash");
+  check(before != after, "the step is kept");
+  expect(hfrac_set_far_field(sim, 1e6, 1e6), HFRAC_ERR_ARGUMENT, sim, "walls that are fixed");
+}
+
 int main(void) {
   hfrac_sim_def def;
   hfrac_sim* sim = NULL;
@@ -213,6 +241,7 @@ int main(void) {
     drive_well(sim);
     fields(sim);
     cracks(sim);
+    go_back(sim);
   }
   good(hfrac_sim_destroy(&sim), NULL, "destroy");
   check(sim == NULL, "the simulation is gone");

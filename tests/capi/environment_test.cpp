@@ -81,7 +81,10 @@ bool use_decimal_comma() {
 
 TEST(Environment, LocaleOfTheHostChangesNothing) {
   const TemporaryFolder folder;
-  if (!use_decimal_comma()) GTEST_SKIP() << "no locale with a decimal comma can be had";
+  if (!use_decimal_comma()) {
+    std::locale::global(std::locale::classic());
+    GTEST_SKIP() << "no locale with a decimal comma can be had";
+  }
   EXPECT_STREQ(std::localeconv()->decimal_point, ",");
   hfrac_sim_def def = sound_def();
   def.model_width = 100.5;

@@ -243,7 +243,7 @@ TEST_F(Fields, DiscsAreWhereTheyWerePlusTheirDisplacement) {
     EXPECT_GT(radius, 0.0);
     mean += radius / static_cast<double>(state_of(sim).disc_count);
   }
-  EXPECT_NEAR(mean, setup_of(sim).mean_radius, 1e-12);
+  EXPECT_NEAR(mean, setup_of(sim).mean_radius, 0.02 * mean);  // which is that of all discs packed
 }
 
 TEST(FieldStart, NothingHasMovedAtFirst) {

@@ -28,6 +28,8 @@ std::vector<Call> all_calls() {
   static int64_t big, other;
   static double real;
   static const void* data;
+  static std::vector<unsigned char> image(1U << 22U);
+  static int64_t image_size = 0;
   def = new_def();
   state.struct_size = sizeof state;
   setup.struct_size = sizeof setup;
@@ -60,6 +62,18 @@ std::vector<Call> all_calls() {
        [](hfrac_sim* s) { return hfrac_cracks_since(s, 0, sizeof(hfrac_crack), nullptr, 0, &big, &other); }},
       {"hfrac_fractures",
        [](hfrac_sim* s) { return hfrac_fractures(s, sizeof(hfrac_fracture), nullptr, 0, &big); }},
+      {"hfrac_state_size", [](hfrac_sim* s) { return hfrac_state_size(s, &big); }},
+      {"hfrac_state_save",
+       [](hfrac_sim* s) {
+         return hfrac_state_save(s, image.data(), static_cast<int64_t>(image.size()), &image_size);
+       }},
+      {"hfrac_state_restore", [](hfrac_sim* s) { return hfrac_state_restore(s, image.data(), image_size); }},
+      {"hfrac_step_prepare", [](hfrac_sim* s) { return hfrac_step_prepare(s); }},
+      {"hfrac_step_do", [](hfrac_sim* s) { return hfrac_step_do(s, 1.0); }},
+      {"hfrac_step_finalize", [](hfrac_sim* s) { return hfrac_step_finalize(s); }},
+      {"hfrac_step_prepare", [](hfrac_sim* s) { return hfrac_step_prepare(s); }},
+      {"hfrac_step_reject", [](hfrac_sim* s) { return hfrac_step_reject(s); }},
+      {"hfrac_set_far_field", [](hfrac_sim* s) { return hfrac_set_far_field(s, 30e6, 30e6); }},
   };
 }
 
@@ -124,6 +138,10 @@ TEST(Misuse, NullResultsAreRefused) {
       {hfrac_epoch(sim, nullptr), "hfrac_epoch"},
       {hfrac_cracks_since(sim, 0, sizeof(hfrac_crack), nullptr, 0, nullptr, &count), "hfrac_cracks_since"},
       {hfrac_fractures(sim, sizeof(hfrac_fracture), nullptr, 0, nullptr), "hfrac_fractures"},
+      {hfrac_state_size(sim, nullptr), "hfrac_state_size"},
+      {hfrac_state_save(sim, nullptr, 1 << 22, &count), "hfrac_state_save"},
+      {hfrac_state_save(sim, &real, 8, nullptr), "hfrac_state_save"},
+      {hfrac_state_restore(sim, nullptr, 8), "hfrac_state_restore"},
       {hfrac_last_error(sim, nullptr, 8, nullptr), "hfrac_last_error"},
       {hfrac_last_error(sim, nullptr, 0, nullptr), "hfrac_last_error"},
   };

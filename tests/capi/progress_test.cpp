@@ -134,6 +134,7 @@ TEST(Progress, MayReadAndNotChange) {
     EXPECT_EQ(hfrac_well_count(sim, &wells), HFRAC_OK);
     EXPECT_EQ(hfrac_field_view(sim, HFRAC_DISC_RADIUS, &data, &count, &number), HFRAC_OK);
     EXPECT_EQ(number, epoch_of(sim));
+    EXPECT_EQ(hfrac_state_size(sim, &number), HFRAC_OK);
     // Changing does not, and says so.
     EXPECT_EQ(hfrac_step(sim, 1), HFRAC_ERR_BUSY);
     EXPECT_NE(last_error(sim).find("inside its own callback"), std::string::npos);
@@ -142,6 +143,12 @@ TEST(Progress, MayReadAndNotChange) {
     EXPECT_EQ(hfrac_well_set_pressure(sim, 0, 1e6), HFRAC_ERR_BUSY);
     EXPECT_EQ(hfrac_well_set_ramp(sim, 0, 1e6, 1e6), HFRAC_ERR_BUSY);
     EXPECT_EQ(hfrac_well_set_rate(sim, 0, 1.0), HFRAC_ERR_BUSY);
+    EXPECT_EQ(hfrac_step_prepare(sim), HFRAC_ERR_BUSY);
+    EXPECT_EQ(hfrac_step_do(sim, 1.0), HFRAC_ERR_BUSY);
+    EXPECT_EQ(hfrac_step_finalize(sim), HFRAC_ERR_BUSY);
+    EXPECT_EQ(hfrac_step_reject(sim), HFRAC_ERR_BUSY);
+    EXPECT_EQ(hfrac_state_restore(sim, &reached, sizeof reached), HFRAC_ERR_BUSY);
+    EXPECT_EQ(hfrac_set_far_field(sim, 0.0, 0.0), HFRAC_ERR_BUSY);
     hfrac_sim* self = sim;
     EXPECT_EQ(hfrac_sim_destroy(&self), HFRAC_ERR_BUSY);
     EXPECT_EQ(self, sim);

@@ -157,7 +157,15 @@ inline Sight sight_of(hfrac_sim* sim) {
 }
 inline void expect_same(const Sight& found, const Sight& wanted) {
   ASSERT_EQ(found.size(), wanted.size());
-  for (const auto& [name, values] : wanted) EXPECT_TRUE(found.at(name) == values) << name << " differs";
+  for (const auto& [name, values] : wanted) {
+    const auto& others = found.at(name);
+    ASSERT_EQ(others.size(), values.size()) << name;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      if (others[k] == values[k]) continue;
+      ADD_FAILURE() << name << "[" << k << "] is " << others[k] << " instead of " << values[k];
+      break;
+    }
+  }
 }
 
 // A progress callback made of any function: Host host([&](double, const char*) { return 0; }).

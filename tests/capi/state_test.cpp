@@ -57,7 +57,8 @@ TEST(State, RefusedImagesChangeNothing) {
   auto image = image_of(sim);
   const auto before = hash_of(sim);
   const auto refused = [&](const std::vector<unsigned char>& bytes) {
-    EXPECT_EQ(hfrac_state_restore(sim, bytes.data(), static_cast<std::int64_t>(bytes.size())), HFRAC_ERR_ARGUMENT);
+    EXPECT_EQ(hfrac_state_restore(sim, bytes.data(), static_cast<std::int64_t>(bytes.size())),
+              HFRAC_ERR_ARGUMENT);
     EXPECT_FALSE(last_error(sim).empty());
     EXPECT_EQ(hash_of(sim), before);
   };

@@ -34,6 +34,7 @@ int run_program(int argument_count, char** arguments) {
   add_options(program, action);
 #ifdef HFRAC_WITH_RENDERER
   add_render(program, action);
+  add_plot(program, action);
 #endif
   try {
     program.parse(argument_count, arguments);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// hfrac render: pictures and a movie of a run folder, drawn without a display.
+// hfrac render: pictures and a movie of a run folder, or chosen views of it, drawn without a display.
 #include <fmt/format.h>
 #include <hfrac/viz.h>
 
@@ -8,6 +8,7 @@
 #include "command/commands.hpp"
 #include "command/interrupt.hpp"
 #include "command/progress_line.hpp"
+#include "command/view_request.hpp"
 
 namespace hfrac::command {
 namespace {
@@ -18,6 +19,7 @@ struct RenderRequest {
   int32_t height = 0;  ///< [pixel]; 0: as the model's shape asks
   bool no_movie = false;
   bool quiet = false;
+  ViewRequest view;  ///< of one picture instead of all
 };
 
 int32_t show_drawing(void* line, double fraction, const char* what) {
@@ -34,6 +36,11 @@ ExitCode render(const RenderRequest& request) {
   if (request.height > 0) options.height = request.height;
   if (request.no_movie) options.pictures &= ~static_cast<int32_t>(HFRAC_VIZ_MOVIE);
 
+  if (!request.view.names.empty()) {
+    draw_views(request.folder, request.view, request.width, request.height);
+    if (!request.quiet) fmt::print("{}\n", request.view.target);
+    return kGood;
+  }
   catch_interrupts();
   ProgressLine line(request.quiet);
   std::array<char, 2048> error{};
@@ -63,6 +70,7 @@ void add_render(CLI::App& program, Action& action) {
       ->check(CLI::Range(240, 8192));
   command->add_flag("--no-movie", request->no_movie, "Pictures only");
   command->add_flag("-q,--quiet", request->quiet, "Print nothing unless something goes wrong");
+  add_view_options(*command, request->view);
   command->callback([request, &action] { action = [request] { return render(*request); }; });
 }
 

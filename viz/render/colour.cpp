@@ -18,6 +18,7 @@ constexpr std::array<Colour, 9> blue_to_yellow = {{{54, 36, 98},
                                                    {190, 220, 60},
                                                    {250, 232, 60}}};
 
+// On light grey discs: narrow is amber, wide nearly black.
 constexpr std::array<Colour, 7> amber_to_black = {{{250, 178, 60},
                                                    {242, 136, 44},
                                                    {222, 92, 52},
@@ -26,6 +27,56 @@ constexpr std::array<Colour, 7> amber_to_black = {{{250, 178, 60},
                                                    {84, 18, 100},
                                                    {22, 10, 50}}};
 
+// On dark discs the other way round: narrow is violet, wide nearly white.
+constexpr std::array<Colour, 7> violet_to_white = {{{126, 60, 170},
+                                                    {170, 62, 160},
+                                                    {210, 72, 130},
+                                                    {238, 100, 92},
+                                                    {250, 146, 70},
+                                                    {253, 196, 96},
+                                                    {255, 244, 190}}};
+
+constexpr std::array<Colour, 7> indigo_to_cream = {{{38, 26, 86},
+                                                    {84, 38, 126},
+                                                    {136, 50, 132},
+                                                    {188, 66, 116},
+                                                    {230, 100, 88},
+                                                    {250, 156, 90},
+                                                    {254, 226, 150}}};
+
+constexpr std::array<Colour, 7> blue_grey_red = {{{16, 66, 150},
+                                                  {66, 124, 196},
+                                                  {150, 186, 222},
+                                                  {232, 232, 232},
+                                                  {240, 176, 140},
+                                                  {212, 100, 68},
+                                                  {142, 20, 36}}};
+
+constexpr std::array<Colour, 7> blue_dark_red = {{{150, 206, 255},
+                                                  {80, 150, 230},
+                                                  {46, 92, 150},
+                                                  {58, 60, 66},
+                                                  {160, 70, 52},
+                                                  {236, 116, 76},
+                                                  {255, 198, 150}}};
+
+const ColourMap dark_on_light(amber_to_black);
+const ColourMap light_on_dark(violet_to_white);
+const ColourMap two_ways_light(blue_grey_red);
+const ColourMap two_ways_dark(blue_dark_red);
+
+const Palette light = {{255, 255, 255}, {28, 28, 32},   {110, 112, 120}, {150, 152, 160}, {228, 229, 233},
+                       {255, 221, 87},  {222, 172, 30}, {245, 204, 62},  {232, 233, 236}, {196, 198, 204},
+                       {24, 84, 214},   {12, 12, 16},   {200, 20, 140},  {214, 32, 38},   {20, 110, 180},
+                       {206, 74, 32},   {28, 92, 170},  &dark_on_light,  &two_ways_light};
+
+const Palette dark = {{20, 22, 27},   {236, 237, 240}, {158, 162, 172}, {104, 108, 118}, {46, 49, 57},
+                      {84, 88, 100},  {120, 125, 140}, {100, 105, 118}, {50, 53, 61},    {72, 76, 86},
+                      {92, 156, 255}, {255, 255, 250}, {255, 92, 200},  {255, 96, 84},   {88, 178, 255},
+                      {255, 150, 88}, {96, 170, 255},  &light_on_dark,  &two_ways_dark};
+
+const Palette* in_force = &light;
+
 std::uint8_t mixed(std::uint8_t from, std::uint8_t to, double share) {
   return static_cast<std::uint8_t>(std::lround(from + (to - from) * share));
 }
@@ -33,7 +84,27 @@ std::uint8_t mixed(std::uint8_t from, std::uint8_t to, double share) {
 }  // namespace
 
 const ColourMap pressure_map(blue_to_yellow);
-const ColourMap aperture_map(amber_to_black);
+const ColourMap magnitude_map(indigo_to_cream);
+
+const Palette& light_palette() {
+  return light;
+}
+
+const Palette& dark_palette() {
+  return dark;
+}
+
+const Palette& palette() {
+  return *in_force;
+}
+
+PaletteScope::PaletteScope(const Palette& chosen) : previous_(in_force) {
+  in_force = &chosen;
+}
+
+PaletteScope::~PaletteScope() {
+  in_force = previous_;
+}
 
 Colour ColourMap::at(double share) const {
   const double clamped = std::isfinite(share) ? std::clamp(share, 0.0, 1.0) : 0.0;

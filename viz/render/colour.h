@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colours: the palette of all pictures, and the two scales for quantities.
+// Colours: the palettes of all pictures, one for white and one for dark paper, and the scales for quantities.
 //
 // Everything stays apart for the common kinds of colour blindness, because what must be told apart differs in
-// lightness too: yellow discs, blue bonds, black tensile cracks, magenta shear cracks, red wells. Both scales
-// are even in lightness from end to end.
+// lightness too: yellow discs, blue bonds, black (on dark paper white) tensile cracks, magenta shear cracks,
+// red wells. All scales are even in lightness from end to end, those of two ways from the middle outwards.
 #pragma once
 
 #include <cstdint>
@@ -17,21 +17,47 @@ struct Colour {
   std::uint8_t blue = 0;
 };
 
-namespace palette {
-inline constexpr Colour paper{255, 255, 255};
-inline constexpr Colour ink{28, 28, 32};
-inline constexpr Colour faint_ink{110, 112, 120};
-inline constexpr Colour frame{150, 152, 160};
-inline constexpr Colour disc{255, 221, 87};
-inline constexpr Colour disc_rim{222, 172, 30};
-inline constexpr Colour soft_disc_rim{245, 204, 62};  // under a network of bonds
-inline constexpr Colour quiet_disc{232, 233, 236};
-inline constexpr Colour quiet_disc_rim{196, 198, 204};
-inline constexpr Colour bond{24, 84, 214};
-inline constexpr Colour tension{12, 12, 16};
-inline constexpr Colour shear{200, 20, 140};
-inline constexpr Colour well{214, 32, 38};
-}  // namespace palette
+class ColourMap;
+
+// What everything is drawn in. `paper` is the ground, `ink` writes on it.
+struct Palette {
+  Colour paper;
+  Colour ink;
+  Colour faint_ink;
+  Colour frame;
+  Colour grid;  // of charts
+  Colour disc;
+  Colour disc_rim;
+  Colour soft_disc_rim;  // under a network of bonds
+  Colour quiet_disc;
+  Colour quiet_disc_rim;
+  Colour bond;
+  Colour tension;
+  Colour shear;
+  Colour well;
+  Colour water;               // curves of fluid
+  Colour pull;                // bonds in tension
+  Colour push;                // bonds in compression
+  const ColourMap* narrow;    // apertures: stands out from the quiet discs at both ends
+  const ColourMap* two_ways;  // quantities with a sign, the paper's grey in the middle
+};
+
+const Palette& light_palette();
+const Palette& dark_palette();
+// The one in force. Drawing goes one call after another, so there is one for the process.
+const Palette& palette();
+
+// Draws in `chosen` while it lives.
+class PaletteScope {
+ public:
+  explicit PaletteScope(const Palette& chosen);
+  ~PaletteScope();
+  PaletteScope(const PaletteScope&) = delete;
+  PaletteScope& operator=(const PaletteScope&) = delete;
+
+ private:
+  const Palette* previous_;
+};
 
 // A colour scale: control points at equal distances, straight lines between them.
 class ColourMap {
@@ -46,7 +72,7 @@ class ColourMap {
 
 // Dark blue over green to yellow: low to high pressure. Black cracks stand out where the pressure is.
 extern const ColourMap pressure_map;
-// Amber over red to near black: narrow to wide, on light grey discs.
-extern const ColourMap aperture_map;
+// Lightness rises from end to end; for quantities without a sign.
+extern const ColourMap magnitude_map;
 
 }  // namespace hfrac::viz

@@ -8,8 +8,10 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "layers.h"
@@ -24,7 +26,7 @@ std::string shader_colour(Colour colour) {
 
 // offsetVCVSOutput is the place in the disc in units of its radius. The rim is about two drawn pixels wide,
 // at most a quarter of the radius, and fades out where discs are only a few pixels large.
-std::string disc_shader(Colour fill, Colour rim) {
+std::string disc_shader(const std::string& fill, const std::string& rim) {
   return "//VTK::Color::Impl\n"
          "float discRadius = length(offsetVCVSOutput.xy);\n"
          "float discPixel = max(fwidth(discRadius), 1e-6);\n"
@@ -32,14 +34,15 @@ std::string disc_shader(Colour fill, Colour rim) {
          "float discRimWidth = min(2.0 * discPixel, 0.25);\n"
          "float discRim = smoothstep(1.0 - discRimWidth - discPixel, 1.0 - discRimWidth, discRadius);\n"
          "discRim *= clamp((1.0 / discPixel - 2.0) / 4.0, 0.0, 1.0);\n"
+         "vec3 discFill = " +
+         fill +
+         ";\n"
          "ambientColor = vec3(0.0);\n"
-         "diffuseColor = mix(" +
-         shader_colour(fill) + ", " + shader_colour(rim) + ", discRim);\n";
+         "diffuseColor = mix(discFill, " +
+         rim + ", discRim);\n";
 }
 
-}  // namespace
-
-vtkSmartPointer<vtkActor> disc_layer(const Discs& discs, Colour fill, Colour rim, double pixel) {
+vtkSmartPointer<vtkPolyData> disc_cloud(const Discs& discs, double pixel) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkDoubleArray> radius;
   radius->SetName("radius");
@@ -50,23 +53,45 @@ vtkSmartPointer<vtkActor> disc_layer(const Discs& discs, Colour fill, Colour rim
     points->SetPoint(static_cast<vtkIdType>(i), disc.centre.x, disc.centre.y, 0.0);
     radius->SetValue(static_cast<vtkIdType>(i), std::max(disc.radius, pixel));
   }
-  vtkNew<vtkPolyData> cloud;
+  auto cloud = vtkSmartPointer<vtkPolyData>::New();
   cloud->SetPoints(points);
   cloud->GetPointData()->AddArray(radius);
+  return cloud;
+}
 
+vtkSmartPointer<vtkActor> disc_actor(vtkPolyData* cloud, const std::string& shader, bool own_colours) {
   vtkNew<vtkPointGaussianMapper> mapper;
   mapper->SetInputData(cloud);
   mapper->SetScaleArray("radius");
   mapper->SetScaleFactor(1.0);
   mapper->EmissiveOff();
   mapper->SetTriangleScale(1.0F);
-  mapper->ScalarVisibilityOff();
-  mapper->SetSplatShaderCode(disc_shader(fill, rim).c_str());
+  mapper->SetScalarVisibility(own_colours ? 1 : 0);
+  mapper->SetSplatShaderCode(shader.c_str());
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->LightingOff();
   actor->SetPosition(0.0, 0.0, depth::discs);
   return actor;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkActor> disc_layer(const Discs& discs, Colour fill, Colour rim, double pixel) {
+  return disc_actor(disc_cloud(discs, pixel), disc_shader(shader_colour(fill), shader_colour(rim)), false);
+}
+
+vtkSmartPointer<vtkActor> disc_layer(const Discs& discs, std::span<const Colour> fills, double pixel) {
+  const vtkSmartPointer<vtkPolyData> cloud = disc_cloud(discs, pixel);
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  colours->SetNumberOfTuples(static_cast<vtkIdType>(discs.discs.size()));
+  for (std::size_t i = 0; i < discs.discs.size() && i < fills.size(); ++i) {
+    const std::array<unsigned char, 3> rgb = {fills[i].red, fills[i].green, fills[i].blue};
+    colours->SetTypedTuple(static_cast<vtkIdType>(i), rgb.data());
+  }
+  cloud->GetPointData()->SetScalars(colours);
+  return disc_actor(cloud, disc_shader("diffuseColor", "discFill * 0.82"), true);
 }
 
 }  // namespace hfrac::viz

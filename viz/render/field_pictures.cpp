@@ -16,36 +16,6 @@ namespace {
 constexpr double pascal_per_megapascal = 1e6;
 constexpr double millimetres_per_metre = 1e3;
 
-// The cracks and the wells with room around them, inside the model.
-Extent around_cracks(const RunFolder& run, const Scene& scene) {
-  const Extent model = whole_model(run, scene.discs);
-  if (scene.cracks.cracks.empty()) return model;
-  double left = INFINITY;
-  double right = -INFINITY;
-  double bottom = INFINITY;
-  double top = -INFINITY;
-  const auto include = [&](double x, double y, double radius) {
-    left = std::min(left, x - radius);
-    right = std::max(right, x + radius);
-    bottom = std::min(bottom, y - radius);
-    top = std::max(top, y + radius);
-  };
-  for (const Crack& crack : scene.cracks.cracks) {
-    include(crack.line.from.x, crack.line.from.y, 0);
-    include(crack.line.to.x, crack.line.to.y, 0);
-  }
-  for (const WellPlace& well : run.wells) include(well.x, well.y, well.radius);
-  const double radius = mean_radius(scene.discs);
-  const double size = std::max({right - left, top - bottom, 20 * radius});
-  // Never flatter than 3 to 4, so that a straight fracture does not make a strip of a picture.
-  const double width = std::min(model.width, std::max(1.16 * (right - left), 0.9 * size));
-  const double height = std::min(model.height, std::max(1.16 * (top - bottom), 0.7 * size));
-  const double x = std::clamp((left + right - width) / 2, model.left, model.left + model.width - width);
-  const double y =
-      std::clamp((bottom + top - height) / 2, model.bottom, model.bottom + model.height - height);
-  return {x, y, width, height};
-}
-
 }  // namespace
 
 std::string moment_text(const HistoryPoint& point) {
@@ -81,7 +51,7 @@ Image pressure_picture(const Studio& studio, const Scene& scene) {
   if (!scene.cracks.cracks.empty()) {
     sheet.view.renderer->AddActor(crack_layer(scene.cracks.cracks, sheet.metres(1.5), sheet.metres(1.1)));
   }
-  sheet.view.renderer->AddActor(well_rings(scene.flow, studio.run->wells, sheet.metres(1.6), palette::well));
+  sheet.view.renderer->AddActor(well_rings(scene.flow, studio.run->wells, sheet.metres(1.6), palette().well));
   draw_sheet_title(sheet, *studio.run, "Fluid pressure: " + moment_text(scene.point));
   draw_axes(sheet.page, sheet.unit, sheet.view);
   const double unit = sheet.unit;
@@ -93,9 +63,9 @@ Image pressure_picture(const Studio& studio, const Scene& scene) {
                   highest / pascal_per_megapascal, "fluid pressure (MPa)",
                   studio.run->net_pressures ? "above the formation's" : "");
   draw_legend(sheet.page, unit, sheet.column_left, sheet.column_bottom - legend_height,
-              {{Sign::band, palette::tension, {}, "crack, tension"},
-               {Sign::band, palette::shear, {}, "crack, shear"},
-               {Sign::line, palette::well, {}, "wellbore"}});
+              {{Sign::band, palette().tension, {}, "crack, tension"},
+               {Sign::band, palette().shear, {}, "crack, shear"},
+               {Sign::line, palette().well, {}, "wellbore"}});
   return sheet.page.draw();
 }
 
@@ -106,7 +76,7 @@ Image aperture_picture(const Studio& studio, const Scene& scene) {
   const double radius = mean_radius(scene.discs);
   sheet.view.renderer->AddActor(well_layer(scene.flow, studio.run->wells, 2 * sheet.view.metres_per_pixel));
   sheet.view.renderer->AddActor(
-      disc_layer(scene.discs, palette::quiet_disc, palette::quiet_disc_rim, sheet.drawn_pixel()));
+      disc_layer(scene.discs, palette().quiet_disc, palette().quiet_disc_rim, sheet.drawn_pixel()));
   if (!scene.cracks.cracks.empty()) {
     const double half_width = std::clamp(0.35 * radius, sheet.metres(5), sheet.metres(12));
     sheet.view.renderer->AddActor(aperture_layer(scene.cracks.cracks, widest, half_width));
@@ -121,11 +91,11 @@ Image aperture_picture(const Studio& studio, const Scene& scene) {
   const Box bar{sheet.column_left, sheet.column_top + 46 * unit, 44 * unit,
                 std::max(80.0 * unit, std::min(900 * unit, sheet.column_bottom - sheet.column_top -
                                                                46 * unit - legend_height - 60 * unit))};
-  draw_colour_bar(sheet.page, unit, bar, aperture_map, 0, widest > 0 ? widest * millimetres_per_metre : 1.0,
-                  "aperture (mm)", "");
+  draw_colour_bar(sheet.page, unit, bar, *palette().narrow, 0,
+                  widest > 0 ? widest * millimetres_per_metre : 1.0, "aperture (mm)", "");
   draw_legend(sheet.page, unit, sheet.column_left, sheet.column_bottom - legend_height,
-              {{Sign::disc, palette::quiet_disc, palette::quiet_disc_rim, "disc"},
-               {Sign::hole, palette::well, {}, "wellbore"}});
+              {{Sign::disc, palette().quiet_disc, palette().quiet_disc_rim, "disc"},
+               {Sign::hole, palette().well, {}, "wellbore"}});
   return sheet.page.draw();
 }
 

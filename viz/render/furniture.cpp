@@ -29,43 +29,43 @@ std::string fitted(const Page& page, const std::string& content, const TextStyle
 
 void draw_title(Page& page, double unit, double left, const std::string& title,
                 const std::string& second_line) {
-  TextStyle style{34 * unit, palette::ink, true};
+  TextStyle style{34 * unit, palette().ink, true};
   const double room = page.width() - left - 30 * unit;
   // A long title is set smaller first and cut only then.
   style.size *= std::clamp(room / std::max(1.0, page.text_width(title, style)), 0.7, 1.0);
   page.text(left, 56 * unit, fitted(page, title, style, room), style);
-  style = {25 * unit, palette::faint_ink};
+  style = {25 * unit, palette().faint_ink};
   page.text(left, 94 * unit, fitted(page, second_line, style, room), style);
 }
 
 void draw_frame(Page& page, double unit, const View& view) {
-  page.outline(view.box, std::max(1.0, 1.6 * unit), palette::frame);
+  page.outline(view.box, std::max(1.0, 1.6 * unit), palette().frame);
 }
 
 void draw_axes(Page& page, double unit, const View& view) {
   draw_frame(page, unit, view);
   const double length = 8 * unit;
   const double thickness = std::max(1.0, 1.6 * unit);
-  TextStyle style{tick_size * unit, palette::ink, false, Align::centre};
+  TextStyle style{tick_size * unit, palette().ink, false, Align::centre};
   const int ticks_x = std::max(2, static_cast<int>(view.box.width / (160 * unit)));
   for (const Tick& tick : round_ticks(view.extent.left, view.extent.left + view.extent.width, ticks_x)) {
     const double x = view.to_page_x(tick.value);
-    page.line(x, view.box.bottom(), x, view.box.bottom() + length, thickness, palette::frame);
+    page.line(x, view.box.bottom(), x, view.box.bottom() + length, thickness, palette().frame);
     page.text(x, view.box.bottom() + length + 24 * unit, tick.text, style);
   }
   page.text(view.box.left + view.box.width / 2, view.box.bottom() + length + 56 * unit, "x (m)",
-            {label_size * unit, palette::ink, false, Align::centre});
+            {label_size * unit, palette().ink, false, Align::centre});
   style.align = Align::right;
   double widest = 0;
   const int ticks_y = std::max(2, static_cast<int>(view.box.height / (160 * unit)));
   for (const Tick& tick : round_ticks(view.extent.bottom, view.extent.bottom + view.extent.height, ticks_y)) {
     const double y = view.to_page_y(tick.value);
-    page.line(view.box.left - length, y, view.box.left, y, thickness, palette::frame);
+    page.line(view.box.left - length, y, view.box.left, y, thickness, palette().frame);
     page.text(view.box.left - length - 6 * unit, y + rise * style.size, tick.text, style);
     widest = std::max(widest, page.text_width(tick.text, style));
   }
   page.text(view.box.left - length - 16 * unit - widest, view.box.top + view.box.height / 2, "y (m)",
-            {label_size * unit, palette::ink, false, Align::centre, true});
+            {label_size * unit, palette().ink, false, Align::centre, true});
 }
 
 double draw_scale_bar(Page& page, double unit, double left, double top, double room,
@@ -75,33 +75,33 @@ double draw_scale_bar(Page& page, double unit, double left, double top, double r
   const double thickness = 4 * unit;
   const double cap = 9 * unit;
   const double y = top + cap;
-  page.line(left, y, left + length, y, thickness, palette::ink);
-  page.line(left, y - cap, left, y + cap, 3 * unit, palette::ink);
-  page.line(left + length, y - cap, left + length, y + cap, 3 * unit, palette::ink);
-  const TextStyle style{label_size * unit, palette::ink};
+  page.line(left, y, left + length, y, thickness, palette().ink);
+  page.line(left, y - cap, left, y + cap, 3 * unit, palette().ink);
+  page.line(left + length, y - cap, left + length, y + cap, 3 * unit, palette().ink);
+  const TextStyle style{label_size * unit, palette().ink};
   page.text(left, y + cap + 28 * unit, value_text(metres) + " m", style);
   return y + cap + 40 * unit;
 }
 
 void draw_colour_bar(Page& page, double unit, const Box& box, const ColourMap& map, double lowest,
                      double highest, const std::string& label, const std::string& second_label) {
-  const TextStyle label_style{label_size * unit, palette::ink};
+  const TextStyle label_style{label_size * unit, palette().ink};
   const double label_bottom = box.top - 20 * unit;
   page.text(box.left, label_bottom - (second_label.empty() ? 0.0 : 30 * unit), label, label_style);
-  page.text(box.left, label_bottom, second_label, {tick_size * unit, palette::faint_ink});
+  page.text(box.left, label_bottom, second_label, {tick_size * unit, palette().faint_ink});
   constexpr int slices = 200;
   for (int i = 0; i < slices; ++i) {
     const double height = box.height / slices;
     page.rectangle({box.left, box.bottom() - (i + 1) * height, box.width, height},
                    map.at((i + 0.5) / slices));
   }
-  page.outline(box, std::max(1.0, 1.4 * unit), palette::frame);
+  page.outline(box, std::max(1.0, 1.4 * unit), palette().frame);
   if (!(highest > lowest)) highest = lowest + 1;
-  const TextStyle style{tick_size * unit, palette::ink};
+  const TextStyle style{tick_size * unit, palette().ink};
   const int wanted = std::max(2, static_cast<int>(box.height / (110 * unit)));
   for (const Tick& tick : round_ticks(lowest, highest, wanted)) {
     const double y = box.bottom() - box.height * (tick.value - lowest) / (highest - lowest);
-    page.line(box.right(), y, box.right() + 8 * unit, y, std::max(1.0, 1.6 * unit), palette::frame);
+    page.line(box.right(), y, box.right() + 8 * unit, y, std::max(1.0, 1.6 * unit), palette().frame);
     page.text(box.right() + 16 * unit, y + rise * style.size, tick.text, style);
   }
 }
@@ -110,7 +110,7 @@ double draw_legend(Page& page, double unit, double left, double top,
                    const std::vector<LegendEntry>& entries) {
   const double pitch = 44 * unit;
   const double sign_width = 40 * unit;
-  const TextStyle style{label_size * unit, palette::ink};
+  const TextStyle style{label_size * unit, palette().ink};
   double y = top + pitch / 2;
   for (const LegendEntry& entry : entries) {
     const double middle = left + sign_width / 2;
@@ -138,19 +138,19 @@ double draw_legend(Page& page, double unit, double left, double top,
 double draw_notes(Page& page, double unit, double left, double top, const std::vector<Note>& notes) {
   double y = top;
   for (const Note& note : notes) {
-    page.text(left, y + 22 * unit, note.name, {tick_size * unit, palette::faint_ink});
-    page.text(left, y + 56 * unit, note.value, {30 * unit, palette::ink});
+    page.text(left, y + 22 * unit, note.name, {tick_size * unit, palette().faint_ink});
+    page.text(left, y + 56 * unit, note.value, {30 * unit, palette().ink});
     y += 84 * unit;
   }
   return y;
 }
 
 void draw_curve(Page& page, double unit, const Box& box, const Curve& curve, std::size_t now) {
-  const TextStyle label{tick_size * unit, palette::faint_ink};
+  const TextStyle label{tick_size * unit, palette().faint_ink};
   page.text(box.left, box.top - 12 * unit, curve.label, label);
   const double thickness = std::max(1.0, 1.6 * unit);
-  page.line(box.left, box.bottom(), box.right(), box.bottom(), thickness, palette::frame);
-  page.line(box.left, box.top, box.left, box.bottom(), thickness, palette::frame);
+  page.line(box.left, box.bottom(), box.right(), box.bottom(), thickness, palette().frame);
+  page.line(box.left, box.top, box.left, box.bottom(), thickness, palette().frame);
   if (curve.times.empty() || curve.values.size() != curve.times.size()) return;
   const auto [lowest, highest] = std::minmax_element(curve.values.begin(), curve.values.end());
   const double bottom = std::min(0.0, *lowest);
@@ -161,7 +161,7 @@ void draw_curve(Page& page, double unit, const Box& box, const Curve& curve, std
     return Point{box.left + box.width * (curve.times[i] - start) / (end - start),
                  box.bottom() - box.height * (value - bottom) / (top - bottom)};
   };
-  const TextStyle small{0.85 * tick_size * unit, palette::faint_ink, false, Align::right};
+  const TextStyle small{0.85 * tick_size * unit, palette().faint_ink, false, Align::right};
   page.text(box.left - 8 * unit, box.top + rise * small.size, value_text(top), small);
   page.text(box.left - 8 * unit, box.bottom() + rise * small.size, value_text(bottom), small);
   page.text(box.right(), box.bottom() + 28 * unit, time_text(curve.times.back()), small);

@@ -76,8 +76,8 @@ std::vector<double> GridFile::scalars(const char* section, const char* name, std
   return values;
 }
 
-std::vector<double> GridFile::point_array(const char* name) const {
-  return scalars("PointData", name, point_count_);
+std::vector<double> GridFile::point_array(const char* name, std::size_t components) const {
+  return scalars("PointData", name, point_count_ * components);
 }
 
 std::vector<double> GridFile::cell_array(const char* name) const {

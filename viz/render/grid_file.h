@@ -23,9 +23,10 @@ class GridFile {
   std::size_t cell_count() const { return cell_count_; }
   // All points, finite.
   std::vector<Point> points() const;
-  // A scalar array as long as there are points or cells.
-  std::vector<double> point_array(const char* name) const;
+  // As many values as there are points or cells, times components.
+  std::vector<double> point_array(const char* name, std::size_t components = 1) const;
   std::vector<double> cell_array(const char* name) const;
+  bool has_cell_array(const char* name) const { return find_array("CellData", name) != nullptr; }
   Moment moment() const;
 
   // Corners of the cells, all in range: those of cell i are corners[first[i]] to corners[first[i + 1] - 1].

@@ -16,11 +16,11 @@ namespace {
 constexpr double pascal_per_megapascal = 1e6;
 
 std::vector<LegendEntry> growth_legend(bool bonds) {
-  std::vector<LegendEntry> entries = {{Sign::disc, palette::disc, palette::disc_rim, "disc"}};
-  if (bonds) entries.push_back({Sign::line, palette::bond, {}, "intact bond"});
-  entries.push_back({Sign::band, palette::tension, {}, "crack, tension"});
-  entries.push_back({Sign::band, palette::shear, {}, "crack, shear"});
-  entries.push_back({Sign::hole, palette::well, {}, "wellbore"});
+  std::vector<LegendEntry> entries = {{Sign::disc, palette().disc, palette().disc_rim, "disc"}};
+  if (bonds) entries.push_back({Sign::line, palette().bond, {}, "intact bond"});
+  entries.push_back({Sign::band, palette().tension, {}, "crack, tension"});
+  entries.push_back({Sign::band, palette().shear, {}, "crack, shear"});
+  entries.push_back({Sign::hole, palette().well, {}, "wellbore"});
   return entries;
 }
 
@@ -39,12 +39,12 @@ void add_growth_layers(const View& view, const Page& page, const RunFolder& run,
                        double unit_metres) {
   const double radius = mean_radius(scene.discs);
   view.renderer->AddActor(well_layer(scene.flow, run.wells, 2 * view.metres_per_pixel));
-  const Colour rim = scene.bonds.intact.empty() ? palette::disc_rim : palette::soft_disc_rim;
+  const Colour rim = scene.bonds.intact.empty() ? palette().disc_rim : palette().soft_disc_rim;
   view.renderer->AddActor(
-      disc_layer(scene.discs, palette::disc, rim, view.metres_per_pixel / page.drawn_pixels()));
+      disc_layer(scene.discs, palette().disc, rim, view.metres_per_pixel / page.drawn_pixels()));
   if (!scene.bonds.intact.empty()) {
     const double width = bond_width(radius / view.metres_per_pixel) * page.drawn_pixels();
-    view.renderer->AddActor(bond_layer(scene.bonds.intact, palette::bond, width));
+    view.renderer->AddActor(bond_layer(scene.bonds.intact, palette().bond, width));
   }
   if (!scene.cracks.cracks.empty()) {
     view.renderer->AddActor(crack_layer(scene.cracks.cracks, crack_half_width(unit_metres, radius), 0.0));
@@ -122,10 +122,10 @@ Image model_picture(const Studio& studio, const Scene& scene) {
   const double radius_pixels = mean_radius(scene.discs) / sheet.view.metres_per_pixel;
   sheet.view.renderer->AddActor(well_layer(scene.flow, studio.run->wells, 2 * sheet.view.metres_per_pixel));
   sheet.view.renderer->AddActor(
-      disc_layer(scene.discs, palette::disc, palette::soft_disc_rim, sheet.drawn_pixel()));
+      disc_layer(scene.discs, palette().disc, palette().soft_disc_rim, sheet.drawn_pixel()));
   if (!scene.bonds.intact.empty()) {
     const double width = bond_width(radius_pixels) * sheet.page.drawn_pixels();
-    sheet.view.renderer->AddActor(bond_layer(scene.bonds.intact, palette::ink, width));
+    sheet.view.renderer->AddActor(bond_layer(scene.bonds.intact, palette().ink, width));
   }
   const auto disc_count = static_cast<std::int64_t>(scene.discs.discs.size());
   const auto bond_count = static_cast<std::int64_t>(scene.bonds.intact.size());
@@ -133,9 +133,9 @@ Image model_picture(const Studio& studio, const Scene& scene) {
                    "Particle model: " + counted(disc_count, "disc") +
                        (bond_count > 0 ? ", " + counted(bond_count, "bonded contact") : ""));
   draw_axes(sheet.page, sheet.unit, sheet.view);
-  std::vector<LegendEntry> entries = {{Sign::disc, palette::disc, palette::disc_rim, "disc"}};
-  if (bond_count > 0) entries.push_back({Sign::line, palette::ink, {}, "bonded contact"});
-  entries.push_back({Sign::hole, palette::well, {}, "wellbore"});
+  std::vector<LegendEntry> entries = {{Sign::disc, palette().disc, palette().disc_rim, "disc"}};
+  if (bond_count > 0) entries.push_back({Sign::line, palette().ink, {}, "bonded contact"});
+  entries.push_back({Sign::hole, palette().well, {}, "wellbore"});
   const double below = draw_legend(sheet.page, sheet.unit, sheet.column_left, sheet.column_top, entries);
   draw_scale_bar(sheet.page, sheet.unit, sheet.column_left, below + 50 * sheet.unit, 0.8 * sheet.column_width,
                  sheet.view.metres_per_pixel);
@@ -179,7 +179,7 @@ Image growth_picture(const Studio& studio, const std::vector<Scene>& scenes) {
     std::string caption = "(a) ";
     caption[1] = static_cast<char>('a' + i);
     caption += moment_text(point) + ", " + counted(point.cracks(), "crack");
-    const TextStyle style{24 * unit, palette::ink};
+    const TextStyle style{24 * unit, palette().ink};
     page.text(view.box.left, view.box.bottom() + 34 * unit, fitted(page, caption, style, grid.cell_width),
               style);
   }
@@ -199,8 +199,8 @@ Image movie_frame(const Studio& studio, const Scene& scene, const std::vector<Hi
   const double unit = sheet.unit;
   double below = draw_notes(sheet.page, unit, sheet.column_left, sheet.column_top,
                             moment_notes(*studio.run, scene.point));
-  Curve pressure{"well pressure (MPa)", {}, {}, palette::well};
-  Curve cracks{"cracks", {}, {}, palette::tension, true};
+  Curve pressure{"well pressure (MPa)", {}, {}, palette().well};
+  Curve cracks{"cracks", {}, {}, palette().tension, true};
   for (const HistoryPoint& point : history) {
     cracks.times.push_back(point.moment.time);
     cracks.values.push_back(point.cracks());

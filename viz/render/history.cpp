@@ -70,6 +70,13 @@ std::vector<HistoryPoint> read_history(const RunFolder& run) {
   return history;
 }
 
+HistoryPoint history_point(const RunFolder& run, int number) {
+  if (number < 0) number = run.discs.rbegin()->first;
+  const SeriesFile* discs = file_of(run.discs, number);
+  if (discs == nullptr) fail_argument("the run has no snapshot " + std::to_string(number));
+  return read_point(run, number, *discs);
+}
+
 std::vector<int> growth_stages(const std::vector<HistoryPoint>& history) {
   const int last = static_cast<int>(history.size()) - 1;
   std::vector<int> stages;

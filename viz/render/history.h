@@ -21,6 +21,9 @@ struct HistoryPoint {
 // One point per snapshot of the discs, in order.
 std::vector<HistoryPoint> read_history(const RunFolder& run);
 
+// The point of one snapshot, -1: of the last. Throws Failure if there is none of that number.
+HistoryPoint history_point(const RunFolder& run, int number);
+
 // Up to five snapshots (indices into the history) that show how the cracks grew: evenly over the run, as in
 // the paper; if the first of them would show no crack, or the cracks stand still in two of them, evenly over
 // the growth of the cracks instead.

@@ -6,11 +6,46 @@
 #include <vtkPNGWriter.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <cmath>
 #include <cstring>
+#include <span>
 
 #include "failure.h"
 
 namespace hfrac::viz {
+namespace {
+
+constexpr std::size_t after_header = 33;  // signature 8, IHDR chunk 25
+
+void put_big_endian(std::vector<std::uint8_t>& bytes, std::uint32_t value) {
+  for (const int shift : {24, 16, 8, 0}) bytes.push_back(static_cast<std::uint8_t>(value >> shift));
+}
+
+// The CRC of PNG chunks: polynomial 0xEDB88320, reflected.
+std::uint32_t chunk_check(std::span<const std::uint8_t> bytes) {
+  std::uint32_t check = 0xFFFFFFFFU;
+  for (const std::uint8_t byte : bytes) {
+    check ^= byte;
+    for (int bit = 0; bit < 8; ++bit) check = (check >> 1) ^ ((check & 1U) != 0 ? 0xEDB88320U : 0U);
+  }
+  return ~check;
+}
+
+// Puts a pHYs chunk, pixels per metre, after the header; VTK writes none.
+void note_size(std::vector<std::uint8_t>& file, int dots_per_inch) {
+  const auto per_metre = static_cast<std::uint32_t>(std::lround(dots_per_inch / 0.0254));
+  std::vector<std::uint8_t> named = {'p', 'H', 'Y', 's'};
+  put_big_endian(named, per_metre);
+  put_big_endian(named, per_metre);
+  named.push_back(1);  // the unit is the metre
+  std::vector<std::uint8_t> chunk;
+  put_big_endian(chunk, static_cast<std::uint32_t>(named.size() - 4));
+  chunk.insert(chunk.end(), named.begin(), named.end());
+  put_big_endian(chunk, chunk_check(named));
+  file.insert(file.begin() + after_header, chunk.begin(), chunk.end());
+}
+
+}  // namespace
 
 Image reduced(const std::uint8_t* bottom_up_rgb, int width, int height, int factor) {
   Image image{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height * 3)};
@@ -39,7 +74,7 @@ Image reduced(const std::uint8_t* bottom_up_rgb, int width, int height, int fact
   return image;
 }
 
-std::vector<std::uint8_t> png(const Image& image) {
+std::vector<std::uint8_t> png(const Image& image, int dots_per_inch) {
   vtkNew<vtkImageData> pixels;
   pixels->SetDimensions(image.width, image.height, 1);
   pixels->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
@@ -56,7 +91,9 @@ std::vector<std::uint8_t> png(const Image& image) {
   if (content == nullptr || content->GetNumberOfValues() == 0)
     fail_drawing("the picture cannot be coded as PNG");
   const std::uint8_t* first = content->GetPointer(0);
-  return {first, first + content->GetNumberOfValues()};
+  std::vector<std::uint8_t> file(first, first + content->GetNumberOfValues());
+  if (dots_per_inch > 0) note_size(file, dots_per_inch);
+  return file;
 }
 
 }  // namespace hfrac::viz

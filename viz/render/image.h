@@ -22,6 +22,7 @@ struct Image {
 Image reduced(const std::uint8_t* bottom_up_rgb, int width, int height, int factor);
 
 // The picture as a PNG file's content, compression level 1 (twice as fast as the usual, a third larger).
-std::vector<std::uint8_t> png(const Image& image);
+// dots_per_inch: how large it is on paper, 0: not said.
+std::vector<std::uint8_t> png(const Image& image, int dots_per_inch = 0);
 
 }  // namespace hfrac::viz

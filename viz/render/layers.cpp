@@ -59,12 +59,12 @@ vtkSmartPointer<vtkActor> crack_layer(std::span<const Crack> cracks, double half
   Mesh mesh;
   if (casing > 0) {
     for (const Crack& crack : cracks) {
-      mesh.band(crack.line, half_width + casing, half_width / 2 + casing, palette::paper);
+      mesh.band(crack.line, half_width + casing, half_width / 2 + casing, palette().paper);
     }
   }
   // Shear over tension: it is the rarer of the two.
   for (const CrackMode mode : {CrackMode::tension, CrackMode::shear}) {
-    const Colour colour = mode == CrackMode::tension ? palette::tension : palette::shear;
+    const Colour colour = mode == CrackMode::tension ? palette().tension : palette().shear;
     for (const Crack& crack : cracks) {
       if (crack.mode == mode) mesh.band(crack.line, half_width, half_width / 2, colour);
     }
@@ -81,7 +81,7 @@ vtkSmartPointer<vtkActor> aperture_layer(std::span<const Crack> cracks, double w
   for (const Crack& crack : by_aperture) {
     const double share = widest > 0 ? std::min(1.0, crack.aperture / widest) : 0.0;
     const double half = half_width * (narrowest_share + (1 - narrowest_share) * share);
-    mesh.band(crack.line, half, half_width * narrowest_share / 2, aperture_map.at(share));
+    mesh.band(crack.line, half, half_width * narrowest_share / 2, palette().narrow->at(share));
   }
   return mesh.actor(depth::cracks);
 }
@@ -100,11 +100,11 @@ vtkSmartPointer<vtkActor> well_layer(const Flow& flow, std::span<const WellPlace
   Mesh mesh;
   if (has_well_domain(flow)) {
     for (const Domain& domain : flow.domains) {
-      if (domain.well) mesh.polygon(corners_of(flow, domain), palette::well);
+      if (domain.well) mesh.polygon(corners_of(flow, domain), palette().well);
     }
   } else {
     for (const WellPlace& well : wells) {
-      mesh.circle({well.x, well.y}, std::max(well.radius, smallest_radius), palette::well);
+      mesh.circle({well.x, well.y}, std::max(well.radius, smallest_radius), palette().well);
     }
   }
   return mesh.actor(depth::wells);

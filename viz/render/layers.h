@@ -29,15 +29,26 @@ inline constexpr double rings = 5.0;
 // the view.
 vtkSmartPointer<vtkActor> disc_layer(const Discs& discs, Colour fill, Colour rim, double pixel);
 
+// Discs, each in its own colour with a darker rim.
+vtkSmartPointer<vtkActor> disc_layer(const Discs& discs, std::span<const Colour> fills, double pixel);
+
 // Lines between disc centres, `width` drawn pixels wide; below one they fade instead of getting thinner.
 vtkSmartPointer<vtkActor> bond_layer(std::span<const Segment> bonds, Colour colour, double width);
 
-// Cracks as bands of equal width, tension and shear in their colours; `casing` [m] of white around them, if
+// Cracks as bands of equal width, tension and shear in their colours; `casing` [m] of paper around them, if
 // positive.
 vtkSmartPointer<vtkActor> crack_layer(std::span<const Crack> cracks, double half_width, double casing);
 
 // Cracks in the colour of their aperture, wider the wider they are open: half_width [m] at aperture `widest`.
 vtkSmartPointer<vtkActor> aperture_layer(std::span<const Crack> cracks, double widest, double half_width);
+
+// Bonds as bands as wide as their force is large: half_width [m] at `largest` [N] and above; weaker ones than
+// a fiftieth of it are left out.
+vtkSmartPointer<vtkActor> force_layer(std::span<const BondForce> bonds, double largest, double half_width);
+
+// Cracks in the colour of the time they broke at, between two times.
+vtkSmartPointer<vtkActor> crack_time_layer(std::span<const Crack> cracks, double first, double last,
+                                           double half_width);
 
 // Domains in the colour of their pressure between two values.
 vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, double lowest, double highest);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "page.h"
 
-#include <unistd.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
 #include <vtkTextActor.h>
@@ -12,6 +11,7 @@
 #include <cmath>
 
 #include "failure.h"
+#include "fonts.h"
 
 namespace hfrac::viz {
 namespace {
@@ -29,8 +29,9 @@ void look_down(vtkRenderer* renderer, double centre_x, double centre_y, double h
   camera->SetClippingRange(1.0, 12.0);
 }
 
-bool readable(const char* path) {
-  return path[0] != 0 && ::access(path, R_OK) == 0;
+void set_paper(vtkRenderer* renderer) {
+  const Colour paper = palette().paper;
+  renderer->SetBackground(paper.red / 255.0, paper.green / 255.0, paper.blue / 255.0);
 }
 
 }  // namespace
@@ -46,9 +47,9 @@ Page::Page(OffscreenWindow* window, int width, int height)
   overlay_->SetLayer(1);
   overlay_->InteractiveOff();
   look_down(overlay_, width * factor_ / 2.0, height * factor_ / 2.0, height * factor_);
-  // A white sheet below everything: views cover only their boxes.
+  // A sheet of paper below everything: views cover only their boxes.
   auto sheet = vtkSmartPointer<vtkRenderer>::New();
-  sheet->SetBackground(1.0, 1.0, 1.0);
+  set_paper(sheet);
   window_->AddRenderer(sheet);
   views_.push_back(sheet);
 }
@@ -66,7 +67,7 @@ View Page::view(const Box& room, const Extent& extent) {
   view.box = {std::round(room.left), std::round(room.top), std::round(extent.width / view.metres_per_pixel),
               std::round(extent.height / view.metres_per_pixel)};
   view.renderer = vtkSmartPointer<vtkRenderer>::New();
-  view.renderer->SetBackground(1.0, 1.0, 1.0);
+  set_paper(view.renderer);
   view.renderer->SetViewport(view.box.left / width_, 1.0 - view.box.bottom() / height_,
                              view.box.right() / width_, 1.0 - view.box.top / height_);
   look_down(view.renderer, extent.left + extent.width / 2, extent.bottom + extent.height / 2, extent.height);
@@ -96,16 +97,7 @@ void Page::circle(double x, double y, double radius, Colour colour) {
 
 vtkSmartPointer<vtkTextProperty> Page::text_property(const TextStyle& style) const {
   auto property = vtkSmartPointer<vtkTextProperty>::New();
-  const char* file = style.bold && readable(HFRAC_VIZ_BOLD_FONT) ? HFRAC_VIZ_BOLD_FONT : HFRAC_VIZ_FONT;
-  if (readable(file)) {
-    property->SetFontFamily(VTK_FONT_FILE);
-    property->SetFontFile(file);
-  } else {  // VTK's own, without Greek letters
-    property->SetFontFamilyToArial();
-    property->SetBold(style.bold ? 1 : 0);
-  }
-  property->SetFontSize(std::max(4, static_cast<int>(std::lround(style.size * factor_))));
-  property->SetColor(style.colour.red / 255.0, style.colour.green / 255.0, style.colour.blue / 255.0);
+  set_font(property, style.bold, style.size * factor_, style.colour);
   property->SetVerticalJustificationToBottom();
   property->SetUseTightBoundingBox(0);
   return property;

@@ -40,7 +40,7 @@ enum class Align { left, centre, right };
 
 struct TextStyle {
   double size = 20;  // [pixel] of the em
-  Colour colour = palette::ink;
+  Colour colour = palette().ink;
   bool bold = false;
   Align align = Align::left;
   bool upwards = false;  // turned by 90 degrees

@@ -65,6 +65,35 @@ Extent whole_model(const RunFolder& run, const Discs& discs) {
           extent.height + 2 * margin};
 }
 
+Extent around_cracks(const RunFolder& run, const Scene& scene) {
+  const Extent model = whole_model(run, scene.discs);
+  if (scene.cracks.cracks.empty()) return model;
+  double left = INFINITY;
+  double right = -INFINITY;
+  double bottom = INFINITY;
+  double top = -INFINITY;
+  const auto include = [&](double x, double y, double radius) {
+    left = std::min(left, x - radius);
+    right = std::max(right, x + radius);
+    bottom = std::min(bottom, y - radius);
+    top = std::max(top, y + radius);
+  };
+  for (const Crack& crack : scene.cracks.cracks) {
+    include(crack.line.from.x, crack.line.from.y, 0);
+    include(crack.line.to.x, crack.line.to.y, 0);
+  }
+  for (const WellPlace& well : run.wells) include(well.x, well.y, well.radius);
+  const double radius = mean_radius(scene.discs);
+  const double size = std::max({right - left, top - bottom, 20 * radius});
+  // Never flatter than 3 to 4, so that a straight fracture does not make a strip of a picture.
+  const double width = std::min(model.width, std::max(1.16 * (right - left), 0.9 * size));
+  const double height = std::min(model.height, std::max(1.16 * (top - bottom), 0.7 * size));
+  const double x = std::clamp((left + right - width) / 2, model.left, model.left + model.width - width);
+  const double y =
+      std::clamp((bottom + top - height) / 2, model.bottom, model.bottom + model.height - height);
+  return {x, y, width, height};
+}
+
 double mean_radius(const Discs& discs) {
   if (discs.discs.empty()) return 0;
   double sum = 0;

@@ -14,6 +14,9 @@ namespace hfrac::viz {
 // The whole model with a narrow margin, so that discs at its edge are seen whole.
 Extent whole_model(const RunFolder& run, const Discs& discs);
 
+// The cracks and the wells with room around them, inside the model.
+Extent around_cracks(const RunFolder& run, const Scene& scene);
+
 // Mean disc radius [m], 0 without discs.
 double mean_radius(const Discs& discs);
 

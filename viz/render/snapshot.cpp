@@ -58,6 +58,8 @@ Cracks read_cracks(const SeriesFile& file) {
   const GridFile::Cells cells = grid.cells();
   const std::vector<double> mode = grid.cell_array("mode");
   const std::vector<double> aperture = grid.cell_array("aperture_m");
+  std::vector<double> time(grid.cell_count());
+  if (grid.has_cell_array("time_s")) time = grid.cell_array("time_s");
   for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
     const auto corners = cells.of(cell);
     if (corners.size() < 2) continue;
@@ -65,9 +67,32 @@ Cracks read_cracks(const SeriesFile& file) {
     crack.line = {points[corners[0]], points[corners[1]]};
     crack.mode = code(mode[cell]) == shear_code ? CrackMode::shear : CrackMode::tension;
     crack.aperture = std::max(0.0, usable(aperture[cell]));
+    crack.time = usable(time[cell]);
     read.cracks.push_back(crack);
   }
   return read;
+}
+
+std::vector<BondForce> read_bond_forces(const SeriesFile& file) {
+  const GridFile grid(file);
+  std::vector<BondForce> read;
+  const std::vector<Point> points = grid.points();
+  const GridFile::Cells cells = grid.cells();
+  const std::vector<double> state = grid.cell_array("state");
+  const std::vector<double> normal = grid.cell_array("normal_force_N");
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
+    const auto corners = cells.of(cell);
+    if (code(state[cell]) != 0 || corners.size() < 2) continue;
+    read.push_back({{points[corners[0]], points[corners[1]]}, usable(normal[cell])});
+  }
+  return read;
+}
+
+std::vector<double> read_disc_array(const SeriesFile& file, const char* name, std::size_t components) {
+  const GridFile grid(file);
+  std::vector<double> values = grid.point_array(name, components);
+  for (double& value : values) value = usable(value);
+  return values;
 }
 
 Flow read_flow(const SeriesFile& file) {

@@ -48,11 +48,18 @@ struct Crack {
   Segment line;
   CrackMode mode = CrackMode::tension;
   double aperture = 0;  // [m]
+  double time = 0;      // [s] of its breaking; 0 if unknown
 };
 
 struct Cracks {
   Moment moment;
   std::vector<Crack> cracks;
+};
+
+// A bond that holds, and the force across it.
+struct BondForce {
+  Segment line;
+  double normal = 0;  // [N] per thickness, tension positive
 };
 
 struct Domain {
@@ -72,6 +79,9 @@ Discs read_discs(const SeriesFile& file);
 Bonds read_bonds(const SeriesFile& file);
 Cracks read_cracks(const SeriesFile& file);
 Flow read_flow(const SeriesFile& file);
+std::vector<BondForce> read_bond_forces(const SeriesFile& file);
+// An array of the discs, `components` values per disc.
+std::vector<double> read_disc_array(const SeriesFile& file, const char* name, std::size_t components);
 
 // The file of snapshot `number`, or nullptr.
 const SeriesFile* file_of(const Series& series, int number);

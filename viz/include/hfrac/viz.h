@@ -4,7 +4,8 @@
  *
  * The renderer reads a run folder from disk (finished, or still being written) and needs nothing of the engine: it
  * is a library of its own, libhfrac_viz. What it reads: discs.pvd, bonds.pvd, cracks.pvd and flow.pvd with their
- * VTU files, and summary.json (title, reading, model, wells). Only the discs are required.
+ * VTU files, summary.json (title, reading, model, wells), history.csv and cracks.csv (charts). Only the discs are
+ * required.
  *
  * - Statuses and texts follow base.h; the codes below are added to its list. Every function that can fail for a
  *   reason worth reading takes a text buffer: `error` (may be NULL) gets the reason, at most `capacity` bytes with the
@@ -97,6 +98,88 @@ HFRAC_API int32_t hfrac_viz_stages(const char *run_dir, int32_t stages[5], int32
 /** What draws: OpenGL renderer and version, VTK and H.264 library versions, as one line. On failure the text says why
  * nothing can be drawn here. Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_renderer_info(char *buffer, int32_t capacity, int32_t *needed);
+
+/** Charts of a run. Values may be added together for hfrac_viz_chart_options.charts. */
+enum hfrac_viz_chart {
+  HFRAC_VIZ_CHART_HISTORY = 1, /**< history: pressures, rates, cracks, fracture, volumes, energies against time */
+  HFRAC_VIZ_CHART_ROSE = 2,    /**< rose: directions of the cracks */
+  HFRAC_VIZ_CHART_PROFILE = 4, /**< profile: aperture against distance from the well's wall */
+  HFRAC_VIZ_CHART_EVENTS = 8,  /**< events: magnitudes of the cracks, and how many are at least as strong */
+  HFRAC_VIZ_CHART_ALL = 15     /**< all of them */
+};
+
+/** Kinds of files. Values may be added together for hfrac_viz_chart_options.formats. */
+enum hfrac_viz_format {
+  HFRAC_VIZ_PNG = 1, /**< pixels */
+  HFRAC_VIZ_SVG = 2, /**< lines, letters as outlines: looks the same everywhere */
+  HFRAC_VIZ_PDF = 4  /**< lines, standard fonts */
+};
+
+/** How to draw charts. Fill with hfrac_viz_chart_options_init first; members are only ever appended. */
+typedef struct hfrac_viz_chart_options {
+  int32_t struct_size;     /**< sizeof(hfrac_viz_chart_options) of the caller, set by init */
+  int32_t struct_version;  /**< set by init */
+  int32_t charts;          /**< sum of enum hfrac_viz_chart; default HFRAC_VIZ_CHART_ALL */
+  int32_t formats;         /**< sum of enum hfrac_viz_format; default HFRAC_VIZ_PNG */
+  int32_t width;           /**< [pixel] of the PNG files, 320 to 8192; default 1600 */
+  int32_t dots_per_inch;   /**< noted in the PNG files for printing, 0: not; default 0 */
+  int32_t dark;            /**< nonzero: light on dark paper; default 0 */
+} hfrac_viz_chart_options;
+
+/** Fills `options` with the defaults. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_chart_options_init(hfrac_viz_chart_options *options);
+
+/** Draws charts of history.csv and cracks.csv into run_dir/pictures/, which is made if missing. A chart whose table the
+ * run does not have (yet) is left out. options NULL: the defaults. progress may be NULL. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_render_charts(const char *run_dir, const hfrac_viz_chart_options *options,
+                                          hfrac_viz_progress_fn progress, void *user, char *error, int32_t capacity,
+                                          int32_t *needed);
+
+/** What a view shows. */
+enum hfrac_viz_view {
+  HFRAC_VIZ_VIEW_DISCS = 0,        /**< discs, cracks by mode */
+  HFRAC_VIZ_VIEW_FORCES = 1,       /**< force chains: bonds as wide as their normal force, colour by its sign */
+  HFRAC_VIZ_VIEW_CRACK_TIME = 2,   /**< cracks by the time they broke at */
+  HFRAC_VIZ_VIEW_APERTURE = 3,     /**< cracks by aperture */
+  HFRAC_VIZ_VIEW_PRESSURE = 4,     /**< fluid pressure in the domains */
+  HFRAC_VIZ_VIEW_DISPLACEMENT = 5, /**< length of the discs' displacement since set-up */
+  HFRAC_VIZ_VIEW_STRESS = 6,       /**< mean stress, smoothed over neighbouring discs, compression positive */
+  HFRAC_VIZ_VIEW_ROTATION = 7      /**< rotation of the discs since set-up, anticlockwise positive */
+};
+
+/** Which part of the model a view shows. */
+enum hfrac_viz_zoom {
+  HFRAC_VIZ_ZOOM_WHOLE = 0,  /**< all of it */
+  HFRAC_VIZ_ZOOM_CRACKS = 1, /**< the cracks and the wells, with room around them */
+  HFRAC_VIZ_ZOOM_WELL = 2,   /**< the first well */
+  HFRAC_VIZ_ZOOM_TIP = 3,    /**< the crack tip farthest from the wells; the well if there are no cracks */
+  HFRAC_VIZ_ZOOM_BOX = 4     /**< the box given by left, bottom, box_width, box_height */
+};
+
+/** How to draw views. Fill with hfrac_viz_view_options_init first; members are only ever appended. */
+typedef struct hfrac_viz_view_options {
+  int32_t struct_size;    /**< sizeof(hfrac_viz_view_options) of the caller, set by init */
+  int32_t struct_version; /**< set by init */
+  int32_t snapshot;       /**< number of the snapshot (the N of discs_N.vtu), -1: the last; default -1 */
+  int32_t width;          /**< [pixel] 320 to 8192; default 1600 */
+  int32_t height;         /**< [pixel] 240 to 8192, or 0: as the shape of what is shown asks; default 0 */
+  int32_t dots_per_inch;  /**< noted in the PNG file for printing, 0: not; default 0 */
+  int32_t dark;           /**< nonzero: light on dark paper; default 0 */
+  int32_t zoom;           /**< enum hfrac_viz_zoom; default HFRAC_VIZ_ZOOM_WHOLE */
+  double left;            /**< [m] lower left corner of the box, for HFRAC_VIZ_ZOOM_BOX */
+  double bottom;          /**< [m] */
+  double box_width;       /**< [m] positive */
+  double box_height;      /**< [m] positive */
+} hfrac_viz_view_options;
+
+/** Fills `options` with the defaults. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_view_options_init(hfrac_viz_view_options *options);
+
+/** Draws 1 to 9 views (values of enum hfrac_viz_view) of one snapshot side by side to the PNG file `path`. options NULL:
+ * the defaults. Fails with HFRAC_VIZ_ERR_READ if the run has no data for one of them. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_render_views(const char *run_dir, const int32_t *views, int32_t view_count,
+                                         const char *path, const hfrac_viz_view_options *options, char *error,
+                                         int32_t capacity, int32_t *needed);
 
 #ifdef __cplusplus
 }
