@@ -1,0 +1,632 @@
+! SPDX-License-Identifier: BSD-3-Clause
+!> hfrac for Fortran programs: hydraulic fracturing with a bonded-particle model.
+!>
+!>     use hfrac
+!>     type(hfrac_simulation) :: sim
+!>     type(hfrac_fracture), allocatable :: fractures(:)
+!>     call sim%create('case.toml')
+!>     call sim%step(60)
+!>     call sim%fractures(fractures)
+!>
+!> - SI units, unit thickness out of the plane, compression positive for stress and pressure.
+!> - Every procedure that can fail takes `stat` (0 good, negative HFRAC_ERR_..., positive a note) and `errmsg` (changed
+!>   by errors alone). Without `stat`, an error ends the program with its text; a note never does.
+!> - Indices count from 0, as in case files ('well[0].pressure') and in what the library reports: disc i of
+!>   'bond.discs' is column i + 1 of 'disc.position'.
+!> - Floating-point traps of the program stay as they are and are not set off by the library.
+!>
+!> All of the C interface (module hfrac_c: constants, types, functions) comes along.
+module hfrac
+  use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_funloc, c_int32_t, c_int64_t, &
+    c_int8_t, c_loc, c_null_funptr, c_null_ptr, c_ptr, c_sizeof
+  use hfrac_c
+  use hfrac_definition_module
+  use hfrac_text
+  implicit none
+  public
+  private :: c_associated, c_char, c_double, c_f_pointer, c_funloc, c_int32_t, c_int64_t, c_int8_t, c_loc, &
+    c_null_funptr, c_null_ptr, c_ptr, c_sizeof
+  private :: from_c, to_c, report, report_text
+
+  !> Where the C callback finds the Fortran procedure.
+  type, private :: progress_holder
+    procedure(hfrac_progress), pointer, nopass :: ask => null()
+  end type progress_holder
+
+  !> One simulation. Ends with `destroy`, with its scope, or with the next `create`; cannot be assigned.
+  type :: hfrac_simulation
+    private
+    type(c_ptr) :: handle = c_null_ptr
+    type(progress_holder), pointer :: holder => null()
+  contains
+    generic, public :: create => create_from_definition, create_from_file
+    procedure, public :: destroy
+    procedure, public :: exists
+    procedure, public :: c_handle
+    generic, public :: step => step_int32, step_int64
+    procedure, public :: advance
+    procedure, public :: on_progress
+    procedure, public :: state
+    procedure, public :: setup
+    procedure, public :: balance
+    procedure, public :: state_hash
+    procedure, public :: epoch
+    procedure, public :: definition
+    procedure, public :: wells
+    procedure, public :: set_well_pressure
+    procedure, public :: set_well_ramp
+    procedure, public :: set_well_rate
+    procedure, public :: set_far_field
+    procedure, public :: save => save_image
+    procedure, public :: restore
+    procedure, public :: prepare_step
+    procedure, public :: do_step
+    procedure, public :: finalize_step
+    procedure, public :: reject_step
+    procedure, public :: cracks
+    procedure, public :: fractures
+    !> Copies of a field: call sim%get('disc.position', x) with x allocatable, of rank 1 if the field has one component,
+    !> otherwise of shape (components, n); real(c_double) or integer(c_int32_t) as the field is.
+    generic, public :: get => get_double_1, get_double_2, get_int32_1, get_int32_2
+    !> The library's own memory, shape (components, n), not to be written to; valid as long as `epoch` stays the same.
+    generic, public :: view => view_double, view_int32
+    generic, public :: assignment(=) => refuse_copy
+    procedure :: create_from_definition, create_from_file, step_int32, step_int64, refuse_copy
+    procedure :: get_double_1, get_double_2, get_int32_1, get_int32_2, view_double, view_int32
+    procedure :: describe, borrow
+    final :: finish
+  end type hfrac_simulation
+
+  private :: create_from_definition, create_from_file, destroy, exists, c_handle, step_int32, step_int64, advance, &
+    on_progress, state, setup, balance, state_hash, epoch, definition, wells, set_well_pressure, set_well_ramp, &
+    set_well_rate, set_far_field, save_image, restore, prepare_step, do_step, finalize_step, reject_step, cracks, &
+    fractures, get_double_1, get_double_2, get_int32_1, get_int32_2, view_double, view_int32, refuse_copy, describe, &
+    borrow, finish, ask_host
+
+contains
+
+  ! Life
+
+  !> Builds a simulation: packs, cuts the wells, bonds, and brings the model to rest. HFRAC_STOPPED: the definition's
+  !> progress procedure stopped it; there is no simulation then.
+  subroutine create_from_definition(self, def, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    type(hfrac_definition), intent(in), target :: def
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_definition) :: full
+    type(progress_holder), target :: holder
+    integer(c_int32_t) :: status
+    status = hfrac_sim_destroy(self%handle)
+    if (status /= HFRAC_OK) then
+      call report(status, self%handle, stat, errmsg)
+      return
+    end if
+    full%values = def%values
+    call full%init()
+    if (allocated(def%discs)) then
+      if (size(def%discs, 1) /= 3) then
+        call report_text(HFRAC_ERR_ARGUMENT, 'discs must have the shape (3, n): x, y, radius.', stat, errmsg)
+        return
+      end if
+      full%values%given_disc_count = size(def%discs, 2, c_int64_t)
+      if (size(def%discs) > 0) full%values%given_discs = c_loc(def%discs)
+    end if
+    if (associated(def%progress)) then
+      holder%ask => def%progress
+      full%values%progress = c_funloc(ask_host)
+      full%values%progress_user = c_loc(holder)
+    end if
+    call report(hfrac_sim_create(full%values, self%handle), c_null_ptr, stat, errmsg)
+  end subroutine create_from_definition
+
+  !> Builds a simulation from a case file.
+  subroutine create_from_file(self, case_file, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    character(*), intent(in) :: case_file
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_definition) :: def
+    integer :: load_stat
+    if (present(stat)) then
+      call def%load(case_file, load_stat, errmsg)
+      stat = load_stat
+      if (load_stat < 0) return
+    else
+      call def%load(case_file)
+    end if
+    call self%create_from_definition(def, stat, errmsg)
+  end subroutine create_from_file
+
+  !> Ends the simulation; there may be none.
+  subroutine destroy(self, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int32_t) :: status
+    status = hfrac_sim_destroy(self%handle)
+    if (status == HFRAC_OK .and. associated(self%holder)) deallocate (self%holder)
+    call report(status, self%handle, stat, errmsg)
+  end subroutine destroy
+
+  subroutine finish(self)
+    type(hfrac_simulation), intent(inout) :: self
+    integer :: unused
+    call self%destroy(unused)
+  end subroutine finish
+
+  !> Two variables would end the same simulation twice.
+  subroutine refuse_copy(left, right)
+    class(hfrac_simulation), intent(inout) :: left
+    type(hfrac_simulation), intent(in) :: right
+    call left%destroy()
+    if (c_associated(right%handle)) call report_text(HFRAC_ERR_ARGUMENT, 'a simulation cannot be copied.')
+  end subroutine refuse_copy
+
+  !> Whether there is a simulation.
+  pure logical function exists(self)
+    class(hfrac_simulation), intent(in) :: self
+    exists = c_associated(self%handle)
+  end function exists
+
+  !> For calls of module hfrac_c; stays this variable's.
+  pure function c_handle(self)
+    class(hfrac_simulation), intent(in) :: self
+    type(c_ptr) :: c_handle
+    c_handle = self%handle
+  end function c_handle
+
+  ! Running
+
+  !> Takes `count` steps, 1 if left out. stat: HFRAC_STOPPED if the progress procedure asked for it, HFRAC_NOT_AT_REST
+  !> if the last step's mechanics did not come to rest.
+  subroutine step_int32(self, count, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    integer(c_int32_t), intent(in), optional :: count
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int64_t) :: steps
+    steps = 1
+    if (present(count)) steps = count
+    call self%step_int64(steps, stat, errmsg)
+  end subroutine step_int32
+
+  subroutine step_int64(self, count, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    integer(c_int64_t), intent(in) :: count
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_step(self%handle, count), self%handle, stat, errmsg)
+  end subroutine step_int64
+
+  !> Steps until model time `time` [s] is reached or a stop condition holds; `reached` [s] and `reason`
+  !> (HFRAC_REASON_...) say how far and why.
+  subroutine advance(self, time, reached, reason, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    real(c_double), intent(in) :: time
+    real(c_double), intent(out), optional :: reached
+    integer(c_int32_t), intent(out), optional :: reason
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double) :: to
+    integer(c_int32_t) :: status, why
+    status = hfrac_advance(self%handle, time, to, why)
+    if (status < 0) then
+      to = 0.0_c_double
+      why = HFRAC_REASON_TARGET
+    end if
+    if (present(reached)) reached = to
+    if (present(reason)) reason = why
+    call report(status, self%handle, stat, errmsg)
+  end subroutine advance
+
+  !> Has `progress` called about every `seconds` of wall time (0, if left out: between any two steps and often within
+  !> one); no procedure: none any more.
+  subroutine on_progress(self, progress, seconds, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    procedure(hfrac_progress), optional :: progress
+    real(c_double), intent(in), optional :: seconds
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double) :: every
+    integer(c_int32_t) :: status
+    every = 0.0_c_double
+    if (present(seconds)) every = seconds
+    if (present(progress)) then
+      if (.not. associated(self%holder)) allocate (self%holder)
+      self%holder%ask => progress
+      status = hfrac_set_progress(self%handle, c_funloc(ask_host), c_loc(self%holder), every)
+    else
+      status = hfrac_set_progress(self%handle, c_null_funptr, c_null_ptr, every)
+    end if
+    call report(status, self%handle, stat, errmsg)
+  end subroutine on_progress
+
+  !> What the library calls; `user` is a progress_holder.
+  function ask_host(user, fraction, what) bind(C, name="") result(stop_now)
+    type(c_ptr), value :: user
+    real(c_double), value :: fraction
+    type(c_ptr), value :: what
+    integer(c_int32_t) :: stop_now
+    type(progress_holder), pointer :: holder
+    call c_f_pointer(user, holder)
+    stop_now = merge(1_c_int32_t, 0_c_int32_t, holder%ask(fraction, from_c(what)))
+  end function ask_host
+
+  ! How it stands
+
+  !> Time, counts of discs, bonds and cracks, and how the last step ended.
+  function state(self, stat, errmsg) result(now)
+    class(hfrac_simulation), intent(in) :: self
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_sim_state) :: now
+    call report(hfrac_sim_get_state(self%handle, now), self%handle, stat, errmsg)
+  end function state
+
+  !> What the set-up made.
+  function setup(self, stat, errmsg) result(made)
+    class(hfrac_simulation), intent(in) :: self
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_setup_report) :: made
+    call report(hfrac_sim_get_setup(self%handle, made), self%handle, stat, errmsg)
+  end function setup
+
+  !> Energy and fluid since the end of the set-up.
+  function balance(self, stat, errmsg) result(now)
+    class(hfrac_simulation), intent(in) :: self
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_balance) :: now
+    call report(hfrac_get_balance(self%handle, now), self%handle, stat, errmsg)
+  end function balance
+
+  !> Equal if and only if the state is equal, bit for bit.
+  function state_hash(self, stat, errmsg) result(hash)
+    class(hfrac_simulation), intent(in) :: self
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int64_t) :: hash
+    call report(hfrac_state_hash(self%handle, hash), self%handle, stat, errmsg)
+  end function state_hash
+
+  !> Raised by every call that may change the simulation.
+  function epoch(self, stat, errmsg) result(now)
+    class(hfrac_simulation), intent(in) :: self
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int64_t) :: now
+    call report(hfrac_epoch(self%handle, now), self%handle, stat, errmsg)
+  end function epoch
+
+  !> What the simulation was built from, defaults filled in.
+  subroutine definition(self, def, stat, errmsg)
+    class(hfrac_simulation), intent(in) :: self
+    type(hfrac_definition), intent(out) :: def
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call def%init()
+    call report(hfrac_sim_definition(self%handle, def%values), self%handle, stat, errmsg)
+  end subroutine definition
+
+  ! Wells
+
+  !> All wells as they are now; well 0 is list(1).
+  subroutine wells(self, list, stat, errmsg)
+    class(hfrac_simulation), intent(in) :: self
+    type(hfrac_well_state), allocatable, intent(out) :: list(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int32_t) :: count, index, status
+    status = hfrac_well_count(self%handle, count)
+    if (status < 0) count = 0
+    allocate (list(count))
+    do index = 0, count - 1
+      if (status >= 0) status = hfrac_well_get(self%handle, index, list(index + 1))
+    end do
+    call report(status, self%handle, stat, errmsg)
+  end subroutine wells
+
+  !> From the next step on, holds well `index` (from 0) at `pressure` [Pa].
+  subroutine set_well_pressure(self, index, pressure, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    integer, intent(in) :: index
+    real(c_double), intent(in) :: pressure
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_well_set_pressure(self%handle, int(index, c_int32_t), pressure), self%handle, stat, errmsg)
+  end subroutine set_well_pressure
+
+  !> From the next step on, moves well `index` (from 0) by `per_step` [Pa] up or down to `pressure` [Pa].
+  subroutine set_well_ramp(self, index, pressure, per_step, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    integer, intent(in) :: index
+    real(c_double), intent(in) :: pressure, per_step
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_well_set_ramp(self%handle, int(index, c_int32_t), pressure, per_step), self%handle, stat, errmsg)
+  end subroutine set_well_ramp
+
+  !> From the next step on, injects `rate` [m2/s] into well `index` (from 0); negative: takes out; 0: shut in.
+  subroutine set_well_rate(self, index, rate, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    integer, intent(in) :: index
+    real(c_double), intent(in) :: rate
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_well_set_rate(self%handle, int(index, c_int32_t), rate), self%handle, stat, errmsg)
+  end subroutine set_well_rate
+
+  ! Going back: images of the state, and steps that may be rejected
+
+  !> From the next step on, another far-field stress [Pa]: `sigma_hmax` along x, `sigma_h` along y.
+  subroutine set_far_field(self, sigma_hmax, sigma_h, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    real(c_double), intent(in) :: sigma_hmax, sigma_h
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_set_far_field(self%handle, sigma_hmax, sigma_h), self%handle, stat, errmsg)
+  end subroutine set_far_field
+
+  !> An image of the state, for `restore`.
+  subroutine save_image(self, image, stat, errmsg)
+    class(hfrac_simulation), intent(in) :: self
+    integer(c_int8_t), allocatable, target, intent(out) :: image(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int64_t) :: bytes
+    integer(c_int32_t) :: status
+    status = hfrac_state_size(self%handle, bytes)
+    if (status < 0) bytes = 0
+    allocate (image(bytes))
+    if (status >= 0) status = hfrac_state_save(self%handle, c_loc(image), size(image, kind=c_int64_t), bytes)
+    call report(status, self%handle, stat, errmsg)
+  end subroutine save_image
+
+  !> Goes back to an image of this simulation; a damaged or foreign one is refused and changes nothing.
+  subroutine restore(self, image, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    integer(c_int8_t), contiguous, target, intent(in) :: image(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_state_restore(self%handle, c_loc(image), size(image, kind=c_int64_t)), self%handle, stat, errmsg)
+  end subroutine restore
+
+  !> Opens a step: remembers the state. While it is open, step, advance and restore are refused.
+  subroutine prepare_step(self, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_step_prepare(self%handle), self%handle, stat, errmsg)
+  end subroutine prepare_step
+
+  !> Takes the open step, `duration` [s] of fluid time long, from where it was opened. May be called again.
+  subroutine do_step(self, duration, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    real(c_double), intent(in) :: duration
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_step_do(self%handle, duration), self%handle, stat, errmsg)
+  end subroutine do_step
+
+  !> Closes the open step and keeps what the last do_step gave.
+  subroutine finalize_step(self, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_step_finalize(self%handle), self%handle, stat, errmsg)
+  end subroutine finalize_step
+
+  !> Closes the open step and goes back to where it was opened, wells and far field included.
+  subroutine reject_step(self, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_step_reject(self%handle), self%handle, stat, errmsg)
+  end subroutine reject_step
+
+  ! Cracks and fractures
+
+  !> Cracks in order of breakage, from id `since` (0 if left out) on; `next` is the `since` of the next call.
+  subroutine cracks(self, list, since, next, stat, errmsg)
+    class(hfrac_simulation), intent(in) :: self
+    type(hfrac_crack), allocatable, target, intent(out) :: list(:)
+    integer(c_int64_t), intent(in), optional :: since
+    integer(c_int64_t), intent(out), optional :: next
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_crack) :: one
+    integer(c_int64_t) :: cursor, following, count
+    integer(c_int32_t) :: status, crack_size
+    cursor = 0
+    if (present(since)) cursor = since
+    crack_size = int(c_sizeof(one), c_int32_t)
+    status = hfrac_cracks_since(self%handle, cursor, crack_size, c_null_ptr, 0_c_int64_t, count, following)
+    if (status < 0) count = 0
+    allocate (list(count))
+    if (count > 0) then
+      status = hfrac_cracks_since(self%handle, cursor, crack_size, c_loc(list), size(list, kind=c_int64_t), count, &
+        following)
+    end if
+    if (present(next)) next = cursor + size(list, kind=c_int64_t)
+    call report(status, self%handle, stat, errmsg)
+  end subroutine cracks
+
+  !> Fractures as they are now, most cracks first.
+  subroutine fractures(self, list, stat, errmsg)
+    class(hfrac_simulation), intent(in) :: self
+    type(hfrac_fracture), allocatable, target, intent(out) :: list(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_fracture) :: one
+    integer(c_int64_t) :: count
+    integer(c_int32_t) :: status, fracture_size
+    fracture_size = int(c_sizeof(one), c_int32_t)
+    status = hfrac_fractures(self%handle, fracture_size, c_null_ptr, 0_c_int64_t, count)
+    if (status < 0) count = 0
+    allocate (list(count))
+    if (count > 0) status = hfrac_fractures(self%handle, fracture_size, c_loc(list), size(list, kind=c_int64_t), count)
+    call report(status, self%handle, stat, errmsg)
+  end subroutine fractures
+
+  ! Fields
+
+  !> Looks a field up by name for an array of rank `rank`.
+  subroutine describe(self, name, rank, desc, found, stat, errmsg)
+    class(hfrac_simulation), intent(in) :: self
+    character(*), intent(in) :: name
+    integer, intent(in) :: rank
+    type(hfrac_field_desc), intent(out) :: desc
+    logical, intent(out) :: found
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int32_t) :: field, status
+    found = .false.
+    status = hfrac_field_find(to_c(name), field)
+    if (status < 0) then
+      call report(status, c_null_ptr, stat, errmsg)
+      return
+    end if
+    status = hfrac_field_info(self%handle, field, desc)
+    found = status >= 0
+    call report(status, self%handle, stat, errmsg)
+    if (.not. found .or. rank == 2 .or. desc%components == 1) return
+    found = .false.
+    call report_text(HFRAC_ERR_ARGUMENT, trim(name)//' has several components; give an array of rank 2.', stat, errmsg)
+  end subroutine describe
+
+  !> Address and shape of the library's own array of a field of type `dtype`; c_null_ptr if there is none.
+  subroutine borrow(self, name, dtype, data, shape, stat, errmsg)
+    class(hfrac_simulation), intent(in) :: self
+    character(*), intent(in) :: name
+    integer, intent(in) :: dtype
+    type(c_ptr), intent(out) :: data
+    integer(c_int64_t), intent(out) :: shape(2)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_field_desc) :: desc
+    integer(c_int64_t) :: count, taken_at
+    integer(c_int32_t) :: status
+    logical :: found
+    data = c_null_ptr
+    shape = 0
+    call self%describe(name, 2, desc, found, stat, errmsg)
+    if (.not. found) return
+    if (desc%dtype /= dtype) then
+      call report_text(HFRAC_ERR_ARGUMENT, trim(name)//' is of another type than the pointer given.', stat, errmsg)
+      return
+    end if
+    status = hfrac_field_view(self%handle, desc%field, data, count, taken_at)
+    if (status < 0) data = c_null_ptr
+    if (status >= 0) shape = [int(desc%components, c_int64_t), desc%count]
+    call report(status, self%handle, stat, errmsg)
+  end subroutine borrow
+
+  subroutine get_double_1(self, name, values, stat, errmsg)
+    class(hfrac_simulation), intent(in) :: self
+    character(*), intent(in) :: name
+    real(c_double), allocatable, target, intent(out) :: values(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_field_desc) :: desc
+    integer(c_int64_t) :: count
+    integer(c_int32_t) :: status
+    logical :: found
+    call self%describe(name, 1, desc, found, stat, errmsg)
+    if (found) then
+      allocate (values(desc%count))
+      status = hfrac_field_copy_f64(self%handle, desc%field, c_loc(values), size(values, kind=c_int64_t), count)
+      call report(status, self%handle, stat, errmsg)
+    else
+      allocate (values(0))
+    end if
+  end subroutine get_double_1
+
+  subroutine get_double_2(self, name, values, stat, errmsg)
+    class(hfrac_simulation), intent(in) :: self
+    character(*), intent(in) :: name
+    real(c_double), allocatable, target, intent(out) :: values(:, :)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_field_desc) :: desc
+    integer(c_int64_t) :: count
+    integer(c_int32_t) :: status
+    logical :: found
+    call self%describe(name, 2, desc, found, stat, errmsg)
+    if (found) then
+      allocate (values(desc%components, desc%count))
+      status = hfrac_field_copy_f64(self%handle, desc%field, c_loc(values), size(values, kind=c_int64_t), count)
+      call report(status, self%handle, stat, errmsg)
+    else
+      allocate (values(0, 0))
+    end if
+  end subroutine get_double_2
+
+  subroutine get_int32_1(self, name, values, stat, errmsg)
+    class(hfrac_simulation), intent(in) :: self
+    character(*), intent(in) :: name
+    integer(c_int32_t), allocatable, target, intent(out) :: values(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_field_desc) :: desc
+    integer(c_int64_t) :: count
+    integer(c_int32_t) :: status
+    logical :: found
+    call self%describe(name, 1, desc, found, stat, errmsg)
+    if (found) then
+      allocate (values(desc%count))
+      status = hfrac_field_copy_i32(self%handle, desc%field, c_loc(values), size(values, kind=c_int64_t), count)
+      call report(status, self%handle, stat, errmsg)
+    else
+      allocate (values(0))
+    end if
+  end subroutine get_int32_1
+
+  subroutine get_int32_2(self, name, values, stat, errmsg)
+    class(hfrac_simulation), intent(in) :: self
+    character(*), intent(in) :: name
+    integer(c_int32_t), allocatable, target, intent(out) :: values(:, :)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_field_desc) :: desc
+    integer(c_int64_t) :: count
+    integer(c_int32_t) :: status
+    logical :: found
+    call self%describe(name, 2, desc, found, stat, errmsg)
+    if (found) then
+      allocate (values(desc%components, desc%count))
+      status = hfrac_field_copy_i32(self%handle, desc%field, c_loc(values), size(values, kind=c_int64_t), count)
+      call report(status, self%handle, stat, errmsg)
+    else
+      allocate (values(0, 0))
+    end if
+  end subroutine get_int32_2
+
+  subroutine view_double(self, name, values, stat, errmsg)
+    class(hfrac_simulation), intent(in) :: self
+    character(*), intent(in) :: name
+    real(c_double), pointer, intent(out) :: values(:, :)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(c_ptr) :: data
+    integer(c_int64_t) :: shape(2)
+    nullify (values)
+    call self%borrow(name, 0, data, shape, stat, errmsg)
+    if (c_associated(data)) call c_f_pointer(data, values, shape)
+  end subroutine view_double
+
+  subroutine view_int32(self, name, values, stat, errmsg)
+    class(hfrac_simulation), intent(in) :: self
+    character(*), intent(in) :: name
+    integer(c_int32_t), pointer, intent(out) :: values(:, :)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(c_ptr) :: data
+    integer(c_int64_t) :: shape(2)
+    nullify (values)
+    call self%borrow(name, 1, data, shape, stat, errmsg)
+    if (c_associated(data)) call c_f_pointer(data, values, shape)
+  end subroutine view_int32
+
+end module hfrac

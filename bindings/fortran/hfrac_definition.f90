@@ -1,0 +1,146 @@
+! SPDX-License-Identifier: BSD-3-Clause
+!> What a simulation is made of: options by key, wells, own discs, case files.
+module hfrac_definition_module
+  use, intrinsic :: iso_c_binding
+  use hfrac_c
+  use hfrac_text
+  implicit none
+  private
+  public :: hfrac_definition, hfrac_progress
+
+  abstract interface
+    !> Called while a simulation is built and while it runs, with the share done in [0, 1] and what is being done.
+    !> A true result stops. Use a module procedure: an internal one needs an executable stack with some compilers.
+    function hfrac_progress(fraction, what) result(stop_now)
+      import :: c_double
+      real(c_double), intent(in) :: fraction
+      character(*), intent(in) :: what
+      logical :: stop_now
+    end function hfrac_progress
+  end interface
+
+  !> The options of a simulation. Starts with every option at its default; any number of set and load, in any order.
+  !>
+  !> Every procedure that can fail takes `stat` (0 good, negative an error, positive a note) and `errmsg` (set by
+  !> errors). Without `stat`, an error ends the program with its text.
+  type :: hfrac_definition
+    !> The C struct, for plain assignment after `init`.
+    type(hfrac_sim_def) :: values
+    !> Own packing: x, y, radius [m] of each disc as (3, n); not allocated: the engine packs.
+    real(c_double), allocatable :: discs(:, :)
+    !> Asked while the simulation is built.
+    procedure(hfrac_progress), pointer, nopass :: progress => null()
+  contains
+    procedure :: init
+    procedure :: load
+    procedure :: check
+    procedure :: get
+    procedure :: case_text
+    generic :: set => set_double, set_int32, set_int64, set_text
+    procedure, private :: set_double, set_int32, set_int64, set_text
+  end type hfrac_definition
+
+contains
+
+  !> Defaults, once; the other procedures see to it themselves.
+  subroutine init(self)
+    class(hfrac_definition), intent(inout) :: self
+    if (self%values%struct_size /= 0) return
+    call report(hfrac_sim_def_init(self%values, int(c_sizeof(self%values), c_int32_t)), c_null_ptr)
+  end subroutine init
+
+  !> Reads a case file over what is set so far.
+  subroutine load(self, path, stat, errmsg)
+    class(hfrac_definition), intent(inout) :: self
+    character(*), intent(in) :: path
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call self%init()
+    call report(hfrac_sim_def_load(self%values, to_c(path)), c_null_ptr, stat, errmsg)
+  end subroutine load
+
+  !> Refuses what no simulation can be built from.
+  subroutine check(self, stat, errmsg)
+    class(hfrac_definition), intent(inout) :: self
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call self%init()
+    call report(hfrac_sim_def_check(self%values), c_null_ptr, stat, errmsg)
+  end subroutine check
+
+  !> An option by its key, integers and choices as a double.
+  function get(self, key, stat, errmsg) result(value)
+    class(hfrac_definition), intent(inout) :: self
+    character(*), intent(in) :: key
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double) :: value
+    integer(c_int32_t) :: status
+    call self%init()
+    status = hfrac_sim_def_get_f64(self%values, to_c(key), value)
+    if (status < 0) value = 0.0_c_double
+    call report(status, c_null_ptr, stat, errmsg)
+  end function get
+
+  !> The definition as a case file with every option filled in.
+  function case_text(self, stat, errmsg) result(text)
+    class(hfrac_definition), intent(inout) :: self
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(:), allocatable :: text
+    character(kind=c_char), allocatable, target :: buffer(:)
+    integer(c_int32_t) :: needed, status
+    call self%init()
+    status = hfrac_sim_def_write(self%values, c_null_ptr, 0_c_int32_t, needed)
+    if (status == HFRAC_OK) then
+      allocate (buffer(needed))
+      status = hfrac_sim_def_write(self%values, c_loc(buffer), size(buffer, kind=c_int32_t), needed)
+    end if
+    text = ''
+    if (status == HFRAC_OK) text = from_c(c_loc(buffer))
+    call report(status, c_null_ptr, stat, errmsg)
+  end function case_text
+
+  !> A real option: call def%set('fluid.viscosity', 0.1_c_double). Single precision is not taken: it would lose digits.
+  subroutine set_double(self, key, value, stat, errmsg)
+    class(hfrac_definition), intent(inout) :: self
+    character(*), intent(in) :: key
+    real(c_double), intent(in) :: value
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call self%init()
+    call report(hfrac_sim_def_set_f64(self%values, to_c(key), value), c_null_ptr, stat, errmsg)
+  end subroutine set_double
+
+  !> An integer option, or a real one by an integer.
+  subroutine set_int64(self, key, value, stat, errmsg)
+    class(hfrac_definition), intent(inout) :: self
+    character(*), intent(in) :: key
+    integer(c_int64_t), intent(in) :: value
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call self%init()
+    call report(hfrac_sim_def_set_i64(self%values, to_c(key), value), c_null_ptr, stat, errmsg)
+  end subroutine set_int64
+
+  subroutine set_int32(self, key, value, stat, errmsg)
+    class(hfrac_definition), intent(inout) :: self
+    character(*), intent(in) :: key
+    integer(c_int32_t), intent(in) :: value
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call self%set_int64(key, int(value, c_int64_t), stat, errmsg)
+  end subroutine set_int32
+
+  !> A choice by its word, or 'title'. Trailing blanks do not count.
+  subroutine set_text(self, key, value, stat, errmsg)
+    class(hfrac_definition), intent(inout) :: self
+    character(*), intent(in) :: key
+    character(*), intent(in) :: value
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call self%init()
+    call report(hfrac_sim_def_set_str(self%values, to_c(key), to_c(value)), c_null_ptr, stat, errmsg)
+  end subroutine set_text
+
+end module hfrac_definition_module

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Hydraulic fracturing with a bonded-particle model.
+
+    import hfrac
+
+    with hfrac.Simulation("case.toml", packing_disc_count=2000) as sim:
+        sim.step(60)
+        for fracture in sim.fractures:
+            print(fracture.length, fracture.largest_aperture)
+
+SI units everywhere, unit thickness out of the plane, compression positive for stress and pressure. numpy is used if it
+is there and not needed otherwise. One simulation serves one thread at a time; different ones run side by side.
+"""
+from ._abi import CrackMode, Status, StopReason, WellControl
+from ._definition import Definition, Option, options
+from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Pipes
+from ._library import build_info, library_path, version
+from ._open_step import OpenStep
+from ._records import Balance, Crack, Fracture, SetupReport, SimState, WellState
+from ._simulation import Advance, Simulation
+from ._view import View
+from ._well import Well
+from .errors import (
+    ArgumentError,
+    BadHandleError,
+    BusyError,
+    CaseFileError,
+    DivergedError,
+    HfracError,
+    InternalError,
+    LibraryError,
+    ModelError,
+    OutOfMemoryError,
+    PoisonedError,
+    StaleViewError,
+    StoppedError,
+    StructSizeError,
+    UnknownKeyError,
+)
+
+__all__ = [
+    "FIELDS", "Advance", "ArgumentError", "BadHandleError", "Balance", "Bonds", "BusyError", "CaseFileError", "Crack",
+    "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "FieldInfo", "Fracture", "HfracError",
+    "InternalError", "LibraryError", "ModelError", "OpenStep", "Option", "OutOfMemoryError", "Pipes", "PoisonedError",
+    "SetupReport", "SimState", "Simulation", "StaleViewError", "Status", "StopReason", "StoppedError",
+    "StructSizeError", "UnknownKeyError", "View", "Well", "WellControl", "WellState", "build_info", "library_path",
+    "options", "version",
+]

@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a simulation is made of: options by key, wells, own discs, case files."""
+import ctypes
+import functools
+import os
+from array import array
+from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+
+from . import _abi, _library
+from ._library import call
+
+Value = Union[int, float, str]
+PathLike = Union[str, "os.PathLike[str]"]
+
+
+class Option(NamedTuple):
+    """What the library's table says of one option."""
+
+    #: "section.name", as in case files
+    key: str
+    #: "real", "integer" or "choice"
+    type: str
+    #: SI unit, "1" for none
+    unit: str
+    default: Value
+    #: smallest and largest value allowed; of a choice, its first and last index
+    minimum: float
+    maximum: float
+    #: words of a choice, otherwise empty
+    choices: Tuple[str, ...]
+    help: str
+
+    @property
+    def keyword(self) -> str:
+        """The same as a keyword argument of Simulation and Definition."""
+        return self.key.replace(".", "_")
+
+    def value(self, number: float) -> Value:
+        """A number from the library in the option's own type."""
+        if self.type == "choice":
+            return self.choices[int(number)]
+        return int(number) if self.type == "integer" else number
+
+
+@functools.lru_cache(maxsize=None)
+def _option_table() -> Tuple[Option, ...]:
+    count = ctypes.c_int32()
+    call("hfrac_option_count", ctypes.byref(count))
+    table = []
+    for index in range(count.value):
+        info = _abi.hfrac_option_info(struct_size=ctypes.sizeof(_abi.hfrac_option_info))
+        call("hfrac_option_at", index, ctypes.byref(info))
+        choices = tuple(info.choices.decode().split("|")) if info.choices else ()
+        kind = ("real", "integer", "choice")[info.type]
+        key, unit, text = info.key.decode(), info.unit.decode(), info.help.decode()
+        row = Option(key, kind, unit, 0, info.minimum, info.maximum, choices, text)
+        table.append(row._replace(default=row.value(info.default_value)))
+    return tuple(table)
+
+
+def options() -> List[Option]:
+    """Every option there is, with unit, default, range and one sentence of help."""
+    return list(_option_table())
+
+
+class Definition:
+    """The options of a simulation, its wells and, if wanted, its own discs.
+
+    Options are keyword arguments, whole (``bond_tensile_strength=40e6``) or by section
+    (``bond={"tensile_strength": 40e6}``). ``wells`` holds one mapping per well: x, y (the model's centre if left
+    out), radius, pressure, ramp_per_step, rate, control ("pressure", "ramp" or "rate"). Wells of a case file are
+    changed in order, further ones are added. ``discs``: rows of x, y, radius [m], packed elsewhere.
+    """
+
+    def __init__(
+        self,
+        case: Optional[PathLike] = None,
+        *,
+        wells: Sequence[Mapping[str, Value]] = (),
+        title: Optional[str] = None,
+        discs: Optional[Iterable[Sequence[float]]] = None,
+        **options: Any,
+    ) -> None:
+        self._struct = _abi.hfrac_sim_def()
+        self._discs: Any = None  # what the struct's pointer points to
+        call("hfrac_sim_def_init", ctypes.byref(self._struct), ctypes.sizeof(self._struct))
+        if case is not None:
+            self.load(case)
+        self.update(wells=wells, title=title, discs=discs, **options)
+
+    def load(self, path: PathLike) -> None:
+        """Reads a case file over what is set so far."""
+        call("hfrac_sim_def_load", ctypes.byref(self._struct), os.fsencode(path))
+
+    def update(
+        self,
+        *,
+        wells: Sequence[Mapping[str, Value]] = (),
+        title: Optional[str] = None,
+        discs: Optional[Iterable[Sequence[float]]] = None,
+        **options: Any,
+    ) -> None:
+        """Sets what the constructor takes, on top of what is set so far."""
+        for name, value in options.items():
+            if isinstance(value, Mapping):
+                for inner, inner_value in value.items():
+                    self.set(f"{name}.{inner}", inner_value)
+            else:
+                self.set(name.replace("_", ".", 1), value)
+        for index, well in enumerate(wells):
+            if index >= self.well_count:
+                self.set(f"well[{index}].x", 0.5 * self._struct.model_width)
+                self.set(f"well[{index}].y", 0.5 * self._struct.model_height)
+            for name, value in well.items():
+                self.set(f"well[{index}].{name}", value)
+        if title is not None:
+            self.set("title", title)
+        if discs is not None:
+            self._give_discs(discs)
+
+    def _give_discs(self, discs: Iterable[Sequence[float]]) -> None:
+        values = array("d", (value for x, y, radius in discs for value in (x, y, radius)))
+        self._discs = (ctypes.c_double * len(values)).from_buffer(values)
+        self._struct.given_discs = ctypes.addressof(self._discs)
+        self._struct.given_disc_count = len(values) // 3
+
+    def set(self, key: str, value: Value) -> None:
+        """Sets one value by its key: "bond.tensile_strength", "well[0].pressure", "title"."""
+        target, name = ctypes.byref(self._struct), key.encode()
+        if isinstance(value, str):
+            call("hfrac_sim_def_set_str", target, name, value.encode())
+        elif hasattr(value, "__index__") and -(2**63) <= value < 2**63:
+            call("hfrac_sim_def_set_i64", target, name, value.__index__())
+        else:
+            call("hfrac_sim_def_set_f64", target, name, float(value))
+
+    def get(self, key: str) -> Value:
+        """One value by its key; a choice as its word."""
+        if key == "title":
+            return self.title
+        value = ctypes.c_double()
+        call("hfrac_sim_def_get_f64", ctypes.byref(self._struct), key.encode(), ctypes.byref(value))
+        if key.startswith("well["):
+            control = key.endswith("].control")
+            return _abi.WellControl(int(value.value)).name.lower() if control else value.value
+        option = next((row for row in _option_table() if row.key == key), None)
+        return option.value(value.value) if option else int(value.value)
+
+    @property
+    def title(self) -> str:
+        """Free text that ends up in the output."""
+        return self._struct.title.decode(errors="replace")
+
+    @property
+    def well_count(self) -> int:
+        """Number of wells."""
+        return self._struct.well_count
+
+    @property
+    def wells(self) -> List[Dict[str, Value]]:
+        """The wells, in the form the constructor takes."""
+        names = [name for name, _ in _abi.hfrac_well_def._fields_]
+        return [{name: self.get(f"well[{index}].{name}") for name in names} for index in range(self.well_count)]
+
+    @property
+    def options(self) -> Dict[str, Value]:
+        """All options by key."""
+        return {option.key: self.get(option.key) for option in _option_table()}
+
+    @property
+    def text(self) -> str:
+        """The definition as a case file with every option filled in."""
+        return _library.text("hfrac_sim_def_write", ctypes.byref(self._struct))
+
+    def check(self) -> None:
+        """Raises if no simulation can be built from this; the text names the fix."""
+        call("hfrac_sim_def_check", ctypes.byref(self._struct))
+
+    def copy(self) -> "Definition":
+        """An independent definition with the same values."""
+        other = Definition()
+        ctypes.pointer(other._struct)[0] = self._struct
+        other._discs = self._discs
+        return other
+
+    def __repr__(self) -> str:
+        changed = [o.key for o in _option_table() if self.get(o.key) != o.default]
+        parts = [f"{key}={self.get(key)!r}" for key in changed]
+        return f"<hfrac.Definition {self.title!r}: {self.well_count} wells, {', '.join(parts) or 'all defaults'}>"

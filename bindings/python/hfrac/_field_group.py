@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What discs, bonds, pipes and domains of a simulation have in common."""
+from typing import TYPE_CHECKING
+
+from ._arrays import Array
+
+if TYPE_CHECKING:
+    from ._simulation import Simulation
+
+__all__ = ["Array", "FieldGroup"]
+
+
+class FieldGroup:
+    """The fields of one place."""
+
+    def __init__(self, simulation: "Simulation") -> None:
+        self._simulation = simulation
+
+    def __repr__(self) -> str:
+        names = [name for name, value in vars(type(self)).items() if isinstance(value, property)]
+        return f"<hfrac.{type(self).__name__}: {', '.join(names)}>"

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Progress functions, and Ctrl-C during a long call.
+
+While C code runs, Python sees no signal. The library's progress callback is where it can look: during a call Ctrl-C
+leaves a note, the callback reads the note and stops the library, and KeyboardInterrupt is raised when the call is back.
+"""
+import contextlib
+import signal
+import threading
+from typing import Any, Callable, Iterator, Optional
+
+from . import _abi
+
+#: Called with the share done, 0 to 1, and what is being done; a true result stops.
+ProgressFunction = Callable[[float, str], Optional[bool]]
+
+
+class Progress:
+    """A progress callback of the library around a function of the user."""
+
+    def __init__(self, function: Optional[ProgressFunction]) -> None:
+        self.function = function
+        self.callback = _abi.hfrac_progress_fn(self._called)
+        self._error: Optional[BaseException] = None
+        self._interrupted = False
+
+    def _called(self, user: Any, fraction: float, what: bytes) -> int:
+        if self._interrupted:
+            return 1
+        if self.function is None:
+            return 0
+        try:
+            return 1 if self.function(fraction, what.decode(errors="replace")) else 0
+        except BaseException as error:  # must not pass through C; raised again after the call
+            self._error = error
+            return 1
+
+    @contextlib.contextmanager
+    def watched(self) -> Iterator[None]:
+        """Around a call that may take long: what the user's function raised, and Ctrl-C, come out here."""
+        self._error, self._interrupted = None, False
+        main = threading.current_thread() is threading.main_thread()
+        ours = main and signal.getsignal(signal.SIGINT) is signal.default_int_handler
+        if ours:
+            signal.signal(signal.SIGINT, self._note_interrupt)
+        try:
+            yield
+        finally:
+            if ours:
+                signal.signal(signal.SIGINT, signal.default_int_handler)
+            error, self._error = self._error, None
+        if error is not None:
+            raise error
+        if self._interrupted:
+            raise KeyboardInterrupt
+
+    def _note_interrupt(self, number: int, frame: Any) -> None:
+        self._interrupted = True

@@ -1,0 +1,293 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A simulation: create, step, read, close."""
+import ctypes
+import threading
+import weakref
+from typing import Any, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+
+from . import _abi, _arrays
+from ._arrays import Array
+from ._definition import Definition, PathLike, Value
+from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Pipes
+from ._library import call, load
+from ._open_step import OpenStep
+from ._progress import Progress, ProgressFunction
+from ._records import Balance, Crack, Fracture, SetupReport, SimState
+from ._view import View
+from ._well import Well
+from .errors import BadHandleError, StoppedError, UnknownKeyError
+
+#: Wall time [s] between two looks at progress and Ctrl-C.
+_LOOK_EVERY = 0.1
+
+_INFO = {field.name: field for field in FIELDS}
+
+
+class Advance(NamedTuple):
+    """How far an advance came."""
+
+    #: [s] model time reached
+    time: float
+    reason: _abi.StopReason
+    status: _abi.Status
+
+
+class _Handle:
+    """Owns a simulation of the library, which ends when nothing refers to this any more: no view, no running call."""
+
+    def __init__(self, pointer: ctypes.c_void_p) -> None:
+        self.pointer = pointer
+        weakref.finalize(self, load().hfrac_sim_destroy, ctypes.byref(pointer))
+
+
+class Simulation:
+    """A model, its state and its clock.
+
+    ``case`` is a case file or a Definition; wells, title, discs and options are as for Definition and come on top.
+    ``progress(fraction, what)`` is called while the model is built and while it runs; a true result stops.
+
+    Close it with ``with`` or ``close()``, or leave it to the garbage collector. Arrays handed out are copies, except
+    for ``view``. Calls of several threads wait for one another.
+    """
+
+    def __init__(
+        self,
+        case: Union[PathLike, Definition, None] = None,
+        *,
+        wells: Sequence[Mapping[str, Value]] = (),
+        title: Optional[str] = None,
+        discs: Optional[Iterable[Sequence[float]]] = None,
+        progress: Optional[ProgressFunction] = None,
+        **options: Any,
+    ) -> None:
+        self._handle: Optional[_Handle] = None
+        self._lock = threading.RLock()
+        self._progress = Progress(progress)
+        definition = case.copy() if isinstance(case, Definition) else Definition(case)
+        definition.update(wells=wells, title=title, discs=discs, **options)
+        definition._struct.progress = self._progress.callback
+        pointer = ctypes.c_void_p()
+        with self._lock, self._progress.watched():
+            status = call("hfrac_sim_create", ctypes.byref(definition._struct), ctypes.byref(pointer))
+            if pointer:
+                self._handle = _Handle(pointer)
+        if status == _abi.Status.STOPPED:
+            raise StoppedError("the progress function stopped the building of the simulation")
+        self._title = definition.title
+        self.on_progress(progress)
+
+    def _call(self, function: str, *arguments: Any) -> _abi.Status:
+        handle = self._handle
+        if handle is None:
+            raise BadHandleError("the simulation is closed")
+        with self._lock:
+            return call(function, handle.pointer, *arguments, handle=handle.pointer)
+
+    def _read(self, function: str, kind: Any) -> Any:
+        """The one value, or the one struct, that a function gives."""
+        result = kind()
+        if hasattr(result, "struct_size"):
+            result.struct_size = ctypes.sizeof(kind)
+        self._call(function, ctypes.byref(result))
+        return result
+
+    # Life
+
+    def close(self) -> None:
+        """Ends the simulation. Calling it again does nothing."""
+        self._handle = None
+
+    @property
+    def closed(self) -> bool:
+        """Whether it has been ended."""
+        return self._handle is None
+
+    def __enter__(self) -> "Simulation":
+        return self
+
+    def __exit__(self, *unused: object) -> None:
+        self.close()
+
+    def __copy__(self) -> "Simulation":
+        raise TypeError("a simulation cannot be copied")
+
+    # Running
+
+    def step(self, count: int = 1) -> _abi.Status:
+        """Takes `count` steps. Status.STOPPED if the progress function asked for it, Status.NOT_AT_REST if the last
+        step's mechanics did not come to rest; both are notes, not errors."""
+        with self._lock, self._progress.watched():
+            return self._call("hfrac_step", count)
+
+    def advance(self, time: float) -> Advance:
+        """Steps until model time `time` [s] is reached or a stop condition holds."""
+        reached, reason = ctypes.c_double(), ctypes.c_int32()
+        with self._lock, self._progress.watched():
+            status = self._call("hfrac_advance", time, ctypes.byref(reached), ctypes.byref(reason))
+        return Advance(reached.value, _abi.StopReason(reason.value), status)
+
+    def on_progress(self, function: Optional[ProgressFunction], seconds: float = _LOOK_EVERY) -> None:
+        """Has `function` called about every `seconds` of wall time during step and advance; None: no function."""
+        self._progress.function = function
+        self._call("hfrac_set_progress", self._progress.callback, None, seconds)
+
+    # Going back
+
+    def save(self) -> bytes:
+        """An image of the state, for restore."""
+        size = self._read("hfrac_state_size", ctypes.c_int64)
+        image = ctypes.create_string_buffer(size.value)
+        self._call("hfrac_state_save", image, size, ctypes.byref(size))
+        return image.raw[: size.value]
+
+    def restore(self, image: bytes) -> None:
+        """Goes back to an image of this simulation; a damaged or foreign one is refused and changes nothing."""
+        self._call("hfrac_state_restore", image, len(image))
+
+    def open_step(self) -> OpenStep:
+        """A step that can be tried several times, and rejected. While it is open, step, advance and restore are
+        refused."""
+        return OpenStep(self)
+
+    def set_far_field(self, sigma_H: float, sigma_h: float) -> None:
+        """From the next step on, another far-field stress [Pa]: sigma_H along x, sigma_h along y."""
+        self._call("hfrac_set_far_field", sigma_H, sigma_h)
+
+    # How it stands
+
+    @property
+    def state(self) -> SimState:
+        """Time, counts of discs, bonds and cracks, and how the last step ended."""
+        return SimState.of(self._read("hfrac_sim_get_state", _abi.hfrac_sim_state))
+
+    @property
+    def time(self) -> float:
+        """[s] model time"""
+        return self.state.time
+
+    @property
+    def step_count(self) -> int:
+        """Steps taken since creation."""
+        return self.state.step
+
+    @property
+    def crack_count(self) -> int:
+        """Bonds broken so far."""
+        return self.state.crack_count
+
+    @property
+    def setup(self) -> SetupReport:
+        """What the set-up made."""
+        return SetupReport.of(self._read("hfrac_sim_get_setup", _abi.hfrac_setup_report))
+
+    @property
+    def balance(self) -> Balance:
+        """Energy and fluid since the end of the set-up."""
+        return Balance.of(self._read("hfrac_get_balance", _abi.hfrac_balance))
+
+    @property
+    def state_hash(self) -> int:
+        """Equal if and only if the state is equal, bit for bit."""
+        return self._read("hfrac_state_hash", ctypes.c_int64).value
+
+    @property
+    def epoch(self) -> int:
+        """Raised by every call that may change the simulation."""
+        return self._read("hfrac_epoch", ctypes.c_int64).value
+
+    @property
+    def definition(self) -> Definition:
+        """What the simulation was built from, defaults filled in."""
+        result = Definition()
+        self._call("hfrac_sim_definition", ctypes.byref(result._struct))
+        return result
+
+    # Wells
+
+    @property
+    def wells(self) -> List[Well]:
+        """The wells, to read and to control."""
+        return [Well(self, index) for index in range(self._read("hfrac_well_count", ctypes.c_int32).value)]
+
+    # Cracks and fractures
+
+    @property
+    def cracks(self) -> Any:
+        """All cracks in order of breakage: a numpy record array, or a list of Crack; either way crack.aperture and so
+        on."""
+        return self.cracks_since(0)[0]
+
+    def cracks_since(self, cursor: int) -> Tuple[Any, int]:
+        """Cracks with id >= cursor, and the cursor for the next call."""
+        count, following = ctypes.c_int64(), ctypes.c_int64()
+        head = (cursor, ctypes.sizeof(_abi.hfrac_crack))
+        self._call("hfrac_cracks_since", *head, None, 0, ctypes.byref(count), None)
+        records, address = _arrays.new_records(_abi.hfrac_crack, count.value)
+        self._call("hfrac_cracks_since", *head, address, count.value, ctypes.byref(count), ctypes.byref(following))
+        cracks = [Crack.of(struct) for struct in records] if _arrays.numpy is None else records
+        return cracks, following.value
+
+    @property
+    def fractures(self) -> List[Fracture]:
+        """Fractures as they are now, most cracks first."""
+        count, size = ctypes.c_int64(), ctypes.sizeof(_abi.hfrac_fracture)
+        self._call("hfrac_fractures", size, None, 0, ctypes.byref(count))
+        records = (_abi.hfrac_fracture * count.value)()
+        self._call("hfrac_fractures", size, ctypes.addressof(records), count.value, ctypes.byref(count))
+        return [Fracture.of(struct) for struct in records]
+
+    # Fields
+
+    @property
+    def discs(self) -> Discs:
+        """Fields of the discs, e.g. sim.discs.position."""
+        return Discs(self)
+
+    @property
+    def bonds(self) -> Bonds:
+        """Fields of the bonds, intact and broken."""
+        return Bonds(self)
+
+    @property
+    def pipes(self) -> Pipes:
+        """Fields of the pipes; pipe i crosses bond i."""
+        return Pipes(self)
+
+    @property
+    def domains(self) -> Domains:
+        """Fields of the fluid domains; domain 0 is the outside."""
+        return Domains(self)
+
+    def field(self, name: str) -> Array:
+        """A copy of the field of that name, e.g. "domain.pressure", of shape (n,) or (n, components)."""
+        info, desc = self._described(name)
+        copied, address = _arrays.new_array(info.dtype, desc.count, info.components)
+        count = ctypes.c_int64()
+        function = "hfrac_field_copy_f64" if info.dtype == "double" else "hfrac_field_copy_i32"
+        self._call(function, desc.field, address, desc.count * info.components, ctypes.byref(count))
+        return copied
+
+    def view(self, name: str) -> View:
+        """The field of that name without a copy, valid until the simulation changes."""
+        info, desc = self._described(name)
+        data, count, epoch = ctypes.c_void_p(), ctypes.c_int64(), ctypes.c_int64()
+        self._call("hfrac_field_view", desc.field, ctypes.byref(data), ctypes.byref(count), ctypes.byref(epoch))
+        array = _arrays.borrowed_array(data.value or 0, info.dtype, desc.count, info.components, self._handle)
+        return View(self, info, array, epoch.value)
+
+    def _described(self, name: str) -> Tuple[FieldInfo, _abi.hfrac_field_desc]:
+        if name not in _INFO:
+            raise UnknownKeyError(f"{name} is not a field; there are: {', '.join(_INFO)}")
+        field = ctypes.c_int32()
+        call("hfrac_field_find", name.encode(), ctypes.byref(field))
+        desc = _abi.hfrac_field_desc(struct_size=ctypes.sizeof(_abi.hfrac_field_desc))
+        self._call("hfrac_field_info", field.value, ctypes.byref(desc))
+        return _INFO[name], desc
+
+    def __repr__(self) -> str:
+        title = f" {self._title!r}" if getattr(self, "_title", "") else ""
+        if self._handle is None:
+            return f"<hfrac.Simulation{title}: closed>"
+        s = self.state
+        counts = f"{s.disc_count} discs, {s.bond_count} bonds, {len(self.wells)} wells, {s.crack_count} cracks"
+        return f"<hfrac.Simulation{title}: {counts}, step {s.step}, t = {s.time:g} s>"

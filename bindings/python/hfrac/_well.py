@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A well of a running simulation."""
+import ctypes
+from typing import TYPE_CHECKING
+
+from . import _abi
+from ._records import WellState
+
+if TYPE_CHECKING:
+    from ._simulation import Simulation
+
+
+class Well:
+    """Well `index` (from 0). Its values are read when asked for; settings hold from the next step on."""
+
+    def __init__(self, simulation: "Simulation", index: int) -> None:
+        self._simulation = simulation
+        self.index = index
+
+    @property
+    def state(self) -> WellState:
+        """All values as they are now."""
+        struct = _abi.hfrac_well_state(struct_size=ctypes.sizeof(_abi.hfrac_well_state))
+        self._simulation._call("hfrac_well_get", self.index, ctypes.byref(struct))
+        return WellState.of(struct)
+
+    @property
+    def pressure(self) -> float:
+        """[Pa] now, in the reading's sense"""
+        return self.state.pressure
+
+    @property
+    def rate(self) -> float:
+        """[m2/s] into the well in the last step"""
+        return self.state.rate
+
+    @property
+    def injected_volume(self) -> float:
+        """[m2] since set-up, at formation pressure"""
+        return self.state.injected_volume
+
+    def set_pressure(self, pressure: float) -> None:
+        """Holds the well at a pressure [Pa]."""
+        self._simulation._call("hfrac_well_set_pressure", self.index, pressure)
+
+    def set_ramp(self, pressure: float, per_step: float) -> None:
+        """Moves the well's pressure by `per_step` [Pa] each step, up or down to `pressure` [Pa]."""
+        self._simulation._call("hfrac_well_set_ramp", self.index, pressure, per_step)
+
+    def set_rate(self, rate: float) -> None:
+        """Injects `rate` [m2/s]; negative: takes out; 0: shut in."""
+        self._simulation._call("hfrac_well_set_rate", self.index, rate)
+
+    def __repr__(self) -> str:
+        s = self.state
+        return (
+            f"<hfrac.Well {self.index} at ({s.x:g}, {s.y:g}) m, {s.control.name.lower()}: "
+            f"{s.pressure / 1e6:.4g} MPa, {s.rate:.4g} m2/s>"
+        )

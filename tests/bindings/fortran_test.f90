@@ -1,0 +1,376 @@
+! SPDX-License-Identifier: BSD-3-Clause
+! Module hfrac from outside: every procedure at least once, right use and wrong, with floating-point traps armed.
+!   fortran_test CASE
+module fortran_test_progress
+  use, intrinsic :: iso_c_binding, only: c_double
+  implicit none
+  integer :: calls = 0
+  logical :: stop_at_once = .false.
+contains
+  function count_calls(fraction, what) result(stop_now)
+    real(c_double), intent(in) :: fraction
+    character(*), intent(in) :: what
+    logical :: stop_now
+    calls = calls + 1
+    stop_now = stop_at_once .or. fraction < 0.0_c_double .or. len(what) == 0
+  end function count_calls
+end module fortran_test_progress
+
+program fortran_test
+  use, intrinsic :: iso_c_binding
+  use, intrinsic :: iso_fortran_env, only: error_unit, int64, real64
+  use fortran_test_progress
+  use hfrac
+  implicit none
+  integer :: failures = 0
+  character(1000) :: case_file
+
+  call get_command_argument(1, case_file)
+  call library()
+  call options()
+  call definition()
+  call building()
+  call running()
+  call wells()
+  call fields()
+  call cracks_and_fractures()
+  call progress()
+  call going_back()
+  call wrong_use()
+  call own_discs()
+  call two_at_once()
+  if (failures > 0) error stop 1
+  print '(a)', 'all good'
+
+contains
+
+  subroutine expect(condition, what)
+    logical, intent(in) :: condition
+    character(*), intent(in) :: what
+    if (condition) return
+    write (error_unit, '(2a)') 'failed: ', what
+    failures = failures + 1
+  end subroutine expect
+
+  subroutine library()
+    integer(c_int32_t) :: major, minor, patch, abi, needed
+    character(kind=c_char), target :: buffer(200)
+    call expect(hfrac_version(major, minor, patch) == HFRAC_OK, 'version')
+    call expect(major == HFRAC_VERSION_MAJOR .and. minor == HFRAC_VERSION_MINOR, 'version of the module')
+    call expect(hfrac_abi_version(abi) == HFRAC_OK .and. abi == HFRAC_ABI_NUMBER, 'ABI number')
+    call expect(index(hfrac_info(), 'hfrac') == 1, 'build info')
+    call expect(hfrac_status_text(HFRAC_ERR_MODEL, c_loc(buffer), 200, needed) == HFRAC_OK, 'status text')
+    call expect(needed > 10 .and. buffer(needed) == c_null_char, 'size of the status text')
+  end subroutine library
+
+  subroutine options()
+    type(hfrac_option_info) :: info
+    integer(c_int32_t) :: count
+    call expect(hfrac_option_count(count) == HFRAC_OK .and. count > 30, 'number of options')
+    call expect(hfrac_option_at(0, info) == HFRAC_OK, 'an option')
+    call expect(c_associated(info%key) .and. info%default_value == 100.0_real64, 'the first option')
+  end subroutine options
+
+  subroutine definition()
+    type(hfrac_definition) :: def
+    integer :: stat
+    character(200) :: message
+    call expect(def%get('model.width') == 100.0_real64, 'a default')
+    call def%set('model.width', 80.0_real64)
+    call def%set('packing.disc_count', 400)
+    call def%set('packing.disc_count', 401_int64)
+    call def%set('boundary.kind', 'walls   ')
+    call def%set('title', 'from Fortran   ')
+    call expect(def%values%model_width == 80.0_real64 .and. def%values%packing_disc_count == 401, 'values by key')
+    call expect(def%get('boundary.kind') == 1.0_real64, 'a choice by its word')
+    call expect(index(def%case_text(), 'title = "from Fortran"') == 1, 'definition as text')
+
+    message = 'untouched'
+    call def%set('packing.disc_count', 500, stat, message)
+    call expect(stat == 0 .and. message == 'untouched', 'stat and errmsg of success')
+    call def%set('packing.disk_count', 1, stat, message)
+    call expect(stat == HFRAC_ERR_UNKNOWN_KEY, 'unknown key')
+    call expect(index(message, 'packing.disc_count') > 0, 'nearest key: '//message)
+    call def%set('fluid.viscosity', -1.0_real64, stat, message)
+    call expect(stat == HFRAC_ERR_ARGUMENT, 'out of range')
+    call def%load('/nonexistent/case.toml', stat, message)
+    call expect(stat == HFRAC_ERR_CASE_FILE .and. index(message, 'case.toml') > 0, 'missing file')
+    call def%set('well[0].radius', 1000.0_real64)
+    call def%check(stat, message)
+    call expect(stat < 0 .and. len_trim(message) > 0, 'a well larger than the model')
+    call expect(def%get('no.such', stat) == 0.0_real64 .and. stat == HFRAC_ERR_UNKNOWN_KEY, 'get of an unknown key')
+  end subroutine definition
+
+  subroutine building()
+    type(hfrac_definition) :: def, found
+    type(hfrac_simulation) :: sim
+    type(hfrac_setup_report) :: made
+    integer :: stat
+    character(200) :: message
+    call expect(.not. sim%exists(), 'no simulation at first')
+    call def%load(case_file)
+    def%progress => count_calls
+    call sim%create(def, stat, message)
+    call expect(stat == 0 .and. sim%exists(), 'create')
+    made = sim%setup()
+    call expect(made%packed_discs == 500 .and. made%mean_radius > 0.0_real64, 'setup report')
+    call sim%definition(found)
+    call expect(found%values%packing_disc_count == 500, 'definition of a simulation')
+    call def%set('packing.disc_count', 5000)
+    call def%set('packing.residual', 1e-9_real64)
+    calls = 0
+    stop_at_once = .true.
+    call sim%create(def, stat)
+    stop_at_once = .false.
+    call expect(stat == HFRAC_STOPPED .and. calls > 0 .and. .not. sim%exists(), 'building stopped')
+    call sim%create('/nonexistent/case.toml', stat, message)
+    call expect(stat == HFRAC_ERR_CASE_FILE .and. .not. sim%exists(), 'create from a missing file')
+    call sim%destroy()
+    call sim%destroy(stat)
+    call expect(stat == 0, 'destroy twice')
+  end subroutine building
+
+  subroutine running()
+    type(hfrac_simulation) :: sim
+    type(hfrac_sim_state) :: state
+    type(hfrac_balance) :: balance
+    real(real64) :: reached
+    integer(c_int32_t) :: reason
+    integer(int64) :: before
+    integer :: stat
+    call sim%create(case_file)
+    before = sim%state_hash()
+    call expect(sim%state_hash() == before, 'hash of an unchanged state')
+    call sim%step(2)
+    call sim%step(1_int64, stat)
+    call sim%step()
+    state = sim%state()
+    call expect(state%step == 4 .and. stat >= 0, 'four steps')
+    call expect(sim%state_hash() /= before, 'hash of a changed state')
+    call sim%advance(0.06_real64, reached, reason)
+    call expect(abs(reached - 0.06_real64) < 1e-9_real64 .and. reason == HFRAC_REASON_TARGET, 'advance')
+    balance = sim%balance()
+    call expect(balance%injected_volume > 0.0_real64 .and. balance%fracture > 0.0_real64, 'balance')
+    call sim%step(-1, stat)
+    call expect(stat == HFRAC_ERR_ARGUMENT, 'negative count')
+  end subroutine running
+
+  subroutine wells()
+    type(hfrac_simulation) :: sim
+    type(hfrac_well_state), allocatable :: list(:)
+    integer :: stat
+    character(200) :: message
+    call sim%create(case_file)
+    call sim%wells(list)
+    call expect(size(list) == 1, 'one well')
+    call expect(list(1)%x == 50.0_real64 .and. list(1)%control == HFRAC_WELL_PRESSURE, 'the well')
+    call sim%set_well_ramp(0, 10e6_real64, 1e6_real64)
+    call sim%step(3)
+    call sim%wells(list)
+    call expect(abs(list(1)%pressure - 3e6_real64) < 1.0_real64, 'three steps of the ramp')
+    call sim%set_well_pressure(0, 5e6_real64)
+    call sim%step()
+    call sim%wells(list)
+    call expect(abs(list(1)%pressure - 5e6_real64) < 1.0_real64, 'held pressure')
+    call sim%set_well_rate(0, 1e-4_real64)
+    call sim%step()
+    call sim%wells(list)
+    call expect(list(1)%control == HFRAC_WELL_RATE .and. list(1)%rate > 0.0_real64, 'rate')
+    call sim%set_well_rate(3, 1.0_real64, stat, message)
+    call expect(stat == HFRAC_ERR_ARGUMENT .and. index(message, 'well 3') == 1, 'no such well: '//message)
+  end subroutine wells
+
+  subroutine fields()
+    type(hfrac_simulation) :: sim
+    type(hfrac_sim_state) :: state
+    real(real64), allocatable :: position(:, :), radius(:)
+    real(real64), pointer :: borrowed(:, :), no_double(:, :)
+    integer(c_int32_t), allocatable :: discs(:, :), kind(:)
+    integer(c_int32_t), pointer :: borrowed_kind(:, :)
+    integer(int64) :: epoch
+    integer :: stat
+    character(200) :: message
+    call sim%create(case_file)
+    state = sim%state()
+    call sim%get('disc.position', position)
+    call expect(all(shape(position) == [2, int(state%disc_count)]), 'shape of positions')
+    call sim%get('disc.radius', radius)
+    call expect(size(radius) == state%disc_count .and. minval(radius) > 0.0_real64, 'radii')
+    call sim%get('bond.discs', discs)
+    call expect(all(shape(discs) == [2, int(state%bond_count)]), 'shape of the bonds'' discs')
+    call expect(minval(discs) >= 0 .and. maxval(discs) < state%disc_count, 'discs count from 0')
+    call sim%get('domain.kind', kind)
+    call expect(kind(1) == 2 .and. count(kind == 1) == 1, 'outside and well')
+    call sim%view('disc.position', borrowed)
+    call expect(all(borrowed == position), 'a view is what a copy is')
+    call sim%view('domain.kind', borrowed_kind)
+    call expect(all(borrowed_kind(1, :) == kind), 'a view of integers')
+    epoch = sim%epoch()
+    call sim%step()
+    call expect(sim%epoch() > epoch, 'epoch')
+
+    call sim%get('disc.position', radius, stat, message)
+    call expect(stat == HFRAC_ERR_ARGUMENT .and. size(radius) == 0 .and. index(message, 'rank 2') > 0, 'wrong rank')
+    call sim%get('disc.position', discs, stat)
+    call expect(stat == HFRAC_ERR_ARGUMENT, 'wrong type')
+    call sim%view('domain.kind', no_double, stat)
+    call expect(stat == HFRAC_ERR_ARGUMENT .and. .not. associated(no_double), 'view of the wrong type')
+    call sim%get('disc.colour', radius, stat, message)
+    call expect(stat == HFRAC_ERR_UNKNOWN_KEY .and. len_trim(message) > 0, 'no such field')
+  end subroutine fields
+
+  subroutine cracks_and_fractures()
+    type(hfrac_simulation) :: sim
+    type(hfrac_sim_state) :: state
+    type(hfrac_crack), allocatable :: all_cracks(:), later(:)
+    type(hfrac_fracture), allocatable :: fractures(:)
+    integer(int64) :: before, cursor
+    integer :: stat
+    call sim%create(case_file)
+    call sim%cracks(all_cracks, next=before)
+    call sim%step(5)
+    call sim%cracks(later, since=before, next=cursor)
+    call sim%cracks(all_cracks)
+    state = sim%state()
+    call expect(size(all_cracks) == state%crack_count .and. cursor == state%crack_count, 'all cracks')
+    call expect(size(later) > 0 .and. later(size(later))%id == state%crack_count - 1, 'cracks since a cursor')
+    call expect(all(all_cracks%mode >= HFRAC_CRACK_TENSION .and. all_cracks%mode <= HFRAC_CRACK_SHEAR), 'modes')
+    call sim%fractures(fractures)
+    call expect(sum(fractures%crack_count) <= state%crack_count .and. fractures(1)%length > 0.0_real64, 'fractures')
+    call sim%cracks(later, since=1000000_int64, stat=stat)
+    call expect(stat == HFRAC_ERR_ARGUMENT .and. size(later) == 0, 'cursor past the end')
+  end subroutine cracks_and_fractures
+
+  subroutine progress()
+    type(hfrac_simulation) :: sim
+    type(hfrac_sim_state) :: state
+    integer :: stat
+    call sim%create(case_file)
+    calls = 0
+    call sim%on_progress(count_calls, 0.0_real64)
+    call sim%step(3)
+    call expect(calls > 3, 'progress is called')
+    stop_at_once = .true.
+    call sim%step(3, stat)
+    stop_at_once = .false.
+    state = sim%state()
+    call expect(stat == HFRAC_STOPPED .and. state%step == 3, 'stopped at the last whole step')
+    call sim%on_progress()
+    calls = 0
+    call sim%step(1)
+    call expect(calls == 0, 'progress removed')
+  end subroutine progress
+
+  subroutine going_back()
+    type(hfrac_definition) :: def
+    type(hfrac_simulation) :: sim, straight
+    integer(c_int8_t), allocatable :: image(:)
+    type(hfrac_sim_state) :: state
+    integer(int64) :: start, once
+    integer :: stat
+    character(200) :: message
+    call def%load(case_file)
+    call def%set('boundary.kind', 'stress')
+    call def%set('stress.sigma_H', 10e6_real64)
+    call def%set('stress.sigma_h', 10e6_real64)
+    call def%set('stepping.force_ratio', 1e-2_real64)
+    call sim%create(def)
+    call sim%step(2)
+    call sim%save(image)
+    start = sim%state_hash()
+    call sim%step(2)
+    once = sim%state_hash()
+    call sim%restore(image)
+    call expect(sim%state_hash() == start, 'restored')
+    call sim%step(2)
+    call expect(sim%state_hash() == once, 'the same way again')
+    image(size(image)/2) = not(image(size(image)/2))
+    call sim%restore(image, stat, message)
+    call expect(stat < 0 .and. len_trim(message) > 0, 'a damaged image')
+    call expect(sim%state_hash() == once, 'a damaged image changes nothing')
+
+    call sim%save(image)
+    call sim%prepare_step()
+    call sim%do_step(5e-3_real64)
+    call sim%step(1, stat)
+    call expect(stat == HFRAC_ERR_ARGUMENT, 'no other step while one is open')
+    call sim%reject_step()
+    call expect(sim%state_hash() == once, 'rejected')
+    call sim%prepare_step()
+    call sim%do_step(1e-2_real64)
+    call sim%do_step(5e-3_real64)
+    call sim%finalize_step()
+    state = sim%state()
+    call expect(abs(state%time - 0.045_real64) < 1e-9_real64, 'kept')
+    call sim%finalize_step(stat)
+    call expect(stat == HFRAC_ERR_ARGUMENT, 'no open step')
+
+    call straight%create(def)
+    call straight%set_far_field(12e6_real64, 9e6_real64)
+    call straight%step(2)
+    call expect(straight%state_hash() /= start, 'another far field')
+    call straight%set_far_field(10e6_real64, 20e6_real64, stat)
+    call expect(stat == HFRAC_ERR_ARGUMENT, 'sigma_h above sigma_H')
+  end subroutine going_back
+
+  subroutine wrong_use()
+    type(hfrac_simulation) :: sim, empty
+    type(hfrac_sim_state) :: state
+    real(real64), allocatable :: radius(:)
+    integer :: stat
+    character(200) :: message
+    call sim%step(1, stat, message)
+    call expect(stat == HFRAC_ERR_ARGUMENT .or. stat == HFRAC_ERR_BAD_HANDLE, 'step of nothing')
+    call expect(len_trim(message) > 0, 'text for nothing')
+    state = sim%state(stat)
+    call expect(stat < 0, 'state of nothing')
+    call sim%get('disc.radius', radius, stat)
+    call expect(stat < 0 .and. size(radius) == 0, 'field of nothing')
+    sim = empty
+    call expect(.not. sim%exists() .and. .not. c_associated(sim%c_handle()), 'assignment of nothing')
+  end subroutine wrong_use
+
+  subroutine own_discs()
+    type(hfrac_definition) :: def
+    type(hfrac_simulation) :: sim, again
+    real(real64), allocatable :: position(:, :), radius(:), there(:, :)
+    integer :: stat
+    character(200) :: message
+    call def%load(case_file)
+    call def%set('stepping.force_ratio', 1e-2_real64)
+    call sim%create(def)
+    call sim%get('disc.position', position)
+    call sim%get('disc.radius', radius)
+    allocate (def%discs(3, size(radius)))
+    def%discs(1:2, :) = position
+    def%discs(3, :) = radius
+    call again%create(def, stat, message)
+    call expect(stat == 0, 'own discs: '//message)
+    if (stat /= 0) return
+    call again%get('disc.position', there)
+    call expect(size(there, 2) == size(radius), 'as many discs as given')
+    deallocate (def%discs)
+    allocate (def%discs(2, 5), source=0.0_real64)
+    call again%create(def, stat, message)
+    call expect(stat == HFRAC_ERR_ARGUMENT .and. index(message, '(3, n)') > 0, 'discs of the wrong shape')
+  end subroutine own_discs
+
+  subroutine two_at_once()
+    type(hfrac_simulation) :: alone, one, two
+    type(hfrac_definition) :: other
+    integer :: i
+    call alone%create(case_file)
+    call alone%step(4)
+    call other%load(case_file)
+    call other%set('model.seed', 9)
+    call one%create(case_file)
+    call two%create(other)
+    do i = 1, 4
+      call one%step()
+      call two%step()
+    end do
+    call expect(one%state_hash() == alone%state_hash(), 'interleaved is as alone')
+    call expect(one%state_hash() /= two%state_hash(), 'another seed is another state')
+  end subroutine two_at_once
+
+end program fortran_test

@@ -1,0 +1,88 @@
+"""Options by keyword, by section, by key and by case file."""
+import pathlib
+import tempfile
+import unittest
+
+import hfrac
+from support import CASE
+
+
+class Definition(unittest.TestCase):
+    def test_table_of_options(self):
+        table = {option.key: option for option in hfrac.options()}
+        width = table["model.width"]
+        self.assertEqual((width.type, width.unit, width.default, width.keyword), ("real", "m", 100.0, "model_width"))
+        self.assertEqual(table["model.seed"].default, 1)
+        self.assertEqual(table["boundary.kind"].choices, ("stress", "walls"))
+        self.assertEqual(table["boundary.kind"].default, "stress")
+        self.assertTrue(all(option.help for option in table.values()))
+
+    def test_every_keyword_sets_its_key(self):
+        for option in hfrac.options():
+            definition = hfrac.Definition(**{option.keyword: option.default})
+            self.assertEqual(definition.get(option.key), option.default)
+            self.assertEqual(type(definition.get(option.key)), type(option.default))
+
+    def test_three_ways_to_the_same(self):
+        flat = hfrac.Definition(bond_tensile_strength=40e6, packing_disc_count=500)
+        nested = hfrac.Definition(bond={"tensile_strength": 40e6}, packing={"disc_count": 500})
+        keyed = hfrac.Definition()
+        keyed.set("bond.tensile_strength", 40e6)
+        keyed.set("packing.disc_count", 500)
+        self.assertEqual(flat.text, nested.text)
+        self.assertEqual(flat.text, keyed.text)
+        self.assertEqual(flat.options["packing.disc_count"], 500)
+
+    def test_wells(self):
+        definition = hfrac.Definition(
+            model_width=80, wells=[{"radius": 5, "pressure": 40e6}, {"x": 10, "y": 20, "radius": 2, "control": "rate"}]
+        )
+        first, second = definition.wells
+        self.assertEqual((first["x"], first["y"], first["control"]), (40.0, 50.0, "pressure"))
+        self.assertEqual((second["x"], second["y"], second["control"]), (10.0, 20.0, "rate"))
+
+    def test_case_file_and_keywords_on_top(self):
+        definition = hfrac.Definition(CASE, model_seed=3, wells=[{"pressure": 30e6}], title="another")
+        self.assertEqual(definition.get("model.seed"), 3)
+        self.assertEqual(definition.get("packing.disc_count"), 500)
+        self.assertEqual(definition.get("well_count"), 1)
+        self.assertEqual((definition.wells[0]["pressure"], definition.wells[0]["radius"]), (30e6, 8.5))
+        self.assertEqual((definition.title, definition.get("title")), ("another", "another"))
+
+    def test_text_is_a_case_file(self):
+        definition = hfrac.Definition(CASE)
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "söme case.toml")
+            path.write_text(definition.text, encoding="utf-8")
+            self.assertEqual(hfrac.Definition(path).text, definition.text)
+
+    def test_a_copy_is_independent(self):
+        definition = hfrac.Definition(CASE)
+        copy = definition.copy()
+        copy.set("model.seed", 99)
+        self.assertEqual(definition.get("model.seed"), 4)
+        self.assertEqual(copy.title, definition.title)
+
+    def test_check_names_the_fix(self):
+        with self.assertRaisesRegex(hfrac.HfracError, "well"):
+            hfrac.Definition(wells=[{"radius": 1000.0}]).check()
+        hfrac.Definition(CASE).check()
+
+    def test_errors(self):
+        for options, error, text in [
+            ({"packing_disk_count": 3}, hfrac.UnknownKeyError, "did you mean packing.disc_count"),
+            ({"bond": {"tensile_strenth": 1}}, hfrac.UnknownKeyError, "did you mean bond.tensile_strength"),
+            ({"wells": [{"radios": 1}]}, hfrac.UnknownKeyError, "radius"),
+            ({"fluid_viscosity": -1}, ValueError, "fluid.viscosity = -1"),
+            ({"fluid_viscosity": float("nan")}, hfrac.ArgumentError, "fluid.viscosity"),
+            ({"model_seed": 10**30}, hfrac.ArgumentError, "model.seed"),
+            ({"boundary_kind": "wall"}, hfrac.ArgumentError, "stress or walls"),
+            ({"case": "/nonexistent.toml"}, hfrac.CaseFileError, "nonexistent"),
+            ({"title": "x" * 500}, hfrac.ArgumentError, "title"),
+        ]:
+            with self.subTest(options=options), self.assertRaisesRegex(error, text):
+                hfrac.Definition(**options)
+
+    def test_repr_tells_what_differs_from_the_defaults(self):
+        self.assertIn("model.seed=4", repr(hfrac.Definition(CASE)))
+        self.assertIn("all defaults", repr(hfrac.Definition()))

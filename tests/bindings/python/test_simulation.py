@@ -1,0 +1,161 @@
+"""A simulation's life: create, run, wells, cracks, close."""
+import copy
+import gc
+import unittest
+
+import hfrac
+from support import CASE, small
+
+
+class Life(unittest.TestCase):
+    def test_from_keywords_alone(self):
+        with hfrac.Simulation(
+            packing_disc_count=400, packing={"residual": 1e-3}, model_reading="paper", boundary_kind="walls",
+            stress={"sigma_H": 0, "sigma_h": 0}, stepping_flow_step=1e-2, wells=[{"radius": 9.0, "pressure": 45e6}],
+        ) as sim:
+            self.assertEqual(sim.setup.packed_discs, 400)
+            self.assertGreaterEqual(sim.step(), 0)
+
+    def test_closing(self):
+        with small() as sim:
+            self.assertFalse(sim.closed)
+        self.assertTrue(sim.closed)
+        sim.close()
+        self.assertIn("closed", repr(sim))
+        for use in (lambda: sim.time, sim.step, lambda: sim.discs.radius, lambda: sim.cracks, lambda: sim.wells):
+            with self.assertRaisesRegex(hfrac.BadHandleError, "closed"):
+                use()
+        with self.assertRaises(TypeError):
+            copy.copy(sim)
+
+    def test_the_garbage_collector_ends_it_too(self):
+        small()
+        gc.collect()
+
+    def test_failure_to_build(self):
+        with self.assertRaises(hfrac.HfracError):
+            small(wells=[{"radius": 500.0}])
+
+    def test_repr(self):
+        with small() as sim:
+            sim.step(2)
+            self.assertRegex(repr(sim), r"small case.*\d+ discs.* 1 wells.*step 2, t = 0.02 s")
+            self.assertIn("MPa", repr(sim.wells[0]))
+            self.assertIn("position", repr(sim.discs))
+
+    def test_definition(self):
+        with small(model_seed=5) as sim:
+            self.assertEqual(sim.definition.get("model.seed"), 5)
+            self.assertEqual(sim.definition.text, hfrac.Definition(CASE, model_seed=5).text)
+
+
+class Running(unittest.TestCase):
+    def test_step_and_advance(self):
+        with small() as sim:
+            self.assertEqual((sim.time, sim.step_count), (0.0, 0))
+            before = sim.state_hash
+            sim.step(3)
+            self.assertEqual(sim.step_count, 3)
+            self.assertNotEqual(sim.state_hash, before)
+            advance = sim.advance(0.05)
+            self.assertAlmostEqual(advance.time, 0.05)
+            self.assertIs(advance.reason, hfrac.StopReason.TARGET)
+            self.assertEqual(advance.time, sim.time)
+            self.assertEqual(sim.step(0), hfrac.Status.OK)
+            with self.assertRaisesRegex(hfrac.ArgumentError, "count = -1"):
+                sim.step(-1)
+            with self.assertRaises(hfrac.ArgumentError):
+                sim.advance(float("inf"))
+
+    def test_balance_closes(self):
+        with small() as sim:
+            sim.step(5)
+            balance = sim.balance
+            self.assertGreater(balance.injected_volume, 0.0)
+            self.assertLess(abs(balance.fluid_error), 1e-6 * balance.injected_volume)
+
+    def test_stop_condition(self):
+        with small(stop_cracks=1) as sim:
+            advance = sim.advance(10.0)
+            self.assertIs(advance.reason, hfrac.StopReason.CRACKS)
+            self.assertLess(advance.time, 10.0)
+            self.assertIs(sim.state.stop_reason, hfrac.StopReason.CRACKS)
+
+    def test_a_step_that_does_not_come_to_rest_is_a_note(self):
+        with small(stepping_max_cycles=10) as sim:
+            self.assertIs(sim.step(), hfrac.Status.NOT_AT_REST)
+
+
+class Wells(unittest.TestCase):
+    def test_controls(self):
+        with small() as sim:
+            (well,) = sim.wells
+            self.assertEqual((well.state.x, well.state.control), (50.0, hfrac.WellControl.PRESSURE))
+            well.set_ramp(10e6, per_step=1e6)
+            sim.step(3)
+            self.assertAlmostEqual(well.pressure, 3e6, delta=1.0)
+            well.set_pressure(5e6)
+            sim.step()
+            self.assertAlmostEqual(well.pressure, 5e6, delta=1.0)
+            self.assertGreater(well.injected_volume, 0.0)
+            well.set_rate(1e-4)
+            sim.step()
+            self.assertIs(well.state.control, hfrac.WellControl.RATE)
+            self.assertAlmostEqual(well.rate, 1e-4)
+
+    def test_no_such_well(self):
+        with small() as sim, self.assertRaisesRegex(hfrac.ArgumentError, "well 3 is not there"):
+            hfrac.Well(sim, 3).set_pressure(1.0)
+
+
+class Cracks(unittest.TestCase):
+    def test_all_and_since(self):
+        with small() as sim:
+            start = len(sim.cracks)
+            sim.step(5)
+            cracks = sim.cracks
+            self.assertEqual(len(cracks), sim.crack_count)
+            self.assertGreater(len(cracks), start)
+            later, cursor = sim.cracks_since(start)
+            self.assertEqual((len(later), cursor), (len(cracks) - start, len(cracks)))
+            self.assertEqual(sim.cracks_since(cursor)[1], cursor)
+            self.assertEqual(len(sim.cracks_since(cursor)[0]), 0)
+            for index, crack in enumerate(cracks):
+                self.assertEqual(crack.id, index)
+                self.assertIn(crack.mode, list(hfrac.CrackMode))
+                self.assertEqual(len(crack.position), 2)
+                self.assertGreater(crack.length, 0.0)
+            with self.assertRaises(hfrac.ArgumentError):
+                sim.cracks_since(10**6)
+
+    def test_fractures(self):
+        with small() as sim:
+            self.assertIsInstance(sim.fractures, list)
+            sim.step(5)
+            largest = sim.fractures[0]
+            self.assertIsInstance(largest, hfrac.Fracture)
+            self.assertGreater(largest.crack_count, 0)
+            self.assertGreater(largest.largest_aperture, 0.0)
+
+
+class OwnDiscs(unittest.TestCase):
+    def test_discs_packed_elsewhere(self):
+        with small() as packed:
+            rows = [(x, y, radius) for (x, y), radius in zip(packed.discs.position, packed.discs.radius)]
+        with small(discs=rows, stepping_force_ratio=1e-2, wells=[{"radius": 5.0}]) as sim:
+            self.assertEqual(sim.setup.packed_discs, len(rows))
+
+    def test_wrong_shape(self):
+        with self.assertRaises(ValueError):
+            hfrac.Definition(discs=[(1.0, 2.0)])
+
+
+class Isolation(unittest.TestCase):
+    def test_two_interleaved_are_as_alone(self):
+        with small() as alone, small() as one, small(model_seed=9) as two:
+            alone.step(4)
+            for _ in range(4):
+                one.step()
+                two.step()
+            self.assertEqual(one.state_hash, alone.state_hash)
+            self.assertNotEqual(one.state_hash, two.state_hash)
