@@ -127,6 +127,7 @@ class Simulation {
   void drive_wells();
   void flow_step(double duration);
   void finish_step(double duration, std::size_t cracks_before);
+  void require_finite() const;
   void impose_well_pressure(Well& well, double pressure);
   // state.cpp
   template <class Archive, class Self>

@@ -16,6 +16,14 @@ struct Join {
   double gap;  // m
 };
 
+// Only a host's own discs can be like this.
+[[noreturn]] void refuse_overlap(std::int32_t i, std::int32_t j, double x, double y) {
+  throw Error(ErrorKind::model,
+              "discs " + std::to_string(i) + " and " + std::to_string(j) + " near (" + std::to_string(x) +
+                  ", " + std::to_string(y) +
+                  ") m overlap by more than the larger one's radius; give discs that at most touch");
+}
+
 std::vector<Join> near_pairs(const Array<double>& x, const Array<double>& y, const Array<double>& radius,
                              double tolerance) {
   const double largest = *std::max_element(radius.begin(), radius.end());
@@ -27,6 +35,7 @@ std::vector<Join> near_pairs(const Array<double>& x, const Array<double>& y, con
       if (j <= i) return;
       const double dx = x[j] - x[i], dy = y[j] - y[i];
       const double gap = std::sqrt(dx * dx + dy * dy) - radius[i] - radius[j];
+      if (gap < -std::max(radius[i], radius[j])) refuse_overlap(i, j, x[i], y[i]);
       if (gap < tolerance) joins.push_back({i, j, gap});
     });
     std::sort(joins.begin() + static_cast<std::ptrdiff_t>(begin), joins.end(),

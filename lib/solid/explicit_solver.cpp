@@ -282,6 +282,9 @@ void ExplicitSolver::search_contacts(const CrackLog& cracks) {
 }
 
 void ExplicitSolver::after_restore() {
+  // What a failed step had summed up so far is void.
+  for (auto* sums : {&bond_sums_, &disc_sums_, &domain_sums_})
+    std::fill(sums->begin(), sums->end(), BlockSums{});
   refresh_stiffness();
 }
 

@@ -96,6 +96,7 @@ TEST(Isolation, WorkersDoNotChangeResults) {
       hfrac_sim_def def = cracking_def(600);
       def.run_workers = workers;
       def.wells[0].pressure = 80e6;
+      def.stepping_force_ratio = 1e-2;
       variants[v](def);
       const Sim sim(def);
       ASSERT_GE(hfrac_step(sim, 1), HFRAC_OK) << last_error(sim);

@@ -10,8 +10,7 @@
 //            radius is cut out of a relaxed packing and given to the library, a hole of 7.5 m cut into its
 //            middle; the far field acts on the outermost discs. Four packings. a is the hole's equivalent
 //            radius, b that of the outline. Hoop stress from disc.stress, averaged over rings by cell area;
-//            the analytic value is averaged over the same discs. Cell areas are scaled so that they fill the
-//            ring from 1.3 a to 0.9 b. Errors are taken of the load and of the far field as it arrives, which
+//            the analytic value is averaged over the same discs. Errors are taken of the load and of the far field as it arrives, which
 //            is (sigma_x + sigma_y) / 2 from 1.7 a to 5 a: about 1 % of the load is missing there, probably
 //            borne by the outline, a closed chain of bonds.
 // Tolerance  physics.md: 2 % beyond 1.7 a, 8 % from 1.3 a to 1.7 a, by the far field as it arrives, and that
@@ -125,23 +124,12 @@ void add_packing(int64_t seed, const std::vector<double>& given, LoadCase& load)
   const Ring ring(a, b, load.larger, load.smaller), endless(a, 1e4 * a, load.larger, load.smaller);
   const double half_trace = 0.5 * (load.larger + load.smaller) * b * b / (b * b - a * a);
 
-  // disc.stress divides by the disc's share of the box, which here is not full: find the share that fills the
-  // ring.
-  const double solid = 1.0 - s.setup().porosity;
-  double cells = 0.0;
-  for (std::size_t i = 0; i < radius.size(); ++i) {
-    const double r = std::hypot(x[2 * i] - centre, x[2 * i + 1] - centre);
-    if (r > 1.3 * a && r < 0.9 * b) cells += pi * radius[i] * radius[i] / solid;
-  }
-  const double share = pi * (0.81 * b * b - 1.69 * a * a) / cells;
-
   for (std::size_t i = 0; i < radius.size(); ++i) {
     const double dx = x[2 * i] - centre, dy = x[2 * i + 1] - centre, r = std::hypot(dx, dy),
                  theta = std::atan2(dy, dx);
     const double c = dx / r, sine = dy / r, cell = radius[i] * radius[i];
     const double hoop =
-        (stress[3 * i] * sine * sine + stress[3 * i + 1] * c * c - 2.0 * stress[3 * i + 2] * sine * c) /
-        share;
+        stress[3 * i] * sine * sine + stress[3 * i + 1] * c * c - 2.0 * stress[3 * i + 2] * sine * c;
     for (Zone& zone : load.zones) {
       if (r < zone.from * a || r >= zone.to * a) continue;
       if (zone.sector == 1 && std::abs(c) > 0.5) continue;
@@ -152,7 +140,7 @@ void add_packing(int64_t seed, const std::vector<double>& given, LoadCase& load)
       zone.weight += cell;
     }
     if (r < load.mean.from * a || r >= load.mean.to * a) continue;
-    load.mean.measured += cell * 0.5 * (stress[3 * i] + stress[3 * i + 1]) / share;
+    load.mean.measured += cell * 0.5 * (stress[3 * i] + stress[3 * i + 1]);
     load.mean.analytic += cell * half_trace;
   }
   if (seed == 1 && load.larger == load.smaller) {
