@@ -146,6 +146,7 @@ std::vector<Fracture> find_fractures(const Assembly& a, const Network& n, const 
   std::map<std::int32_t, std::vector<std::int32_t>> groups;
   for (std::int32_t c = 0; c < cracks; ++c) groups[sets.root(c)].push_back(c);
   std::vector<std::vector<std::int32_t>> ordered;
+  ordered.reserve(groups.size());
   for (auto& [root, members] : groups) ordered.push_back(std::move(members));
   std::stable_sort(ordered.begin(), ordered.end(),
                    [](const auto& p, const auto& q) { return p.size() > q.size(); });

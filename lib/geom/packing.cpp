@@ -208,8 +208,8 @@ Packing pack_discs(const PackingOptions& options, const std::function<bool(doubl
   p.x.resize(n);
   p.y.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const double column = static_cast<double>(sites[i] % columns),
-                 row = static_cast<double>(sites[i] / columns);
+    const std::int64_t row_number = sites[i] / columns;
+    const auto column = static_cast<double>(sites[i] % columns), row = static_cast<double>(row_number);
     p.x[i] = (column + 0.1 + 0.8 * random.uniform()) * options.width / static_cast<double>(columns);
     p.y[i] = (row + 0.1 + 0.8 * random.uniform()) * options.height / static_cast<double>(rows);
   }

@@ -10,6 +10,7 @@ extern "C" {
 #include <fstream>
 #include <iterator>
 
+#include "file_text.h"
 #include "viz_fixture.h"
 
 namespace hfrac::viz_test {
@@ -112,6 +113,24 @@ TEST_F(Movie, LeavesSnapshotsOutOnlyWhenThereAreTooMany) {
   EXPECT_LE(decoded.frames, 60);
   EXPECT_GE(decoded.frames, 40);
   EXPECT_LE(decoded.seconds, 1.1);
+}
+
+TEST_F(Movie, AnimatedWebPHasAFramePerSnapshotAndLoops) {
+  run.snapshots = 4;
+  write_run(folder(), run);
+  options.movie_width = 320;
+  const Result result = render_movie(file("movie.webp"));
+  ASSERT_EQ(result.status, HFRAC_OK) << result.text;
+  const std::string content = file_text(file("movie.webp"));
+  EXPECT_EQ(content.substr(0, 4), "RIFF");
+  EXPECT_EQ(content.substr(8, 4), "WEBP");
+  const std::size_t animation = content.find("ANIM");
+  ASSERT_NE(animation, std::string::npos);
+  EXPECT_EQ(content.substr(animation + 12, 2), std::string(2, '\0'));  // loops for ever
+  int frames = 0;
+  for (std::size_t at = content.find("ANMF"); at != std::string::npos; at = content.find("ANMF", at + 4))
+    ++frames;
+  EXPECT_EQ(frames, 4);
 }
 
 }  // namespace

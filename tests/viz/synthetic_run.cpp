@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "synthetic_run.h"
 
-#include <unistd.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -13,6 +12,7 @@
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -26,6 +26,17 @@ namespace {
 
 namespace fs = std::filesystem;
 using Value = std::function<double(vtkIdType)>;
+
+// Three values per item.
+void add_vectors(vtkFieldData* data, const char* name, vtkIdType count,
+                 const std::function<std::array<double, 3>(vtkIdType)>& value) {
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(count);
+  for (vtkIdType i = 0; i < count; ++i) array->SetTypedTuple(i, value(i).data());
+  data->AddArray(array);
+}
 
 void add_array(vtkFieldData* data, const char* name, vtkIdType count, const Value& value,
                bool integer = false) {
@@ -90,6 +101,16 @@ void write_discs(const fs::path& folder, int snapshot, const SyntheticRun& run, 
   add_array(grid->GetPointData(), "radius_m", count, [&](vtkIdType) { return run.spacing() / 2; });
   add_array(
       grid->GetPointData(), "disc_id", count, [](vtkIdType i) { return static_cast<double>(i); }, true);
+  // Left of the well pressed, right of it pulled; every disc moved up by a millimetre per metre of x, none turned.
+  const auto x = [&](vtkIdType i) { return lattice.centres->GetPoint(i)[0]; };
+  add_vectors(grid->GetPointData(), "displacement_m", count, [&](vtkIdType i) {
+    return std::array<double, 3>{0.0, 1e-3 * x(i), 0.0};
+  });
+  add_vectors(grid->GetPointData(), "stress_Pa", count, [&](vtkIdType i) {
+    const double mean = x(i) < run.well_x() ? 10e6 : -10e6;
+    return std::array<double, 3>{mean, mean, 0.0};
+  });
+  add_array(grid->GetPointData(), "rotation_rad", count, [](vtkIdType) { return 0.0; });
   write_grid(folder, "discs", snapshot, run, grid);
 }
 
@@ -97,6 +118,7 @@ void write_bonds(const fs::path& folder, int snapshot, const SyntheticRun& run, 
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(lattice.centres);
   std::vector<int> state;
+  std::vector<double> force;
   const auto bond = [&](int from, int to) {
     if (from < 0 || to < 0) return;
     const vtkIdType ends[2] = {from, to};
@@ -105,6 +127,7 @@ void write_bonds(const fs::path& folder, int snapshot, const SyntheticRun& run, 
     double b[3];
     lattice.centres->GetPoint(from, a);
     lattice.centres->GetPoint(to, b);
+    force.push_back(a[1] == b[1] ? -5e6 : 5e6);  // rows are pressed, columns are pulled
     const bool crosses = (a[1] - run.well_y()) * (b[1] - run.well_y()) < 0;
     state.push_back(crosses && std::fabs(a[0] - run.well_x()) < run.half_length_at(snapshot) ? 1 : 0);
   };
@@ -117,6 +140,8 @@ void write_bonds(const fs::path& folder, int snapshot, const SyntheticRun& run, 
   add_array(
       grid->GetCellData(), "state", grid->GetNumberOfCells(),
       [&](vtkIdType i) { return state[static_cast<std::size_t>(i)]; }, true);
+  add_array(grid->GetCellData(), "normal_force_N", grid->GetNumberOfCells(),
+            [&](vtkIdType i) { return force[static_cast<std::size_t>(i)]; });
   write_grid(folder, "bonds", snapshot, run, grid);
 }
 
@@ -141,6 +166,7 @@ void write_cracks(const fs::path& folder, int snapshot, const SyntheticRun& run)
       grid->GetCellData(), "mode", count, [](vtkIdType i) { return i % 5 == 4 ? 2 : 1; }, true);
   add_array(grid->GetCellData(), "aperture_m", count,
             [&](vtkIdType i) { return aperture[static_cast<std::size_t>(i)]; });
+  add_array(grid->GetCellData(), "time_s", count, [](vtkIdType i) { return 0.1 * static_cast<double>(i); });
   write_grid(folder, "cracks", snapshot, run, grid);
 }
 
@@ -231,23 +257,7 @@ void write_run(const fs::path& folder, const SyntheticRun& run) {
   }
   for (const char* kind : {"discs", "bonds", "cracks"}) write_collection(folder, kind, run);
   if (run.with_flow) write_collection(folder, "flow", run);
-  std::ofstream summary(folder / "summary.json");
-  summary << "{\"title\": \"" << run.title
-          << "\", \"reading\": \"paper\", \"model\": {\"width_m\": " << run.width
-          << ", \"height_m\": " << run.height << "}, \"wells\": [{\"x_m\": " << run.well_x()
-          << ", \"y_m\": " << run.well_y() << ", \"radius_m\": " << run.well_radius << "}]}\n";
-}
-
-TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (fs::temp_directory_path() / "hfrac_viz_XXXXXX").string();
-  if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  path_ = pattern;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::permissions(path_, fs::perms::owner_all, ignored);
-  fs::remove_all(path_, ignored);
+  write_tables(folder, run);
 }
 
 }  // namespace hfrac::viz_test

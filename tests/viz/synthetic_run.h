@@ -17,6 +17,7 @@ struct SyntheticRun {
   double half_length = 4.0;  // [m] of the crack at the end, from the well's centre
   std::string title = "Synthetic run: a crack from a hole";
   bool with_flow = true;
+  bool with_tables = true;  // history.csv and cracks.csv
 
   double spacing() const { return width / columns; }
   double well_x() const { return width / 2; }
@@ -26,6 +27,9 @@ struct SyntheticRun {
 };
 
 void write_run(const std::filesystem::path& folder, const SyntheticRun& run);
+
+// Its text files, part of write_run.
+void write_tables(const std::filesystem::path& folder, const SyntheticRun& run);
 
 // A folder that is removed at the end.
 class TemporaryFolder {

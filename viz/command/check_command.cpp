@@ -22,8 +22,8 @@ std::string well_line(const hfrac_well_def& well) {
 std::string length_line(const hfrac_sim_def& definition) {
   if (definition.stepping_end_time > 0.0)
     return fmt::format("until {:g} s of model time", definition.stepping_end_time);
-  if (definition.stepping_mode != 0) return fmt::format("{} mechanical cycles", definition.stepping_substeps);
-  return fmt::format("{} sub-steps of {:g} s", definition.stepping_substeps, definition.stepping_flow_step);
+  const char* kind = definition.stepping_mode != 0 ? "steps" : "sub-steps";
+  return fmt::format("{} {} of {:g} s", definition.stepping_substeps, kind, definition.stepping_flow_step);
 }
 
 ExitCode check(const std::string& file) {

@@ -18,5 +18,6 @@ void add_info(CLI::App& program, Action& action);
 void add_options(CLI::App& program, Action& action);
 void add_render(CLI::App& program, Action& action);
 void add_plot(CLI::App& program, Action& action);
+void add_report(CLI::App& program, Action& action);
 
 }  // namespace hfrac::command

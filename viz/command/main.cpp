@@ -35,6 +35,7 @@ int run_program(int argument_count, char** arguments) {
 #ifdef HFRAC_WITH_RENDERER
   add_render(program, action);
   add_plot(program, action);
+  add_report(program, action);
 #endif
   try {
     program.parse(argument_count, arguments);

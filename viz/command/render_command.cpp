@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <hfrac/viz.h>
 
+#include <algorithm>
 #include <array>
 
 #include "command/commands.hpp"
@@ -17,6 +18,7 @@ struct RenderRequest {
   std::string folder;
   int32_t width = 0;   ///< [pixel]; 0: the renderer's own choice
   int32_t height = 0;  ///< [pixel]; 0: as the model's shape asks
+  std::string movie;   ///< only this file, .mp4 or .webp
   bool no_movie = false;
   bool quiet = false;
   ViewRequest view;  ///< of one picture instead of all
@@ -44,8 +46,15 @@ ExitCode render(const RenderRequest& request) {
   catch_interrupts();
   ProgressLine line(request.quiet);
   std::array<char, 2048> error{};
-  const int32_t status = hfrac_viz_render_run(request.folder.c_str(), &options, show_drawing, &line,
-                                              error.data(), static_cast<int32_t>(error.size()), nullptr);
+  const auto capacity = static_cast<int32_t>(error.size());
+  const char* folder = request.folder.c_str();
+  if (!request.movie.empty() && request.width > 0)
+    options.movie_width = std::min(request.width / 2 * 2, 4096);
+  const int32_t status =
+      request.movie.empty()
+          ? hfrac_viz_render_run(folder, &options, show_drawing, &line, error.data(), capacity, nullptr)
+          : hfrac_viz_render_movie(folder, request.movie.c_str(), &options, show_drawing, &line, error.data(),
+                                   capacity, nullptr);
   line.end();
   if (status == HFRAC_STOPPED) {
     fmt::print(stderr, "hfrac: interrupted; the pictures finished so far stay\n");
@@ -53,7 +62,8 @@ ExitCode render(const RenderRequest& request) {
   }
   if (status == HFRAC_VIZ_ERR_READ || status == HFRAC_ERR_ARGUMENT) throw BadInput(error.data());
   if (status < 0) throw std::runtime_error(error.data());
-  if (!request.quiet) fmt::print("pictures are in {}/pictures\n", request.folder);
+  if (!request.quiet && request.movie.empty()) fmt::print("pictures are in {}/pictures\n", request.folder);
+  if (!request.quiet && !request.movie.empty()) fmt::print("{}\n", request.movie);
   return kGood;
 }
 
@@ -68,6 +78,8 @@ void add_render(CLI::App& program, Action& action) {
       ->check(CLI::Range(320, 8192));
   command->add_option("--height", request->height, "Height of the pictures in pixels")
       ->check(CLI::Range(240, 8192));
+  command->add_option("--movie", request->movie,
+                      "Only a movie, to this file: .mp4, or .webp, an animated picture for small sizes");
   command->add_flag("--no-movie", request->no_movie, "Pictures only");
   command->add_flag("-q,--quiet", request->quiet, "Print nothing unless something goes wrong");
   add_view_options(*command, request->view);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One step at a time, so that the history has a line for each. In dynamic mode a step is a single mechanical
-// cycle, far too short for a line: there the loop moves by a tenth of the cycles between two snapshots.
+// One step at a time, so that the history has a line for each.
 #include "command/step_loop.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +14,6 @@ namespace hfrac::command {
 namespace {
 
 constexpr double kCallbackSeconds = 0.1;
-constexpr int64_t kDynamic = 1;  ///< stepping.mode
 constexpr int64_t kForever = std::numeric_limits<int64_t>::max();
 
 /** When a run ends by itself. */
@@ -104,8 +102,6 @@ class Callback {
 EndOfRun take_steps(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_def& definition, int64_t steps,
                     ProgressLine& line) {
   const auto limits = limits_of(definition, steps);
-  const int64_t stride =
-      definition.stepping_mode == kDynamic ? std::max<int64_t>(1, definition.output_every / 10) : 1;
   StepReport report(line, limits);
   const Callback callback(sim, report);
 
@@ -120,7 +116,7 @@ EndOfRun take_steps(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_d
     if (state.step >= limits.steps) return {"all steps taken"};
 
     const int64_t before = state.step;
-    const int32_t status = hfrac_step(sim, std::min(stride, limits.steps - before));
+    const int32_t status = hfrac_step(sim, 1);
     output::require(status, sim);
     state = output::state_of(sim);
     if (state.step == before) return {"interrupted", true};

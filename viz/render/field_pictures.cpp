@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "disc_detail.h"
 #include "failure.h"
 #include "layers.h"
 #include "number_text.h"
@@ -75,8 +76,8 @@ Image aperture_picture(const Studio& studio, const Scene& scene) {
   for (const Crack& crack : scene.cracks.cracks) widest = std::max(widest, crack.aperture);
   const double radius = mean_radius(scene.discs);
   sheet.view.renderer->AddActor(well_layer(scene.flow, studio.run->wells, 2 * sheet.view.metres_per_pixel));
-  sheet.view.renderer->AddActor(
-      disc_layer(scene.discs, palette().quiet_disc, palette().quiet_disc_rim, sheet.drawn_pixel()));
+  sheet.view.renderer->AddActor(discs_in_view(sheet.view, scene.discs, palette().quiet_disc,
+                                              palette().quiet_disc_rim, sheet.drawn_pixel()));
   if (!scene.cracks.cracks.empty()) {
     const double half_width = std::clamp(0.35 * radius, sheet.metres(5), sheet.metres(12));
     sheet.view.renderer->AddActor(aperture_layer(scene.cracks.cracks, widest, half_width));

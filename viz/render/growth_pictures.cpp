@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "disc_detail.h"
 #include "failure.h"
 #include "layers.h"
 #include "number_text.h"
@@ -41,8 +42,8 @@ void add_growth_layers(const View& view, const Page& page, const RunFolder& run,
   view.renderer->AddActor(well_layer(scene.flow, run.wells, 2 * view.metres_per_pixel));
   const Colour rim = scene.bonds.intact.empty() ? palette().disc_rim : palette().soft_disc_rim;
   view.renderer->AddActor(
-      disc_layer(scene.discs, palette().disc, rim, view.metres_per_pixel / page.drawn_pixels()));
-  if (!scene.bonds.intact.empty()) {
+      discs_in_view(view, scene.discs, palette().disc, rim, view.metres_per_pixel / page.drawn_pixels()));
+  if (!scene.bonds.intact.empty() && !drawn_as_density(view, scene.discs)) {
     const double width = bond_width(radius / view.metres_per_pixel) * page.drawn_pixels();
     view.renderer->AddActor(bond_layer(scene.bonds.intact, palette().bond, width));
   }
@@ -122,8 +123,8 @@ Image model_picture(const Studio& studio, const Scene& scene) {
   const double radius_pixels = mean_radius(scene.discs) / sheet.view.metres_per_pixel;
   sheet.view.renderer->AddActor(well_layer(scene.flow, studio.run->wells, 2 * sheet.view.metres_per_pixel));
   sheet.view.renderer->AddActor(
-      disc_layer(scene.discs, palette().disc, palette().soft_disc_rim, sheet.drawn_pixel()));
-  if (!scene.bonds.intact.empty()) {
+      discs_in_view(sheet.view, scene.discs, palette().disc, palette().soft_disc_rim, sheet.drawn_pixel()));
+  if (!scene.bonds.intact.empty() && !drawn_as_density(sheet.view, scene.discs)) {
     const double width = bond_width(radius_pixels) * sheet.page.drawn_pixels();
     sheet.view.renderer->AddActor(bond_layer(scene.bonds.intact, palette().ink, width));
   }

@@ -60,9 +60,10 @@ struct FreeFormat {
 }  // namespace
 
 struct MovieFile::Parts {
-  explicit Parts(const std::filesystem::path& target) : file(target) {}
+  explicit Parts(const std::filesystem::path& target) : file(target), webp(target.extension() == ".webp") {}
 
   WholeFile file;
+  bool webp;  // an animated WebP that loops, for small movies
   std::unique_ptr<AVFormatContext, FreeFormat> format;
   std::unique_ptr<AVCodecContext, FreeCodec> codec;
   std::unique_ptr<SwsContext, FreeScaler> scaler;
@@ -75,40 +76,58 @@ struct MovieFile::Parts {
     if (result >= 0 && format->pb != nullptr) result = std::min(result, format->pb->error);
     if (result < 0) fail_writing("cannot write " + file.target().string() + ": " + reason(result));
   }
+  void prepare_h264(int frames_per_second);
+  void prepare_webp();
   void open_codec(int width, int height, int frames_per_second);
   void open_file();
   void write_packets(const AVFrame* input);
 };
 
-void MovieFile::Parts::open_codec(int width, int height, int frames_per_second) {
-  const AVCodec* encoder = avcodec_find_encoder_by_name("libx264");
-  if (encoder == nullptr) fail_drawing("libavcodec was built without libx264: no movie");
-  codec.reset(avcodec_alloc_context3(encoder));
-  scaler.reset(sws_getContext(width, height, AV_PIX_FMT_RGB24, width, height, AV_PIX_FMT_YUV420P, SWS_BICUBIC,
-                              nullptr, nullptr, nullptr));
-  frame.reset(av_frame_alloc());
-  packet.reset(av_packet_alloc());
-  if (!codec || !scaler || !frame || !packet) throw std::bad_alloc();
+void MovieFile::Parts::prepare_h264(int frames_per_second) {
   const int* high_definition = sws_getCoefficients(SWS_CS_ITU709);
   sws_setColorspaceDetails(scaler.get(), high_definition, 1, high_definition, 0, 0, 1 << 16, 1 << 16);
-  codec->width = width;
-  codec->height = height;
-  codec->pix_fmt = AV_PIX_FMT_YUV420P;
-  codec->time_base = {1, frames_per_second};
-  codec->framerate = {frames_per_second, 1};
   codec->gop_size = std::max(2, 2 * frames_per_second);  // a place to jump to every two seconds
   codec->colorspace = AVCOL_SPC_BT709;
   codec->color_primaries = AVCOL_PRI_BT709;
   codec->color_trc = AVCOL_TRC_BT709;
   codec->color_range = AVCOL_RANGE_MPEG;
-  codec->thread_count = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
-  codec->log_level_offset = 100;  // says nothing, whatever the process-wide level
   codec->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
   av_opt_set(codec->priv_data, "preset", "veryfast", 0);
   av_opt_set(codec->priv_data, "tune", "animation", 0);
   av_opt_set(codec->priv_data, "crf", "17", 0);
+}
+
+void MovieFile::Parts::prepare_webp() {
+  av_opt_set(codec->priv_data, "lossless", "0", 0);
+  av_opt_set(codec->priv_data, "quality", "80", 0);
+  av_opt_set(codec->priv_data, "compression_level", "2", 0);
+}
+
+void MovieFile::Parts::open_codec(int width, int height, int frames_per_second) {
+  const char* name = webp ? "libwebp_anim" : "libx264";
+  const AVPixelFormat pixels = webp ? AV_PIX_FMT_RGB32 : AV_PIX_FMT_YUV420P;
+  const AVCodec* encoder = avcodec_find_encoder_by_name(name);
+  if (encoder == nullptr) fail_drawing(std::string("libavcodec was built without ") + name + ": no movie");
+  codec.reset(avcodec_alloc_context3(encoder));
+  scaler.reset(sws_getContext(width, height, AV_PIX_FMT_RGB24, width, height, pixels, SWS_BICUBIC, nullptr,
+                              nullptr, nullptr));
+  frame.reset(av_frame_alloc());
+  packet.reset(av_packet_alloc());
+  if (!codec || !scaler || !frame || !packet) throw std::bad_alloc();
+  codec->width = width;
+  codec->height = height;
+  codec->pix_fmt = pixels;
+  codec->time_base = {1, frames_per_second};
+  codec->framerate = {frames_per_second, 1};
+  codec->thread_count = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
+  codec->log_level_offset = 100;  // says nothing, whatever the process-wide level
+  if (webp) {
+    prepare_webp();
+  } else {
+    prepare_h264(frames_per_second);
+  }
   const int opened = avcodec_open2(codec.get(), encoder, nullptr);
-  if (opened < 0) fail_drawing("the H.264 encoder cannot be opened: " + reason(opened));
+  if (opened < 0) fail_drawing(std::string("the encoder ") + name + " cannot be opened: " + reason(opened));
   frame->format = codec->pix_fmt;
   frame->width = width;
   frame->height = height;
@@ -118,9 +137,10 @@ void MovieFile::Parts::open_codec(int width, int height, int frames_per_second) 
 void MovieFile::Parts::open_file() {
   const QuietLog quiet;
   AVFormatContext* made = nullptr;
-  if (avformat_alloc_output_context2(&made, nullptr, "mp4", file.working_path().c_str()) < 0 ||
+  const char* container = webp ? "webp" : "mp4";
+  if (avformat_alloc_output_context2(&made, nullptr, container, file.working_path().c_str()) < 0 ||
       made == nullptr) {
-    fail_drawing("libavformat cannot write MP4");
+    fail_drawing(std::string("libavformat cannot write ") + container);
   }
   format.reset(made);
   stream = avformat_new_stream(made, nullptr);
@@ -130,7 +150,7 @@ void MovieFile::Parts::open_file() {
   avcodec_parameters_from_context(stream->codecpar, codec.get());
   check_written(avio_open(&made->pb, file.working_path().c_str(), AVIO_FLAG_WRITE));
   AVDictionary* options = nullptr;
-  av_dict_set(&options, "movflags", "+faststart", 0);
+  webp ? av_dict_set(&options, "loop", "0", 0) : av_dict_set(&options, "movflags", "+faststart", 0);
   const int written = avformat_write_header(made, &options);
   av_dict_free(&options);
   check_written(written);
@@ -138,11 +158,11 @@ void MovieFile::Parts::open_file() {
 
 void MovieFile::Parts::write_packets(const AVFrame* input) {
   const int sent = avcodec_send_frame(codec.get(), input);
-  if (sent < 0) fail_drawing("the H.264 encoder failed: " + reason(sent));
+  if (sent < 0) fail_drawing("the encoder failed: " + reason(sent));
   while (true) {
     const int received = avcodec_receive_packet(codec.get(), packet.get());
     if (received == AVERROR(EAGAIN) || received == AVERROR_EOF) return;
-    if (received < 0) fail_drawing("the H.264 encoder failed: " + reason(received));
+    if (received < 0) fail_drawing("the encoder failed: " + reason(received));
     packet->stream_index = stream->index;
     packet->duration = 1;  // in the encoder's time base; without it the last picture would last no time
     av_packet_rescale_ts(packet.get(), codec->time_base, stream->time_base);

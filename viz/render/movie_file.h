@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An MP4 file with H.264 inside, picture by picture.
+// A movie, picture by picture: an MP4 file with H.264 inside, or an animated WebP if the name ends in .webp.
 #pragma once
 
 #include <filesystem>

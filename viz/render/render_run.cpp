@@ -8,6 +8,7 @@
 #include "failure.h"
 #include "history.h"
 #include "movie_file.h"
+#include "paraview_script.h"
 #include "pictures.h"
 #include "vtk_messages.h"
 #include "whole_file.h"
@@ -81,6 +82,12 @@ void save(const std::filesystem::path& target, const Image& image) {
   write_whole(target, png(image));
 }
 
+void write_script(const RunFolder& run) {
+  const std::string text = paraview_script(run);
+  write_whole(run.path / "paraview_state.py",
+              {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
 void tell(const Progress& progress, double fraction, const std::string& what) {
   if (progress && progress(fraction, what)) throw Stopped{};
 }
@@ -131,6 +138,7 @@ void render_run(const std::filesystem::path& folder, const hfrac_viz_options& op
   const Workshop shop(folder, options);
   const std::filesystem::path target = folder / "pictures";
   make_folder(target);
+  write_script(shop.run);
   const bool movie = (options.pictures & HFRAC_VIZ_MOVIE) != 0;
   int done = 0;
   const auto picture = [&](const char* name, const auto& draw) {

@@ -80,7 +80,7 @@ typedef struct hfrac_sim_def {
   int64_t contact_mode;
 
   /** [N/m] Normal stiffness of a parallel bond times its area (not given by the paper; 0.46 of the
-   * contact's gives its E and nu). Default 5.152e9. */
+   * contact's gives a stiffness near its E). Default 5.152e9. */
   double bond_normal_stiffness;
   /** [N/m] Shear stiffness of a parallel bond times its area. Default 5.152e9. */
   double bond_shear_stiffness;
@@ -141,9 +141,9 @@ typedef struct hfrac_sim_def {
   int64_t flow_outer;
 
   /** 0: substep, 1: dynamic. substep: one flow step, then mechanics to rest, breakage included (the paper's
-   * sub-step). dynamic: Newton's law in real time. Default 0. */
+   * sub-step). dynamic: Newton's law in real time, flow_step seconds a step. Default 0. */
   int64_t stepping_mode;
-  /** [s] Fluid time of one sub-step. Default 1.0. */
+  /** [s] Fluid time of one step. Default 1.0. */
   double stepping_flow_step;
   /** Sub-steps of a run by the hfrac command. Default 500. */
   int64_t stepping_substeps;

@@ -24,7 +24,7 @@ HFRAC_API int32_t hfrac_sim_destroy(hfrac_sim **sim);
 /** The definition the simulation was built from, defaults filled in; `def->struct_size` must be set. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_definition(const hfrac_sim *sim, hfrac_sim_def *def);
 
-/** Takes `count` steps (sub-steps in mode "substep", mechanical cycles in mode "dynamic").
+/** Takes `count` steps (sub-steps in mode "substep", stepping.flow_step seconds of real motion each in mode "dynamic").
  * HFRAC_STOPPED if the progress callback asked for it: the simulation is then at its last whole step.
  * HFRAC_NOT_AT_REST if the last step did not reach stepping.force_ratio. Stable since 0.1. */
 HFRAC_API int32_t hfrac_step(hfrac_sim *sim, int64_t count);

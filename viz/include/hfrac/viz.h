@@ -63,7 +63,7 @@ typedef int32_t (*hfrac_viz_progress_fn)(void *user, double fraction, const char
 /** Fills `options` with the defaults. Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_options_init(hfrac_viz_options *options);
 
-/** Draws what options->pictures asks for into run_dir/pictures/, which is made if missing. options NULL: the defaults.
+/** Draws what options->pictures asks for into run_dir/pictures/, which is made if missing, and writes paraview_state.py. options NULL: the defaults.
  * progress may be NULL. A picture whose data the run does not have (pressure.png without flow.pvd) is left out.
  * Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_render_run(const char *run_dir, const hfrac_viz_options *options,
@@ -76,7 +76,8 @@ HFRAC_API int32_t hfrac_viz_render_picture(const char *run_dir, int32_t picture,
                                            const hfrac_viz_options *options, char *error, int32_t capacity,
                                            int32_t *needed);
 
-/** Draws the movie to the MP4 file `path` (H.264, yuv420p, index in front). Stable since 0.1. */
+/** Draws the movie to the MP4 file `path` (H.264, yuv420p, index in front), or to an animated WebP that loops if `path`
+ * ends in .webp: that suits small movies, say 640 pixels wide. Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_render_movie(const char *run_dir, const char *path, const hfrac_viz_options *options,
                                          hfrac_viz_progress_fn progress, void *user, char *error, int32_t capacity,
                                          int32_t *needed);
@@ -180,6 +181,16 @@ HFRAC_API int32_t hfrac_viz_view_options_init(hfrac_viz_view_options *options);
 HFRAC_API int32_t hfrac_viz_render_views(const char *run_dir, const int32_t *views, int32_t view_count,
                                          const char *path, const hfrac_viz_view_options *options, char *error,
                                          int32_t capacity, int32_t *needed);
+
+/** Writes one HTML file with everything in it (path NULL: run_dir/report.html): the case, pictures, movie and curves (those
+ * that are in run_dir/pictures/; curves as SVG), fractures, wells, balances, versions, how to reproduce it. It refers
+ * to nothing outside itself. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_write_report(const char *run_dir, const char *path, char *error, int32_t capacity,
+                                         int32_t *needed);
+
+/** Writes run_dir/paraview_state.py, a state script that opens the run in ParaView as the pictures look.
+ * Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_write_paraview_script(const char *run_dir, char *error, int32_t capacity, int32_t *needed);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Views of quantities, and parts of the model, for a run known in closed form.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+#include "picture_file.h"
+#include "viz_fixture.h"
+
+namespace hfrac::viz_test {
+namespace {
+
+class Views : public VizTest {
+ protected:
+  Views() { hfrac_viz_view_options_init(&views); }
+
+  Result render_views(const std::vector<std::int32_t>& kinds) {
+    std::array<char, 2000> text{};
+    const std::int32_t status =
+        hfrac_viz_render_views(folder().c_str(), kinds.data(), static_cast<std::int32_t>(kinds.size()),
+                               file("view.png").c_str(), &views, text.data(), text.size(), nullptr);
+    return {status, text.data()};
+  }
+  Picture picture() const { return read_picture(file("view.png")); }
+
+  hfrac_viz_view_options views;
+};
+
+bool reddish(Pixel p) {
+  return p.red > p.blue + 40;
+}
+bool bluish(Pixel p) {
+  return p.blue > p.red + 40;
+}
+
+TEST_F(Views, EveryKindIsDrawnAloneAndAllTogether) {
+  write_run(folder(), run);
+  std::vector<std::int32_t> all;
+  views.width = 700;
+  for (int kind = HFRAC_VIZ_VIEW_DISCS; kind <= HFRAC_VIZ_VIEW_ROTATION; ++kind) {
+    const Result result = render_views({kind});
+    ASSERT_EQ(result.status, HFRAC_OK) << kind << ": " << result.text;
+    EXPECT_EQ(picture().width, 700);
+    all.push_back(kind);
+  }
+  views.width = 1600;
+  const Result result = render_views(all);
+  ASSERT_EQ(result.status, HFRAC_OK) << result.text;
+  EXPECT_EQ(picture().width, 1600);
+}
+
+TEST_F(Views, StressIsRedWherePressedAndBlueWherePulled) {
+  write_run(folder(), run);
+  const Result result = render_views({HFRAC_VIZ_VIEW_STRESS});
+  ASSERT_EQ(result.status, HFRAC_OK) << result.text;
+  const Picture drawn = picture();
+  const FramedView view = find_view(drawn, run.width, run.height);
+  EXPECT_TRUE(reddish(drawn.at(view.x(1.75), view.y(9.75))));
+  EXPECT_TRUE(bluish(drawn.at(view.x(10.25), view.y(9.75))));
+  EXPECT_GT(drawn.share(view.x(1), view.y(11), view.x(4), view.y(8), reddish), 0.6);
+  EXPECT_GT(drawn.share(view.x(8), view.y(11), view.x(11), view.y(8), bluish), 0.6);
+}
+
+TEST_F(Views, ForcesAreBlueInRowsAndOrangeInColumns) {
+  write_run(folder(), run);
+  const Result result = render_views({HFRAC_VIZ_VIEW_FORCES});
+  ASSERT_EQ(result.status, HFRAC_OK) << result.text;
+  const Picture drawn = picture();
+  const FramedView view = find_view(drawn, run.width, run.height);
+  EXPECT_TRUE(bluish(drawn.at(view.x(2.0), view.y(2.25))));   // between two discs of a row
+  EXPECT_TRUE(reddish(drawn.at(view.x(2.25), view.y(2.0))));  // between two discs of a column
+}
+
+TEST_F(Views, ZoomShowsThatPart) {
+  write_run(folder(), run);
+  views.zoom = HFRAC_VIZ_ZOOM_BOX;
+  views.left = 5.5;
+  views.bottom = 5.5;
+  views.box_width = 1;
+  views.box_height = 1;  // all of it inside the well
+  Result result = render_views({HFRAC_VIZ_VIEW_DISCS});
+  ASSERT_EQ(result.status, HFRAC_OK) << result.text;
+  Picture drawn = picture();
+  FramedView view = find_view(drawn, 1, 1);
+  EXPECT_GT(drawn.share(view.left + 8, view.top + 8, view.right - 8, view.bottom - 8,
+                        [](Pixel p) { return p.is_red(); }),
+            0.99);
+  for (const int zoom : {HFRAC_VIZ_ZOOM_CRACKS, HFRAC_VIZ_ZOOM_WELL, HFRAC_VIZ_ZOOM_TIP}) {
+    views.zoom = zoom;
+    result = render_views({HFRAC_VIZ_VIEW_DISCS});
+    ASSERT_EQ(result.status, HFRAC_OK) << zoom << ": " << result.text;
+    drawn = picture();
+    view = find_view(drawn, 1, 1);
+    EXPECT_GT(drawn.share(view.left, view.top, view.right, view.bottom, [](Pixel p) { return p.is_dark(); }),
+              0.002)
+        << zoom;
+  }
+}
+
+TEST_F(Views, DarkPaperIsDark) {
+  write_run(folder(), run);
+  views.dark = 1;
+  ASSERT_EQ(render_views({HFRAC_VIZ_VIEW_DISCS, HFRAC_VIZ_VIEW_PRESSURE}).status, HFRAC_OK);
+  EXPECT_TRUE(picture().at(3, 3).is_dark());
+  // It does not stay for the pictures after it.
+  ASSERT_EQ(render_picture(HFRAC_VIZ_STAGE, file("stage.png")).status, HFRAC_OK);
+  EXPECT_TRUE(read_picture(file("stage.png")).at(3, 3).is_white());
+}
+
+TEST_F(Views, BadRequestsAreRefusedWithAReason) {
+  run.with_flow = false;
+  write_run(folder(), run);
+  EXPECT_EQ(render_views({}).status, HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(render_views({99}).status, HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(render_views({0, 0, 0, 0, 0, 0, 0, 0, 0, 0}).status, HFRAC_ERR_ARGUMENT);
+  const Result no_flow = render_views({HFRAC_VIZ_VIEW_PRESSURE});
+  EXPECT_EQ(no_flow.status, HFRAC_VIZ_ERR_READ);
+  EXPECT_NE(no_flow.text.find("no flow data"), std::string::npos) << no_flow.text;
+  views.snapshot = 77;
+  EXPECT_EQ(render_views({0}).status, HFRAC_ERR_ARGUMENT);
+  views.snapshot = -1;
+  views.zoom = HFRAC_VIZ_ZOOM_BOX;
+  for (const double width : {0.0, -1.0, std::numeric_limits<double>::infinity(), 1000.0}) {
+    views.box_width = width;
+    views.box_height = 1;
+    EXPECT_EQ(render_views({0}).status, HFRAC_ERR_ARGUMENT) << width;
+  }
+  views.struct_size = 0;
+  EXPECT_EQ(render_views({0}).status, HFRAC_ERR_STRUCT_SIZE);
+  EXPECT_EQ(hfrac_viz_view_options_init(nullptr), HFRAC_ERR_ARGUMENT);
+}
+
+}  // namespace
+}  // namespace hfrac::viz_test

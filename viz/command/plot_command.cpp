@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// hfrac plot: the curves of a run, from its tables.
+#include <fmt/format.h>
+#include <hfrac/viz.h>
+
+#include <array>
+#include <cmath>
+
+#include "command/commands.hpp"
+#include "command/interrupt.hpp"
+#include "command/progress_line.hpp"
+
+namespace hfrac::command {
+namespace {
+
+constexpr double millimetres_per_inch = 25.4;
+constexpr int32_t print_resolution = 300;  // [dots per inch]
+
+struct PlotRequest {
+  std::string folder;
+  int32_t width = 0;   ///< [pixel]; 0: the renderer's own choice
+  double print = 0.0;  ///< [mm] on paper; 0: for the screen
+  bool svg = false;
+  bool pdf = false;
+  bool dark = false;
+  bool quiet = false;
+};
+
+int32_t show_drawing(void* line, double fraction, const char* what) {
+  static_cast<ProgressLine*>(line)->show(
+      fmt::format("drawing {:3.0f} %  {}", fraction * 100.0, what ? what : ""));
+  return interrupted() ? 1 : 0;
+}
+
+ExitCode plot(const PlotRequest& request) {
+  hfrac_viz_chart_options options{};
+  hfrac_viz_chart_options_init(&options);
+  if (request.width > 0) options.width = request.width;
+  if (request.print > 0.0) {
+    options.width =
+        static_cast<int32_t>(std::lround(request.print / millimetres_per_inch * print_resolution));
+    options.dots_per_inch = print_resolution;
+  }
+  if (request.svg) options.formats |= HFRAC_VIZ_SVG;
+  if (request.pdf) options.formats |= HFRAC_VIZ_PDF;
+  options.dark = request.dark ? 1 : 0;
+
+  catch_interrupts();
+  ProgressLine line(request.quiet);
+  std::array<char, 2048> error{};
+  const int32_t status = hfrac_viz_render_charts(request.folder.c_str(), &options, show_drawing, &line,
+                                                 error.data(), static_cast<int32_t>(error.size()), nullptr);
+  line.end();
+  if (status == HFRAC_STOPPED) {
+    fmt::print(stderr, "hfrac: interrupted; the charts finished so far stay\n");
+    return kInterrupted;
+  }
+  if (status == HFRAC_VIZ_ERR_READ || status == HFRAC_ERR_ARGUMENT) throw BadInput(error.data());
+  if (status < 0) throw std::runtime_error(error.data());
+  if (!request.quiet) fmt::print("charts are in {}/pictures\n", request.folder);
+  return kGood;
+}
+
+}  // namespace
+
+void add_plot(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("plot", "Draw the curves of a run into DIR/pictures");
+  auto request = std::make_shared<PlotRequest>();
+  command->add_option("DIR", request->folder, "Run folder")->required();
+  auto* width = command->add_option("--width", request->width, "Width of the pictures in pixels")
+                    ->check(CLI::Range(320, 8192));
+  command->add_option("--print", request->print, "Width on paper in millimetres, drawn at 300 dots per inch")
+      ->check(CLI::Range(40.0, 690.0))
+      ->excludes(width);
+  command->add_flag("--svg", request->svg, "SVG files too");
+  command->add_flag("--pdf", request->pdf, "PDF files too");
+  command->add_flag("--dark", request->dark, "Light on dark paper");
+  command->add_flag("-q,--quiet", request->quiet, "Print nothing unless something goes wrong");
+  command->callback([request, &action] { action = [request] { return plot(*request); }; });
+}
+
+}  // namespace hfrac::command

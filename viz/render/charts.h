@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The charts of a run: what stands on each page. Every function fills a page; page heights are in its units.
+#pragma once
+
+#include "chart_page.h"
+#include "run_folder.h"
+#include "table_file.h"
+
+namespace hfrac::viz {
+
+// What charts are drawn from.
+struct ChartData {
+  const RunFolder* run = nullptr;
+  TableFile history;
+  TableFile cracks;
+
+  explicit ChartData(const RunFolder& folder)
+      : run(&folder), history(folder.path / "history.csv"), cracks(folder.path / "cracks.csv") {}
+};
+
+struct Chart {
+  int kind;          // one value of enum hfrac_viz_chart
+  const char* name;  // of the file, without ending
+  const char* title;
+  double height;  // of the page
+  void (*fill)(ChartPage& page, const ChartData& data);
+  bool needs_cracks;
+};
+
+void fill_history(ChartPage& page, const ChartData& data);
+void fill_rose(ChartPage& page, const ChartData& data);
+void fill_profile(ChartPage& page, const ChartData& data);
+void fill_events(ChartPage& page, const ChartData& data);
+
+// The run's title and what the page shows, at the top.
+void put_heading(ChartPage& page, const RunFolder& run, const std::string& what);
+
+}  // namespace hfrac::viz

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Charts of the crack log: where the cracks point, how wide they are along the fracture, how strong they
+// broke.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "charts.h"
+
+namespace hfrac::viz {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double millimetres_per_metre = 1e3;
+
+struct LoggedCrack {
+  Point place;
+  double azimuth = 0;  // [rad] in [0, pi), of the crack's line, counter-clockwise from x
+  double length = 0;   // [m]
+  double aperture = 0;
+  double time = 0;
+  double energy = 0;
+  bool shear = false;
+};
+
+std::vector<LoggedCrack> logged_cracks(const TableFile& table) {
+  const auto x = table.numbers("x_m");
+  const auto y = table.numbers("y_m");
+  const auto normal_x = table.numbers("normal_x");
+  const auto normal_y = table.numbers("normal_y");
+  const auto length = table.numbers("length_m");
+  const auto aperture = table.numbers("aperture_m");
+  const auto time = table.numbers("time_s");
+  const auto energy = table.numbers("energy_J_per_m");
+  const auto mode = table.words("mode");
+  std::vector<LoggedCrack> cracks;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (!std::isfinite(x[i] + y[i] + normal_x[i] + normal_y[i] + length[i])) continue;
+    double azimuth = std::fmod(std::atan2(normal_x[i], -normal_y[i]) + 2 * pi, pi);
+    if (azimuth >= pi) azimuth = 0;
+    cracks.push_back({{x[i], y[i]}, azimuth, length[i], aperture[i], time[i], energy[i], mode[i] == "shear"});
+  }
+  return cracks;
+}
+
+std::vector<Point> wedge(Point centre, double inner, double outer, double from, double to) {
+  constexpr int parts = 8;
+  std::vector<Point> corners;
+  for (int i = 0; i <= parts; ++i) {
+    const double angle = from + (to - from) * i / parts;
+    corners.push_back({centre.x + outer * std::cos(angle), centre.y - outer * std::sin(angle)});
+  }
+  for (int i = parts; i >= 0 && inner > 0; --i) {
+    const double angle = from + (to - from) * i / parts;
+    corners.push_back({centre.x + inner * std::cos(angle), centre.y - inner * std::sin(angle)});
+  }
+  if (!(inner > 0)) corners.push_back(centre);
+  return corners;
+}
+
+void put_ring(ChartPage& page, Point centre, double radius, Colour colour) {
+  constexpr int parts = 120;
+  std::vector<Point> ring;
+  for (int i = 0; i <= parts; ++i) {
+    const double angle = 2 * pi * i / parts;
+    ring.push_back({centre.x + radius * std::cos(angle), centre.y - radius * std::sin(angle)});
+  }
+  page.line(ring, 1.4, colour);
+}
+
+// The mean direction of the cracks, weighted by their lengths; lines have no sense, so angles are doubled.
+double mean_azimuth(const std::vector<LoggedCrack>& cracks) {
+  double x = 0;
+  double y = 0;
+  for (const LoggedCrack& crack : cracks) {
+    x += crack.length * std::cos(2 * crack.azimuth);
+    y += crack.length * std::sin(2 * crack.azimuth);
+  }
+  return std::atan2(y, x) / 2;
+}
+
+void put_spokes(ChartPage& page, Point centre, double radius) {
+  for (int degrees = 0; degrees < 360; degrees += 30) {
+    const double angle = degrees * pi / 180;
+    const Point rim{centre.x + radius * std::cos(angle), centre.y - radius * std::sin(angle)};
+    page.line({centre, rim}, 1.2, palette().grid);
+    page.text(centre.x + (radius + 36) * std::cos(angle), centre.y - (radius + 30) * std::sin(angle) + 8,
+              std::to_string(degrees) + "\xC2\xB0", {20, palette().ink, false, Align::centre});
+  }
+}
+
+void put_names_right(ChartPage& page, double left, double top,
+                     const std::vector<std::pair<Colour, std::string>>& names) {
+  for (const auto& [colour, name] : names) {
+    page.polygon({{left, top - 16}, {left + 26, top - 16}, {left + 26, top + 2}, {left, top + 2}}, colour);
+    page.text(left + 40, top, name, {22, palette().ink});
+    top += 40;
+  }
+}
+
+// The wall of the nearest well, and on which side of it the crack lies.
+double signed_distance(const LoggedCrack& crack, const RunFolder& run, double azimuth) {
+  double best = INFINITY;
+  double side = 1;
+  for (const WellPlace& well : run.wells) {
+    const double dx = crack.place.x - well.x;
+    const double dy = crack.place.y - well.y;
+    const double distance = std::hypot(dx, dy) - well.radius;
+    if (distance >= best) continue;
+    best = distance;
+    side = dx * std::cos(azimuth) + dy * std::sin(azimuth) < 0 ? -1.0 : 1.0;
+  }
+  if (!std::isfinite(best)) {  // no well known: along the mean direction from the model's middle
+    return (crack.place.x - run.model_width / 2) * std::cos(azimuth) +
+           (crack.place.y - run.model_height / 2) * std::sin(azimuth);
+  }
+  return side * std::max(0.0, best);
+}
+
+}  // namespace
+
+void fill_rose(ChartPage& page, const ChartData& data) {
+  constexpr int bins = 18;
+  constexpr double radius = 440;
+  const Point centre{620, 660};
+  const std::vector<LoggedCrack> cracks = logged_cracks(data.cracks);
+  std::array<std::array<double, 2>, bins> metres{};
+  for (const LoggedCrack& crack : cracks) {
+    metres[std::min(bins - 1, static_cast<int>(crack.azimuth / pi * bins))][crack.shear ? 1 : 0] +=
+        crack.length;
+  }
+  double longest = 0;
+  for (const auto& bin : metres) longest = std::max(longest, bin[0] + bin[1]);
+  if (!(longest > 0)) longest = 1;
+  put_heading(page, *data.run, "Directions of " + counted(static_cast<std::int64_t>(cracks.size()), "crack"));
+  put_spokes(page, centre, radius);
+  const std::vector<Tick> rings = round_ticks(0, longest, 4);
+  for (int i = 0; i < bins; ++i) {
+    const double tension = radius * metres[i][0] / longest;
+    const double both = radius * (metres[i][0] + metres[i][1]) / longest;
+    for (const double turn : {0.0, pi}) {
+      const double from = pi * i / bins + turn + 0.012;
+      const double to = pi * (i + 1) / bins + turn - 0.012;
+      if (tension > 0) page.polygon(wedge(centre, 0, tension, from, to), palette().water);
+      if (both > tension) page.polygon(wedge(centre, tension, both, from, to), palette().shear);
+    }
+  }
+  for (const Tick& ring : rings) {
+    if (ring.value <= 0) continue;
+    put_ring(page, centre, radius * ring.value / longest, palette().frame);
+  }
+  put_names_right(page, 1180, 280, {{palette().water, "in tension"}, {palette().shear, "in shear"}});
+  const std::array<std::string, 4> lines = {"Length of cracks per 10\xC2\xB0,",
+                                            "both ends of every crack shown.",
+                                            "Rings every " + (rings.size() > 1 ? rings[1].text : "1") +
+                                                " m; longest " + value_text(longest) + " m.",
+                                            "0\xC2\xB0 is the x axis."};
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    page.text(1180, 400 + 34 * static_cast<double>(i), lines[i], {20, palette().faint_ink});
+  }
+  if (cracks.empty()) return;
+  const double mean = std::fmod(mean_azimuth(cracks) + pi, pi);
+  page.text(1180, 400 + 34.0 * 5, "Mean direction " + value_text(mean * 180 / pi) + "\xC2\xB0",
+            {24, palette().ink});
+}
+
+void fill_profile(ChartPage& page, const ChartData& data) {
+  const std::vector<LoggedCrack> cracks = logged_cracks(data.cracks);
+  const double azimuth = mean_azimuth(cracks);
+  Panel panel{"Aperture", "distance from the wall of the well (m), one wing negative", {}, false, false};
+  panel.series = {{"crack in tension", "mm", palette().water, {}, {}},
+                  {"crack in shear", "mm", palette().shear, {}, {}}};
+  for (const LoggedCrack& crack : cracks) {
+    const double distance = signed_distance(crack, *data.run, azimuth);
+    ChartSeries& series = panel.series[crack.shear ? 1 : 0];
+    series.dots = true;
+    series.x.push_back(distance);
+    series.y.push_back(crack.aperture * millimetres_per_metre);
+  }
+  std::erase_if(panel.series, [](const ChartSeries& series) { return series.x.empty(); });
+  put_heading(page, *data.run, "Aperture along the fracture");
+  page.panel({130, 200, 1420, 520}, panel);
+}
+
+void fill_events(ChartPage& page, const ChartData& data) {
+  // Gutenberg and Richter: log10 E = 4.8 + 1.5 M, E in joules; here those of one metre of thickness.
+  std::vector<double> magnitudes;
+  ChartSeries over_time{"", "", palette().water, {}, {}};
+  over_time.dots = true;
+  for (const LoggedCrack& crack : logged_cracks(data.cracks)) {
+    if (!(crack.energy > 0)) continue;
+    const double magnitude = (std::log10(crack.energy) - 4.8) / 1.5;
+    magnitudes.push_back(magnitude);
+    over_time.x.push_back(crack.time);
+    over_time.y.push_back(magnitude);
+  }
+  std::sort(magnitudes.begin(), magnitudes.end());
+  ChartSeries frequency{"", "", palette().water, {}, {}};
+  for (std::size_t i = 0; i < magnitudes.size(); ++i) {
+    frequency.x.push_back(magnitudes[i]);
+    frequency.y.push_back(static_cast<double>(magnitudes.size() - i));
+  }
+  put_heading(page, *data.run,
+              "Strength of " + counted(static_cast<std::int64_t>(magnitudes.size()), "crack") +
+                  ": M = (log10 E - 4.8) / 1.5, E in J per metre of thickness");
+  Panel left{"Magnitude against time", "time (s)", {over_time}, false, false};
+  Panel right{"How many are at least as strong", "magnitude", {frequency}, true, false};
+  left.free_zero = true;
+  page.panel({120, 200, 554, 420}, left);
+  page.panel({926, 200, 554, 420}, right);
+}
+
+}  // namespace hfrac::viz

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fonts.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hfrac::viz {
+namespace {
+
+bool readable(const char* path) {
+  return path[0] != 0 && ::access(path, R_OK) == 0;
+}
+
+}  // namespace
+
+void set_font(vtkTextProperty* property, bool bold, double size, Colour colour) {
+  const char* file = bold && readable(HFRAC_VIZ_BOLD_FONT) ? HFRAC_VIZ_BOLD_FONT : HFRAC_VIZ_FONT;
+  if (readable(file)) {
+    property->SetFontFamily(VTK_FONT_FILE);
+    property->SetFontFile(file);
+    property->SetBold(0);
+  } else {  // VTK's own, without Greek letters
+    property->SetFontFamilyToArial();
+    property->SetBold(bold ? 1 : 0);
+  }
+  property->SetFontSize(std::max(4, static_cast<int>(std::lround(size))));
+  property->SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+}
+
+}  // namespace hfrac::viz

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Layers whose bands say something by colour or width: force chains, cracks by their age.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "layers.h"
+#include "mesh.h"
+
+namespace hfrac::viz {
+
+vtkSmartPointer<vtkActor> force_layer(std::span<const BondForce> bonds, double largest, double half_width) {
+  constexpr double weakest = 0.02;  // of the largest
+  std::vector<BondForce> by_force;
+  for (const BondForce& bond : bonds) {
+    if (std::fabs(bond.normal) > weakest * largest) by_force.push_back(bond);
+  }
+  // Strong over weak, so that chains are not cut.
+  std::stable_sort(by_force.begin(), by_force.end(), [](const BondForce& a, const BondForce& b) {
+    return std::fabs(a.normal) < std::fabs(b.normal);
+  });
+  Mesh mesh;
+  for (const BondForce& bond : by_force) {
+    const double half = half_width * std::min(1.0, std::fabs(bond.normal) / largest);
+    mesh.band(bond.line, half, half / 2, bond.normal > 0 ? palette().pull : palette().push);
+  }
+  return mesh.actor(depth::bonds);
+}
+
+vtkSmartPointer<vtkActor> crack_time_layer(std::span<const Crack> cracks, double first, double last,
+                                           double half_width) {
+  std::vector<Crack> by_time(cracks.begin(), cracks.end());
+  std::stable_sort(by_time.begin(), by_time.end(),
+                   [](const Crack& a, const Crack& b) { return a.time < b.time; });
+  const double range = last > first ? last - first : 1.0;
+  Mesh mesh;
+  for (const Crack& crack : by_time) {
+    mesh.band(crack.line, half_width, half_width / 2, palette().narrow->at((crack.time - first) / range));
+  }
+  return mesh.actor(depth::cracks);
+}
+
+}  // namespace hfrac::viz

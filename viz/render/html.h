@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pieces of HTML: text made safe, files turned into data addresses, tables.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hfrac::viz {
+
+// With &, <, > and " as entities.
+std::string escaped(const std::string& text);
+
+std::string base64(std::span<const std::uint8_t> bytes);
+
+// A file's content, empty if there is no such file. Throws Failure(HFRAC_VIZ_ERR_READ) if it cannot be read.
+std::string file_content(const std::filesystem::path& path);
+
+// "data:image/png;base64,..."
+std::string data_address(const std::string& kind, const std::string& content);
+
+// An SVG file as part of a page: no header, names of its own (`prefix`), and the palette's colours as CSS variables,
+// so that it follows the page into the dark.
+std::string inline_svg(const std::string& svg, const std::string& prefix);
+
+// The variables inline_svg refers to: "--ink: #1c1c20; ..."
+std::string colour_variables(bool dark);
+
+// Rows of a name and a value; both are escaped.
+using Rows = std::vector<std::pair<std::string, std::string>>;
+std::string name_table(const Rows& rows);
+
+}  // namespace hfrac::viz

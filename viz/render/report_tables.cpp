@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "html.h"
+#include "number_text.h"
+
+namespace hfrac::viz {
+namespace {
+
+using nlohmann::json;
+
+constexpr double per_mega = 1e-6;
+constexpr double millimetres_per_metre = 1e3;
+constexpr double degrees_per_radian = 180 / std::numbers::pi;
+
+const json* member(const json& object, const std::string& path) {
+  const json* found = &object;
+  std::size_t first = 0;
+  while (first <= path.size()) {
+    const std::size_t dot = std::min(path.find('.', first), path.size());
+    if (!found->is_object()) return nullptr;
+    const auto next = found->find(path.substr(first, dot - first));
+    if (next == found->end()) return nullptr;
+    found = &*next;
+    first = dot + 1;
+  }
+  return found;
+}
+
+std::string shown(double value, const std::string& unit = "") {
+  if (!std::isfinite(value)) return "\xE2\x80\x93";
+  return value_text(value) + (unit.empty() ? "" : " " + unit);
+}
+
+std::string shown_count(double value) {
+  return std::isfinite(value) ? count_text(std::llround(value)) : "\xE2\x80\x93";
+}
+
+// Rows of numbers under heads; the first row are the heads.
+std::string number_table(const std::vector<std::vector<std::string>>& rows) {
+  std::string text = "<div class=\"scroll\"><table>\n";
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const char* tag = i == 0 ? "th" : "td";
+    text += "<tr>";
+    for (const std::string& cell : rows[i]) {
+      text.append("<").append(tag).append(" class=\"number\">").append(escaped(cell));
+      text.append("</").append(tag).append(">");
+    }
+    text += "</tr>\n";
+  }
+  return text + "</table></div>\n";
+}
+
+std::string tile(const std::string& value, const std::string& name) {
+  return "<div><b>" + escaped(value) + "</b><span>" + escaped(name) + "</span></div>\n";
+}
+
+std::vector<json> list_at(const json& summary, const char* name) {
+  const json* list = member(summary, name);
+  if (list == nullptr || !list->is_array()) return {};
+  return list->get<std::vector<json>>();
+}
+
+}  // namespace
+
+double number_at(const json& summary, const std::string& path) {
+  const json* found = member(summary, path);
+  return found != nullptr && found->is_number() ? found->get<double>() : std::nan("");
+}
+
+std::string text_at(const json& summary, const std::string& path) {
+  const json* found = member(summary, path);
+  return found != nullptr && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+std::string key_numbers(const json& summary) {
+  const double time = number_at(summary, "state.time_s");
+  return "<div class=\"numbers\">\n" + tile(shown_count(number_at(summary, "state.crack_count")), "cracks") +
+         tile(shown(number_at(summary, "longest_fracture.length_m"), "m"), "longest fracture") +
+         tile(shown(number_at(summary, "longest_fracture.width_m") * millimetres_per_metre, "mm"),
+              "its largest width") +
+         tile(std::isfinite(time) ? time_text(time) : shown(time), "of model time") +
+         tile(shown_count(number_at(summary, "state.disc_count")), "discs") +
+         tile(shown_count(number_at(summary, "state.bond_count")), "bonds") + "</div>\n";
+}
+
+std::string fracture_table(const json& summary) {
+  std::vector<std::vector<std::string>> rows = {
+      {"fracture", "cracks", "in tension", "length (m)", "reach (m)", "azimuth (\xC2\xB0)",
+       "mean aperture (mm)", "largest (mm)", "volume (m\xC2\xB2)", "mean pressure (MPa)"}};
+  for (const json& one : list_at(summary, "fractures")) {
+    rows.push_back(
+        {std::to_string(rows.size()), shown_count(number_at(one, "crack_count")),
+         shown_count(number_at(one, "tensile_cracks")), shown(number_at(one, "length_m")),
+         shown(number_at(one, "reach_m")), shown(number_at(one, "azimuth_rad") * degrees_per_radian),
+         shown(number_at(one, "mean_aperture_m") * millimetres_per_metre),
+         shown(number_at(one, "largest_aperture_m") * millimetres_per_metre),
+         shown(number_at(one, "volume_m2")), shown(number_at(one, "mean_pressure_Pa") * per_mega)});
+  }
+  if (rows.size() == 1) return "<p>No fracture.</p>\n";
+  return number_table(rows);
+}
+
+std::string well_table(const json& summary) {
+  std::vector<std::vector<std::string>> rows = {{"well", "x (m)", "y (m)", "radius (m)", "pressure (MPa)",
+                                                 "rate (m\xC2\xB2/s)", "injected (m\xC2\xB2)"}};
+  for (const json& one : list_at(summary, "wells")) {
+    rows.push_back({std::to_string(rows.size()), shown(number_at(one, "x_m")), shown(number_at(one, "y_m")),
+                    shown(number_at(one, "radius_m")), shown(number_at(one, "pressure_Pa") * per_mega),
+                    shown(number_at(one, "rate_m2_per_s")), shown(number_at(one, "injected_volume_m2"))});
+  }
+  return rows.size() > 1 ? number_table(rows) : "";
+}
+
+std::string balance_tables(const json& summary) {
+  const auto balance = [&](const char* name) { return number_at(summary, std::string("balance.") + name); };
+  const auto energy = [&](const char* name) { return shown(balance(name) * per_mega, "MJ/m"); };
+  const Rows fluid = {{"injected", shown(balance("injected_volume_m2"), "m\xC2\xB2")},
+                      {"stored", shown(balance("stored_volume_m2"), "m\xC2\xB2")},
+                      {"leaked off", shown(balance("leaked_volume_m2"), "m\xC2\xB2")},
+                      {"in fractures", shown(number_at(summary, "fracture_volume_m2"), "m\xC2\xB2")},
+                      {"missing", shown(balance("fluid_error_m2"), "m\xC2\xB2")}};
+  const Rows energies = {{"work of the fluid", energy("fluid_work_J_per_m")},
+                         {"work of the boundary", energy("boundary_work_J_per_m")},
+                         {"in bonds", energy("bond_elastic_J_per_m")},
+                         {"in contacts", energy("contact_elastic_J_per_m")},
+                         {"kinetic", energy("kinetic_J_per_m")},
+                         {"damped", energy("damping_J_per_m")},
+                         {"friction", energy("friction_J_per_m")},
+                         {"new cracks", energy("fracture_J_per_m")},
+                         {"missing", energy("energy_error_J_per_m")}};
+  return "<div class=\"pair\"><div><h3>Fluid</h3>" + name_table(fluid) + "</div><div><h3>Energy</h3>" +
+         name_table(energies) + "</div></div>\n";
+}
+
+std::string version_table(const json& summary) {
+  return name_table({{"hfrac", text_at(summary, "versions.hfrac")},
+                     {"build", text_at(summary, "versions.build")},
+                     {"VTK", text_at(summary, "versions.vtk")},
+                     {"reading", text_at(summary, "reading")},
+                     {"state hash", text_at(summary, "state_hash")}});
+}
+
+}  // namespace hfrac::viz

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures of chosen views of one snapshot: one with a wide column beside it, or several side by side.
+#pragma once
+
+#include <vector>
+
+#include "hfrac/viz.h"
+#include "page.h"
+#include "pictures.h"
+
+namespace hfrac::viz {
+
+// The part of the model that is asked for: whole, around the cracks, on the first well, on the farthest tip, or
+// the given box.
+Extent zoomed(const RunFolder& run, const Scene& scene, const hfrac_viz_view_options& options);
+
+Image view_picture(const Studio& studio, const Scene& scene, const std::vector<int>& kinds,
+                   const Extent& extent);
+
+}  // namespace hfrac::viz
