@@ -178,7 +178,7 @@ module hfrac_c
     !> compression). after-break: the contact acts once the bond is broken (linear before failure). Default 0.
     integer(c_int64_t) :: contact_mode = 0_c_int64_t
     !> [N/m] Normal stiffness of a parallel bond times its area (not given by the paper; 0.46 of the contact's gives
-    !> its E and nu). Default 5.152e9.
+    !> a stiffness near its E). Default 5.152e9.
     real(c_double) :: bond_normal_stiffness = 0.0_c_double
     !> [N/m] Shear stiffness of a parallel bond times its area. Default 5.152e9.
     real(c_double) :: bond_shear_stiffness = 0.0_c_double
@@ -234,9 +234,9 @@ module hfrac_c
     !> boundary. Default 0.
     integer(c_int64_t) :: flow_outer = 0_c_int64_t
     !> 0: substep, 1: dynamic. substep: one flow step, then mechanics to rest, breakage included (the paper's sub-
-    !> step). dynamic: Newton's law in real time. Default 0.
+    !> step). dynamic: Newton's law in real time, flow_step seconds a step. Default 0.
     integer(c_int64_t) :: stepping_mode = 0_c_int64_t
-    !> [s] Fluid time of one sub-step. Default 1.0.
+    !> [s] Fluid time of one step. Default 1.0.
     real(c_double) :: stepping_flow_step = 0.0_c_double
     !> Sub-steps of a run by the hfrac command. Default 500.
     integer(c_int64_t) :: stepping_substeps = 0_c_int64_t
@@ -677,9 +677,9 @@ module hfrac_c
       type(hfrac_sim_def), intent(inout) :: def
       integer(c_int32_t) :: hfrac_sim_definition
     end function hfrac_sim_definition
-    !> Takes `count` steps (sub-steps in mode "substep", mechanical cycles in mode "dynamic"). HFRAC_STOPPED if the
-    !> progress callback asked for it: the simulation is then at its last whole step. HFRAC_NOT_AT_REST if the last
-    !> step did not reach stepping.force_ratio. Stable since 0.1.
+    !> Takes `count` steps (sub-steps in mode "substep", stepping.flow_step seconds of real motion each in mode
+    !> "dynamic"). HFRAC_STOPPED if the progress callback asked for it: the simulation is then at its last whole
+    !> step. HFRAC_NOT_AT_REST if the last step did not reach stepping.force_ratio. Stable since 0.1.
     function hfrac_step(sim, count) bind(C, name="hfrac_step")
       import
       type(c_ptr), value :: sim
