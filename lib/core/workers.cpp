@@ -6,19 +6,17 @@
 namespace hfrac {
 namespace {
 
-// Waits for a condition: a few thousand spins (about a microsecond each hundred), then the processor is offered to others, so
-// that more workers than cores still make progress.
-template <class Condition>
-void spin_until(Condition&& condition) {
-  for (int spins = 0; !condition(); ++spins) {
-    if (spins < 4000) {
+// Waits until a number is no longer `old`: a few thousand spins (some tens of microseconds), which is all it takes when
+// every worker has a core; then asleep, so that on a busy machine the core goes to whom is waited for.
+template <class Number>
+void wait_while(const std::atomic<Number>& number, Number old) {
+  for (int spins = 0; spins < 4000; ++spins) {
+    if (number.load(std::memory_order_acquire) != old) return;
 #if defined(__x86_64__)
-      __builtin_ia32_pause();
+    __builtin_ia32_pause();
 #endif
-    } else {
-      std::this_thread::yield();
-    }
   }
+  while (number.load(std::memory_order_acquire) == old) number.wait(old, std::memory_order_acquire);
 }
 
 }  // namespace
@@ -50,7 +48,10 @@ void Workers::run(const std::function<void(int)>& task) {
   }
   wake_.notify_all();
   task(0);
-  spin_until([this] { return running_.load(std::memory_order_acquire) == 0; });
+  for (int left = running_.load(std::memory_order_acquire); left != 0;
+       left = running_.load(std::memory_order_acquire)) {
+    wait_while(running_, left);
+  }
 }
 
 void Workers::loop(int worker) {
@@ -66,17 +67,19 @@ void Workers::loop(int worker) {
     }
     (*task)(worker);
     running_.fetch_sub(1, std::memory_order_release);
+    running_.notify_one();
   }
 }
 
 void Workers::barrier() {
   if (count_ == 1) return;
-  const std::uint64_t phase = phase_.load(std::memory_order_acquire);
+  const std::uint32_t phase = phase_.load(std::memory_order_acquire);
   if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == count_) {
     arrived_.store(0, std::memory_order_relaxed);
     phase_.store(phase + 1, std::memory_order_release);
+    phase_.notify_all();
   } else {
-    spin_until([&] { return phase_.load(std::memory_order_acquire) != phase; });
+    wait_while(phase_, phase);
   }
 }
 

@@ -3,7 +3,7 @@
 //
 // A time step is a handful of short passes over arrays, so threads that sleep between passes would spend the step
 // waking up. Here a whole batch of cycles runs inside one parallel region, and the workers meet at a barrier that
-// spins for a moment before it yields. Which worker does which part is fixed by index ranges, and no worker adds into
+// spins for a moment before it sleeps. Which worker does which part is fixed by index ranges, and no worker adds into
 // what another one adds into, so results do not depend on how many there are.
 #pragma once
 
@@ -52,7 +52,7 @@ class Workers {
   bool stop_ = false;
   std::atomic<int> running_{0};
   std::atomic<int> arrived_{0};
-  std::atomic<std::uint64_t> phase_{0};
+  std::atomic<std::uint32_t> phase_{0};
 };
 
 }  // namespace hfrac
