@@ -226,20 +226,6 @@ void write_flow(const fs::path& folder, int snapshot, const SyntheticRun& run, L
   write_grid(folder, "flow", snapshot, run, grid);
 }
 
-void write_collection(const fs::path& folder, const std::string& kind, const SyntheticRun& run) {
-  std::ofstream file(folder / (kind + ".pvd"));
-  file << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
-          "byte_order=\"LittleEndian\">\n"
-          "  <Collection>\n";
-  for (int i = 0; i < run.snapshots; ++i) {
-    char number[16];
-    std::snprintf(number, sizeof number, "%05d", i);
-    file << "    <DataSet timestep=\"" << 2.5 * i << "\" part=\"0\" file=\"" << kind << '_' << number
-         << ".vtu\"/>\n";
-  }
-  file << "  </Collection>\n</VTKFile>\n";
-}
-
 }  // namespace
 
 double SyntheticRun::half_length_at(int snapshot) const {
@@ -255,8 +241,6 @@ void write_run(const fs::path& folder, const SyntheticRun& run) {
     write_cracks(folder, i, run);
     if (run.with_flow) write_flow(folder, i, run, lattice);
   }
-  for (const char* kind : {"discs", "bonds", "cracks"}) write_collection(folder, kind, run);
-  if (run.with_flow) write_collection(folder, "flow", run);
   write_tables(folder, run);
 }
 

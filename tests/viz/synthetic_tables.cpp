@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The text files of a synthetic run: the case, the summary, the history, the crack log.
+// The text files of a synthetic run: the lists of its series, the case, the summary, the history, the crack log.
 #include <unistd.h>
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
@@ -13,7 +14,27 @@ namespace hfrac::viz_test {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+void write_collection(const fs::path& folder, const std::string& kind, const SyntheticRun& run) {
+  std::ofstream file(folder / (kind + ".pvd"));
+  file << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+          "byte_order=\"LittleEndian\">\n"
+          "  <Collection>\n";
+  for (int i = 0; i < run.snapshots; ++i) {
+    char number[16];
+    std::snprintf(number, sizeof number, "%05d", i);
+    file << "    <DataSet timestep=\"" << 2.5 * i << "\" part=\"0\" file=\"" << kind << '_' << number
+         << ".vtu\"/>\n";
+  }
+  file << "  </Collection>\n</VTKFile>\n";
+}
+
+}  // namespace
+
 void write_tables(const fs::path& folder, const SyntheticRun& run) {
+  for (const char* kind : {"discs", "bonds", "cracks"}) write_collection(folder, kind, run);
+  if (run.with_flow) write_collection(folder, "flow", run);
   std::ofstream summary(folder / "summary.json");
   summary << "{\"title\": \"" << run.title << "\", \"reading\": \"paper\", \"ended\": \"all steps taken\", "
           << "\"model\": {\"width_m\": " << run.width << ", \"height_m\": " << run.height

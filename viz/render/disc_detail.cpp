@@ -31,12 +31,13 @@ bool in_view(const Disc& disc, const Extent& extent) {
          disc.centre.y - disc.radius <= extent.bottom + extent.height;
 }
 
-// The raster as a picture on a rectangle that fills the view.
+// The raster as a picture on a rectangle that fills the view. It lies below the wells, which discs that small do not
+// visibly reach into: a transparent one above them would cost VTK half a gigabyte for its transparency.
 vtkSmartPointer<vtkActor> picture_actor(const View& view, const Raster& raster) {
   vtkNew<vtkImageData> image;
   image->SetDimensions(raster.width, raster.height, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-  std::memcpy(image->GetScalarPointer(), raster.rgba.data(), raster.rgba.size());
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  std::memcpy(image->GetScalarPointer(), raster.rgb.data(), raster.rgb.size());
   vtkNew<vtkTexture> texture;
   texture->SetInputData(image);
   texture->InterpolateOff();
@@ -52,8 +53,7 @@ vtkSmartPointer<vtkActor> picture_actor(const View& view, const Raster& raster) 
   actor->SetMapper(mapper);
   actor->SetTexture(texture);
   actor->GetProperty()->LightingOff();
-  actor->SetPosition(0.0, 0.0, depth::discs);
-  actor->ForceTranslucentOn();
+  actor->SetPosition(0.0, 0.0, depth::wells - 0.5);
   return actor;
 }
 

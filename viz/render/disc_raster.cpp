@@ -39,15 +39,16 @@ class Band {
     }
   }
 
-  void write(Raster& raster) const {
-    std::uint8_t* pixel = raster.rgba.data() + static_cast<std::size_t>(first_) * width_ * 4;
+  void write(Raster& raster, Colour paper) const {
+    std::uint8_t* pixel = raster.rgb.data() + static_cast<std::size_t>(first_) * width_ * 3;
     for (const Cover& cover : cover_) {
-      const float part = cover.area > 0 ? 1 / cover.area : 0;
-      pixel[0] = static_cast<std::uint8_t>(cover.red * part + 0.5F);
-      pixel[1] = static_cast<std::uint8_t>(cover.green * part + 0.5F);
-      pixel[2] = static_cast<std::uint8_t>(cover.blue * part + 0.5F);
-      pixel[3] = static_cast<std::uint8_t>(255 * std::min(1.0F, cover.area) + 0.5F);
-      pixel += 4;
+      // Where discs overlap they share the pixel, where they leave room the paper fills it.
+      const float part = 1 / std::max(1.0F, cover.area);
+      const float rest = std::max(0.0F, 1 - cover.area);
+      pixel[0] = static_cast<std::uint8_t>(cover.red * part + rest * paper.red + 0.5F);
+      pixel[1] = static_cast<std::uint8_t>(cover.green * part + rest * paper.green + 0.5F);
+      pixel[2] = static_cast<std::uint8_t>(cover.blue * part + rest * paper.blue + 0.5F);
+      pixel += 3;
     }
   }
 
@@ -100,9 +101,10 @@ class Band {
 
 Raster disc_raster(const Discs& discs, std::span<const Colour> fills, const Extent& extent, int width,
                    int height) {
-  Raster raster{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height * 4)};
+  Raster raster{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height * 3)};
   const double across = width / extent.width;
   const double up = height / extent.height;
+  const Colour paper = palette().paper;
   const bool single = fills.size() < discs.discs.size();
   const auto draw = [&](int first_row, int end_row) {
     Band band(width, first_row, end_row);
@@ -111,7 +113,7 @@ Raster disc_raster(const Discs& discs, std::span<const Colour> fills, const Exte
       band.add((disc.centre.x - extent.left) * across, (disc.centre.y - extent.bottom) * up,
                disc.radius * across, fills[single ? 0 : i]);
     }
-    band.write(raster);
+    band.write(raster, paper);
   };
   const int workers =
       std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, std::min(8, height));

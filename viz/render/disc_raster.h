@@ -13,14 +13,14 @@
 
 namespace hfrac::viz {
 
-// Red, green, blue, opacity; rows from the bottom up.
+// Red, green, blue; rows from the bottom up.
 struct Raster {
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> rgba;
+  std::vector<std::uint8_t> rgb;
 };
 
-// `fills` has one colour for all, or one per disc. One pixel is one finished pixel of the view.
+// On the palette's paper. `fills` has one colour for all, or one per disc. One pixel is one finished pixel of the view.
 Raster disc_raster(const Discs& discs, std::span<const Colour> fills, const Extent& extent, int width,
                    int height);
 
