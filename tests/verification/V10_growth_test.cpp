@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// V10: a hydraulic fracture grows along the larger far-field stress.
+//
+// Source     Hubbert and Willis (1957): fractures open against the smallest stress, so they run along sigma_H.
+// Set-up     Six packings of 2 000 discs, rigid walls at effective stresses of 8 and 0 MPa, well held at 45 MPa net, 60
+//            sub-steps of 10 ms. The azimuth is that of the longest spread of the fracture's crack ends about the well.
+// Tolerance  Mean azimuth of the six within 15 degrees of sigma_H; each one nearer to sigma_H than to sigma_h.
+#include <gtest/gtest.h>
+#include <hfrac/hfrac.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace {
+
+TEST(V10Growth, FracturesRunAlongTheLargerStress) {
+  constexpr int packings = 6;
+  constexpr double degree = 57.29577951308232;
+  double sum = 0.0;
+  for (int seed = 1; seed <= packings; ++seed) {
+    hfrac_sim_def def;
+    ASSERT_EQ(hfrac_sim_def_init(&def, sizeof def), HFRAC_OK);
+    def.model_seed = seed;
+    def.model_reading = 1;  // paper
+    def.boundary_kind = 1;  // walls
+    def.packing_disc_count = 2000;
+    def.stress_sigma_H = 8e6;
+    def.stress_sigma_h = 0.0;
+    def.stepping_flow_step = 1e-2;
+    def.well_count = 1;
+    def.wells[0].x = def.wells[0].y = 50.0;
+    def.wells[0].radius = 8.5;
+    def.wells[0].pressure = 45e6;
+    hfrac_sim* sim = nullptr;
+    ASSERT_EQ(hfrac_sim_create(&def, &sim), HFRAC_OK);
+    EXPECT_GE(hfrac_step(sim, 60), 0);
+    hfrac_fracture fracture{};
+    int64_t count = 0;
+    EXPECT_EQ(hfrac_fractures(sim, sizeof fracture, &fracture, 1, &count), HFRAC_OK);
+    EXPECT_GT(count, 0);
+    std::printf("  packing %d: %2d cracks, %.1f m, azimuth %.1f degrees\n", seed,
+                static_cast<int>(fracture.crack_count), fracture.length, fracture.azimuth * degree);
+    EXPECT_EQ(fracture.well, 0);
+    EXPECT_LT(std::abs(fracture.azimuth * degree), 45.0);
+    sum += fracture.azimuth * degree;
+    hfrac_sim_destroy(&sim);
+  }
+  std::printf("  mean azimuth %.1f degrees, analytic 0\n", sum / packings);
+  EXPECT_LT(std::abs(sum / packings), 15.0);
+}
+
+}  // namespace
