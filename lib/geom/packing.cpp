@@ -114,7 +114,6 @@ void relax(const PackingOptions& box, Packing& p, const std::function<bool(doubl
   for (std::int64_t iteration = 0;; ++iteration) {
     list.refresh(p.x, p.y);
     const Overlaps now = overlap_forces(box, p, list, fx, fy);
-    p.iterations = iteration;
     p.residual = now.mean_force > 0.0 ? now.mean_unbalanced / now.mean_force : 0.0;
     p.mean_overlap = now.mean_force / p.mean_radius;
     // Below the jamming density all overlaps vanish: that is at rest too.

@@ -25,11 +25,10 @@ struct PackingOptions {
 };
 
 struct Packing {
-  Array<double> x, y, radius;   // m; numbered along a Hilbert curve
-  double residual = 0.0;        // mean unbalanced over mean contact force
-  std::int64_t iterations = 0;  // of the minimiser
-  double mean_radius = 0.0;     // m
-  double mean_overlap = 0.0;    // mean overlap of contacts over mean radius
+  Array<double> x, y, radius;  // m; numbered along a Hilbert curve
+  double residual = 0.0;       // mean unbalanced over mean contact force
+  double mean_radius = 0.0;    // m
+  double mean_overlap = 0.0;   // mean overlap of contacts over mean radius
 };
 
 // progress(fraction) may return true to stop; the packing is then not relaxed. Throws Error(model) if it does not relax.

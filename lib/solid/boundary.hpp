@@ -60,12 +60,9 @@ class Boundary {
     visit(archive, *this);
   }
   [[nodiscard]] bool walled() const { return walled_; }
-  [[nodiscard]] bool needs_cycles() const { return walled_; }
 
   // Mean normal stress on the walls along x and y [Pa], compression positive, without pore pressure outside.
   [[nodiscard]] Vec2 wall_stress(const Assembly& assembly) const;
-  // Work of walls since the start [J/m].
-  [[nodiscard]] double wall_work() const { return work_; }
   // Largest unbalanced force on a wall over its target, or 0 when fixed.
   [[nodiscard]] double wall_imbalance() const { return servo_ ? imbalance_ : 0.0; }
   // Energy stored in wall contacts now [J/m].

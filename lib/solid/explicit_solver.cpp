@@ -199,7 +199,7 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
     const auto w = static_cast<std::size_t>(worker);
     for (std::int64_t cycle = total_cycles_; cycle < total_cycles_ + cycles; ++cycle) {
       for (const auto& item : sweeps_[w].shared) take(item, cycle, found[w]);
-      if (worker == 0 && boundary_.needs_cycles()) {
+      if (worker == 0 && boundary_.walled()) {
         boundary_.cycle(assembly_, arrays_.step, options_.stepping_safety, arrays_.damping);
       }
       if (worker == 0 && !loose_.empty())

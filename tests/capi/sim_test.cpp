@@ -199,7 +199,6 @@ TEST(SimStep, DivergenceLeavesTheStateBefore) {
   ASSERT_EQ(hfrac_step_prepare(sim), HFRAC_OK);
   const Sight before = sight_of(sim);
   const int32_t status = hfrac_step_do(sim, 1e300);
-  if (status == HFRAC_ERR_ARGUMENT) GTEST_SKIP() << "no way to divergence is left: " << last_error(sim);
   ASSERT_EQ(status, HFRAC_ERR_DIVERGED);
   EXPECT_NE(last_error(sim), "");
   expect_same(sight_of(sim), before);
