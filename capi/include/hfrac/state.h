@@ -23,26 +23,26 @@
 extern "C" {
 #endif
 
-/** Bytes an image needs now; it grows with the crack log. Unstable since 0.1. */
+/** Bytes an image needs now; it grows with the crack log. Stable since 0.1. */
 HFRAC_API int32_t hfrac_state_size(const hfrac_sim *sim, int64_t *size);
-/** Writes an image into the caller's `buffer` of `capacity` bytes; *size gets the bytes written. Unstable since 0.1. */
+/** Writes an image into the caller's `buffer` of `capacity` bytes; *size gets the bytes written. Stable since 0.1. */
 HFRAC_API int32_t hfrac_state_save(const hfrac_sim *sim, void *buffer, int64_t capacity, int64_t *size);
 /** Restores an image. One that is damaged, of another model or another format is refused and changes nothing.
- * Unstable since 0.1. */
+ * Stable since 0.1. */
 HFRAC_API int32_t hfrac_state_restore(hfrac_sim *sim, const void *image, int64_t size);
 
-/** Opens a step: remembers the state. Unstable since 0.1. */
+/** Opens a step: remembers the state. Stable since 0.1. */
 HFRAC_API int32_t hfrac_step_prepare(hfrac_sim *sim);
 /** Takes the open step, `duration` [s] of fluid time long, from where it was opened; wells and far field as they are set
- * now. May be called again. Status as hfrac_step. Unstable since 0.1. */
+ * now. May be called again. Status as hfrac_step. Stable since 0.1. */
 HFRAC_API int32_t hfrac_step_do(hfrac_sim *sim, double duration);
-/** Closes the open step and keeps what the last hfrac_step_do gave. Unstable since 0.1. */
+/** Closes the open step and keeps what the last hfrac_step_do gave. Stable since 0.1. */
 HFRAC_API int32_t hfrac_step_finalize(hfrac_sim *sim);
-/** Closes the open step and goes back to where it was opened, wells and far field included. Unstable since 0.1. */
+/** Closes the open step and goes back to where it was opened, wells and far field included. Stable since 0.1. */
 HFRAC_API int32_t hfrac_step_reject(hfrac_sim *sim);
 
 /** From the next step on, another far-field stress [Pa], in the reading's sense; needs boundary.kind stress, or walls kept
- * on their servo. sigma_h must not exceed sigma_H. Unstable since 0.1. */
+ * on their servo. sigma_h must not exceed sigma_H. Stable since 0.1. */
 HFRAC_API int32_t hfrac_set_far_field(hfrac_sim *sim, double sigma_H, double sigma_h);
 
 #ifdef __cplusplus

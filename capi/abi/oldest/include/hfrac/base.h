@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file
+ * Status codes, versions and the rules every call follows.
+ *
+ * - Every function returns an int32_t status: 0 good, negative an error, positive a note (HFRAC_STOPPED).
+ *   Results come back through pointers. After an error of kind ARGUMENT nothing has changed.
+ * - The library never ends the process, prints, changes directory, locale or signal handlers, and keeps no
+ *   process-wide state. Different simulations may be used from different threads at once; one simulation belongs
+ *   to one thread at a time.
+ * - SI units everywhere, unit thickness (1 m) out of the plane, compression positive for stress and pressure,
+ *   tension positive for bond forces.
+ * - Texts are copied into the caller's buffer: at most `capacity` bytes including the final 0, cut if too long;
+ *   `needed` (may be NULL) gets the full size with the 0.
+ */
+#ifndef HFRAC_BASE_H
+#define HFRAC_BASE_H
+
+#include <stdint.h>
+
+#if defined(__GNUC__)
+#define HFRAC_API __attribute__((visibility("default")))
+#else
+#define HFRAC_API
+#endif
+
+#define HFRAC_VERSION_MAJOR 0
+#define HFRAC_VERSION_MINOR 1
+#define HFRAC_VERSION_PATCH 0
+/** Grows when, and only when, a compiled client would break; it is the SONAME's number. */
+#define HFRAC_ABI_VERSION 0
+
+/** The one list of status codes: X(name, value, text). Values are never renumbered. */
+#define HFRAC_STATUS_LIST(X)                                                                    \
+  X(HFRAC_OK, 0, "good")                                                                        \
+  X(HFRAC_STOPPED, 1, "stopped by a callback; the simulation is at its last good step")         \
+  X(HFRAC_NOT_AT_REST, 2, "mechanics did not come to rest within stepping.max_cycles")          \
+  X(HFRAC_ERR_ARGUMENT, -1, "an argument is NULL, not finite or out of range")                  \
+  X(HFRAC_ERR_BAD_HANDLE, -2, "the handle was never created or is destroyed")                   \
+  X(HFRAC_ERR_STRUCT_SIZE, -3, "struct_size is not set by the init function or unknown")        \
+  X(HFRAC_ERR_UNKNOWN_KEY, -4, "no option of that name")                                        \
+  X(HFRAC_ERR_CASE_FILE, -5, "the case file cannot be read or holds an invalid value")          \
+  X(HFRAC_ERR_MODEL, -6, "the model cannot be built from these options")                        \
+  X(HFRAC_ERR_DIVERGED, -7, "the solution left the range of finite numbers; state as before the step") \
+  X(HFRAC_ERR_MEMORY, -8, "out of memory")                                                      \
+  X(HFRAC_ERR_BUSY, -9, "called from inside a callback of the same simulation")                 \
+  X(HFRAC_ERR_POISONED, -10, "an earlier error left the simulation unusable; only last_error and destroy work") \
+  X(HFRAC_ERR_INTERNAL, -99, "an error of the library itself; please report it")
+
+#define HFRAC_STATUS_ENUM_(name, value, text) name = value,
+enum hfrac_status { HFRAC_STATUS_LIST(HFRAC_STATUS_ENUM_) HFRAC_STATUS_END_ = 0x7fffffff };
+#undef HFRAC_STATUS_ENUM_
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** One simulation: the model, its state and its clock. Opaque. */
+typedef struct hfrac_sim hfrac_sim;
+
+/** Version of the library that runs (not of the header it was compiled against). Stable since 0.1. */
+HFRAC_API int32_t hfrac_version(int32_t *major, int32_t *minor, int32_t *patch);
+
+/** ABI number of the library that runs; compare with HFRAC_ABI_VERSION. Stable since 0.1. */
+HFRAC_API int32_t hfrac_abi_version(int32_t *abi);
+
+/** Compiler, build type and the instruction set the kernels chose on this machine, as one line. Stable since 0.1. */
+HFRAC_API int32_t hfrac_build_info(char *buffer, int32_t capacity, int32_t *needed);
+
+/** What a status code means, as one sentence. Unknown codes give HFRAC_ERR_ARGUMENT. Stable since 0.1. */
+HFRAC_API int32_t hfrac_status_text(int32_t status, char *buffer, int32_t capacity, int32_t *needed);
+
+/** The text of the last error of `sim`, with the value at fault, the allowed range and the fix. With sim NULL:
+ * the last error on this thread of a call that had no simulation (options, create). Empty if there was none.
+ * Stable since 0.1. */
+HFRAC_API int32_t hfrac_last_error(const hfrac_sim *sim, char *buffer, int32_t capacity, int32_t *needed);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file
+ * The whole of hfrac's C interface. Start at sim.h; the shortest program is examples/c/first.c.
+ */
+#ifndef HFRAC_H
+#define HFRAC_H
+
+#include "base.h"
+#include "crack.h"
+#include "def.h"
+#include "field.h"
+#include "sim.h"
+#include "state.h"
+
+#endif

@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/** @file
+ * A simulation's life: create, step, ask how it stands, destroy.
+ *
+ * hfrac_sim_create packs the discs, cuts the wells, bonds, builds the flow network and brings the model to rest under
+ * the far-field stress. Then step or advance, reading anything in between. One simulation belongs to one thread at a
+ * time; different ones may run at once. Results do not depend on run.workers.
+ */
+#ifndef HFRAC_SIM_H
+#define HFRAC_SIM_H
+
+#include "def.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Builds a simulation. On failure *sim is NULL and hfrac_last_error(NULL, ...) says why. Stable since 0.1. */
+HFRAC_API int32_t hfrac_sim_create(const hfrac_sim_def *def, hfrac_sim **sim);
+
+/** Frees a simulation and sets *sim to NULL; NULL and *sim == NULL are fine. Stable since 0.1. */
+HFRAC_API int32_t hfrac_sim_destroy(hfrac_sim **sim);
+
+/** The definition the simulation was built from, defaults filled in; `def->struct_size` must be set. Stable since 0.1. */
+HFRAC_API int32_t hfrac_sim_definition(const hfrac_sim *sim, hfrac_sim_def *def);
+
+/** Takes `count` steps (sub-steps in mode "substep", stepping.flow_step seconds of real motion each in mode "dynamic").
+ * HFRAC_STOPPED if the progress callback asked for it: the simulation is then at its last whole step.
+ * HFRAC_NOT_AT_REST if the last step did not reach stepping.force_ratio. Stable since 0.1. */
+HFRAC_API int32_t hfrac_step(hfrac_sim *sim, int64_t count);
+
+/** Why hfrac_advance returned. */
+enum hfrac_stop_reason {
+  HFRAC_REASON_TARGET = 0,   /**< target time reached */
+  HFRAC_REASON_CALLBACK = 1, /**< the progress callback asked for it */
+  HFRAC_REASON_EXTENT = 2,   /**< a crack tip passed stop.extent_fraction: what follows is the boundary's doing */
+  HFRAC_REASON_CRACKS = 3    /**< stop.cracks reached */
+};
+
+/** Steps until model time `target` [s] is reached or a stop condition holds; time moves in whole steps, so
+ * *reached >= target on success. Stable since 0.1. */
+HFRAC_API int32_t hfrac_advance(hfrac_sim *sim, double target, double *reached, int32_t *reason);
+
+/** Sets the callback of hfrac_step and hfrac_advance, called about every `seconds` of wall time (0: between any two
+ * steps and often within one); NULL removes it. Stable since 0.1. */
+HFRAC_API int32_t hfrac_set_progress(hfrac_sim *sim, hfrac_progress_fn progress, void *user, double seconds);
+
+/** How the simulation stands. Set struct_size before the call. */
+typedef struct hfrac_sim_state {
+  int32_t struct_size;        /**< sizeof(hfrac_sim_state) of the caller */
+  int32_t at_rest;            /**< 1 if the last step's mechanics reached stepping.force_ratio */
+  double time;                /**< [s] model (fluid) time */
+  int64_t step;               /**< steps taken since creation */
+  int64_t cycles;             /**< mechanical cycles since creation */
+  double force_ratio;         /**< mean unbalanced over mean contact force */
+  int64_t crack_count;        /**< bonds broken, all modes, set-up included */
+  int64_t tensile_cracks;     /**< of them in tension */
+  int64_t shear_cracks;       /**< of them in shear */
+  int64_t setup_cracks;       /**< of them before injection, while the model came to rest */
+  int64_t disc_count;         /**< discs */
+  int64_t bond_count;         /**< bonded contacts, intact or broken */
+  int64_t domain_count;       /**< fluid domains, wells included */
+  double mechanical_step;     /**< [s] time of one mechanical cycle with real masses (stable step times safety) */
+  double tip_distance;        /**< [m] farthest crack end from the nearest well centre, 0 without cracks */
+  int32_t stop_reason;        /**< enum hfrac_stop_reason that holds now, 0 if none */
+  int32_t flow_subcycles;     /**< explicit flow: sub-cycles of the last step; implicit: iterations */
+} hfrac_sim_state;
+/** How the simulation stands now. Stable since 0.1. */
+HFRAC_API int32_t hfrac_sim_get_state(const hfrac_sim *sim, hfrac_sim_state *state);
+
+/** What the set-up made. Set struct_size before the call. */
+typedef struct hfrac_setup_report {
+  int32_t struct_size;           /**< sizeof(hfrac_setup_report) of the caller */
+  int32_t struct_pad;            /**< 0 */
+  double mean_radius;            /**< [m] mean radius of all discs packed */
+  double porosity;               /**< void fraction of the packing before the well is cut */
+  double packing_residual;       /**< unbalanced over mean contact force of the relaxed packing */
+  double coordination;           /**< bonds per disc times two */
+  int64_t packed_discs;          /**< discs packed */
+  int64_t removed_in_wells;      /**< discs removed to cut the wells */
+  int64_t removed_floaters;      /**< discs removed because they had fewer than two bonds */
+  int64_t removed_crossings;     /**< near contacts not bonded because they cross another */
+  double strength_factor;        /**< strengths used over strengths given (bond.toughness_reference_radius) */
+  double zero_stress_aperture;   /**< [m] r0 in use (eq. 7) */
+  double permeability;           /**< [m2] of the network after the initial equilibrium */
+  double setup_force_ratio;      /**< unbalanced over mean contact force after the initial equilibrium */
+  double packing_seconds;        /**< wall time of the packing */
+  double setup_seconds;          /**< wall time of all of hfrac_sim_create */
+} hfrac_setup_report;
+/** What the set-up made. Stable since 0.1. */
+HFRAC_API int32_t hfrac_sim_get_setup(const hfrac_sim *sim, hfrac_setup_report *report);
+
+/** Energy and fluid mass since the end of the set-up. Set struct_size before the call. */
+typedef struct hfrac_balance {
+  int32_t struct_size;       /**< sizeof(hfrac_balance) of the caller */
+  int32_t struct_pad;        /**< 0 */
+  double kinetic;            /**< [J/m] kinetic energy now */
+  double bond_elastic;       /**< [J/m] stored in intact bonds now */
+  double contact_elastic;    /**< [J/m] stored in contacts now (discs and walls) */
+  double fluid_work;         /**< [J/m] work of fluid pressure on the discs since set-up */
+  double boundary_work;      /**< [J/m] work of the far field on the model since set-up */
+  double friction;           /**< [J/m] dissipated by sliding since set-up */
+  double damping;            /**< [J/m] dissipated by damping since set-up */
+  double fracture;           /**< [J/m] elastic energy of bonds lost as they broke since set-up */
+  double energy_error;       /**< [J/m] what is missing in: works = change of stored + dissipated */
+  double injected_volume;    /**< [m2] fluid put in through all wells, at formation pressure */
+  double stored_volume;      /**< [m2] change of content of all domains, wells included */
+  double leaked_volume;      /**< [m2] out through the outer boundary */
+  double fluid_error;        /**< [m2] injected - stored - leaked */
+} hfrac_balance;
+/** Energy and fluid balance now. Stable since 0.1. */
+HFRAC_API int32_t hfrac_get_balance(const hfrac_sim *sim, hfrac_balance *balance);
+
+/** A number that is equal if and only if (up to collision) the state is equal, bit for bit. Stable since 0.1. */
+HFRAC_API int32_t hfrac_state_hash(const hfrac_sim *sim, int64_t *hash);
+
+/** One well as it stands. Set struct_size before the call. */
+typedef struct hfrac_well_state {
+  int32_t struct_size;       /**< sizeof(hfrac_well_state) of the caller */
+  int32_t control;           /**< enum hfrac_well_control in force */
+  double x;                  /**< [m] centre */
+  double y;                  /**< [m] */
+  double equivalent_radius;  /**< [m] sqrt(area / pi) of the hole between disc centres */
+  double pressure;           /**< [Pa] now, in the reading's sense */
+  double target_pressure;    /**< [Pa] */
+  double rate;               /**< [m2/s] into the well in the last step */
+  double injected_volume;    /**< [m2] since set-up, at formation pressure */
+  int64_t domain;            /**< index of its domain */
+} hfrac_well_state;
+/** Number of wells. Stable since 0.1. */
+HFRAC_API int32_t hfrac_well_count(const hfrac_sim *sim, int32_t *count);
+/** Well `index` (from 0) now. Stable since 0.1. */
+HFRAC_API int32_t hfrac_well_get(const hfrac_sim *sim, int32_t index, hfrac_well_state *state);
+/** From the next step on, holds a well at `pressure` [Pa]. Stable since 0.1. */
+HFRAC_API int32_t hfrac_well_set_pressure(hfrac_sim *sim, int32_t index, double pressure);
+/** From the next step on, ramps a well from where it is by `per_step` [Pa] up or down to `pressure` [Pa]. Stable since 0.1. */
+HFRAC_API int32_t hfrac_well_set_ramp(hfrac_sim *sim, int32_t index, double pressure, double per_step);
+/** From the next step on, injects `rate` [m2/s] (negative: takes out; 0: shut in). Stable since 0.1. */
+HFRAC_API int32_t hfrac_well_set_rate(hfrac_sim *sim, int32_t index, double rate);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
