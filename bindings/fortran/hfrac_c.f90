@@ -142,7 +142,8 @@ module hfrac_c
     integer(c_int64_t) :: control = 0_c_int64_t
   end type hfrac_well_def
 
-  !> The definition of a simulation. Fill with hfrac_sim_def_init first; members are only ever appended.
+  !> The definition of a simulation. Fill with hfrac_sim_def_init first. Members are only ever appended, options
+  !> too, so later ones stand at the end; capi/tools/def_struct.py writes them from the option table.
   type, bind(C) :: hfrac_sim_def
     !> sizeof(hfrac_sim_def) of the caller, set by init
     integer(c_int32_t) :: struct_size = 0_c_int32_t
@@ -853,14 +854,14 @@ module hfrac_c
       integer(c_int64_t), intent(out) :: count
       integer(c_int32_t) :: hfrac_fractures
     end function hfrac_fractures
-    !> Bytes an image needs now; it grows with the crack log. Unstable since 0.1.
+    !> Bytes an image needs now; it grows with the crack log. Stable since 0.1.
     function hfrac_state_size(sim, size) bind(C, name="hfrac_state_size")
       import
       type(c_ptr), value :: sim
       integer(c_int64_t), intent(out) :: size
       integer(c_int32_t) :: hfrac_state_size
     end function hfrac_state_size
-    !> Writes an image into the caller's `buffer` of `capacity` bytes; *size gets the bytes written. Unstable since
+    !> Writes an image into the caller's `buffer` of `capacity` bytes; *size gets the bytes written. Stable since
     !> 0.1.
     function hfrac_state_save(sim, buffer, capacity, size) bind(C, name="hfrac_state_save")
       import
@@ -871,7 +872,7 @@ module hfrac_c
       integer(c_int32_t) :: hfrac_state_save
     end function hfrac_state_save
     !> Restores an image. One that is damaged, of another model or another format is refused and changes nothing.
-    !> Unstable since 0.1.
+    !> Stable since 0.1.
     function hfrac_state_restore(sim, image, size) bind(C, name="hfrac_state_restore")
       import
       type(c_ptr), value :: sim
@@ -879,34 +880,34 @@ module hfrac_c
       integer(c_int64_t), value :: size
       integer(c_int32_t) :: hfrac_state_restore
     end function hfrac_state_restore
-    !> Opens a step: remembers the state. Unstable since 0.1.
+    !> Opens a step: remembers the state. Stable since 0.1.
     function hfrac_step_prepare(sim) bind(C, name="hfrac_step_prepare")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t) :: hfrac_step_prepare
     end function hfrac_step_prepare
     !> Takes the open step, `duration` [s] of fluid time long, from where it was opened; wells and far field as they
-    !> are set now. May be called again. Status as hfrac_step. Unstable since 0.1.
+    !> are set now. May be called again. Status as hfrac_step. Stable since 0.1.
     function hfrac_step_do(sim, duration) bind(C, name="hfrac_step_do")
       import
       type(c_ptr), value :: sim
       real(c_double), value :: duration
       integer(c_int32_t) :: hfrac_step_do
     end function hfrac_step_do
-    !> Closes the open step and keeps what the last hfrac_step_do gave. Unstable since 0.1.
+    !> Closes the open step and keeps what the last hfrac_step_do gave. Stable since 0.1.
     function hfrac_step_finalize(sim) bind(C, name="hfrac_step_finalize")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t) :: hfrac_step_finalize
     end function hfrac_step_finalize
-    !> Closes the open step and goes back to where it was opened, wells and far field included. Unstable since 0.1.
+    !> Closes the open step and goes back to where it was opened, wells and far field included. Stable since 0.1.
     function hfrac_step_reject(sim) bind(C, name="hfrac_step_reject")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t) :: hfrac_step_reject
     end function hfrac_step_reject
     !> From the next step on, another far-field stress [Pa], in the reading's sense; needs boundary.kind stress, or
-    !> walls kept on their servo. sigma_h must not exceed sigma_H. Unstable since 0.1.
+    !> walls kept on their servo. sigma_h must not exceed sigma_H. Stable since 0.1.
     function hfrac_set_far_field(sim, sigma_hmax, sigma_h) bind(C, name="hfrac_set_far_field")
       import
       type(c_ptr), value :: sim

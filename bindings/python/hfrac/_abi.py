@@ -174,7 +174,9 @@ class hfrac_well_def(ctypes.Structure):
 
 
 class hfrac_sim_def(ctypes.Structure):
-    """The definition of a simulation. Fill with hfrac_sim_def_init first; members are only ever appended."""
+    """The definition of a simulation. Fill with hfrac_sim_def_init first. Members are only ever appended, options
+    too, so later ones stand at the end; capi/tools/def_struct.py writes them from the option table.
+    """
 
     _fields_ = [
         ("struct_size", ctypes.c_int32),
