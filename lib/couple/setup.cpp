@@ -56,6 +56,8 @@ void Simulation::build(std::span<const double> given_discs, const Progress& prog
     p.porosity = o.packing_porosity;
     p.residual = o.packing_residual;
     p.seed = static_cast<std::uint64_t>(o.model_seed);
+    p.method = PackingMethod{o.packing_method};
+    p.brick = o.packing_brick_discs;
     packing = pack_discs(
         p, [&](double done) { return stop = progress && progress(0.5 * done, "packing the discs"); });
     if (stop) throw Stopped{};
@@ -72,12 +74,12 @@ void Simulation::build(std::span<const double> given_discs, const Progress& prog
   if (progress && progress(0.5, "bonding")) throw Stopped{};
   std::vector<Hole> holes;
   for (const auto& well : definition_.wells) holes.push_back({{well.x, well.y}, well.radius});
-  const ContactGraph graph =
-      build_contact_graph(packing.x, packing.y, packing.radius, holes, o.bond_gap_tolerance);
+  ContactGraph graph = build_contact_graph(packing.x, packing.y, packing.radius, holes, o.bond_gap_tolerance);
+  packing = {};
   setup_.removed_in_wells = graph.removed_in_wells;
   setup_.removed_floaters = graph.removed_floaters;
   setup_.removed_crossings = graph.removed_crossings;
-  const Faces faces = build_faces(graph);
+  Faces faces = build_faces(graph);
 
   std::vector<std::int32_t> well_domains;
   for (std::size_t w = 0; w < definition_.wells.size(); ++w) {
@@ -93,8 +95,7 @@ void Simulation::build(std::span<const double> given_discs, const Progress& prog
   assembly_ = build_assembly(graph, o);
   setup_.coordination =
       2.0 * static_cast<double>(assembly_.bond_count()) / static_cast<double>(assembly_.disc_count());
-  network_ = build_network(graph, faces, assembly_, well_domains, o);
-
+  graph = {};
   for (std::size_t w = 0; w < definition_.wells.size(); ++w) {
     const auto& given = definition_.wells[w];
     Well well;
@@ -107,6 +108,7 @@ void Simulation::build(std::span<const double> given_discs, const Progress& prog
     well.set_rate = given.rate;
     wells_.push_back(well);
   }
+  network_ = build_network(std::move(faces), assembly_, well_domains, o);
   boundary_ = std::make_unique<Boundary>(assembly_, network_, o);
   solver_ = std::make_unique<ExplicitSolver>(assembly_, network_, *boundary_, o, *workers_);
 }

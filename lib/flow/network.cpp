@@ -15,13 +15,13 @@ constexpr double smallest_pore = 0.05;
 
 }  // namespace
 
-Network build_network(const ContactGraph& graph, const Faces& faces, const Assembly& a,
-                      const std::vector<std::int32_t>& well_domain, const Options& options) {
+Network build_network(Faces faces, const Assembly& a, const std::vector<std::int32_t>& well_domain,
+                      const Options& options) {
   Network n;
   const std::size_t pipes = a.first.size();
   const auto domains = static_cast<std::size_t>(faces.count());
-  n.left = faces.left;
-  n.right = faces.right;
+  n.left = std::move(faces.left);
+  n.right = std::move(faces.right);
   n.pipe_length.resize(pipes);
   for (std::size_t e = 0; e < pipes; ++e) n.pipe_length[e] = a.radius[a.first[e]] + a.radius[a.second[e]];
   for (auto* values : {&n.aperture, &n.conductance, &n.flow}) values->assign(pipes, 0.0);
@@ -29,38 +29,35 @@ Network build_network(const ContactGraph& graph, const Faces& faces, const Assem
   n.kind.assign(domains, DomainKind::rock);
   n.kind[0] = DomainKind::outside;
   for (const auto d : well_domain) n.kind[d] = DomainKind::well;
-  n.corner_start = faces.corner_start;
-  n.corner_disc = faces.corner;
-  n.corner_edge = faces.corner_edge;
-  n.centroid = faces.centroid;
-  n.corner_weight.resize(2 * faces.corner.size());
+  n.corner_start = std::move(faces.corner_start);
+  n.corner_disc = std::move(faces.corner);
+  n.centroid = std::move(faces.centroid);
+  n.corner_weight.resize(2 * n.corner_disc.size());
   n.volume.resize(domains);
   const bool sound = Reading{options.model_reading} == Reading::sound;
   n.reference_pressure = sound ? options.fluid_formation_pressure : 0.0;
   n.floor_pressure = sound ? 0.0 : -options.fluid_formation_pressure;
 
   for (std::size_t d = 0; d < domains; ++d) {
-    const auto begin = faces.corner_start[d], end = faces.corner_start[d + 1];
+    const auto begin = n.corner_start[d], end = n.corner_start[d + 1];
     double sectors = 0.0;
     for (auto k = begin; k < end; ++k) {
       const auto before = k > begin ? k - 1 : end - 1, after = k + 1 < end ? k + 1 : begin;
-      const auto i = faces.corner[k], from = faces.corner[before], to = faces.corner[after];
-      const Vec2 centre{graph.x[i], graph.y[i]};
-      const Vec2 back = Vec2{graph.x[from], graph.y[from]} - centre,
-                 ahead = Vec2{graph.x[to], graph.y[to]} - centre;
+      const auto i = n.corner_disc[k], from = n.corner_disc[before], to = n.corner_disc[after];
+      const Vec2 centre{a.x[i], a.y[i]};
+      const Vec2 back = Vec2{a.x[from], a.y[from]} - centre, ahead = Vec2{a.x[to], a.y[to]} - centre;
       // Chord from the contact behind to the contact ahead; turned clockwise it is the force per pressure (eq. 10).
-      const double share_back = graph.radius[i] / (graph.radius[i] + graph.radius[from]);
-      const double share_ahead = graph.radius[i] / (graph.radius[i] + graph.radius[to]);
+      const double share_back = a.radius[i] / (a.radius[i] + a.radius[from]);
+      const double share_ahead = a.radius[i] / (a.radius[i] + a.radius[to]);
       const Vec2 chord = share_ahead * ahead - share_back * back;
       n.corner_weight[2 * k] = chord.y;
       n.corner_weight[2 * k + 1] = -chord.x;
       double angle =
           std::atan2(cross(ahead, back), dot(ahead, back));  // of the disc's sector inside the polygon
       if (angle < 0.0) angle += 2.0 * 3.14159265358979323846;
-      sectors += 0.5 * graph.radius[i] * graph.radius[i] * angle;
+      sectors += 0.5 * a.radius[i] * a.radius[i] * angle;
     }
-    n.volume[d] =
-        std::max(faces.polygon_area[d] - sectors, smallest_pore * graph.mean_radius * graph.mean_radius);
+    n.volume[d] = std::max(faces.polygon_area[d] - sectors, smallest_pore * a.mean_radius * a.mean_radius);
   }
 
   // The same corners by disc. The outside pushes on walled models only: under stress control the far field is total.

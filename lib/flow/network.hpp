@@ -35,7 +35,7 @@ struct Network {
   Array<double> content;        // m2
   Array<double> pressure;       // Pa
   Array<double> stiffness;      // Pa/m2: K_f / V, 0 where the pressure is imposed
-  std::vector<std::int32_t> corner_start, corner_disc, corner_edge;
+  std::vector<std::int32_t> corner_start, corner_disc;
   Array<double> corner_weight;  // m, (x, y) per corner
   std::vector<std::int32_t> disc_corner_start, disc_corner_domain;
   Array<double> disc_corner_weight;
@@ -47,8 +47,9 @@ struct Network {
 };
 
 // `well_domain[k]` is the face of well k.
-Network build_network(const ContactGraph& graph, const Faces& faces, const Assembly& assembly,
-                      const std::vector<std::int32_t>& well_domain, const Options& options);
+// Takes the faces over.
+Network build_network(Faces faces, const Assembly& assembly, const std::vector<std::int32_t>& well_domain,
+                      const Options& options);
 
 // Content at which a domain has pressure p, given its volume change now.
 inline double content_at(const Network& n, std::int64_t domain, double bulk_modulus, double p) {

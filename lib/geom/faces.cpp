@@ -9,100 +9,108 @@
 namespace hfrac {
 namespace {
 
-// Half-edge h = 2 e + d leaves disc `from`: d = 0 runs from first to second, d = 1 back.
-struct HalfEdges {
-  std::vector<std::int32_t> next;  // the following half-edge around the face to the left
-  std::vector<std::int32_t> from;
-};
+// Half-edge h = 2 e + d leaves a disc: d = 0 runs from the first to the second disc of edge e, d = 1 back.
+std::int32_t disc_of(const ContactGraph& graph, std::int32_t h) {
+  return (h % 2 == 0 ? graph.first : graph.second)[static_cast<std::size_t>(h / 2)];
+}
 
-HalfEdges link_half_edges(const ContactGraph& graph) {
-  const std::size_t n = graph.x.size(), edges = graph.first.size();
-  HalfEdges half;
-  half.from.resize(2 * edges);
-  half.next.resize(2 * edges);
-  std::vector<std::int32_t> start(n + 1, 0), leaving(2 * edges);
-  for (std::size_t e = 0; e < edges; ++e) {
-    half.from[2 * e] = graph.first[e];
-    half.from[2 * e + 1] = graph.second[e];
-    ++start[graph.first[e] + 1];
-    ++start[graph.second[e] + 1];
-  }
+// The half-edge that follows each one around the face to its left.
+std::vector<std::int32_t> link_half_edges(const ContactGraph& graph) {
+  const std::size_t n = graph.x.size(), count = 2 * graph.first.size();
+  std::vector<std::int32_t> start(n + 1, 0), leaving(count), next(count);
+  for (std::size_t h = 0; h < count; ++h) ++start[disc_of(graph, static_cast<std::int32_t>(h)) + 1];
   for (std::size_t i = 0; i < n; ++i) start[i + 1] += start[i];
-  auto cursor = start;
-  for (std::size_t h = 0; h < 2 * edges; ++h) leaving[cursor[half.from[h]]++] = static_cast<std::int32_t>(h);
+  // Filling moves each start to the next one's place; they are moved back below.
+  for (std::size_t h = 0; h < count; ++h)
+    leaving[start[disc_of(graph, static_cast<std::int32_t>(h))]++] = static_cast<std::int32_t>(h);
 
-  std::vector<double> angle(2 * edges);
-  for (std::size_t h = 0; h < 2 * edges; ++h) {
-    const auto i = half.from[h], j = half.from[h ^ 1U];
-    angle[h] = std::atan2(graph.y[j] - graph.y[i], graph.x[j] - graph.x[i]);
-  }
+  struct Spoke {
+    double angle;
+    std::int32_t half_edge;
+  };
+  std::vector<Spoke> around;
   for (std::size_t i = 0; i < n; ++i) {
-    const auto begin = leaving.begin() + start[i], end = leaving.begin() + start[i + 1];
-    std::sort(begin, end, [&](std::int32_t a, std::int32_t b) { return angle[a] < angle[b]; });
-    const auto degree = end - begin;
+    around.clear();
+    for (auto k = i > 0 ? start[i - 1] : 0; k < start[i]; ++k) {
+      const auto j = disc_of(graph, leaving[k] ^ 1);
+      around.push_back({std::atan2(graph.y[j] - graph.y[i], graph.x[j] - graph.x[i]), leaving[k]});
+    }
+    std::sort(around.begin(), around.end(), [](const Spoke& a, const Spoke& b) {
+      return a.angle != b.angle ? a.angle < b.angle : a.half_edge < b.half_edge;
+    });
+    const auto degree = around.size();
     // Coming in against half-edge h, the face on the left goes on along the next one clockwise from h.
-    for (std::ptrdiff_t k = 0; k < degree; ++k) half.next[begin[k] ^ 1] = begin[(k + degree - 1) % degree];
+    for (std::size_t k = 0; k < degree; ++k)
+      next[around[k].half_edge ^ 1] = around[(k + degree - 1) % degree].half_edge;
   }
-  return half;
+  return next;
 }
 
 }  // namespace
 
 Faces build_faces(const ContactGraph& graph) {
-  const HalfEdges half = link_half_edges(graph);
-  const std::size_t count = half.from.size();
-  struct Loop {
-    std::vector<std::int32_t> half_edges;
-    double area;
-    Vec2 centroid;
+  const std::vector<std::int32_t> next = link_half_edges(graph);
+  const auto count = static_cast<std::int32_t>(next.size());
+  Faces faces;
+  faces.left.assign(graph.first.size(), -1);
+  faces.right.assign(graph.first.size(), -1);
+  const auto face_of = [&](std::int32_t h) -> std::int32_t& {
+    return (h % 2 == 0 ? faces.left : faces.right)[static_cast<std::size_t>(h / 2)];
   };
-  std::vector<Loop> loops;
-  std::vector<char> seen(count, 0);
+  // Once around each face: its number, area and centroid. Numbers go by the lowest edge, and so by the lowest disc.
+  std::vector<std::int32_t> begin;  // a half-edge of each face
   std::size_t outside = 0;
-  for (std::size_t begin = 0; begin < count; ++begin) {
-    if (seen[begin]) continue;
-    Loop loop{{}, 0.0, {}};
+  for (std::int32_t h0 = 0; h0 < count; ++h0) {
+    if (face_of(h0) >= 0) continue;
+    const auto face = static_cast<std::int32_t>(begin.size());
+    begin.push_back(h0);
+    double area = 0.0, corners = 0.0;
     Vec2 moment{}, mean{};
-    const Vec2 origin{graph.x[half.from[begin]], graph.y[half.from[begin]]};
-    for (auto h = static_cast<std::int32_t>(begin); !seen[h]; h = half.next[h]) {
-      seen[h] = 1;
-      loop.half_edges.push_back(h);
-      const Vec2 a = Vec2{graph.x[half.from[h]], graph.y[half.from[h]]} - origin;
-      const Vec2 b = Vec2{graph.x[half.from[h ^ 1]], graph.y[half.from[h ^ 1]]} - origin;
+    const auto point = [&](std::int32_t disc) { return Vec2{graph.x[disc], graph.y[disc]}; };
+    const Vec2 origin = point(disc_of(graph, h0));
+    for (auto h = h0; face_of(h) < 0; h = next[h]) {
+      face_of(h) = face;
+      const Vec2 a = point(disc_of(graph, h)) - origin, b = point(disc_of(graph, h ^ 1)) - origin;
       const double c = cross(a, b);
-      loop.area += 0.5 * c;
+      area += 0.5 * c;
       moment = moment + (c / 6.0) * (a + b);
       mean = mean + a;
+      corners += 1.0;
     }
-    loop.centroid = std::abs(loop.area) > 0.0
-                        ? origin + (1.0 / loop.area) * moment
-                        : origin + (1.0 / static_cast<double>(loop.half_edges.size())) * mean;
-    loops.push_back(std::move(loop));
-    if (loops.back().area < loops[outside].area) outside = loops.size() - 1;
+    faces.centroid.push_back(origin +
+                             (std::abs(area) > 0.0 ? (1.0 / area) * moment : (1.0 / corners) * mean));
+    faces.polygon_area.push_back(area);
+    if (area < faces.polygon_area[outside]) outside = begin.size() - 1;
   }
   const auto euler = static_cast<std::int64_t>(graph.x.size()) -
-                     static_cast<std::int64_t>(graph.first.size()) + static_cast<std::int64_t>(loops.size());
+                     static_cast<std::int64_t>(graph.first.size()) + static_cast<std::int64_t>(begin.size());
   if (euler != 2) {
     throw Error(ErrorKind::model, "the contact graph is not planar: N - E + F = " + std::to_string(euler) +
                                       " instead of 2; check the given discs for overlaps");
   }
-  // The outside first; the others stay sorted by their lowest edge, and so by their lowest disc.
-  std::rotate(loops.begin(), loops.begin() + static_cast<std::ptrdiff_t>(outside),
-              loops.begin() + static_cast<std::ptrdiff_t>(outside) + 1);
-
-  Faces faces;
-  faces.left.resize(graph.first.size());
-  faces.right.resize(graph.first.size());
+  // The outside first; the others keep their order.
+  const auto to_front = [outside](auto& values) {
+    std::rotate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(outside),
+                values.begin() + static_cast<std::ptrdiff_t>(outside) + 1);
+  };
+  to_front(begin);
+  to_front(faces.polygon_area);
+  to_front(faces.centroid);
+  faces.polygon_area[0] = 0.0;
+  const auto was_outside = static_cast<std::int32_t>(outside);
+  for (auto* side : {&faces.left, &faces.right}) {
+    for (auto& face : *side) face = face == was_outside ? 0 : face + (face < was_outside ? 1 : 0);
+  }
+  faces.corner.reserve(static_cast<std::size_t>(count));
+  faces.corner_start.reserve(begin.size() + 1);
   faces.corner_start.push_back(0);
-  for (std::size_t f = 0; f < loops.size(); ++f) {
-    for (const auto h : loops[f].half_edges) {
-      faces.corner.push_back(half.from[h]);
-      faces.corner_edge.push_back(h / 2);
-      (h % 2 == 0 ? faces.left : faces.right)[h / 2] = static_cast<std::int32_t>(f);
-    }
+  for (const auto h0 : begin) {
+    auto h = h0;
+    do {
+      faces.corner.push_back(disc_of(graph, h));
+      h = next[h];
+    } while (h != h0);
     faces.corner_start.push_back(static_cast<std::int32_t>(faces.corner.size()));
-    faces.polygon_area.push_back(f == 0 ? 0.0 : loops[f].area);
-    faces.centroid.push_back(loops[f].centroid);
   }
   return faces;
 }

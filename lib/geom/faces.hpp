@@ -15,11 +15,10 @@ namespace hfrac {
 struct Faces {
   std::vector<std::int32_t> left, right;  // face on either side of each edge, seen from first to second disc
   std::vector<std::int32_t>
-      corner_start;                       // corners of face f: corner[corner_start[f] .. corner_start[f + 1])
-  std::vector<std::int32_t> corner;       // discs, anticlockwise (clockwise around the outside face)
-  std::vector<std::int32_t> corner_edge;  // edge from this corner to the next one
-  std::vector<double> polygon_area;       // m2; of the polygon of disc centres, 0 for the outside
-  std::vector<Vec2> centroid;             // m
+      corner_start;                  // corners of face f: corner[corner_start[f] .. corner_start[f + 1])
+  std::vector<std::int32_t> corner;  // discs, anticlockwise (clockwise around the outside face)
+  std::vector<double> polygon_area;  // m2; of the polygon of disc centres, 0 for the outside
+  std::vector<Vec2> centroid;        // m
   [[nodiscard]] std::int32_t count() const { return static_cast<std::int32_t>(corner_start.size()) - 1; }
 };
 

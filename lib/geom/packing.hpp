@@ -1,27 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A dense, relaxed packing of discs in a rectangle.
+// A dense, relaxed packing of discs in a rectangle, made in one of three ways:
 //
-// Radii are drawn evenly between R_min and R_max and scaled so that the discs fill (1 - porosity) of the box. Discs
-// start on a jittered lattice, overlapping at random, and the energy of their overlaps (contacts without friction, the
-// box's sides as flat walls) is minimised with FIRE (Bitzek et al. 2006) until the forces balance. What overlap is left
-// carries no stress later: bonding takes the gaps it finds as reference.
+//   relaxed  Radii are spread evenly between R_min and R_max and scaled so that the discs fill (1 - porosity) of the box.
+//            Discs start on a jittered lattice, overlapping at random, and are relaxed (relaxation.hpp).
+//   growth   The same radii at random places, small at first; discs grow in stages and are relaxed at each: a packing
+//            that knows of no lattice.
+//   tiled    A periodic brick is packed once and laid side by side; cost grows with the number of discs and no faster
+//            (tiled_packing.cpp).
+//
+// What overlap is left carries no stress later: bonding takes the gaps it finds as reference.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "core/array.hpp"
+#include "core/random.hpp"
+#include "options/choices.hpp"
 
 namespace hfrac {
 
 struct PackingOptions {
   double width = 100.0;        // m
   double height = 100.0;       // m
-  std::int64_t count = 10000;  // discs
+  std::int64_t count = 10000;  // discs; tiled: up to half a disc per brick more or less
   double radius_ratio = 2.7;   // R_max / R_min
   double porosity = 0.15;      // void fraction
   double residual = 1e-4;      // mean unbalanced over mean contact force to reach
   std::uint64_t seed = 1;
+  PackingMethod method = PackingMethod::relaxed;
+  std::int64_t brick = 5000;  // discs in a brick (tiled)
 };
 
 struct Packing {
@@ -36,5 +45,12 @@ Packing pack_discs(const PackingOptions& options, const std::function<bool(doubl
 
 // The permutation that numbers points along a Hilbert curve: order[new] = old.
 std::vector<std::int32_t> hilbert_order(const Array<double>& x, const Array<double>& y);
+
+// Parts of the above, for tiled_packing.cpp.
+// `count` radii evenly over the range, shuffled, filling (1 - porosity) of `area`.
+Array<double> spread_radii(const PackingOptions& options, std::int64_t count, double area, Random& random);
+// Jittered lattice sites for as many discs as the packing has radii.
+void place_on_lattice(double width, double height, Random& random, Packing& packing);
+Packing pack_tiled(const PackingOptions& options, const std::function<bool(double)>& progress);
 
 }  // namespace hfrac

@@ -71,6 +71,9 @@ constexpr bool is_word(std::string_view key, std::string_view word, auto index) 
 }
 static_assert(is_word("model.reading", "sound", Reading::sound) &&
               is_word("model.reading", "paper", Reading::paper));
+static_assert(is_word("packing.method", "relaxed", PackingMethod::relaxed) &&
+              is_word("packing.method", "tiled", PackingMethod::tiled) &&
+              is_word("packing.method", "growth", PackingMethod::growth));
 static_assert(is_word("contact.mode", "parallel", ContactMode::parallel) &&
               is_word("contact.mode", "after-break", ContactMode::after_break));
 static_assert(is_word("boundary.kind", "stress", BoundaryKind::stress) &&

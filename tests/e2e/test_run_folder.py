@@ -51,6 +51,28 @@ class WholeRun(unittest.TestCase):
             self.assertTrue(all(math.isfinite(float(value)) for value in row.values()), row)
             self.assertEqual(int(row["tensile_cracks"]) + int(row["shear_cracks"]), int(row["crack_count"]))
 
+    def test_own_discs_from_csv_and_vtu(self):
+        """A run on the discs of another run's snapshot, then on the CSV it kept of them: the same, bit for bit."""
+        case = self.top / "own.toml"
+        case.write_text("[stress]\nsigma_H = 0.0\nsigma_h = 0.0\n[model]\nreading = 'paper'\n")
+        first = hfrac("run", case, "-o", self.top / "vtu", "--steps", 0, "--discs",
+                      self.folder / entries(self.folder, "discs")[0][1])
+        self.assertEqual(first.returncode, 0, first.stderr)
+        again = hfrac("run", case, "-o", self.top / "csv", "--steps", 0, "--discs",
+                      self.top / "vtu" / "given_discs.csv")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual(summary(self.top / "vtu")["state_hash"], summary(self.top / "csv")["state_hash"])
+
+    def test_bad_disc_files_are_refused(self):
+        bad = self.top / "bad.csv"
+        for text, word in (("x,y\n1,2\n", "radius"), ("x,y,radius\n1,2,three\n", ":2:"), ("x,y,radius\n", "no discs"),
+                           ("x,y,radius\n1,2,3\n", "at least")):
+            bad.write_text(text)
+            done = hfrac("run", CASE, "-o", self.top / "never", "--discs", bad)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(word, done.stderr)
+        self.assertEqual(hfrac("run", CASE, "-o", self.top / "never", "--discs", self.top / "nowhere.vtu").returncode, 2)
+
     def test_fluid_is_conserved(self):
         last = history(self.folder)[-1]
         injected = float(last["injected_volume_m2"])

@@ -51,6 +51,8 @@ inline PackingOptions packing_options(const Options& o) {
   p.porosity = o.packing_porosity;
   p.residual = o.packing_residual;
   p.seed = static_cast<std::uint64_t>(o.model_seed);
+  p.method = PackingMethod{o.packing_method};
+  p.brick = o.packing_brick_discs;
   return p;
 }
 
@@ -67,7 +69,7 @@ class Model {
         faces(build_faces(graph)),
         assembly(build_assembly(graph, options)) {
     for (const auto& hole : holes) well_domains.push_back(face_around(graph, faces, hole.centre));
-    network = build_network(graph, faces, assembly, well_domains, options);
+    network = build_network(faces, assembly, well_domains, options);
     boundary = std::make_unique<Boundary>(assembly, network, options);
     workers = std::make_unique<Workers>(worker_count);
     solver = std::make_unique<ExplicitSolver>(assembly, network, *boundary, options, *workers);

@@ -2,6 +2,8 @@
 // The packing: fills what it is asked to fill, at rest, inside the box, the same for the same seed.
 #include "geom/packing.hpp"
 
+#include "geom/relaxation.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -85,6 +87,76 @@ TEST(Packing, HasTheCoordinationOfAJammedPacking) {
     EXPECT_GT(coordination, 4.3) << "seed " << seed;
     EXPECT_LT(coordination, 4.5) << "seed " << seed;
   }
+}
+
+double coordination_of(const Packing& p) {
+  const ContactGraph graph = build_contact_graph(p.x, p.y, p.radius, {}, 0.05);
+  return 2.0 * static_cast<double>(graph.first.size()) / static_cast<double>(graph.x.size());
+}
+
+// Tiled and grown packings against relaxed ones: as full, as well connected, as little overlap left, inside the box.
+TEST(Packing, IsAsDenseAndConnectedHoweverItIsMade) {
+  PackingOptions asked;
+  asked.count = 4000;
+  asked.brick = 1000;
+  const Packing reference = pack_discs(asked);
+  for (const auto method : {PackingMethod::tiled, PackingMethod::growth}) {
+    asked.method = method;
+    const Packing p = pack_discs(asked);
+    double solid = 0.0;
+    for (const double r : p.radius) solid += pi * r * r;
+    EXPECT_NEAR(1.0 - solid / (asked.width * asked.height), asked.porosity, 1e-12);
+    EXPECT_NEAR(static_cast<double>(p.x.size()), 4000.0, 8.0);
+    EXPECT_NEAR(p.mean_radius / reference.mean_radius, 1.0, 0.005);
+    EXPECT_NEAR(coordination_of(p) / coordination_of(reference), 1.0, 0.015);
+    EXPECT_LT(p.mean_overlap, 1.5 * reference.mean_overlap) << static_cast<int>(method);
+    const double give = 20.0 * p.mean_overlap * p.mean_radius;
+    for (std::size_t i = 0; i < p.x.size(); ++i) {
+      EXPECT_GT(std::min(p.x[i], p.y[i]) - p.radius[i], -give);
+      EXPECT_LT(std::max(p.x[i], p.y[i]) + p.radius[i], asked.width + give);
+    }
+    const Packing again = pack_discs(asked);
+    EXPECT_TRUE(same_bits(p.x, again.x));
+    EXPECT_TRUE(same_bits(p.radius, again.radius));
+  }
+}
+
+TEST(Packing, BricksAreNotCopiesOfEachOther) {
+  PackingOptions asked;
+  asked.count = 4000;
+  asked.brick = 1000;
+  asked.method = PackingMethod::tiled;
+  const Packing p = pack_discs(asked);
+  // Discs of a quarter that have a twin, equal in size and place, in the quarter beside it.
+  std::size_t twins = 0, quarter = 0;
+  for (std::size_t i = 0; i < p.x.size(); ++i) {
+    if (p.x[i] > 50.0 || p.y[i] > 50.0) continue;
+    ++quarter;
+    for (std::size_t j = 0; j < p.x.size(); ++j) {
+      twins += p.radius[j] == p.radius[i] &&
+                       std::hypot(p.x[j] - p.x[i] - 50.0, p.y[j] - p.y[i]) < 0.5 * p.mean_radius
+                   ? 1
+                   : 0;
+    }
+  }
+  EXPECT_GT(quarter, 900u);
+  EXPECT_LT(static_cast<double>(twins), 0.5 * static_cast<double>(quarter));
+}
+
+TEST(Relaxation, JoinsOppositeSidesOfAPeriodicBox) {
+  // Two discs that overlap across the side of the box only.
+  const Array<double> radius{1.0, 1.0};
+  Array<double> x{0.2, 9.0}, y{5.0, 5.0};
+  const auto report = relax_overlaps({10.0, 10.0, true}, radius, x, y, {}, 1e-8, 1000);
+  EXPECT_TRUE(report.at_rest);
+  const double around = std::abs(x[1] - x[0]);
+  EXPECT_GT(std::min(around, 10.0 - around), 2.0 - 1e-5);
+  EXPECT_NEAR(0.5 * (x[0] + x[1]), 4.6, 1e-12);  // the pair's middle stays
+  // One of them held: the other makes all the way.
+  x = {0.2, 9.0};
+  relax_overlaps({10.0, 10.0, true}, radius, x, y, {1, 0}, 1e-8, 1000);
+  EXPECT_EQ(x[0], 0.2);
+  EXPECT_LT(x[1], 8.2 + 1e-5);
 }
 
 TEST(Packing, CanBeStopped) {

@@ -75,7 +75,7 @@ class TwoDiscs {
   [[nodiscard]] std::pair<bool, Failure> breaks(const Motion& motion, double factor) const {
     Assembly a = build_assembly(graph_, options_);
     const Faces faces = build_faces(graph_);
-    Network network = build_network(graph_, faces, a, {}, options_);
+    Network network = build_network(faces, a, {}, options_);
     Boundary boundary(a, network, options_);
     Workers workers(1);
     ExplicitSolver solver(a, network, boundary, options_, workers);

@@ -5,11 +5,13 @@
 #include <hfrac/hfrac.h>
 
 #include <string>
+#include <vector>
 
 namespace hfrac::command {
 
 /** Reads and checks a case file; BadInput with the engine's own sentence if it is wrong. `workers` > 0
- * replaces run.workers; with 0 a case that does not say gets the machine's cores, at most four. */
-hfrac_sim_def load_case(const std::string& file, int64_t workers);
+ * replaces run.workers; with 0 a case that does not say gets the machine's cores, at most four. The definition borrows
+ * `discs` (x, y, radius each), if there are any, in place of a packing. */
+hfrac_sim_def load_case(const std::string& file, int64_t workers, const std::vector<double>& discs = {});
 
 }  // namespace hfrac::command

@@ -40,6 +40,10 @@ void add_run(CLI::App& program, Action& action) {
   command->add_option("-o,--output", request->folder, "Run folder to write; made if it is not there")
       ->required()
       ->type_name("DIR");
+  command
+      ->add_option("--discs", request->disc_file,
+                   "Own discs instead of a packing: CSV with x, y, radius, or VTU")
+      ->type_name("FILE");
   command->add_option("--steps", request->steps, "Take this many steps, whatever the case says")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--workers", request->workers, "Worker threads; results do not depend on it")

@@ -7,11 +7,13 @@
 
 #include <chrono>
 #include <memory>
+#include <vector>
 
 #include "command/case_file.hpp"
 #include "command/interrupt.hpp"
 #include "command/progress_line.hpp"
 #include "command/step_loop.hpp"
+#include "output/disc_file.hpp"
 #include "output/known_files.hpp"
 #include "output/run_folder.hpp"
 #include "output/safe_file.hpp"
@@ -63,7 +65,13 @@ void report_failure(const output::RunFolder& folder, const std::string& why) {
 }  // namespace
 
 ExitCode carry_out(const RunRequest& request) {
-  const auto definition = load_case(request.case_file, request.workers);
+  std::vector<double> discs;
+  try {
+    if (!request.disc_file.empty()) discs = output::read_discs(request.disc_file);
+  } catch (const output::DiscFileError& error) {
+    throw BadInput(error.what());
+  }
+  auto definition = load_case(request.case_file, request.workers, discs);
   refuse_earlier_run(request);
   output::FolderClaim claim(request.folder);
   catch_interrupts();
@@ -76,10 +84,14 @@ ExitCode carry_out(const RunRequest& request) {
     return kInterrupted;
   }
   output::remove_files_of_a_run(request.folder);
+  definition.given_discs = nullptr;  // the model has its own copy
+  definition.given_disc_count = 0;
 
   try {
     folder.open(sim.get());
     claim.keep();
+    if (!discs.empty()) output::write_whole(request.folder / "given_discs.csv", output::discs_as_csv(discs));
+    discs = {};
     const auto why = take_steps(sim.get(), folder, definition, request.steps, line);
     folder.finish(sim.get(), why.text);
     line.end();

@@ -14,8 +14,9 @@ namespace hfrac::command {
 struct RunRequest {
   std::string case_file;
   std::filesystem::path folder;
-  int64_t steps = -1;   ///< steps to take; -1: as the case says
-  int64_t workers = 0;  ///< 0: as the case says
+  std::filesystem::path disc_file;  ///< the user's own discs; empty: packed as the case says
+  int64_t steps = -1;               ///< steps to take; -1: as the case says
+  int64_t workers = 0;              ///< 0: as the case says
   bool overwrite = false;
   bool quiet = false;
 };

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Packings for millions of discs: bricks side by side.
+//
+// One brick is packed with opposite sides joined, so that copies of it fit each other. Copies alone would repeat every
+// weak spot of the rock on a grid. So there are several kinds of brick: each keeps the discs near the brick's sides (the
+// frame, which is what neighbours touch) and has the discs inside shuffled and relaxed anew. Turned or mirrored bricks
+// would do the same for less, but their sides no longer fit. The kinds are laid at random. At last everything is relaxed
+// together for a while: against the walls, which cut discs of the outer bricks, and along the seams.
+//
+// What stays periodic is the frame: about 9 discs in 100 at 5 000 discs a brick repeat with the brick's period.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/error.hpp"
+#include "geom/packing.hpp"
+#include "geom/relaxation.hpp"
+
+namespace hfrac {
+namespace {
+
+constexpr std::size_t most_kinds = 8;
+constexpr std::int64_t most_iterations = 200000;
+// The last relaxation only has seams and sides to mend, but would go on for long-ranged rest that bonding forgets.
+constexpr double seam_residual = 3e-3;
+constexpr std::int64_t most_seam_iterations = 250;
+
+struct Brick {
+  double width, height;
+  Packing discs;
+};
+
+// Discs that may touch a neighbouring brick's stay: those within a largest diameter of a side, and a little.
+std::vector<char> frame_of(const Brick& brick) {
+  const Packing& p = brick.discs;
+  const double depth = 2.1 * *std::max_element(p.radius.begin(), p.radius.end());
+  std::vector<char> held(p.x.size());
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const double inside = std::min({p.x[i], brick.width - p.x[i], p.y[i], brick.height - p.y[i]});
+    held[i] = inside < depth ? 1 : 0;
+  }
+  return held;
+}
+
+void wrap(Brick& brick) {
+  for (auto& x : brick.discs.x) x -= brick.width * std::floor(x / brick.width);
+  for (auto& y : brick.discs.y) y -= brick.height * std::floor(y / brick.height);
+}
+
+// The same brick with its inside shuffled: radii change places, places are jittered, the frame stands.
+Brick another_kind(const Brick& first, const std::vector<char>& frame, double residual, Random& random,
+                   const std::function<bool(double)>& progress) {
+  Brick brick = first;
+  Packing& p = brick.discs;
+  std::vector<std::size_t> inside;
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    if (frame[i] == 0) inside.push_back(i);
+  }
+  Array<double> radii;
+  for (const auto i : inside) radii.push_back(p.radius[i]);
+  shuffle(radii, random);
+  for (std::size_t k = 0; k < inside.size(); ++k) {
+    const auto i = inside[k];
+    p.radius[i] = radii[k];
+    p.x[i] += p.mean_radius * (random.uniform() - 0.5);
+    p.y[i] += p.mean_radius * (random.uniform() - 0.5);
+  }
+  relax_overlaps({brick.width, brick.height, true}, p.radius, p.x, p.y, frame, residual, most_iterations,
+                 progress);
+  wrap(brick);
+  return brick;
+}
+
+}  // namespace
+
+Packing pack_tiled(const PackingOptions& options, const std::function<bool(double)>& progress) {
+  Random random(options.seed);
+  const double bricks =
+      std::max(1.0, std::round(static_cast<double>(options.count) / static_cast<double>(options.brick)));
+  const auto columns = static_cast<std::int64_t>(
+      std::clamp(std::round(std::sqrt(bricks * options.width / options.height)), 1.0, bricks));
+  const auto rows =
+      static_cast<std::int64_t>(std::max(1.0, std::round(bricks / static_cast<double>(columns))));
+  const auto places = static_cast<std::size_t>(columns * rows);
+  Brick first{options.width / static_cast<double>(columns), options.height / static_cast<double>(rows), {}};
+  const std::int64_t count =
+      std::max<std::int64_t>(1, (options.count + columns * rows / 2) / (columns * rows));
+
+  bool stop = false;
+  const std::size_t kind_count = std::min(most_kinds, places);
+  std::size_t made = 0;
+  const auto watch = [&](double done) {
+    return stop = progress &&
+                  progress(0.5 * (static_cast<double>(made) + done) / static_cast<double>(kind_count));
+  };
+  first.discs.radius = spread_radii(options, count, first.width * first.height, random);
+  first.discs.mean_radius =
+      std::accumulate(first.discs.radius.begin(), first.discs.radius.end(), 0.0) / static_cast<double>(count);
+  place_on_lattice(first.width, first.height, random, first.discs);
+  relax_overlaps({first.width, first.height, true}, first.discs.radius, first.discs.x, first.discs.y, {},
+                 options.residual, most_iterations, watch);
+  wrap(first);
+  const std::vector<char> frame = frame_of(first);
+  std::vector<Brick> kinds{std::move(first)};
+  for (made = 1; made < kind_count && !stop; ++made)
+    kinds.push_back(another_kind(kinds[0], frame, options.residual, random, watch));
+
+  Packing p;
+  p.mean_radius = kinds[0].discs.mean_radius;
+  for (auto* values : {&p.x, &p.y, &p.radius}) values->reserve(static_cast<std::size_t>(count) * places);
+  for (std::int64_t place = 0; place < columns * rows; ++place) {
+    const Brick& brick = kinds[random.below(kinds.size())];
+    const double x0 = brick.width * static_cast<double>(place % columns),
+                 y0 = brick.height * static_cast<double>(place / columns);
+    for (std::size_t i = 0; i < brick.discs.x.size(); ++i) {
+      p.x.push_back(x0 + brick.discs.x[i]);
+      p.y.push_back(y0 + brick.discs.y[i]);
+    }
+    p.radius.insert(p.radius.end(), brick.discs.radius.begin(), brick.discs.radius.end());
+  }
+  kinds.clear();
+  if (stop) return p;
+  const auto report = relax_overlaps({options.width, options.height}, p.radius, p.x, p.y, {},
+                                     std::max(options.residual, seam_residual), most_seam_iterations,
+                                     [&](double done) { return progress && progress(0.5 + 0.5 * done); });
+  p.residual = report.residual;
+  p.mean_overlap = report.mean_overlap;
+  return p;
+}
+
+}  // namespace hfrac

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The sheet: the problem on which codes of this kind are compared.
+//
+// Equal discs on a hexagonal lattice, neighbours bonded, free edges, small random velocities, damping, breakage checked in
+// every cycle though nothing breaks, real masses, double precision. Building it is not counted. Prints
+//
+//     hfrac N cores bonds bond_updates_per_s particle_steps_per_s bytes_per_particle | details
+//
+// from the fastest of several segments, the fairest figure on a machine that is shared. Bytes are the process's peak, set-up
+// included, over the number of discs.
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/random.hpp"
+#include "flow/network.hpp"
+#include "geom/faces.hpp"
+#include "geom/packing.hpp"
+#include "options/choices.hpp"
+#include "solid/explicit_solver.hpp"
+
+using namespace hfrac;
+
+namespace {
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+ContactGraph hexagonal(std::int64_t wanted) {
+  const auto columns = static_cast<std::int64_t>(std::lround(std::sqrt(static_cast<double>(wanted))));
+  const std::int64_t rows = std::max<std::int64_t>(2, wanted / std::max<std::int64_t>(2, columns));
+  Array<double> x, y;
+  for (std::int64_t row = 0; row < rows; ++row) {
+    for (std::int64_t column = 0; column < columns; ++column) {
+      x.push_back(0.5 + static_cast<double>(column) + 0.5 * static_cast<double>(row % 2));
+      y.push_back(0.5 + std::sqrt(0.75) * static_cast<double>(row));
+    }
+  }
+  const auto order = hilbert_order(x, y);
+  Array<double> sorted_x(x.size()), sorted_y(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    sorted_x[i] = x[order[i]];
+    sorted_y[i] = y[order[i]];
+  }
+  return build_contact_graph(sorted_x, sorted_y, Array<double>(x.size(), 0.5), {}, 0.05);
+}
+
+int run(std::int64_t count, int worker_count, ContactMode mode) {
+  Options options;
+  options.flow_scheme = static_cast<std::int64_t>(FlowScheme::off);
+  options.contact_mode = static_cast<std::int64_t>(mode);
+  options.bond_tensile_strength = options.bond_shear_strength = 1e9;
+  options.stepping_damping = 0.4;
+  options.stress_sigma_H = options.stress_sigma_h = 0.0;
+  const double begin = now();
+  Assembly assembly;
+  Network network;
+  {
+    ContactGraph graph = hexagonal(count);
+    Faces faces = build_faces(graph);
+    assembly = build_assembly(graph, options);
+    graph = {};
+    network = build_network(std::move(faces), assembly, {}, options);
+  }
+  Boundary boundary(assembly, network, options);
+  Workers workers(worker_count);
+  ExplicitSolver solver(assembly, network, boundary, options, workers);
+  solver.use_real_masses();
+  Random random(1);
+  for (std::int64_t i = 0; i < assembly.disc_count(); ++i) {
+    assembly.vx[i] = 2e-3 * (random.uniform() - 0.5);
+    assembly.vy[i] = 2e-3 * (random.uniform() - 0.5);
+  }
+  CrackLog cracks;
+  constexpr std::int64_t batch = 20;
+  solver.run(batch, cracks);
+  const double built = now() - begin;
+
+  // Segments of about a quarter of a second, for about three seconds.
+  double one = now();
+  solver.run(batch, cracks);
+  one = std::max(1e-6, now() - one);
+  const auto cycles = batch * std::max<std::int64_t>(1, std::lround(0.25 / one));
+  std::vector<double> seconds;
+  for (const double start = now(); seconds.size() < 3 || (now() - start < 3.0 && seconds.size() < 40);) {
+    const double at = now();
+    solver.run(cycles, cracks);
+    seconds.push_back((now() - at) / static_cast<double>(cycles));
+  }
+  if (!cracks.empty()) {
+    std::fprintf(stderr, "sheet: %zu bonds broke; nothing should\n", cracks.size());
+    return 1;
+  }
+  std::sort(seconds.begin(), seconds.end());
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto discs = static_cast<double>(assembly.disc_count()),
+             bonds = static_cast<double>(assembly.bond_count());
+  const double best = seconds.front();
+  std::printf(
+      "hfrac %lld %d %lld %.4g %.4g %.0f | s/step %.4g (median %.4g of %zu), set-up %.1f s, %s, contacts "
+      "%s\n",
+      static_cast<long long>(assembly.disc_count()), worker_count,
+      static_cast<long long>(assembly.bond_count()), bonds / best, discs / best,
+      static_cast<double>(usage.ru_maxrss) * 1024.0 / discs, best, seconds[seconds.size() / 2],
+      seconds.size(), built, kernel_isa(), mode == ContactMode::parallel ? "parallel" : "after-break");
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::int64_t count = argc > 1 ? std::atoll(argv[1]) : 0;
+  const int workers = argc > 2 ? std::atoi(argv[2]) : 1;
+  const bool parallel = argc < 4 || std::strcmp(argv[3], "after-break") != 0;
+  if (count < 16 || count > 5000000 || workers < 1 || workers > 256) {
+    std::fprintf(stderr,
+                 "usage: sheet N WORKERS [parallel|after-break]   16 to 5 000 000 discs, 1 to 256 workers\n");
+    return 2;
+  }
+  try {
+    return run(count, workers, parallel ? ContactMode::parallel : ContactMode::after_break);
+  } catch (const Error& error) {
+    std::fprintf(stderr, "sheet: %s\n", error.what());
+    return 1;
+  }
+}
