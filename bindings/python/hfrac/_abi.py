@@ -236,6 +236,8 @@ class hfrac_sim_def(ctypes.Structure):
         ("given_disc_count", ctypes.c_int64),
         ("progress", hfrac_progress_fn),
         ("progress_user", ctypes.c_void_p),
+        ("packing_method", ctypes.c_int64),
+        ("packing_brick_discs", ctypes.c_int64),
     ]
 
 

@@ -64,13 +64,6 @@ typedef struct hfrac_sim_def {
   double packing_porosity;
   /** [1] Unbalanced over mean contact force at which the packing counts as relaxed. Default 1e-4. */
   double packing_residual;
-  /** 0: relaxed, 1: tiled, 2: growth. How discs are packed. relaxed: from a jittered lattice. growth: grown
-   * at random places, knows of no lattice, takes longer. tiled: periodic bricks side by side, for more
-   * than some 100 000 discs; disc_count is rounded to whole bricks and the frame of the bricks repeats.
-   * Default 0. */
-  int64_t packing_method;
-  /** Discs in one brick of a tiled packing. Default 5000. */
-  int64_t packing_brick_discs;
 
   /** [kg/m3] Density of the disc material (Table 1). Default 2320.0. */
   double disc_density;
@@ -189,6 +182,14 @@ typedef struct hfrac_sim_def {
 
   hfrac_progress_fn progress; /**< called while the simulation is built; may be NULL */
   void *progress_user;        /**< handed to `progress` */
+
+  /** 0: relaxed, 1: tiled, 2: growth. How discs are packed. relaxed: from a jittered lattice. growth: grown
+   * at random places, knows of no lattice, takes longer. tiled: periodic bricks side by side, for more
+   * than some 100 000 discs; disc_count is rounded to whole bricks and the frame of the bricks repeats.
+   * Default 0. */
+  int64_t packing_method;
+  /** Discs in one brick of a tiled packing. Default 5000. */
+  int64_t packing_brick_discs;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */
