@@ -110,8 +110,8 @@ Packing pack_tiled(const PackingOptions& options, const std::function<bool(doubl
   for (auto* values : {&p.x, &p.y, &p.radius}) values->reserve(static_cast<std::size_t>(count) * places);
   for (std::int64_t place = 0; place < columns * rows; ++place) {
     const Brick& brick = kinds[random.below(kinds.size())];
-    const double x0 = brick.width * static_cast<double>(place % columns),
-                 y0 = brick.height * static_cast<double>(place / columns);
+    const std::int64_t row = place / columns, column = place % columns;
+    const double x0 = brick.width * static_cast<double>(column), y0 = brick.height * static_cast<double>(row);
     for (std::size_t i = 0; i < brick.discs.x.size(); ++i) {
       p.x.push_back(x0 + brick.discs.x[i]);
       p.y.push_back(y0 + brick.discs.y[i]);
