@@ -37,6 +37,7 @@ module hfrac
   type :: hfrac_simulation
     private
     type(c_ptr) :: handle = c_null_ptr
+    integer(c_int64_t) :: grid_shape(2) = 0
     type(progress_holder), pointer :: holder => null()
   contains
     generic, public :: create => create_from_definition, create_from_file
@@ -57,6 +58,13 @@ module hfrac
     procedure, public :: set_well_ramp
     procedure, public :: set_well_rate
     procedure, public :: set_far_field
+    !> A reservoir simulator's grid: call sim%set_grid(nx, ny, origin, cell_size) or sim%set_grid(corners).
+    generic, public :: set_grid => set_regular_grid, set_grid_corners
+    procedure, public :: cells
+    procedure, public :: set_rim_pressure
+    procedure, public :: set_cell_pressure
+    procedure, public :: set_cell_stress
+    procedure, public :: write_grdecl
     procedure, public :: save => save_image
     procedure, public :: restore
     procedure, public :: prepare_step
@@ -73,13 +81,14 @@ module hfrac
     generic, public :: assignment(=) => refuse_copy
     procedure :: create_from_definition, create_from_file, step_int32, step_int64, refuse_copy
     procedure :: get_double_1, get_double_2, get_int32_1, get_int32_2, view_double, view_int32
-    procedure :: describe, borrow
+    procedure :: describe, borrow, set_regular_grid, set_grid_corners
     final :: finish
   end type hfrac_simulation
 
   private :: create_from_definition, create_from_file, destroy, exists, c_handle, step_int32, step_int64, advance, &
     on_progress, state, setup, balance, state_hash, epoch, definition, wells, set_well_pressure, set_well_ramp, &
-    set_well_rate, set_far_field, save_image, restore, prepare_step, do_step, finalize_step, reject_step, cracks, &
+    set_well_rate, set_far_field, set_regular_grid, set_grid_corners, cells, set_rim_pressure, set_cell_pressure, &
+    set_cell_stress, write_grdecl, save_image, restore, prepare_step, do_step, finalize_step, reject_step, cracks, &
     fractures, get_double_1, get_double_2, get_int32_1, get_int32_2, view_double, view_int32, refuse_copy, describe, &
     borrow, finish, ask_host
 
@@ -368,6 +377,130 @@ contains
     character(*), intent(inout), optional :: errmsg
     call report(hfrac_set_far_field(self%handle, sigma_hmax, sigma_h), self%handle, stat, errmsg)
   end subroutine set_far_field
+
+  ! A reservoir simulator's grid. Arrays have the grid's shape (nx, ny), i first.
+
+  !> Lays a grid of nx times ny cells of `cell_size` (dx, dy) [m] over the model; `origin` [m] is the first corner of cell (1, 1),
+  !> `angle` [rad] (0 if left out) turns it anticlockwise.
+  subroutine set_regular_grid(self, nx, ny, origin, cell_size, angle, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    integer, intent(in) :: nx, ny
+    real(c_double), intent(in) :: origin(2), cell_size(2)
+    real(c_double), intent(in), optional :: angle
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_grid) :: grid
+    integer(c_int32_t) :: status
+    grid%nx = nx
+    grid%ny = ny
+    grid%origin = origin
+    grid%dx = cell_size(1)
+    grid%dy = cell_size(2)
+    if (present(angle)) grid%angle = angle
+    status = hfrac_set_grid(self%handle, grid)
+    if (status >= 0) self%grid_shape = [grid%nx, grid%ny]
+    call report(status, self%handle, stat, errmsg)
+  end subroutine set_regular_grid
+
+  !> The same for quadrilateral cells: x, y of the four corners of each in order around it, shape (2, 4, nx, ny) [m].
+  subroutine set_grid_corners(self, corners, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    real(c_double), contiguous, target, intent(in) :: corners(:, :, :, :)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_grid) :: grid
+    integer(c_int32_t) :: status
+    if (size(corners, 1) /= 2 .or. size(corners, 2) /= 4 .or. size(corners) == 0) then
+      call report_text(HFRAC_ERR_ARGUMENT, 'corners must have the shape (2, 4, nx, ny).', stat, errmsg)
+      return
+    end if
+    grid%nx = size(corners, 3, c_int64_t)
+    grid%ny = size(corners, 4, c_int64_t)
+    grid%corners = c_loc(corners)
+    status = hfrac_set_grid(self%handle, grid)
+    if (status >= 0) self%grid_shape = [grid%nx, grid%ny]
+    call report(status, self%handle, stat, errmsg)
+  end subroutine set_grid_corners
+
+  !> Every cell of the grid as it is now, shape (nx, ny); `method` HFRAC_UPSCALE_FLOW (if left out) or HFRAC_UPSCALE_ODA.
+  subroutine cells(self, list, method, stat, errmsg)
+    class(hfrac_simulation), intent(in) :: self
+    type(hfrac_cell), allocatable, target, intent(out) :: list(:, :)
+    integer(c_int32_t), intent(in), optional :: method
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_cell) :: one
+    integer(c_int64_t) :: count
+    integer(c_int32_t) :: status, rule
+    rule = HFRAC_UPSCALE_FLOW
+    if (present(method)) rule = method
+    allocate (list(self%grid_shape(1), self%grid_shape(2)))
+    status = hfrac_grid_cells(self%handle, rule, int(c_sizeof(one), c_int32_t), c_loc(list), size(list, kind=c_int64_t), &
+      count)
+    call report(status, self%handle, stat, errmsg)
+  end subroutine cells
+
+  !> From the next step on, pressure [Pa] beyond the model's edge, shape (nx, ny).
+  subroutine set_rim_pressure(self, pressure, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    real(c_double), contiguous, intent(in) :: pressure(:, :)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_set_rim_pressure(self%handle, pressure, size(pressure, kind=c_int64_t)), self%handle, stat, errmsg)
+  end subroutine set_rim_pressure
+
+  !> At once, gives the rock's pores the host's pressure [Pa], shape (nx, ny); `added` gets the fluid [m2] each cell gave.
+  subroutine set_cell_pressure(self, pressure, added, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    real(c_double), contiguous, intent(in) :: pressure(:, :)
+    real(c_double), allocatable, target, intent(out), optional :: added(:, :)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(c_ptr) :: room
+    integer(c_int64_t) :: count
+    count = size(pressure, kind=c_int64_t)
+    room = c_null_ptr
+    if (present(added)) then
+      allocate (added(size(pressure, 1), size(pressure, 2)), source=0.0_c_double)
+      if (count > 0) room = c_loc(added)
+    end if
+    call report(hfrac_set_cell_pressure(self%handle, pressure, count, room, count), self%handle, stat, errmsg)
+  end subroutine set_cell_pressure
+
+  !> From the next step on, stress [Pa] on top of the far field: xx, yy, xy, shape (3, nx, ny).
+  subroutine set_cell_stress(self, stress, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    real(c_double), contiguous, intent(in) :: stress(:, :, :)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_set_cell_stress(self%handle, stress, size(stress, kind=c_int64_t)), self%handle, stat, errmsg)
+  end subroutine set_cell_stress
+
+  !> Writes an Eclipse include file. Left out: HFRAC_UPSCALE_FLOW, HFRAC_GRDECL_PERM, one layer, the network's porosity and
+  !> permeability [m2] of the rock.
+  subroutine write_grdecl(self, path, method, kind, layers, porosity, permeability, stat, errmsg)
+    class(hfrac_simulation), intent(in) :: self
+    character(*), intent(in) :: path
+    integer(c_int32_t), intent(in), optional :: method, kind
+    integer, intent(in), optional :: layers
+    real(c_double), intent(in), optional :: porosity, permeability
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int32_t) :: rule, which
+    integer(c_int64_t) :: repeats
+    real(c_double) :: pores, rock
+    rule = HFRAC_UPSCALE_FLOW
+    which = HFRAC_GRDECL_PERM
+    repeats = 1
+    pores = 0.0_c_double
+    rock = 0.0_c_double
+    if (present(method)) rule = method
+    if (present(kind)) which = kind
+    if (present(layers)) repeats = layers
+    if (present(porosity)) pores = porosity
+    if (present(permeability)) rock = permeability
+    call report(hfrac_write_grdecl(self%handle, to_c(path), rule, which, repeats, pores, rock), self%handle, stat, errmsg)
+  end subroutine write_grdecl
 
   !> An image of the state, for `restore`.
   subroutine save_image(self, image, stat, errmsg)

@@ -124,6 +124,18 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_CRACK_TENSION = 1
   integer(c_int32_t), parameter :: HFRAC_CRACK_SHEAR = 2
 
+  ! How permeability is brought to the host's cells.
+  !> crack tensor (Oda 1985): fast; takes all cracks as connected, so an upper bound
+  integer(c_int32_t), parameter :: HFRAC_UPSCALE_ODA = 0
+  !> flow through the cell's own pipes, linear pressure on its boundary (Durlofsky 1991)
+  integer(c_int32_t), parameter :: HFRAC_UPSCALE_FLOW = 1
+
+  ! What an include file holds. Not both in one model: the cracks would count twice.
+  !> PERMX, PERMY [mD], PORO: rock and cracks together
+  integer(c_int32_t), parameter :: HFRAC_GRDECL_PERM = 0
+  !> MULTX, MULTY, MULTPV: how far the cracks raise transmissibilities and pore volume
+  integer(c_int32_t), parameter :: HFRAC_GRDECL_MULT = 1
+
   !> One wellbore: a round hole cut into the packing.
   type, bind(C) :: hfrac_well_def
     !> [m] centre, origin at the model's lower left corner
@@ -383,7 +395,7 @@ module hfrac_c
   !> Energy and fluid mass since the end of the set-up. Set struct_size before the call.
   type, bind(C) :: hfrac_balance
     !> sizeof(hfrac_balance) of the caller
-    integer(c_int32_t) :: struct_size = 112_c_int32_t
+    integer(c_int32_t) :: struct_size = 120_c_int32_t
     !> 0
     integer(c_int32_t) :: struct_pad = 0_c_int32_t
     !> [J/m] kinetic energy now
@@ -410,8 +422,10 @@ module hfrac_c
     real(c_double) :: stored_volume = 0.0_c_double
     !> [m2] out through the outer boundary
     real(c_double) :: leaked_volume = 0.0_c_double
-    !> [m2] injected - stored - leaked
+    !> [m2] injected + host - stored - leaked
     real(c_double) :: fluid_error = 0.0_c_double
+    !> [m2] put into pores by the host (hfrac_set_cell_pressure), negative: taken out
+    real(c_double) :: host_volume = 0.0_c_double
   end type hfrac_balance
 
   !> One well as it stands. Set struct_size before the call.
@@ -527,6 +541,58 @@ module hfrac_c
     !> separate branches that start at its well; 1 if not connected to one
     integer(c_int64_t) :: arms = 0_c_int64_t
   end type hfrac_fracture
+
+  !> The host's areal grid. Set struct_size, and 0 what does not apply. Either regular cells (origin, dx, dy, angle)
+  !> or `corners`; nx and ny always.
+  type, bind(C) :: hfrac_grid
+    !> sizeof(hfrac_grid) of the caller
+    integer(c_int32_t) :: struct_size = 72_c_int32_t
+    !> 0
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t
+    !> cells along i, from 1
+    integer(c_int64_t) :: nx = 0_c_int64_t
+    !> cells along j, from 1
+    integer(c_int64_t) :: ny = 0_c_int64_t
+    !> [m] first corner of cell (0, 0), in the model's coordinates
+    real(c_double) :: origin(2) = 0.0_c_double
+    !> [m] size of regular cells along i
+    real(c_double) :: dx = 0.0_c_double
+    !> [m] along j
+    real(c_double) :: dy = 0.0_c_double
+    !> [rad] from the model's x axis to the direction of i, anticlockwise
+    real(c_double) :: angle = 0.0_c_double
+    !> NULL, or [m] x, y of the 4 corners of every cell: shape (2, 4, nx, ny), first index fastest; (i, j), (i+1,
+    !> j), (i+1, j+1), (i, j+1); convex; copied
+    type(c_ptr) :: corners = c_null_ptr
+  end type hfrac_grid
+
+  !> One cell of the host's grid as the model fills it.
+  type, bind(C) :: hfrac_cell
+    !> [m2] of the cell
+    real(c_double) :: area = 0.0_c_double
+    !> share of it that the model covers, 0 to 1
+    real(c_double) :: coverage = 0.0_c_double
+    !> [m2] that the cracks add: xx, yy, xy in the model's axes, over the cell's whole area
+    real(c_double) :: permeability(3) = 0.0_c_double
+    !> [m2] of the rock between the cracks, over the part covered; 0 if not covered
+    real(c_double) :: matrix_permeability = 0.0_c_double
+    !> opening times length of the cracks over the cell's area
+    real(c_double) :: fracture_porosity = 0.0_c_double
+    !> pore volume of the network over area, of the part covered
+    real(c_double) :: matrix_porosity = 0.0_c_double
+    !> [m] length of crack lines in the cell
+    real(c_double) :: crack_length = 0.0_c_double
+    !> [m2/s] from pores beside cracks into others, in the last step
+    real(c_double) :: leak_off = 0.0_c_double
+    !> [m2/s] out of the model through its edge into this cell, in the last step
+    real(c_double) :: outflow = 0.0_c_double
+    !> [Pa] of pores beside no crack, mean by volume; formation pressure if there are none
+    real(c_double) :: pressure = 0.0_c_double
+    !> [Pa] of pores beside cracks, mean by opening; as `pressure` without cracks
+    real(c_double) :: fracture_pressure = 0.0_c_double
+    !> cracks with some length in the cell
+    integer(c_int64_t) :: crack_count = 0_c_int64_t
+  end type hfrac_cell
 
   abstract interface
     !> Called while a simulation is built and while it runs, on the calling thread, with the share done in [0, 1]
@@ -860,6 +926,86 @@ module hfrac_c
       integer(c_int64_t), intent(out) :: count
       integer(c_int32_t) :: hfrac_fractures
     end function hfrac_fractures
+    !> Lays the host's grid over the model, in place of an earlier one. Valid at any time after creation; the grid
+    !> is no part of the state and stays over restore and reject. HFRAC_ERR_ARGUMENT: a cell without area or not
+    !> convex. Costs about as much as one flow step. Unstable since 0.1.
+    function hfrac_set_grid(sim, grid) bind(C, name="hfrac_set_grid")
+      import
+      type(c_ptr), value :: sim
+      type(hfrac_grid), intent(in) :: grid
+      integer(c_int32_t) :: hfrac_set_grid
+    end function hfrac_set_grid
+    !> Every cell as it is now. `method`: enum hfrac_upscaling. `cell_size` is sizeof(hfrac_cell) in the caller.
+    !> Copies up to `capacity` cells in the grid's order; *count is nx * ny. buffer NULL: only *count. The sum of
+    !> `outflow` times the step's duration is what hfrac_balance says has leaked in it. Dry models (flow.scheme
+    !> "off") give 0 for what flows. Unstable since 0.1.
+    function hfrac_grid_cells(sim, method, cell_size, buffer, capacity, count) bind(C, name="hfrac_grid_cells")
+      import
+      type(c_ptr), value :: sim
+      integer(c_int32_t), value :: method
+      integer(c_int32_t), value :: cell_size
+      type(c_ptr), value :: buffer
+      integer(c_int64_t), value :: capacity
+      integer(c_int64_t), intent(out) :: count
+      integer(c_int32_t) :: hfrac_grid_cells
+    end function hfrac_grid_cells
+    !> From the next step on, pressure [Pa, in the reading's sense] beyond the model's edge: every pipe there feels
+    !> that of the cell which holds the point a mean disc diameter outside, or else is nearest. `count` values, one
+    !> per cell (nx * ny); only cells at the edge are looked at. What passes is `outflow` by cell and
+    !> `leaked_volume` in all. The stress on the edge does not change. Kept by the tries of an open step. Needs
+    !> flow.outer "formation". Unstable since 0.1.
+    function hfrac_set_rim_pressure(sim, pressure, count) bind(C, name="hfrac_set_rim_pressure")
+      import
+      type(c_ptr), value :: sim
+      real(c_double), intent(in) :: pressure(*)
+      integer(c_int64_t), value :: count
+      integer(c_int32_t) :: hfrac_set_rim_pressure
+    end function hfrac_set_rim_pressure
+    !> At once, gives the rock's pores the host's pressure [Pa, in the reading's sense]: each the mean of the cells
+    !> it lies in, by area. Pores beside cracks, wells, and pores outside the grid keep theirs; the rock answers in
+    !> the next step. `count` values, one per cell. `added` (may be NULL; `capacity` at least count) gets the fluid
+    !> [m2] that each cell gave, negative: took; their sum goes to `host_volume` of hfrac_balance.
+    !> HFRAC_ERR_ARGUMENT while a step is open. Unstable since 0.1.
+    function hfrac_set_cell_pressure(sim, pressure, count, added, capacity) bind(C, name="hfrac_set_cell_pressure")
+      import
+      type(c_ptr), value :: sim
+      real(c_double), intent(in) :: pressure(*)
+      integer(c_int64_t), value :: count
+      type(c_ptr), value :: added
+      integer(c_int64_t), value :: capacity
+      integer(c_int32_t) :: hfrac_set_cell_pressure
+    end function hfrac_set_cell_pressure
+    !> From the next step on, stress [Pa, compression positive] on top of the far field: xx, yy, xy of every cell,
+    !> shape (3, nx, ny), `count` values in all. It acts as traction on the model's edge, by the cell each disc of
+    !> the edge lies in or is nearest to; inside, the model finds its own. What net force and moment the tractions
+    !> have is taken out (a host balances it by forces in the volume). Zeros take it away. Kept by the tries of an
+    !> open step. Needs boundary.kind "stress". Unstable since 0.1.
+    function hfrac_set_cell_stress(sim, stress, count) bind(C, name="hfrac_set_cell_stress")
+      import
+      type(c_ptr), value :: sim
+      real(c_double), intent(in) :: stress(*)
+      integer(c_int64_t), value :: count
+      integer(c_int32_t) :: hfrac_set_cell_stress
+    end function hfrac_set_cell_stress
+    !> Writes an include file for the GRID section of an Eclipse deck, cells in Eclipse's order, the areal grid
+    !> repeated for `layers` (from 1) layers. `method`: enum hfrac_upscaling; `kind`: enum hfrac_grdecl_kind.
+    !> `porosity` (0 to 1) and `permeability` [m2] are the host's own of the rock; 0: the network's. PERMX and PERMY
+    !> are along the cell's i and j; a tensor's off-diagonal part has no place there and is left out, as the file
+    !> says. Cells the model does not cover get the rock's values and multipliers of 1; rock the host gives no value
+    !> for and no cell covers takes the mean of the covered cells. The file appears whole or not at all (written
+    !> aside, synced, renamed). HFRAC_ERR_ARGUMENT: it cannot be written. Unstable since 0.1.
+    function hfrac_write_grdecl(sim, path, method, kind, layers, porosity, permeability) bind(C, &
+      name="hfrac_write_grdecl")
+      import
+      type(c_ptr), value :: sim
+      character(kind=c_char), intent(in) :: path(*)
+      integer(c_int32_t), value :: method
+      integer(c_int32_t), value :: kind
+      integer(c_int64_t), value :: layers
+      real(c_double), value :: porosity
+      real(c_double), value :: permeability
+      integer(c_int32_t) :: hfrac_write_grdecl
+    end function hfrac_write_grdecl
     !> Bytes an image needs now; it grows with the crack log. Stable since 0.1.
     function hfrac_state_size(sim, size) bind(C, name="hfrac_state_size")
       import

@@ -211,6 +211,7 @@ int32_t hfrac_get_balance(const hfrac_sim* sim, hfrac_balance* balance) {
     full.stored_volume = b.stored;
     full.leaked_volume = b.leaked;
     full.fluid_error = b.fluid_error;
+    full.host_volume = b.host;
     write_struct(balance, full, "hfrac_balance");
   });
 }

@@ -48,7 +48,8 @@ Balance Simulation::balance() const {
   for (const auto& well : wells_) b.injected += well.injected;
   for (std::size_t d = 1; d < start_content_.size(); ++d) b.stored += network_.content[d] - start_content_[d];
   b.leaked = leaked_;
-  b.fluid_error = b.injected - b.stored - b.leaked;
+  b.host = host_added_;
+  b.fluid_error = b.injected + b.host - b.stored - b.leaked;
   return b;
 }
 

@@ -164,6 +164,8 @@ void Simulation::begin_books() {
   if (wet) {
     calibrate_aperture(network_, assembly_, o, definition_.wells);
     setup_.permeability = measure_permeability(network_, assembly_, definition_.wells, o.fluid_viscosity);
+    const double uniform = uniform_gradient_permeability(assembly_, network_, o.fluid_viscosity);
+    if (uniform > 0.0 && setup_.permeability > 0.0) oda_matrix_ = setup_.permeability / uniform;
     flow_ = std::make_unique<FlowSolver>(network_, o);
     solver_->set_undrained(true);
   }

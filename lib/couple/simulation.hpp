@@ -16,6 +16,7 @@
 #include "flow/network.hpp"
 #include "frac/crack_log.hpp"
 #include "frac/fractures.hpp"
+#include "host/cell_report.hpp"
 #include "options/options.hpp"
 #include "solid/assembly.hpp"
 #include "solid/boundary.hpp"
@@ -48,6 +49,7 @@ struct Balance {
   double kinetic, bond_elastic, contact_elastic, fluid_work, boundary_work, friction, damping, fracture,
       energy_error;                              // J/m
   double injected, stored, leaked, fluid_error;  // m2
+  double host;                                   // m2, put into pores by the host
 };
 
 enum class StopReason : std::int32_t { target = 0, callback = 1, extent = 2, cracks = 3 };
@@ -117,6 +119,18 @@ class Simulation {
   // From the next step on; stress-controlled or servo-driven boundaries only.
   void set_far_field(double sigma_H, double sigma_h);
 
+  // A reservoir simulator's grid and what passes through it (host.cpp). The grid is no part of the state, what it brought is.
+  void set_grid(HostGrid grid);
+  [[nodiscard]] const HostGrid& grid() const;
+  [[nodiscard]] std::vector<CellReport> cells(Upscaling rule) const;
+  // Pores beside no crack take the host's pressure at once, each the mean of its cells by area; `added` (empty or one per cell)
+  // gets the fluid each cell thereby gave [m2]. Not while a step is open.
+  void set_cell_pressure(std::span<const double> pressure, std::span<double> added);
+  // From the next step on, pressure beyond the model's rim by cell [Pa].
+  void set_rim_pressure(std::span<const double> pressure);
+  // From the next step on, stress on top of the far field by cell [Pa; xx, yy, xy].
+  void set_cell_stress(std::span<const double> stress);
+
  private:
   // setup.cpp
   void build(std::span<const double> given_discs, const Progress& progress);
@@ -135,6 +149,8 @@ class Simulation {
   void save_state(std::vector<std::byte>& image) const;
   void load_state(std::span<const std::byte> image);
   [[nodiscard]] std::uint64_t model_fingerprint() const;
+  // host.cpp
+  void require_cells(std::size_t given, std::size_t per_cell, const char* what) const;
   // books.cpp
   void elastic_energy(double& bonds, double& contacts) const;  // J/m
 
@@ -149,7 +165,7 @@ class Simulation {
   CrackLog cracks_;
   SetupReport setup_;
   std::vector<double> source_;  // m2/s per domain, from wells at a rate
-  double time_ = 0.0, force_ratio_ = 0.0, leaked_ = 0.0, tip_distance_ = 0.0;
+  double time_ = 0.0, force_ratio_ = 0.0, leaked_ = 0.0, tip_distance_ = 0.0, host_added_ = 0.0;
   std::int64_t step_ = 0;
   bool at_rest_ = true;
   int flow_rounds_ = 0;
@@ -158,6 +174,8 @@ class Simulation {
   Array<double> start_content_;
   std::vector<std::byte> before_step_, opened_;  // images to go back to
   bool step_open_ = false;
+  std::optional<HostGrid> grid_;
+  double oda_matrix_ = 1.0;  // the rock's permeability over that of a uniform gradient, at the end of set-up
   double start_bond_energy_ = 0.0, start_contact_energy_ = 0.0, start_boundary_work_ = 0.0,
          start_outside_change_ = 0.0;
 };

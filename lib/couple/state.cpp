@@ -16,15 +16,16 @@ void Simulation::visit_state(Archive& archive, Self& s) {
   auto& n = s.network_;
   for (auto* values : {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin, &a.external_x, &a.external_y,
                        &a.external_moment, &a.intact, &a.slip, &n.aperture, &n.conductance, &n.flow,
-                       &n.volume_change, &n.content, &n.pressure, &n.stiffness}) {
+                       &n.volume_change, &n.content, &n.pressure, &n.stiffness, &n.rim_excess}) {
     archive.array(*values);
   }
   archive.value(n.zero_stress_aperture);
   for (auto* values : {&s.start_x_, &s.start_y_, &s.start_rotation_, &s.start_content_})
     archive.array(*values);
-  for (auto* value : {&s.start_bond_energy_, &s.start_contact_energy_, &s.start_boundary_work_,
-                      &s.start_outside_change_, &s.time_, &s.force_ratio_, &s.leaked_, &s.tip_distance_,
-                      &s.definition_.options.stress_sigma_H, &s.definition_.options.stress_sigma_h}) {
+  for (auto* value :
+       {&s.start_bond_energy_, &s.start_contact_energy_, &s.start_boundary_work_, &s.start_outside_change_,
+        &s.time_, &s.force_ratio_, &s.leaked_, &s.tip_distance_, &s.host_added_,
+        &s.definition_.options.stress_sigma_H, &s.definition_.options.stress_sigma_h}) {
     archive.value(*value);
   }
   archive.value(s.step_);
@@ -63,7 +64,7 @@ void Simulation::load_state(std::span<const std::byte> image) {
   visit_state(loader, *this);
   if (loader.left() != 0)
     throw Error(ErrorKind::argument, "the state image is longer than this simulation's state.");
-  boundary_->set_far_field(assembly_, options().stress_sigma_H, options().stress_sigma_h);
+  boundary_->restore_load(assembly_, options().stress_sigma_H, options().stress_sigma_h);
   solver_->after_restore();
 }
 

@@ -166,8 +166,10 @@ void Simulation::begin_step() {
 
 Simulation::StepOutcome Simulation::try_step(double duration, const std::function<bool()>& interrupt) {
   if (!step_open_) throw Error(ErrorKind::argument, "no step is open; call hfrac_step_prepare first.");
-  // Wells and far field are the host's: what it set since the last try stays.
+  // Wells, far field and what the host's grid says of the rim are the host's: what it set since the last try stays.
   const auto wells = wells_;
+  const auto rim_excess = network_.rim_excess;
+  const auto host_load = boundary_->host_load();
   const double sigma_H = options().stress_sigma_H, sigma_h = options().stress_sigma_h;
   load_state(opened_);
   for (std::size_t w = 0; w < wells.size(); ++w) {
@@ -176,8 +178,11 @@ Simulation::StepOutcome Simulation::try_step(double duration, const std::functio
     wells_[w].ramp_per_step = wells[w].ramp_per_step;
     wells_[w].set_rate = wells[w].set_rate;
   }
-  if (sigma_H != options().stress_sigma_H || sigma_h != options().stress_sigma_h)
-    set_far_field(sigma_H, sigma_h);
+  network_.rim_excess = rim_excess;
+  boundary_->put_host_load(host_load);
+  definition_.options.stress_sigma_H = sigma_H;
+  definition_.options.stress_sigma_h = sigma_h;
+  boundary_->set_far_field(assembly_, sigma_H, sigma_h);
   return step_for(duration, interrupt);
 }
 

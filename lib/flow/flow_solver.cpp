@@ -16,6 +16,13 @@ double full_pressure(const Network& n, std::size_t d) {
   return n.reference_pressure + n.stiffness[d] * (n.content[d] - n.volume_change[d]);
 }
 
+// What the pressure that a host set beyond a rim pipe adds to its flow, left to right.
+double rim_flow(const Network& n, std::size_t k) {
+  const auto e = static_cast<std::size_t>(n.rim_pipe[k]);
+  const double inwards = n.conductance[e] * n.rim_excess[k];
+  return n.left[e] == 0 ? inwards : -inwards;
+}
+
 }  // namespace
 
 FlowSolver::FlowSolver(const Network& n, const Options& options)
@@ -92,6 +99,11 @@ int FlowSolver::advance_implicit(Network& n, double step, const std::vector<doub
         rhs[static_cast<Eigen::Index>(r)] += c * (n.stiffness[l] > 0.0 ? n.floor_pressure : n.pressure[l]);
       }
     }
+    for (std::size_t k = 0; k < n.rim_pipe.size(); ++k) {
+      const auto e = static_cast<std::size_t>(n.rim_pipe[k]);
+      const auto inner = static_cast<std::size_t>(n.left[e] == 0 ? n.right[e] : n.left[e]);
+      if (solved(inner)) rhs[static_cast<Eigen::Index>(inner)] += step * n.conductance[e] * n.rim_excess[k];
+    }
     factor_.factorize(matrix_);
     if (factor_.info() != Eigen::Success)
       throw Error(ErrorKind::diverged,
@@ -102,6 +114,7 @@ int FlowSolver::advance_implicit(Network& n, double step, const std::vector<doub
     for (std::size_t e = 0; e < n.left.size(); ++e) {
       n.flow[e] = n.conductance[e] * (p[n.left[e]] - p[n.right[e]]);
     }
+    for (std::size_t k = 0; k < n.rim_pipe.size(); ++k) n.flow[n.rim_pipe[k]] += rim_flow(n, k);
     // What a domain at the floor would hold after the step decides whether it stays there.
     fill_.assign(domains, 0.0);
     for (std::size_t e = 0; e < n.left.size(); ++e) {
@@ -160,6 +173,13 @@ int FlowSolver::advance_explicit(Network& n, double step, const std::vector<doub
   for (int cycle = 0; cycle < static_cast<int>(cycles); ++cycle) {
     for (std::size_t e = 0; e < n.left.size(); ++e) {
       const double q = n.conductance[e] * (n.pressure[n.left[e]] - n.pressure[n.right[e]]);
+      n.flow[e] += q / cycles;
+      n.content[n.left[e]] -= dt * q;
+      n.content[n.right[e]] += dt * q;
+    }
+    for (std::size_t k = 0; k < n.rim_pipe.size(); ++k) {
+      const auto e = static_cast<std::size_t>(n.rim_pipe[k]);
+      const double q = rim_flow(n, k);
       n.flow[e] += q / cycles;
       n.content[n.left[e]] -= dt * q;
       n.content[n.right[e]] += dt * q;

@@ -25,6 +25,10 @@ Network build_network(Faces faces, const Assembly& a, const std::vector<std::int
   n.pipe_length.resize(pipes);
   for (std::size_t e = 0; e < pipes; ++e) n.pipe_length[e] = a.radius[a.first[e]] + a.radius[a.second[e]];
   for (auto* values : {&n.aperture, &n.conductance, &n.flow}) values->assign(pipes, 0.0);
+  for (std::size_t e = 0; e < pipes; ++e) {
+    if ((n.left[e] == 0) != (n.right[e] == 0)) n.rim_pipe.push_back(static_cast<std::int32_t>(e));
+  }
+  n.rim_excess.assign(n.rim_pipe.size(), 0.0);
 
   n.kind.assign(domains, DomainKind::rock);
   n.kind[0] = DomainKind::outside;

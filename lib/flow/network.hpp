@@ -39,7 +39,10 @@ struct Network {
   Array<double> corner_weight;  // m, (x, y) per corner
   std::vector<std::int32_t> disc_corner_start, disc_corner_domain;
   Array<double> disc_corner_weight;
-  std::vector<Vec2> centroid;                             // m, at bonding
+  std::vector<Vec2> centroid;  // m, at bonding
+  // pipes to the outside, and how far the pressure beyond each is above domain 0's: a host may say what lies there
+  std::vector<std::int32_t> rim_pipe;
+  Array<double> rim_excess;                               // Pa
   double reference_pressure = 0.0, floor_pressure = 0.0;  // Pa
   double zero_stress_aperture = 0.0;                      // m, r0
 

@@ -13,7 +13,7 @@ Boundary::Boundary(const Assembly& a, const Network& n, const Options& o)
   // In a dry model nothing pushes from inside, and stresses are all there is.
   outside_pressure_ = FlowScheme{o.flow_scheme} == FlowScheme::off ? 0.0 : n.reference_pressure;
   if (!walled_) {
-    for (auto* values : {&pore_x_, &pore_y_, &weight_x_, &weight_y_, &load_x_, &load_y_})
+    for (auto* values : {&pore_x_, &pore_y_, &weight_x_, &weight_y_, &host_x_, &host_y_, &load_x_, &load_y_})
       values->assign(a.x.size(), 0.0);
     const auto begin = n.corner_start[0], end = n.corner_start[1];
     for (auto k = begin; k < end; ++k) {
@@ -55,8 +55,8 @@ void Boundary::put_far_field(double sigma_H, double sigma_h) {
     return;
   }
   for (std::size_t i = 0; i < load_x_.size(); ++i) {
-    load_x_[i] = pore_x_[i] + (sigma_H - outside_pressure_) * weight_x_[i];
-    load_y_[i] = pore_y_[i] + (sigma_h - outside_pressure_) * weight_y_[i];
+    load_x_[i] = pore_x_[i] + (sigma_H - outside_pressure_) * weight_x_[i] + host_x_[i];
+    load_y_[i] = pore_y_[i] + (sigma_h - outside_pressure_) * weight_y_[i] + host_y_[i];
   }
 }
 
@@ -68,6 +68,53 @@ void Boundary::set_far_field(Assembly& a, double sigma_H, double sigma_h) {
     set_load(a, load_);
     carried_work_ += before - load_work(a);
   }
+}
+
+void Boundary::restore_load(Assembly& a, double sigma_H, double sigma_h) {
+  put_far_field(sigma_H, sigma_h);
+  set_load(a, load_);
+}
+
+void Boundary::set_host_stress(Assembly& a, const Network& n, std::span<const double> stress, double sigma_H,
+                               double sigma_h) {
+  std::fill(host_x_.begin(), host_x_.end(), 0.0);
+  std::fill(host_y_.begin(), host_y_.end(), 0.0);
+  const auto begin = n.corner_start[0], end = n.corner_start[1];
+  const auto discs = static_cast<double>(end - begin);
+  Vec2 force{}, centre{};
+  for (auto k = begin; k < end; ++k) {
+    const auto i = n.corner_disc[k], from = n.corner_disc[k > begin ? k - 1 : end - 1],
+               to = n.corner_disc[k + 1 < end ? k + 1 : begin];
+    const Vec2 inward{0.5 * (a.y[to] - a.y[from]), -0.5 * (a.x[to] - a.x[from])};  // times length
+    const auto* s = stress.data() + 3 * static_cast<std::size_t>(k - begin);
+    const Vec2 push{s[0] * inward.x + s[2] * inward.y, s[2] * inward.x + s[1] * inward.y};
+    host_x_[i] += push.x;
+    host_y_[i] += push.y;
+    force = force + push;
+    centre = centre + (1.0 / discs) * Vec2{a.x[i], a.y[i]};
+  }
+  // What is left over the host balances by forces in the volume that it knows of; here the loop carries it, evenly for the
+  // force and as a turn about its middle for the moment.
+  double moment = 0.0, inertia = 0.0;
+  for (auto k = begin; k < end; ++k) {
+    const auto i = n.corner_disc[k];
+    host_x_[i] -= force.x / discs;
+    host_y_[i] -= force.y / discs;
+  }
+  for (auto k = begin; k < end; ++k) {
+    const auto i = n.corner_disc[k];
+    const Vec2 arm = Vec2{a.x[i], a.y[i]} - centre;
+    inertia += dot(arm, arm);
+  }
+  for (std::size_t i = 0; i < host_x_.size(); ++i)
+    moment += cross(Vec2{a.x[i], a.y[i]} - centre, {host_x_[i], host_y_[i]});
+  for (auto k = begin; k < end; ++k) {
+    const auto i = n.corner_disc[k];
+    const Vec2 arm = Vec2{a.x[i], a.y[i]} - centre;
+    host_x_[i] += moment / inertia * arm.y;
+    host_y_[i] -= moment / inertia * arm.x;
+  }
+  set_far_field(a, sigma_H, sigma_h);
 }
 
 void Boundary::set_load(Assembly& a, double share) {

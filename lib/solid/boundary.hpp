@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "flow/network.hpp"
@@ -50,6 +51,20 @@ class Boundary {
   [[nodiscard]] bool follows_far_field() const { return !walled_ || servo_; }
   // New far-field stress [Pa], total in the sound reading; the share in force stays.
   void set_far_field(Assembly& assembly, double sigma_H, double sigma_h);
+
+  // Stress that a host adds to the far field at each disc of the outer loop, in its order [Pa; xx, yy, xy, compression
+  // positive]; stress boundaries only. What net force and moment the tractions leave is taken out.
+  void set_host_stress(Assembly& assembly, const Network& network, std::span<const double> stress,
+                       double sigma_H, double sigma_h);
+  // The forces that came of it, to keep them while a state is loaded; set_far_field or restore_load puts them in force.
+  using HostLoad = std::array<Array<double>, 2>;
+  [[nodiscard]] HostLoad host_load() const { return {host_x_, host_y_}; }
+  void put_host_load(const HostLoad& load) {
+    host_x_ = load[0];
+    host_y_ = load[1];
+  }
+  // The loads follow again from far field and host's stress after a state was loaded; the work done was loaded with it.
+  void restore_load(Assembly& assembly, double sigma_H, double sigma_h);
 
   template <class Archive>
   void visit_state(Archive& archive) {
@@ -95,6 +110,8 @@ class Boundary {
     archive.value(s.work_);
     archive.value(s.imbalance_);
     archive.value(s.carried_work_);
+    archive.array(s.host_x_);
+    archive.array(s.host_y_);
   }
 
   bool walled_, servo_ = true;
@@ -102,6 +119,7 @@ class Boundary {
   double outside_pressure_ = 0.0;      // Pa, what walls leave to the pores outside
   Array<double> pore_x_, pore_y_;      // N: what balances the pores' pressure at the start
   Array<double> weight_x_, weight_y_;  // m: force on a disc per stress beyond that along x, y
+  Array<double> host_x_, host_y_;      // N: from the host's stress
   Array<double> load_x_, load_y_;      // N at full load
   std::array<Wall, 4> walls_;
   std::vector<char> at_wall_;  // per disc

@@ -36,6 +36,7 @@ program fortran_test
   call cracks_and_fractures()
   call progress()
   call going_back()
+  call exchange()
   call wrong_use()
   call own_discs()
   call two_at_once()
@@ -312,6 +313,73 @@ contains
     call straight%set_far_field(10e6_real64, 20e6_real64, stat)
     call expect(stat == HFRAC_ERR_ARGUMENT, 'sigma_h above sigma_H')
   end subroutine going_back
+
+  subroutine exchange()
+    type(hfrac_definition) :: def
+    type(hfrac_simulation) :: sim
+    type(hfrac_cell), allocatable :: by_size(:, :), by_corners(:, :)
+    type(hfrac_balance) :: balance
+    real(real64), allocatable :: added(:, :), pressure(:, :)
+    real(real64) :: corners(2, 4, 3, 2), stress(3, 3, 2)
+    integer :: i, j, stat, unit
+    character(200) :: message
+    call def%load(case_file)
+    call def%set('boundary.kind', 'stress')
+    call def%set('stress.sigma_H', 10e6_real64)
+    call def%set('stress.sigma_h', 10e6_real64)
+    call def%set('stepping.force_ratio', 1e-2_real64)
+    call sim%create(def)
+    call sim%step(2)
+    call sim%cells(by_size, stat=stat, errmsg=message)
+    call expect(stat == HFRAC_ERR_ARGUMENT .and. index(message, 'grid') > 0, 'cells without a grid')
+    call sim%set_grid(3, 2, [0.0_real64, 0.0_real64], [40.0_real64, 50.0_real64])
+    call sim%cells(by_size)
+    do j = 1, 2
+      do i = 1, 3
+        corners(:, 1, i, j) = [40.0_real64*(i - 1), 50.0_real64*(j - 1)]
+        corners(:, 2, i, j) = [40.0_real64*i, 50.0_real64*(j - 1)]
+        corners(:, 3, i, j) = [40.0_real64*i, 50.0_real64*j]
+        corners(:, 4, i, j) = [40.0_real64*(i - 1), 50.0_real64*j]
+      end do
+    end do
+    call sim%set_grid(corners)
+    call sim%cells(by_corners, HFRAC_UPSCALE_ODA)
+    call expect(all(shape(by_size) == [3, 2]) .and. all(shape(by_corners) == [3, 2]), 'cells have the shape of the grid')
+    call expect(all(abs(by_size%coverage - by_corners%coverage) < 1e-9_real64), 'the same cells either way')
+    call expect(by_size(1, 1)%coverage > 0.8_real64 .and. by_size(3, 1)%coverage < 0.6_real64, 'i runs along x')
+    call expect(sum(by_size%crack_length) > 0.0_real64, 'the cells have cracks')
+
+    allocate (pressure(3, 2), source=1e5_real64)
+    call sim%set_cell_pressure(pressure)
+    pressure(:, 2) = 2e5_real64
+    balance = sim%balance()
+    call sim%set_cell_pressure(pressure, added)
+    call expect(all(shape(added) == [3, 2]) .and. all(added(:, 2) > 0.0_real64), 'the upper row gives fluid')
+    call expect(abs(balance%host_volume + sum(added) - host_volume(sim)) < 1e-12_real64, 'its sum is booked')
+    call sim%set_rim_pressure(pressure)
+    stress = 0.0_real64
+    stress(1, :, :) = 1e6_real64
+    call sim%set_cell_stress(stress)
+    call sim%step(1, stat)
+    call expect(stat >= 0, 'a step with the host''s values')
+    balance = sim%balance()
+    call expect(abs(balance%fluid_error) < 1e-9_real64*balance%injected_volume, 'the fluid is all there')
+    call sim%set_cell_pressure(pressure(:, 1:1), stat=stat)
+    call expect(stat == HFRAC_ERR_ARGUMENT, 'an array of the wrong size')
+    call sim%write_grdecl('fortran_test.grdecl', kind=HFRAC_GRDECL_MULT, layers=2, porosity=0.1_real64)
+    open (newunit=unit, file='fortran_test.grdecl', status='old', action='read', iostat=stat)
+    call expect(stat == 0, 'the include file is there')
+    if (stat == 0) close (unit, status='delete')
+    call sim%write_grdecl('/nonexistent/fortran_test.grdecl', stat=stat)
+    call expect(stat == HFRAC_ERR_ARGUMENT, 'no such folder')
+  end subroutine exchange
+
+  real(real64) function host_volume(sim)
+    type(hfrac_simulation), intent(in) :: sim
+    type(hfrac_balance) :: balance
+    balance = sim%balance()
+    host_volume = balance%host_volume
+  end function host_volume
 
   subroutine wrong_use()
     type(hfrac_simulation) :: sim, empty

@@ -230,6 +230,41 @@ static void go_back(hfrac_sim* sim) {
   expect(hfrac_set_far_field(sim, 1e6, 1e6), HFRAC_ERR_ARGUMENT, sim, "walls that are fixed");
 }
 
+/* grid.h */
+static void exchange(hfrac_sim* sim) {
+  const char* path = "c_program.grdecl";
+  hfrac_grid grid;
+  hfrac_cell cells[4];
+  hfrac_balance balance;
+  double pressure[4] = {0.0, 0.0, 1e5, 1e5}, stress[12] = {0.0}, added[4];
+  double cracks = 0.0;
+  int64_t count = 0;
+  int c;
+  memset(&grid, 0, sizeof grid);
+  grid.struct_size = (int32_t)sizeof grid;
+  grid.nx = grid.ny = 2;
+  grid.dx = grid.dy = 50.0;
+  good(hfrac_set_grid(sim, &grid), sim, "set_grid");
+  good(hfrac_grid_cells(sim, HFRAC_UPSCALE_FLOW, (int32_t)sizeof cells[0], cells, 4, &count), sim,
+       "grid_cells");
+  check(count == 4, "four cells");
+  for (c = 0; c < 4; ++c) {
+    cracks += cells[c].crack_length;
+    check(cells[c].area == 2500.0 && cells[c].coverage > 0.5 && cells[c].matrix_permeability > 0.0,
+          "cells are filled");
+  }
+  check(cracks > 0.0, "the cells have cracks");
+  good(hfrac_set_cell_pressure(sim, pressure, 4, added, 4), sim, "set_cell_pressure");
+  balance.struct_size = (int32_t)sizeof balance;
+  good(hfrac_get_balance(sim, &balance), sim, "get_balance");
+  check(fabs(balance.host_volume - (added[0] + added[1] + added[2] + added[3])) < 1e-12,
+        "the host's fluid is booked");
+  good(hfrac_set_rim_pressure(sim, pressure, 4), sim, "set_rim_pressure");
+  expect(hfrac_set_cell_stress(sim, stress, 12), HFRAC_ERR_ARGUMENT, sim, "stress on walls");
+  good(hfrac_write_grdecl(sim, path, HFRAC_UPSCALE_ODA, HFRAC_GRDECL_PERM, 1, 0.0, 0.0), sim, "write_grdecl");
+  check(remove(path) == 0, "the file is there");
+}
+
 int main(void) {
   hfrac_sim_def def;
   hfrac_sim* sim = NULL;
@@ -242,6 +277,7 @@ int main(void) {
     fields(sim);
     cracks(sim);
     go_back(sim);
+    exchange(sim);
   }
   good(hfrac_sim_destroy(&sim), NULL, "destroy");
   check(sim == NULL, "the simulation is gone");

@@ -66,6 +66,7 @@ class RigidNetwork {
   }
 
   Network& network() { return model_.network; }
+  Assembly& assembly() { return model_.assembly; }
   [[nodiscard]] const Options& options() const { return model_.options; }
 
  private:

@@ -11,9 +11,10 @@
 SI units everywhere, unit thickness out of the plane, compression positive for stress and pressure. numpy is used if it
 is there and not needed otherwise. One simulation serves one thread at a time; different ones run side by side.
 """
-from ._abi import CrackMode, Status, StopReason, WellControl
+from ._abi import CrackMode, GrdeclKind, Status, StopReason, Upscaling, WellControl
 from ._definition import Definition, Option, options
 from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Pipes
+from ._grid import Grid
 from ._library import build_info, library_path, version
 from ._open_step import OpenStep
 from ._records import Balance, Crack, Fracture, SetupReport, SimState, WellState
@@ -40,9 +41,9 @@ from .errors import (
 
 __all__ = [
     "FIELDS", "Advance", "ArgumentError", "BadHandleError", "Balance", "Bonds", "BusyError", "CaseFileError", "Crack",
-    "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "FieldInfo", "Fracture", "HfracError",
+    "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "FieldInfo", "Fracture", "GrdeclKind", "Grid", "HfracError",
     "InternalError", "LibraryError", "ModelError", "OpenStep", "Option", "OutOfMemoryError", "Pipes", "PoisonedError",
     "SetupReport", "SimState", "Simulation", "StaleViewError", "Status", "StopReason", "StoppedError",
-    "StructSizeError", "UnknownKeyError", "View", "Well", "WellControl", "WellState", "build_info", "library_path",
+    "StructSizeError", "UnknownKeyError", "Upscaling", "View", "Well", "WellControl", "WellState", "build_info", "library_path",
     "options", "version",
 ]

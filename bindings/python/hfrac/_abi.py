@@ -133,6 +133,24 @@ class CrackMode(enum.IntEnum):
     SHEAR = 2
 
 
+class Upscaling(enum.IntEnum):
+    """How permeability is brought to the host's cells."""
+
+    #: crack tensor (Oda 1985): fast; takes all cracks as connected, so an upper bound
+    ODA = 0
+    #: flow through the cell's own pipes, linear pressure on its boundary (Durlofsky 1991)
+    FLOW = 1
+
+
+class GrdeclKind(enum.IntEnum):
+    """What an include file holds. Not both in one model: the cracks would count twice."""
+
+    #: PERMX, PERMY [mD], PORO: rock and cracks together
+    PERM = 0
+    #: MULTX, MULTY, MULTPV: how far the cracks raise transmissibilities and pore volume
+    MULT = 1
+
+
 #: What each status code means.
 STATUS_TEXTS = {
     0: 'good',
@@ -323,6 +341,7 @@ class hfrac_balance(ctypes.Structure):
         ("stored_volume", ctypes.c_double),
         ("leaked_volume", ctypes.c_double),
         ("fluid_error", ctypes.c_double),
+        ("host_volume", ctypes.c_double),
     ]
 
 
@@ -400,6 +419,43 @@ class hfrac_fracture(ctypes.Structure):
         ("mean_pressure", ctypes.c_double),
         ("well", ctypes.c_int64),
         ("arms", ctypes.c_int64),
+    ]
+
+
+class hfrac_grid(ctypes.Structure):
+    """The host's areal grid. Set struct_size, and 0 what does not apply. Either regular cells (origin, dx, dy,
+    angle) or `corners`; nx and ny always.
+    """
+
+    _fields_ = [
+        ("struct_size", ctypes.c_int32),
+        ("struct_pad", ctypes.c_int32),
+        ("nx", ctypes.c_int64),
+        ("ny", ctypes.c_int64),
+        ("origin", ctypes.c_double * 2),
+        ("dx", ctypes.c_double),
+        ("dy", ctypes.c_double),
+        ("angle", ctypes.c_double),
+        ("corners", ctypes.c_void_p),
+    ]
+
+
+class hfrac_cell(ctypes.Structure):
+    """One cell of the host's grid as the model fills it."""
+
+    _fields_ = [
+        ("area", ctypes.c_double),
+        ("coverage", ctypes.c_double),
+        ("permeability", ctypes.c_double * 3),
+        ("matrix_permeability", ctypes.c_double),
+        ("fracture_porosity", ctypes.c_double),
+        ("matrix_porosity", ctypes.c_double),
+        ("crack_length", ctypes.c_double),
+        ("leak_off", ctypes.c_double),
+        ("outflow", ctypes.c_double),
+        ("pressure", ctypes.c_double),
+        ("fracture_pressure", ctypes.c_double),
+        ("crack_count", ctypes.c_int64),
     ]
 
 
@@ -591,6 +647,44 @@ SIGNATURES = {
         ctypes.c_void_p,
         ctypes.c_int64,
         ctypes.POINTER(ctypes.c_int64),
+    ),
+    "hfrac_set_grid": (
+        ctypes.c_void_p,
+        ctypes.POINTER(hfrac_grid),
+    ),
+    "hfrac_grid_cells": (
+        ctypes.c_void_p,
+        ctypes.c_int32,
+        ctypes.c_int32,
+        ctypes.c_void_p,
+        ctypes.c_int64,
+        ctypes.POINTER(ctypes.c_int64),
+    ),
+    "hfrac_set_rim_pressure": (
+        ctypes.c_void_p,
+        ctypes.POINTER(ctypes.c_double),
+        ctypes.c_int64,
+    ),
+    "hfrac_set_cell_pressure": (
+        ctypes.c_void_p,
+        ctypes.POINTER(ctypes.c_double),
+        ctypes.c_int64,
+        ctypes.c_void_p,
+        ctypes.c_int64,
+    ),
+    "hfrac_set_cell_stress": (
+        ctypes.c_void_p,
+        ctypes.POINTER(ctypes.c_double),
+        ctypes.c_int64,
+    ),
+    "hfrac_write_grdecl": (
+        ctypes.c_void_p,
+        ctypes.c_char_p,
+        ctypes.c_int32,
+        ctypes.c_int32,
+        ctypes.c_int64,
+        ctypes.c_double,
+        ctypes.c_double,
     ),
     "hfrac_state_size": (
         ctypes.c_void_p,

@@ -146,8 +146,10 @@ class Balance(NamedTuple):
     stored_volume: float
     #: [m2] out through the outer boundary
     leaked_volume: float
-    #: [m2] injected - stored - leaked
+    #: [m2] injected + host - stored - leaked
     fluid_error: float
+    #: [m2] put into pores by the host (hfrac_set_cell_pressure), negative: taken out
+    host_volume: float
 
     @classmethod
     def of(cls, struct: _abi.hfrac_balance) -> "Balance":
@@ -166,6 +168,7 @@ class Balance(NamedTuple):
             struct.stored_volume,
             struct.leaked_volume,
             struct.fluid_error,
+            struct.host_volume,
         )
 
 
@@ -310,4 +313,51 @@ class Fracture(NamedTuple):
             struct.mean_pressure,
             struct.well,
             struct.arms,
+        )
+
+
+class Cell(NamedTuple):
+    """One cell of the host's grid as the model fills it."""
+
+    #: [m2] of the cell
+    area: float
+    #: share of it that the model covers, 0 to 1
+    coverage: float
+    #: [m2] that the cracks add: xx, yy, xy in the model's axes, over the cell's whole area
+    permeability: Tuple[float, float, float]
+    #: [m2] of the rock between the cracks, over the part covered; 0 if not covered
+    matrix_permeability: float
+    #: opening times length of the cracks over the cell's area
+    fracture_porosity: float
+    #: pore volume of the network over area, of the part covered
+    matrix_porosity: float
+    #: [m] length of crack lines in the cell
+    crack_length: float
+    #: [m2/s] from pores beside cracks into others, in the last step
+    leak_off: float
+    #: [m2/s] out of the model through its edge into this cell, in the last step
+    outflow: float
+    #: [Pa] of pores beside no crack, mean by volume; formation pressure if there are none
+    pressure: float
+    #: [Pa] of pores beside cracks, mean by opening; as `pressure` without cracks
+    fracture_pressure: float
+    #: cracks with some length in the cell
+    crack_count: int
+
+    @classmethod
+    def of(cls, struct: _abi.hfrac_cell) -> "Cell":
+        """The struct's values."""
+        return cls(
+            struct.area,
+            struct.coverage,
+            tuple(struct.permeability),
+            struct.matrix_permeability,
+            struct.fracture_porosity,
+            struct.matrix_porosity,
+            struct.crack_length,
+            struct.leak_off,
+            struct.outflow,
+            struct.pressure,
+            struct.fracture_pressure,
+            struct.crack_count,
         )

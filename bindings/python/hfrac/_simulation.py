@@ -5,7 +5,7 @@ import threading
 import weakref
 from typing import Any, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
-from . import _abi, _arrays
+from . import _abi, _arrays, _grid
 from ._arrays import Array
 from ._definition import Definition, PathLike, Value
 from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Pipes
@@ -152,6 +152,23 @@ class Simulation:
     def set_far_field(self, sigma_H: float, sigma_h: float) -> None:
         """From the next step on, another far-field stress [Pa]: sigma_H along x, sigma_h along y."""
         self._call("hfrac_set_far_field", sigma_H, sigma_h)
+
+    # A reservoir simulator's grid
+
+    def set_grid(
+        self,
+        nx: int,
+        ny: int,
+        *,
+        origin: Sequence[float] = (0.0, 0.0),
+        size: Optional[Sequence[float]] = None,
+        angle: float = 0.0,
+        corners: Optional[_grid.Numbers] = None,
+    ) -> _grid.Grid:
+        """Lays a reservoir simulator's grid over the model, in place of an earlier one: nx times ny cells of
+        `size` (dx, dy) [m] from `origin` [m], turned by `angle` [rad]; or with `corners` [m], shape (ny, nx, 4, 2), the four
+        of each cell in order around it."""
+        return _grid.lay(self, nx, ny, origin, size, angle, corners)
 
     # How it stands
 

@@ -9,6 +9,7 @@
 #include "crack.h"
 #include "def.h"
 #include "field.h"
+#include "grid.h"
 #include "sim.h"
 #include "state.h"
 

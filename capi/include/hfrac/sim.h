@@ -106,7 +106,8 @@ typedef struct hfrac_balance {
   double injected_volume;    /**< [m2] fluid put in through all wells, at formation pressure */
   double stored_volume;      /**< [m2] change of content of all domains, wells included */
   double leaked_volume;      /**< [m2] out through the outer boundary */
-  double fluid_error;        /**< [m2] injected - stored - leaked */
+  double fluid_error;        /**< [m2] injected + host - stored - leaked */
+  double host_volume;        /**< [m2] put into pores by the host (hfrac_set_cell_pressure), negative: taken out */
 } hfrac_balance;
 /** Energy and fluid balance now. Stable since 0.1. */
 HFRAC_API int32_t hfrac_get_balance(const hfrac_sim *sim, hfrac_balance *balance);
