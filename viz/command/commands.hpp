@@ -16,6 +16,7 @@ void add_run(CLI::App& program, Action& action);
 void add_check(CLI::App& program, Action& action);
 void add_info(CLI::App& program, Action& action);
 void add_options(CLI::App& program, Action& action);
+void add_view(CLI::App& program, Action& action);
 void add_render(CLI::App& program, Action& action);
 void add_plot(CLI::App& program, Action& action);
 void add_report(CLI::App& program, Action& action);

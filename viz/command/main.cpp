@@ -32,6 +32,7 @@ int run_program(int argument_count, char** arguments) {
   add_check(program, action);
   add_info(program, action);
   add_options(program, action);
+  add_view(program, action);
 #ifdef HFRAC_WITH_RENDERER
   add_render(program, action);
   add_plot(program, action);
