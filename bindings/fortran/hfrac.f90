@@ -50,6 +50,7 @@ module hfrac
     procedure, public :: state
     procedure, public :: setup
     procedure, public :: balance
+    procedure, public :: solver
     procedure, public :: state_hash
     procedure, public :: epoch
     procedure, public :: definition
@@ -86,8 +87,8 @@ module hfrac
   end type hfrac_simulation
 
   private :: create_from_definition, create_from_file, destroy, exists, c_handle, step_int32, step_int64, advance, &
-    on_progress, state, setup, balance, state_hash, epoch, definition, wells, set_well_pressure, set_well_ramp, &
-    set_well_rate, set_far_field, set_regular_grid, set_grid_corners, cells, set_rim_pressure, set_cell_pressure, &
+    on_progress, state, setup, balance, solver, state_hash, epoch, definition, wells, set_well_pressure, &
+    set_well_ramp, set_well_rate, set_far_field, set_regular_grid, set_grid_corners, cells, set_rim_pressure, set_cell_pressure, &
     set_cell_stress, write_grdecl, save_image, restore, prepare_step, do_step, finalize_step, reject_step, cracks, &
     fractures, get_double_1, get_double_2, get_int32_1, get_int32_2, view_double, view_int32, refuse_copy, describe, &
     borrow, finish, ask_host
@@ -290,6 +291,15 @@ contains
     type(hfrac_balance) :: now
     call report(hfrac_get_balance(self%handle, now), self%handle, stat, errmsg)
   end function balance
+
+  !> What the quasi-static solver did since set-up.
+  function solver(self, stat, errmsg) result(now)
+    class(hfrac_simulation), intent(in) :: self
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_solver_report) :: now
+    call report(hfrac_sim_get_solver(self%handle, now), self%handle, stat, errmsg)
+  end function solver
 
   !> Equal if and only if the state is equal, bit for bit.
   function state_hash(self, stat, errmsg) result(hash)

@@ -246,8 +246,10 @@ module hfrac_c
     !> 0: formation, 1: closed. Pores outside the outermost discs: held at formation pressure, or no flow across the
     !> boundary. Default 0.
     integer(c_int64_t) :: flow_outer = 0_c_int64_t
-    !> 0: substep, 1: dynamic. substep: one flow step, then mechanics to rest, breakage included (the paper's sub-
-    !> step). dynamic: Newton's law in real time, flow_step seconds a step. Default 0.
+    !> 0: substep, 1: dynamic, 2: coupled. substep: one flow step, then mechanics to rest, breakage included (the
+    !> paper's sub-step). dynamic: Newton's law in real time, flow_step seconds a step. coupled: flow, equilibrium
+    !> and breakage together in the fluid's time, flow_step seconds a step in as many parts as it takes; needs the
+    !> quasi-static solver. Default 0.
     integer(c_int64_t) :: stepping_mode = 0_c_int64_t
     !> [s] Fluid time of one step. Default 1.0.
     real(c_double) :: stepping_flow_step = 0.0_c_double
@@ -273,6 +275,20 @@ module hfrac_c
     integer(c_int64_t) :: run_workers = 0_c_int64_t
     !> Sub-steps between the snapshots of a run by the hfrac command. Default 10.
     integer(c_int64_t) :: output_every = 0_c_int64_t
+    !> 0: explicit, 1: quasi-static. How the rock comes to rest. explicit: by damped motion. quasi-static:
+    !> equilibrium is solved for directly and bonds break in order of how far they exceed their strength. Default 0.
+    integer(c_int64_t) :: solver_kind = 0_c_int64_t
+    !> [1] quasi-static: mean unbalanced over mean contact force, and error of a pressure over the largest pressure
+    !> difference, at which equilibrium counts as found. Default 1e-6.
+    real(c_double) :: solver_tolerance = 0.0_c_double
+    !> [1] Mode coupled: error of a pressure per part of a step, over the largest pressure difference, that sets the
+    !> length of the part. Default 0.05.
+    real(c_double) :: solver_pressure_change = 0.0_c_double
+    !> [1] Mode coupled: a part of a step in which a bond would exceed its strength by more than this is tried again
+    !> shorter. Default 0.02.
+    real(c_double) :: solver_strength_overshoot = 0.0_c_double
+    !> [s] Mode coupled: parts of a step are not made shorter; what happens within is taken as sudden. Default 1e-6.
+    real(c_double) :: solver_smallest_step = 0.0_c_double
     !> wells used of the array below, 0 to HFRAC_MAX_WELLS
     integer(c_int64_t) :: well_count = 0_c_int64_t
     !> the wells
@@ -427,6 +443,33 @@ module hfrac_c
     !> [m2] put into pores by the host (hfrac_set_cell_pressure), negative: taken out
     real(c_double) :: host_volume = 0.0_c_double
   end type hfrac_balance
+
+  !> What the quasi-static solver did since set-up; all 0 with solver.kind "explicit". Set struct_size before the
+  !> call.
+  type, bind(C) :: hfrac_solver_report
+    !> sizeof(hfrac_solver_report) of the caller
+    integer(c_int32_t) :: struct_size = 80_c_int32_t
+    !> 0 explicit, 1 quasi-static
+    integer(c_int32_t) :: kind = 0_c_int32_t
+    !> [s] mode "coupled": length of the next part of a step
+    real(c_double) :: part = 0.0_c_double
+    !> mode "coupled": parts of steps that stand
+    integer(c_int64_t) :: parts = 0_c_int64_t
+    !> equilibria found: one a solve, and one more each time bonds broke
+    integer(c_int64_t) :: rounds = 0_c_int64_t
+    !> of Newton's method
+    integer(c_int64_t) :: newton_iterations = 0_c_int64_t
+    !> of the linear solver
+    integer(c_int64_t) :: linear_iterations = 0_c_int64_t
+    !> factors of a tangent computed
+    integer(c_int64_t) :: factors = 0_c_int64_t
+    !> parts put back because of solver.pressure_change
+    integer(c_int64_t) :: rejected_error = 0_c_int64_t
+    !> parts put back because of solver.strength_overshoot
+    integer(c_int64_t) :: rejected_strength = 0_c_int64_t
+    !> parts put back because no equilibrium was found
+    integer(c_int64_t) :: rejected_divergence = 0_c_int64_t
+  end type hfrac_solver_report
 
   !> One well as it stands. Set struct_size before the call.
   type, bind(C) :: hfrac_well_state
@@ -751,8 +794,9 @@ module hfrac_c
       integer(c_int32_t) :: hfrac_sim_definition
     end function hfrac_sim_definition
     !> Takes `count` steps (sub-steps in mode "substep", stepping.flow_step seconds of real motion each in mode
-    !> "dynamic"). HFRAC_STOPPED if the progress callback asked for it: the simulation is then at its last whole
-    !> step. HFRAC_NOT_AT_REST if the last step did not reach stepping.force_ratio. Stable since 0.1.
+    !> "dynamic", stepping.flow_step seconds of flow and equilibrium together in mode "coupled"). HFRAC_STOPPED if
+    !> the progress callback asked for it: the simulation is then at its last whole step. HFRAC_NOT_AT_REST if the
+    !> last step did not reach stepping.force_ratio. Stable since 0.1.
     function hfrac_step(sim, count) bind(C, name="hfrac_step")
       import
       type(c_ptr), value :: sim
@@ -800,6 +844,13 @@ module hfrac_c
       type(hfrac_balance), intent(inout) :: balance
       integer(c_int32_t) :: hfrac_get_balance
     end function hfrac_get_balance
+    !> What the quasi-static solver did since set-up. Unstable since 0.1.
+    function hfrac_sim_get_solver(sim, report) bind(C, name="hfrac_sim_get_solver")
+      import
+      type(c_ptr), value :: sim
+      type(hfrac_solver_report), intent(inout) :: report
+      integer(c_int32_t) :: hfrac_sim_get_solver
+    end function hfrac_sim_get_solver
     !> A number that is equal if and only if (up to collision) the state is equal, bit for bit. Stable since 0.1.
     function hfrac_state_hash(sim, hash) bind(C, name="hfrac_state_hash")
       import

@@ -216,6 +216,25 @@ int32_t hfrac_get_balance(const hfrac_sim* sim, hfrac_balance* balance) {
   });
 }
 
+int32_t hfrac_sim_get_solver(const hfrac_sim* sim, hfrac_solver_report* report) {
+  return guarded_sim(sim, [&] {
+    const Simulation& s = *sim->simulation;
+    const SolverWork& work = s.work();
+    hfrac_solver_report full{};
+    full.kind = static_cast<std::int32_t>(s.options().solver_kind);
+    full.part = s.part();
+    full.parts = work.parts;
+    full.rounds = work.rounds;
+    full.newton_iterations = work.newton;
+    full.linear_iterations = work.krylov;
+    full.factors = work.factors;
+    full.rejected_error = work.rejected_error;
+    full.rejected_strength = work.rejected_strength;
+    full.rejected_divergence = work.rejected_stuck;
+    write_struct(report, full, "hfrac_solver_report");
+  });
+}
+
 int32_t hfrac_state_hash(const hfrac_sim* sim, int64_t* hash) {
   return guarded_sim(sim, [&] {
     require_not_null(hash, "hash");

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/workers.hpp"
+#include "equilibrium/equilibrium_solver.hpp"
 #include "flow/flow_solver.hpp"
 #include "flow/network.hpp"
 #include "frac/crack_log.hpp"
@@ -36,6 +37,7 @@ struct Well {
   double rate = 0.0;             // m2/s into the well in the last step
   double injected = 0.0;         // m2 since set-up
   double content = 0.0;          // m2 at the end of the last step
+  double taken = 0.0;            // m2 in the parts of the step so far
 };
 
 struct SetupReport {
@@ -43,6 +45,12 @@ struct SetupReport {
   std::int64_t packed = 0, removed_in_wells = 0, removed_floaters = 0, removed_crossings = 0;
   double packing_seconds = 0.0, setup_seconds = 0.0;
   std::int64_t cracks = 0;
+};
+
+// What the quasi-static solver did since set-up.
+struct SolverWork {
+  std::int64_t parts = 0, rounds = 0, newton = 0, krylov = 0, factors = 0;
+  std::int64_t rejected_error = 0, rejected_strength = 0, rejected_stuck = 0;
 };
 
 struct Balance {
@@ -87,6 +95,8 @@ class Simulation {
   [[nodiscard]] bool at_rest() const { return at_rest_; }
   [[nodiscard]] int flow_rounds() const { return flow_rounds_; }
   [[nodiscard]] double leaked() const { return leaked_; }
+  [[nodiscard]] const SolverWork& work() const { return work_; }
+  [[nodiscard]] double part() const { return part_; }
   [[nodiscard]] const Array<double>& start_x() const {
     return start_x_;
   }  // displacement at the end of set-up
@@ -143,6 +153,13 @@ class Simulation {
   void finish_step(double duration, std::size_t cracks_before);
   void require_finite() const;
   void impose_well_pressure(Well& well, double pressure);
+  void book_flow(double duration);
+  void close_step(double duration, std::size_t cracks_before);
+  // coupled_step.cpp
+  StepOutcome quasi_static_substep(double duration, const std::function<bool()>& interrupt);
+  StepOutcome coupled_step(double duration, const std::function<bool()>& interrupt);
+  [[nodiscard]] double part_error(double part) const;
+  void count(const EquilibriumSolver::Outcome& outcome);
   // state.cpp
   template <class Archive, class Self>
   static void visit_state(Archive& archive, Self& self);
@@ -161,6 +178,7 @@ class Simulation {
   std::unique_ptr<Boundary> boundary_;
   std::unique_ptr<ExplicitSolver> solver_;
   std::unique_ptr<FlowSolver> flow_;
+  std::unique_ptr<EquilibriumSolver> equilibrium_;
   std::vector<Well> wells_;
   CrackLog cracks_;
   SetupReport setup_;
@@ -169,10 +187,14 @@ class Simulation {
   std::int64_t step_ = 0;
   bool at_rest_ = true;
   int flow_rounds_ = 0;
+  // mode coupled: length of the next part [s], largest stress over strength so far, pressures before the part and their rate
+  double part_ = 0.0, excess_ = 0.0;
+  Array<double> part_pressure_, pressure_rate_;
+  SolverWork work_;
   // where the books begin
   Array<double> start_x_, start_y_, start_rotation_;
   Array<double> start_content_;
-  std::vector<std::byte> before_step_, opened_;  // images to go back to
+  std::vector<std::byte> before_step_, opened_, before_part_;  // images to go back to
   bool step_open_ = false;
   std::optional<HostGrid> grid_;
   double oda_matrix_ = 1.0;  // the rock's permeability over that of a uniform gradient, at the end of set-up

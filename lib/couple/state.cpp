@@ -20,14 +20,18 @@ void Simulation::visit_state(Archive& archive, Self& s) {
     archive.array(*values);
   }
   archive.value(n.zero_stress_aperture);
-  for (auto* values : {&s.start_x_, &s.start_y_, &s.start_rotation_, &s.start_content_})
+  for (auto* values : {&s.start_x_, &s.start_y_, &s.start_rotation_, &s.start_content_, &s.pressure_rate_})
     archive.array(*values);
   for (auto* value :
        {&s.start_bond_energy_, &s.start_contact_energy_, &s.start_boundary_work_, &s.start_outside_change_,
-        &s.time_, &s.force_ratio_, &s.leaked_, &s.tip_distance_, &s.host_added_,
+        &s.time_, &s.force_ratio_, &s.leaked_, &s.tip_distance_, &s.host_added_, &s.part_, &s.excess_,
         &s.definition_.options.stress_sigma_H, &s.definition_.options.stress_sigma_h}) {
     archive.value(*value);
   }
+  auto& work = s.work_;
+  for (auto* value : {&work.parts, &work.rounds, &work.newton, &work.krylov, &work.factors,
+                      &work.rejected_error, &work.rejected_strength, &work.rejected_stuck})
+    archive.value(*value);
   archive.value(s.step_);
   archive.value(s.at_rest_);
   archive.value(s.flow_rounds_);
@@ -40,7 +44,7 @@ void Simulation::visit_state(Archive& archive, Self& s) {
     ar.value(well.place.domain);
     ar.value(well.control);
     for (auto* value : {&well.target_pressure, &well.ramp_per_step, &well.set_rate, &well.rate,
-                        &well.injected, &well.content})
+                        &well.injected, &well.content, &well.taken})
       ar.value(*value);
   });
   archive.list(s.cracks_, [](auto& ar, auto& crack) {

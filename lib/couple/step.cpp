@@ -27,6 +27,20 @@ Simulation::StepOutcome Simulation::step_for(double duration, const std::functio
   save_state(before_step_);
   try {
     drive_wells();
+    if (equilibrium_) {
+      equilibrium_->begin_step();
+      const StepOutcome outcome = SteppingMode{o.stepping_mode} == SteppingMode::coupled
+                                      ? coupled_step(duration, interrupt)
+                                      : quasi_static_substep(duration, interrupt);
+      if (outcome.stopped) {
+        load_state(before_step_);
+        return {true, at_rest_};
+      }
+      require_finite();
+      // What the works did beyond what is stored went into motion that damping would have ended.
+      solver_->energies().damping += balance().energy_error;
+      return outcome;
+    }
     flow_step(duration);
 
     ExplicitSolver::Outcome mechanics;
@@ -111,8 +125,12 @@ void Simulation::flow_step(double duration) {
 }
 
 void Simulation::finish_step(double duration, std::size_t cracks_before) {
-  time_ += duration;
-  ++step_;
+  book_flow(duration);
+  close_step(duration, cracks_before);
+}
+
+// What a part of a step injected and leaked.
+void Simulation::book_flow(double duration) {
   // What left through the pipes; domains of imposed pressure keep no content of their own.
   std::vector<double> outflow(wells_.size(), 0.0);
   if (flow_) {
@@ -141,7 +159,16 @@ void Simulation::finish_step(double duration, std::size_t cracks_before) {
       well.injected += duration * source_[static_cast<std::size_t>(d)];
     }
     well.content = network_.content[d];
-    well.rate = (well.injected - injected_before) / duration;
+    well.taken += well.injected - injected_before;
+  }
+}
+
+void Simulation::close_step(double duration, std::size_t cracks_before) {
+  time_ += duration;
+  ++step_;
+  for (auto& well : wells_) {
+    well.rate = well.taken / duration;
+    well.taken = 0.0;
   }
   for (std::size_t c = cracks_before; c < cracks_.size(); ++c) {
     cracks_[c].step = step_;

@@ -75,15 +75,24 @@ double band_permeability(const Network& n, const Assembly& a, double low, double
 
 }  // namespace
 
-double pipe_aperture(const Options& o, double zero_stress_aperture, const BondView& bond, bool intact) {
-  const double squeeze = -bond.normal_force();
-  double w = zero_stress_aperture;
+ApertureResponse aperture_response(const Options& o, double zero_stress_aperture, double gap, double normal,
+                                   double normal_stiffness, bool intact) {
+  const double squeeze = -normal;
+  ApertureResponse r{zero_stress_aperture, 0.0};
   if (squeeze > 0.0) {
-    w *= o.flow_half_aperture_force / (o.flow_half_aperture_force + squeeze);
-  } else {
-    w += (intact ? o.flow_bonded_gap_factor : o.flow_gap_factor) * std::max(0.0, bond.gap);
+    const double sum = o.flow_half_aperture_force + squeeze;
+    r.aperture *= o.flow_half_aperture_force / sum;
+    r.by_gap = r.aperture / sum * normal_stiffness;
+  } else if (gap > 0.0) {
+    r.by_gap = intact ? o.flow_bonded_gap_factor : o.flow_gap_factor;
+    r.aperture += r.by_gap * gap;
   }
-  return std::min(w, o.flow_aperture_limit);
+  if (r.aperture > o.flow_aperture_limit) r = {o.flow_aperture_limit, 0.0};
+  return r;
+}
+
+double pipe_aperture(const Options& o, double zero_stress_aperture, const BondView& bond, bool intact) {
+  return aperture_response(o, zero_stress_aperture, bond.gap, bond.normal_force(), 0.0, intact).aperture;
 }
 
 void update_apertures(Network& n, const Assembly& a, const Options& o) {
@@ -93,7 +102,7 @@ void update_apertures(Network& n, const Assembly& a, const Options& o) {
     const double w = pipe_aperture(o, n.zero_stress_aperture, bond, a.intact[e] > 0.0);
     n.aperture[e] = w;
     const bool shut = n.left[e] == n.right[e] || (closed && (n.left[e] == 0 || n.right[e] == 0));
-    n.conductance[e] = shut ? 0.0 : w * w * w / (12.0 * o.fluid_viscosity * n.pipe_length[e]);
+    n.conductance[e] = shut ? 0.0 : conductance(o, w, n.pipe_length[e]);
   }
 }
 

@@ -12,6 +12,19 @@ namespace hfrac {
 // capped at flow.aperture_limit.
 double pipe_aperture(const Options& options, double zero_stress_aperture, const BondView& bond, bool intact);
 
+// The same with its change, for a pipe whose discs answer a gap with `normal` [N, tension positive] and normal_stiffness [N/m].
+struct ApertureResponse {
+  double aperture;  // m
+  double by_gap;    // d aperture / d gap
+};
+ApertureResponse aperture_response(const Options& options, double zero_stress_aperture, double gap,
+                                   double normal, double normal_stiffness, bool intact);
+
+// w^3 / (12 eta L) [m2/(Pa s)], the cubic law (eq. 6).
+inline double conductance(const Options& options, double aperture, double length) {
+  return aperture * aperture * aperture / (12.0 * options.fluid_viscosity * length);
+}
+
 // All apertures and conductances w^3 / (12 eta L) (cubic law, eq. 6) from the assembly as it stands.
 void update_apertures(Network& network, const Assembly& assembly, const Options& options);
 

@@ -86,7 +86,10 @@ static_assert(is_word("flow.scheme", "implicit", FlowScheme::implicit_scheme) &&
 static_assert(is_word("flow.outer", "formation", OuterPores::formation) &&
               is_word("flow.outer", "closed", OuterPores::closed));
 static_assert(is_word("stepping.mode", "substep", SteppingMode::substep) &&
-              is_word("stepping.mode", "dynamic", SteppingMode::dynamic));
+              is_word("stepping.mode", "dynamic", SteppingMode::dynamic) &&
+              is_word("stepping.mode", "coupled", SteppingMode::coupled));
+static_assert(is_word("solver.kind", "explicit", SolverKind::explicit_solver) &&
+              is_word("solver.kind", "quasi-static", SolverKind::quasi_static));
 static_assert(choice_index(well_rows[6].choices, "ramp") == static_cast<std::int64_t>(WellControl::ramp) &&
               choice_index(well_rows[6].choices, "rate") == static_cast<std::int64_t>(WellControl::rate));
 

@@ -107,6 +107,25 @@ void check_material(const Options& o) {
   }
 }
 
+void check_solver(const Options& o) {
+  const bool quasi_static = SolverKind{o.solver_kind} == SolverKind::quasi_static;
+  const SteppingMode mode{o.stepping_mode};
+  if (mode == SteppingMode::coupled && !quasi_static) {
+    refuse(
+        "stepping.mode = \"coupled\" solves for equilibrium and flow together; set solver.kind = "
+        "\"quasi-static\", or stepping.mode = \"substep\" for the explicit solver.");
+  }
+  if (mode == SteppingMode::coupled && FlowScheme{o.flow_scheme} != FlowScheme::implicit_scheme) {
+    refuse("stepping.mode = \"coupled\" needs flow.scheme = \"implicit\"; a dry model has mode \"substep\".");
+  }
+  if (mode == SteppingMode::dynamic && quasi_static) {
+    refuse(
+        "stepping.mode = \"dynamic\" is motion in real time, which solver.kind = \"quasi-static\" has none "
+        "of; "
+        "use solver.kind = \"explicit\", or stepping.mode = \"coupled\".");
+  }
+}
+
 void check_control(const std::string& name, const WellOptions& well, const Options& o) {
   if (well.control == WellControl::ramp && !(well.ramp_per_step > 0.0)) {
     refuse(name + ".ramp_per_step = " + number_text(well.ramp_per_step) +
@@ -180,6 +199,7 @@ void validate(const CaseDefinition& definition, std::span<const double> given_di
   check_packing(o, radii);
   check_stresses(o);
   check_material(o);
+  check_solver(o);
   const auto& wells = definition.wells;
   for (std::size_t i = 0; i < wells.size(); ++i) {
     const std::string name = "well[" + std::to_string(i) + "]";

@@ -48,6 +48,11 @@ class Boundary {
   }
 
   void fix_walls() { servo_ = false; }
+  // Moves a servo-driven wall inward by `by` [m] (quasi-static solver).
+  void shift_wall(std::size_t wall, double by) {
+    walls_[wall].displacement += by;
+    work_ += load_ * walls_[wall].target * walls_[wall].length * by;
+  }
   [[nodiscard]] bool follows_far_field() const { return !walled_ || servo_; }
   // New far-field stress [Pa], total in the sound reading; the share in force stays.
   void set_far_field(Assembly& assembly, double sigma_H, double sigma_h);

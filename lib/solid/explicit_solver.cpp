@@ -155,24 +155,33 @@ void ExplicitSolver::stop_motion() {
   for (auto& wall : boundary_.walls()) wall.velocity = 0.0;
 }
 
+void ExplicitSolver::break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, CrackLog& found) {
+  Crack crack;
+  crack.bond = e;
+  crack.cycle = cycle;
+  crack.normal_force = bond.bond_normal;
+  crack.shear_force = bond.bond_shear;
+  crack.energy = bond.bond_energy;
+  crack.released = bond.bond_energy + bond.contact_energy;
+  crack.mode = bond.tensile_excess >= bond.shear_excess ? CrackMode::tension : CrackMode::shear;
+  found.push_back(crack);
+  assembly_.intact[e] = 0.0;
+  // In mode after-break a contact takes over where discs were pressed together.
+  found.back().released -= view_bond(assembly_, options_, e).contact_energy;
+}
+
+void ExplicitSolver::break_bond(std::int64_t bond, CrackLog& log) {
+  break_bond(view_bond(assembly_, options_, bond), bond, total_cycles_, log);
+  energies_.fracture += log.back().released;
+}
+
 // Scalar look at a block some bond of which exceeds its strength; rare.
 void ExplicitSolver::break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, CrackLog& found) {
   for (std::int64_t e = first; e < last; ++e) {
     if (assembly_.intact[e] == 0.0) continue;
     const BondView bond = view_bond(assembly_, options_, e);
     if (bond.tensile_excess < 1.0 && bond.shear_excess < 1.0) continue;
-    Crack crack;
-    crack.bond = e;
-    crack.cycle = cycle;
-    crack.normal_force = bond.bond_normal;
-    crack.shear_force = bond.bond_shear;
-    crack.energy = bond.bond_energy;
-    crack.released = bond.bond_energy + bond.contact_energy;
-    crack.mode = bond.tensile_excess >= bond.shear_excess ? CrackMode::tension : CrackMode::shear;
-    found.push_back(crack);
-    assembly_.intact[e] = 0.0;
-    // In mode after-break a contact takes over where discs were pressed together.
-    found.back().released -= view_bond(assembly_, options_, e).contact_energy;
+    break_bond(bond, e, cycle, found);
   }
   kernels_.bond_pass(arrays_, first, last);  // what the block's bonds bear now
 }

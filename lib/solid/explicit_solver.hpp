@@ -65,10 +65,16 @@ class ExplicitSolver {
   [[nodiscard]] const Energies& energies() const { return energies_; }
   Energies& energies() { return energies_; }
   [[nodiscard]] std::int64_t total_cycles() const { return total_cycles_; }
+  void count_cycles(std::int64_t cycles) { total_cycles_ += cycles; }  // of another solver
   void stop_motion();
   // Looks for new contacts around cracks; call between steps.
   void search_contacts(const CrackLog& cracks);
   [[nodiscard]] const LooseContacts& loose_contacts() const { return loose_; }
+
+  // Breaks one bond as it stands (quasi-static solver).
+  void break_bond(std::int64_t bond, CrackLog& log);
+  // The kept force of a contact that was never bonded (quasi-static solver) [N].
+  void keep_loose_force(std::size_t pair, double normal, double shear) { loose_.keep(pair, normal, shear); }
 
   // After the state was restored: the stable step follows from it (forces are found anew in every cycle).
   void after_restore();
@@ -93,6 +99,7 @@ class ExplicitSolver {
 
   void batch(std::int64_t cycles, std::vector<CrackLog>& found);
   void take(const SweepItem& item, std::int64_t cycle, CrackLog& found);
+  void break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, CrackLog& found);
   void break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, CrackLog& found);
   [[nodiscard]] double force_ratio() const;
   void bind_arrays();

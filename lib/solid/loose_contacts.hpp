@@ -38,6 +38,12 @@ class LooseContacts {
   void add_stiffness(const Assembly& assembly, std::vector<double>& row_x, std::vector<double>& row_y,
                      std::vector<double>& row_rotation) const;
 
+  // Forces found by another solver, in the order of pairs().
+  void keep(std::size_t pair, double normal_force, double shear_force) {
+    pairs_[pair].normal_force = normal_force;
+    pairs_[pair].shear_force = shear_force;
+  }
+
   [[nodiscard]] bool empty() const { return pairs_.empty(); }
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
   [[nodiscard]] double energy() const;  // J/m, stored now

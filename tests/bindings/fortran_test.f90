@@ -135,6 +135,7 @@ contains
     type(hfrac_simulation) :: sim
     type(hfrac_sim_state) :: state
     type(hfrac_balance) :: balance
+    type(hfrac_solver_report) :: solver
     real(real64) :: reached
     integer(c_int32_t) :: reason
     integer(int64) :: before
@@ -151,6 +152,8 @@ contains
     call sim%advance(0.06_real64, reached, reason)
     call expect(abs(reached - 0.06_real64) < 1e-9_real64 .and. reason == HFRAC_REASON_TARGET, 'advance')
     balance = sim%balance()
+    solver = sim%solver()
+    call expect(solver%kind == 0 .and. solver%newton_iterations == 0, 'explicit solver')
     call expect(balance%injected_volume > 0.0_real64 .and. balance%fracture > 0.0_real64, 'balance')
     call sim%step(-1, stat)
     call expect(stat == HFRAC_ERR_ARGUMENT, 'negative count')

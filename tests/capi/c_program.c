@@ -98,6 +98,7 @@ static void run(hfrac_sim* sim) {
   hfrac_sim_state state;
   hfrac_setup_report setup;
   hfrac_balance balance;
+  hfrac_solver_report solver;
   int64_t before = 0, after = 0, epoch = 0, later = 0;
   int32_t reason = -1;
   int calls = 0;
@@ -129,6 +130,9 @@ static void run(hfrac_sim* sim) {
   good(hfrac_get_balance(sim, &balance), sim, "get_balance");
   check(balance.injected_volume > 0.0 && fabs(balance.fluid_error) < 1e-6 * balance.injected_volume,
         "the fluid balance closes");
+  solver.struct_size = (int32_t)sizeof solver;
+  good(hfrac_sim_get_solver(sim, &solver), sim, "get_solver");
+  check(solver.kind == 0 && solver.newton_iterations == 0, "the explicit solver has no iterations");
 }
 
 static void drive_well(hfrac_sim* sim) {

@@ -22,6 +22,7 @@ std::vector<Call> all_calls() {
   static hfrac_sim_state state;
   static hfrac_setup_report setup;
   static hfrac_balance balance;
+  static hfrac_solver_report solver;
   static hfrac_well_state well;
   static hfrac_field_desc desc;
   static int32_t number;
@@ -34,6 +35,7 @@ std::vector<Call> all_calls() {
   state.struct_size = sizeof state;
   setup.struct_size = sizeof setup;
   balance.struct_size = sizeof balance;
+  solver.struct_size = sizeof solver;
   well.struct_size = sizeof well;
   desc.struct_size = sizeof desc;
   return {
@@ -44,6 +46,7 @@ std::vector<Call> all_calls() {
       {"hfrac_sim_get_state", [](hfrac_sim* s) { return hfrac_sim_get_state(s, &state); }},
       {"hfrac_sim_get_setup", [](hfrac_sim* s) { return hfrac_sim_get_setup(s, &setup); }},
       {"hfrac_get_balance", [](hfrac_sim* s) { return hfrac_get_balance(s, &balance); }},
+      {"hfrac_sim_get_solver", [](hfrac_sim* s) { return hfrac_sim_get_solver(s, &solver); }},
       {"hfrac_state_hash", [](hfrac_sim* s) { return hfrac_state_hash(s, &big); }},
       {"hfrac_well_count", [](hfrac_sim* s) { return hfrac_well_count(s, &number); }},
       {"hfrac_well_get", [](hfrac_sim* s) { return hfrac_well_get(s, 0, &well); }},
@@ -123,6 +126,7 @@ TEST(Misuse, NullResultsAreRefused) {
       {hfrac_sim_get_state(sim, nullptr), "hfrac_sim_get_state"},
       {hfrac_sim_get_setup(sim, nullptr), "hfrac_sim_get_setup"},
       {hfrac_get_balance(sim, nullptr), "hfrac_get_balance"},
+      {hfrac_sim_get_solver(sim, nullptr), "hfrac_sim_get_solver"},
       {hfrac_state_hash(sim, nullptr), "hfrac_state_hash"},
       {hfrac_well_count(sim, nullptr), "hfrac_well_count"},
       {hfrac_well_get(sim, 0, nullptr), "hfrac_well_get"},
@@ -159,6 +163,7 @@ TEST(Misuse, StructsNeverSizedAreRefused) {
     EXPECT_EQ(hfrac_sim_get_state(sim, static_cast<hfrac_sim_state*>(any)), HFRAC_ERR_STRUCT_SIZE);
     EXPECT_EQ(hfrac_sim_get_setup(sim, static_cast<hfrac_setup_report*>(any)), HFRAC_ERR_STRUCT_SIZE);
     EXPECT_EQ(hfrac_get_balance(sim, static_cast<hfrac_balance*>(any)), HFRAC_ERR_STRUCT_SIZE);
+    EXPECT_EQ(hfrac_sim_get_solver(sim, static_cast<hfrac_solver_report*>(any)), HFRAC_ERR_STRUCT_SIZE);
     EXPECT_EQ(hfrac_well_get(sim, 0, static_cast<hfrac_well_state*>(any)), HFRAC_ERR_STRUCT_SIZE);
     EXPECT_EQ(hfrac_field_info(sim, 0, static_cast<hfrac_field_desc*>(any)), HFRAC_ERR_STRUCT_SIZE);
     hfrac_sim* none = nullptr;

@@ -69,6 +69,9 @@ inline hfrac_setup_report setup_of(const hfrac_sim* sim) {
 inline hfrac_balance balance_of(const hfrac_sim* sim) {
   return read_struct<hfrac_balance>([&](auto* to) { return hfrac_get_balance(sim, to); });
 }
+inline hfrac_solver_report solver_of(const hfrac_sim* sim) {
+  return read_struct<hfrac_solver_report>([&](auto* to) { return hfrac_sim_get_solver(sim, to); });
+}
 inline hfrac_well_state well_of(const hfrac_sim* sim, int32_t index = 0) {
   return read_struct<hfrac_well_state>([&](auto* to) { return hfrac_well_get(sim, index, to); });
 }

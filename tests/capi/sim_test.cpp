@@ -352,6 +352,7 @@ TEST(SimStructs, MayBeOlderOrNewer) {
   expect_any_size<hfrac_sim_state>([&](auto* to) { return hfrac_sim_get_state(sim, to); });
   expect_any_size<hfrac_setup_report>([&](auto* to) { return hfrac_sim_get_setup(sim, to); });
   expect_any_size<hfrac_balance>([&](auto* to) { return hfrac_get_balance(sim, to); });
+  expect_any_size<hfrac_solver_report>([&](auto* to) { return hfrac_sim_get_solver(sim, to); });
   expect_any_size<hfrac_well_state>([&](auto* to) { return hfrac_well_get(sim, 0, to); });
   expect_any_size<hfrac_field_desc>([&](auto* to) { return hfrac_field_info(sim, HFRAC_DISC_RADIUS, to); });
   expect_any_size<hfrac_sim_def>([&](auto* to) { return hfrac_sim_definition(sim, to); });

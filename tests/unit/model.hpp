@@ -116,6 +116,9 @@ class Model {
   std::unique_ptr<ExplicitSolver> solver;
 };
 
+inline std::int64_t choice(SolverKind kind) {
+  return static_cast<std::int64_t>(kind);
+}
 inline std::int64_t choice(ContactMode mode) {
   return static_cast<std::int64_t>(mode);
 }

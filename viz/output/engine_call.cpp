@@ -61,6 +61,12 @@ hfrac_balance balance_of(const hfrac_sim* sim) {
   return balance;
 }
 
+hfrac_solver_report solver_of(const hfrac_sim* sim) {
+  auto report = sized<hfrac_solver_report>();
+  require(hfrac_sim_get_solver(sim, &report), sim);
+  return report;
+}
+
 int64_t state_hash_of(const hfrac_sim* sim) {
   int64_t hash = 0;
   require(hfrac_state_hash(sim, &hash), sim);

@@ -54,6 +54,7 @@ hfrac_sim_def definition_of(const hfrac_sim* sim);
 hfrac_sim_state state_of(const hfrac_sim* sim);
 hfrac_setup_report setup_of(const hfrac_sim* sim);
 hfrac_balance balance_of(const hfrac_sim* sim);
+hfrac_solver_report solver_of(const hfrac_sim* sim);
 int64_t state_hash_of(const hfrac_sim* sim);
 std::vector<hfrac_well_state> wells_of(const hfrac_sim* sim);
 

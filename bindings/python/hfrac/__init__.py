@@ -17,7 +17,7 @@ from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Pipes
 from ._grid import Grid
 from ._library import build_info, library_path, version
 from ._open_step import OpenStep
-from ._records import Balance, Crack, Fracture, SetupReport, SimState, WellState
+from ._records import Balance, Crack, Fracture, SetupReport, SimState, SolverReport, WellState
 from ._simulation import Advance, Simulation
 from ._view import View
 from ._well import Well
@@ -43,7 +43,7 @@ __all__ = [
     "FIELDS", "Advance", "ArgumentError", "BadHandleError", "Balance", "Bonds", "BusyError", "CaseFileError", "Crack",
     "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "FieldInfo", "Fracture", "GrdeclKind", "Grid", "HfracError",
     "InternalError", "LibraryError", "ModelError", "OpenStep", "Option", "OutOfMemoryError", "Pipes", "PoisonedError",
-    "SetupReport", "SimState", "Simulation", "StaleViewError", "Status", "StopReason", "StoppedError",
+    "SetupReport", "SimState", "Simulation", "SolverReport", "StaleViewError", "Status", "StopReason", "StoppedError",
     "StructSizeError", "UnknownKeyError", "Upscaling", "View", "Well", "WellControl", "WellState", "build_info", "library_path",
     "options", "version",
 ]

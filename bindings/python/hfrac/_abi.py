@@ -247,6 +247,11 @@ class hfrac_sim_def(ctypes.Structure):
         ("stop_cracks", ctypes.c_int64),
         ("run_workers", ctypes.c_int64),
         ("output_every", ctypes.c_int64),
+        ("solver_kind", ctypes.c_int64),
+        ("solver_tolerance", ctypes.c_double),
+        ("solver_pressure_change", ctypes.c_double),
+        ("solver_strength_overshoot", ctypes.c_double),
+        ("solver_smallest_step", ctypes.c_double),
         ("well_count", ctypes.c_int64),
         ("wells", hfrac_well_def * 8),
         ("title", ctypes.c_char * 128),
@@ -342,6 +347,26 @@ class hfrac_balance(ctypes.Structure):
         ("leaked_volume", ctypes.c_double),
         ("fluid_error", ctypes.c_double),
         ("host_volume", ctypes.c_double),
+    ]
+
+
+class hfrac_solver_report(ctypes.Structure):
+    """What the quasi-static solver did since set-up; all 0 with solver.kind "explicit". Set struct_size before the
+    call.
+    """
+
+    _fields_ = [
+        ("struct_size", ctypes.c_int32),
+        ("kind", ctypes.c_int32),
+        ("part", ctypes.c_double),
+        ("parts", ctypes.c_int64),
+        ("rounds", ctypes.c_int64),
+        ("newton_iterations", ctypes.c_int64),
+        ("linear_iterations", ctypes.c_int64),
+        ("factors", ctypes.c_int64),
+        ("rejected_error", ctypes.c_int64),
+        ("rejected_strength", ctypes.c_int64),
+        ("rejected_divergence", ctypes.c_int64),
     ]
 
 
@@ -568,6 +593,10 @@ SIGNATURES = {
     "hfrac_get_balance": (
         ctypes.c_void_p,
         ctypes.POINTER(hfrac_balance),
+    ),
+    "hfrac_sim_get_solver": (
+        ctypes.c_void_p,
+        ctypes.POINTER(hfrac_solver_report),
     ),
     "hfrac_state_hash": (
         ctypes.c_void_p,

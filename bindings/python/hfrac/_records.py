@@ -172,6 +172,47 @@ class Balance(NamedTuple):
         )
 
 
+class SolverReport(NamedTuple):
+    """What the quasi-static solver did since set-up; all 0 with solver.kind "explicit"."""
+
+    #: 0 explicit, 1 quasi-static
+    kind: int
+    #: [s] mode "coupled": length of the next part of a step
+    part: float
+    #: mode "coupled": parts of steps that stand
+    parts: int
+    #: equilibria found: one a solve, and one more each time bonds broke
+    rounds: int
+    #: of Newton's method
+    newton_iterations: int
+    #: of the linear solver
+    linear_iterations: int
+    #: factors of a tangent computed
+    factors: int
+    #: parts put back because of solver.pressure_change
+    rejected_error: int
+    #: parts put back because of solver.strength_overshoot
+    rejected_strength: int
+    #: parts put back because no equilibrium was found
+    rejected_divergence: int
+
+    @classmethod
+    def of(cls, struct: _abi.hfrac_solver_report) -> "SolverReport":
+        """The struct's values."""
+        return cls(
+            struct.kind,
+            struct.part,
+            struct.parts,
+            struct.rounds,
+            struct.newton_iterations,
+            struct.linear_iterations,
+            struct.factors,
+            struct.rejected_error,
+            struct.rejected_strength,
+            struct.rejected_divergence,
+        )
+
+
 class WellState(NamedTuple):
     """One well as it stands."""
 

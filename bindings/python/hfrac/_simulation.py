@@ -12,7 +12,7 @@ from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Pipes
 from ._library import call, load
 from ._open_step import OpenStep
 from ._progress import Progress, ProgressFunction
-from ._records import Balance, Crack, Fracture, SetupReport, SimState
+from ._records import Balance, Crack, Fracture, SetupReport, SimState, SolverReport
 from ._view import View
 from ._well import Well
 from .errors import BadHandleError, StoppedError, UnknownKeyError
@@ -201,6 +201,11 @@ class Simulation:
     def balance(self) -> Balance:
         """Energy and fluid since the end of the set-up."""
         return Balance.of(self._read("hfrac_get_balance", _abi.hfrac_balance))
+
+    @property
+    def solver(self) -> SolverReport:
+        """What the quasi-static solver did since set-up."""
+        return SolverReport.of(self._read("hfrac_sim_get_solver", _abi.hfrac_solver_report))
 
     @property
     def state_hash(self) -> int:

@@ -140,8 +140,10 @@ typedef struct hfrac_sim_def {
    * across the boundary. Default 0. */
   int64_t flow_outer;
 
-  /** 0: substep, 1: dynamic. substep: one flow step, then mechanics to rest, breakage included (the paper's
-   * sub-step). dynamic: Newton's law in real time, flow_step seconds a step. Default 0. */
+  /** 0: substep, 1: dynamic, 2: coupled. substep: one flow step, then mechanics to rest, breakage included
+   * (the paper's sub-step). dynamic: Newton's law in real time, flow_step seconds a step. coupled: flow,
+   * equilibrium and breakage together in the fluid's time, flow_step seconds a step in as many parts as it
+   * takes; needs the quasi-static solver. Default 0. */
   int64_t stepping_mode;
   /** [s] Fluid time of one step. Default 1.0. */
   double stepping_flow_step;

@@ -24,7 +24,8 @@ HFRAC_API int32_t hfrac_sim_destroy(hfrac_sim **sim);
 /** The definition the simulation was built from, defaults filled in; `def->struct_size` must be set. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_definition(const hfrac_sim *sim, hfrac_sim_def *def);
 
-/** Takes `count` steps (sub-steps in mode "substep", stepping.flow_step seconds of real motion each in mode "dynamic").
+/** Takes `count` steps (sub-steps in mode "substep", stepping.flow_step seconds of real motion each in mode "dynamic",
+ * stepping.flow_step seconds of flow and equilibrium together in mode "coupled").
  * HFRAC_STOPPED if the progress callback asked for it: the simulation is then at its last whole step.
  * HFRAC_NOT_AT_REST if the last step did not reach stepping.force_ratio. Stable since 0.1. */
 HFRAC_API int32_t hfrac_step(hfrac_sim *sim, int64_t count);
@@ -111,6 +112,23 @@ typedef struct hfrac_balance {
 } hfrac_balance;
 /** Energy and fluid balance now. Stable since 0.1. */
 HFRAC_API int32_t hfrac_get_balance(const hfrac_sim *sim, hfrac_balance *balance);
+
+/** What the quasi-static solver did since set-up; all 0 with solver.kind "explicit". Set struct_size before the call. */
+typedef struct hfrac_solver_report {
+  int32_t struct_size;         /**< sizeof(hfrac_solver_report) of the caller */
+  int32_t kind;                /**< 0 explicit, 1 quasi-static */
+  double part;                 /**< [s] mode "coupled": length of the next part of a step */
+  int64_t parts;               /**< mode "coupled": parts of steps that stand */
+  int64_t rounds;              /**< equilibria found: one a solve, and one more each time bonds broke */
+  int64_t newton_iterations;   /**< of Newton's method */
+  int64_t linear_iterations;   /**< of the linear solver */
+  int64_t factors;             /**< factors of a tangent computed */
+  int64_t rejected_error;      /**< parts put back because of solver.pressure_change */
+  int64_t rejected_strength;   /**< parts put back because of solver.strength_overshoot */
+  int64_t rejected_divergence; /**< parts put back because no equilibrium was found */
+} hfrac_solver_report;
+/** What the quasi-static solver did since set-up. Unstable since 0.1. */
+HFRAC_API int32_t hfrac_sim_get_solver(const hfrac_sim *sim, hfrac_solver_report *report);
 
 /** A number that is equal if and only if (up to collision) the state is equal, bit for bit. Stable since 0.1. */
 HFRAC_API int32_t hfrac_state_hash(const hfrac_sim *sim, int64_t *hash);

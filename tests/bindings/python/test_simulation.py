@@ -70,6 +70,7 @@ class Running(unittest.TestCase):
     def test_balance_closes(self):
         with small() as sim:
             sim.step(5)
+            self.assertEqual((sim.solver.kind, sim.solver.newton_iterations), (0, 0))
             balance = sim.balance
             self.assertGreater(balance.injected_volume, 0.0)
             self.assertLess(abs(balance.fluid_error), 1e-6 * balance.injected_volume)

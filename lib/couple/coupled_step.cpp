@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Steps of the quasi-static solver.
+//
+// substep  the order of step.cpp, with equilibrium solved for instead of waited for
+// coupled  flow, equilibrium and breakage solved together (equilibrium/coupled_system.hpp) in parts of a step. A part is as
+//          long as three things allow: the error of backward Euler, estimated against a straight line through the part before;
+//          no bond farther beyond its strength than solver.strength_overshoot before it breaks; convergence. A part that
+//          fails one of them is put back and tried again shorter, down to solver.smallest_step.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+#include "couple/simulation.hpp"
+#include "flow/aperture.hpp"
+#include "options/number_text.hpp"
+
+namespace hfrac {
+namespace {
+
+constexpr double longest_growth = 2.0, shortest_cut = 0.1;
+
+}  // namespace
+
+Simulation::StepOutcome Simulation::quasi_static_substep(double duration,
+                                                         const std::function<bool()>& interrupt) {
+  flow_step(duration);
+  const std::size_t cracks_before = cracks_.size();
+  const auto rest = equilibrium_->solve(0.0, {}, std::numeric_limits<double>::infinity(), cracks_, interrupt);
+  if (rest.end == EquilibriumSolver::End::stopped) return {true, at_rest_};
+  if (rest.end != EquilibriumSolver::End::rest) {
+    throw Error(ErrorKind::diverged, "no equilibrium was found after " + number_text(time_) +
+                                         " s: the unbalanced-force ratio stayed at " +
+                                         number_text(rest.force_ratio) +
+                                         "; use a shorter stepping.flow_step or solver.kind = \"explicit\"");
+  }
+  count(rest);
+  force_ratio_ = rest.force_ratio;
+  at_rest_ = true;
+  if (flow_) update_apertures(network_, assembly_, options());
+  solver_->search_contacts(cracks_);
+  finish_step(duration, cracks_before);
+  return {false, true};
+}
+
+void Simulation::count(const EquilibriumSolver::Outcome& outcome) {
+  work_.newton += outcome.newton;
+  work_.krylov += outcome.krylov;
+  work_.factors += outcome.factors;
+  work_.rounds += outcome.rounds;
+}
+
+// Backward Euler's error of a part: how far the pressures lie from where the part before was heading, half of it, over
+// how far they lie from the formation's; both summed over the pores.
+double Simulation::part_error(double part) const {
+  double off = 0.0, all = 0.0;
+  for (std::size_t d = 1; d < network_.kind.size(); ++d) {
+    if (network_.stiffness[d] <= 0.0) continue;
+    const double heading = part_pressure_[d] + part * pressure_rate_[d];
+    off += 0.5 * std::abs(network_.pressure[d] - heading);
+    all += std::max(std::abs(network_.pressure[d] - network_.reference_pressure),
+                    std::abs(part_pressure_[d] - network_.reference_pressure));
+  }
+  return all > 0.0 ? off / all : 0.0;
+}
+
+Simulation::StepOutcome Simulation::coupled_step(double duration, const std::function<bool()>& interrupt) {
+  using End = EquilibriumSolver::End;
+  const Options& o = options();
+  const std::size_t cracks_before = cracks_.size();
+  double done = 0.0;
+  if (!(part_ > 0.0)) part_ = duration;
+  while (done < duration) {
+    double part = std::min(part_, duration - done);
+    if (part < duration - done && 2.0 * part > duration - done) part = 0.5 * (duration - done);
+    save_state(before_part_);
+    part_pressure_.assign(network_.pressure.begin(), network_.pressure.end());
+    const std::size_t cracks_at = cracks_.size();
+    const bool shortest = part <= o.solver_smallest_step;
+    const auto outcome = equilibrium_->solve(
+        part, source_, shortest ? std::numeric_limits<double>::infinity() : 1.0 + o.solver_strength_overshoot,
+        cracks_, interrupt);
+    if (outcome.end == End::stopped) return {true, at_rest_};
+    const double error = outcome.end == End::rest ? part_error(part) : 0.0;
+    const bool broke = cracks_.size() > cracks_at;
+    if (outcome.end != End::rest || (error > 3.0 * o.solver_pressure_change && !shortest)) {
+      if (shortest) {
+        throw Error(ErrorKind::diverged, "no equilibrium was found at " + number_text(time_ + done) +
+                                             " s, not even for a part of " + number_text(part) +
+                                             " s: the unbalanced-force ratio stayed at " +
+                                             number_text(outcome.force_ratio) +
+                                             "; the state before the step stands. Lower "
+                                             "solver.smallest_step, or use solver.kind = \"explicit\"");
+      }
+      double cut = 0.25;
+      SolverWork rejected = work_;
+      if (outcome.end == End::overshoot) {
+        // Where between the last part's stress and this one's the first bond reaches its strength.
+        cut = (1.0 + 0.5 * o.solver_strength_overshoot - excess_) / (outcome.excess - excess_);
+        ++rejected.rejected_strength;
+      } else if (outcome.end == End::rest) {
+        cut = 0.9 * std::sqrt(o.solver_pressure_change / error);
+        ++rejected.rejected_error;
+      } else {
+        ++rejected.rejected_stuck;
+      }
+      load_state(before_part_);
+      work_ = rejected;
+      count(outcome);
+      part_ = std::max(o.solver_smallest_step, part * std::clamp(cut, shortest_cut, 0.8));
+      continue;
+    }
+    count(outcome);
+    ++work_.parts;
+    excess_ = std::min(outcome.excess, 1.0);
+    for (std::size_t d = 0; d < pressure_rate_.size(); ++d)
+      pressure_rate_[d] = broke ? 0.0 : (network_.pressure[d] - part_pressure_[d]) / part;
+    force_ratio_ = outcome.force_ratio;
+    at_rest_ = true;
+    book_flow(part);
+    done += part;
+    update_apertures(network_, assembly_, o);
+    solver_->search_contacts(cracks_);
+    const double growth = error > 0.0 ? 0.9 * std::sqrt(o.solver_pressure_change / error) : longest_growth;
+    if (part == part_ || growth < 1.0) part_ = part * std::clamp(growth, shortest_cut, longest_growth);
+  }
+  close_step(duration, cracks_before);
+  return {false, true};
+}
+
+}  // namespace hfrac

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "equilibrium/bond_response.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "options/choices.hpp"
+
+namespace hfrac {
+namespace {
+
+// Stiffnesses and forces along the three ways a pair can move.
+struct Components {
+  double normal = 0.0, shear = 0.0, moment = 0.0;  // N, N, N m
+  double normal_stiffness = 0.0, shear_stiffness = 0.0, shear_by_gap = 0.0, moment_stiffness = 0.0;
+};
+
+void fill(BondResponse& r, const Components& c, Vec2 n, double now, double length, double arm_i,
+          double arm_j) {
+  const Vec2 t{-n.y, n.x};
+  const double turn = length / now;  // du_s / d(displacement along t)
+  r.normal = c.normal;
+  r.shear = c.shear;
+  r.normal_stiffness = c.normal_stiffness;
+  r.direction = n;
+  r.force[0] = c.normal * n.x + c.shear * turn * t.x;
+  r.force[1] = c.normal * n.y + c.shear * turn * t.y;
+  r.force[2] = -(c.shear * arm_i + c.moment);
+  r.force[3] = -(c.shear * arm_j - c.moment);
+  const double nn = c.normal_stiffness, tt = c.shear_stiffness * turn * turn + c.normal / now,
+               bent = -c.shear * length / (now * now), tn = c.shear_by_gap * turn;
+  double* k = r.tangent;
+  k[0] = nn * n.x * n.x + tt * t.x * t.x + (2.0 * bent + tn) * t.x * n.x;
+  k[1] = nn * n.x * n.y + tt * t.x * t.y + bent * (n.x * t.y + t.x * n.y) + tn * t.x * n.y;
+  k[4] = nn * n.x * n.y + tt * t.x * t.y + bent * (n.x * t.y + t.x * n.y) + tn * t.y * n.x;
+  k[5] = nn * n.y * n.y + tt * t.y * t.y + (2.0 * bent + tn) * t.y * n.y;
+  const double across = c.shear_stiffness * turn;
+  k[2] = -across * arm_i * t.x;
+  k[3] = -across * arm_j * t.x;
+  k[6] = -across * arm_i * t.y;
+  k[7] = -across * arm_j * t.y;
+  k[8] = k[2] - arm_i * c.shear_by_gap * n.x;
+  k[9] = k[6] - arm_i * c.shear_by_gap * n.y;
+  k[12] = k[3] - arm_j * c.shear_by_gap * n.x;
+  k[13] = k[7] - arm_j * c.shear_by_gap * n.y;
+  k[10] = c.shear_stiffness * arm_i * arm_i + c.moment_stiffness;
+  k[11] = k[14] = c.shear_stiffness * arm_i * arm_j - c.moment_stiffness;
+  k[15] = c.shear_stiffness * arm_j * arm_j + c.moment_stiffness;
+}
+
+// Adds a frictional contact pressed together by `squeeze` >= 0 whose shear spring would bear `trial`.
+void add_contact(Components& c, const Options& o, double squeeze, double trial) {
+  c.normal -= squeeze;
+  c.normal_stiffness += o.contact_normal_stiffness;
+  const double limit = o.contact_friction * squeeze;
+  if (std::abs(trial) <= limit) {
+    c.shear += trial;
+    c.shear_stiffness += o.contact_shear_stiffness;
+  } else {
+    c.shear += std::copysign(limit, trial);
+    c.shear_by_gap -= std::copysign(o.contact_friction * o.contact_normal_stiffness, trial);
+  }
+}
+
+}  // namespace
+
+BondResponse respond(const Assembly& a, const Options& o, std::int64_t e) {
+  const auto i = a.first[e], j = a.second[e];
+  const Vec2 du{a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, d0{a.dx[e], a.dy[e]}, d = d0 + du;
+  const double now = std::sqrt(dot(d, d)), length = a.length[e];
+  const double arm_i = a.arm[e], arm_j = length - arm_i;
+  BondResponse r;
+  r.gap = (2.0 * dot(d0, du) + dot(du, du)) / (now + length);
+  const double sine = cross(d0, du) / now, s2 = sine * sine / (length * length);
+  const double shear = sine * (1.0 + s2 * (1.0 / 6.0 + s2 * (3.0 / 40.0 + s2 * (15.0 / 336.0)))) -
+                       (arm_i * a.rotation[i] + arm_j * a.rotation[j]);
+  const bool intact = a.intact[e] > 0.0;
+  Components c;
+  if (intact) {
+    const double radius = a.bond_radius[e];
+    c.normal_stiffness = o.bond_normal_stiffness;
+    c.shear_stiffness = o.bond_shear_stiffness;
+    c.moment_stiffness = o.bond_normal_stiffness * radius * radius / 3.0;
+    c.normal = c.normal_stiffness * r.gap;
+    c.shear = c.shear_stiffness * shear;
+    c.moment = c.moment_stiffness * (a.rotation[j] - a.rotation[i]);
+  }
+  const bool present = !intact || ContactMode{o.contact_mode} == ContactMode::parallel;
+  if (present && r.gap < 0.0)
+    add_contact(c, o, -o.contact_normal_stiffness * r.gap, o.contact_shear_stiffness * (shear - a.slip[e]));
+  fill(r, c, (1.0 / now) * d, now, length, arm_i, arm_j);
+  return r;
+}
+
+BondResponse respond(const Assembly& a, const Options& o, const LooseContacts::Pair& pair,
+                     const PairStart& start) {
+  const auto i = pair.first, j = pair.second;
+  const Vec2 d = a.position(j) - a.position(i);
+  const double now = std::sqrt(dot(d, d)), touch = a.radius[i] + a.radius[j];
+  BondResponse r{};
+  r.gap = now - touch - pair.reference_gap;
+  r.direction = (1.0 / now) * d;
+  if (r.gap >= 0.0) return r;
+  const double share = now / touch, arm_i = share * a.radius[i], arm_j = share * a.radius[j];
+  const Vec2 moved = d - start.between, t{-r.direction.y, r.direction.x};
+  const double slide =
+      dot(moved, t) - arm_i * (a.rotation[i] - start.first) - arm_j * (a.rotation[j] - start.second);
+  Components c;
+  add_contact(c, o, -o.contact_normal_stiffness * r.gap,
+              pair.shear_force + o.contact_shear_stiffness * slide);
+  fill(r, c, r.direction, now, now, arm_i, arm_j);
+  return r;
+}
+
+}  // namespace hfrac

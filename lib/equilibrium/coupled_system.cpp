@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "equilibrium/coupled_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flow/aperture.hpp"
+#include "options/choices.hpp"
+
+namespace hfrac {
+
+CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& boundary,
+                             const LooseContacts& loose, const Options& options)
+    : assembly_(assembly),
+      network_(network),
+      boundary_(boundary),
+      loose_(loose),
+      options_(options),
+      discs_(assembly.disc_count()),
+      domains_(network.domain_count()),
+      servo_walls_(boundary.walled() && boundary.follows_far_field() ? boundary.walls().size() : 0),
+      wet_(FlowScheme{options.flow_scheme} != FlowScheme::off),
+      closed_outside_(OuterPores{options.flow_outer} == OuterPores::closed),
+      force_scale_(options.contact_normal_stiffness),
+      length_scale_(assembly.mean_radius),
+      pressure_scale_(force_scale_ / length_scale_),
+      bonds_(static_cast<std::size_t>(assembly.bond_count())),
+      aperture_change_(static_cast<std::size_t>(assembly.bond_count()), 0.0),
+      at_floor_(static_cast<std::size_t>(domains_), 0) {
+  residual_.setZero(3 * discs_ + domains_ + static_cast<Eigen::Index>(servo_walls_));
+  if (boundary.walled()) return;
+  // A body held by nothing: three springs take up rounding. At equilibrium they bear nothing.
+  std::int32_t lowest = 0, far = 0;
+  const auto& a = assembly_;
+  for (std::int32_t i = 1; i < discs_; ++i) {
+    if (a.x[i] + a.y[i] < a.x[lowest] + a.y[lowest]) lowest = i;
+  }
+  const auto distance = [&](std::int32_t i) {
+    return std::hypot(a.x[i] - a.x[lowest], a.y[i] - a.y[lowest]);
+  };
+  for (std::int32_t i = 1; i < discs_; ++i) {
+    if (distance(i) > distance(far)) far = i;
+  }
+  const Vec2 line = (1.0 / distance(far)) * Vec2{a.x[far] - a.x[lowest], a.y[far] - a.y[lowest]};
+  pins_ = {{lowest, {1.0, 0.0}, 0.0}, {lowest, {0.0, 1.0}, 0.0}, {far, {-line.y, line.x}, 0.0}};
+}
+
+void CoupledSystem::begin(double duration, const std::vector<double>& source) {
+  const auto& a = assembly_;
+  duration_ = duration;
+  source_ = source;
+  source_.resize(static_cast<std::size_t>(domains_), 0.0);
+  content_start_.assign(network_.content.begin(), network_.content.end());
+  keep_pairs();
+  for (auto& pin : pins_) pin.start = dot({a.ux[pin.disc], a.uy[pin.disc]}, pin.along);
+}
+
+void CoupledSystem::keep_pairs() {
+  const auto& a = assembly_;
+  pair_start_.clear();
+  for (const auto& pair : loose_.pairs()) {
+    pair_start_.push_back(
+        {a.position(pair.second) - a.position(pair.first), a.rotation[pair.first], a.rotation[pair.second]});
+  }
+}
+
+void CoupledSystem::add_pair(const BondResponse& r, std::int32_t i, std::int32_t j) {
+  residual_[3 * i] += r.force[0];
+  residual_[3 * i + 1] += r.force[1];
+  residual_[3 * j] -= r.force[0];
+  residual_[3 * j + 1] -= r.force[1];
+  residual_[3 * i + 2] -= r.force[2];
+  residual_[3 * j + 2] -= r.force[3];
+}
+
+void CoupledSystem::evaluate() {
+  const auto& a = assembly_;
+  residual_.setZero();
+  contact_force_ = 0.0;
+  for (std::size_t e = 0; e < bonds_.size(); ++e) {
+    bonds_[e] = respond(a, options_, static_cast<std::int64_t>(e));
+    contact_force_ += std::abs(bonds_[e].force[0]) + std::abs(bonds_[e].force[1]);
+    add_pair(bonds_[e], a.first[e], a.second[e]);
+  }
+  pairs_.resize(loose_.pairs().size());
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const auto& pair = loose_.pairs()[k];
+    pairs_[k] = respond(a, options_, pair, pair_start_[k]);
+    if (pairs_[k].gap < 0.0) add_pair(pairs_[k], pair.first, pair.second);
+  }
+  for (std::int32_t i = 0; i < discs_; ++i) {
+    const Vec2 load = boundary_.load_on(i);
+    Vec2 push{};
+    if (wet_) {
+      for (auto k = network_.disc_corner_start[i]; k < network_.disc_corner_start[i + 1]; ++k) {
+        const double p = network_.pressure[network_.disc_corner_domain[k]];
+        push = push + p * Vec2{network_.disc_corner_weight[2 * k], network_.disc_corner_weight[2 * k + 1]};
+      }
+    }
+    residual_[3 * i] += load.x + push.x;
+    residual_[3 * i + 1] += load.y + push.y;
+  }
+  for (const auto& pin : pins_) {
+    const double bears = force_scale_ * (dot({a.ux[pin.disc], a.uy[pin.disc]}, pin.along) - pin.start);
+    residual_[3 * pin.disc] -= bears * pin.along.x;
+    residual_[3 * pin.disc + 1] -= bears * pin.along.y;
+  }
+  if (boundary_.walled()) evaluate_walls();
+  if (wet_) {
+    evaluate_pipes();
+    evaluate_domains();
+  }
+  measure();
+  for (std::int64_t i = 0; i < discs_; ++i) {
+    residual_[3 * i] /= force_scale_;
+    residual_[3 * i + 1] /= force_scale_;
+    residual_[3 * i + 2] /= force_scale_ * length_scale_;
+  }
+}
+
+void CoupledSystem::evaluate_walls() {
+  const double k = options_.contact_normal_stiffness;
+  for (std::size_t w = 0; w < boundary_.walls().size(); ++w) {
+    const auto& wall = boundary_.walls()[w];
+    double push = 0.0;
+    for (const auto i : wall.discs) {
+      const double closing = wall.displacement - dot({assembly_.ux[i], assembly_.uy[i]}, wall.inward);
+      if (closing <= 0.0) continue;
+      push += k * closing;
+      residual_[3 * i] += k * closing * wall.inward.x;
+      residual_[3 * i + 1] += k * closing * wall.inward.y;
+    }
+    if (w < servo_walls_) residual_[wall_at(w)] = (wall.target * wall.length - push) / force_scale_;
+  }
+}
+
+// Apertures of the displacements at hand, and what a change of gap does to the flow.
+void CoupledSystem::evaluate_pipes() {
+  if (duration_ <= 0.0) return;
+  auto& n = network_;
+  for (std::size_t e = 0; e < bonds_.size(); ++e) {
+    const auto l = n.left[e], r = n.right[e];
+    aperture_change_[e] = 0.0;
+    if (l == r || (closed_outside_ && (l == 0 || r == 0))) {
+      n.conductance[e] = 0.0;
+      continue;
+    }
+    const auto w = aperture_response(options_, n.zero_stress_aperture, bonds_[e].gap, bonds_[e].normal,
+                                     bonds_[e].normal_stiffness, assembly_.intact[e] > 0.0);
+    n.aperture[e] = w.aperture;
+    n.conductance[e] = conductance(options_, w.aperture, n.pipe_length[e]);
+    aperture_change_[e] =
+        duration_ * 3.0 * n.conductance[e] / w.aperture * w.by_gap * (n.pressure[l] - n.pressure[r]);
+  }
+}
+
+void CoupledSystem::evaluate_domains() {
+  auto& n = network_;
+  for (std::size_t d = 0; d < content_start_.size(); ++d)
+    n.content[d] = content_start_[d] + duration_ * source_[d];
+  if (duration_ > 0.0) {
+    for (std::size_t e = 0; e < bonds_.size(); ++e) {
+      const double moved = duration_ * n.conductance[e] * (n.pressure[n.left[e]] - n.pressure[n.right[e]]);
+      n.content[n.left[e]] -= moved;
+      n.content[n.right[e]] += moved;
+    }
+  }
+  pressure_error_ = 0.0;
+  double range = 1.0;
+  for (std::int64_t d = 0; d < domains_; ++d) {
+    double change = 0.0;
+    for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
+      change += n.corner_weight[2 * k] * assembly_.ux[n.corner_disc[k]] +
+                n.corner_weight[2 * k + 1] * assembly_.uy[n.corner_disc[k]];
+    }
+    range = std::max(range, std::abs(n.pressure[d] - n.reference_pressure));
+    auto& r = residual_[pressure_at(d)];
+    at_floor_[static_cast<std::size_t>(d)] = 1;
+    if (n.stiffness[d] <= 0.0) {  // imposed; what it holds the books find out
+      n.content[d] = content_start_[static_cast<std::size_t>(d)];
+      r = 0.0;
+      continue;
+    }
+    const double full = n.reference_pressure + n.stiffness[d] * (n.content[d] - change);
+    const double target = std::max(full, n.floor_pressure);
+    pressure_error_ = std::max(pressure_error_, std::abs(n.pressure[d] - target));
+    if (full > n.floor_pressure) {
+      at_floor_[static_cast<std::size_t>(d)] = 0;
+      r = (n.pressure[d] - full) / n.stiffness[d] / length_scale_;
+    } else {
+      r = (n.pressure[d] - n.floor_pressure) / pressure_scale_;
+    }
+  }
+  pressure_error_ /= range;
+}
+
+void CoupledSystem::measure() {
+  double unbalanced = 0.0;
+  for (std::int64_t i = 0; i < discs_; ++i) {
+    unbalanced += std::abs(residual_[3 * i]) + std::abs(residual_[3 * i + 1]) +
+                  std::abs(residual_[3 * i + 2]) / assembly_.radius[i];
+  }
+  // Below a strain of 1e-12 everywhere there is nothing to balance.
+  const double least = 1e-12 * force_scale_ * length_scale_;
+  const double mean = contact_force_ / static_cast<double>(std::max<std::size_t>(1, bonds_.size()));
+  force_ratio_ = unbalanced / static_cast<double>(discs_) / std::max(mean, least);
+  for (std::size_t w = 0; w < servo_walls_; ++w)
+    force_ratio_ = std::max(
+        force_ratio_, std::abs(residual_[wall_at(w)]) * force_scale_ /
+                          std::max(mean * static_cast<double>(boundary_.walls()[w].discs.size()), least));
+}
+
+void CoupledSystem::pair_product(const double* k, std::int32_t i, std::int32_t j, const Vector& x,
+                                 Vector& y) const {
+  const double q[4] = {x[3 * j] - x[3 * i], x[3 * j + 1] - x[3 * i + 1], x[3 * i + 2] / length_scale_,
+                       x[3 * j + 2] / length_scale_};
+  double f[4];
+  for (int row = 0; row < 4; ++row) {
+    f[row] = (k[4 * row] * q[0] + k[4 * row + 1] * q[1] + k[4 * row + 2] * q[2] + k[4 * row + 3] * q[3]) /
+             force_scale_;
+  }
+  y[3 * i] -= f[0];
+  y[3 * i + 1] -= f[1];
+  y[3 * j] += f[0];
+  y[3 * j + 1] += f[1];
+  y[3 * i + 2] += f[2] / length_scale_;
+  y[3 * j + 2] += f[3] / length_scale_;
+}
+
+void CoupledSystem::product(const Vector& x, Vector& y) const {
+  const auto& a = assembly_;
+  const auto& n = network_;
+  y.setZero(x.size());
+  for (std::size_t e = 0; e < bonds_.size(); ++e)
+    pair_product(bonds_[e].tangent, a.first[e], a.second[e], x, y);
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    if (pairs_[k].gap < 0.0)
+      pair_product(pairs_[k].tangent, loose_.pairs()[k].first, loose_.pairs()[k].second, x, y);
+  }
+  for (const auto& pin : pins_) {
+    const double moved = x[3 * pin.disc] * pin.along.x + x[3 * pin.disc + 1] * pin.along.y;
+    y[3 * pin.disc] += moved * pin.along.x;
+    y[3 * pin.disc + 1] += moved * pin.along.y;
+  }
+  if (boundary_.walled()) {
+    for (std::size_t w = 0; w < boundary_.walls().size(); ++w) {
+      const auto& wall = boundary_.walls()[w];
+      for (const auto i : wall.discs) {
+        if (wall.displacement - dot({a.ux[i], a.uy[i]}, wall.inward) <= 0.0) continue;
+        double closing = -(x[3 * i] * wall.inward.x + x[3 * i + 1] * wall.inward.y);
+        if (w < servo_walls_) closing += x[wall_at(w)];
+        y[3 * i] -= closing * wall.inward.x;
+        y[3 * i + 1] -= closing * wall.inward.y;
+        if (w < servo_walls_) y[wall_at(w)] += closing;
+      }
+    }
+  }
+  if (!wet_) {
+    for (std::int64_t d = 0; d < domains_; ++d) y[pressure_at(d)] = -x[pressure_at(d)];
+    return;
+  }
+  for (std::int32_t i = 0; i < discs_; ++i) {
+    for (auto k = n.disc_corner_start[i]; k < n.disc_corner_start[i + 1]; ++k) {
+      const double p = x[pressure_at(n.disc_corner_domain[k])] / length_scale_;
+      y[3 * i] -= p * n.disc_corner_weight[2 * k];
+      y[3 * i + 1] -= p * n.disc_corner_weight[2 * k + 1];
+    }
+  }
+  for (std::int64_t d = 0; d < domains_; ++d) {
+    auto& out = y[pressure_at(d)];
+    if (at_floor_[static_cast<std::size_t>(d)] != 0) {
+      out = -x[pressure_at(d)];
+      continue;
+    }
+    double change = 0.0;
+    for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
+      change += n.corner_weight[2 * k] * x[3 * n.corner_disc[k]] +
+                n.corner_weight[2 * k + 1] * x[3 * n.corner_disc[k] + 1];
+    }
+    out = -(change + pressure_scale_ / n.stiffness[d] * x[pressure_at(d)]) / length_scale_;
+  }
+  if (duration_ <= 0.0) return;
+  for (std::size_t e = 0; e < bonds_.size(); ++e) {
+    const auto l = n.left[e], r = n.right[e];
+    if (n.conductance[e] == 0.0) continue;
+    const auto i = a.first[e], j = a.second[e];
+    const double opened = aperture_change_[e] == 0.0
+                              ? 0.0
+                              : aperture_change_[e] * (bonds_[e].direction.x * (x[3 * j] - x[3 * i]) +
+                                                       bonds_[e].direction.y * (x[3 * j + 1] - x[3 * i + 1]));
+    const double moved =
+        (duration_ * n.conductance[e] * pressure_scale_ * (x[pressure_at(l)] - x[pressure_at(r)]) + opened) /
+        length_scale_;
+    if (at_floor_[static_cast<std::size_t>(l)] == 0) y[pressure_at(l)] -= moved;
+    if (at_floor_[static_cast<std::size_t>(r)] == 0) y[pressure_at(r)] += moved;
+  }
+}
+
+double CoupledSystem::largest_move(const Vector& x) const {
+  double largest = 0.0;
+  for (std::int64_t i = 0; i < discs_; ++i)
+    largest = std::max({largest, std::abs(x[3 * i]), std::abs(x[3 * i + 1])});
+  return largest;
+}
+
+void CoupledSystem::move(const Vector& x, double share) {
+  auto& a = assembly_;
+  for (std::int64_t i = 0; i < discs_; ++i) {
+    a.ux[i] += share * x[3 * i];
+    a.uy[i] += share * x[3 * i + 1];
+    a.rotation[i] += share * x[3 * i + 2] / length_scale_;
+  }
+  if (wet_) {
+    for (std::int64_t d = 0; d < domains_; ++d) {
+      if (network_.stiffness[d] > 0.0) network_.pressure[d] += share * pressure_scale_ * x[pressure_at(d)];
+    }
+  }
+  for (std::size_t w = 0; w < servo_walls_; ++w) boundary_.shift_wall(w, share * x[wall_at(w)]);
+}
+
+void CoupledSystem::keep_flow() {
+  for (std::size_t e = 0; e < bonds_.size(); ++e) {
+    network_.flow[e] = network_.conductance[e] *
+                       (network_.pressure[network_.left[e]] - network_.pressure[network_.right[e]]);
+  }
+}
+
+}  // namespace hfrac

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "equilibrium/equilibrium_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstdio>
+
+#include "core/error.hpp"
+
+namespace hfrac {
+namespace {
+
+constexpr int most_newton = 40;    // iterations of a round
+constexpr int most_rounds = 2000;  // of a solve
+constexpr int most_krylov = 40;    // iterations of a linear solve
+constexpr int renew_krylov = 6;    // a factor that needs more is renewed
+constexpr double linear_tolerance = 1e-2;
+constexpr double longest_move = 0.2;  // of the mean radius, per iteration
+constexpr double apart = 6.0;         // mean radii between bonds that break in one round
+
+}  // namespace
+
+EquilibriumSolver::EquilibriumSolver(Assembly& assembly, Network& network, Boundary& boundary,
+                                     ExplicitSolver& mechanics, const Options& options)
+    : assembly_(assembly),
+      network_(network),
+      boundary_(boundary),
+      mechanics_(mechanics),
+      options_(options),
+      system_(assembly, network, boundary, mechanics.loose_contacts(), options) {}
+
+void EquilibriumSolver::begin_step() {
+  factor_.forget();
+  std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
+  for (const auto& pair : mechanics_.loose_contacts().pairs()) pairs.emplace_back(pair.first, pair.second);
+  if (pairs != pairs_) factor_.forget_order();
+  pairs_.swap(pairs);
+}
+
+EquilibriumSolver::Outcome EquilibriumSolver::solve(double duration, const std::vector<double>& source,
+                                                    double most_excess, CrackLog& log,
+                                                    const std::function<bool()>& interrupt) {
+  Outcome outcome;
+  mechanics_.stop_motion();
+  system_.begin(duration, source);
+  pressure_start_.assign(network_.pressure.begin(), network_.pressure.end());
+  for (outcome.rounds = 1; outcome.rounds <= most_rounds; ++outcome.rounds) {
+    const bool found = find_rest(outcome, interrupt);
+    outcome.force_ratio = system_.force_ratio();
+    if (!found) return outcome;
+    const double excess = largest_excess();
+    if (outcome.rounds == 1) outcome.excess = excess;
+    if (outcome.rounds == 1 && excess > most_excess) {
+      outcome.end = End::overshoot;
+      return outcome;
+    }
+    keep_round();
+    if (excess < 1.0) {
+      if (duration > 0.0) system_.keep_flow();
+      boundary_.hold_still(assembly_);
+      outcome.end = End::rest;
+      return outcome;
+    }
+    break_farthest(log);
+  }
+  return outcome;
+}
+
+bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>& interrupt) {
+  const double tolerance = options_.solver_tolerance;
+  CoupledSystem::Vector step;
+  system_.evaluate();
+  for (int iteration = 0; iteration < most_newton; ++iteration) {
+    if (system_.force_ratio() <= tolerance && system_.pressure_error() <= tolerance) return true;
+    if (!std::isfinite(system_.residual().squaredNorm())) return false;
+    if (interrupt && interrupt()) {
+      outcome.end = End::stopped;
+      return false;
+    }
+    ++outcome.newton;
+    mechanics_.count_cycles(1);
+    const CoupledSystem::Vector right = system_.residual();
+    KrylovOutcome linear;
+    bool fresh = false;
+    if (!factor_.ready() || last_krylov_ > renew_krylov) {
+      factor_.compute(system_);
+      ++outcome.factors;
+      fresh = true;
+    }
+    linear = solve_preconditioned(system_, factor_, right, linear_tolerance, most_krylov, step);
+    outcome.krylov += linear.iterations;
+    if (!linear.converged && !fresh) {
+      factor_.compute(system_);
+      ++outcome.factors;
+      linear = solve_preconditioned(system_, factor_, right, linear_tolerance, most_krylov, step);
+      outcome.krylov += linear.iterations;
+    }
+    last_krylov_ = linear.iterations;
+    if (!std::isfinite(step.squaredNorm())) return false;
+
+    if (getenv("QSDBG")) fprintf(stderr, "it %d round %d ratio %.2e perr %.2e res %.3e krylov %d conv %d fresh %d move %.2e\n", iteration, outcome.rounds, system_.force_ratio(), system_.pressure_error(), right.norm(), linear.iterations, linear.converged, fresh, system_.largest_move(step));
+    double share = std::min(1.0, longest_move * assembly_.mean_radius / system_.largest_move(step));
+    const double before = right.norm();
+    system_.move(step, share);
+    system_.evaluate();
+    for (int halving = 0; halving < 5 && !(system_.residual().norm() < before); ++halving) {
+      system_.move(step, -0.5 * share);
+      share *= 0.5;
+      system_.evaluate();
+    }
+  }
+  return system_.force_ratio() <= tolerance && system_.pressure_error() <= tolerance;
+}
+
+double EquilibriumSolver::largest_excess() const {
+  double largest = 0.0;
+  for (std::int64_t e = 0; e < assembly_.bond_count(); ++e) {
+    if (assembly_.intact[e] == 0.0) continue;
+    const BondView bond = view_bond(assembly_, options_, e);
+    largest = std::max({largest, bond.tensile_excess, bond.shear_excess});
+  }
+  return largest;
+}
+
+void EquilibriumSolver::keep_round() {
+  // The kernel's own passes: slip, volumes, pressures from contents, and the fluid's work from the pressure before.
+  std::copy(pressure_start_.begin(), pressure_start_.end(), network_.pressure.begin());
+  mechanics_.evaluate();
+  pressure_start_.assign(network_.pressure.begin(), network_.pressure.end());
+  for (std::size_t k = 0; k < mechanics_.loose_contacts().pairs().size(); ++k)
+    mechanics_.keep_loose_force(k, system_.pair_normal_force(k), system_.pair_shear_force(k));
+  system_.keep_pairs();
+}
+
+void EquilibriumSolver::break_farthest(CrackLog& log) {
+  struct Candidate {
+    double excess;
+    std::int64_t bond;
+    Vec2 middle;
+  };
+  std::vector<Candidate> found;
+  for (std::int64_t e = 0; e < assembly_.bond_count(); ++e) {
+    if (assembly_.intact[e] == 0.0) continue;
+    const BondView bond = view_bond(assembly_, options_, e);
+    const double excess = std::max(bond.tensile_excess, bond.shear_excess);
+    if (excess < 1.0) continue;
+    found.push_back(
+        {excess, e,
+         0.5 * (assembly_.position(assembly_.first[e]) + assembly_.position(assembly_.second[e]))});
+  }
+  std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+    return a.excess != b.excess ? a.excess > b.excess : a.bond < b.bond;
+  });
+  std::vector<Vec2> broken;
+  for (const auto& candidate : found) {
+    const bool near = std::any_of(broken.begin(), broken.end(), [&](Vec2 at) {
+      const Vec2 between = candidate.middle - at;
+      return dot(between, between) < apart * apart * assembly_.mean_radius * assembly_.mean_radius;
+    });
+    if (near) continue;
+    broken.push_back(candidate.middle);
+    mechanics_.break_bond(candidate.bond, log);
+  }
+}
+
+}  // namespace hfrac

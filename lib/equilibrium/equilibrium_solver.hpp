@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Equilibrium found directly: Newton's method on the coupled equations, bonds broken in order.
+//
+// A solve goes in rounds. Each finds equilibrium of the rock as it is (coupled_system.hpp), then looks for bonds beyond their
+// strength: the farthest beyond breaks, with others far enough away not to feel it, and the next round begins. The solve
+// ends when nothing breaks any more. Between rounds sliding contacts keep what they slid.
+//
+// Tangents are kept as factors for as long as they precondition well (coupled_factor.hpp). A solve that does not converge
+// says so and leaves the state for the caller to put back.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "equilibrium/coupled_factor.hpp"
+#include "equilibrium/coupled_system.hpp"
+#include "frac/crack_log.hpp"
+#include "solid/explicit_solver.hpp"
+
+namespace hfrac {
+
+class EquilibriumSolver {
+ public:
+  EquilibriumSolver(Assembly& assembly, Network& network, Boundary& boundary, ExplicitSolver& mechanics,
+                    const Options& options);
+
+  enum class End { rest, stopped, overshoot, stuck };
+  struct Outcome {
+    End end = End::stuck;
+    int rounds = 0, newton = 0, krylov = 0, factors = 0;
+    double force_ratio = 0.0;
+    double excess = 0.0;  // largest stress over strength at the first equilibrium
+  };
+  // `duration` [s] of flow with source[d] [m2/s], 0 for undrained equilibrium. If bonds are to break and the first
+  // equilibrium exceeds a strength by more than the factor `most_excess`, the solve ends there (overshoot).
+  Outcome solve(double duration, const std::vector<double>& source, double most_excess, CrackLog& log,
+                const std::function<bool()>& interrupt = {});
+
+  // A step begins: what it does follows from the state alone, so no factor outlives the step before. Without that, a run
+  // gone on with after a restore would differ in the last digits.
+  void begin_step();
+
+ private:
+  bool find_rest(Outcome& outcome, const std::function<bool()>& interrupt);
+  [[nodiscard]] double largest_excess() const;
+  void keep_round();
+  void break_farthest(CrackLog& log);
+
+  Assembly& assembly_;
+  Network& network_;
+  Boundary& boundary_;
+  ExplicitSolver& mechanics_;
+  const Options& options_;
+  CoupledSystem system_;
+  CoupledFactor factor_;
+  std::vector<double> pressure_start_;
+  int last_krylov_ = 0;
+  std::vector<std::pair<std::int32_t, std::int32_t>> pairs_;  // that the order of elimination knows
+};
+
+}  // namespace hfrac

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whole simulations with the quasi-static solver: balances, undo, restore, adaptive parts of a step, refusals.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "couple/simulation.hpp"
+#include "small_case.hpp"
+
+namespace {
+
+using namespace testing_unit;
+
+CaseDefinition quasi_static(SteppingMode mode) {
+  CaseDefinition definition = cracking_case();
+  definition.options.solver_kind = choice(SolverKind::quasi_static);
+  definition.options.stepping_mode = choice(mode);
+  definition.options.stepping_flow_step = 1e-3;
+  definition.options.packing_disc_count = 600;
+  definition.wells[0].radius = 10.0;
+  return definition;
+}
+
+class QuasiStatic : public testing::TestWithParam<SteppingMode> {};
+
+TEST_P(QuasiStatic, StepsEndInEquilibriumAndTheFluidBalances) {
+  Simulation s(quasi_static(GetParam()), {}, {});
+  for (int k = 0; k < 5; ++k) {
+    EXPECT_TRUE(s.step().at_rest);
+    EXPECT_LE(s.force_ratio(), 1e-6);
+    const Balance b = s.balance();
+    EXPECT_LE(std::abs(b.fluid_error), 1e-6 * b.injected);
+  }
+  EXPECT_GT(s.cracks().size(), 0U);
+  EXPECT_GT(s.work().newton, 0);
+  EXPECT_NEAR(s.time(), 5e-3, 1e-15);
+}
+
+TEST_P(QuasiStatic, NothingIsBeyondItsStrengthAfterAStep) {
+  Simulation s(quasi_static(GetParam()), {}, {});
+  for (int k = 0; k < 3; ++k) s.step();
+  for (std::int64_t e = 0; e < s.assembly().bond_count(); ++e) {
+    if (s.assembly().intact[e] == 0.0) continue;
+    const BondView bond = view_bond(s.assembly(), s.options(), e);
+    EXPECT_LT(std::max(bond.tensile_excess, bond.shear_excess), 1.0);
+  }
+}
+
+TEST_P(QuasiStatic, GoesOnAfterARestoreAsIfNothingHadBeen) {
+  Simulation s(quasi_static(GetParam()), {}, {}), other(quasi_static(GetParam()), {}, {});
+  for (int k = 0; k < 2; ++k) s.step();
+  const auto image = s.image();
+  for (int k = 0; k < 3; ++k) s.step();
+  other.restore(image);
+  for (int k = 0; k < 3; ++k) other.step();
+  EXPECT_EQ(s.state_hash(), other.state_hash());
+}
+
+TEST_P(QuasiStatic, AnInterruptedStepLeavesNoTrace) {
+  Simulation s(quasi_static(GetParam()), {}, {});
+  s.step();
+  const auto before = s.state_hash();
+  for (const int patience : {1, 2}) {
+    int asked = 0;
+    ASSERT_TRUE(s.step([&] { return ++asked >= patience; }).stopped);
+    EXPECT_EQ(s.state_hash(), before);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, QuasiStatic, testing::Values(SteppingMode::substep, SteppingMode::coupled),
+                         [](const auto& mode) {
+                           return mode.param == SteppingMode::substep ? "substep" : "coupled";
+                         });
+
+// Reversible loading in ever smaller steps does no work that is not stored: what the books call damping goes with the square
+// of the step, summed over the steps with the step.
+TEST(QuasiStaticBooks, WorkBeyondWhatIsStoredVanishesWithTheStep) {
+  double lost[2];
+  for (int finer = 0; finer < 2; ++finer) {
+    CaseDefinition definition = quasi_static(SteppingMode::substep);
+    definition.options.bond_tensile_strength = definition.options.bond_shear_strength = 1e12;
+    definition.options.contact_friction = 0.0;
+    definition.options.flow_permeability = 1e-30;
+    definition.wells[0].control = WellControl::ramp;
+    definition.wells[0].pressure = 20e6;
+    definition.wells[0].ramp_per_step = finer == 0 ? 5e6 : 1.25e6;
+    Simulation s(definition, {}, {});
+    for (int k = 0; k < (finer == 0 ? 4 : 16); ++k) s.step();
+    const Balance b = s.balance();
+    lost[finer] = b.damping / (b.bond_elastic + b.contact_elastic);
+  }
+  EXPECT_GT(lost[0], 0.0);
+  EXPECT_NEAR(lost[1] / lost[0], 0.25, 0.05);
+}
+
+TEST(QuasiStaticParts, AreShortenedWhereBondsBreak) {
+  CaseDefinition definition = quasi_static(SteppingMode::coupled);
+  definition.wells[0].control = WellControl::rate;
+  definition.wells[0].rate = 40.0;
+  definition.wells[0].pressure = 0.0;
+  definition.options.stepping_flow_step = 1.0;
+  definition.options.solver_pressure_change = 1.0;
+  Simulation s(definition, {}, {});
+  s.step();
+  EXPECT_GT(s.work().parts, 3);
+  EXPECT_GT(s.work().rejected_strength, 0);
+  // However long the step, the first bond broke within solver.strength_overshoot of its strength.
+  ASSERT_GT(s.cracks().size(), 0U);
+  const Crack& first = s.cracks().front();
+  const double capacity = first.mode == CrackMode::tension ? s.assembly().tensile_capacity[first.bond]
+                                                           : s.assembly().shear_capacity[first.bond];
+  const double bore = first.mode == CrackMode::tension ? first.normal_force : std::abs(first.shear_force);
+  EXPECT_LE(bore, (1.0 + definition.options.solver_strength_overshoot) * capacity);
+}
+
+TEST(QuasiStaticStressBoundary, StaysInPlace) {
+  CaseDefinition definition = quasi_static(SteppingMode::substep);
+  definition.options.model_reading = choice(Reading::sound);
+  definition.options.boundary_kind = choice(BoundaryKind::stress);
+  definition.options.stress_sigma_H = 33e6;
+  definition.options.stress_sigma_h = 30e6;
+  definition.wells[0].pressure = 35e6;
+  Simulation s(definition, {}, {});
+  for (int k = 0; k < 3; ++k) s.step();
+  double shift_x = 0.0, shift_y = 0.0;
+  for (std::int64_t i = 0; i < s.assembly().disc_count(); ++i) {
+    shift_x += s.assembly().mass[i] * s.assembly().ux[i];
+    shift_y += s.assembly().mass[i] * s.assembly().uy[i];
+  }
+  EXPECT_NEAR(shift_x, 0.0, 1e-3);
+  EXPECT_NEAR(shift_y, 0.0, 1e-3);
+}
+
+TEST(QuasiStaticChoice, RefusesWhatDoesNotGoTogether) {
+  const auto refused = [](const CaseDefinition& definition) {
+    EXPECT_THROW(Simulation(definition, {}, {}), Error);
+  };
+  CaseDefinition definition = quasi_static(SteppingMode::dynamic);
+  refused(definition);
+  definition = quasi_static(SteppingMode::coupled);
+  definition.options.solver_kind = choice(SolverKind::explicit_solver);
+  refused(definition);
+  definition = quasi_static(SteppingMode::coupled);
+  definition.options.flow_scheme = choice(FlowScheme::explicit_scheme);
+  refused(definition);
+}
+
+}  // namespace
