@@ -68,7 +68,8 @@ Simulation::StepOutcome Simulation::coupled_step(double duration, const std::fun
   using End = EquilibriumSolver::End;
   const Options& o = options();
   const std::size_t cracks_before = cracks_.size();
-  double done = 0.0;
+  double done = 0.0, tried_part = 0.0, tried_beyond = 0.0;
+  bool sudden = false;
   if (!(part_ > 0.0)) part_ = duration;
   while (done < duration) {
     double part = std::min(part_, duration - done);
@@ -77,9 +78,11 @@ Simulation::StepOutcome Simulation::coupled_step(double duration, const std::fun
     part_pressure_.assign(network_.pressure.begin(), network_.pressure.end());
     const std::size_t cracks_at = cracks_.size();
     const bool shortest = part <= o.solver_smallest_step;
+    const bool any_excess = shortest || sudden;
     const auto outcome = equilibrium_->solve(
-        part, source_, shortest ? std::numeric_limits<double>::infinity() : 1.0 + o.solver_strength_overshoot,
-        cracks_, interrupt);
+        part, source_,
+        any_excess ? std::numeric_limits<double>::infinity() : 1.0 + o.solver_strength_overshoot, cracks_,
+        interrupt);
     if (outcome.end == End::stopped) return {true, at_rest_};
     const double error = outcome.end == End::rest ? part_error(part) : 0.0;
     const bool broke = cracks_.size() > cracks_at;
@@ -95,7 +98,14 @@ Simulation::StepOutcome Simulation::coupled_step(double duration, const std::fun
       double cut = 0.25;
       SolverWork rejected = work_;
       if (outcome.end == End::overshoot) {
-        // Where between the last part's stress and this one's the first bond reaches its strength.
+        // Where between the last part's stress and this one's the first bond reaches its strength. If a much shorter part
+        // made little difference, the load is sudden and no length of a part will do.
+        const double beyond = outcome.excess - 1.0;
+        sudden = tried_part > 0.0 && part < 0.2 * tried_part && beyond > 0.5 * tried_beyond;
+        if (!(tried_part > 0.0) || part < 0.2 * tried_part) {
+          tried_part = part;
+          tried_beyond = beyond;
+        }
         cut = (1.0 + 0.5 * o.solver_strength_overshoot - excess_) / (outcome.excess - excess_);
         ++rejected.rejected_strength;
       } else if (outcome.end == End::rest) {
@@ -112,6 +122,8 @@ Simulation::StepOutcome Simulation::coupled_step(double duration, const std::fun
     }
     count(outcome);
     ++work_.parts;
+    sudden = false;
+    tried_part = 0.0;
     excess_ = std::min(outcome.excess, 1.0);
     for (std::size_t d = 0; d < pressure_rate_.size(); ++d)
       pressure_rate_[d] = broke ? 0.0 : (network_.pressure[d] - part_pressure_[d]) / part;

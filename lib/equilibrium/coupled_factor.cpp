@@ -3,45 +3,27 @@
 
 #include <cmath>
 
-#include "core/error.hpp"
-
 namespace hfrac {
 
 void CoupledFactor::compute(const CoupledSystem& system) {
-  ready_ = false;
-  const Eigen::Index n = system.size();
-  if (static_cast<Eigen::Index>(order_.size()) != n) {
-    order_ = system.order();
-    place_.assign(static_cast<std::size_t>(n), 0);
-    for (Eigen::Index k = 0; k < n; ++k)
-      place_[static_cast<std::size_t>(order_[static_cast<std::size_t>(k)])] = k;
+  system.entries(values_);
+  if (values_.size() != entries_) {
+    const auto s = system.structure();
+    factor_.analyse(s.node_start, s.position, s.graph, s.late, s.places);
+    entries_ = values_.size();
   }
-  system.symmetric_part(list_);
-  for (auto& entry : list_) {
-    const auto row = place_[static_cast<std::size_t>(entry.row())],
-               column = place_[static_cast<std::size_t>(entry.col())];
-    entry = {static_cast<int>(std::max(row, column)), static_cast<int>(std::min(row, column)), entry.value()};
-  }
-  matrix_.resize(n, n);
-  matrix_.setFromTriplets(list_.begin(), list_.end());
-  factor_.compute(matrix_);
-  if (factor_.info() != Eigen::Success)
-    throw Error(ErrorKind::diverged,
-                "the equations of equilibrium cannot be factorised: part of the model is held by nothing");
-  entries_ = static_cast<double>(factor_.matrixL().nestedExpression().nonZeros());
+  factor_.factorise(values_);
   ready_ = true;
 }
 
-CoupledFactor::Vector CoupledFactor::solve(const Vector& right) const {
-  Vector permuted(right.size()), x(right.size());
-  for (Eigen::Index k = 0; k < right.size(); ++k) permuted[k] = right[order_[static_cast<std::size_t>(k)]];
-  const Vector solved = factor_.solve(permuted);
-  for (Eigen::Index k = 0; k < right.size(); ++k) x[order_[static_cast<std::size_t>(k)]] = solved[k];
+CoupledFactor::Vector CoupledFactor::solve(const Vector& right) {
+  Vector x = right;
+  factor_.solve(x.data());
   return x;
 }
 
 // Preconditioned from the right, so that the residual watched is the true one; modified Gram-Schmidt, Givens rotations.
-KrylovOutcome solve_preconditioned(const CoupledSystem& system, const CoupledFactor& factor,
+KrylovOutcome solve_preconditioned(const CoupledSystem& system, CoupledFactor& factor,
                                    const CoupledSystem::Vector& right, double tolerance, int most,
                                    CoupledSystem::Vector& x) {
   using Vector = CoupledSystem::Vector;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A sparse factor L D L' of the tangent, and a Krylov solver (GMRES, Saad and Schultz 1986) that uses an older factor as
-// preconditioner: from step to step the tangent changes in few places, so a few iterations replace a new factor.
+// A sparse factor of the tangent, and a Krylov solver (GMRES, Saad and Schultz 1986) that uses an older factor as
+// preconditioner: from iteration to iteration the tangent changes in few places, so a few products replace a new factor.
 #pragma once
 
-#include <Eigen/SparseCholesky>
 #include <vector>
 
 #include "equilibrium/coupled_system.hpp"
+#include "equilibrium/multifrontal.hpp"
 
 namespace hfrac {
 
@@ -14,22 +14,18 @@ class CoupledFactor {
  public:
   using Vector = CoupledSystem::Vector;
 
-  // Of the tangent at the last evaluation. Throws Error(diverged) if it cannot be had.
+  // Of the tangent at the last evaluation.
   void compute(const CoupledSystem& system);
   [[nodiscard]] bool ready() const { return ready_; }
   void forget() { ready_ = false; }
-  // The order of elimination is found anew with the next factor.
-  void forget_order() { order_.clear(); }
-  [[nodiscard]] Vector solve(const Vector& right) const;
-  [[nodiscard]] double entries() const { return entries_; }
+  // Other pairs of discs are near: the pattern is found anew with the next factor.
+  void forget_pattern() { entries_ = 0; }
+  [[nodiscard]] Vector solve(const Vector& right);
 
  private:
-  using Matrix = Eigen::SparseMatrix<double>;
-  std::vector<Eigen::Index> order_, place_;  // unknown at each place, and place of each unknown
-  std::vector<Eigen::Triplet<double>> list_;
-  Matrix matrix_;
-  Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factor_;
-  double entries_ = 0.0;
+  Multifrontal factor_;
+  std::vector<double> values_;
+  std::size_t entries_ = 0;  // of the pattern analysed
   bool ready_ = false;
 };
 
@@ -38,7 +34,7 @@ struct KrylovOutcome {
   bool converged = false;
 };
 // Solves tangent x = right to |tangent x - right| <= tolerance |right|, from x = 0.
-KrylovOutcome solve_preconditioned(const CoupledSystem& system, const CoupledFactor& factor,
+KrylovOutcome solve_preconditioned(const CoupledSystem& system, CoupledFactor& factor,
                                    const CoupledSystem::Vector& right, double tolerance, int most,
                                    CoupledSystem::Vector& x);
 

@@ -106,6 +106,10 @@ void CoupledSystem::evaluate() {
     residual_[3 * pin.disc + 1] -= bears * pin.along.y;
   }
   if (boundary_.walled()) evaluate_walls();
+  find_fragments();
+  for (std::int64_t i = 0; i < discs_; ++i) {
+    if (adrift_[static_cast<std::size_t>(i)] != 0) residual_.segment<3>(3 * i).setZero();
+  }
   if (wet_) {
     evaluate_pipes();
     evaluate_domains();
@@ -131,6 +135,45 @@ void CoupledSystem::evaluate_walls() {
       residual_[3 * i + 1] += k * closing * wall.inward.y;
     }
     if (w < servo_walls_) residual_[wall_at(w)] = (wall.target * wall.length - push) / force_scale_;
+  }
+}
+
+// Small pieces that no bond, contact or wall holds any more have no equilibrium of their own: they stay where they are until
+// something touches them.
+void CoupledSystem::find_fragments() {
+  const auto& a = assembly_;
+  auto& piece = piece_;
+  piece.resize(static_cast<std::size_t>(discs_));
+  for (std::size_t i = 0; i < piece.size(); ++i) piece[i] = static_cast<std::int32_t>(i);
+  const auto root = [&](std::int32_t i) {
+    while (piece[static_cast<std::size_t>(i)] != i) {
+      auto& up = piece[static_cast<std::size_t>(i)];
+      up = piece[static_cast<std::size_t>(up)];
+      i = up;
+    }
+    return i;
+  };
+  const auto join = [&](std::int32_t i, std::int32_t j) {
+    const auto p = root(i), q = root(j);
+    piece[static_cast<std::size_t>(std::max(p, q))] = std::min(p, q);
+  };
+  for (std::size_t e = 0; e < bonds_.size(); ++e) {
+    if (a.intact[e] > 0.0 || bonds_[e].gap < 0.0) join(a.first[e], a.second[e]);
+  }
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    if (pairs_[k].gap < 0.0) join(loose_.pairs()[k].first, loose_.pairs()[k].second);
+  }
+  std::vector<std::int32_t> members(piece.size(), 0);
+  for (std::int32_t i = 0; i < discs_; ++i) ++members[static_cast<std::size_t>(root(i))];
+  std::int32_t largest = 0;
+  for (std::int32_t i = 0; i < discs_; ++i) {
+    if (members[static_cast<std::size_t>(i)] > members[static_cast<std::size_t>(largest)]) largest = i;
+  }
+  adrift_.assign(piece.size(), 0);
+  for (std::int32_t i = 0; i < discs_; ++i) {
+    const auto at = root(i);
+    if (at != largest && members[static_cast<std::size_t>(at)] < discs_ / 20)
+      adrift_[static_cast<std::size_t>(i)] = 1;
   }
 }
 
@@ -237,6 +280,8 @@ void CoupledSystem::product(const Vector& x, Vector& y) const {
     if (pairs_[k].gap < 0.0)
       pair_product(pairs_[k].tangent, loose_.pairs()[k].first, loose_.pairs()[k].second, x, y);
   }
+  for (std::int64_t i = 0; i < discs_; ++i)
+    y.segment<3>(3 * i) += (adrift_[static_cast<std::size_t>(i)] != 0 ? 1.0 : hair) * x.segment<3>(3 * i);
   for (const auto& pin : pins_) {
     const double moved = x[3 * pin.disc] * pin.along.x + x[3 * pin.disc + 1] * pin.along.y;
     y[3 * pin.disc] += moved * pin.along.x;
@@ -253,6 +298,7 @@ void CoupledSystem::product(const Vector& x, Vector& y) const {
         y[3 * i + 1] -= closing * wall.inward.y;
         if (w < servo_walls_) y[wall_at(w)] += closing;
       }
+      if (w < servo_walls_) y[wall_at(w)] += hair * x[wall_at(w)];
     }
   }
   if (!wet_) {
@@ -260,6 +306,7 @@ void CoupledSystem::product(const Vector& x, Vector& y) const {
     return;
   }
   for (std::int32_t i = 0; i < discs_; ++i) {
+    if (adrift_[static_cast<std::size_t>(i)] != 0) continue;
     for (auto k = n.disc_corner_start[i]; k < n.disc_corner_start[i + 1]; ++k) {
       const double p = x[pressure_at(n.disc_corner_domain[k])] / length_scale_;
       y[3 * i] -= p * n.disc_corner_weight[2 * k];
@@ -296,11 +343,29 @@ void CoupledSystem::product(const Vector& x, Vector& y) const {
   }
 }
 
-double CoupledSystem::largest_move(const Vector& x) const {
-  double largest = 0.0;
-  for (std::int64_t i = 0; i < discs_; ++i)
-    largest = std::max({largest, std::abs(x[3 * i]), std::abs(x[3 * i + 1])});
-  return largest;
+void CoupledSystem::limit(Vector& x, double longest) const {
+  for (std::int64_t i = 0; i < discs_; ++i) {
+    const double size = std::max({std::abs(x[3 * i]), std::abs(x[3 * i + 1]), std::abs(x[3 * i + 2])});
+    if (size > longest) x.segment<3>(3 * i) *= longest / size;
+  }
+}
+
+// Flow goes with the cube of the aperture: a pipe seen closed lets nothing on to what would open it, and one seen
+// open too much. Growing by steps, it meets the opening at which both agree.
+double CoupledSystem::share_for_apertures(const Vector& x, double growth) const {
+  if (!wet_ || duration_ <= 0.0) return 1.0;
+  double share = 1.0;
+  for (std::size_t e = 0; e < bonds_.size(); ++e) {
+    const auto i = assembly_.first[e], j = assembly_.second[e];
+    if (assembly_.intact[e] > 0.0 || network_.conductance[e] == 0.0) continue;
+    const double aperture = network_.aperture[e];
+    if (aperture >= options_.flow_aperture_limit) continue;
+    const double opens =
+        bonds_[e].direction.x * (x[3 * j] - x[3 * i]) + bonds_[e].direction.y * (x[3 * j + 1] - x[3 * i + 1]);
+    const double room = std::max(0.0, bonds_[e].gap) + (growth - 1.0) * aperture - bonds_[e].gap;
+    if (opens > room) share = std::min(share, room / opens);
+  }
+  return share;
 }
 
 void CoupledSystem::move(const Vector& x, double share) {

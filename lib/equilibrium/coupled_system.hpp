@@ -7,16 +7,15 @@
 // With dt = 0 pores answer undrained. Apertures are those of the unknown displacements. Unknowns and equations are scaled
 // (lengths by 1 m, forces by k_n, rotations by 1 / R, pressures by k_n / R), so that they are alike in size; the tangent is then
 //   [ K  -W ; -W'  -(S + dt C) ],
-// which is symmetric but for sliding contacts and for the change of apertures, and quasi-definite: it has a factor L D L'
-// in any order of elimination, without pivoting (Vanderbei 1995).
+// which is symmetric in pattern, and in value but for sliding contacts and the change of apertures; its symmetric part is
+// quasi-definite and so has a factor in any order of elimination (Vanderbei 1995).
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 #include <vector>
 
 #include "equilibrium/bond_response.hpp"
-#include "equilibrium/dissection.hpp"
+#include "equilibrium/multifrontal.hpp"
 #include "flow/network.hpp"
 #include "solid/boundary.hpp"
 #include "solid/loose_contacts.hpp"
@@ -48,14 +47,22 @@ class CoupledSystem {
   void product(const Vector& x, Vector& y) const;
   // Displacements and pressures change by `share` of x.
   void move(const Vector& x, double share);
-  // Largest change of a displacement in x [m].
-  [[nodiscard]] double largest_move(const Vector& x) const;
+  // Largest share of x at which no aperture with flow grows to more than `growth` times its size.
+  [[nodiscard]] double share_for_apertures(const Vector& x, double growth) const;
+  // No disc moves or turns farther than `longest` [m, at its rim].
+  void limit(Vector& x, double longest) const;
 
-  // The symmetric part of the tangent, lower triangle, for factors.
-  void symmetric_part(std::vector<Eigen::Triplet<double>>& entries) const;
+  // The tangent as a list of entries, places always the same while the same discs are near; and what they make of a pattern.
+  void entries(std::vector<double>& values) const;
+  struct Structure {
+    std::vector<std::int32_t> node_start;  // first unknown of each node
+    std::vector<Vec2> position;
+    Adjacency graph;
+    std::vector<char> late;  // nodes to eliminate last
+    std::vector<MatrixPlace> places;
+  };
+  [[nodiscard]] Structure structure() const;
   [[nodiscard]] Eigen::Index size() const { return residual_.size(); }
-  // Order of elimination of the unknowns.
-  [[nodiscard]] std::vector<Eigen::Index> order() const;
 
   // Forces of a contact that was never bonded [N]: pressed together, and along it.
   [[nodiscard]] double pair_normal_force(std::size_t pair) const { return -pairs_[pair].normal; }
@@ -65,6 +72,8 @@ class CoupledSystem {
   void keep_flow();
 
  private:
+  // Share of k_n added to every disc's tangent, not to its forces: what nothing holds moves finitely.
+  static constexpr double hair = 1e-7;
   struct Pin {
     std::int32_t disc;
     Vec2 along;
@@ -76,9 +85,10 @@ class CoupledSystem {
   }
   void add_pair(const BondResponse& r, std::int32_t i, std::int32_t j);
   void pair_product(const double* tangent, std::int32_t i, std::int32_t j, const Vector& x, Vector& y) const;
-  void pair_entries(const double* tangent, std::int32_t i, std::int32_t j,
-                    std::vector<Eigen::Triplet<double>>& entries) const;
+  template <class Emit>
+  void each_entry(const Emit& emit) const;
   void evaluate_walls();
+  void find_fragments();
   void evaluate_pipes();
   void evaluate_domains();
   void measure();
@@ -99,7 +109,9 @@ class CoupledSystem {
   // at the last evaluation
   std::vector<BondResponse> bonds_, pairs_;
   std::vector<double> aperture_change_;  // per pipe: d(flow) / d(gap) dt
-  std::vector<char> at_floor_;           // per domain: pressure follows no content
+  std::vector<std::int32_t> piece_;
+  std::vector<char> adrift_;    // per disc: in a small piece that nothing holds
+  std::vector<char> at_floor_;  // per domain: pressure follows no content
   Vector residual_;
   double contact_force_ = 0.0, force_ratio_ = 0.0, pressure_error_ = 0.0;
 };

@@ -2,24 +2,34 @@
 #include "equilibrium/dissection.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace hfrac {
 namespace {
 
-constexpr std::ptrdiff_t small_enough = 24;  // nodes of a part that is cut no further
+constexpr std::ptrdiff_t small_enough = 16;  // nodes of a part that is cut no further
 
-struct Dissection {
+struct Cutter {
   const std::vector<Vec2>& position;
   const Adjacency& graph;
-  std::vector<std::int32_t> part;  // number of the part a node is in now
-  std::int32_t parts = 0;
-  std::vector<std::int32_t> order;
+  std::vector<std::int32_t> side;  // the half a node is in now
+  std::int32_t halves = 0;
+  Dissection result;
 
-  void cut(std::int32_t* begin, std::int32_t* end) {
+  void close(const std::int32_t* begin, const std::int32_t* end, std::int32_t left, std::int32_t right) {
+    const auto first = static_cast<std::int32_t>(result.order.size());
+    result.order.insert(result.order.end(), begin, end);
+    const auto here = static_cast<std::int32_t>(result.parts.size());
+    result.parts.push_back({first, static_cast<std::int32_t>(result.order.size()), -1});
+    for (const auto child : {left, right}) {
+      if (child >= 0) result.parts[static_cast<std::size_t>(child)].parent = here;
+    }
+  }
+
+  // Number of the part made of these nodes.
+  std::int32_t cut(std::int32_t* begin, std::int32_t* end) {
     if (end - begin <= small_enough) {
-      order.insert(order.end(), begin, end);
-      return;
+      close(begin, end, -1, -1);
+      return static_cast<std::int32_t>(result.parts.size()) - 1;
     }
     Vec2 low = position[static_cast<std::size_t>(*begin)], high = low;
     for (const auto* node = begin; node != end; ++node) {
@@ -35,39 +45,39 @@ struct Dissection {
     };
     auto* middle = begin + (end - begin) / 2;
     std::nth_element(begin, middle, end, before);
-    const std::int32_t left = ++parts, right = ++parts;
-    for (auto* node = begin; node != middle; ++node) part[static_cast<std::size_t>(*node)] = left;
-    for (auto* node = middle; node != end; ++node) part[static_cast<std::size_t>(*node)] = right;
+    const std::int32_t left = ++halves, right = ++halves;
+    for (auto* node = begin; node != middle; ++node) side[static_cast<std::size_t>(*node)] = left;
+    for (auto* node = middle; node != end; ++node) side[static_cast<std::size_t>(*node)] = right;
     // Nodes of the right half that touch the left one separate the two.
     auto* rest = std::partition(middle, end, [&](std::int32_t node) {
       for (auto k = graph.start[static_cast<std::size_t>(node)];
            k < graph.start[static_cast<std::size_t>(node) + 1]; ++k) {
-        if (part[static_cast<std::size_t>(graph.neighbour[static_cast<std::size_t>(k)])] == left)
+        if (side[static_cast<std::size_t>(graph.neighbour[static_cast<std::size_t>(k)])] == left)
           return false;
       }
       return true;
     });
     std::sort(rest, end);  // std::partition keeps no order
     const std::vector<std::int32_t> separator(rest, end);
-    for (const auto node : separator) part[static_cast<std::size_t>(node)] = 0;
-    cut(begin, middle);
-    cut(middle, rest);
-    order.insert(order.end(), separator.begin(), separator.end());
+    for (const auto node : separator) side[static_cast<std::size_t>(node)] = 0;
+    const auto first = begin == middle ? -1 : cut(begin, middle);
+    const auto second = middle == rest ? -1 : cut(middle, rest);
+    close(separator.data(), separator.data() + separator.size(), first, second);
+    return static_cast<std::int32_t>(result.parts.size()) - 1;
   }
 };
 
 }  // namespace
 
-std::vector<std::int32_t> dissect(const std::vector<Vec2>& position, const Adjacency& graph,
-                                  std::int32_t last) {
-  const auto nodes = static_cast<std::int32_t>(position.size()), free = nodes - last;
-  std::vector<std::int32_t> all(static_cast<std::size_t>(nodes));
-  std::iota(all.begin(), all.end(), 0);
-  Dissection d{position, graph, std::vector<std::int32_t>(position.size(), 0), 0, {}};
-  d.order.reserve(position.size());
-  d.cut(all.data(), all.data() + free);
-  d.order.insert(d.order.end(), all.begin() + free, all.end());
-  return d.order;
+Dissection dissect(const std::vector<Vec2>& position, const Adjacency& graph, const std::vector<char>& late) {
+  std::vector<std::int32_t> nodes, end;
+  for (std::size_t k = 0; k < position.size(); ++k)
+    (late[k] != 0 ? end : nodes).push_back(static_cast<std::int32_t>(k));
+  Cutter cutter{position, graph, std::vector<std::int32_t>(position.size(), 0), 0, {}};
+  cutter.result.order.reserve(position.size());
+  const auto top = nodes.empty() ? -1 : cutter.cut(nodes.data(), nodes.data() + nodes.size());
+  if (!end.empty()) cutter.close(end.data(), end.data() + end.size(), top, -1);
+  return std::move(cutter.result);
 }
 
 }  // namespace hfrac

@@ -13,13 +13,23 @@
 
 namespace hfrac {
 
-// Neighbours of every node, without itself: neighbour[start[k] .. start[k + 1]).
+// Neighbours of every node, without itself: neighbour[start[k] .. start[k + 1]), ascending.
 struct Adjacency {
   std::vector<std::int32_t> start, neighbour;
 };
 
-// Nodes in order of elimination. `last` nodes, at the end of `position`, touch any others and are eliminated after all the rest.
-std::vector<std::int32_t> dissect(const std::vector<Vec2>& position, const Adjacency& graph,
-                                  std::int32_t last);
+// The tree of cuts, children before parents. A part's own nodes, order[first .. last), are those along its cut, or all of an
+// uncut one; they touch only nodes of its children, of its ancestors and each other.
+struct Dissection {
+  struct Part {
+    std::int32_t first, last;
+    std::int32_t parent;  // -1: the last one
+  };
+  std::vector<std::int32_t> order;
+  std::vector<Part> parts;
+};
+
+// Nodes with `late` set touch too many others to be cut around: they form the last part.
+Dissection dissect(const std::vector<Vec2>& position, const Adjacency& graph, const std::vector<char>& late);
 
 }  // namespace hfrac

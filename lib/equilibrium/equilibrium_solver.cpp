@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <cstdio>
 
 #include "core/error.hpp"
 
@@ -12,6 +10,7 @@ namespace hfrac {
 namespace {
 
 constexpr int most_newton = 40;    // iterations of a round
+constexpr int most_uphill = 8;     // iterations of a round that lead nowhere
 constexpr int most_rounds = 2000;  // of a solve
 constexpr int most_krylov = 40;    // iterations of a linear solve
 constexpr int renew_krylov = 6;    // a factor that needs more is renewed
@@ -32,16 +31,17 @@ EquilibriumSolver::EquilibriumSolver(Assembly& assembly, Network& network, Bound
 
 void EquilibriumSolver::begin_step() {
   factor_.forget();
-  std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
-  for (const auto& pair : mechanics_.loose_contacts().pairs()) pairs.emplace_back(pair.first, pair.second);
-  if (pairs != pairs_) factor_.forget_order();
-  pairs_.swap(pairs);
 }
 
 EquilibriumSolver::Outcome EquilibriumSolver::solve(double duration, const std::vector<double>& source,
                                                     double most_excess, CrackLog& log,
                                                     const std::function<bool()>& interrupt) {
   Outcome outcome;
+  std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
+  for (const auto& pair : mechanics_.loose_contacts().pairs()) pairs.emplace_back(pair.first, pair.second);
+  if (pairs != pairs_ || (duration > 0.0) != flowed_) factor_.forget_pattern();
+  flowed_ = duration > 0.0;
+  pairs_.swap(pairs);
   mechanics_.stop_motion();
   system_.begin(duration, source);
   pressure_start_.assign(network_.pressure.begin(), network_.pressure.end());
@@ -70,6 +70,7 @@ EquilibriumSolver::Outcome EquilibriumSolver::solve(double duration, const std::
 bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>& interrupt) {
   const double tolerance = options_.solver_tolerance;
   CoupledSystem::Vector step;
+  int uphill = 0;
   system_.evaluate();
   for (int iteration = 0; iteration < most_newton; ++iteration) {
     if (system_.force_ratio() <= tolerance && system_.pressure_error() <= tolerance) return true;
@@ -99,14 +100,23 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
     last_krylov_ = linear.iterations;
     if (!std::isfinite(step.squaredNorm())) return false;
 
-    if (getenv("QSDBG")) fprintf(stderr, "it %d round %d ratio %.2e perr %.2e res %.3e krylov %d conv %d fresh %d move %.2e\n", iteration, outcome.rounds, system_.force_ratio(), system_.pressure_error(), right.norm(), linear.iterations, linear.converged, fresh, system_.largest_move(step));
-    double share = std::min(1.0, longest_move * assembly_.mean_radius / system_.largest_move(step));
+    system_.limit(step, longest_move * assembly_.mean_radius);
+    // The equations have kinks, where contacts open, close, stick and slide. Where no part of the step leads down, the whole of it
+    // is taken all the same, to come out on the other side; every other time half of it, against going to and fro.
     const double before = right.norm();
+    const double longest = system_.share_for_apertures(step, 4.0);
+    double share = longest;
     system_.move(step, share);
     system_.evaluate();
-    for (int halving = 0; halving < 5 && !(system_.residual().norm() < before); ++halving) {
+    for (int halving = 0; halving < 4 && !(system_.residual().norm() < before); ++halving) {
       system_.move(step, -0.5 * share);
       share *= 0.5;
+      system_.evaluate();
+    }
+    if (!(system_.residual().norm() < before)) {
+      if (++uphill > most_uphill) return false;
+      const double whole = uphill % 2 == 1 ? longest : 0.5 * longest;
+      system_.move(step, whole - share);
       system_.evaluate();
     }
   }

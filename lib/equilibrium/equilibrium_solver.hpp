@@ -56,6 +56,7 @@ class EquilibriumSolver {
   CoupledFactor factor_;
   std::vector<double> pressure_start_;
   int last_krylov_ = 0;
+  bool flowed_ = false;
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs_;  // that the order of elimination knows
 };
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Picks the dense kernels for the processor at hand; all give the same bits.
+#include <cstring>
+
+#include "equilibrium/dense_kernels.hpp"
+#include "solid/kernels.hpp"
+
+namespace hfrac {
+
+namespace dense_baseline {
+extern const DenseKernels table;
+}
+#if defined(HFRAC_KERNELS_X86)
+namespace dense_avx2 {
+extern const DenseKernels table;
+}
+namespace dense_avx512 {
+extern const DenseKernels table;
+}
+#endif
+
+const DenseKernels* dense_kernels_for(const char* name) noexcept {
+  if (kernels_for(name) == nullptr) return nullptr;
+#if defined(HFRAC_KERNELS_X86)
+  if (std::strcmp(name, "avx2") == 0) return &dense_avx2::table;
+  if (std::strcmp(name, "avx512") == 0) return &dense_avx512::table;
+#endif
+  return &dense_baseline::table;
+}
+
+const DenseKernels& dense_kernels() noexcept {
+  return *dense_kernels_for(kernel_isa());
+}
+
+}  // namespace hfrac
