@@ -32,6 +32,9 @@ class Simulation {
 
   // Not being at rest is for the case to judge.
   int32_t step(int64_t count) { return check(hfrac_step(sim_, count)); }
+  void ramp(int32_t well, double pressure, double per_step) {
+    check(hfrac_well_set_ramp(sim_, well, pressure, per_step));
+  }
   [[nodiscard]] hfrac_sim_state state() const {
     hfrac_sim_state state{};
     state.struct_size = sizeof state;
