@@ -51,6 +51,11 @@ void CoupledSystem::begin(double duration, const std::vector<double>& source) {
   source_ = source;
   source_.resize(static_cast<std::size_t>(domains_), 0.0);
   content_start_.assign(network_.content.begin(), network_.content.end());
+  rim_drop_.assign(bonds_.size(), 0.0);
+  for (std::size_t k = 0; k < network_.rim_pipe.size(); ++k) {
+    const auto e = static_cast<std::size_t>(network_.rim_pipe[k]);
+    rim_drop_[e] = network_.left[e] == 0 ? network_.rim_excess[k] : -network_.rim_excess[k];
+  }
   keep_pairs();
   for (auto& pin : pins_) pin.start = dot({a.ux[pin.disc], a.uy[pin.disc]}, pin.along);
 }
@@ -192,8 +197,7 @@ void CoupledSystem::evaluate_pipes() {
                                      bonds_[e].normal_stiffness, assembly_.intact[e] > 0.0);
     n.aperture[e] = w.aperture;
     n.conductance[e] = conductance(options_, w.aperture, n.pipe_length[e]);
-    aperture_change_[e] =
-        duration_ * 3.0 * n.conductance[e] / w.aperture * w.by_gap * (n.pressure[l] - n.pressure[r]);
+    aperture_change_[e] = duration_ * 3.0 * n.conductance[e] / w.aperture * w.by_gap * drop(e);
   }
 }
 
@@ -203,7 +207,7 @@ void CoupledSystem::evaluate_domains() {
     n.content[d] = content_start_[d] + duration_ * source_[d];
   if (duration_ > 0.0) {
     for (std::size_t e = 0; e < bonds_.size(); ++e) {
-      const double moved = duration_ * n.conductance[e] * (n.pressure[n.left[e]] - n.pressure[n.right[e]]);
+      const double moved = duration_ * n.conductance[e] * drop(e);
       n.content[n.left[e]] -= moved;
       n.content[n.right[e]] += moved;
     }
@@ -385,8 +389,7 @@ void CoupledSystem::move(const Vector& x, double share) {
 
 void CoupledSystem::keep_flow() {
   for (std::size_t e = 0; e < bonds_.size(); ++e) {
-    network_.flow[e] = network_.conductance[e] *
-                       (network_.pressure[network_.left[e]] - network_.pressure[network_.right[e]]);
+    network_.flow[e] = network_.conductance[e] * drop(e);
   }
 }
 

@@ -87,6 +87,10 @@ class CoupledSystem {
   void pair_product(const double* tangent, std::int32_t i, std::int32_t j, const Vector& x, Vector& y) const;
   template <class Emit>
   void each_entry(const Emit& emit) const;
+  // Pressure that drives flow from left to right [Pa], with what a host set beyond the rim.
+  [[nodiscard]] double drop(std::size_t pipe) const {
+    return network_.pressure[network_.left[pipe]] - network_.pressure[network_.right[pipe]] + rim_drop_[pipe];
+  }
   void evaluate_walls();
   void find_fragments();
   void evaluate_pipes();
@@ -104,6 +108,7 @@ class CoupledSystem {
   double force_scale_, length_scale_, pressure_scale_;
   double duration_ = 0.0;
   std::vector<double> source_, content_start_;
+  std::vector<double> rim_drop_;  // per pipe: Pa
   std::vector<PairStart> pair_start_;
   std::vector<Pin> pins_;
   // at the last evaluation
