@@ -275,20 +275,6 @@ module hfrac_c
     integer(c_int64_t) :: run_workers = 0_c_int64_t
     !> Sub-steps between the snapshots of a run by the hfrac command. Default 10.
     integer(c_int64_t) :: output_every = 0_c_int64_t
-    !> 0: explicit, 1: quasi-static. How the rock comes to rest. explicit: by damped motion. quasi-static:
-    !> equilibrium is solved for directly and bonds break in order of how far they exceed their strength. Default 0.
-    integer(c_int64_t) :: solver_kind = 0_c_int64_t
-    !> [1] quasi-static: mean unbalanced over mean contact force, and error of a pressure over the largest pressure
-    !> difference, at which equilibrium counts as found. Default 1e-6.
-    real(c_double) :: solver_tolerance = 0.0_c_double
-    !> [1] Mode coupled: error of a pressure per part of a step, over the largest pressure difference, that sets the
-    !> length of the part. Default 0.05.
-    real(c_double) :: solver_pressure_change = 0.0_c_double
-    !> [1] Mode coupled: a part of a step in which a bond would exceed its strength by more than this is tried again
-    !> shorter. Default 0.02.
-    real(c_double) :: solver_strength_overshoot = 0.0_c_double
-    !> [s] Mode coupled: parts of a step are not made shorter; what happens within is taken as sudden. Default 1e-6.
-    real(c_double) :: solver_smallest_step = 0.0_c_double
     !> wells used of the array below, 0 to HFRAC_MAX_WELLS
     integer(c_int64_t) :: well_count = 0_c_int64_t
     !> the wells
@@ -310,6 +296,20 @@ module hfrac_c
     integer(c_int64_t) :: packing_method = 0_c_int64_t
     !> Discs in one brick of a tiled packing. Default 5000.
     integer(c_int64_t) :: packing_brick_discs = 0_c_int64_t
+    !> 0: explicit, 1: quasi-static. How the rock comes to rest. explicit: by damped motion. quasi-static:
+    !> equilibrium is solved for directly and bonds break in order of how far they exceed their strength. Default 0.
+    integer(c_int64_t) :: solver_kind = 0_c_int64_t
+    !> [1] quasi-static: mean unbalanced over mean contact force, and error of a pressure over the largest pressure
+    !> difference, at which equilibrium counts as found. Default 1e-6.
+    real(c_double) :: solver_tolerance = 0.0_c_double
+    !> [1] Mode coupled: error of a pressure per part of a step, over the largest pressure difference, that sets the
+    !> length of the part. Default 0.05.
+    real(c_double) :: solver_pressure_change = 0.0_c_double
+    !> [1] Mode coupled: a part of a step in which a bond would exceed its strength by more than this is tried again
+    !> shorter. Default 0.02.
+    real(c_double) :: solver_strength_overshoot = 0.0_c_double
+    !> [s] Mode coupled: parts of a step are not made shorter; what happens within is taken as sudden. Default 1e-6.
+    real(c_double) :: solver_smallest_step = 0.0_c_double
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.

@@ -247,11 +247,6 @@ class hfrac_sim_def(ctypes.Structure):
         ("stop_cracks", ctypes.c_int64),
         ("run_workers", ctypes.c_int64),
         ("output_every", ctypes.c_int64),
-        ("solver_kind", ctypes.c_int64),
-        ("solver_tolerance", ctypes.c_double),
-        ("solver_pressure_change", ctypes.c_double),
-        ("solver_strength_overshoot", ctypes.c_double),
-        ("solver_smallest_step", ctypes.c_double),
         ("well_count", ctypes.c_int64),
         ("wells", hfrac_well_def * 8),
         ("title", ctypes.c_char * 128),
@@ -261,6 +256,11 @@ class hfrac_sim_def(ctypes.Structure):
         ("progress_user", ctypes.c_void_p),
         ("packing_method", ctypes.c_int64),
         ("packing_brick_discs", ctypes.c_int64),
+        ("solver_kind", ctypes.c_int64),
+        ("solver_tolerance", ctypes.c_double),
+        ("solver_pressure_change", ctypes.c_double),
+        ("solver_strength_overshoot", ctypes.c_double),
+        ("solver_smallest_step", ctypes.c_double),
     ]
 
 

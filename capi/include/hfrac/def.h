@@ -192,6 +192,23 @@ typedef struct hfrac_sim_def {
   int64_t packing_method;
   /** Discs in one brick of a tiled packing. Default 5000. */
   int64_t packing_brick_discs;
+
+  /** 0: explicit, 1: quasi-static. How the rock comes to rest. explicit: by damped motion. quasi-static:
+   * equilibrium is solved for directly and bonds break in order of how far they exceed their strength.
+   * Default 0. */
+  int64_t solver_kind;
+  /** [1] quasi-static: mean unbalanced over mean contact force, and error of a pressure over the largest
+   * pressure difference, at which equilibrium counts as found. Default 1e-6. */
+  double solver_tolerance;
+  /** [1] Mode coupled: error of a pressure per part of a step, over the largest pressure difference, that
+   * sets the length of the part. Default 0.05. */
+  double solver_pressure_change;
+  /** [1] Mode coupled: a part of a step in which a bond would exceed its strength by more than this is
+   * tried again shorter. Default 0.02. */
+  double solver_strength_overshoot;
+  /** [s] Mode coupled: parts of a step are not made shorter; what happens within is taken as sudden.
+   * Default 1e-6. */
+  double solver_smallest_step;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */
