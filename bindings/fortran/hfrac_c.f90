@@ -1001,8 +1001,8 @@ module hfrac_c
       integer(c_int32_t) :: hfrac_grid_cells
     end function hfrac_grid_cells
     !> From the next step on, pressure [Pa, in the reading's sense] beyond the model's edge: every pipe there feels
-    !> that of the cell which holds the point a mean disc diameter outside, or else is nearest. `count` values, one
-    !> per cell (nx * ny); only cells at the edge are looked at. What passes is `outflow` by cell and
+    !> that of the nearest cell of which the model covers less than half (of all cells, if it covers more of each).
+    !> `count` values, one per cell (nx * ny); only those cells are looked at. What passes is `outflow` by cell and
     !> `leaked_volume` in all. The stress on the edge does not change. Kept by the tries of an open step. Needs
     !> flow.outer "formation". Unstable since 0.1.
     function hfrac_set_rim_pressure(sim, pressure, count) bind(C, name="hfrac_set_rim_pressure")

@@ -152,18 +152,23 @@ std::int64_t HostGrid::cell_at(Vec2 p) const {
   return -1;
 }
 
-std::int64_t HostGrid::nearest_cell(Vec2 p) const {
-  std::int64_t best = cell_at(p);
-  if (best >= 0) return best;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::int64_t c = 0; c < count(); ++c) {
-    const double distance = distance_to(cell(c), p);
-    if (distance < nearest) {
-      nearest = distance;
-      best = c;
+std::int64_t HostGrid::nearest_cell(Vec2 p, const std::function<bool(std::int64_t)>& fits) const {
+  // A growing box: what lies within its half width is found in it.
+  const Vec2 extent{bin_.x * static_cast<double>(bins_x_), bin_.y * static_cast<double>(bins_y_)};
+  const double largest = std::abs(p.x - low_.x) + std::abs(p.y - low_.y) + extent.x + extent.y;
+  for (double reach = bin_.x + bin_.y;; reach *= 2.0) {
+    std::int64_t best = -1;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto c : cells_near({p.x - reach, p.y - reach}, {p.x + reach, p.y + reach})) {
+      if (!fits(c)) continue;
+      const double distance = distance_to(cell(c), p);
+      if (distance < nearest) {
+        nearest = distance;
+        best = c;
+      }
     }
+    if (nearest <= reach || reach > largest) return best;
   }
-  return best;
 }
 
 Vec2 HostGrid::i_direction(std::int64_t c) const {
@@ -223,14 +228,18 @@ void HostGrid::lay_over(const Assembly& a, const Network& n) {
   for (const auto& part : pipes_) ++pipe_start_[static_cast<std::size_t>(part.cell) + 1];
   for (std::size_t c = 0; c < cells_.size(); ++c) pipe_start_[c + 1] += pipe_start_[c];
 
+  std::vector<double> covered(cells_.size(), 0.0);
+  for (const auto& part : pores_) covered[static_cast<std::size_t>(part.cell)] += part.amount;
+  const auto free = [&](std::int64_t c) {
+    return covered[static_cast<std::size_t>(c)] < 0.5 * area_of(cell(c));
+  };
+  bool any_free = false;
+  for (std::int64_t c = 0; c < count() && !any_free; ++c) any_free = free(c);
   rim_cell_.clear();
   for (const auto e : n.rim_pipe) {
-    const auto i = a.first[e], j = a.second[e];
-    const Vec2 from{a.x[i], a.y[i]}, to{a.x[j], a.y[j]}, along = to - from;
-    const double scale = 2.0 * a.mean_radius / std::sqrt(dot(along, along));
-    const Vec2 outward =
-        n.left[e] == 0 ? Vec2{-scale * along.y, scale * along.x} : Vec2{scale * along.y, -scale * along.x};
-    rim_cell_.push_back(nearest_cell(0.5 * (from + to) + outward));
+    const Vec2 from{a.x[a.first[e]], a.y[a.first[e]]}, to{a.x[a.second[e]], a.y[a.second[e]]};
+    const Vec2 middle = 0.5 * (from + to);
+    rim_cell_.push_back(any_free ? nearest_cell(middle, free) : nearest_cell(middle));
   }
   loop_cell_.clear();
   for (auto k = n.corner_start[0]; k < n.corner_start[1]; ++k)

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "flow/network.hpp"
@@ -44,7 +45,9 @@ class HostGrid {
   [[nodiscard]] Vec2 j_direction(std::int64_t c) const;
   // The cell that holds a point, -1 if none does; the nearest one.
   [[nodiscard]] std::int64_t cell_at(Vec2 p) const;
-  [[nodiscard]] std::int64_t nearest_cell(Vec2 p) const;
+  [[nodiscard]] std::int64_t nearest_cell(Vec2 p) const {
+    return nearest_cell(p, [](std::int64_t) { return true; });
+  }
   // fn(cell, share) for every cell that holds a share of the line.
   template <class Function>
   void along(Vec2 a, Vec2 b, Function&& fn) const {
@@ -66,8 +69,8 @@ class HostGrid {
   }
   // Cell of every pore's centroid, -1 outside the grid.
   [[nodiscard]] const std::vector<std::int64_t>& pore_cell() const { return pore_cell_; }
-  // Cell beyond every pipe of the rim (Network::rim_pipe): the one that holds the point a mean disc diameter outside of it, or
-  // else the nearest.
+  // Cell beyond every pipe of the rim (Network::rim_pipe): the nearest of those that the model covers less than half, or of all
+  // if it covers more of every one.
   [[nodiscard]] const std::vector<std::int64_t>& rim_cell() const { return rim_cell_; }
   // Cell of every disc of the model's outermost loop, in its order (corners of domain 0): the one that holds it, or the
   // nearest.
@@ -75,6 +78,8 @@ class HostGrid {
 
  private:
   HostGrid(std::int64_t nx, std::int64_t ny, std::vector<Quad> cells);
+  // The nearest cell that `fits`, -1 if none does; the one of lowest index if several are.
+  [[nodiscard]] std::int64_t nearest_cell(Vec2 p, const std::function<bool(std::int64_t)>& fits) const;
   // Every cell whose bins touch the box, each once, in order.
   [[nodiscard]] std::vector<std::int64_t> cells_near(Vec2 low, Vec2 high) const;
 
