@@ -1,4 +1,5 @@
 """A whole run: every file is there, complete, consistent with the others and the same each time."""
+import csv
 import math
 import os
 import pathlib
@@ -62,6 +63,27 @@ class WholeRun(unittest.TestCase):
                       self.top / "vtu" / "given_discs.csv")
         self.assertEqual(again.returncode, 0, again.stderr)
         self.assertEqual(summary(self.top / "vtu")["state_hash"], summary(self.top / "csv")["state_hash"])
+
+    def test_cells_of_a_reservoir_simulator(self):
+        folder = self.top / "cells"
+        done = run_case(folder, "--grid", 7, 5, 20, 25, "--steps", 4)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(folder / "cells.csv", newline="") as file:
+            cells = list(csv.DictReader(file))
+        self.assertEqual([(int(c["i"]), int(c["j"])) for c in cells], [(i, j) for j in range(5) for i in range(7)])
+        with open(folder / "cracks.csv", newline="") as file:
+            length = sum(float(crack["length_m"]) for crack in csv.DictReader(file))
+        self.assertAlmostEqual(sum(float(c["crack_length_m"]) for c in cells), length, delta=1e-9 * length)
+        self.assertGreater(max(float(c["kxx_m2"]) for c in cells), 0.0)
+        for name, keywords in (("permeability", ("PERMX", "PERMY", "PORO")), ("multipliers", ("MULTX", "MULTY", "MULTPV"))):
+            text = (folder / f"{name}.grdecl").read_text()
+            for keyword in keywords:
+                self.assertIn(f"\n{keyword}\n", text)
+        again = run_case(folder, "--overwrite", "--steps", 0)
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertNotIn("cells.csv", names(folder), "an earlier run's cells go with it")
+        for bad in ((0, 5, 20, 25), (7, 5, 20, -25), (7, 5, 20)):
+            self.assertEqual(run_case(self.top / "never", "--grid", *bad).returncode, 2)
 
     def test_bad_disc_files_are_refused(self):
         bad = self.top / "bad.csv"

@@ -44,6 +44,13 @@ void add_run(CLI::App& program, Action& action) {
       ->add_option("--discs", request->disc_file,
                    "Own discs instead of a packing: CSV with x, y, radius, or VTU")
       ->type_name("FILE");
+  command
+      ->add_option("--grid", request->grid,
+                   "Cells of a reservoir simulator, for cells.csv and Eclipse include files: NX NY DX DY [X0 "
+                   "Y0 [DEGREES]] in m; "
+                   "in the middle of the model without X0 Y0")
+      ->expected(4, 7)
+      ->type_name("NUMBERS");
   command->add_option("--steps", request->steps, "Take this many steps, whatever the case says")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--workers", request->workers, "Worker threads; results do not depend on it")

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "command/progress_line.hpp"
 #include "command/step_loop.hpp"
 #include "output/disc_file.hpp"
+#include "output/host_cells.hpp"
 #include "output/known_files.hpp"
 #include "output/run_folder.hpp"
 #include "output/safe_file.hpp"
@@ -83,6 +85,11 @@ ExitCode carry_out(const RunRequest& request) {
     fmt::print(stderr, "hfrac: interrupted during the set-up; nothing was written\n");
     return kInterrupted;
   }
+  try {
+    if (!request.grid.empty()) output::lay_grid(sim.get(), request.grid);
+  } catch (const output::EngineError& error) {
+    throw BadInput(fmt::format("--grid: {}", error.what()));
+  }
   output::remove_files_of_a_run(request.folder);
   definition.given_discs = nullptr;  // the model has its own copy
   definition.given_disc_count = 0;
@@ -93,6 +100,7 @@ ExitCode carry_out(const RunRequest& request) {
     if (!discs.empty()) output::write_whole(request.folder / "given_discs.csv", output::discs_as_csv(discs));
     discs = {};
     const auto why = take_steps(sim.get(), folder, definition, request.steps, line);
+    if (!request.grid.empty()) output::write_cells(sim.get(), std::llround(request.grid[0]), request.folder);
     folder.finish(sim.get(), why.text);
     line.end();
     if (!why.interrupted) return kGood;

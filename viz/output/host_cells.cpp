@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/host_cells.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "output/engine_call.hpp"
+#include "output/safe_file.hpp"
+
+namespace hfrac::output {
+
+void lay_grid(hfrac_sim* sim, const std::vector<double>& numbers) {
+  auto grid = sized<hfrac_grid>();
+  grid.nx = std::llround(numbers[0]);
+  grid.ny = std::llround(numbers[1]);
+  grid.dx = numbers[2];
+  grid.dy = numbers[3];
+  if (numbers.size() > 6) grid.angle = numbers[6] * 3.14159265358979323846 / 180.0;
+  if (numbers.size() > 5) {
+    grid.origin[0] = numbers[4];
+    grid.origin[1] = numbers[5];
+  } else {
+    const auto definition = definition_of(sim);
+    grid.origin[0] = 0.5 * (definition.model_width - static_cast<double>(grid.nx) * grid.dx);
+    grid.origin[1] = 0.5 * (definition.model_height - static_cast<double>(grid.ny) * grid.dy);
+  }
+  require(hfrac_set_grid(sim, &grid), sim);
+}
+
+std::string cell_table(hfrac_sim* sim, int64_t nx) {
+  const auto size = static_cast<int32_t>(sizeof(hfrac_cell));
+  int64_t count = 0;
+  require(hfrac_grid_cells(sim, HFRAC_UPSCALE_FLOW, size, nullptr, 0, &count), sim);
+  std::vector<hfrac_cell> cells(static_cast<size_t>(count));
+  require(hfrac_grid_cells(sim, HFRAC_UPSCALE_FLOW, size, cells.data(), count, &count), sim);
+  std::string table =
+      "i,j,area_m2,coverage,kxx_m2,kyy_m2,kxy_m2,matrix_permeability_m2,fracture_porosity,matrix_porosity,"
+      "crack_count,crack_length_m,leak_off_m2_per_s,outflow_m2_per_s,pressure_Pa,fracture_pressure_Pa\n";
+  for (int64_t c = 0; c < count; ++c) {
+    const auto& cell = cells[static_cast<size_t>(c)];
+    auto out = std::back_inserter(table);
+    fmt::format_to(out, "{},{},{},{}", c % nx, c / nx, cell.area, cell.coverage);
+    fmt::format_to(out, ",{},{},{}", cell.permeability[0], cell.permeability[1], cell.permeability[2]);
+    fmt::format_to(out, ",{},{},{}", cell.matrix_permeability, cell.fracture_porosity, cell.matrix_porosity);
+    fmt::format_to(out, ",{},{},{},{}", cell.crack_count, cell.crack_length, cell.leak_off, cell.outflow);
+    fmt::format_to(out, ",{},{}\n", cell.pressure, cell.fracture_pressure);
+  }
+  return table;
+}
+
+void write_cells(hfrac_sim* sim, int64_t nx, const std::filesystem::path& folder) {
+  write_whole(folder / "cells.csv", cell_table(sim, nx));
+  for (const auto& [name, kind] : {std::pair{"permeability.grdecl", HFRAC_GRDECL_PERM},
+                                   std::pair{"multipliers.grdecl", HFRAC_GRDECL_MULT}}) {
+    const int32_t status =
+        hfrac_write_grdecl(sim, (folder / name).c_str(), HFRAC_UPSCALE_FLOW, kind, 1, 0.0, 0.0);
+    if (status < 0) throw FileError(error_text(status, sim));
+  }
+}
+
+}  // namespace hfrac::output
