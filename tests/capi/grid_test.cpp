@@ -229,6 +229,39 @@ TEST(Grid, UniformStressIsTheFarFields) {
   EXPECT_NEAR(shear / count, 2e6, 0.15 * 2e6);
 }
 
+// Stress that grows along y, as on the side of a depleted zone: xx linear in y is in equilibrium (div = 0), so the rock
+// inside must carry it row by row.
+TEST(Grid, StressThatChangesFromCellToCellArrivesInside) {
+  hfrac_sim_def def = quiet_def(1500);
+  def.packing_residual = 1e-4;
+  def.contact_mode = 1;  // linear rock
+  def.flow_scheme = 2;   // dry
+  Sim sim(def);
+  const auto grid = regular(1, 20, 0.0, 0.0, 100.0, 5.0);
+  ASSERT_EQ(hfrac_set_grid(sim, &grid), HFRAC_OK);
+  const auto before = doubles(sim, HFRAC_DISC_STRESS);
+  std::vector<double> stress;
+  for (int j = 0; j < 20; ++j) stress.insert(stress.end(), {1e6 * (j - 9.5) / 10.0, 0.0, 0.0});
+  ASSERT_EQ(hfrac_set_cell_stress(sim, stress.data(), 60), HFRAC_OK) << last_error(sim);
+  ASSERT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+  const auto after = doubles(sim, HFRAC_DISC_STRESS), place = doubles(sim, HFRAC_DISC_POSITION);
+  // Slope of the change of xx against y over the inside, weighted alike.
+  double n = 0.0, y = 0.0, s = 0.0, yy = 0.0, ys = 0.0;
+  for (std::size_t i = 0; 2 * i < place.size(); ++i) {
+    if (std::abs(place[2 * i] - 50.0) > 35.0 || std::abs(place[2 * i + 1] - 50.0) > 35.0) continue;
+    if (std::hypot(place[2 * i] - 50.0, place[2 * i + 1] - 50.0) < 25.0) continue;  // the hole's own field
+    const double change = after[3 * i] - before[3 * i];
+    n += 1.0;
+    y += place[2 * i + 1];
+    s += change;
+    yy += place[2 * i + 1] * place[2 * i + 1];
+    ys += place[2 * i + 1] * change;
+  }
+  const double slope = (ys - y * s / n) / (yy - y * y / n);
+  std::printf("  slope %.4g Pa/m, given 2e4\n", slope);
+  EXPECT_NEAR(slope, 2e4, 0.1 * 2e4);
+}
+
 TEST(Grid, RejectedStepsTakeTheHostsValuesBack) {
   hfrac_sim_def def = quiet_def();
   def.flow_permeability = 1e-13;
