@@ -35,7 +35,7 @@ Simulation::Simulation(CaseDefinition definition, std::span<const double> given_
     : definition_(std::move(definition)) {
   validate(definition_, given_discs);
   const auto start = std::chrono::steady_clock::now();
-  workers_ = std::make_unique<Workers>(static_cast<int>(options().run_workers));
+  workers_.reset(new Workers(static_cast<int>(options().run_workers)));
   build(given_discs, progress);
   equilibrate(progress);
   begin_books();

@@ -179,7 +179,7 @@ class Simulation {
   void elastic_energy(double& bonds, double& contacts) const;  // J/m
 
   CaseDefinition definition_;
-  std::unique_ptr<Workers> workers_;
+  std::unique_ptr<Workers, Workers::Release> workers_;
   Assembly assembly_;
   Network network_;
   std::unique_ptr<Boundary> boundary_;
