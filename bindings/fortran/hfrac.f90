@@ -28,9 +28,11 @@ module hfrac
     c_null_funptr, c_null_ptr, c_ptr, c_sizeof
   private :: from_c, to_c, report, report_text
 
-  !> Where the C callback finds the Fortran procedure.
+  !> Where the C callbacks find the Fortran procedures.
   type, private :: progress_holder
     procedure(hfrac_progress), pointer, nopass :: ask => null()
+    procedure(hfrac_on_step), pointer, nopass :: step => null()
+    procedure(hfrac_log), pointer, nopass :: log => null()
   end type progress_holder
 
   !> One simulation. Ends with `destroy`, with its scope, or with the next `create`; cannot be assigned.
@@ -47,10 +49,14 @@ module hfrac
     generic, public :: step => step_int32, step_int64
     procedure, public :: advance
     procedure, public :: on_progress
+    procedure, public :: on_step
+    procedure, public :: on_log
     procedure, public :: state
     procedure, public :: setup
     procedure, public :: balance
     procedure, public :: solver
+    procedure, public :: step_limits
+    procedure, public :: walls
     procedure, public :: state_hash
     procedure, public :: epoch
     procedure, public :: definition
@@ -59,6 +65,7 @@ module hfrac
     procedure, public :: set_well_ramp
     procedure, public :: set_well_rate
     procedure, public :: set_far_field
+    procedure, public :: set_formation_pressure
     !> A reservoir simulator's grid: call sim%set_grid(nx, ny, origin, cell_size) or sim%set_grid(corners).
     generic, public :: set_grid => set_regular_grid, set_grid_corners
     procedure, public :: cells
@@ -68,6 +75,8 @@ module hfrac
     procedure, public :: write_grdecl
     procedure, public :: save => save_image
     procedure, public :: restore
+    procedure, public :: save_file
+    procedure, public :: load_file
     procedure, public :: prepare_step
     procedure, public :: do_step
     procedure, public :: finalize_step
@@ -87,11 +96,12 @@ module hfrac
   end type hfrac_simulation
 
   private :: create_from_definition, create_from_file, destroy, exists, c_handle, step_int32, step_int64, advance, &
-    on_progress, state, setup, balance, solver, state_hash, epoch, definition, wells, set_well_pressure, &
-    set_well_ramp, set_well_rate, set_far_field, set_regular_grid, set_grid_corners, cells, set_rim_pressure, set_cell_pressure, &
-    set_cell_stress, write_grdecl, save_image, restore, prepare_step, do_step, finalize_step, reject_step, cracks, &
-    fractures, get_double_1, get_double_2, get_int32_1, get_int32_2, view_double, view_int32, refuse_copy, describe, &
-    borrow, finish, ask_host
+    on_progress, on_step, on_log, state, setup, balance, solver, step_limits, walls, state_hash, epoch, definition, &
+    wells, set_well_pressure, set_well_ramp, set_well_rate, set_far_field, set_formation_pressure, &
+    set_regular_grid, set_grid_corners, cells, set_rim_pressure, set_cell_pressure, set_cell_stress, write_grdecl, &
+    save_image, restore, save_file, load_file, prepare_step, do_step, finalize_step, reject_step, cracks, fractures, &
+    get_double_1, get_double_2, get_int32_1, get_int32_2, view_double, view_int32, refuse_copy, describe, &
+    borrow, finish, ask_host, show_step, tell_host
 
 contains
 
@@ -126,6 +136,11 @@ contains
       holder%ask => def%progress
       full%values%progress = c_funloc(ask_host)
       full%values%progress_user = c_loc(holder)
+    end if
+    if (associated(def%log)) then
+      holder%log => def%log
+      full%values%log = c_funloc(tell_host)
+      full%values%log_user = c_loc(holder)
     end if
     call report(hfrac_sim_create(full%values, self%handle), c_null_ptr, stat, errmsg)
   end subroutine create_from_definition
@@ -252,6 +267,69 @@ contains
     call report(status, self%handle, stat, errmsg)
   end subroutine on_progress
 
+  !> Has `on_step` called after every step; no procedure: none any more.
+  subroutine on_step(self, look, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    procedure(hfrac_on_step), optional :: look
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int32_t) :: status
+    if (present(look)) then
+      if (.not. associated(self%holder)) allocate (self%holder)
+      self%holder%step => look
+      status = hfrac_set_on_step(self%handle, c_funloc(show_step), c_loc(self%holder))
+    else
+      status = hfrac_set_on_step(self%handle, c_null_funptr, c_null_ptr)
+    end if
+    call report(status, self%handle, stat, errmsg)
+  end subroutine on_step
+
+  !> Has `log` told what happens up to `level` (HFRAC_LOG_INFO if left out); no procedure: nobody any more.
+  subroutine on_log(self, log, level, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    procedure(hfrac_log), optional :: log
+    integer(c_int32_t), intent(in), optional :: level
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int32_t) :: status, up_to
+    up_to = HFRAC_LOG_INFO
+    if (present(level)) up_to = level
+    if (present(log)) then
+      if (.not. associated(self%holder)) allocate (self%holder)
+      self%holder%log => log
+      status = hfrac_set_log(self%handle, c_funloc(tell_host), c_loc(self%holder), up_to)
+    else
+      status = hfrac_set_log(self%handle, c_null_funptr, c_null_ptr, up_to)
+    end if
+    call report(status, self%handle, stat, errmsg)
+  end subroutine on_log
+
+  !> What the library calls after a step; `user` is a progress_holder.
+  function show_step(user, sim, step, time) bind(C, name="") result(stop_now)
+    type(c_ptr), value :: user
+    type(c_ptr), value :: sim
+    integer(c_int64_t), value :: step
+    real(c_double), value :: time
+    integer(c_int32_t) :: stop_now
+    type(progress_holder), pointer :: holder
+    stop_now = 0
+    if (.not. c_associated(sim)) return
+    call c_f_pointer(user, holder)
+    stop_now = merge(1_c_int32_t, 0_c_int32_t, holder%step(step, time))
+  end function show_step
+
+  !> What the library tells; `user` is a progress_holder.
+  function tell_host(user, level, message) bind(C, name="") result(unused)
+    type(c_ptr), value :: user
+    integer(c_int32_t), value :: level
+    type(c_ptr), value :: message
+    integer(c_int32_t) :: unused
+    type(progress_holder), pointer :: holder
+    call c_f_pointer(user, holder)
+    call holder%log(level, from_c(message))
+    unused = 0
+  end function tell_host
+
   !> What the library calls; `user` is a progress_holder.
   function ask_host(user, fraction, what) bind(C, name="") result(stop_now)
     type(c_ptr), value :: user
@@ -300,6 +378,31 @@ contains
     type(hfrac_solver_report) :: now
     call report(hfrac_sim_get_solver(self%handle, now), self%handle, stat, errmsg)
   end function solver
+
+  !> How long a step could be, and what limits it (HFRAC_LIMIT_...).
+  function step_limits(self, stat, errmsg) result(now)
+    class(hfrac_simulation), intent(in) :: self
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_step_limits) :: now
+    call report(hfrac_get_step_limits(self%handle, now), self%handle, stat, errmsg)
+  end function step_limits
+
+  !> The walls as they are now: left, right, lower, upper; none with boundary.kind "stress".
+  subroutine walls(self, list, stat, errmsg)
+    class(hfrac_simulation), intent(in) :: self
+    type(hfrac_wall_state), allocatable, intent(out) :: list(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int32_t) :: count, index, status
+    status = hfrac_wall_count(self%handle, count)
+    if (status < 0) count = 0
+    allocate (list(count))
+    do index = 0, count - 1
+      if (status >= 0) status = hfrac_wall_get(self%handle, index, list(index + 1))
+    end do
+    call report(status, self%handle, stat, errmsg)
+  end subroutine walls
 
   !> Equal if and only if the state is equal, bit for bit.
   function state_hash(self, stat, errmsg) result(hash)
@@ -387,6 +490,15 @@ contains
     character(*), intent(inout), optional :: errmsg
     call report(hfrac_set_far_field(self%handle, sigma_hmax, sigma_h), self%handle, stat, errmsg)
   end subroutine set_far_field
+
+  !> From the next step on, another pressure [Pa, absolute] in the pores outside the model.
+  subroutine set_formation_pressure(self, pressure, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    real(c_double), intent(in) :: pressure
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_set_formation_pressure(self%handle, pressure), self%handle, stat, errmsg)
+  end subroutine set_formation_pressure
 
   ! A reservoir simulator's grid. Arrays have the grid's shape (nx, ny), i first.
 
@@ -535,6 +647,25 @@ contains
     character(*), intent(inout), optional :: errmsg
     call report(hfrac_state_restore(self%handle, c_loc(image), size(image, kind=c_int64_t)), self%handle, stat, errmsg)
   end subroutine restore
+
+  !> Saves the state as a file, which is there whole or not at all.
+  subroutine save_file(self, path, stat, errmsg)
+    class(hfrac_simulation), intent(in) :: self
+    character(*), intent(in) :: path
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_state_save_file(self%handle, to_c(path)), self%handle, stat, errmsg)
+  end subroutine save_file
+
+  !> Goes back to a state in a file, of this simulation or one of the same definition; anything else is refused and
+  !> changes nothing.
+  subroutine load_file(self, path, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    character(*), intent(in) :: path
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_state_load_file(self%handle, to_c(path)), self%handle, stat, errmsg)
+  end subroutine load_file
 
   !> Opens a step: remembers the state. While it is open, step, advance and restore are refused.
   subroutine prepare_step(self, stat, errmsg)

@@ -49,8 +49,20 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_ERR_BUSY = -9
   !> an earlier error left the simulation unusable; only last_error and destroy work
   integer(c_int32_t), parameter :: HFRAC_ERR_POISONED = -10
+  !> a file cannot be written, cannot be read, or is not what it should be
+  integer(c_int32_t), parameter :: HFRAC_ERR_FILE = -11
   !> an error of the library itself; please report it
   integer(c_int32_t), parameter :: HFRAC_ERR_INTERNAL = -99
+
+  ! How much a message matters. A listener hears its level and what matters more.
+  !> a call failed; the text is that of hfrac_last_error
+  integer(c_int32_t), parameter :: HFRAC_LOG_ERROR = 1
+  !> the result may not be what was wanted: not at rest, bonds broken before injection
+  integer(c_int32_t), parameter :: HFRAC_LOG_WARNING = 2
+  !> what was built, new cracks, settings changed, states saved and restored
+  integer(c_int32_t), parameter :: HFRAC_LOG_INFO = 3
+  !> every step
+  integer(c_int32_t), parameter :: HFRAC_LOG_DETAIL = 4
 
   ! hfrac_def_limits.
   integer(c_int32_t), parameter :: HFRAC_MAX_WELLS = 8
@@ -73,6 +85,14 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_REASON_EXTENT = 2
   !> stop.cracks reached
   integer(c_int32_t), parameter :: HFRAC_REASON_CRACKS = 3
+
+  ! What limits a step binds.
+  !> none: stepping.flow_step is a matter of accuracy
+  integer(c_int32_t), parameter :: HFRAC_LIMIT_NONE = 0
+  !> the rock's motion: a step takes several mechanical cycles
+  integer(c_int32_t), parameter :: HFRAC_LIMIT_MECHANICS = 1
+  !> explicit flow: a step takes several sub-cycles
+  integer(c_int32_t), parameter :: HFRAC_LIMIT_FLOW = 2
 
   ! Fields. location: 0 disc, 1 bond, 2 pipe, 3 domain, 4 corner of a domain (flat list). dtype: 0 double, 1 int32.
   !> centre now
@@ -310,6 +330,12 @@ module hfrac_c
     real(c_double) :: solver_strength_overshoot = 0.0_c_double
     !> [s] Mode coupled: parts of a step are not made shorter; what happens within is taken as sudden. Default 1e-6.
     real(c_double) :: solver_smallest_step = 0.0_c_double
+    !> told what happens while the simulation is built; may be NULL. Later: hfrac_set_log
+    type(c_funptr) :: log = c_null_funptr
+    !> handed to `log`
+    type(c_ptr) :: log_user = c_null_ptr
+    !> enum hfrac_log_level, how much `log` hears. Default 3
+    integer(c_int64_t) :: log_level = 0_c_int64_t
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.
@@ -337,7 +363,7 @@ module hfrac_c
   !> How the simulation stands. Set struct_size before the call.
   type, bind(C) :: hfrac_sim_state
     !> sizeof(hfrac_sim_state) of the caller
-    integer(c_int32_t) :: struct_size = 120_c_int32_t
+    integer(c_int32_t) :: struct_size = 144_c_int32_t
     !> 1 if the last step's mechanics reached stepping.force_ratio
     integer(c_int32_t) :: at_rest = 0_c_int32_t
     !> [s] model (fluid) time
@@ -370,6 +396,12 @@ module hfrac_c
     integer(c_int32_t) :: stop_reason = 0_c_int32_t
     !> explicit flow: sub-cycles of the last step; implicit: iterations
     integer(c_int32_t) :: flow_subcycles = 0_c_int32_t
+    !> [Pa] far-field stress along x in force, in the reading's sense
+    real(c_double) :: sigma_hmax = 0.0_c_double
+    !> [Pa] along y
+    real(c_double) :: sigma_h = 0.0_c_double
+    !> [Pa] absolute, in the pores outside the model
+    real(c_double) :: formation_pressure = 0.0_c_double
   end type hfrac_sim_state
 
   !> What the set-up made. Set struct_size before the call.
@@ -470,6 +502,42 @@ module hfrac_c
     !> parts put back because no equilibrium was found
     integer(c_int64_t) :: rejected_divergence = 0_c_int64_t
   end type hfrac_solver_report
+
+  !> How long a step could be, and how it is divided. Set struct_size before the call.
+  type, bind(C) :: hfrac_step_limits
+    !> sizeof(hfrac_step_limits) of the caller
+    integer(c_int32_t) :: struct_size = 32_c_int32_t
+    !> enum hfrac_step_limit: what divides a step of stepping.flow_step most finely
+    integer(c_int32_t) :: binding = 0_c_int32_t
+    !> [s] stepping.flow_step, what hfrac_step takes at a time
+    real(c_double) :: flow_step = 0.0_c_double
+    !> [s] of one mechanical cycle with real masses, stable step times stepping.safety; binds in mode dynamic only,
+    !> since in the others the rock moves to rest in no time of its own
+    real(c_double) :: mechanical_step = 0.0_c_double
+    !> [s] largest stable step of explicit flow at today's apertures (half of it is used), at most 1e300; binds with
+    !> flow.scheme explicit only
+    real(c_double) :: explicit_step = 0.0_c_double
+  end type hfrac_step_limits
+
+  !> One wall of a model with boundary.kind walls. Set struct_size before the call.
+  type, bind(C) :: hfrac_wall_state
+    !> sizeof(hfrac_wall_state) of the caller
+    integer(c_int32_t) :: struct_size = 64_c_int32_t
+    !> 1: its servo keeps it at `target`, 0: fixed in place
+    integer(c_int32_t) :: moves = 0_c_int32_t
+    !> unit vector into the model
+    real(c_double) :: normal(2) = 0.0_c_double
+    !> [m] x of a wall across x, y of one across y, now
+    real(c_double) :: position = 0.0_c_double
+    !> [m] inward, since bonding
+    real(c_double) :: displacement = 0.0_c_double
+    !> [Pa] on it now, compression positive, effective: without what the pores outside carry
+    real(c_double) :: stress = 0.0_c_double
+    !> [Pa] of the servo, likewise effective
+    real(c_double) :: target = 0.0_c_double
+    !> discs that can touch it
+    integer(c_int64_t) :: disc_count = 0_c_int64_t
+  end type hfrac_wall_state
 
   !> One well as it stands. Set struct_size before the call.
   type, bind(C) :: hfrac_well_state
@@ -638,6 +706,19 @@ module hfrac_c
   end type hfrac_cell
 
   abstract interface
+    !> Takes one message, a sentence without a line end, on the thread of the call it is about; `message` is valid
+    !> during the call only. It may read from the simulation; calls that would change it return HFRAC_ERR_BUSY.
+    !> Return 0: the result is not used.
+    function hfrac_log_fn(user, level, message) bind(C)
+      import
+      type(c_ptr), value :: user
+      integer(c_int32_t), value :: level
+      character(kind=c_char), intent(in) :: message(*)
+      integer(c_int32_t) :: hfrac_log_fn
+    end function hfrac_log_fn
+  end interface
+
+  abstract interface
     !> Called while a simulation is built and while it runs, on the calling thread, with the share done in [0, 1]
     !> and what is being done. Nonzero return stops (HFRAC_STOPPED). Must not call back into the same simulation
     !> except to read.
@@ -648,6 +729,20 @@ module hfrac_c
       character(kind=c_char), intent(in) :: what(*)
       integer(c_int32_t) :: hfrac_progress_fn
     end function hfrac_progress_fn
+  end interface
+
+  abstract interface
+    !> Called after every whole step of hfrac_step and hfrac_advance (not of hfrac_step_do, whose host is in control
+    !> anyway), on the calling thread. It may read `sim`; calls that would change it return HFRAC_ERR_BUSY. Nonzero
+    !> stops after this step, which is kept (HFRAC_STOPPED). `step` counts from 1, `time` [s] is the model's.
+    function hfrac_step_fn(user, sim, step, time) bind(C)
+      import
+      type(c_ptr), value :: user
+      type(c_ptr), value :: sim
+      integer(c_int64_t), value :: step
+      real(c_double), value :: time
+      integer(c_int32_t) :: hfrac_step_fn
+    end function hfrac_step_fn
   end interface
 
   interface
@@ -727,7 +822,9 @@ module hfrac_c
       type(hfrac_sim_def), intent(in) :: def
       integer(c_int32_t) :: hfrac_sim_def_check
     end function hfrac_sim_def_check
-    !> Sets an option by its key, e.g. "bond.tensile_strength" or "well[0].pressure". Stable since 0.1.
+    !> Sets an option by its key, e.g. "bond.tensile_strength" or "well[0].pressure". The first value of the well
+    !> after the last one adds it; its centre is then the model's, as wide and high as it is at that moment. Stable
+    !> since 0.1.
     function hfrac_sim_def_set_f64(def, key, value) bind(C, name="hfrac_sim_def_set_f64")
       import
       type(hfrac_sim_def), intent(inout) :: def
@@ -759,6 +856,26 @@ module hfrac_c
       real(c_double), intent(out) :: value
       integer(c_int32_t) :: hfrac_sim_def_get_f64
     end function hfrac_sim_def_get_f64
+    !> Reads an integer option, a choice's index, or "well_count"; a real one is refused, since it would lose its
+    !> fraction. Unstable since 0.1.
+    function hfrac_sim_def_get_i64(def, key, value) bind(C, name="hfrac_sim_def_get_i64")
+      import
+      type(hfrac_sim_def), intent(in) :: def
+      character(kind=c_char), intent(in) :: key(*)
+      integer(c_int64_t), intent(out) :: value
+      integer(c_int32_t) :: hfrac_sim_def_get_i64
+    end function hfrac_sim_def_get_i64
+    !> Reads any option as text: a choice's word, "title", numbers with all their digits, so that setting or loading
+    !> the text gives the value back bit for bit. Unstable since 0.1.
+    function hfrac_sim_def_get_str(def, key, buffer, capacity, needed) bind(C, name="hfrac_sim_def_get_str")
+      import
+      type(hfrac_sim_def), intent(in) :: def
+      character(kind=c_char), intent(in) :: key(*)
+      type(c_ptr), value :: buffer
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(out) :: needed
+      integer(c_int32_t) :: hfrac_sim_def_get_str
+    end function hfrac_sim_def_get_str
     !> Number of options in the table. Stable since 0.1.
     function hfrac_option_count(count) bind(C, name="hfrac_option_count")
       import
@@ -772,6 +889,20 @@ module hfrac_c
       type(hfrac_option_info), intent(inout) :: info
       integer(c_int32_t) :: hfrac_option_at
     end function hfrac_option_at
+    !> Number of values a well has. Unstable since 0.1.
+    function hfrac_well_option_count(count) bind(C, name="hfrac_well_option_count")
+      import
+      integer(c_int32_t), intent(out) :: count
+      integer(c_int32_t) :: hfrac_well_option_count
+    end function hfrac_well_option_count
+    !> Entry `index` (from 0) of a well's values; its key is "radius" where the keyed functions take
+    !> "well[0].radius". Unstable since 0.1.
+    function hfrac_well_option_at(index, info) bind(C, name="hfrac_well_option_at")
+      import
+      integer(c_int32_t), value :: index
+      type(hfrac_option_info), intent(inout) :: info
+      integer(c_int32_t) :: hfrac_well_option_at
+    end function hfrac_well_option_at
     !> Builds a simulation. On failure *sim is NULL and hfrac_last_error(NULL, ...) says why. Stable since 0.1.
     function hfrac_sim_create(def, sim) bind(C, name="hfrac_sim_create")
       import
@@ -823,6 +954,23 @@ module hfrac_c
       real(c_double), value :: seconds
       integer(c_int32_t) :: hfrac_set_progress
     end function hfrac_set_progress
+    !> Sets the callback after every step; NULL removes it. Unstable since 0.1.
+    function hfrac_set_on_step(sim, on_step, user) bind(C, name="hfrac_set_on_step")
+      import
+      type(c_ptr), value :: sim
+      type(c_funptr), value :: on_step
+      type(c_ptr), value :: user
+      integer(c_int32_t) :: hfrac_set_on_step
+    end function hfrac_set_on_step
+    !> Sets who is told what happens, up to `level` (enum hfrac_log_level); NULL removes it. Unstable since 0.1.
+    function hfrac_set_log(sim, log, user, level) bind(C, name="hfrac_set_log")
+      import
+      type(c_ptr), value :: sim
+      type(c_funptr), value :: log
+      type(c_ptr), value :: user
+      integer(c_int32_t), value :: level
+      integer(c_int32_t) :: hfrac_set_log
+    end function hfrac_set_log
     !> How the simulation stands now. Stable since 0.1.
     function hfrac_sim_get_state(sim, state) bind(C, name="hfrac_sim_get_state")
       import
@@ -851,6 +999,28 @@ module hfrac_c
       type(hfrac_solver_report), intent(inout) :: report
       integer(c_int32_t) :: hfrac_sim_get_solver
     end function hfrac_sim_get_solver
+    !> How long a step could be now. Unstable since 0.1.
+    function hfrac_get_step_limits(sim, limits) bind(C, name="hfrac_get_step_limits")
+      import
+      type(c_ptr), value :: sim
+      type(hfrac_step_limits), intent(inout) :: limits
+      integer(c_int32_t) :: hfrac_get_step_limits
+    end function hfrac_get_step_limits
+    !> Number of walls: 4 (left, right, lower, upper), or 0 with boundary.kind stress. Unstable since 0.1.
+    function hfrac_wall_count(sim, count) bind(C, name="hfrac_wall_count")
+      import
+      type(c_ptr), value :: sim
+      integer(c_int32_t), intent(out) :: count
+      integer(c_int32_t) :: hfrac_wall_count
+    end function hfrac_wall_count
+    !> Wall `index` (from 0) now. Unstable since 0.1.
+    function hfrac_wall_get(sim, index, state) bind(C, name="hfrac_wall_get")
+      import
+      type(c_ptr), value :: sim
+      integer(c_int32_t), value :: index
+      type(hfrac_wall_state), intent(inout) :: state
+      integer(c_int32_t) :: hfrac_wall_get
+    end function hfrac_wall_get
     !> A number that is equal if and only if (up to collision) the state is equal, bit for bit. Stable since 0.1.
     function hfrac_state_hash(sim, hash) bind(C, name="hfrac_state_hash")
       import
@@ -1083,6 +1253,23 @@ module hfrac_c
       integer(c_int64_t), value :: size
       integer(c_int32_t) :: hfrac_state_restore
     end function hfrac_state_restore
+    !> Saves an image as file `path`: beside it first (`path`.part), synced, then renamed. After a crash or a power
+    !> cut there is the old file or the new one; if it fails (HFRAC_ERR_FILE: no such folder, no rights, disk full)
+    !> the old one is left and nothing else. One writer per path at a time. Unstable since 0.1.
+    function hfrac_state_save_file(sim, path) bind(C, name="hfrac_state_save_file")
+      import
+      type(c_ptr), value :: sim
+      character(kind=c_char), intent(in) :: path(*)
+      integer(c_int32_t) :: hfrac_state_save_file
+    end function hfrac_state_save_file
+    !> Restores an image from a file. One that cannot be read, is cut, damaged, of another model, of another format
+    !> or no image at all is refused (HFRAC_ERR_FILE) and changes nothing. Unstable since 0.1.
+    function hfrac_state_load_file(sim, path) bind(C, name="hfrac_state_load_file")
+      import
+      type(c_ptr), value :: sim
+      character(kind=c_char), intent(in) :: path(*)
+      integer(c_int32_t) :: hfrac_state_load_file
+    end function hfrac_state_load_file
     !> Opens a step: remembers the state. Stable since 0.1.
     function hfrac_step_prepare(sim) bind(C, name="hfrac_step_prepare")
       import
@@ -1118,5 +1305,16 @@ module hfrac_c
       real(c_double), value :: sigma_h
       integer(c_int32_t) :: hfrac_set_far_field
     end function hfrac_set_far_field
+    !> From the next step on, another pressure [Pa, absolute, 0 to 1e10] in the pores outside the model, in both
+    !> readings; the paper's other pressures stay net of fluid.formation_pressure as defined. Total far-field
+    !> stresses stay as they are; pores inside follow by flow. It is the same all around: what a host's grid said of
+    !> the rim no longer holds. Needs flow, and flow.outer formation. In the sound reading it must not exceed
+    !> sigma_h where the far field acts. Unstable since 0.1.
+    function hfrac_set_formation_pressure(sim, pressure) bind(C, name="hfrac_set_formation_pressure")
+      import
+      type(c_ptr), value :: sim
+      real(c_double), value :: pressure
+      integer(c_int32_t) :: hfrac_set_formation_pressure
+    end function hfrac_set_formation_pressure
   end interface
 end module hfrac_c

@@ -6,7 +6,7 @@ module hfrac_definition_module
   use hfrac_text
   implicit none
   private
-  public :: hfrac_definition, hfrac_progress
+  public :: hfrac_definition, hfrac_progress, hfrac_on_step, hfrac_log
 
   abstract interface
     !> Called while a simulation is built and while it runs, with the share done in [0, 1] and what is being done.
@@ -17,6 +17,21 @@ module hfrac_definition_module
       character(*), intent(in) :: what
       logical :: stop_now
     end function hfrac_progress
+    !> Called after every step with its number and the model time [s]. A true result stops after that step. Simulations
+    !> may be read from it.
+    function hfrac_on_step(step, time) result(stop_now)
+      import :: c_double, c_int64_t
+      integer(c_int64_t), intent(in) :: step
+      real(c_double), intent(in) :: time
+      logical :: stop_now
+    end function hfrac_on_step
+
+    !> Told what happens, and how much it matters (HFRAC_LOG_...).
+    subroutine hfrac_log(level, message)
+      import :: c_int32_t
+      integer(c_int32_t), intent(in) :: level
+      character(*), intent(in) :: message
+    end subroutine hfrac_log
   end interface
 
   !> The options of a simulation. Starts with every option at its default; any number of set and load, in any order.
@@ -30,11 +45,15 @@ module hfrac_definition_module
     real(c_double), allocatable :: discs(:, :)
     !> Asked while the simulation is built.
     procedure(hfrac_progress), pointer, nopass :: progress => null()
+    !> Told what happens while the simulation is built.
+    procedure(hfrac_log), pointer, nopass :: log => null()
   contains
     procedure :: init
     procedure :: load
     procedure :: check
     procedure :: get
+    procedure :: get_integer
+    procedure :: get_text
     procedure :: case_text
     generic :: set => set_double, set_int32, set_int64, set_text
     procedure, private :: set_double, set_int32, set_int64, set_text
@@ -81,6 +100,40 @@ contains
     if (status < 0) value = 0.0_c_double
     call report(status, c_null_ptr, stat, errmsg)
   end function get
+
+  !> An integer option, or a choice's index, by its key.
+  function get_integer(self, key, stat, errmsg) result(value)
+    class(hfrac_definition), intent(inout) :: self
+    character(*), intent(in) :: key
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int64_t) :: value
+    integer(c_int32_t) :: status
+    call self%init()
+    status = hfrac_sim_def_get_i64(self%values, to_c(key), value)
+    if (status < 0) value = 0_c_int64_t
+    call report(status, c_null_ptr, stat, errmsg)
+  end function get_integer
+
+  !> Any option as text: a choice's word, 'title', numbers with all their digits.
+  function get_text(self, key, stat, errmsg) result(text)
+    class(hfrac_definition), intent(inout) :: self
+    character(*), intent(in) :: key
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(:), allocatable :: text
+    character(kind=c_char), allocatable, target :: buffer(:)
+    integer(c_int32_t) :: needed, status
+    call self%init()
+    status = hfrac_sim_def_get_str(self%values, to_c(key), c_null_ptr, 0_c_int32_t, needed)
+    if (status == HFRAC_OK) then
+      allocate (buffer(needed))
+      status = hfrac_sim_def_get_str(self%values, to_c(key), c_loc(buffer), size(buffer, kind=c_int32_t), needed)
+    end if
+    text = ''
+    if (status == HFRAC_OK) text = from_c(c_loc(buffer))
+    call report(status, c_null_ptr, stat, errmsg)
+  end function get_text
 
   !> The definition as a case file with every option filled in.
   function case_text(self, stat, errmsg) result(text)

@@ -43,6 +43,7 @@ hfrac_sim_def default_def() {
   hfrac_sim_def def{};
   def.struct_size = sizeof def;
   def.struct_version = def_version;
+  def.log_level = HFRAC_LOG_INFO;
   put_options(Options{}, def);
   return def;
 }

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "field_values.hpp"
 #include "internal.hpp"
+#include "options/nearest.hpp"
 #include "sim_handle.hpp"
+#include "utf8.hpp"
 
 using namespace hfrac;
 using namespace hfrac::capi;
@@ -111,8 +114,14 @@ int32_t hfrac_field_find(const char* name, int32_t* field) {
         return;
       }
     }
+    std::vector<std::string_view> names;
+    for (const auto& entry : entries) names.emplace_back(entry.name);
+    const std::string given = printable(name);
+    const std::string_view nearest = nearest_name(given, names);
     throw Error(ErrorKind::unknown_key,
-                "no field of that name; the names are in HFRAC_FIELD_LIST of hfrac/field.h.");
+                given + " is not a field" +
+                    (nearest.empty() ? "; the names are in HFRAC_FIELD_LIST of hfrac/field.h."
+                                     : "; did you mean " + std::string(nearest) + "?"));
   });
 }
 

@@ -68,6 +68,8 @@ std::int32_t status_of(ErrorKind kind) noexcept {
       return HFRAC_ERR_BUSY;
     case ErrorKind::poisoned:
       return HFRAC_ERR_POISONED;
+    case ErrorKind::file:
+      return HFRAC_ERR_FILE;
     case ErrorKind::internal:
       return HFRAC_ERR_INTERNAL;
   }
@@ -89,6 +91,16 @@ std::int32_t status_of_current_exception(ErrorText& text) noexcept {
   } catch (...) {
     text.set("An exception that is not the library's own came through, maybe from a callback.");
     return HFRAC_ERR_INTERNAL;
+  }
+}
+
+void tell(const HandleBase& handle, std::int32_t level, std::string_view text) noexcept {
+  if (!handle.listener.hears(level) || handle.in_callback) return;
+  try {
+    const std::string sentence(text);
+    call_host(&handle,
+              [&] { return handle.listener.function(handle.listener.user, level, sentence.c_str()); });
+  } catch (...) {  // a listener's exception must not become the call's failure
   }
 }
 

@@ -56,6 +56,14 @@ class FloatingPointGuard {
 };
 
 // What hfrac_sim has in common with any handle to come: proof that it is one, its last error, its condition.
+// Who is told what happens.
+struct Listener {
+  hfrac_log_fn function = nullptr;
+  void* user = nullptr;
+  std::int32_t level = 0;
+  [[nodiscard]] bool hears(std::int32_t what) const { return function != nullptr && what <= level; }
+};
+
 struct HandleBase {
   static constexpr std::uint64_t alive = 0x68667261635f7369;  // "hfrac_si"
 
@@ -67,7 +75,8 @@ struct HandleBase {
 
   std::uint64_t cookie = alive;
   mutable ErrorText last_error;
-  bool in_callback = false;
+  mutable bool in_callback = false;
+  Listener listener;
   bool poisoned = false;
 };
 
@@ -102,6 +111,9 @@ std::int32_t guarded(Function&& function) noexcept {
 // HFRAC_ERR_BUSY.
 enum class Access { read, change };
 
+// Hands `text` to the handle's listener if it hears that level and is not itself on the line. What it throws is dropped.
+void tell(const HandleBase& handle, std::int32_t level, std::string_view text) noexcept;
+
 // Throws Error(bad_handle) unless `handle` is one of ours and alive.
 void require_handle(const HandleBase* handle);
 // Throws Error(poisoned) or Error(busy) if the handle's condition forbids the call.
@@ -128,6 +140,7 @@ std::int32_t guarded_sim(Handle* handle, Access access, Function&& function) noe
           status == HFRAC_ERR_INTERNAL || status == HFRAC_ERR_MEMORY || status == HFRAC_ERR_POISONED;
       if (access == Access::change && unknown_state) handle->poisoned = true;
     }
+    tell(*handle, HFRAC_LOG_ERROR, handle->last_error.get());
     return status;
   }
 }
@@ -142,9 +155,9 @@ std::int32_t guarded_sim(Handle* handle, Function&& function) noexcept {
 // Calls the host back in the host's own floating-point environment. With a handle, changing it meanwhile is
 // refused.
 template <class Function>
-auto call_host(HandleBase* handle, Function&& function) {
+auto call_host(const HandleBase* handle, Function&& function) {
   struct Scope {
-    explicit Scope(HandleBase* h) : handle(h) {
+    explicit Scope(const HandleBase* h) : handle(h) {
       if (handle != nullptr) handle->in_callback = true;
       std::fegetenv(&ours);
       if (FloatingPointGuard::current() != nullptr) std::fesetenv(&FloatingPointGuard::current()->host());
@@ -153,7 +166,7 @@ auto call_host(HandleBase* handle, Function&& function) {
       std::fesetenv(&ours);
       if (handle != nullptr) handle->in_callback = false;
     }
-    HandleBase* handle;
+    const HandleBase* handle;
     std::fenv_t ours;
   };
   const Scope scope(handle);

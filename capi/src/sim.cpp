@@ -2,13 +2,16 @@
 // A simulation's life from C: create, step, ask how it stands, destroy.
 #include "hfrac/sim.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "couple/simulation.hpp"
 #include "def_image.hpp"
 #include "internal.hpp"
+#include "messages.hpp"
 #include "options/choices.hpp"
+#include "options/number_text.hpp"
 #include "sim_handle.hpp"
 #include "stepping.hpp"
 
@@ -22,10 +25,18 @@ namespace {
 
 // One step of a longer call; `fraction` of that call is done when it begins.
 std::int32_t take_step(hfrac_sim& sim, Asker& asker, double fraction) {
+  const Simulation& s = *sim.simulation;
+  const std::size_t cracks_before = s.cracks().size();
   ++sim.epoch;
   const auto outcome = sim.simulation->step([&] { return asker.stop(fraction, "stepping"); });
   ++sim.epoch;  // a callback may have looked at the middle of the step
   if (outcome.stopped) return HFRAC_STOPPED;
+  tell_step(sim, cracks_before);
+  if (sim.on_step != nullptr) {
+    const bool stop =
+        call_host(&sim, [&] { return sim.on_step(sim.on_step_user, &sim, s.step_count(), s.time()); }) != 0;
+    if (stop) return HFRAC_STOPPED;
+  }
   return outcome.at_rest ? HFRAC_OK : HFRAC_NOT_AT_REST;
 }
 
@@ -44,6 +55,10 @@ void require_in_range(const char* name, double value) {
   set_real(any, *find_well_option(name), name, value);
 }
 
+void tell_well(const hfrac_sim& sim, std::int32_t index, const std::string& what) {
+  tell(sim, HFRAC_LOG_INFO, "well " + std::to_string(index) + ": " + what);
+}
+
 void require_finite(double value, const char* name) {
   if (!std::isfinite(value)) throw Error(ErrorKind::argument, std::string(name) + " is not a finite number.");
 }
@@ -56,14 +71,24 @@ int32_t hfrac_sim_create(const hfrac_sim_def* def, hfrac_sim** sim) {
     *sim = nullptr;
     const hfrac_sim_def full = read_def(def);
     auto handle = std::make_unique<hfrac_sim>();
+    handle->listener = listener_of(full.log, full.log_user, full.log_level);
     Asker asker(*handle, full.progress, full.progress_user, 0.05);
+    const char* stage = "";
     try {
-      handle->simulation =
-          std::make_unique<Simulation>(case_of(full), given_discs_of(full),
-                                       [&](double done, const char* what) { return asker.stop(done, what); });
+      handle->simulation = std::make_unique<Simulation>(case_of(full), given_discs_of(full),
+                                                        [&](double done, const char* what) {
+                                                          if (what != stage)
+                                                            tell(*handle, HFRAC_LOG_INFO, stage = what);
+                                                          return asker.stop(done, what);
+                                                        });
     } catch (const Stopped&) {
       return HFRAC_STOPPED;
+    } catch (const Error& error) {
+      tell(*handle, HFRAC_LOG_ERROR, error.what());
+      throw;
     }
+    tell_setup(*handle);
+    handle->listener = {};
     *sim = handle.release();
     return HFRAC_OK;
   });
@@ -126,12 +151,14 @@ int32_t hfrac_advance(hfrac_sim* sim, double target, double* reached, int32_t* r
       *reason = static_cast<std::int32_t>(s.stop_reason());
       if (*reason != HFRAC_REASON_TARGET) return status;
       const double fraction = (s.time() - start) / (target - start);
-      if (asker.stop(fraction, "stepping") || take_step(*sim, asker, fraction) == HFRAC_STOPPED) {
+      const bool stopped =
+          asker.stop(fraction, "stepping") || take_step(*sim, asker, fraction) == HFRAC_STOPPED;
+      *reached = s.time();
+      if (stopped) {
         *reason = HFRAC_REASON_CALLBACK;
         return HFRAC_STOPPED;
       }
       if (!s.at_rest()) status = HFRAC_NOT_AT_REST;
-      *reached = s.time();
     }
     return status;
   });
@@ -144,6 +171,17 @@ int32_t hfrac_set_progress(hfrac_sim* sim, hfrac_progress_fn progress, void* use
     sim->progress_user = user;
     sim->progress_seconds = seconds;
   });
+}
+
+int32_t hfrac_set_on_step(hfrac_sim* sim, hfrac_step_fn on_step, void* user) {
+  return guarded_sim(sim, [&] {
+    sim->on_step = on_step;
+    sim->on_step_user = user;
+  });
+}
+
+int32_t hfrac_set_log(hfrac_sim* sim, hfrac_log_fn log, void* user, int32_t level) {
+  return guarded_sim(sim, [&] { sim->listener = listener_of(log, user, level); });
 }
 
 int32_t hfrac_sim_get_state(const hfrac_sim* sim, hfrac_sim_state* state) {
@@ -167,6 +205,9 @@ int32_t hfrac_sim_get_state(const hfrac_sim* sim, hfrac_sim_state* state) {
     full.tip_distance = s.tip_distance();
     full.stop_reason = static_cast<std::int32_t>(s.stop_reason());
     full.flow_subcycles = s.flow_rounds();
+    full.sigma_H = s.options().stress_sigma_H;
+    full.sigma_h = s.options().stress_sigma_h;
+    full.formation_pressure = s.formation_pressure();
     write_struct(state, full, "hfrac_sim_state");
   });
 }
@@ -235,6 +276,56 @@ int32_t hfrac_sim_get_solver(const hfrac_sim* sim, hfrac_solver_report* report) 
   });
 }
 
+int32_t hfrac_get_step_limits(const hfrac_sim* sim, hfrac_step_limits* limits) {
+  return guarded_sim(sim, [&] {
+    const Simulation& s = *sim->simulation;
+    const Options& o = s.options();
+    hfrac_step_limits full{};
+    full.flow_step = o.stepping_flow_step;
+    full.mechanical_step = s.solver().real_step();
+    full.explicit_step = std::min(1e300, FlowSolver::explicit_limit(s.network()));
+    const double mechanics =
+        SteppingMode{o.stepping_mode} == SteppingMode::dynamic ? full.mechanical_step : 1e300;
+    const double flow =
+        FlowScheme{o.flow_scheme} == FlowScheme::explicit_scheme ? 0.5 * full.explicit_step : 1e300;
+    if (std::min(mechanics, flow) < full.flow_step)
+      full.binding = mechanics <= flow ? HFRAC_LIMIT_MECHANICS : HFRAC_LIMIT_FLOW;
+    write_struct(limits, full, "hfrac_step_limits");
+  });
+}
+
+int32_t hfrac_wall_count(const hfrac_sim* sim, int32_t* count) {
+  return guarded_sim(sim, [&] {
+    require_not_null(count, "count");
+    *count = sim->simulation->boundary().walled() ? 4 : 0;
+  });
+}
+
+int32_t hfrac_wall_get(const hfrac_sim* sim, int32_t index, hfrac_wall_state* state) {
+  return guarded_sim(sim, [&] {
+    const Simulation& s = *sim->simulation;
+    const Boundary& boundary = s.boundary();
+    if (index < 0 || index >= (boundary.walled() ? 4 : 0)) {
+      throw Error(ErrorKind::argument,
+                  "wall " + std::to_string(index) + " is not there: this simulation has " +
+                      (boundary.walled() ? "walls 0 to 3." : "no walls (boundary.kind stress)."));
+    }
+    const auto number = static_cast<std::size_t>(index);
+    const Boundary::Wall& wall = boundary.walls()[number];
+    hfrac_wall_state full{};
+    full.moves = boundary.walls_move() ? 1 : 0;
+    full.normal[0] = wall.inward.x;
+    full.normal[1] = wall.inward.y;
+    full.displacement = wall.displacement;
+    const double start = index == 1 ? s.options().model_width : (index == 3 ? s.options().model_height : 0.0);
+    full.position = start + (wall.inward.x + wall.inward.y) * wall.displacement;
+    full.stress = boundary.wall_stress(s.assembly(), number);
+    full.target = wall.target;
+    full.disc_count = static_cast<std::int64_t>(wall.discs.size());
+    write_struct(state, full, "hfrac_wall_state");
+  });
+}
+
 int32_t hfrac_state_hash(const hfrac_sim* sim, int64_t* hash) {
   return guarded_sim(sim, [&] {
     require_not_null(hash, "hash");
@@ -272,6 +363,7 @@ int32_t hfrac_well_set_pressure(hfrac_sim* sim, int32_t index, double pressure) 
     require_in_range("pressure", pressure);
     sim->simulation->set_well_pressure(static_cast<std::size_t>(index), pressure);
     ++sim->epoch;
+    tell_well(*sim, index, "held at " + number_text(pressure) + " Pa");
   });
 }
 
@@ -285,6 +377,8 @@ int32_t hfrac_well_set_ramp(hfrac_sim* sim, int32_t index, double pressure, doub
                   "per_step = " + std::to_string(per_step) + " must be positive, in Pa per step.");
     sim->simulation->set_well_ramp(static_cast<std::size_t>(index), pressure, per_step);
     ++sim->epoch;
+    tell_well(*sim, index,
+              "ramped by " + number_text(per_step) + " Pa a step to " + number_text(pressure) + " Pa");
   });
 }
 
@@ -298,5 +392,6 @@ int32_t hfrac_well_set_rate(hfrac_sim* sim, int32_t index, double rate) {
     }
     sim->simulation->set_well_rate(static_cast<std::size_t>(index), rate);
     ++sim->epoch;
+    tell_well(*sim, index, "takes " + number_text(rate) + " m2/s");
   });
 }

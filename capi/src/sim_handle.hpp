@@ -22,6 +22,8 @@ struct hfrac_sim : hfrac::capi::HandleBase {
   hfrac_progress_fn progress = nullptr;
   void* progress_user = nullptr;
   double progress_seconds = 0.0;
+  hfrac_step_fn on_step = nullptr;
+  void* on_step_user = nullptr;
 
   // Raised by every call that may change the simulation. Views are filled when asked for and hold for their epoch.
   std::int64_t epoch = 1;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images of the state and the three-part step, from C.
+// Images of the state in memory and in files, the three-part step, and what acts from outside, from C.
 #include "hfrac/state.h"
 
 #include <cmath>
 #include <string>
+#include <vector>
 
+#include "byte_file.hpp"
 #include "couple/simulation.hpp"
 #include "internal.hpp"
+#include "options/number_text.hpp"
 #include "sim_handle.hpp"
 #include "stepping.hpp"
 
@@ -16,22 +19,21 @@ using namespace hfrac::capi;
 int32_t hfrac_state_size(const hfrac_sim* sim, int64_t* size) {
   return guarded_sim(sim, [&] {
     require_not_null(size, "size");
-    *size = static_cast<std::int64_t>(sim->simulation->image().size());
+    *size = static_cast<std::int64_t>(sim->simulation->image_size());
   });
 }
 
 int32_t hfrac_state_save(const hfrac_sim* sim, void* buffer, int64_t capacity, int64_t* size) {
   return guarded_sim(sim, [&] {
     require_not_null(buffer, "buffer");
-    const std::vector<std::byte> image = sim->simulation->image();
-    const auto needed = static_cast<std::int64_t>(image.size());
-    if (capacity < needed) {
+    const std::size_t needed = sim->simulation->image_size();
+    if (capacity < static_cast<std::int64_t>(needed)) {
       throw Error(ErrorKind::argument, "capacity = " + std::to_string(capacity) + " is less than the " +
                                            std::to_string(needed) +
                                            " bytes of the image; ask hfrac_state_size.");
     }
-    std::memcpy(buffer, image.data(), image.size());
-    if (size != nullptr) *size = needed;
+    sim->simulation->write_image({static_cast<std::byte*>(buffer), needed});
+    if (size != nullptr) *size = static_cast<std::int64_t>(needed);
   });
 }
 
@@ -42,6 +44,35 @@ int32_t hfrac_state_restore(hfrac_sim* sim, const void* image, int64_t size) {
     if (size < 0) throw Error(ErrorKind::argument, "size = " + std::to_string(size) + " is negative.");
     ++sim->epoch;
     sim->simulation->restore({static_cast<const std::byte*>(image), static_cast<std::size_t>(size)});
+  });
+}
+
+int32_t hfrac_state_save_file(const hfrac_sim* sim, const char* path) {
+  return guarded_sim(sim, [&] {
+    require_not_null(path, "path");
+    std::vector<std::byte> image(sim->simulation->image_size());
+    sim->simulation->write_image(image);
+    write_whole_file(path, image);
+    tell(*sim, HFRAC_LOG_INFO,
+         "state after step " + std::to_string(sim->simulation->step_count()) + " saved to '" + path + "'");
+  });
+}
+
+int32_t hfrac_state_load_file(hfrac_sim* sim, const char* path) {
+  return guarded_sim(sim, [&] {
+    require_not_null(path, "path");
+    require_no_open_step(*sim);
+    // A state of this model is larger than today's by its cracks at most, far below this.
+    const std::vector<std::byte> image = read_whole_file(path, 64 * sim->simulation->image_size());
+    ++sim->epoch;
+    try {
+      sim->simulation->restore(image);
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::argument) throw;
+      throw Error(ErrorKind::file, "'" + std::string(path) + "': " + error.what());
+    }
+    tell(*sim, HFRAC_LOG_INFO,
+         "state after step " + std::to_string(sim->simulation->step_count()) + " loaded from '" + path + "'");
   });
 }
 
@@ -84,5 +115,17 @@ int32_t hfrac_set_far_field(hfrac_sim* sim, double sigma_H, double sigma_h) {
       throw Error(ErrorKind::argument, "a stress is not a finite number.");
     sim->simulation->set_far_field(sigma_H, sigma_h);
     ++sim->epoch;
+    tell(*sim, HFRAC_LOG_INFO,
+         "far field: sigma_H = " + number_text(sigma_H) + " Pa, sigma_h = " + number_text(sigma_h) + " Pa");
+  });
+}
+
+int32_t hfrac_set_formation_pressure(hfrac_sim* sim, double pressure) {
+  return guarded_sim(sim, [&] {
+    Options any;
+    set_real(any, *find_option("fluid.formation_pressure"), "pressure", pressure);  // its range
+    sim->simulation->set_formation_pressure(pressure);
+    ++sim->epoch;
+    tell(*sim, HFRAC_LOG_INFO, "formation pressure: " + number_text(pressure) + " Pa");
   });
 }

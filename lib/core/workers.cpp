@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/workers.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
+
+#include "core/error.hpp"
 
 namespace hfrac {
 namespace {
@@ -21,7 +25,7 @@ void wait_while(const std::atomic<Number>& number, Number old) {
 
 }  // namespace
 
-Workers::Workers(int count) : count_(std::max(1, count)) {
+Workers::Workers(int count) : count_(std::max(1, count)), process_(::getpid()) {
   threads_.reserve(static_cast<std::size_t>(count_ - 1));
   for (int worker = 1; worker < count_; ++worker) threads_.emplace_back([this, worker] { loop(worker); });
 }
@@ -35,10 +39,24 @@ Workers::~Workers() {
   for (auto& thread : threads_) thread.join();
 }
 
+bool Workers::forked() const {
+  return count_ > 1 && process_ != ::getpid();
+}
+
+void Workers::Release::operator()(Workers* workers) const {
+  if (!workers->forked()) delete workers;
+}
+
 void Workers::run(const std::function<void(int)>& task) {
   if (count_ == 1) {
     task(0);
     return;
+  }
+  if (forked()) {
+    throw Error(ErrorKind::argument,
+                "this simulation's workers stayed behind in the process that was forked; build it in the "
+                "child, or set "
+                "run.workers = 1.");
   }
   running_.store(count_ - 1, std::memory_order_relaxed);
   {

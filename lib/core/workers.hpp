@@ -21,13 +21,18 @@ class Workers {
  public:
   explicit Workers(int count);
   ~Workers();
+  // Threads do not come along into a forked child: there, several workers can neither run nor be waited for. run() says
+  // so, and this leaves what belongs to the parent's threads as it is.
+  struct Release {
+    void operator()(Workers* workers) const;
+  };
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
   [[nodiscard]] int count() const { return count_; }
 
   // Runs task(worker) once on every worker, the calling thread being worker 0; returns when all are done.
-  // The task must not throw.
+  // The task must not throw. Throws Error(argument) in a forked child.
   void run(const std::function<void(int)>& task);
 
   // Inside a task: waits until all workers have come here.
@@ -43,7 +48,10 @@ class Workers {
  private:
   void loop(int worker);
 
+  [[nodiscard]] bool forked() const;
+
   int count_;
+  std::int64_t process_;  // that made the threads
   std::vector<std::thread> threads_;
   std::mutex mutex_;
   std::condition_variable wake_;

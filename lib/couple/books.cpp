@@ -36,8 +36,9 @@ Balance Simulation::balance() const {
   b.contact_elastic = contacts;
   // The outside's pressure does its work through walls' discs only; under stress control the far field is all there is.
   const double outside =
-      boundary_->walled() ? 0.0
-                          : network_.reference_pressure * (network_.volume_change[0] - start_outside_change_);
+      boundary_->walled()
+          ? 0.0
+          : outside_work_ + network_.pressure[0] * (network_.volume_change[0] - start_outside_change_);
   b.fluid_work = e.fluid - outside;
   b.boundary_work = boundary_->load_work(assembly_) - start_boundary_work_;
   b.friction = e.friction;

@@ -35,10 +35,12 @@ Simulation::Simulation(CaseDefinition definition, std::span<const double> given_
     : definition_(std::move(definition)) {
   validate(definition_, given_discs);
   const auto start = std::chrono::steady_clock::now();
-  workers_ = std::make_unique<Workers>(static_cast<int>(options().run_workers));
+  workers_.reset(new Workers(static_cast<int>(options().run_workers)));
   build(given_discs, progress);
   equilibrate(progress);
   begin_books();
+  formation_pressure_ = options().fluid_formation_pressure;
+  model_ = model_fingerprint();
   setup_.setup_seconds = seconds_since(start);
 }
 
@@ -118,6 +120,7 @@ void Simulation::build(std::span<const double> given_discs, const Progress& prog
 void Simulation::equilibrate(const Progress& progress) {
   const Options& o = options();
   constexpr int stages = 10;
+  if (progress && progress(0.5, "finding equilibrium under the far field")) throw Stopped{};
   solver_->use_scaled_masses();
   solver_->set_damping(std::max(0.3, o.stepping_damping));
   solver_->set_undrained(false);

@@ -114,7 +114,8 @@ class Simulation {
 
   // The state as bytes, and back. A restored simulation goes on bit for bit as the saved one did. Images fit the model they
   // were taken from; anything else is refused and changes nothing.
-  [[nodiscard]] std::vector<std::byte> image() const;
+  [[nodiscard]] std::size_t image_size() const;
+  void write_image(std::span<std::byte> image) const;  // of image_size() bytes
   void restore(std::span<const std::byte> image);
 
   // A step in three parts, for hosts that iterate: try_step may be called again and again, with another duration or
@@ -128,6 +129,10 @@ class Simulation {
 
   // From the next step on; stress-controlled or servo-driven boundaries only.
   void set_far_field(double sigma_H, double sigma_h);
+  // From the next step on, another absolute pressure in the pores outside the model. Total stresses stay; inside it follows
+  // by flow.
+  void set_formation_pressure(double pressure);
+  [[nodiscard]] double formation_pressure() const { return formation_pressure_; }
 
   // A reservoir simulator's grid and what passes through it (host.cpp). The grid is no part of the state, what it brought is.
   void set_grid(HostGrid grid);
@@ -152,6 +157,7 @@ class Simulation {
   void flow_step(double duration);
   void finish_step(double duration, std::size_t cracks_before);
   void require_finite() const;
+  void put_formation_pressure(double pressure);
   void impose_well_pressure(Well& well, double pressure);
   void book_flow(double duration);
   void close_step(double duration, std::size_t cracks_before);
@@ -163,7 +169,8 @@ class Simulation {
   // state.cpp
   template <class Archive, class Self>
   static void visit_state(Archive& archive, Self& self);
-  void save_state(std::vector<std::byte>& image) const;
+  [[nodiscard]] std::size_t state_size() const;
+  void save_state(std::vector<std::byte>& state) const;
   void load_state(std::span<const std::byte> image);
   [[nodiscard]] std::uint64_t model_fingerprint() const;
   // host.cpp
@@ -172,7 +179,7 @@ class Simulation {
   void elastic_energy(double& bonds, double& contacts) const;  // J/m
 
   CaseDefinition definition_;
-  std::unique_ptr<Workers> workers_;
+  std::unique_ptr<Workers, Workers::Release> workers_;
   Assembly assembly_;
   Network network_;
   std::unique_ptr<Boundary> boundary_;
@@ -200,6 +207,9 @@ class Simulation {
   double oda_matrix_ = 1.0;  // the rock's permeability over that of a uniform gradient, at the end of set-up
   double start_bond_energy_ = 0.0, start_contact_energy_ = 0.0, start_boundary_work_ = 0.0,
          start_outside_change_ = 0.0;
+  double formation_pressure_ = 0.0;  // Pa, absolute, outside now
+  double outside_work_ = 0.0;        // J/m, by earlier pressures outside, up to start_outside_change_
+  std::uint64_t model_ = 0;          // fingerprint of what never changes
 };
 
 // Thrown by the constructor when progress asked to stop.

@@ -22,10 +22,10 @@ void Simulation::visit_state(Archive& archive, Self& s) {
   archive.value(n.zero_stress_aperture);
   for (auto* values : {&s.start_x_, &s.start_y_, &s.start_rotation_, &s.start_content_, &s.pressure_rate_})
     archive.array(*values);
-  for (auto* value :
-       {&s.start_bond_energy_, &s.start_contact_energy_, &s.start_boundary_work_, &s.start_outside_change_,
-        &s.time_, &s.force_ratio_, &s.leaked_, &s.tip_distance_, &s.host_added_, &s.part_, &s.excess_,
-        &s.definition_.options.stress_sigma_H, &s.definition_.options.stress_sigma_h}) {
+  for (auto* value : {&s.start_bond_energy_, &s.start_contact_energy_, &s.start_boundary_work_,
+                      &s.start_outside_change_, &s.time_, &s.force_ratio_, &s.leaked_, &s.tip_distance_,
+                      &s.host_added_, &s.part_, &s.excess_, &s.formation_pressure_, &s.outside_work_,
+                      &s.definition_.options.stress_sigma_H, &s.definition_.options.stress_sigma_h}) {
     archive.value(*value);
   }
   auto& work = s.work_;
@@ -57,9 +57,15 @@ void Simulation::visit_state(Archive& archive, Self& s) {
   });
 }
 
-void Simulation::save_state(std::vector<std::byte>& image) const {
-  image.clear();
-  Saver saver(image);
+std::size_t Simulation::state_size() const {
+  Counter counter;
+  visit_state(counter, *this);
+  return counter.size();
+}
+
+void Simulation::save_state(std::vector<std::byte>& state) const {
+  state.resize(state_size());
+  Saver saver(state);
   visit_state(saver, *this);
 }
 
@@ -68,7 +74,7 @@ void Simulation::load_state(std::span<const std::byte> image) {
   visit_state(loader, *this);
   if (loader.left() != 0)
     throw Error(ErrorKind::argument, "the state image is longer than this simulation's state.");
-  boundary_->restore_load(assembly_, options().stress_sigma_H, options().stress_sigma_h);
+  boundary_->restore_load(assembly_, network_, options().stress_sigma_H, options().stress_sigma_h);
   solver_->after_restore();
 }
 
@@ -78,20 +84,24 @@ std::uint64_t Simulation::state_hash() const {
   return hasher.result();
 }
 
-// Image in memory: magic, format, byte order, fingerprint of the model, size and checksum of the state, the state.
+// Image: magic, format, byte order, fingerprint of the model, size of the state, checksum, the state. The format is that
+// of visit_state: whoever changes what is visited, or in which order, raises it.
 namespace {
 
 struct ImageHeader {
   char magic[8];
   std::uint32_t format;
   std::uint32_t byte_order;
-  std::uint64_t model, size, checksum;
+  std::uint64_t model, size, checksum;  // the checksum is of the header before it and of the state
 };
 constexpr char image_magic[8] = {'h', 'f', 'r', 'a', 'c', 'i', 'm', 'g'};
-constexpr std::uint32_t image_format = 1, image_byte_order = 0x01020304;
+constexpr std::uint32_t image_format = 2, image_byte_order = 0x01020304;
 
-std::uint64_t checksum(std::span<const std::byte> bytes) {
+std::uint64_t checksum(const ImageHeader& header, std::span<const std::byte> bytes) {
   Hash hash;
+  hash.add(header.model);
+  hash.add(header.size);
+  hash.add((static_cast<std::uint64_t>(header.format) << 32U) | header.byte_order);
   std::size_t k = 0;
   for (; k + 8 <= bytes.size(); k += 8) {
     std::uint64_t word = 0;
@@ -102,8 +112,18 @@ std::uint64_t checksum(std::span<const std::byte> bytes) {
   return hash.value();
 }
 
-[[noreturn]] void refuse(const char* why) {
-  throw Error(ErrorKind::argument, std::string("the state image cannot be restored: ") + why);
+[[noreturn]] void refuse(const std::string& why) {
+  throw Error(ErrorKind::argument, "the state image cannot be restored: " + why);
+}
+
+// Options that a state makes no sense without. Others, such as the length of a step, may differ.
+bool is_of_the_model(std::string_view key) {
+  if (key == "fluid.formation_pressure") return false;  // of the state: a host may change it
+  const auto section = key.substr(0, key.find('.'));
+  for (const std::string_view kept : {"model", "disc", "contact", "bond", "boundary", "fluid", "flow"}) {
+    if (section == kept) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -115,23 +135,28 @@ std::uint64_t Simulation::model_fingerprint() const {
   hash.add_all(assembly_.radius);
   hash.add_all(assembly_.tensile_capacity);
   hash.add_all(network_.volume);
+  for (const auto& info : option_table()) {
+    if (is_of_the_model(info.key)) hash.add(get_value(options(), info));
+  }
   return hash.value();
 }
 
-std::vector<std::byte> Simulation::image() const {
-  std::vector<std::byte> state;
-  save_state(state);
+std::size_t Simulation::image_size() const {
+  return sizeof(ImageHeader) + state_size();
+}
+
+void Simulation::write_image(std::span<std::byte> image) const {
+  const auto state = image.subspan(sizeof(ImageHeader));
+  Saver saver(state);
+  visit_state(saver, *this);
   ImageHeader header{};
   std::memcpy(header.magic, image_magic, sizeof header.magic);
   header.format = image_format;
   header.byte_order = image_byte_order;
-  header.model = model_fingerprint();
+  header.model = model_;
   header.size = state.size();
-  header.checksum = checksum(state);
-  std::vector<std::byte> image(sizeof header + state.size());
+  header.checksum = checksum(header, state);
   std::memcpy(image.data(), &header, sizeof header);
-  std::memcpy(image.data() + sizeof header, state.data(), state.size());
-  return image;
 }
 
 void Simulation::restore(std::span<const std::byte> image) {
@@ -142,10 +167,22 @@ void Simulation::restore(std::span<const std::byte> image) {
   if (std::memcmp(header.magic, image_magic, sizeof header.magic) != 0)
     refuse("it is not an image of this library.");
   if (header.byte_order != image_byte_order) refuse("it comes from a machine of the other byte order.");
-  if (header.format != image_format) refuse("it has another format version than this library reads.");
-  if (header.size != state.size() || header.checksum != checksum(state))
-    refuse("it is damaged: size or checksum differ.");
-  if (header.model != model_fingerprint()) refuse("it was taken from another model.");
+  if (header.format != image_format) {
+    refuse("its format is " + std::to_string(header.format) + ", and this library reads format " +
+           std::to_string(image_format) +
+           "; use the version of the library that wrote it, or run the case anew.");
+  }
+  if (header.size != state.size()) {
+    refuse("it should be " + std::to_string(header.size + sizeof header) + " bytes long and is " +
+           std::to_string(image.size()) + ": it was cut, or something was added.");
+  }
+  if (header.checksum != checksum(header, state)) refuse("it is damaged: its checksum differs.");
+  if (header.model != model_) {
+    refuse(
+        "it was taken from another model: discs, wells, or options of model, disc, contact, bond, boundary, "
+        "fluid or "
+        "flow differ.");
+  }
   std::vector<std::byte> before;
   save_state(before);
   try {

@@ -198,6 +198,7 @@ Simulation::StepOutcome Simulation::try_step(double duration, const std::functio
   const auto rim_excess = network_.rim_excess;
   const auto host_load = boundary_->host_load();
   const double sigma_H = options().stress_sigma_H, sigma_h = options().stress_sigma_h;
+  const double formation = formation_pressure_;
   load_state(opened_);
   for (std::size_t w = 0; w < wells.size(); ++w) {
     wells_[w].control = wells[w].control;
@@ -205,10 +206,11 @@ Simulation::StepOutcome Simulation::try_step(double duration, const std::functio
     wells_[w].ramp_per_step = wells[w].ramp_per_step;
     wells_[w].set_rate = wells[w].set_rate;
   }
-  network_.rim_excess = rim_excess;
   boundary_->put_host_load(host_load);
   definition_.options.stress_sigma_H = sigma_H;
   definition_.options.stress_sigma_h = sigma_h;
+  if (formation != formation_pressure_) put_formation_pressure(formation);
+  network_.rim_excess = rim_excess;
   boundary_->set_far_field(assembly_, sigma_H, sigma_h);
   return step_for(duration, interrupt);
 }
@@ -237,6 +239,35 @@ void Simulation::set_far_field(double sigma_H, double sigma_h) {
   definition_.options.stress_sigma_H = sigma_H;
   definition_.options.stress_sigma_h = sigma_h;
   boundary_->set_far_field(assembly_, sigma_H, sigma_h);
+}
+
+void Simulation::set_formation_pressure(double pressure) {
+  const Options& o = options();
+  if (!flow_ || OuterPores{o.flow_outer} == OuterPores::closed) {
+    throw Error(
+        ErrorKind::argument,
+        "no pores outside are connected to the model, so their pressure cannot act; use flow.scheme = "
+        "\"implicit\" or \"explicit\" with flow.outer = \"formation\".");
+  }
+  const bool sound = Reading{o.model_reading} == Reading::sound;
+  if (sound && boundary_->follows_far_field() && pressure > o.stress_sigma_h) {
+    throw Error(ErrorKind::argument, "a formation pressure of " + std::to_string(pressure) +
+                                         " Pa is above sigma_h = " + std::to_string(o.stress_sigma_h) +
+                                         " Pa and would pull the rock apart; raise the far field first.");
+  }
+  put_formation_pressure(pressure);
+}
+
+void Simulation::put_formation_pressure(double pressure) {
+  const Options& o = options();
+  // Pressures count from the datum of the reading; content is measured from where it was at set-up.
+  const double outside = network_.reference_pressure + (pressure - o.fluid_formation_pressure);
+  outside_work_ += network_.pressure[0] * (network_.volume_change[0] - start_outside_change_);
+  start_outside_change_ = network_.volume_change[0];
+  network_.pressure[0] = outside;
+  formation_pressure_ = pressure;
+  std::fill(network_.rim_excess.begin(), network_.rim_excess.end(), 0.0);  // the same all around again
+  boundary_->set_outside_pressure(assembly_, network_, o.stress_sigma_H, o.stress_sigma_h);
 }
 
 void Simulation::set_well_pressure(std::size_t well, double pressure) {

@@ -9,9 +9,9 @@
 namespace hfrac {
 
 Boundary::Boundary(const Assembly& a, const Network& n, const Options& o)
-    : walled_(BoundaryKind{o.boundary_kind} == BoundaryKind::walls), stiffness_(o.contact_normal_stiffness) {
-  // In a dry model nothing pushes from inside, and stresses are all there is.
-  outside_pressure_ = FlowScheme{o.flow_scheme} == FlowScheme::off ? 0.0 : n.reference_pressure;
+    : walled_(BoundaryKind{o.boundary_kind} == BoundaryKind::walls),
+      wet_(FlowScheme{o.flow_scheme} != FlowScheme::off),
+      stiffness_(o.contact_normal_stiffness) {
   if (!walled_) {
     for (auto* values : {&pore_x_, &pore_y_, &weight_x_, &weight_y_, &host_x_, &host_y_, &load_x_, &load_y_})
       values->assign(a.x.size(), 0.0);
@@ -19,15 +19,15 @@ Boundary::Boundary(const Assembly& a, const Network& n, const Options& o)
     for (auto k = begin; k < end; ++k) {
       const auto i = n.corner_disc[k], from = n.corner_disc[k > begin ? k - 1 : end - 1],
                  to = n.corner_disc[k + 1 < end ? k + 1 : begin];
-      pore_x_[i] += outside_pressure_ * n.corner_weight[2 * k];
-      pore_y_[i] += outside_pressure_ * n.corner_weight[2 * k + 1];
       // Half of the edge behind and half of the one ahead, turned inward.
       weight_x_[i] += 0.5 * (a.y[to] - a.y[from]);
       weight_y_[i] -= 0.5 * (a.x[to] - a.x[from]);
     }
+    put_outside_pressure(n);
     put_far_field(o.stress_sigma_H, o.stress_sigma_h);
     return;
   }
+  put_outside_pressure(n);
   // Walls carry effective stress: the pores outside push with the formation's pressure.
   const double width = o.model_width, height = o.model_height;
   walls_[0] = {{1.0, 0.0}, height, 0.0, 0.0, 0.0, {}};
@@ -45,6 +45,18 @@ Boundary::Boundary(const Assembly& a, const Network& n, const Options& o)
       walls_[w].discs.push_back(i);
       at_wall_[static_cast<std::size_t>(i)] = 1;
     }
+  }
+}
+
+void Boundary::put_outside_pressure(const Network& n) {
+  // In a dry model nothing pushes from inside, and stresses are all there is.
+  outside_pressure_ = wet_ ? n.pressure[0] : 0.0;
+  if (walled_) return;
+  const auto begin = n.corner_start[0], end = n.corner_start[1];
+  for (auto k = begin; k < end; ++k) pore_x_[n.corner_disc[k]] = pore_y_[n.corner_disc[k]] = 0.0;
+  for (auto k = begin; k < end; ++k) {
+    pore_x_[n.corner_disc[k]] += outside_pressure_ * n.corner_weight[2 * k];
+    pore_y_[n.corner_disc[k]] += outside_pressure_ * n.corner_weight[2 * k + 1];
   }
 }
 
@@ -70,9 +82,15 @@ void Boundary::set_far_field(Assembly& a, double sigma_H, double sigma_h) {
   }
 }
 
-void Boundary::restore_load(Assembly& a, double sigma_H, double sigma_h) {
+void Boundary::set_outside_pressure(Assembly& a, const Network& n, double sigma_H, double sigma_h) {
+  put_outside_pressure(n);
+  set_far_field(a, sigma_H, sigma_h);
+}
+
+void Boundary::restore_load(Assembly& a, const Network& n, double sigma_H, double sigma_h) {
+  put_outside_pressure(n);
   put_far_field(sigma_H, sigma_h);
-  set_load(a, load_);
+  if (!walled_) set_load(a, load_);
 }
 
 void Boundary::set_host_stress(Assembly& a, const Network& n, std::span<const double> stress, double sigma_H,
@@ -200,16 +218,18 @@ void Boundary::add_stiffness(std::vector<double>& row_x, std::vector<double>& ro
   }
 }
 
-Vec2 Boundary::wall_stress(const Assembly& a) const {
-  double sum[4] = {0.0, 0.0, 0.0, 0.0};
-  for (std::size_t w = 0; w < 4; ++w) {
-    for (const auto i : walls_[w].discs) {
-      const double closing =
-          walls_[w].displacement - (a.ux[i] * walls_[w].inward.x + a.uy[i] * walls_[w].inward.y);
-      sum[w] += stiffness_ * std::max(0.0, closing) / walls_[w].length;
-    }
+double Boundary::wall_stress(const Assembly& a, std::size_t w) const {
+  const Wall& wall = walls_[w];
+  double sum = 0.0;
+  for (const auto i : wall.discs) {
+    const double closing = wall.displacement - (a.ux[i] * wall.inward.x + a.uy[i] * wall.inward.y);
+    sum += stiffness_ * std::max(0.0, closing) / wall.length;
   }
-  return {0.5 * (sum[0] + sum[1]), 0.5 * (sum[2] + sum[3])};
+  return sum;
+}
+
+Vec2 Boundary::wall_stress(const Assembly& a) const {
+  return {0.5 * (wall_stress(a, 0) + wall_stress(a, 1)), 0.5 * (wall_stress(a, 2) + wall_stress(a, 3))};
 }
 
 double Boundary::wall_energy(const Assembly& a) const {

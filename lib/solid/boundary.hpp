@@ -56,6 +56,10 @@ class Boundary {
   [[nodiscard]] bool follows_far_field() const { return !walled_ || servo_; }
   // New far-field stress [Pa], total in the sound reading; the share in force stays.
   void set_far_field(Assembly& assembly, double sigma_H, double sigma_h);
+  // Likewise another pressure in the pores outside, that of domain 0 [Pa]; the total far-field stress stays.
+  void set_outside_pressure(Assembly& assembly, const Network& network, double sigma_H, double sigma_h);
+  // The loads follow again from domain 0 and the far field after a state was loaded.
+  void restore_load(Assembly& assembly, const Network& network, double sigma_H, double sigma_h);
 
   // Stress that a host adds to the far field at each disc of the outer loop, in its order [Pa; xx, yy, xy, compression
   // positive]; stress boundaries only. What net force and moment the tractions leave is taken out.
@@ -68,8 +72,6 @@ class Boundary {
     host_x_ = load[0];
     host_y_ = load[1];
   }
-  // The loads follow again from far field and host's stress after a state was loaded; the work done was loaded with it.
-  void restore_load(Assembly& assembly, double sigma_H, double sigma_h);
 
   template <class Archive>
   void visit_state(Archive& archive) {
@@ -83,6 +85,9 @@ class Boundary {
 
   // Mean normal stress on the walls along x and y [Pa], compression positive, without pore pressure outside.
   [[nodiscard]] Vec2 wall_stress(const Assembly& assembly) const;
+  // Likewise on one wall [Pa].
+  [[nodiscard]] double wall_stress(const Assembly& assembly, std::size_t wall) const;
+  [[nodiscard]] bool walls_move() const { return walled_ && servo_; }
   // Largest unbalanced force on a wall over its target, or 0 when fixed.
   [[nodiscard]] double wall_imbalance() const { return servo_ ? imbalance_ : 0.0; }
   // Energy stored in wall contacts now [J/m].
@@ -102,6 +107,7 @@ class Boundary {
   std::array<Wall, 4>& walls() { return walls_; }
 
  private:
+  void put_outside_pressure(const Network& network);
   void put_far_field(double sigma_H, double sigma_h);
 
   template <class Archive, class Self>
@@ -119,7 +125,7 @@ class Boundary {
     archive.array(s.host_y_);
   }
 
-  bool walled_, servo_ = true;
+  bool walled_, wet_, servo_ = true;
   double stiffness_, load_ = 0.0, work_ = 0.0, imbalance_ = 0.0, carried_work_ = 0.0;
   double outside_pressure_ = 0.0;      // Pa, what walls leave to the pores outside
   Array<double> pore_x_, pore_y_;      // N: what balances the pores' pressure at the start

@@ -18,10 +18,33 @@
 
 namespace hfrac {
 
-// Appends to a byte vector.
+// How many bytes the others write or read.
+class Counter {
+ public:
+  template <class Value>
+  void value(const Value&) {
+    size_ += sizeof(Value);
+  }
+  template <class Values>
+  void array(const Values& values) {
+    size_ += sizeof(std::int64_t) + values.size() * sizeof values[0];
+  }
+  template <class Values, class Item>
+  void list(const Values& values, Item&& item) {
+    size_ += sizeof(std::int64_t);
+    for (const auto& element : values) item(*this, element);
+  }
+  [[nodiscard]] std::size_t size() const { return size_; }
+  static constexpr bool loading = false;
+
+ private:
+  std::size_t size_ = 0;
+};
+
+// Writes into memory of the size a Counter found.
 class Saver {
  public:
-  explicit Saver(std::vector<std::byte>& out) : out_(out) {}
+  explicit Saver(std::span<std::byte> to) : to_(to) {}
   template <class Value>
   void value(const Value& v) {
     static_assert(std::is_arithmetic_v<Value> || std::is_enum_v<Value>);
@@ -43,12 +66,11 @@ class Saver {
 
  private:
   void append(const void* data, std::size_t size) {
-    if (size == 0) return;
-    const auto at = out_.size();
-    out_.resize(at + size);
-    std::memcpy(out_.data() + at, data, size);
+    if (size > to_.size()) throw Error(ErrorKind::internal, "a state is larger than it was counted.");
+    if (size > 0) std::memcpy(to_.data(), data, size);
+    to_ = to_.subspan(size);
   }
-  std::vector<std::byte>& out_;
+  std::span<std::byte> to_;
 };
 
 // Reads back, never past the end. Throws Error(argument) if the bytes are not those of such a simulation.

@@ -2,11 +2,27 @@
 ! Module hfrac from outside: every procedure at least once, right use and wrong, with floating-point traps armed.
 !   fortran_test CASE
 module fortran_test_progress
-  use, intrinsic :: iso_c_binding, only: c_double
+  use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t
+  use hfrac, only: HFRAC_LOG_ERROR
   implicit none
   integer :: calls = 0
+  integer :: steps = 0, messages = 0
   logical :: stop_at_once = .false.
 contains
+  function count_steps(step, time) result(stop_now)
+    integer(c_int64_t), intent(in) :: step
+    real(c_double), intent(in) :: time
+    logical :: stop_now
+    steps = steps + 1
+    stop_now = step == 3 .or. time < 0.0_c_double
+  end function count_steps
+
+  subroutine count_messages(level, message)
+    integer(c_int32_t), intent(in) :: level
+    character(*), intent(in) :: message
+    if (level >= HFRAC_LOG_ERROR .and. len_trim(message) > 0) messages = messages + 1
+  end subroutine count_messages
+
   function count_calls(fraction, what) result(stop_now)
     real(c_double), intent(in) :: fraction
     character(*), intent(in) :: what
@@ -70,6 +86,8 @@ contains
     call expect(hfrac_option_count(count) == HFRAC_OK .and. count > 30, 'number of options')
     call expect(hfrac_option_at(0, info) == HFRAC_OK, 'an option')
     call expect(c_associated(info%key) .and. info%default_value == 100.0_real64, 'the first option')
+    call expect(hfrac_well_option_count(count) == HFRAC_OK .and. count >= 7, 'number of values of a well')
+    call expect(hfrac_well_option_at(count - 1, info) == HFRAC_OK .and. info%type == 2, 'a value of a well')
   end subroutine options
 
   subroutine definition()
@@ -86,6 +104,14 @@ contains
     call expect(def%get('boundary.kind') == 1.0_real64, 'a choice by its word')
     call expect(index(def%case_text(), 'title = "from Fortran"') == 1, 'definition as text')
 
+    call expect(def%get_integer('packing.disc_count') == 401, 'an integer')
+    call expect(def%get_integer('boundary.kind') == 1, 'the index of a choice')
+    call expect(def%get_text('boundary.kind') == 'walls', 'the word of a choice')
+    call expect(def%get_text('title') == 'from Fortran', 'the title')
+    call expect(def%get_integer('model.width', stat) == 0, 'no integer')
+    call expect(stat == HFRAC_ERR_ARGUMENT, 'why it is none')
+    call expect(def%get_text('no.such', stat) == '', 'no text')
+    call expect(stat == HFRAC_ERR_UNKNOWN_KEY, 'why there is none')
     message = 'untouched'
     call def%set('packing.disc_count', 500, stat, message)
     call expect(stat == 0 .and. message == 'untouched', 'stat and errmsg of success')
@@ -111,7 +137,9 @@ contains
     call expect(.not. sim%exists(), 'no simulation at first')
     call def%load(case_file)
     def%progress => count_calls
+    def%log => count_messages
     call sim%create(def, stat, message)
+    call expect(messages > 2, 'the building was told')
     call expect(stat == 0 .and. sim%exists(), 'create')
     made = sim%setup()
     call expect(made%packed_discs == 500 .and. made%mean_radius > 0.0_real64, 'setup report')
@@ -136,6 +164,8 @@ contains
     type(hfrac_sim_state) :: state
     type(hfrac_balance) :: balance
     type(hfrac_solver_report) :: solver
+    type(hfrac_step_limits) :: limits
+    type(hfrac_wall_state), allocatable :: sides(:)
     real(real64) :: reached
     integer(c_int32_t) :: reason
     integer(int64) :: before
@@ -151,6 +181,11 @@ contains
     call expect(sim%state_hash() /= before, 'hash of a changed state')
     call sim%advance(0.06_real64, reached, reason)
     call expect(abs(reached - 0.06_real64) < 1e-9_real64 .and. reason == HFRAC_REASON_TARGET, 'advance')
+    limits = sim%step_limits()
+    call expect(limits%binding == HFRAC_LIMIT_NONE .and. limits%mechanical_step > 0.0_real64, 'limits of a step')
+    call sim%walls(sides)
+    call expect(size(sides) == 4, 'four walls')
+    call expect(all(sides(1)%normal == [1.0_real64, 0.0_real64]) .and. sides(2)%position > 90.0_real64, 'where they are')
     balance = sim%balance()
     solver = sim%solver()
     call expect(solver%kind == 0 .and. solver%newton_iterations == 0, 'explicit solver')
@@ -263,6 +298,23 @@ contains
     calls = 0
     call sim%step(1)
     call expect(calls == 0, 'progress removed')
+
+    steps = 0
+    messages = 0
+    call sim%create(case_file)
+    call sim%on_step(count_steps)
+    call sim%on_log(count_messages, HFRAC_LOG_DETAIL)
+    call sim%step(5, stat)
+    state = sim%state()
+    call expect(stat == HFRAC_STOPPED .and. steps == 3 .and. state%step == 3, 'stopped after the third step')
+    call expect(messages >= 3, 'steps were told')
+    call sim%on_step()
+    call sim%on_log()
+    messages = 0
+    call sim%step()
+    call expect(steps == 3 .and. messages == 0, 'nobody listens any more')
+    call sim%on_log(count_messages, 9, stat)
+    call expect(stat == HFRAC_ERR_ARGUMENT, 'no such level')
   end subroutine progress
 
   subroutine going_back()
@@ -271,7 +323,7 @@ contains
     integer(c_int8_t), allocatable :: image(:)
     type(hfrac_sim_state) :: state
     integer(int64) :: start, once
-    integer :: stat
+    integer :: stat, unit
     character(200) :: message
     call def%load(case_file)
     call def%set('boundary.kind', 'stress')
@@ -309,7 +361,22 @@ contains
     call sim%finalize_step(stat)
     call expect(stat == HFRAC_ERR_ARGUMENT, 'no open step')
 
+    call sim%save_file('fortran_test.state')
+    once = sim%state_hash()
+    call sim%step()
+    call sim%load_file('fortran_test.state')
+    call expect(sim%state_hash() == once, 'a state from a file')
+    call sim%load_file('/nonexistent/state', stat, message)
+    call expect(stat == HFRAC_ERR_FILE .and. index(message, '/nonexistent/state') > 0, 'no such file')
+    open (newunit=unit, file='fortran_test.state', status='old')
+    close (unit, status='delete')
+
     call straight%create(def)
+    call straight%set_formation_pressure(26e6_real64)
+    state = straight%state()
+    call expect(state%formation_pressure == 26e6_real64, 'another formation pressure')
+    call straight%set_formation_pressure(-1.0_real64, stat)
+    call expect(stat == HFRAC_ERR_ARGUMENT, 'no pressure below zero')
     call straight%set_far_field(12e6_real64, 9e6_real64)
     call straight%step(2)
     call expect(straight%state_hash() /= start, 'another far field')

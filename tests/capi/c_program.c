@@ -61,7 +61,9 @@ static void list_options(const hfrac_sim_def* def) {
 
 static void define(hfrac_sim_def* def) {
   char text[8192];
-  int32_t needed = 0;
+  hfrac_option_info info;
+  int64_t integer = 0;
+  int32_t needed = 0, count = 0;
   good(hfrac_sim_def_init(def, (int32_t)sizeof *def), NULL, "def_init");
   list_options(def);
   def->stress_sigma_H = 0.0;
@@ -77,6 +79,14 @@ static void define(hfrac_sim_def* def) {
   def->wells[0].pressure = 60e6;
   def->wells[0].control = HFRAC_WELL_PRESSURE;
   good(hfrac_sim_def_check(def), NULL, "def_check");
+  good(hfrac_sim_def_get_i64(def, "packing.disc_count", &integer), NULL, "get_i64");
+  good(hfrac_sim_def_get_str(def, "boundary.kind", text, (int32_t)sizeof text, NULL), NULL, "get_str");
+  check(integer == 500 && strcmp(text, "walls") == 0, "options are read in their own types");
+  good(hfrac_well_option_count(&count), NULL, "well_option_count");
+  memset(&info, 0, sizeof info);
+  info.struct_size = (int32_t)sizeof info;
+  good(hfrac_well_option_at(count - 1, &info), NULL, "well_option_at");
+  check(info.type == 2 && strcmp(info.key, "control") == 0, "a well's values are listed");
   good(hfrac_sim_def_write(def, text, (int32_t)sizeof text, &needed), NULL, "def_write");
   check(needed == (int32_t)strlen(text) + 1, "the text has the size it says");
 
@@ -93,6 +103,18 @@ static int32_t on_progress(void* user, double fraction, const char* what) {
   return 0;
 }
 
+static int32_t on_message(void* user, int32_t level, const char* message) {
+  ++*(int*)user;
+  check(level >= HFRAC_LOG_ERROR && level <= HFRAC_LOG_DETAIL && message[0] != 0, "messages make sense");
+  return 0;
+}
+
+static int32_t on_step(void* user, hfrac_sim* sim, int64_t step, double time) {
+  ++*(int*)user;
+  check(sim != NULL && time > 0.0, "steps make sense");
+  return step == 3; /* stop */
+}
+
 static void run(hfrac_sim* sim) {
   hfrac_sim_def def;
   hfrac_sim_state state;
@@ -101,7 +123,8 @@ static void run(hfrac_sim* sim) {
   hfrac_solver_report solver;
   int64_t before = 0, after = 0, epoch = 0, later = 0;
   int32_t reason = -1;
-  int calls = 0;
+  hfrac_step_limits limits;
+  int calls = 0, messages = 0, steps = 0;
   double reached = 0.0;
 
   good(hfrac_sim_def_init(&def, (int32_t)sizeof def), NULL, "def_init");
@@ -114,10 +137,15 @@ static void run(hfrac_sim* sim) {
   good(hfrac_set_progress(sim, on_progress, &calls, 0.0), sim, "set_progress");
   good(hfrac_state_hash(sim, &before), sim, "state_hash");
   good(hfrac_epoch(sim, &epoch), sim, "epoch");
+  good(hfrac_set_on_step(sim, on_step, &steps), sim, "set_on_step");
+  good(hfrac_set_log(sim, on_message, &messages, HFRAC_LOG_DETAIL), sim, "set_log");
   good(hfrac_step(sim, 1), sim, "step");
-  good(hfrac_advance(sim, 3.0, &reached, &reason), sim, "advance");
-  check(reached == 3.0 && reason == HFRAC_REASON_TARGET, "the target is reached");
+  expect(hfrac_advance(sim, 10.0, &reached, &reason), HFRAC_STOPPED, sim, "advance");
+  check(reached == 3.0 && reason == HFRAC_REASON_CALLBACK, "stopped after the third step");
   good(hfrac_set_progress(sim, NULL, NULL, 0.0), sim, "set_progress");
+  check(messages >= 3 && steps == 3, "callbacks were called");
+  good(hfrac_set_on_step(sim, NULL, NULL), sim, "set_on_step");
+  good(hfrac_set_log(sim, NULL, NULL, 0), sim, "set_log");
   good(hfrac_state_hash(sim, &after), sim, "state_hash");
   good(hfrac_epoch(sim, &later), sim, "epoch");
   check(before != after && epoch < later && calls > 3, "steps were taken");
@@ -126,6 +154,9 @@ static void run(hfrac_sim* sim) {
   state.struct_size = (int32_t)sizeof state;
   good(hfrac_sim_get_state(sim, &state), sim, "get_state");
   check(state.time == 3.0 && state.step == 3 && state.crack_count > 0, "the state is reported");
+  limits.struct_size = (int32_t)sizeof limits;
+  good(hfrac_get_step_limits(sim, &limits), sim, "get_step_limits");
+  check(limits.binding == HFRAC_LIMIT_NONE && limits.flow_step == 1.0, "nothing limits an implicit step");
   balance.struct_size = (int32_t)sizeof balance;
   good(hfrac_get_balance(sim, &balance), sim, "get_balance");
   check(balance.injected_volume > 0.0 && fabs(balance.fluid_error) < 1e-6 * balance.injected_volume,
@@ -232,6 +263,26 @@ static void go_back(hfrac_sim* sim) {
   good(hfrac_state_hash(sim, &after), sim, "state_hash");
   check(before != after, "the step is kept");
   expect(hfrac_set_far_field(sim, 1e6, 1e6), HFRAC_ERR_ARGUMENT, sim, "walls that are fixed");
+  good(hfrac_set_formation_pressure(sim, 26e6), sim, "set_formation_pressure");
+
+  good(hfrac_state_save_file(sim, "c_program.state"), sim, "state_save_file");
+  good(hfrac_state_hash(sim, &before), sim, "state_hash");
+  good(hfrac_step(sim, 1), sim, "step");
+  good(hfrac_state_load_file(sim, "c_program.state"), sim, "state_load_file");
+  good(hfrac_state_hash(sim, &after), sim, "state_hash");
+  check(before == after, "the file is loaded");
+  remove("c_program.state");
+  expect(hfrac_state_load_file(sim, "c_program.state"), HFRAC_ERR_FILE, sim, "a file that is gone");
+}
+
+static void walls(hfrac_sim* sim) {
+  hfrac_wall_state wall;
+  int32_t count = 0;
+  good(hfrac_wall_count(sim, &count), sim, "wall_count");
+  check(count == 4, "there are four walls");
+  wall.struct_size = (int32_t)sizeof wall;
+  good(hfrac_wall_get(sim, 1, &wall), sim, "wall_get");
+  check(wall.normal[0] == -1.0 && wall.moves == 0, "the right one looks left and is fixed");
 }
 
 /* grid.h */
@@ -282,6 +333,7 @@ int main(void) {
     cracks(sim);
     go_back(sim);
     exchange(sim);
+    walls(sim);
   }
   good(hfrac_sim_destroy(&sim), NULL, "destroy");
   check(sim == NULL, "the simulation is gone");

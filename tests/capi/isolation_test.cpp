@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Simulations know nothing of each other, nor do results of the number of workers.
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <functional>
 #include <thread>
 
@@ -65,6 +68,46 @@ TEST(Isolation, FourThreadsGiveWhatOneGives) {
   }
   for (auto& thread : threads) thread.join();
   for (std::size_t number = 0; number < 4; ++number) EXPECT_EQ(together[number], alone[number]) << number;
+}
+
+// Eight at once, of different rock, some with workers of their own.
+TEST(Isolation, EightThreadsGiveWhatOneGives) {
+  constexpr int steps = 2, threads_at_once = 8;
+  std::vector<std::vector<int64_t>> alone, together(threads_at_once);
+  for (int number = 0; number < threads_at_once; ++number) alone.push_back(hashes_alone(number, steps));
+  std::vector<std::thread> threads;
+  for (int number = 0; number < threads_at_once; ++number) {
+    threads.emplace_back(
+        [&, number] { together[static_cast<std::size_t>(number)] = hashes_alone(number, steps); });
+  }
+  for (auto& thread : threads) thread.join();
+  for (std::size_t number = 0; number < together.size(); ++number)
+    EXPECT_EQ(together[number], alone[number]) << number;
+}
+
+// A child of fork has the memory but not the threads: one worker goes on as in the parent, several are refused with a text,
+// never a wait without end, and new simulations are as good as anywhere.
+TEST(Isolation, AForkedChildIsToldWhatItCanDo) {
+  hfrac_sim_def several = quiet_def();
+  several.run_workers = 2;
+  const Sim one(quiet_def()), two(several);
+  const ::pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    ::alarm(60);
+    bool good = hfrac_step(one, 1) == HFRAC_OK && hfrac_step(two, 1) == HFRAC_ERR_ARGUMENT &&
+                last_error(two).find("forked") != std::string::npos;
+    hfrac_sim* gone = two;
+    good = good && hfrac_sim_destroy(&gone) == HFRAC_OK;
+    hfrac_sim* own = nullptr;
+    good = good && hfrac_sim_create(&several, &own) == HFRAC_OK && hfrac_step(own, 1) == HFRAC_OK &&
+           hash_of(own) == hash_of(one) && hfrac_sim_destroy(&own) == HFRAC_OK;
+    ::_exit(good ? 0 : 1);
+  }
+  int status = -1;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(hfrac_step(two, 1), HFRAC_OK) << "the parent goes on";
 }
 
 TEST(Isolation, ASimulationMayMoveFromThreadToThread) {

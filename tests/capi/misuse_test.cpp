@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every function on a simulation used wrongly: no handle, a handle that is none, NULL, structs never sized, a
 // poisoned simulation. None may crash; sanitizer builds run this too.
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstring>
 #include <functional>
@@ -25,6 +27,8 @@ std::vector<Call> all_calls() {
   static hfrac_solver_report solver;
   static hfrac_well_state well;
   static hfrac_field_desc desc;
+  static hfrac_step_limits limits;
+  static hfrac_wall_state wall;
   static int32_t number;
   static int64_t big, other;
   static double real;
@@ -38,6 +42,8 @@ std::vector<Call> all_calls() {
   solver.struct_size = sizeof solver;
   well.struct_size = sizeof well;
   desc.struct_size = sizeof desc;
+  limits.struct_size = sizeof limits;
+  wall.struct_size = sizeof wall;
   return {
       {"hfrac_sim_definition", [](hfrac_sim* s) { return hfrac_sim_definition(s, &def); }},
       {"hfrac_step", [](hfrac_sim* s) { return hfrac_step(s, 0); }},
@@ -76,6 +82,25 @@ std::vector<Call> all_calls() {
       {"hfrac_step_finalize", [](hfrac_sim* s) { return hfrac_step_finalize(s); }},
       {"hfrac_step_prepare", [](hfrac_sim* s) { return hfrac_step_prepare(s); }},
       {"hfrac_step_reject", [](hfrac_sim* s) { return hfrac_step_reject(s); }},
+      {"hfrac_set_on_step", [](hfrac_sim* s) { return hfrac_set_on_step(s, nullptr, nullptr); }},
+      {"hfrac_set_log", [](hfrac_sim* s) { return hfrac_set_log(s, nullptr, nullptr, 0); }},
+      {"hfrac_get_step_limits", [](hfrac_sim* s) { return hfrac_get_step_limits(s, &limits); }},
+      {"hfrac_wall_count", [](hfrac_sim* s) { return hfrac_wall_count(s, &number); }},
+      {"hfrac_wall_get",
+       [](hfrac_sim* s) {
+         // good on a simulation with walls only; without, it asks for the number that there is
+         const int32_t status = hfrac_wall_get(s, 0, &wall);
+         return status == HFRAC_ERR_ARGUMENT ? HFRAC_OK : status;
+       }},
+      {"hfrac_state_save_file",
+       [](hfrac_sim* s) { return hfrac_state_save_file(s, "hfrac_misuse_test.state"); }},
+      {"hfrac_state_load_file",
+       [](hfrac_sim* s) {
+         const int32_t status = hfrac_state_load_file(s, "hfrac_misuse_test.state");
+         ::unlink("hfrac_misuse_test.state");
+         return status;
+       }},
+      {"hfrac_set_formation_pressure", [](hfrac_sim* s) { return hfrac_set_formation_pressure(s, 25e6); }},
       {"hfrac_set_far_field", [](hfrac_sim* s) { return hfrac_set_far_field(s, 30e6, 30e6); }},
   };
 }
@@ -146,6 +171,10 @@ TEST(Misuse, NullResultsAreRefused) {
       {hfrac_state_save(sim, nullptr, 1 << 22, &count), "hfrac_state_save"},
       {hfrac_state_save(sim, &real, 8, nullptr), "hfrac_state_save"},
       {hfrac_state_restore(sim, nullptr, 8), "hfrac_state_restore"},
+      {hfrac_state_save_file(sim, nullptr), "hfrac_state_save_file"},
+      {hfrac_state_load_file(sim, nullptr), "hfrac_state_load_file"},
+      {hfrac_get_step_limits(sim, nullptr), "hfrac_get_step_limits"},
+      {hfrac_wall_count(sim, nullptr), "hfrac_wall_count"},
       {hfrac_last_error(sim, nullptr, 8, nullptr), "hfrac_last_error"},
       {hfrac_last_error(sim, nullptr, 0, nullptr), "hfrac_last_error"},
   };

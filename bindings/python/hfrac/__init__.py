@@ -11,13 +11,23 @@
 SI units everywhere, unit thickness out of the plane, compression positive for stress and pressure. numpy is used if it
 is there and not needed otherwise. One simulation serves one thread at a time; different ones run side by side.
 """
-from ._abi import CrackMode, GrdeclKind, Status, StopReason, Upscaling, WellControl
-from ._definition import Definition, Option, options
+from ._abi import CrackMode, GrdeclKind, LogLevel, Status, StepLimit, StopReason, Upscaling, WellControl
+from ._definition import Definition, Option, options, well_options
 from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Pipes
 from ._grid import Grid
 from ._library import build_info, library_path, version
 from ._open_step import OpenStep
-from ._records import Balance, Crack, Fracture, SetupReport, SimState, SolverReport, WellState
+from ._records import (
+    Balance,
+    Crack,
+    Fracture,
+    SetupReport,
+    SimState,
+    SolverReport,
+    StepLimits,
+    WallState,
+    WellState,
+)
 from ._simulation import Advance, Simulation
 from ._view import View
 from ._well import Well
@@ -34,6 +44,7 @@ from .errors import (
     OutOfMemoryError,
     PoisonedError,
     StaleViewError,
+    StateFileError,
     StoppedError,
     StructSizeError,
     UnknownKeyError,
@@ -42,8 +53,8 @@ from .errors import (
 __all__ = [
     "FIELDS", "Advance", "ArgumentError", "BadHandleError", "Balance", "Bonds", "BusyError", "CaseFileError", "Crack",
     "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "FieldInfo", "Fracture", "GrdeclKind", "Grid", "HfracError",
-    "InternalError", "LibraryError", "ModelError", "OpenStep", "Option", "OutOfMemoryError", "Pipes", "PoisonedError",
-    "SetupReport", "SimState", "Simulation", "SolverReport", "StaleViewError", "Status", "StopReason", "StoppedError",
-    "StructSizeError", "UnknownKeyError", "Upscaling", "View", "Well", "WellControl", "WellState", "build_info", "library_path",
-    "options", "version",
+    "InternalError", "LibraryError", "LogLevel", "ModelError", "OpenStep", "Option", "OutOfMemoryError", "Pipes", "PoisonedError",
+    "SetupReport", "SimState", "Simulation", "SolverReport", "StaleViewError", "StateFileError", "Status", "StepLimit",
+    "StepLimits", "StopReason", "StoppedError", "StructSizeError", "UnknownKeyError", "Upscaling", "View", "WallState", "Well",
+    "WellControl", "WellState", "build_info", "library_path", "options", "version", "well_options",
 ]

@@ -40,8 +40,23 @@ class Status(enum.IntEnum):
     ERR_BUSY = -9
     #: an earlier error left the simulation unusable; only last_error and destroy work
     ERR_POISONED = -10
+    #: a file cannot be written, cannot be read, or is not what it should be
+    ERR_FILE = -11
     #: an error of the library itself; please report it
     ERR_INTERNAL = -99
+
+
+class LogLevel(enum.IntEnum):
+    """How much a message matters. A listener hears its level and what matters more."""
+
+    #: a call failed; the text is that of hfrac_last_error
+    ERROR = 1
+    #: the result may not be what was wanted: not at rest, bonds broken before injection
+    WARNING = 2
+    #: what was built, new cracks, settings changed, states saved and restored
+    INFO = 3
+    #: every step
+    DETAIL = 4
 
 
 class DefLimits(enum.IntEnum):
@@ -73,6 +88,17 @@ class StopReason(enum.IntEnum):
     EXTENT = 2
     #: stop.cracks reached
     CRACKS = 3
+
+
+class StepLimit(enum.IntEnum):
+    """What limits a step binds."""
+
+    #: none: stepping.flow_step is a matter of accuracy
+    NONE = 0
+    #: the rock's motion: a step takes several mechanical cycles
+    MECHANICS = 1
+    #: explicit flow: a step takes several sub-cycles
+    FLOW = 2
 
 
 class Field(enum.IntEnum):
@@ -166,14 +192,29 @@ STATUS_TEXTS = {
     -8: 'out of memory',
     -9: 'called from inside a callback of the same simulation',
     -10: 'an earlier error left the simulation unusable; only last_error and destroy work',
+    -11: 'a file cannot be written, cannot be read, or is not what it should be',
     -99: 'an error of the library itself; please report it',
 }
+
+#: Takes one message, a sentence without a line end, on the thread of the call it is about; `message` is valid
+#: during the call only. It may read from the simulation; calls that would change it return HFRAC_ERR_BUSY. Return
+#: 0: the result is not used.
+hfrac_log_fn = ctypes.CFUNCTYPE(
+    ctypes.c_int32, ctypes.c_void_p, ctypes.c_int32, ctypes.c_char_p
+)
 
 #: Called while a simulation is built and while it runs, on the calling thread, with the share done in [0, 1] and
 #: what is being done. Nonzero return stops (HFRAC_STOPPED). Must not call back into the same simulation except to
 #: read.
 hfrac_progress_fn = ctypes.CFUNCTYPE(
     ctypes.c_int32, ctypes.c_void_p, ctypes.c_double, ctypes.c_char_p
+)
+
+#: Called after every whole step of hfrac_step and hfrac_advance (not of hfrac_step_do, whose host is in control
+#: anyway), on the calling thread. It may read `sim`; calls that would change it return HFRAC_ERR_BUSY. Nonzero
+#: stops after this step, which is kept (HFRAC_STOPPED). `step` counts from 1, `time` [s] is the model's.
+hfrac_step_fn = ctypes.CFUNCTYPE(
+    ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64, ctypes.c_double
 )
 
 
@@ -261,6 +302,9 @@ class hfrac_sim_def(ctypes.Structure):
         ("solver_pressure_change", ctypes.c_double),
         ("solver_strength_overshoot", ctypes.c_double),
         ("solver_smallest_step", ctypes.c_double),
+        ("log", hfrac_log_fn),
+        ("log_user", ctypes.c_void_p),
+        ("log_level", ctypes.c_int64),
     ]
 
 
@@ -301,6 +345,9 @@ class hfrac_sim_state(ctypes.Structure):
         ("tip_distance", ctypes.c_double),
         ("stop_reason", ctypes.c_int32),
         ("flow_subcycles", ctypes.c_int32),
+        ("sigma_H", ctypes.c_double),
+        ("sigma_h", ctypes.c_double),
+        ("formation_pressure", ctypes.c_double),
     ]
 
 
@@ -367,6 +414,33 @@ class hfrac_solver_report(ctypes.Structure):
         ("rejected_error", ctypes.c_int64),
         ("rejected_strength", ctypes.c_int64),
         ("rejected_divergence", ctypes.c_int64),
+    ]
+
+
+class hfrac_step_limits(ctypes.Structure):
+    """How long a step could be, and how it is divided. Set struct_size before the call."""
+
+    _fields_ = [
+        ("struct_size", ctypes.c_int32),
+        ("binding", ctypes.c_int32),
+        ("flow_step", ctypes.c_double),
+        ("mechanical_step", ctypes.c_double),
+        ("explicit_step", ctypes.c_double),
+    ]
+
+
+class hfrac_wall_state(ctypes.Structure):
+    """One wall of a model with boundary.kind walls. Set struct_size before the call."""
+
+    _fields_ = [
+        ("struct_size", ctypes.c_int32),
+        ("moves", ctypes.c_int32),
+        ("normal", ctypes.c_double * 2),
+        ("position", ctypes.c_double),
+        ("displacement", ctypes.c_double),
+        ("stress", ctypes.c_double),
+        ("target", ctypes.c_double),
+        ("disc_count", ctypes.c_int64),
     ]
 
 
@@ -548,10 +622,29 @@ SIGNATURES = {
         ctypes.c_char_p,
         ctypes.POINTER(ctypes.c_double),
     ),
+    "hfrac_sim_def_get_i64": (
+        ctypes.POINTER(hfrac_sim_def),
+        ctypes.c_char_p,
+        ctypes.POINTER(ctypes.c_int64),
+    ),
+    "hfrac_sim_def_get_str": (
+        ctypes.POINTER(hfrac_sim_def),
+        ctypes.c_char_p,
+        ctypes.c_char_p,
+        ctypes.c_int32,
+        ctypes.POINTER(ctypes.c_int32),
+    ),
     "hfrac_option_count": (
         ctypes.POINTER(ctypes.c_int32),
     ),
     "hfrac_option_at": (
+        ctypes.c_int32,
+        ctypes.POINTER(hfrac_option_info),
+    ),
+    "hfrac_well_option_count": (
+        ctypes.POINTER(ctypes.c_int32),
+    ),
+    "hfrac_well_option_at": (
         ctypes.c_int32,
         ctypes.POINTER(hfrac_option_info),
     ),
@@ -582,6 +675,17 @@ SIGNATURES = {
         ctypes.c_void_p,
         ctypes.c_double,
     ),
+    "hfrac_set_on_step": (
+        ctypes.c_void_p,
+        hfrac_step_fn,
+        ctypes.c_void_p,
+    ),
+    "hfrac_set_log": (
+        ctypes.c_void_p,
+        hfrac_log_fn,
+        ctypes.c_void_p,
+        ctypes.c_int32,
+    ),
     "hfrac_sim_get_state": (
         ctypes.c_void_p,
         ctypes.POINTER(hfrac_sim_state),
@@ -597,6 +701,19 @@ SIGNATURES = {
     "hfrac_sim_get_solver": (
         ctypes.c_void_p,
         ctypes.POINTER(hfrac_solver_report),
+    ),
+    "hfrac_get_step_limits": (
+        ctypes.c_void_p,
+        ctypes.POINTER(hfrac_step_limits),
+    ),
+    "hfrac_wall_count": (
+        ctypes.c_void_p,
+        ctypes.POINTER(ctypes.c_int32),
+    ),
+    "hfrac_wall_get": (
+        ctypes.c_void_p,
+        ctypes.c_int32,
+        ctypes.POINTER(hfrac_wall_state),
     ),
     "hfrac_state_hash": (
         ctypes.c_void_p,
@@ -730,6 +847,14 @@ SIGNATURES = {
         ctypes.c_void_p,
         ctypes.c_int64,
     ),
+    "hfrac_state_save_file": (
+        ctypes.c_void_p,
+        ctypes.c_char_p,
+    ),
+    "hfrac_state_load_file": (
+        ctypes.c_void_p,
+        ctypes.c_char_p,
+    ),
     "hfrac_step_prepare": (
         ctypes.c_void_p,
     ),
@@ -746,6 +871,10 @@ SIGNATURES = {
     "hfrac_set_far_field": (
         ctypes.c_void_p,
         ctypes.c_double,
+        ctypes.c_double,
+    ),
+    "hfrac_set_formation_pressure": (
+        ctypes.c_void_p,
         ctypes.c_double,
     ),
 }

@@ -43,13 +43,13 @@ class Option(NamedTuple):
 
 
 @functools.lru_cache(maxsize=None)
-def _option_table() -> Tuple[Option, ...]:
+def _option_table(kind_of: str = "hfrac_option") -> Tuple[Option, ...]:
     count = ctypes.c_int32()
-    call("hfrac_option_count", ctypes.byref(count))
+    call(f"{kind_of}_count", ctypes.byref(count))
     table = []
     for index in range(count.value):
         info = _abi.hfrac_option_info(struct_size=ctypes.sizeof(_abi.hfrac_option_info))
-        call("hfrac_option_at", index, ctypes.byref(info))
+        call(f"{kind_of}_at", index, ctypes.byref(info))
         choices = tuple(info.choices.decode().split("|")) if info.choices else ()
         kind = ("real", "integer", "choice")[info.type]
         key, unit, text = info.key.decode(), info.unit.decode(), info.help.decode()
@@ -61,6 +61,11 @@ def _option_table() -> Tuple[Option, ...]:
 def options() -> List[Option]:
     """Every option there is, with unit, default, range and one sentence of help."""
     return list(_option_table())
+
+
+def well_options() -> List[Option]:
+    """Every value a well has; the key is without its "well[0]."."""
+    return list(_option_table("hfrac_well_option"))
 
 
 class Definition:
@@ -108,9 +113,6 @@ class Definition:
             else:
                 self.set(name.replace("_", ".", 1), value)
         for index, well in enumerate(wells):
-            if index >= self.well_count:
-                self.set(f"well[{index}].x", 0.5 * self._struct.model_width)
-                self.set(f"well[{index}].y", 0.5 * self._struct.model_height)
             for name, value in well.items():
                 self.set(f"well[{index}].{name}", value)
         if title is not None:
@@ -138,13 +140,25 @@ class Definition:
         """One value by its key; a choice as its word."""
         if key == "title":
             return self.title
+        where, name = ctypes.byref(self._struct), key.encode()
+        kind = self._kind(key)
+        if kind == "choice":
+            return _library.text("hfrac_sim_def_get_str", where, name)
+        if kind == "integer":
+            integer = ctypes.c_int64()
+            call("hfrac_sim_def_get_i64", where, name, ctypes.byref(integer))
+            return integer.value
         value = ctypes.c_double()
-        call("hfrac_sim_def_get_f64", ctypes.byref(self._struct), key.encode(), ctypes.byref(value))
-        if key.startswith("well["):
-            control = key.endswith("].control")
-            return _abi.WellControl(int(value.value)).name.lower() if control else value.value
-        option = next((row for row in _option_table() if row.key == key), None)
-        return option.value(value.value) if option else int(value.value)
+        call("hfrac_sim_def_get_f64", where, name, ctypes.byref(value))
+        return value.value
+
+    @staticmethod
+    def _kind(key: str) -> str:
+        if key == "well_count":
+            return "integer"
+        table = _option_table("hfrac_well_option") if key.startswith("well[") else _option_table()
+        name = key.partition("].")[2] if key.startswith("well[") else key
+        return next((row.type for row in table if row.key == name), "real")
 
     @property
     def title(self) -> str:

@@ -15,13 +15,24 @@ from . import _abi
 ProgressFunction = Callable[[float, str], Optional[bool]]
 
 
+#: Called with how much it matters and what happened.
+LogFunction = Callable[[_abi.LogLevel, str], None]
+#: Called after every step, without arguments; a true result stops after it.
+StepFunction = Callable[[], Optional[bool]]
+
+
 class Progress:
-    """A progress callback of the library around a function of the user."""
+    """The library's callbacks around functions of the user."""
 
     def __init__(self, function: Optional[ProgressFunction]) -> None:
         self.function = function
+        self.log_function: Optional[LogFunction] = None
+        self.step_function: Optional[StepFunction] = None
         self.callback = _abi.hfrac_progress_fn(self._called)
+        self.log_callback = _abi.hfrac_log_fn(self._told)
+        self.step_callback = _abi.hfrac_step_fn(self._stepped)
         self._error: Optional[BaseException] = None
+        self._log_error: Optional[BaseException] = None
         self._interrupted = False
 
     def _called(self, user: Any, fraction: float, what: bytes) -> int:
@@ -32,6 +43,29 @@ class Progress:
         try:
             return 1 if self.function(fraction, what.decode(errors="replace")) else 0
         except BaseException as error:  # must not pass through C; raised again after the call
+            self._error = error
+            return 1
+
+    def _told(self, user: Any, level: int, message: bytes) -> int:
+        try:
+            if self.log_function is not None:
+                self.log_function(_abi.LogLevel(level), message.decode(errors="replace"))
+        except BaseException as error:
+            self._log_error = error
+        return 0
+
+    def raise_told(self) -> None:
+        """After any call: what the log function raised."""
+        error, self._log_error = self._log_error, None
+        if error is not None:
+            raise error
+
+    def _stepped(self, user: Any, simulation: Any, step: int, time: float) -> int:
+        if self._interrupted or self._error is not None:
+            return 1
+        try:
+            return 1 if self.step_function is not None and self.step_function() else 0
+        except BaseException as error:
             self._error = error
             return 1
 

@@ -4,7 +4,7 @@
 from typing import NamedTuple, Tuple
 
 from . import _abi
-from ._abi import CrackMode, StopReason, WellControl
+from ._abi import CrackMode, StepLimit, StopReason, WellControl
 
 
 class SimState(NamedTuple):
@@ -42,6 +42,12 @@ class SimState(NamedTuple):
     stop_reason: StopReason
     #: explicit flow: sub-cycles of the last step; implicit: iterations
     flow_subcycles: int
+    #: [Pa] far-field stress along x in force, in the reading's sense
+    sigma_H: float
+    #: [Pa] along y
+    sigma_h: float
+    #: [Pa] absolute, in the pores outside the model
+    formation_pressure: float
 
     @classmethod
     def of(cls, struct: _abi.hfrac_sim_state) -> "SimState":
@@ -63,6 +69,9 @@ class SimState(NamedTuple):
             struct.tip_distance,
             StopReason(struct.stop_reason),
             struct.flow_subcycles,
+            struct.sigma_H,
+            struct.sigma_h,
+            struct.formation_pressure,
         )
 
 
@@ -210,6 +219,63 @@ class SolverReport(NamedTuple):
             struct.rejected_error,
             struct.rejected_strength,
             struct.rejected_divergence,
+        )
+
+
+class StepLimits(NamedTuple):
+    """How long a step could be, and how it is divided."""
+
+    #: enum hfrac_step_limit: what divides a step of stepping.flow_step most finely
+    binding: StepLimit
+    #: [s] stepping.flow_step, what hfrac_step takes at a time
+    flow_step: float
+    #: [s] of one mechanical cycle with real masses, stable step times stepping.safety; binds in mode dynamic
+    #: only, since in the others the rock moves to rest in no time of its own
+    mechanical_step: float
+    #: [s] largest stable step of explicit flow at today's apertures (half of it is used), at most 1e300; binds
+    #: with flow.scheme explicit only
+    explicit_step: float
+
+    @classmethod
+    def of(cls, struct: _abi.hfrac_step_limits) -> "StepLimits":
+        """The struct's values."""
+        return cls(
+            StepLimit(struct.binding),
+            struct.flow_step,
+            struct.mechanical_step,
+            struct.explicit_step,
+        )
+
+
+class WallState(NamedTuple):
+    """One wall of a model with boundary.kind walls."""
+
+    #: 1: its servo keeps it at `target`, 0: fixed in place
+    moves: int
+    #: unit vector into the model
+    normal: Tuple[float, float]
+    #: [m] x of a wall across x, y of one across y, now
+    position: float
+    #: [m] inward, since bonding
+    displacement: float
+    #: [Pa] on it now, compression positive, effective: without what the pores outside carry
+    stress: float
+    #: [Pa] of the servo, likewise effective
+    target: float
+    #: discs that can touch it
+    disc_count: int
+
+    @classmethod
+    def of(cls, struct: _abi.hfrac_wall_state) -> "WallState":
+        """The struct's values."""
+        return cls(
+            struct.moves,
+            tuple(struct.normal),
+            struct.position,
+            struct.displacement,
+            struct.stress,
+            struct.target,
+            struct.disc_count,
         )
 
 

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A simulation: create, step, read, close."""
 import ctypes
+import os
 import threading
 import weakref
-from typing import Any, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _abi, _arrays, _grid
 from ._arrays import Array
@@ -11,8 +12,8 @@ from ._definition import Definition, PathLike, Value
 from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Pipes
 from ._library import call, load
 from ._open_step import OpenStep
-from ._progress import Progress, ProgressFunction
-from ._records import Balance, Crack, Fracture, SetupReport, SimState, SolverReport
+from ._progress import LogFunction, Progress, ProgressFunction
+from ._records import Balance, Crack, Fracture, SetupReport, SimState, SolverReport, StepLimits, WallState
 from ._view import View
 from ._well import Well
 from .errors import BadHandleError, StoppedError, UnknownKeyError
@@ -45,6 +46,7 @@ class Simulation:
 
     ``case`` is a case file or a Definition; wells, title, discs and options are as for Definition and come on top.
     ``progress(fraction, what)`` is called while the model is built and while it runs; a true result stops.
+    ``log(level, message)`` is told what happens, from the start on.
 
     Close it with ``with`` or ``close()``, or leave it to the garbage collector. Arrays handed out are copies, except
     for ``view``. Calls of several threads wait for one another.
@@ -58,6 +60,7 @@ class Simulation:
         title: Optional[str] = None,
         discs: Optional[Iterable[Sequence[float]]] = None,
         progress: Optional[ProgressFunction] = None,
+        log: Optional[LogFunction] = None,
         **options: Any,
     ) -> None:
         self._handle: Optional[_Handle] = None
@@ -66,6 +69,10 @@ class Simulation:
         definition = case.copy() if isinstance(case, Definition) else Definition(case)
         definition.update(wells=wells, title=title, discs=discs, **options)
         definition._struct.progress = self._progress.callback
+        if log is not None:
+            self._progress.log_function = log
+            definition._struct.log = self._progress.log_callback
+            definition._struct.log_level = _abi.LogLevel.INFO
         pointer = ctypes.c_void_p()
         with self._lock, self._progress.watched():
             status = call("hfrac_sim_create", ctypes.byref(definition._struct), ctypes.byref(pointer))
@@ -75,13 +82,17 @@ class Simulation:
             raise StoppedError("the progress function stopped the building of the simulation")
         self._title = definition.title
         self.on_progress(progress)
+        if log is not None:
+            self.on_log(log)
 
     def _call(self, function: str, *arguments: Any) -> _abi.Status:
         handle = self._handle
         if handle is None:
             raise BadHandleError("the simulation is closed")
         with self._lock:
-            return call(function, handle.pointer, *arguments, handle=handle.pointer)
+            status = call(function, handle.pointer, *arguments, handle=handle.pointer)
+            self._progress.raise_told()
+            return status
 
     def _read(self, function: str, kind: Any) -> Any:
         """The one value, or the one struct, that a function gives."""
@@ -131,6 +142,20 @@ class Simulation:
         self._progress.function = function
         self._call("hfrac_set_progress", self._progress.callback, None, seconds)
 
+    def on_step(self, function: Optional[Callable[["Simulation"], Optional[bool]]]) -> None:
+        """Has `function(simulation)` called after every step of step and advance; a true result stops after that step,
+        which is kept. It may read, not change. None: no function."""
+        own = weakref.ref(self)
+        self._progress.step_function = (lambda: function(own())) if function else None  # type: ignore[arg-type]
+        callback = self._progress.step_callback if function else _abi.hfrac_step_fn()
+        self._call("hfrac_set_on_step", callback, None)
+
+    def on_log(self, function: Optional[LogFunction], level: _abi.LogLevel = _abi.LogLevel.INFO) -> None:
+        """Has `function(level, message)` told what happens, up to `level`. None: nobody."""
+        self._progress.log_function = function
+        callback = self._progress.log_callback if function else _abi.hfrac_log_fn()
+        self._call("hfrac_set_log", callback, None, level)
+
     # Going back
 
     def save(self) -> bytes:
@@ -144,6 +169,15 @@ class Simulation:
         """Goes back to an image of this simulation; a damaged or foreign one is refused and changes nothing."""
         self._call("hfrac_state_restore", image, len(image))
 
+    def save_file(self, path: PathLike) -> None:
+        """Saves the state as a file, which is there whole or not at all."""
+        self._call("hfrac_state_save_file", os.fsencode(path))
+
+    def load_file(self, path: PathLike) -> None:
+        """Goes back to a state in a file, of this simulation or one of the same definition. Anything else is refused
+        and changes nothing."""
+        self._call("hfrac_state_load_file", os.fsencode(path))
+
     def open_step(self) -> OpenStep:
         """A step that can be tried several times, and rejected. While it is open, step, advance and restore are
         refused."""
@@ -152,6 +186,10 @@ class Simulation:
     def set_far_field(self, sigma_H: float, sigma_h: float) -> None:
         """From the next step on, another far-field stress [Pa]: sigma_H along x, sigma_h along y."""
         self._call("hfrac_set_far_field", sigma_H, sigma_h)
+
+    def set_formation_pressure(self, pressure: float) -> None:
+        """From the next step on, another pressure [Pa, absolute] in the pores outside the model."""
+        self._call("hfrac_set_formation_pressure", pressure)
 
     # A reservoir simulator's grid
 
@@ -206,6 +244,21 @@ class Simulation:
     def solver(self) -> SolverReport:
         """What the quasi-static solver did since set-up."""
         return SolverReport.of(self._read("hfrac_sim_get_solver", _abi.hfrac_solver_report))
+
+    @property
+    def step_limits(self) -> StepLimits:
+        """How long a step could be, and what limits it."""
+        return StepLimits.of(self._read("hfrac_get_step_limits", _abi.hfrac_step_limits))
+
+    @property
+    def walls(self) -> List[WallState]:
+        """The walls as they are now: left, right, lower, upper; none with boundary.kind "stress"."""
+        found = []
+        for index in range(self._read("hfrac_wall_count", ctypes.c_int32).value):
+            struct = _abi.hfrac_wall_state(struct_size=ctypes.sizeof(_abi.hfrac_wall_state))
+            self._call("hfrac_wall_get", index, ctypes.byref(struct))
+            found.append(WallState.of(struct))
+        return found
 
     @property
     def state_hash(self) -> int:

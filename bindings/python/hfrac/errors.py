@@ -71,6 +71,12 @@ class PoisonedError(HfracError, RuntimeError):
     status = Status.ERR_POISONED
 
 
+class StateFileError(HfracError, OSError):
+    """A file of a state cannot be written, cannot be read, or is not what it should be; nothing has changed."""
+
+    status = Status.ERR_FILE
+
+
 class InternalError(HfracError, RuntimeError):
     """An error of the library itself; please report it."""
 

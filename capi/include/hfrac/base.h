@@ -44,6 +44,7 @@
   X(HFRAC_ERR_MEMORY, -8, "out of memory")                                                      \
   X(HFRAC_ERR_BUSY, -9, "called from inside a callback of the same simulation")                 \
   X(HFRAC_ERR_POISONED, -10, "an earlier error left the simulation unusable; only last_error and destroy work") \
+  X(HFRAC_ERR_FILE, -11, "a file cannot be written, cannot be read, or is not what it should be") \
   X(HFRAC_ERR_INTERNAL, -99, "an error of the library itself; please report it")
 
 #define HFRAC_STATUS_ENUM_(name, value, text) name = value,
@@ -53,6 +54,19 @@ enum hfrac_status { HFRAC_STATUS_LIST(HFRAC_STATUS_ENUM_) HFRAC_STATUS_END_ = 0x
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/** How much a message matters. A listener hears its level and what matters more. */
+enum hfrac_log_level {
+  HFRAC_LOG_ERROR = 1,   /**< a call failed; the text is that of hfrac_last_error */
+  HFRAC_LOG_WARNING = 2, /**< the result may not be what was wanted: not at rest, bonds broken before injection */
+  HFRAC_LOG_INFO = 3,    /**< what was built, new cracks, settings changed, states saved and restored */
+  HFRAC_LOG_DETAIL = 4   /**< every step */
+};
+
+/** Takes one message, a sentence without a line end, on the thread of the call it is about; `message` is valid during the
+ * call only. It may read from the simulation; calls that would change it return HFRAC_ERR_BUSY. Return 0: the result is not
+ * used. */
+typedef int32_t (*hfrac_log_fn)(void *user, int32_t level, const char *message);
 
 /** One simulation: the model, its state and its clock. Opaque. */
 typedef struct hfrac_sim hfrac_sim;

@@ -209,6 +209,10 @@ typedef struct hfrac_sim_def {
   /** [s] Mode coupled: parts of a step are not made shorter; what happens within is taken as sudden.
    * Default 1e-6. */
   double solver_smallest_step;
+
+  hfrac_log_fn log;           /**< told what happens while the simulation is built; may be NULL. Later: hfrac_set_log */
+  void *log_user;             /**< handed to `log` */
+  int64_t log_level;          /**< enum hfrac_log_level, how much `log` hears. Default 3 */
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */
@@ -225,7 +229,8 @@ HFRAC_API int32_t hfrac_sim_def_write(const hfrac_sim_def *def, char *buffer, in
  * overlapping, and so on; the text (hfrac_last_error(NULL, ...)) names the fix. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_def_check(const hfrac_sim_def *def);
 
-/** Sets an option by its key, e.g. "bond.tensile_strength" or "well[0].pressure". Stable since 0.1. */
+/** Sets an option by its key, e.g. "bond.tensile_strength" or "well[0].pressure". The first value of the well after the last
+ * one adds it; its centre is then the model's, as wide and high as it is at that moment. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_def_set_f64(hfrac_sim_def *def, const char *key, double value);
 /** Sets an integer option, or a choice by its index. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_def_set_i64(hfrac_sim_def *def, const char *key, int64_t value);
@@ -233,6 +238,13 @@ HFRAC_API int32_t hfrac_sim_def_set_i64(hfrac_sim_def *def, const char *key, int
 HFRAC_API int32_t hfrac_sim_def_set_str(hfrac_sim_def *def, const char *key, const char *value);
 /** Reads an option by its key as a double (integers and choices are converted). Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_def_get_f64(const hfrac_sim_def *def, const char *key, double *value);
+/** Reads an integer option, a choice's index, or "well_count"; a real one is refused, since it would lose its fraction.
+ * Unstable since 0.1. */
+HFRAC_API int32_t hfrac_sim_def_get_i64(const hfrac_sim_def *def, const char *key, int64_t *value);
+/** Reads any option as text: a choice's word, "title", numbers with all their digits, so that setting or loading the text
+ * gives the value back bit for bit. Unstable since 0.1. */
+HFRAC_API int32_t hfrac_sim_def_get_str(const hfrac_sim_def *def, const char *key, char *buffer, int32_t capacity,
+                                        int32_t *needed);
 
 /** What the table says of one option. Texts point into the library and live as long as it is loaded. */
 typedef struct hfrac_option_info {
@@ -251,6 +263,12 @@ typedef struct hfrac_option_info {
 HFRAC_API int32_t hfrac_option_count(int32_t *count);
 /** Entry `index` (from 0) of the table. Stable since 0.1. */
 HFRAC_API int32_t hfrac_option_at(int32_t index, hfrac_option_info *info);
+
+/** Number of values a well has. Unstable since 0.1. */
+HFRAC_API int32_t hfrac_well_option_count(int32_t *count);
+/** Entry `index` (from 0) of a well's values; its key is "radius" where the keyed functions take "well[0].radius".
+ * Unstable since 0.1. */
+HFRAC_API int32_t hfrac_well_option_at(int32_t index, hfrac_option_info *info);
 
 #ifdef __cplusplus
 }

@@ -46,6 +46,17 @@ HFRAC_API int32_t hfrac_advance(hfrac_sim *sim, double target, double *reached, 
  * steps and often within one); NULL removes it. Stable since 0.1. */
 HFRAC_API int32_t hfrac_set_progress(hfrac_sim *sim, hfrac_progress_fn progress, void *user, double seconds);
 
+/** Called after every whole step of hfrac_step and hfrac_advance (not of hfrac_step_do, whose host is in control anyway), on
+ * the calling thread. It may read `sim`; calls that would change it return HFRAC_ERR_BUSY. Nonzero stops after this step,
+ * which is kept (HFRAC_STOPPED). `step` counts from 1, `time` [s] is the model's. */
+typedef int32_t (*hfrac_step_fn)(void *user, hfrac_sim *sim, int64_t step, double time);
+
+/** Sets the callback after every step; NULL removes it. Unstable since 0.1. */
+HFRAC_API int32_t hfrac_set_on_step(hfrac_sim *sim, hfrac_step_fn on_step, void *user);
+
+/** Sets who is told what happens, up to `level` (enum hfrac_log_level); NULL removes it. Unstable since 0.1. */
+HFRAC_API int32_t hfrac_set_log(hfrac_sim *sim, hfrac_log_fn log, void *user, int32_t level);
+
 /** How the simulation stands. Set struct_size before the call. */
 typedef struct hfrac_sim_state {
   int32_t struct_size;        /**< sizeof(hfrac_sim_state) of the caller */
@@ -65,6 +76,9 @@ typedef struct hfrac_sim_state {
   double tip_distance;        /**< [m] farthest crack end from the nearest well centre, 0 without cracks */
   int32_t stop_reason;        /**< enum hfrac_stop_reason that holds now, 0 if none */
   int32_t flow_subcycles;     /**< explicit flow: sub-cycles of the last step; implicit: iterations */
+  double sigma_H;             /**< [Pa] far-field stress along x in force, in the reading's sense */
+  double sigma_h;             /**< [Pa] along y */
+  double formation_pressure;  /**< [Pa] absolute, in the pores outside the model */
 } hfrac_sim_state;
 /** How the simulation stands now. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_get_state(const hfrac_sim *sim, hfrac_sim_state *state);
@@ -129,6 +143,42 @@ typedef struct hfrac_solver_report {
 } hfrac_solver_report;
 /** What the quasi-static solver did since set-up. Unstable since 0.1. */
 HFRAC_API int32_t hfrac_sim_get_solver(const hfrac_sim *sim, hfrac_solver_report *report);
+
+/** What limits a step binds. */
+enum hfrac_step_limit {
+  HFRAC_LIMIT_NONE = 0,      /**< none: stepping.flow_step is a matter of accuracy */
+  HFRAC_LIMIT_MECHANICS = 1, /**< the rock's motion: a step takes several mechanical cycles */
+  HFRAC_LIMIT_FLOW = 2       /**< explicit flow: a step takes several sub-cycles */
+};
+
+/** How long a step could be, and how it is divided. Set struct_size before the call. */
+typedef struct hfrac_step_limits {
+  int32_t struct_size;    /**< sizeof(hfrac_step_limits) of the caller */
+  int32_t binding;        /**< enum hfrac_step_limit: what divides a step of stepping.flow_step most finely */
+  double flow_step;       /**< [s] stepping.flow_step, what hfrac_step takes at a time */
+  double mechanical_step; /**< [s] of one mechanical cycle with real masses, stable step times stepping.safety; binds in mode
+                               dynamic only, since in the others the rock moves to rest in no time of its own */
+  double explicit_step;   /**< [s] largest stable step of explicit flow at today's apertures (half of it is used), at most
+                               1e300; binds with flow.scheme explicit only */
+} hfrac_step_limits;
+/** How long a step could be now. Unstable since 0.1. */
+HFRAC_API int32_t hfrac_get_step_limits(const hfrac_sim *sim, hfrac_step_limits *limits);
+
+/** One wall of a model with boundary.kind walls. Set struct_size before the call. */
+typedef struct hfrac_wall_state {
+  int32_t struct_size;  /**< sizeof(hfrac_wall_state) of the caller */
+  int32_t moves;        /**< 1: its servo keeps it at `target`, 0: fixed in place */
+  double normal[2];     /**< unit vector into the model */
+  double position;      /**< [m] x of a wall across x, y of one across y, now */
+  double displacement;  /**< [m] inward, since bonding */
+  double stress;        /**< [Pa] on it now, compression positive, effective: without what the pores outside carry */
+  double target;        /**< [Pa] of the servo, likewise effective */
+  int64_t disc_count;   /**< discs that can touch it */
+} hfrac_wall_state;
+/** Number of walls: 4 (left, right, lower, upper), or 0 with boundary.kind stress. Unstable since 0.1. */
+HFRAC_API int32_t hfrac_wall_count(const hfrac_sim *sim, int32_t *count);
+/** Wall `index` (from 0) now. Unstable since 0.1. */
+HFRAC_API int32_t hfrac_wall_get(const hfrac_sim *sim, int32_t index, hfrac_wall_state *state);
 
 /** A number that is equal if and only if (up to collision) the state is equal, bit for bit. Stable since 0.1. */
 HFRAC_API int32_t hfrac_state_hash(const hfrac_sim *sim, int64_t *hash);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file
- * Going back: images of the state, steps that may be rejected, and a host that changes the far field.
+ * Going back: images of the state in memory and in files, steps that may be rejected, and a host that changes what acts from
+ * outside.
  *
  * A host that couples iteratively uses the three-part step:
  *
@@ -12,7 +13,9 @@
  * hfrac_state_restore are refused (HFRAC_ERR_ARGUMENT).
  *
  * An image holds all that a run changes. Restored into the simulation it was taken from, or one created from the same
- * definition in another process, the run goes on bit for bit.
+ * definition in another process, the run goes on bit for bit. It knows its format, its byte order, its length, its checksum
+ * and its model (discs, wells, and the options of model, disc, contact, bond, boundary, fluid and flow; lengths of steps and
+ * limits of a run may differ), and is refused with a text if one of them is wrong.
  */
 #ifndef HFRAC_STATE_H
 #define HFRAC_STATE_H
@@ -31,6 +34,14 @@ HFRAC_API int32_t hfrac_state_save(const hfrac_sim *sim, void *buffer, int64_t c
  * Stable since 0.1. */
 HFRAC_API int32_t hfrac_state_restore(hfrac_sim *sim, const void *image, int64_t size);
 
+/** Saves an image as file `path`: beside it first (`path`.part), synced, then renamed. After a crash or a power cut there is
+ * the old file or the new one; if it fails (HFRAC_ERR_FILE: no such folder, no rights, disk full) the old one is left and
+ * nothing else. One writer per path at a time. Unstable since 0.1. */
+HFRAC_API int32_t hfrac_state_save_file(const hfrac_sim *sim, const char *path);
+/** Restores an image from a file. One that cannot be read, is cut, damaged, of another model, of another format or no image
+ * at all is refused (HFRAC_ERR_FILE) and changes nothing. Unstable since 0.1. */
+HFRAC_API int32_t hfrac_state_load_file(hfrac_sim *sim, const char *path);
+
 /** Opens a step: remembers the state. Stable since 0.1. */
 HFRAC_API int32_t hfrac_step_prepare(hfrac_sim *sim);
 /** Takes the open step, `duration` [s] of fluid time long, from where it was opened; wells and far field as they are set
@@ -44,6 +55,11 @@ HFRAC_API int32_t hfrac_step_reject(hfrac_sim *sim);
 /** From the next step on, another far-field stress [Pa], in the reading's sense; needs boundary.kind stress, or walls kept
  * on their servo. sigma_h must not exceed sigma_H. Stable since 0.1. */
 HFRAC_API int32_t hfrac_set_far_field(hfrac_sim *sim, double sigma_H, double sigma_h);
+/** From the next step on, another pressure [Pa, absolute, 0 to 1e10] in the pores outside the model, in both readings; the
+ * paper's other pressures stay net of fluid.formation_pressure as defined. Total far-field stresses stay as they are; pores
+ * inside follow by flow. It is the same all around: what a host's grid said of the rim no longer holds. Needs flow, and
+ * flow.outer formation. In the sound reading it must not exceed sigma_h where the far field acts. Unstable since 0.1. */
+HFRAC_API int32_t hfrac_set_formation_pressure(hfrac_sim *sim, double pressure);
 
 #ifdef __cplusplus
 }

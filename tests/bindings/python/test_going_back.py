@@ -1,4 +1,6 @@
-"""Images of the state, open steps, another far field."""
+"""Images of the state in memory and in files, open steps, what acts from outside."""
+import pathlib
+import tempfile
 import unittest
 
 import hfrac
@@ -41,6 +43,22 @@ class Images(unittest.TestCase):
             self.assertTrue(view.stale)
 
 
+class Files(unittest.TestCase):
+    def test_saved_and_loaded(self):
+        with tempfile.TemporaryDirectory() as folder, small() as sim, small() as other:
+            path = pathlib.Path(folder, "a state")
+            sim.step(2)
+            sim.save_file(path)
+            self.assertEqual([p.name for p in path.parent.iterdir()], ["a state"])
+            other.load_file(path)
+            self.assertEqual(other.state_hash, sim.state_hash)
+            path.write_bytes(path.read_bytes()[:-1])
+            with self.assertRaisesRegex(hfrac.StateFileError, "was cut"):
+                other.load_file(path)
+            with self.assertRaises(OSError):
+                sim.save_file("/nonexistent/state")
+
+
 class OpenSteps(unittest.TestCase):
     def test_several_tries(self):
         with small() as sim:
@@ -75,3 +93,25 @@ class FarField(unittest.TestCase):
             self.assertNotEqual(kept.state_hash, changed.state_hash)
             with self.assertRaises(hfrac.ArgumentError):
                 changed.set_far_field(1e6, 2e6)
+
+
+class FormationPressure(unittest.TestCase):
+    def test_it_is_reported(self):
+        with small() as sim:
+            sim.set_formation_pressure(26e6)
+            self.assertEqual(sim.state.formation_pressure, 26e6)
+            with self.assertRaises(hfrac.ArgumentError):
+                sim.set_formation_pressure(float("nan"))
+
+
+class WallsAndLimits(unittest.TestCase):
+    def test_walls(self):
+        with small() as sim:
+            self.assertEqual([wall.normal for wall in sim.walls], [(1, 0), (-1, 0), (0, 1), (0, -1)])
+        with small(**SERVO) as sim:
+            self.assertEqual(sim.walls, [])
+
+    def test_limits(self):
+        with small() as sim:
+            self.assertIs(sim.step_limits.binding, hfrac.StepLimit.NONE)
+            self.assertGreater(sim.step_limits.mechanical_step, 0.0)

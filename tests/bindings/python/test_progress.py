@@ -56,6 +56,39 @@ class Progress(unittest.TestCase):
         sim.step(2)
         self.assertTrue(sim.closed)
 
+    def test_after_every_step(self):
+        seen = []
+        with small() as sim:
+            sim.on_step(lambda now: seen.append((now.step_count, now is sim)) or now.step_count == 3)
+            self.assertIs(sim.step(10), hfrac.Status.STOPPED)
+            self.assertEqual((seen, sim.step_count), ([(1, True), (2, True), (3, True)], 3))
+            sim.on_step(lambda now: now.step())
+            with self.assertRaisesRegex(hfrac.BusyError, "callback"):
+                sim.step(4)
+            self.assertEqual(sim.step_count, 4)
+            sim.on_step(None)
+            sim.step()
+            self.assertEqual(len(seen), 3)
+
+    def test_log(self):
+        told = []
+        with small(log=lambda level, message: told.append((level, message))) as sim:
+            self.assertTrue(any("discs of mean radius" in message for _, message in told))
+            told.clear()
+            sim.wells[0].set_pressure(20e6)
+            self.assertEqual(told[0][0], hfrac.LogLevel.INFO)
+            self.assertIn("well 0", told[0][1])
+            sim.on_log(lambda level, message: told.append(level), hfrac.LogLevel.ERROR)
+            told.clear()
+            with self.assertRaises(hfrac.ArgumentError):
+                sim.step(-1)
+            self.assertEqual(told, [hfrac.LogLevel.ERROR])
+            sim.on_log(lambda level, message: 1 / 0)
+            with self.assertRaises(ZeroDivisionError):
+                sim.wells[0].set_pressure(21e6)
+            sim.on_log(None)
+            sim.wells[0].set_pressure(22e6)
+
     def test_interrupt(self):
         with small() as sim:
             threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()

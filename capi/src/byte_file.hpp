@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files of bytes that are there whole or not at all.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace hfrac::capi {
+
+// Writes file `path`: beside it first, synced, then renamed, then the folder synced. After
+// a crash or a power cut there is the old file or the new one. Throws Error(file); what it wrote beside is gone then.
+void write_whole_file(const std::string& path, std::span<const std::byte> bytes);
+
+// All of a file. Throws Error(file), also for what is no regular file or is larger than `limit` bytes.
+std::vector<std::byte> read_whole_file(const std::string& path, std::size_t limit);
+
+}  // namespace hfrac::capi

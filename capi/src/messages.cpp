@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sentences are only put together if somebody hears them.
+#include "messages.hpp"
+
+#include <string>
+
+#include "couple/simulation.hpp"
+#include "options/number_text.hpp"
+
+namespace hfrac::capi {
+
+Listener listener_of(hfrac_log_fn function, void* user, std::int64_t level) {
+  if (function == nullptr) return {};
+  if (level < HFRAC_LOG_ERROR || level > HFRAC_LOG_DETAIL) {
+    throw Error(ErrorKind::argument,
+                "log level " + std::to_string(level) +
+                    " is outside 1 (errors) to 4 (every step); see enum hfrac_log_level.");
+  }
+  return {function, user, static_cast<std::int32_t>(level)};
+}
+
+void tell_setup(const hfrac_sim& sim) {
+  const Simulation& s = *sim.simulation;
+  const SetupReport& setup = s.setup();
+  if (sim.listener.hears(HFRAC_LOG_INFO)) {
+    tell(sim, HFRAC_LOG_INFO,
+         "built in " + rounded_text(setup.setup_seconds) + " s: " + number_text(s.assembly().disc_count()) +
+             " discs of mean radius " + rounded_text(s.assembly().mean_radius) + " m, " +
+             number_text(s.assembly().bond_count()) + " bonds, " + std::to_string(s.wells().size()) +
+             " wells");
+  }
+  if (!sim.listener.hears(HFRAC_LOG_WARNING)) return;
+  if (setup.cracks > 0) {
+    tell(sim, HFRAC_LOG_WARNING,
+         number_text(setup.cracks) +
+             " bonds broke before injection, while the model came to rest under the far field");
+  }
+  if (!s.at_rest()) {
+    tell(sim, HFRAC_LOG_WARNING,
+         "the model did not come to rest under the far field: force ratio " +
+             rounded_text(setup.force_ratio) + "; raise stepping.max_cycles");
+  }
+}
+
+void tell_step(const hfrac_sim& sim, std::size_t cracks_before) {
+  if (!sim.listener.hears(HFRAC_LOG_WARNING)) return;
+  const Simulation& s = *sim.simulation;
+  const std::string step = "step " + number_text(s.step_count());
+  if (!s.at_rest()) {
+    tell(sim, HFRAC_LOG_WARNING,
+         step + " did not come to rest: force ratio " + rounded_text(s.force_ratio()));
+  }
+  const std::size_t cracks = s.cracks().size();
+  if (cracks > cracks_before) {
+    tell(sim, HFRAC_LOG_INFO,
+         step + ", " + rounded_text(s.time()) + " s: " + std::to_string(cracks - cracks_before) +
+             " new cracks, " + std::to_string(cracks) + " in all");
+  }
+  if (sim.listener.hears(HFRAC_LOG_DETAIL)) {
+    tell(sim, HFRAC_LOG_DETAIL,
+         step + ", " + rounded_text(s.time()) + " s: force ratio " + rounded_text(s.force_ratio()) + ", " +
+             number_text(s.solver().total_cycles()) + " cycles so far");
+  }
+}
+
+}  // namespace hfrac::capi
