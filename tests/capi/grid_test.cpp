@@ -262,6 +262,37 @@ TEST(Grid, StressThatChangesFromCellToCellArrivesInside) {
   EXPECT_NEAR(slope, 2e4, 0.1 * 2e4);
 }
 
+TEST(Grid, EverySolverTakesTheHostsValues) {
+  struct Kind {
+    int32_t solver, mode;
+  };
+  double mean[3] = {};
+  int k = 0;
+  for (const Kind kind : {Kind{0, 0}, Kind{1, 0}, Kind{1, 2}}) {  // explicit, quasi-static, coupled
+    hfrac_sim_def def = quiet_def();
+    def.solver_kind = kind.solver;
+    def.stepping_mode = kind.mode;
+    Sim sim(def);
+    const auto grid = regular(2, 1, -50.0, -50.0, 100.0, 200.0);
+    ASSERT_EQ(hfrac_set_grid(sim, &grid), HFRAC_OK);
+    const double stress[6] = {6e6, 2e6, 0.0, 6e6, 2e6, 0.0}, p0 = def.fluid_formation_pressure;
+    const double rim[2] = {p0 + 1e6, p0};
+    ASSERT_EQ(hfrac_set_cell_stress(sim, stress, 6), HFRAC_OK) << last_error(sim);
+    ASSERT_EQ(hfrac_set_rim_pressure(sim, rim, 2), HFRAC_OK) << last_error(sim);
+    ASSERT_EQ(hfrac_step(sim, 2), HFRAC_OK) << last_error(sim);
+    const auto balance = balance_of(sim);
+    EXPECT_NE(balance.leaked_volume, 0.0);
+    EXPECT_LT(std::abs(balance.fluid_error), 1e-6 * std::abs(balance.leaked_volume));
+    const auto all = doubles(sim, HFRAC_DISC_STRESS);
+    for (std::size_t i = 0; i < all.size(); i += 3) mean[k] += 3.0 * all[i] / static_cast<double>(all.size());
+    ++k;
+  }
+  // xx, effective: 5 MPa of the far field, which alone cannot give more, and 6 of the host's.
+  EXPECT_GT(mean[0], 6e6);
+  EXPECT_NEAR(mean[1], mean[0], 1e-3 * mean[0]);
+  EXPECT_NEAR(mean[2], mean[0], 1e-3 * mean[0]);
+}
+
 TEST(Grid, RejectedStepsTakeTheHostsValuesBack) {
   hfrac_sim_def def = quiet_def();
   def.flow_permeability = 1e-13;
