@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// hfrac plot: the curves of a run, from its tables.
+// hfrac plot: the curves of a run, from its tables, or of several runs against each other.
 #include <fmt/format.h>
 #include <hfrac/viz.h>
 
@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "command/commands.hpp"
+#include "command/compare.hpp"
 #include "command/interrupt.hpp"
 #include "command/progress_line.hpp"
 
@@ -24,7 +25,12 @@ struct PlotRequest {
   bool pdf = false;
   bool dark = false;
   bool quiet = false;
+  CompareRequest compare;
 };
+
+int32_t pixels_on_paper(double millimetres) {
+  return static_cast<int32_t>(std::lround(millimetres / millimetres_per_inch * print_resolution));
+}
 
 int32_t show_drawing(void* line, double fraction, const char* what) {
   static_cast<ProgressLine*>(line)->show(
@@ -32,13 +38,24 @@ int32_t show_drawing(void* line, double fraction, const char* what) {
   return interrupted() ? 1 : 0;
 }
 
+ExitCode compare(const PlotRequest& request) {
+  if (request.svg || request.pdf)
+    throw BadInput("with --compare the ending of --output says which kind of file");
+  PlotPaper paper{request.width, 0, request.dark};
+  if (request.print > 0.0) paper = {pixels_on_paper(request.print), print_resolution, request.dark};
+  draw_comparison(request.compare, paper);
+  if (!request.quiet) fmt::print("{}\n", request.compare.target);
+  return kGood;
+}
+
 ExitCode plot(const PlotRequest& request) {
+  if (!request.compare.sources.empty()) return compare(request);
+  if (request.folder.empty()) throw BadInput("plot needs a run folder, or --compare and several");
   hfrac_viz_chart_options options{};
-  hfrac_viz_chart_options_init(&options);
+  hfrac_viz_chart_options_init(&options, sizeof options);
   if (request.width > 0) options.width = request.width;
   if (request.print > 0.0) {
-    options.width =
-        static_cast<int32_t>(std::lround(request.print / millimetres_per_inch * print_resolution));
+    options.width = pixels_on_paper(request.print);
     options.dots_per_inch = print_resolution;
   }
   if (request.svg) options.formats |= HFRAC_VIZ_SVG;
@@ -64,9 +81,10 @@ ExitCode plot(const PlotRequest& request) {
 }  // namespace
 
 void add_plot(CLI::App& program, Action& action) {
-  auto* command = program.add_subcommand("plot", "Draw the curves of a run into DIR/pictures");
+  auto* command =
+      program.add_subcommand("plot", "Draw the curves of a run into DIR/pictures, or compare runs");
   auto request = std::make_shared<PlotRequest>();
-  command->add_option("DIR", request->folder, "Run folder")->required();
+  auto* folder = command->add_option("DIR", request->folder, "Run folder");
   auto* width = command->add_option("--width", request->width, "Width of the pictures in pixels")
                     ->check(CLI::Range(320, 8192));
   command->add_option("--print", request->print, "Width on paper in millimetres, drawn at 300 dots per inch")
@@ -76,6 +94,7 @@ void add_plot(CLI::App& program, Action& action) {
   command->add_flag("--pdf", request->pdf, "PDF files too");
   command->add_flag("--dark", request->dark, "Light on dark paper");
   command->add_flag("-q,--quiet", request->quiet, "Print nothing unless something goes wrong");
+  add_compare_options(*command, request->compare, folder);
   command->callback([request, &action] { action = [request] { return plot(*request); }; });
 }
 

@@ -33,7 +33,7 @@ int32_t show_drawing(void* line, double fraction, const char* what) {
 ExitCode render(const RenderRequest& request) {
   hfrac_viz_options options{};
   options.struct_size = static_cast<int32_t>(sizeof options);
-  hfrac_viz_options_init(&options);
+  hfrac_viz_options_init(&options, sizeof options);
   if (request.width > 0) options.width = request.width;
   if (request.height > 0) options.height = request.height;
   if (request.no_movie) options.pictures &= ~static_cast<int32_t>(HFRAC_VIZ_MOVIE);

@@ -65,11 +65,11 @@ ExitCode report(const ReportRequest& request) {
   std::array<char, 2048> error{};
   const auto capacity = static_cast<int32_t>(error.size());
   hfrac_viz_options pictures{};
-  hfrac_viz_options_init(&pictures);
+  hfrac_viz_options_init(&pictures, sizeof pictures);
   pictures.width = request.width;
   pictures.pictures = wanted_pictures(request);
   hfrac_viz_chart_options charts{};
-  hfrac_viz_chart_options_init(&charts);
+  hfrac_viz_chart_options_init(&charts, sizeof charts);
   charts.formats = HFRAC_VIZ_SVG;
   const char* folder = request.folder.c_str();
   const bool interrupt =

@@ -77,7 +77,7 @@ void add_view_options(CLI::App& command, ViewRequest& request) {
 
 void draw_views(const std::string& folder, const ViewRequest& request, int32_t width, int32_t height) {
   hfrac_viz_view_options options{};
-  hfrac_viz_view_options_init(&options);
+  hfrac_viz_view_options_init(&options, sizeof options);
   if (width > 0) options.width = width;
   if (height > 0) options.height = height;
   options.snapshot = request.snapshot;

@@ -79,7 +79,8 @@ json fracture_part(const hfrac_fracture& fracture) {
           {"largest_aperture_m", fracture.largest_aperture},
           {"volume_m2", fracture.volume},
           {"mean_pressure_Pa", fracture.mean_pressure},
-          {"well", fracture.well}};
+          {"well", fracture.well},
+          {"arms", fracture.arms}};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "failure.h"
 #include "guarded_call.h"
 #include "hfrac/viz.h"
+#include "option_struct.h"
 #include "view_layers.h"
 #include "view_page.h"
 #include "vtk_messages.h"
@@ -16,12 +17,17 @@ namespace {
 
 constexpr int most_views = 9;
 
+hfrac_viz_view_options defaults() {
+  hfrac_viz_view_options options{};
+  options.struct_size = static_cast<int32_t>(sizeof options);
+  options.struct_version = 1;
+  options.snapshot = -1;
+  options.width = 1600;
+  return options;
+}
+
 hfrac_viz_view_options checked(const hfrac_viz_view_options* options) {
-  hfrac_viz_view_options own;
-  hfrac_viz_view_options_init(&own);
-  if (options == nullptr) return own;
-  check_struct_size("hfrac_viz_view_options", options->struct_size, sizeof(hfrac_viz_view_options));
-  own = *options;
+  const hfrac_viz_view_options own = read_options("hfrac_viz_view_options", options, defaults());
   check_range("width", own.width, 320, 8192);
   check_range("height", own.height, 240, 8192, true);
   check_range("dots_per_inch", own.dots_per_inch, 36, 2400, true);
@@ -70,14 +76,8 @@ using namespace hfrac::viz;
 
 extern "C" {
 
-int32_t hfrac_viz_view_options_init(hfrac_viz_view_options* options) {
-  if (options == nullptr) return HFRAC_ERR_ARGUMENT;
-  *options = {};
-  options->struct_size = static_cast<int32_t>(sizeof(hfrac_viz_view_options));
-  options->struct_version = 1;
-  options->snapshot = -1;
-  options->width = 1600;
-  return HFRAC_OK;
+int32_t hfrac_viz_view_options_init(hfrac_viz_view_options* options, int32_t struct_size) {
+  return init_options(options, struct_size, defaults());
 }
 
 int32_t hfrac_viz_render_views(const char* run_dir, const int32_t* views, int32_t view_count,

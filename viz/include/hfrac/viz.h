@@ -60,8 +60,8 @@ typedef struct hfrac_viz_options {
  * written stay, the one at work is removed. */
 typedef int32_t (*hfrac_viz_progress_fn)(void *user, double fraction, const char *what);
 
-/** Fills `options` with the defaults. Stable since 0.1. */
-HFRAC_API int32_t hfrac_viz_options_init(hfrac_viz_options *options);
+/** Defaults into `options`; `struct_size` is sizeof(hfrac_viz_options) in the caller. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_options_init(hfrac_viz_options *options, int32_t struct_size);
 
 /** Draws what options->pictures asks for into run_dir/pictures/, which is made if missing, and writes paraview_state.py. options NULL: the defaults.
  * progress may be NULL. A picture whose data the run does not have (pressure.png without flow.pvd) is left out.
@@ -105,7 +105,8 @@ enum hfrac_viz_chart {
   HFRAC_VIZ_CHART_HISTORY = 1, /**< history: pressures, rates, cracks, fracture, volumes, energies against time */
   HFRAC_VIZ_CHART_ROSE = 2,    /**< rose: directions of the cracks */
   HFRAC_VIZ_CHART_PROFILE = 4, /**< profile: aperture against distance from the well's wall */
-  HFRAC_VIZ_CHART_EVENTS = 8,  /**< events: magnitudes of the cracks, and how many are at least as strong */
+  HFRAC_VIZ_CHART_EVENTS = 8,  /**< events: energy magnitudes of the cracks (Choy and Boatwright 1995), how many are at
+                                     least as strong, and their b value (Aki 1965) */
   HFRAC_VIZ_CHART_ALL = 15     /**< all of them */
 };
 
@@ -127,14 +128,38 @@ typedef struct hfrac_viz_chart_options {
   int32_t dark;            /**< nonzero: light on dark paper; default 0 */
 } hfrac_viz_chart_options;
 
-/** Fills `options` with the defaults. Stable since 0.1. */
-HFRAC_API int32_t hfrac_viz_chart_options_init(hfrac_viz_chart_options *options);
+/** Defaults into `options`; `struct_size` is sizeof(hfrac_viz_chart_options) in the caller. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_chart_options_init(hfrac_viz_chart_options *options, int32_t struct_size);
 
 /** Draws charts of history.csv and cracks.csv into run_dir/pictures/, which is made if missing. A chart whose table the
  * run does not have (yet) is left out. options NULL: the defaults. progress may be NULL. Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_render_charts(const char *run_dir, const hfrac_viz_chart_options *options,
                                           hfrac_viz_progress_fn progress, void *user, char *error, int32_t capacity,
                                           int32_t *needed);
+
+/** How to draw a comparison. Fill with hfrac_viz_comparison_options_init first; members are only ever appended. */
+typedef struct hfrac_viz_comparison_options {
+  int32_t struct_size;    /**< sizeof(hfrac_viz_comparison_options) of the caller, set by init */
+  int32_t struct_version; /**< set by init */
+  int32_t width;          /**< [pixel] of a PNG file, 320 to 8192; default 1600 */
+  int32_t dots_per_inch;  /**< noted in a PNG file for printing, 0: not; default 0 */
+  int32_t dark;           /**< nonzero: light on dark paper; default 0 */
+  int32_t reserved;       /**< 0 */
+  const char *title;      /**< heading of the page, UTF-8; NULL: "Runs compared" */
+  const char *x_label;    /**< under the x axes, UTF-8, as it stands; NULL: made from the table's column */
+} hfrac_viz_comparison_options;
+
+/** Defaults into `options`; `struct_size` is sizeof(hfrac_viz_comparison_options) in the caller. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_comparison_options_init(hfrac_viz_comparison_options *options, int32_t struct_size);
+
+/** Draws runs against each other from the CSV file `table` to `path` (.png, .svg or .pdf). Its first line names the
+ * columns: the series (a word or a number), x, then 1 to 6 quantities, a panel each; NAME_spread is the half length of
+ * NAME's error bars. Names end with their SI unit as in history.csv, or with "(unit)", which is taken as it stands.
+ * Lines of equal series and x are runs of different packings: their mean is drawn, their standard deviation as its
+ * spread, and the single runs faintly. At most 12 series. options NULL: the defaults. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_render_comparison(const char *table, const char *path,
+                                              const hfrac_viz_comparison_options *options, char *error,
+                                              int32_t capacity, int32_t *needed);
 
 /** What a view shows. */
 enum hfrac_viz_view {
@@ -173,8 +198,8 @@ typedef struct hfrac_viz_view_options {
   double box_height;      /**< [m] positive */
 } hfrac_viz_view_options;
 
-/** Fills `options` with the defaults. Stable since 0.1. */
-HFRAC_API int32_t hfrac_viz_view_options_init(hfrac_viz_view_options *options);
+/** Defaults into `options`; `struct_size` is sizeof(hfrac_viz_view_options) in the caller. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_view_options_init(hfrac_viz_view_options *options, int32_t struct_size);
 
 /** Draws 1 to 9 views (values of enum hfrac_viz_view) of one snapshot side by side to the PNG file `path`. options NULL:
  * the defaults. Fails with HFRAC_VIZ_ERR_READ if the run has no data for one of them. Stable since 0.1. */
