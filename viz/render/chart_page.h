@@ -37,7 +37,7 @@ struct ChartSeries {
   bool dots = false;     // points only
   double dot_radius = 5.5;
   std::vector<double> spread = {};  // half lengths of error bars, NaN for none; empty: no bars
-  bool banded = false;         // a band of that width instead of bars
+  bool banded = false;              // a band of that width instead of bars
 };
 
 struct Panel {
