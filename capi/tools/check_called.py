@@ -21,7 +21,7 @@ def main():
     arguments = sys.argv[1:]
     listed = set((library_of(arguments).abi / "symbols.txt").read_text().split())
     folder = pathlib.Path(arguments[0])
-    by_language = {"C++": {".cpp", ".hpp"}, "C": {".c"}}
+    by_language = {"C++": {".cpp", ".hpp", ".h"}, "C": {".c"}}
     problems = []
     for language, endings in by_language.items():
         files = [path for path in folder.iterdir() if path.suffix in endings]

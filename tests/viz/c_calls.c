@@ -6,7 +6,7 @@
 
 const char* hfrac_viz_test_from_c(const char* run_dir, const char* folder);
 
-static char error[512];
+static char error[2048];
 static char text[1024];
 
 static const char* in_folder(const char* folder, const char* name) {
@@ -58,6 +58,12 @@ const char* hfrac_viz_test_from_c(const char* run_dir, const char* folder) {
   GOOD(hfrac_viz_render_charts(run_dir, &charts, NULL, NULL, error, capacity, NULL));
   GOOD(hfrac_viz_render_views(run_dir, views, 2, in_folder(folder, "views.png"), &view, error, capacity,
                               NULL));
+  GOOD(hfrac_viz_view_names(error, capacity, &needed));
+  {
+    const char* names[1] = {"radius_m"};
+    GOOD(hfrac_viz_render_named_views(run_dir, names, 1, in_folder(folder, "named.svg"), &view, error,
+                                      capacity, NULL));
+  }
   table = fopen(in_folder(folder, "c.csv"), "w");
   if (table == NULL) return "fopen";
   fputs("series,x,y\n,1,1\n,2,2\n", table);

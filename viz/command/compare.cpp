@@ -84,7 +84,7 @@ void add_compare_options(CLI::App& command, CompareRequest& request, CLI::Option
   only_with_compare(command.add_option("--title", request.title, "Heading of the picture"));
 }
 
-void draw_comparison(const CompareRequest& request, const PlotPaper& paper) {
+void draw_comparison(const CompareRequest& request, const Paper& paper) {
   fs::path table = request.sources.front();
   const bool made = table.extension() == ".csv";
   if (made && request.sources.size() > 1) throw BadInput("--compare takes one CSV file, or run folders");
@@ -97,8 +97,8 @@ void draw_comparison(const CompareRequest& request, const PlotPaper& paper) {
   }
   hfrac_viz_comparison_options options{};
   hfrac_viz_comparison_options_init(&options, sizeof options);
-  if (paper.width > 0) options.width = paper.width;
-  options.dots_per_inch = paper.dots_per_inch;
+  if (paper.pixels() > 0) options.width = paper.pixels();
+  options.dots_per_inch = paper.dots_per_inch();
   options.dark = paper.dark ? 1 : 0;
   options.title = request.title.empty() ? nullptr : request.title.c_str();
   std::array<char, 2048> error{};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "command/exit_code.hpp"
+#include "command/paper.hpp"
 
 namespace hfrac::command {
 
@@ -22,14 +23,7 @@ struct CompareRequest {
 
 void add_compare_options(CLI::App& command, CompareRequest& request, CLI::Option* folder);
 
-/** What of the drawing is not the comparison's own. */
-struct PlotPaper {
-  int32_t width = 0;  ///< [pixel], 0: the renderer's own choice
-  int32_t dots_per_inch = 0;
-  bool dark = false;
-};
-
 /** Draws the picture, and writes the table beside it if it was made from runs. Throws BadInput or std::runtime_error. */
-void draw_comparison(const CompareRequest& request, const PlotPaper& paper);
+void draw_comparison(const CompareRequest& request, const Paper& paper);
 
 }  // namespace hfrac::command

@@ -33,6 +33,7 @@ std::vector<fs::path> files_of_a_run(const fs::path& folder) {
   std::vector<fs::path> files;
   collect(folder, data, files);
   collect(folder / "pictures", pictures, files);
+  collect(folder / "pictures" / ".movie.mp4.pieces", std::regex(R"([0-9]+\.piece)"), files);
   std::sort(files.begin(), files.end());
   return files;
 }

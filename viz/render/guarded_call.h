@@ -18,6 +18,14 @@ namespace hfrac::viz {
 
 // VTK's text cache is shared by the whole process and not guarded.
 std::mutex& drawing_mutex();
+// Lets other threads draw while it lives, inside a call that only waits.
+class DrawingPause {
+ public:
+  DrawingPause() { drawing_mutex().unlock(); }
+  ~DrawingPause() { drawing_mutex().lock(); }
+  DrawingPause(const DrawingPause&) = delete;
+  DrawingPause& operator=(const DrawingPause&) = delete;
+};
 // Whether this thread is inside a call.
 bool& inside_call();
 

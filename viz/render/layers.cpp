@@ -95,6 +95,14 @@ vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, double lowest, double h
   return mesh.actor(depth::domains);
 }
 
+vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, std::span<const Colour> colours) {
+  Mesh mesh;
+  for (const Domain& domain : flow.domains) {
+    if (domain.cell < colours.size()) mesh.polygon(corners_of(flow, domain), colours[domain.cell]);
+  }
+  return mesh.actor(depth::domains);
+}
+
 vtkSmartPointer<vtkActor> well_layer(const Flow& flow, std::span<const WellPlace> wells,
                                      double smallest_radius) {
   Mesh mesh;

@@ -85,6 +85,12 @@ void read_summary(RunFolder& run) {
     run.model_width = positive_number(*model, "width_m");
     run.model_height = positive_number(*model, "height_m");
   }
+  run.going_on = text(summary, "ended") == "running";
+  const auto planned = summary.find("planned");
+  if (planned != summary.end() && planned->is_object()) {
+    run.planned_time = positive_number(*planned, "time_s");
+    run.planned_snapshots = static_cast<int>(std::min(1e6, positive_number(*planned, "snapshots")));
+  }
   const auto wells = summary.find("wells");
   if (wells == summary.end() || !wells->is_array()) return;
   for (const nlohmann::json& well : *wells) {

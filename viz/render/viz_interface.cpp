@@ -8,11 +8,11 @@
 #include "guarded_call.h"
 #include "hfrac/viz.h"
 #include "history.h"
-#include "movie_file.h"
 #include "offscreen_window.h"
 #include "option_struct.h"
 #include "render_run.h"
 #include "run_folder.h"
+#include "video_encoder.h"
 
 namespace hfrac::viz {
 namespace {
@@ -37,6 +37,7 @@ hfrac_viz_options checked(const hfrac_viz_options* options) {
   check_range("movie_width", own.movie_width, 320, 4096);
   check_range("movie_height", own.movie_height, 240, 4096, true);
   check_range("movie_seconds", own.movie_seconds, 1, 600);
+  check_range("dots_per_inch", own.dots_per_inch, 36, 2400, true);
   if (own.movie_width % 2 != 0 || own.movie_height % 2 != 0)
     fail_argument("a movie's width and height must be even");
   return own;
