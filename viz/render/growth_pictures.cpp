@@ -143,7 +143,8 @@ Image model_picture(const Studio& studio, const Scene& scene) {
 }
 
 Image stage_picture(const Studio& studio, const Scene& scene) {
-  Sheet sheet(studio, whole_model(*studio.run, scene.discs));
+  constexpr double column_needs = 980;  // legend, scale bar and notes below each other
+  Sheet sheet(studio, whole_model(*studio.run, scene.discs), {1600, 300, column_needs, false});
   add_growth_layers(sheet.view, sheet.page, *studio.run, scene, sheet.metres(1));
   draw_sheet_title(
       sheet, *studio.run,

@@ -104,15 +104,15 @@ vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, std::span<const Colour>
 }
 
 vtkSmartPointer<vtkActor> well_layer(const Flow& flow, std::span<const WellPlace> wells,
-                                     double smallest_radius) {
+                                     double smallest_radius, Colour colour) {
   Mesh mesh;
   if (has_well_domain(flow)) {
     for (const Domain& domain : flow.domains) {
-      if (domain.well) mesh.polygon(corners_of(flow, domain), palette().well);
+      if (domain.well) mesh.polygon(corners_of(flow, domain), colour);
     }
   } else {
     for (const WellPlace& well : wells) {
-      mesh.circle({well.x, well.y}, std::max(well.radius, smallest_radius), palette().well);
+      mesh.circle({well.x, well.y}, std::max(well.radius, smallest_radius), colour);
     }
   }
   return mesh.actor(depth::wells);

@@ -63,7 +63,7 @@ vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, double lowest, double h
 
 // The holes of the wells, to lie under the discs: the wells' domains if flow has any, otherwise circles.
 vtkSmartPointer<vtkActor> well_layer(const Flow& flow, std::span<const WellPlace> wells,
-                                     double smallest_radius);
+                                     double smallest_radius, Colour colour = palette().well);
 
 // An outline around each well's domain, or its circle.
 vtkSmartPointer<vtkActor> well_rings(const Flow& flow, std::span<const WellPlace> wells, double half_width,

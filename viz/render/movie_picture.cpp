@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_points = 1500;  // of a curve: more cannot be told apart
 
 // The column takes all the width the view leaves.
-constexpr SheetShape movie_shape{1400, 440, true};
+constexpr SheetShape movie_shape{1400, 440, 640, true};
 
 void add_point(MovieCurves& curves, double time, double pressure, double cracks) {
   if (!std::isfinite(time)) return;

@@ -110,7 +110,7 @@ int sheet_height(const Studio& studio, const Extent& extent, const SheetShape& s
 
 Sheet::Sheet(const Studio& studio, const Extent& extent, const SheetShape& shape)
     : page(studio.window, studio.size.width, sheet_height(studio, extent, shape)),
-      unit(std::min(unit_of(studio, shape), page.height() / 640.0)),
+      unit(std::min(unit_of(studio, shape), page.height() / shape.needs)),
       column_left(0),
       column_width(shape.column * unit),
       column_top(margin_top * unit),

@@ -23,8 +23,9 @@ double mean_radius(const Discs& discs);
 struct SheetShape {
   double design_width = 1600;  // the width at which the unit is one pixel
   double column = 300;         // [unit] width of the column
-  bool wide_column =
-      false;  // whether it takes all the width the view leaves; otherwise both stand in the middle
+  double needs = 640;          // [unit] height below which everything gets smaller
+  // Whether the column takes all the width the view leaves; otherwise both stand in the middle.
+  bool wide_column = false;
 };
 
 // Height of a sheet's page: the one asked for, or as the model's shape asks.

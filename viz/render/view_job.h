@@ -32,6 +32,10 @@ struct Job {
     return std::clamp(0.2 * radius, 1.8 * size.unit_metres, 5.0 * size.unit_metres);
   }
   void add_well() const { add(well_layer(scene.flow, run.wells, 2 * size.unit_metres)); }
+  // Where colours tell values, the well's red would too.
+  void add_quiet_well() const {
+    add(well_layer(scene.flow, run.wells, 2 * size.unit_metres, palette().faint_ink));
+  }
   void add_ring() const { add(well_rings(scene.flow, run.wells, 1.6 * size.unit_metres, palette().well)); }
   void add_discs(Colour fill, Colour rim) const {
     add(discs_in_view(view, scene.discs, fill, rim, size.drawn_pixel));

@@ -171,7 +171,7 @@ Key show_field(const Job& job, std::vector<double> values, double scale, bool tw
   for (const double value : values) {
     fills.push_back(key.map->at((value - key.lowest) / (key.highest - key.lowest)));
   }
-  job.add_well();
+  job.add_quiet_well();
   job.add(discs_in_view(job.view, job.scene.discs, fills, job.size.drawn_pixel));
   job.add_cracks(true);
   return key;
