@@ -1,15 +1,14 @@
 #!/usr/bin/python3
 """Every exported function is called by the tests of the C interface, from C++ and from C.
 
-usage: check_called.py FOLDER     FOLDER: where the tests are
+usage: check_called.py FOLDER [--library hfrac_viz]     FOLDER: where the tests are
 """
 import pathlib
 import re
 import sys
 
-from c_header import ROOT
+from c_header import library_of
 
-LIST = ROOT / "capi/abi/symbols.txt"
 # Comments and texts, so that a name in them does not count.
 NOT_CODE = re.compile(r'/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"', re.S)
 
@@ -19,9 +18,10 @@ def called(path):
 
 
 def main():
-    folder = pathlib.Path(sys.argv[1])
-    listed = set(LIST.read_text().split())
-    by_language = {"C++": {".cpp", ".hpp"}, "C": {".c"}}
+    arguments = sys.argv[1:]
+    listed = set((library_of(arguments).abi / "symbols.txt").read_text().split())
+    folder = pathlib.Path(arguments[0])
+    by_language = {"C++": {".cpp", ".hpp", ".h"}, "C": {".c"}}
     problems = []
     for language, endings in by_language.items():
         files = [path for path in folder.iterdir() if path.suffix in endings]

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Checks what libhfrac shows to the outside and what it takes from there.
+"""Checks what libhfrac (with --library hfrac_viz: the renderer) shows to the outside and what it takes from there.
 
 usage: check_symbols.py exports LIBRARY [--unfinished]   exported names = capi/abi/symbols.txt = functions of the headers
                                         --unfinished: not all of them need to be there yet
@@ -10,9 +10,7 @@ usage: check_symbols.py exports LIBRARY [--unfinished]   exported names = capi/a
 import subprocess
 import sys
 
-from c_header import ROOT, functions
-
-LIST = ROOT / "capi/abi/symbols.txt"
+from c_header import functions, library_of
 
 # Only objects of ours are looked at: libstdc++.so itself calls abort, as it must. What its headers put into our objects
 # (std::__throw_*, operator new, terminate of noexcept) has names of its own and is not on this list.
@@ -30,17 +28,18 @@ def nm(*arguments):
     return [line.split() for line in out.splitlines() if line.strip() and not line.endswith(":")]
 
 
-def exports(library, unfinished):
-    found = {words[-1].split("@")[0] for words in nm("-D", "--defined-only", library)} - {"HFRAC_0"}
-    listed, declared = set(LIST.read_text().split()), set(functions())
-    problems = [f"{name}: exported but not in {LIST.name}" for name in sorted(found - listed)]
-    problems += [f"{name}: declared in a header but not in {LIST.name}" for name in sorted(declared - listed)]
-    problems += [f"{name}: in {LIST.name} but in no header" for name in sorted(listed - declared)]
+def exports(library, file, unfinished):
+    found = {words[-1].split("@")[0] for words in nm("-D", "--defined-only", file)} - {"HFRAC_0"}
+    list_file = library.abi / "symbols.txt"
+    listed, declared = set(list_file.read_text().split()), set(functions(library.headers))
+    problems = [f"{name}: exported but not in {list_file.name}" for name in sorted(found - listed)]
+    problems += [f"{name}: declared in a header but not in {list_file.name}" for name in sorted(declared - listed)]
+    problems += [f"{name}: in {list_file.name} but in no header" for name in sorted(listed - declared)]
     missing = sorted(listed - found)
     if unfinished:
         print(f"{len(missing)} functions are not there yet")
     else:
-        problems += [f"{name}: in {LIST.name} but not exported" for name in missing]
+        problems += [f"{name}: in {list_file.name} but not exported" for name in missing]
     return problems
 
 
@@ -54,10 +53,11 @@ def imports(files):
 
 def main():
     mode, arguments = sys.argv[1], sys.argv[2:]
+    library = library_of(arguments)
     if mode == "write":
-        LIST.write_text("\n".join(functions()) + "\n")
+        (library.abi / "symbols.txt").write_text("\n".join(functions(library.headers)) + "\n")
         return
-    problems = exports(arguments[0], "--unfinished" in arguments) if mode == "exports" else imports(arguments)
+    problems = exports(library, arguments[0], "--unfinished" in arguments) if mode == "exports" else imports(arguments)
     sys.exit("\n".join(problems) or 0)
 
 

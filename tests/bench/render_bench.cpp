@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of 1920 x 1080 with the PNG written, from discs in memory: overviews of models of 10 000 to 3.6 million
-// discs, and a close-up of the largest. Needs no display. The counters give the memory the process held at most.
+// Pictures of 1920 x 1080 with the PNG written. From discs in memory: overviews of models of 10 000 to 3.6 million discs,
+// and a close-up of the largest. From run folders: the same with reading the files and everything around the view, and
+// a movie of 60 frames. Needs no display. The counters give the memory the process held at most; it only rises, so run
+// one benchmark at a time to see its own (--benchmark_filter).
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <memory>
 
 #include "disc_detail.h"
+#include "hfrac/viz.h"
 #include "image.h"
 #include "offscreen_window.h"
 #include "page.h"
+#include "synthetic_run.h"
 #include "whole_file.h"
 
 namespace {
@@ -39,6 +44,12 @@ Extent extent_of(std::int64_t count, double part) {
   return {0, 0, columns * part, columns * part * 9 / 16};
 }
 
+void note_memory(benchmark::State& state) {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  state.counters["most_memory_MB"] = static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
 void draw(benchmark::State& state, double part) {
   const Discs& discs = model(state.range(0));
   const auto window = make_offscreen_window();
@@ -50,9 +61,7 @@ void draw(benchmark::State& state, double part) {
                                           view.metres_per_pixel / page.drawn_pixels()));
     write_whole(target, png(page.draw()));
   }
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  state.counters["most_memory_MB"] = static_cast<double>(usage.ru_maxrss) / 1024;
+  note_memory(state);
   std::filesystem::remove(target);
 }
 
@@ -70,6 +79,57 @@ void close_up(benchmark::State& state) {
   draw(state, 0.05);
 }
 BENCHMARK(close_up)->Arg(3'600'000)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+// A run folder of about so many discs, made once per process.
+const std::filesystem::path& folder_of(std::int64_t discs, int snapshots) {
+  static std::map<std::pair<std::int64_t, int>, std::unique_ptr<hfrac::viz_test::TemporaryFolder>> folders;
+  auto& folder = folders[{discs, snapshots}];
+  if (!folder) {
+    folder = std::make_unique<hfrac::viz_test::TemporaryFolder>();
+    hfrac::viz_test::SyntheticRun run;
+    run.columns = static_cast<int>(std::lround(std::sqrt(static_cast<double>(discs))));
+    run.snapshots = snapshots;
+    hfrac::viz_test::write_run(folder->path(), run);
+  }
+  return folder->path();
+}
+
+void from_files(benchmark::State& state) {
+  const std::filesystem::path& folder = folder_of(state.range(0), 1);
+  hfrac_viz_view_options options;
+  hfrac_viz_view_options_init(&options, sizeof options);
+  options.width = width;
+  options.height = height;
+  const std::int32_t view = HFRAC_VIZ_VIEW_DISCS;
+  const std::string target = folder / "view.png";
+  for (auto _ : state) {
+    if (hfrac_viz_render_views(folder.c_str(), &view, 1, target.c_str(), &options, nullptr, 0, nullptr) !=
+        HFRAC_OK) {
+      state.SkipWithError("no picture");
+      break;
+    }
+  }
+  note_memory(state);
+}
+BENCHMARK(from_files)->Arg(10'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void movie_of_60_frames(benchmark::State& state) {
+  const std::filesystem::path& folder = folder_of(state.range(0), 60);
+  hfrac_viz_options options;
+  hfrac_viz_options_init(&options, sizeof options);
+  options.movie_width = width;
+  options.movie_height = height;
+  const std::string target = folder / "movie.mp4";
+  for (auto _ : state) {
+    if (hfrac_viz_render_movie(folder.c_str(), target.c_str(), &options, nullptr, nullptr, nullptr, 0,
+                               nullptr) != HFRAC_OK) {
+      state.SkipWithError("no movie");
+      break;
+    }
+  }
+  note_memory(state);
+}
+BENCHMARK(movie_of_60_frames)->Arg(10'000)->Iterations(1)->Unit(benchmark::kSecond)->UseRealTime();
 
 }  // namespace
 

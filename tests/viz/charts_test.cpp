@@ -11,7 +11,7 @@ namespace {
 
 class Charts : public VizTest {
  protected:
-  Charts() { hfrac_viz_chart_options_init(&charts); }
+  Charts() { hfrac_viz_chart_options_init(&charts, sizeof charts); }
 
   Result render_charts(hfrac_viz_progress_fn progress = nullptr, void* user = nullptr) {
     std::array<char, 2000> text{};
@@ -115,7 +115,7 @@ TEST_F(Charts, BadOptionsAreRefused) {
   charts.width = 800;
   charts.struct_size = 4;
   EXPECT_EQ(render_charts().status, HFRAC_ERR_STRUCT_SIZE);
-  EXPECT_EQ(hfrac_viz_chart_options_init(nullptr), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_viz_chart_options_init(nullptr, 48), HFRAC_ERR_ARGUMENT);
 }
 
 TEST_F(Charts, ACallerCanStopThem) {

@@ -14,7 +14,7 @@ namespace {
 class Detail : public VizTest {
  protected:
   Detail() {
-    hfrac_viz_view_options_init(&views);
+    hfrac_viz_view_options_init(&views, sizeof views);
     run.columns = 900;  // 790 000 discs of little more than a pixel
     run.snapshots = 1;
     run.with_flow = false;

@@ -77,14 +77,14 @@ TEST_F(Errors, Arguments) {
   write_run(folder(), run);
   EXPECT_EQ(hfrac_viz_render_run(nullptr, nullptr, nullptr, nullptr, nullptr, 0, nullptr),
             HFRAC_ERR_ARGUMENT);
-  EXPECT_EQ(hfrac_viz_options_init(nullptr), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_viz_options_init(nullptr, 48), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hfrac_viz_snapshot_count(folder().c_str(), nullptr, nullptr, 0, nullptr), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(render_picture(HFRAC_VIZ_MOVIE, file("picture.png")).status, HFRAC_ERR_ARGUMENT);
   options.width = 100000;
   const Result result = render_picture(HFRAC_VIZ_STAGE, file("picture.png"));
   EXPECT_EQ(result.status, HFRAC_ERR_ARGUMENT);
   EXPECT_NE(result.text.find("width"), std::string::npos);
-  hfrac_viz_options_init(&options);
+  hfrac_viz_options_init(&options, sizeof options);
   options.snapshot = 77;
   EXPECT_EQ(render_picture(HFRAC_VIZ_STAGE, file("picture.png")).status, HFRAC_ERR_ARGUMENT);
   options.struct_size = 0;

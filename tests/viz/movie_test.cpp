@@ -7,8 +7,12 @@ extern "C" {
 #include <libavformat/avformat.h>
 }
 
+#include <atomic>
+#include <chrono>
 #include <fstream>
 #include <iterator>
+#include <thread>
+#include <vector>
 
 #include "file_text.h"
 #include "viz_fixture.h"
@@ -27,6 +31,7 @@ struct Decoded {
   double seconds = 0;
   int darkest = 255;
   int lightest = 0;
+  std::vector<double> light;  // mean of each frame
 };
 
 Decoded decode(const std::filesystem::path& path) {
@@ -53,13 +58,16 @@ Decoded decode(const std::filesystem::path& path) {
       decoded.width = frame->width;
       decoded.height = frame->height;
       decoded.format = static_cast<AVPixelFormat>(frame->format);
+      double sum = 0;
       for (int y = 0; y < frame->height; ++y) {
         for (int x = 0; x < frame->width; ++x) {
           const int light = frame->data[0][y * frame->linesize[0] + x];
           decoded.darkest = std::min(decoded.darkest, light);
           decoded.lightest = std::max(decoded.lightest, light);
+          sum += light;
         }
       }
+      decoded.light.push_back(sum / (frame->width * frame->height));
     }
   }
   av_frame_free(&frame);
@@ -131,6 +139,112 @@ TEST_F(Movie, AnimatedWebPHasAFramePerSnapshotAndLoops) {
   for (std::size_t at = content.find("ANMF"); at != std::string::npos; at = content.find("ANMF", at + 4))
     ++frames;
   EXPECT_EQ(frames, 4);
+}
+
+// Stops at a share of the work; tells where it began.
+struct Stopper {
+  double stop_at = 2;
+  double first = -1;
+  static std::int32_t told(void* user, double fraction, const char*) {
+    auto& self = *static_cast<Stopper*>(user);
+    if (self.first < 0) self.first = fraction;
+    return fraction >= self.stop_at ? 1 : 0;
+  }
+};
+
+class LongMovie : public VizTest {
+ protected:
+  LongMovie() {
+    run.snapshots = 34;
+    run.columns = 10;
+    options.movie_width = 320;
+  }
+  std::int32_t render(const std::string& name, Stopper& stopper) {
+    return hfrac_viz_render_movie(folder().c_str(), file(name).c_str(), &options, Stopper::told, &stopper,
+                                  nullptr, 0, nullptr);
+  }
+  std::filesystem::path pieces(const std::string& name) const { return file("." + name + ".pieces"); }
+};
+
+TEST_F(LongMovie, GoesOnWhereItStoppedAndIsTheSame) {
+  write_run(folder(), run);
+  Stopper half{0.8};
+  ASSERT_EQ(render("movie.mp4", half), HFRAC_STOPPED);
+  EXPECT_FALSE(std::filesystem::exists(file("movie.mp4")));
+  EXPECT_TRUE(std::filesystem::exists(pieces("movie.mp4") / "000001.piece"));
+  Stopper rest;
+  ASSERT_EQ(render("movie.mp4", rest), HFRAC_OK);
+  EXPECT_GT(rest.first, 0.5);  // two pieces of ten frames were there
+  EXPECT_FALSE(std::filesystem::exists(pieces("movie.mp4")));
+  Stopper fresh;
+  ASSERT_EQ(render("fresh.mp4", fresh), HFRAC_OK);
+  EXPECT_EQ(fresh.first, 0.0);
+  // The encoder does not give the same bytes each time, but the same frames.
+  const Decoded resumed = decode(file("movie.mp4"));
+  const Decoded at_once = decode(file("fresh.mp4"));
+  EXPECT_EQ(resumed.frames, 34);
+  EXPECT_EQ(resumed.seconds, at_once.seconds);
+  ASSERT_EQ(resumed.light.size(), at_once.light.size());
+  for (std::size_t i = 0; i < resumed.light.size(); ++i)
+    EXPECT_NEAR(resumed.light[i], at_once.light[i], 0.1) << i;
+  EXPECT_NE(resumed.light.front(), resumed.light.back());
+}
+
+TEST_F(LongMovie, DamagedAndForeignPiecesAreMadeAgain) {
+  write_run(folder(), run);
+  Stopper half{0.8};
+  ASSERT_EQ(render("movie.mp4", half), HFRAC_STOPPED);
+  std::filesystem::resize_file(pieces("movie.mp4") / "000000.piece", 1000);
+  options.movie_width = 400;  // the second piece is of another size
+  Stopper rest;
+  ASSERT_EQ(render("movie.mp4", rest), HFRAC_OK);
+  EXPECT_EQ(rest.first, 0.0);
+  const Decoded movie = decode(file("movie.mp4"));
+  EXPECT_EQ(movie.frames, 34);
+  EXPECT_EQ(movie.width, 400);
+}
+
+TEST_F(LongMovie, FollowsARunToItsEnd) {
+  write_run(folder(), run);
+  const auto replace = [&](const std::string& name, const std::string& content) {
+    std::ofstream(file(name + ".new"), std::ios::binary) << content;
+    std::filesystem::rename(file(name + ".new"), file(name));
+  };
+  const std::string discs = file_text(file("discs.pvd"));
+  const std::string summary = file_text(file("summary.json"));
+  std::string running = summary;
+  running.replace(running.find("all steps taken"), 15, "running");
+  running.insert(1, "\"planned\": {\"time_s\": 90, \"snapshots\": 40}, ");
+  const std::size_t cut = discs.find("    <DataSet timestep=\"30\"");  // the first twelve
+  ASSERT_NE(cut, std::string::npos);
+  replace("discs.pvd", discs.substr(0, cut) + "  </Collection>\n</VTKFile>\n");
+  replace("summary.json", running);
+
+  options.movie_follow = 1;
+  std::atomic<std::int32_t> status{1};
+  Stopper never;
+  std::thread follower([&] { status = render("movie.mp4", never); });
+  while (!std::filesystem::exists(file("movie.mp4")) && status == 1) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_EQ(decode(file("movie.mp4")).frames, 10);  // what there is, already to be looked at
+  // Others may draw while it waits.
+  EXPECT_EQ(render_picture(HFRAC_VIZ_STAGE, file("meanwhile.png")).status, HFRAC_OK);
+  replace("discs.pvd", discs);
+  replace("summary.json", summary);
+  follower.join();
+  EXPECT_EQ(status, HFRAC_OK);
+  EXPECT_EQ(decode(file("movie.mp4")).frames, 34);
+  EXPECT_FALSE(std::filesystem::exists(pieces("movie.mp4")));
+}
+
+TEST_F(LongMovie, FollowingIsForMp4) {
+  write_run(folder(), run);
+  std::string running = file_text(file("summary.json"));
+  running.replace(running.find("all steps taken"), 15, "running");
+  std::ofstream(file("summary.json"), std::ios::binary) << running;
+  options.movie_follow = 1;
+  EXPECT_EQ(render_movie(file("movie.webp")).status, HFRAC_ERR_ARGUMENT);
 }
 
 }  // namespace

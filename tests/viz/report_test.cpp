@@ -26,7 +26,7 @@ class Report : public VizTest {
     options.movie_width = 320;
     ASSERT_EQ(render_run().status, HFRAC_OK);
     hfrac_viz_chart_options charts;
-    hfrac_viz_chart_options_init(&charts);
+    hfrac_viz_chart_options_init(&charts, sizeof charts);
     charts.formats = HFRAC_VIZ_SVG;
     ASSERT_EQ(hfrac_viz_render_charts(folder().c_str(), &charts, nullptr, nullptr, nullptr, 0, nullptr),
               HFRAC_OK);

@@ -13,7 +13,7 @@ namespace {
 
 class Views : public VizTest {
  protected:
-  Views() { hfrac_viz_view_options_init(&views); }
+  Views() { hfrac_viz_view_options_init(&views, sizeof views); }
 
   Result render_views(const std::vector<std::int32_t>& kinds) {
     std::array<char, 2000> text{};
@@ -128,7 +128,7 @@ TEST_F(Views, BadRequestsAreRefusedWithAReason) {
   }
   views.struct_size = 0;
   EXPECT_EQ(render_views({0}).status, HFRAC_ERR_STRUCT_SIZE);
-  EXPECT_EQ(hfrac_viz_view_options_init(nullptr), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_viz_view_options_init(nullptr, 48), HFRAC_ERR_ARGUMENT);
 }
 
 }  // namespace

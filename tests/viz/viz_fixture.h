@@ -20,7 +20,7 @@ struct Result {
 
 class VizTest : public testing::Test {
  protected:
-  VizTest() { hfrac_viz_options_init(&options); }
+  VizTest() { hfrac_viz_options_init(&options, sizeof options); }
 
   const std::filesystem::path& folder() const { return temporary_.path(); }
   std::filesystem::path file(const std::string& name) const { return folder() / name; }

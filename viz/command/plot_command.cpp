@@ -1,29 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// hfrac plot: the curves of a run, from its tables.
+// hfrac plot: the curves of a run, from its tables, or of several runs against each other.
 #include <fmt/format.h>
 #include <hfrac/viz.h>
 
 #include <array>
-#include <cmath>
 
 #include "command/commands.hpp"
+#include "command/compare.hpp"
 #include "command/interrupt.hpp"
+#include "command/paper.hpp"
 #include "command/progress_line.hpp"
 
 namespace hfrac::command {
 namespace {
 
-constexpr double millimetres_per_inch = 25.4;
-constexpr int32_t print_resolution = 300;  // [dots per inch]
-
 struct PlotRequest {
   std::string folder;
-  int32_t width = 0;   ///< [pixel]; 0: the renderer's own choice
-  double print = 0.0;  ///< [mm] on paper; 0: for the screen
+  Paper paper;
   bool svg = false;
   bool pdf = false;
-  bool dark = false;
   bool quiet = false;
+  CompareRequest compare;
 };
 
 int32_t show_drawing(void* line, double fraction, const char* what) {
@@ -32,18 +29,24 @@ int32_t show_drawing(void* line, double fraction, const char* what) {
   return interrupted() ? 1 : 0;
 }
 
+ExitCode compare(const PlotRequest& request) {
+  if (request.svg || request.pdf)
+    throw BadInput("with --compare the ending of --output says which kind of file");
+  draw_comparison(request.compare, request.paper);
+  if (!request.quiet) fmt::print("{}\n", request.compare.target);
+  return kGood;
+}
+
 ExitCode plot(const PlotRequest& request) {
+  if (!request.compare.sources.empty()) return compare(request);
+  if (request.folder.empty()) throw BadInput("plot needs a run folder, or --compare and several");
   hfrac_viz_chart_options options{};
-  hfrac_viz_chart_options_init(&options);
-  if (request.width > 0) options.width = request.width;
-  if (request.print > 0.0) {
-    options.width =
-        static_cast<int32_t>(std::lround(request.print / millimetres_per_inch * print_resolution));
-    options.dots_per_inch = print_resolution;
-  }
+  hfrac_viz_chart_options_init(&options, sizeof options);
+  if (request.paper.pixels() > 0) options.width = request.paper.pixels();
+  options.dots_per_inch = request.paper.dots_per_inch();
   if (request.svg) options.formats |= HFRAC_VIZ_SVG;
   if (request.pdf) options.formats |= HFRAC_VIZ_PDF;
-  options.dark = request.dark ? 1 : 0;
+  options.dark = request.paper.dark ? 1 : 0;
 
   catch_interrupts();
   ProgressLine line(request.quiet);
@@ -64,18 +67,15 @@ ExitCode plot(const PlotRequest& request) {
 }  // namespace
 
 void add_plot(CLI::App& program, Action& action) {
-  auto* command = program.add_subcommand("plot", "Draw the curves of a run into DIR/pictures");
+  auto* command =
+      program.add_subcommand("plot", "Draw the curves of a run into DIR/pictures, or compare runs");
   auto request = std::make_shared<PlotRequest>();
-  command->add_option("DIR", request->folder, "Run folder")->required();
-  auto* width = command->add_option("--width", request->width, "Width of the pictures in pixels")
-                    ->check(CLI::Range(320, 8192));
-  command->add_option("--print", request->print, "Width on paper in millimetres, drawn at 300 dots per inch")
-      ->check(CLI::Range(40.0, 690.0))
-      ->excludes(width);
+  auto* folder = command->add_option("DIR", request->folder, "Run folder");
+  add_paper_options(*command, request->paper);
   command->add_flag("--svg", request->svg, "SVG files too");
   command->add_flag("--pdf", request->pdf, "PDF files too");
-  command->add_flag("--dark", request->dark, "Light on dark paper");
   command->add_flag("-q,--quiet", request->quiet, "Print nothing unless something goes wrong");
+  add_compare_options(*command, request->compare, folder);
   command->callback([request, &action] { action = [request] { return plot(*request); }; });
 }
 

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 #include "command/commands.hpp"
 #include "command/interrupt.hpp"
+#include "command/paper.hpp"
 #include "command/progress_line.hpp"
 #include "command/view_request.hpp"
 
@@ -16,10 +18,11 @@ namespace {
 
 struct RenderRequest {
   std::string folder;
-  int32_t width = 0;   ///< [pixel]; 0: the renderer's own choice
+  Paper paper;
   int32_t height = 0;  ///< [pixel]; 0: as the model's shape asks
   std::string movie;   ///< only this file, .mp4 or .webp
   bool no_movie = false;
+  bool follow = false;  ///< the run goes on: the movie first, until it is over
   bool quiet = false;
   ViewRequest view;  ///< of one picture instead of all
 };
@@ -30,40 +33,67 @@ int32_t show_drawing(void* line, double fraction, const char* what) {
   return interrupted() ? 1 : 0;
 }
 
-ExitCode render(const RenderRequest& request) {
-  hfrac_viz_options options{};
-  options.struct_size = static_cast<int32_t>(sizeof options);
-  hfrac_viz_options_init(&options);
-  if (request.width > 0) options.width = request.width;
-  if (request.height > 0) options.height = request.height;
-  if (request.no_movie) options.pictures &= ~static_cast<int32_t>(HFRAC_VIZ_MOVIE);
+/** Where the movie alone goes, empty: nowhere. */
+std::string movie_file(const RenderRequest& request) {
+  if (!request.movie.empty() || !request.follow) return request.movie;
+  const auto pictures = std::filesystem::path(request.folder) / "pictures";
+  if (std::error_code error; !std::filesystem::is_directory(request.folder, error))
+    throw BadInput(fmt::format("there is no folder '{}'", request.folder));
+  std::error_code error;
+  std::filesystem::create_directories(pictures, error);
+  if (error)
+    throw std::runtime_error(fmt::format("cannot make '{}': {}", pictures.string(), error.message()));
+  return (pictures / "movie.mp4").string();
+}
 
+hfrac_viz_options options_of(const RenderRequest& request) {
+  hfrac_viz_options options{};
+  hfrac_viz_options_init(&options, sizeof options);
+  const int32_t width = request.paper.pixels();
+  if (width > 0) options.width = width;
+  if (request.height > 0) options.height = request.height;
+  if (!request.movie.empty() && width > 0) options.movie_width = std::min(width / 2 * 2, 4096);
+  if (!request.movie.empty() && request.height > 0)
+    options.movie_height = std::min(request.height / 2 * 2, 4096);
+  options.dark = request.paper.dark ? 1 : 0;
+  options.dots_per_inch = request.paper.dots_per_inch();
+  options.movie_follow = request.follow ? 1 : 0;
+  if (request.no_movie || request.follow) options.pictures &= ~static_cast<int32_t>(HFRAC_VIZ_MOVIE);
+  return options;
+}
+
+ExitCode render(const RenderRequest& request) {
   if (!request.view.names.empty()) {
-    draw_views(request.folder, request.view, request.width, request.height);
+    draw_views(request.folder, request.view, request.paper, request.height);
     if (!request.quiet) fmt::print("{}\n", request.view.target);
     return kGood;
   }
+  const hfrac_viz_options options = options_of(request);
+  const std::string movie = movie_file(request);
   catch_interrupts();
   ProgressLine line(request.quiet);
   std::array<char, 2048> error{};
   const auto capacity = static_cast<int32_t>(error.size());
   const char* folder = request.folder.c_str();
-  if (!request.movie.empty() && request.width > 0)
-    options.movie_width = std::min(request.width / 2 * 2, 4096);
-  const int32_t status =
-      request.movie.empty()
-          ? hfrac_viz_render_run(folder, &options, show_drawing, &line, error.data(), capacity, nullptr)
-          : hfrac_viz_render_movie(folder, request.movie.c_str(), &options, show_drawing, &line, error.data(),
-                                   capacity, nullptr);
+  int32_t status = HFRAC_OK;
+  if (!movie.empty())
+    status = hfrac_viz_render_movie(folder, movie.c_str(), &options, show_drawing, &line, error.data(),
+                                    capacity, nullptr);
+  if (request.movie.empty() && status == HFRAC_OK)
+    status = hfrac_viz_render_run(folder, &options, show_drawing, &line, error.data(), capacity, nullptr);
   line.end();
   if (status == HFRAC_STOPPED) {
-    fmt::print(stderr, "hfrac: interrupted; the pictures finished so far stay\n");
+    fmt::print(stderr,
+               "hfrac: interrupted; the pictures finished so far stay, a movie goes on there next time\n");
     return kInterrupted;
   }
   if (status == HFRAC_VIZ_ERR_READ || status == HFRAC_ERR_ARGUMENT) throw BadInput(error.data());
   if (status < 0) throw std::runtime_error(error.data());
-  if (!request.quiet && request.movie.empty()) fmt::print("pictures are in {}/pictures\n", request.folder);
-  if (!request.quiet && !request.movie.empty()) fmt::print("{}\n", request.movie);
+  if (request.quiet) return kGood;
+  if (request.movie.empty())
+    fmt::print("pictures are in {}/pictures\n", request.folder);
+  else
+    fmt::print("{}\n", request.movie);
   return kGood;
 }
 
@@ -74,13 +104,16 @@ void add_render(CLI::App& program, Action& action) {
       program.add_subcommand("render", "Draw the pictures and the movie of a run into DIR/pictures");
   auto request = std::make_shared<RenderRequest>();
   command->add_option("DIR", request->folder, "Run folder")->required();
-  command->add_option("--width", request->width, "Width of the pictures in pixels")
-      ->check(CLI::Range(320, 8192));
+  add_paper_options(*command, request->paper);
   command->add_option("--height", request->height, "Height of the pictures in pixels")
       ->check(CLI::Range(240, 8192));
   command->add_option("--movie", request->movie,
                       "Only a movie, to this file: .mp4, or .webp, an animated picture for small sizes");
-  command->add_flag("--no-movie", request->no_movie, "Pictures only");
+  auto* no_movie = command->add_flag("--no-movie", request->no_movie, "Pictures only");
+  command
+      ->add_flag("--follow", request->follow,
+                 "The run goes on: make the movie meanwhile, and the pictures when it is over")
+      ->excludes(no_movie);
   command->add_flag("-q,--quiet", request->quiet, "Print nothing unless something goes wrong");
   add_view_options(*command, request->view);
   command->callback([request, &action] { action = [request] { return render(*request); }; });

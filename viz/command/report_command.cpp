@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <hfrac/viz.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -30,6 +31,29 @@ int32_t show_drawing(void* line, double fraction, const char* what) {
   return interrupted() ? 1 : 0;
 }
 
+bool older_than_data(const std::string& folder, const char* picture) {
+  std::error_code error;
+  const auto data = fs::last_write_time(fs::path(folder) / "discs.pvd", error);
+  const auto made = fs::last_write_time(fs::path(folder) / "pictures" / picture, error);
+  return error || made < data;
+}
+
+/** Four views of the end, close up. A run folder may lack what one of them needs; the report is then without them. */
+void draw_around_cracks(const ReportRequest& request) {
+  hfrac_viz_view_options options{};
+  hfrac_viz_view_options_init(&options, sizeof options);
+  options.width = std::max(request.width, 1600);
+  options.zoom = HFRAC_VIZ_ZOOM_CRACKS;
+  const std::array<int32_t, 4> views = {HFRAC_VIZ_VIEW_FORCES, HFRAC_VIZ_VIEW_STRESS,
+                                        HFRAC_VIZ_VIEW_DISPLACEMENT, HFRAC_VIZ_VIEW_CRACK_TIME};
+  const auto target = (fs::path(request.folder) / "pictures" / "views.png").string();
+  std::array<char, 2048> error{};
+  const int32_t status = hfrac_viz_render_views(request.folder.c_str(), views.data(),
+                                                static_cast<int32_t>(views.size()), target.c_str(), &options,
+                                                error.data(), static_cast<int32_t>(error.size()), nullptr);
+  if (status < 0 && status != HFRAC_VIZ_ERR_READ) throw std::runtime_error(error.data());
+}
+
 /** The pictures that are missing, or older than the last snapshot. */
 int32_t wanted_pictures(const ReportRequest& request) {
   struct Drawn {
@@ -41,13 +65,10 @@ int32_t wanted_pictures(const ReportRequest& request) {
                                                   {HFRAC_VIZ_PRESSURE, "pressure.png"},
                                                   {HFRAC_VIZ_APERTURE, "aperture.png"},
                                                   {HFRAC_VIZ_MOVIE, "movie.mp4"}}};
-  std::error_code error;
-  const auto data = fs::last_write_time(fs::path(request.folder) / "discs.pvd", error);
   int32_t wanted = 0;
   for (const Drawn& picture : drawn) {
     if (request.no_movie && picture.kind == HFRAC_VIZ_MOVIE) continue;
-    const auto made = fs::last_write_time(fs::path(request.folder) / "pictures" / picture.name, error);
-    if (request.fresh || error || made < data) wanted |= picture.kind;
+    if (request.fresh || older_than_data(request.folder, picture.name)) wanted |= picture.kind;
   }
   return wanted;
 }
@@ -65,11 +86,11 @@ ExitCode report(const ReportRequest& request) {
   std::array<char, 2048> error{};
   const auto capacity = static_cast<int32_t>(error.size());
   hfrac_viz_options pictures{};
-  hfrac_viz_options_init(&pictures);
+  hfrac_viz_options_init(&pictures, sizeof pictures);
   pictures.width = request.width;
   pictures.pictures = wanted_pictures(request);
   hfrac_viz_chart_options charts{};
-  hfrac_viz_chart_options_init(&charts);
+  hfrac_viz_chart_options_init(&charts, sizeof charts);
   charts.formats = HFRAC_VIZ_SVG;
   const char* folder = request.folder.c_str();
   const bool interrupt =
@@ -78,6 +99,8 @@ ExitCode report(const ReportRequest& request) {
                error.data())) ||
       stopped(hfrac_viz_render_charts(folder, &charts, show_drawing, &line, error.data(), capacity, nullptr),
               error.data());
+  if (!interrupt && (request.fresh || older_than_data(request.folder, "views.png")))
+    draw_around_cracks(request);
   line.end();
   if (interrupt) {
     fmt::print(stderr, "hfrac: interrupted; no report was written\n");

@@ -56,6 +56,9 @@ void add_run(CLI::App& program, Action& action) {
   command->add_option("--workers", request->workers, "Worker threads; results do not depend on it")
       ->check(CLI::Range(1, 256));
   command->add_flag("--overwrite", request->overwrite, "Remove the files of an earlier run in DIR first");
+#ifdef HFRAC_WITH_RENDERER
+  command->add_flag("--movie", request->movie, "Draw DIR/pictures/movie.mp4 while the run goes on");
+#endif
   command->add_flag("-q,--quiet", request->quiet, "Print nothing unless something goes wrong");
   command->callback([request, &action] { action = [request] { return run(*request); }; });
 }

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "command/case_file.hpp"
@@ -19,6 +20,9 @@
 #include "output/known_files.hpp"
 #include "output/run_folder.hpp"
 #include "output/safe_file.hpp"
+#ifdef HFRAC_WITH_RENDERER
+#include "command/movie_thread.hpp"
+#endif
 
 namespace hfrac::command {
 namespace {
@@ -64,6 +68,14 @@ void report_failure(const output::RunFolder& folder, const std::string& why) {
              folder.path().string());
 }
 
+#ifdef HFRAC_WITH_RENDERER
+/** A run without its movie is still a good run. */
+void report_movie(const std::string& failure) {
+  if (!failure.empty())
+    fmt::print(stderr, "hfrac: the run is complete, but there is no movie: {}\n", failure);
+}
+#endif
+
 }  // namespace
 
 ExitCode carry_out(const RunRequest& request) {
@@ -99,10 +111,17 @@ ExitCode carry_out(const RunRequest& request) {
     claim.keep();
     if (!discs.empty()) output::write_whole(request.folder / "given_discs.csv", output::discs_as_csv(discs));
     discs = {};
+#ifdef HFRAC_WITH_RENDERER
+    std::optional<MovieThread> movie;
+    if (request.movie) movie.emplace(request.folder);
+#endif
     const auto why = take_steps(sim.get(), folder, definition, request.steps, line);
     if (!request.grid.empty()) output::write_cells(sim.get(), std::llround(request.grid[0]), request.folder);
     folder.finish(sim.get(), why.text);
     line.end();
+#ifdef HFRAC_WITH_RENDERER
+    if (movie) report_movie(movie->finish());
+#endif
     if (!why.interrupted) return kGood;
     fmt::print(stderr, "hfrac: interrupted; everything up to the last whole step is in '{}'\n",
                request.folder.string());

@@ -21,6 +21,7 @@ struct RunRequest {
   int64_t workers = 0;              ///< 0: as the case says
   bool overwrite = false;
   bool quiet = false;
+  bool movie = false;  ///< draw it while the run goes on
 };
 
 /** Runs it. Failures that leave something readable are told here; others are thrown. */

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Options of `hfrac render` for one picture: which views, of which part, when, in which light.
+// Options of `hfrac render` for one picture: which views, of which part, when.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include "command/paper.hpp"
 
 namespace hfrac::command {
 
@@ -14,13 +16,11 @@ struct ViewRequest {
   std::string zoom = "whole";      ///< a word, or left,bottom,width,height in metres
   std::string target = "view.png";
   int32_t snapshot = -1;
-  bool dark = false;
-  bool print = false;  ///< notes 300 dots per inch in the file
 };
 
 void add_view_options(CLI::App& command, ViewRequest& request);
 
 /** Draws the picture. Throws BadInput or std::runtime_error. */
-void draw_views(const std::string& folder, const ViewRequest& request, int32_t width, int32_t height);
+void draw_views(const std::string& folder, const ViewRequest& request, const Paper& paper, int32_t height);
 
 }  // namespace hfrac::command

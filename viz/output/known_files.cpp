@@ -29,10 +29,11 @@ std::vector<fs::path> files_of_a_run(const fs::path& folder) {
       R"(\.?((discs|bonds|cracks|flow)(_[0-9]{5,}\.vtu|\.pvd)|)"
       R"((history|cracks|fractures|cells|given_discs)\.csv|(permeability|multipliers)\.grdecl|summary\.json|case\.toml)(\.tmp)?|\.hfrac_probe|report\.html|paraview_state\.py)");
   static const std::regex pictures(
-      R"((figure3|growth|growth_[1-5]|pressure|aperture)\.png|(history|rose|profile|events)\.(png|svg|pdf)|movie\.mp4)");
+      R"((figure3|growth|growth_[1-5]|pressure|aperture|views)\.png|(history|rose|profile|events)\.(png|svg|pdf)|movie\.mp4)");
   std::vector<fs::path> files;
   collect(folder, data, files);
   collect(folder / "pictures", pictures, files);
+  collect(folder / "pictures" / ".movie.mp4.pieces", std::regex(R"([0-9]+\.piece)"), files);
   std::sort(files.begin(), files.end());
   return files;
 }

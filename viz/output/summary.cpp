@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <vtkVersion.h>
 
+#include <algorithm>
+
 #include "output/tables.hpp"
 
 namespace hfrac::output {
@@ -79,7 +81,17 @@ json fracture_part(const hfrac_fracture& fracture) {
           {"largest_aperture_m", fracture.largest_aperture},
           {"volume_m2", fracture.volume},
           {"mean_pressure_Pa", fracture.mean_pressure},
-          {"well", fracture.well}};
+          {"well", fracture.well},
+          {"arms", fracture.arms}};
+}
+
+/** Where the case means to end, as far as it says: what a movie of a running case plans its axes by. */
+json planned_part(const hfrac_sim_def& definition) {
+  if (definition.stepping_end_time > 0.0) return {{"time_s", definition.stepping_end_time}};
+  const int64_t every = std::max<int64_t>(1, definition.output_every);
+  return {{"time_s", static_cast<double>(definition.stepping_substeps) * definition.stepping_flow_step},
+          {"steps", definition.stepping_substeps},
+          {"snapshots", 1 + (definition.stepping_substeps + every - 1) / every}};
 }
 
 }  // namespace
@@ -97,6 +109,7 @@ json make_summary(const SnapshotFrame& frame, const RunCourse& course) {
   summary["wall_seconds"] = course.wall_seconds;
   summary["snapshots"] = course.snapshots;
   summary["steps_not_at_rest"] = course.steps_not_at_rest;
+  summary["planned"] = planned_part(definition);
   summary["model"] = {{"width_m", definition.model_width}, {"height_m", definition.model_height}};
   summary["wells"] = json::array();
   for (const auto& well : frame.wells) summary["wells"].push_back(well_part(well));

@@ -102,12 +102,49 @@ void ChartPage::panel(const Box& box, const Panel& panel) {
   put_names(box, panel);
 }
 
+// Error bars, or the band they would make, below the curve itself.
+void ChartPage::put_spread(const Box& box, const Panel& panel, const ChartSeries& series,
+                           const PanelRanges& ranges) {
+  ChartSeries low = series;
+  ChartSeries high = series;
+  for (std::size_t i = 0; i < series.spread.size() && i < series.y.size(); ++i) {
+    const double half = std::isfinite(series.spread[i]) ? series.spread[i] : 0.0;
+    low.y[i] -= half;
+    high.y[i] += half;
+  }
+  low.dots = high.dots = true;  // every point, none left out
+  const auto on_page = [&](const ChartSeries& edge) {
+    std::vector<Point> points = curve_of(panel, edge, ranges);
+    for (Point& point : points) point = {box.left + box.width * point.x, box.bottom() - box.height * point.y};
+    return points;
+  };
+  const std::vector<Point> lower = on_page(low);
+  const std::vector<Point> upper = on_page(high);
+  if (lower.size() != upper.size()) return;
+  if (series.banded) {
+    // Slices between neighbours: a band may cross itself nowhere, but need not be convex.
+    const Colour fill = mixed(series.colour, palette().paper, 0.82);
+    for (std::size_t i = 1; i < lower.size(); ++i)
+      polygon({lower[i - 1], lower[i], upper[i], upper[i - 1]}, fill);
+    return;
+  }
+  for (std::size_t i = 0; i < lower.size(); ++i) {
+    if (!(lower[i].y > upper[i].y)) continue;
+    line({lower[i], upper[i]}, 2, series.colour);
+    for (const Point& end : {lower[i], upper[i]})
+      line({{end.x - 7, end.y}, {end.x + 7, end.y}}, 2, series.colour);
+  }
+}
+
 void ChartPage::put_curves(const Box& box, const Panel& panel, const PanelRanges& ranges) {
+  for (const ChartSeries& series : panel.series) {
+    if (!series.spread.empty()) put_spread(box, panel, series, ranges);
+  }
   for (const ChartSeries& series : panel.series) {
     std::vector<Point> points = curve_of(panel, series, ranges);
     for (Point& point : points) {
       point = {box.left + box.width * point.x, box.bottom() - box.height * point.y};
-      if (series.dots) dot(point, 5.5, series.colour);
+      if (series.dots) dot(point, series.dot_radius, series.colour);
     }
     if (!series.dots) line(points, 2.8, series.colour);
   }
@@ -123,14 +160,13 @@ void ChartPage::put_names(const Box& box, const Panel& panel) {
   const TextStyle title{23, palette().ink, true};
   const double title_y = box.top - (named ? 50 : 20);
   text(box.left, title_y, panel.title, title);
-  if (!two_axes && !panel.series.empty() && !panel.series.front().unit.empty()) {
-    text(box.left + text_width(panel.title, title) + 12, title_y, panel.series.front().unit,
-         {20, palette().faint_ink});
-  }
+  std::string unit = panel.unit;
+  if (unit.empty() && !two_axes && !panel.series.empty()) unit = panel.series.front().unit;
+  text(box.left + text_width(panel.title, title) + 12, title_y, unit, {20, palette().faint_ink});
   text(box.left + box.width / 2, box.bottom() + 62, panel.x_label, {20, palette().ink, false, Align::centre});
   double x = box.left;
   for (const ChartSeries& series : panel.series) {
-    if (!named) break;
+    if (series.name.empty()) continue;
     const TextStyle style{18, palette().ink};
     const double y = box.top - 18;
     polygon({{x, y - 12}, {x + 22, y - 12}, {x + 22, y - 7}, {x, y - 7}}, series.colour);

@@ -35,6 +35,9 @@ struct ChartSeries {
   bool right = false;    // belongs to the axis at the right
   bool stepped = false;  // stays until the next point
   bool dots = false;     // points only
+  double dot_radius = 5.5;
+  std::vector<double> spread = {};  // half lengths of error bars, NaN for none; empty: no bars
+  bool banded = false;              // a band of that width instead of bars
 };
 
 struct Panel {
@@ -44,6 +47,7 @@ struct Panel {
   bool logarithmic = false;         // the left axis
   bool whole_numbers = false;       // the left axis counts
   bool free_zero = false;           // the left axis need not show zero
+  std::string unit = {};            // beside the title, if the series do not tell
 };
 
 class ChartPage {
@@ -71,6 +75,7 @@ class ChartPage {
   void write_pdf(const std::filesystem::path& path, const std::string& title);
 
  private:
+  void put_spread(const Box& box, const Panel& panel, const ChartSeries& series, const PanelRanges& ranges);
   void put_curves(const Box& box, const Panel& panel, const PanelRanges& ranges);
   void put_names(const Box& box, const Panel& panel);
   void render();

@@ -135,12 +135,18 @@ PanelRanges ranges_of(const Panel& panel) {
   Span right;
   for (const ChartSeries& series : panel.series) {
     for (const double value : series.x) x.include(value);
-    for (const double value : series.y) {
-      (series.right ? right : left).include(drawn_value(value, panel.logarithmic && !series.right));
+    Span& span = series.right ? right : left;
+    for (std::size_t i = 0; i < series.y.size(); ++i) {
+      const bool logarithmic = panel.logarithmic && !series.right;
+      const double spread =
+          i < series.spread.size() && std::isfinite(series.spread[i]) ? series.spread[i] : 0.0;
+      span.include(drawn_value(series.y[i], logarithmic));
+      span.include(drawn_value(series.y[i] - spread, logarithmic));
+      span.include(drawn_value(series.y[i] + spread, logarithmic));
     }
   }
   if (panel.logarithmic && !left.empty()) left = {std::floor(left.lowest), std::ceil(left.highest + 1e-9)};
-  return {with_room(x, 0.02, false),
+  return {with_room(x, 0.03, false),
           with_room(left, panel.logarithmic ? 0 : 0.06, !panel.logarithmic && !panel.free_zero),
           with_room(right, 0.06, true), !right.empty()};
 }

@@ -77,6 +77,13 @@ const Palette dark = {{20, 22, 27},   {236, 237, 240}, {158, 162, 172}, {104, 10
 
 const Palette* in_force = &light;
 
+constexpr std::array<Colour, 6> deep_blue_to_amber = {
+    {{40, 44, 130}, {34, 96, 160}, {30, 140, 140}, {96, 160, 70}, {200, 140, 30}, {206, 74, 32}}};
+constexpr std::array<Colour, 6> sky_to_amber = {
+    {{120, 140, 255}, {80, 176, 240}, {70, 210, 190}, {150, 220, 110}, {240, 200, 90}, {255, 140, 90}}};
+const ColourMap series_light(deep_blue_to_amber);
+const ColourMap series_dark(sky_to_amber);
+
 std::uint8_t mixed(std::uint8_t from, std::uint8_t to, double share) {
   return static_cast<std::uint8_t>(std::lround(from + (to - from) * share));
 }
@@ -98,6 +105,23 @@ const Palette& palette() {
   return *in_force;
 }
 
+Colour mixed(Colour from, Colour to, double share) {
+  return {mixed(from.red, to.red, share), mixed(from.green, to.green, share),
+          mixed(from.blue, to.blue, share)};
+}
+
+const ColourMap& series_map() {
+  return in_force == &dark ? series_dark : series_light;
+}
+
+Colour categorical(std::size_t index) {
+  static constexpr std::array<Colour, 6> on_light = {
+      {{0, 114, 178}, {213, 94, 0}, {0, 138, 100}, {180, 90, 150}, {170, 120, 0}, {60, 60, 66}}};
+  static constexpr std::array<Colour, 6> on_dark = {
+      {{86, 180, 233}, {240, 130, 60}, {40, 200, 150}, {220, 140, 190}, {240, 228, 66}, {220, 220, 224}}};
+  return (in_force == &dark ? on_dark : on_light)[index % on_light.size()];
+}
+
 PaletteScope::PaletteScope(const Palette& chosen) : previous_(in_force) {
   in_force = &chosen;
 }
@@ -113,7 +137,7 @@ Colour ColourMap::at(double share) const {
   const double rest = position - static_cast<double>(below);
   const Colour& from = points_[below];
   const Colour& to = points_[below + 1];
-  return {mixed(from.red, to.red, rest), mixed(from.green, to.green, rest), mixed(from.blue, to.blue, rest)};
+  return mixed(from, to, rest);
 }
 
 }  // namespace hfrac::viz

@@ -19,6 +19,9 @@ struct Colour {
 
 class ColourMap;
 
+// From `from` (share 0) to `to` (share 1).
+Colour mixed(Colour from, Colour to, double share);
+
 // What everything is drawn in. `paper` is the ground, `ink` writes on it.
 struct Palette {
   Colour paper;
@@ -74,5 +77,11 @@ class ColourMap {
 extern const ColourMap pressure_map;
 // Lightness rises from end to end; for quantities without a sign.
 extern const ColourMap magnitude_map;
+
+// Curves of one family, in order of a number; both ends stand out from the paper in force.
+const ColourMap& series_map();
+// Curves without an order, from 0; a dozen, then over again. Okabe and Ito (2008): apart for the common kinds of
+// colour blindness.
+Colour categorical(std::size_t index);
 
 }  // namespace hfrac::viz

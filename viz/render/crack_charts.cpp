@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 
@@ -119,6 +120,41 @@ double signed_distance(const LoggedCrack& crack, const RunFolder& run, double az
   return side * std::max(0.0, best);
 }
 
+// One bond that broke is one event. Its elastic energy is what it could radiate at most; the energy magnitude of
+// Choy and Boatwright (1995), M = 2/3 log10(E / 1 J) - 2.9, is therefore an upper bound.
+double magnitude_of(double energy) {
+  return 2.0 / 3.0 * std::log10(energy) - 2.9;
+}
+
+// The line log10 N = a - b M of Gutenberg and Richter.
+struct Frequency {
+  double from = 0;   // magnitude from which on the catalogue follows the line
+  double b = 0;      // its slope, 0: too few events to tell
+  double count = 0;  // of the events above `from`
+};
+
+// From the fullest tenth of a magnitude on (Wiemer and Wyss 2000: maximum curvature) by likelihood (Aki 1965).
+Frequency frequency_of(const std::vector<double>& sorted) {
+  constexpr double fewest = 10;
+  std::map<long, int> tenths;
+  for (const double magnitude : sorted) ++tenths[std::lround(std::floor(10 * magnitude))];
+  Frequency found;
+  int most = 0;
+  for (const auto& [tenth, count] : tenths) {
+    if (count <= most) continue;
+    most = count;
+    found.from = static_cast<double>(tenth) / 10;
+  }
+  double sum = 0;
+  for (const double magnitude : sorted) {
+    if (magnitude < found.from) continue;
+    sum += magnitude - found.from;
+    ++found.count;
+  }
+  if (found.count >= fewest && sum > 0) found.b = std::numbers::log10e * found.count / sum;
+  return found;
+}
+
 }  // namespace
 
 void fill_rose(ChartPage& page, const ChartData& data) {
@@ -185,31 +221,49 @@ void fill_profile(ChartPage& page, const ChartData& data) {
 }
 
 void fill_events(ChartPage& page, const ChartData& data) {
-  // Gutenberg and Richter: log10 E = 4.8 + 1.5 M, E in joules; here those of one metre of thickness.
   std::vector<double> magnitudes;
-  ChartSeries over_time{"", "", palette().water, {}, {}};
-  over_time.dots = true;
+  std::array<ChartSeries, 2> over_time = {
+      {{"in tension", "", palette().water, {}, {}}, {"in shear", "", palette().shear, {}, {}}}};
   for (const LoggedCrack& crack : logged_cracks(data.cracks)) {
     if (!(crack.energy > 0)) continue;
-    const double magnitude = (std::log10(crack.energy) - 4.8) / 1.5;
+    const double magnitude = magnitude_of(crack.energy);
     magnitudes.push_back(magnitude);
-    over_time.x.push_back(crack.time);
-    over_time.y.push_back(magnitude);
+    ChartSeries& series = over_time[crack.shear ? 1 : 0];
+    series.dots = true;
+    series.x.push_back(crack.time);
+    series.y.push_back(magnitude);
   }
   std::sort(magnitudes.begin(), magnitudes.end());
   ChartSeries frequency{"", "", palette().water, {}, {}};
+  frequency.dots = true;
   for (std::size_t i = 0; i < magnitudes.size(); ++i) {
     frequency.x.push_back(magnitudes[i]);
     frequency.y.push_back(static_cast<double>(magnitudes.size() - i));
   }
   put_heading(page, *data.run,
-              "Strength of " + counted(static_cast<std::int64_t>(magnitudes.size()), "crack") +
-                  ": M = (log10 E - 4.8) / 1.5, E in J per metre of thickness");
-  Panel left{"Magnitude against time", "time (s)", {over_time}, false, false};
-  Panel right{"How many are at least as strong", "magnitude", {frequency}, true, false};
+              "Energy magnitudes of " + counted(static_cast<std::int64_t>(magnitudes.size()), "crack"));
+  page.text(96, 128,
+            "M = 2/3 log10 E \xE2\x88\x92 2.9 (Choy and Boatwright 1995), E: elastic energy of the broken "
+            "bond in J, at a thickness of 1 m. An upper bound.",
+            {18, palette().faint_ink});
+  Panel left{"Magnitude against time", "time (s)", {}, false, false};
+  for (ChartSeries& series : over_time) {
+    if (!series.x.empty()) left.series.push_back(std::move(series));
+  }
+  Panel right{"Cracks at least as strong", "magnitude", {frequency}, true, false};
   left.free_zero = true;
-  page.panel({120, 200, 554, 420}, left);
-  page.panel({926, 200, 554, 420}, right);
+  if (const Frequency line = frequency_of(magnitudes); line.b > 0) {
+    ChartSeries fit{"b = " + value_text(line.b) + " above M " + value_text(line.from) + " (Aki 1965)",
+                    "",
+                    palette().pull,
+                    {},
+                    {}};
+    fit.x = {line.from, line.from + std::log10(line.count) / line.b};
+    fit.y = {line.count, 1};
+    right.series.push_back(std::move(fit));
+  }
+  page.panel({120, 250, 554, 420}, left);
+  page.panel({926, 250, 554, 420}, right);
 }
 
 }  // namespace hfrac::viz

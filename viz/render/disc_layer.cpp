@@ -78,7 +78,12 @@ vtkSmartPointer<vtkActor> disc_actor(vtkPolyData* cloud, const std::string& shad
 }  // namespace
 
 vtkSmartPointer<vtkActor> disc_layer(const Discs& discs, Colour fill, Colour rim, double pixel) {
-  return disc_actor(disc_cloud(discs, pixel), disc_shader(shader_colour(fill), shader_colour(rim)), false);
+  auto actor =
+      disc_actor(disc_cloud(discs, pixel), disc_shader(shader_colour(fill), shader_colour(rim)), false);
+  // The shader knows its colours; these are for whoever writes the page as vectors.
+  actor->GetProperty()->SetColor(fill.red / 255.0, fill.green / 255.0, fill.blue / 255.0);
+  actor->GetProperty()->SetEdgeColor(rim.red / 255.0, rim.green / 255.0, rim.blue / 255.0);
+  return actor;
 }
 
 vtkSmartPointer<vtkActor> disc_layer(const Discs& discs, std::span<const Colour> fills, double pixel) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Layers whose bands say something by colour or width: force chains, cracks by their age.
+// Layers whose bands say something by colour or width: force chains, cracks by their age, bonds by anything.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -38,6 +38,24 @@ vtkSmartPointer<vtkActor> crack_time_layer(std::span<const Crack> cracks, double
     mesh.band(crack.line, half_width, half_width / 2, palette().narrow->at((crack.time - first) / range));
   }
   return mesh.actor(depth::cracks);
+}
+
+vtkSmartPointer<vtkActor> coloured_cracks(std::span<const Crack> cracks, std::span<const Colour> colours,
+                                          double half_width) {
+  Mesh mesh;
+  for (const Crack& crack : cracks) {
+    if (crack.cell < colours.size()) mesh.band(crack.line, half_width, half_width / 2, colours[crack.cell]);
+  }
+  return mesh.actor(depth::cracks);
+}
+
+vtkSmartPointer<vtkActor> coloured_bonds(std::span<const Segment> bonds, std::span<const Colour> colours,
+                                         double half_width) {
+  Mesh mesh;
+  for (std::size_t i = 0; i < bonds.size() && i < colours.size(); ++i) {
+    mesh.band(bonds[i], half_width, half_width / 2, colours[i]);
+  }
+  return mesh.actor(depth::bonds);
 }
 
 }  // namespace hfrac::viz

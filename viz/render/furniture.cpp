@@ -145,35 +145,65 @@ double draw_notes(Page& page, double unit, double left, double top, const std::v
   return y;
 }
 
-void draw_curve(Page& page, double unit, const Box& box, const Curve& curve, std::size_t now) {
-  const TextStyle label{tick_size * unit, palette().faint_ink};
-  page.text(box.left, box.top - 12 * unit, curve.label, label);
-  const double thickness = std::max(1.0, 1.6 * unit);
-  page.line(box.left, box.bottom(), box.right(), box.bottom(), thickness, palette().frame);
-  page.line(box.left, box.top, box.left, box.bottom(), thickness, palette().frame);
-  if (curve.times.empty() || curve.values.size() != curve.times.size()) return;
-  const auto [lowest, highest] = std::minmax_element(curve.values.begin(), curve.values.end());
-  const double bottom = std::min(0.0, *lowest);
-  const double top = *highest > bottom ? *highest : bottom + 1;
-  const double start = curve.times.front();
-  const double end = curve.times.back() > start ? curve.times.back() : start + 1;
-  const auto at = [&](std::size_t i, double value) {
-    return Point{box.left + box.width * (curve.times[i] - start) / (end - start),
+double draw_note_row(Page& page, double unit, double left, double top, double width,
+                     const std::vector<Note>& notes) {
+  const double pitch = width / static_cast<double>(std::max<std::size_t>(1, notes.size()));
+  for (std::size_t i = 0; i < notes.size(); ++i) {
+    const double x = left + static_cast<double>(i) * pitch;
+    const auto as_fits = [&](double size, const std::string& content, Colour colour) {
+      TextStyle style{size * unit, colour};
+      style.size *= std::min(1.0, (pitch - 12 * unit) / std::max(1.0, page.text_width(content, style)));
+      return style;
+    };
+    page.text(x, top + 22 * unit, notes[i].name, as_fits(tick_size, notes[i].name, palette().faint_ink));
+    page.text(x, top + 56 * unit, notes[i].value, as_fits(30, notes[i].value, palette().ink));
+  }
+  return top + 66 * unit;
+}
+
+void draw_curve(Page& page, double unit, const Box& box, const Curve& curve, const std::string& time_label) {
+  const double lowest =
+      curve.values.empty() ? 0.0 : *std::min_element(curve.values.begin(), curve.values.end());
+  const double bottom = std::isfinite(lowest) ? std::min(0.0, lowest) : 0.0;
+  const double top = (curve.top > bottom ? curve.top : bottom + 1) + 0.04 * (curve.top - bottom);
+  const double end = curve.end > 0 ? curve.end : 1;
+  const auto at = [&](double time, double value) {
+    return Point{box.left + box.width * std::min(1.0, time / end),
                  box.bottom() - box.height * (value - bottom) / (top - bottom)};
   };
-  const TextStyle small{0.85 * tick_size * unit, palette().faint_ink, false, Align::right};
-  page.text(box.left - 8 * unit, box.top + rise * small.size, value_text(top), small);
-  page.text(box.left - 8 * unit, box.bottom() + rise * small.size, value_text(bottom), small);
-  page.text(box.right(), box.bottom() + 28 * unit, time_text(curve.times.back()), small);
-  now = std::min(now, curve.times.size() - 1);
-  Point previous = at(0, curve.values[0]);
-  for (std::size_t i = 1; i <= now; ++i) {
-    const Point next = at(i, curve.values[i]);
-    if (curve.stepped) page.line(previous.x, previous.y, next.x, previous.y, 3 * unit, curve.colour);
-    page.line(curve.stepped ? next.x : previous.x, previous.y, next.x, next.y, 3 * unit, curve.colour);
-    previous = next;
+  const double thickness = std::max(1.0, 1.6 * unit);
+  TextStyle tick{0.9 * tick_size * unit, palette().ink, false, Align::right};
+  for (const Tick& mark : round_ticks(bottom, top, std::max(2, static_cast<int>(box.height / (70 * unit))))) {
+    const double y = at(0, mark.value).y;
+    page.line(box.left, y, box.right(), y, std::max(1.0, 1.2 * unit), palette().grid);
+    page.text(box.left - 10 * unit, y + rise * tick.size, mark.text, tick);
   }
-  page.circle(previous.x, previous.y, 6 * unit, curve.colour);
+  tick.align = Align::centre;
+  for (const Tick& mark : round_ticks(0, end, std::max(2, static_cast<int>(box.width / (120 * unit))))) {
+    const double x = at(mark.value, 0).x;
+    page.line(x, box.bottom(), x, box.bottom() + 6 * unit, thickness, palette().frame);
+    page.text(x, box.bottom() + 28 * unit, mark.text, tick);
+  }
+  page.line(box.left, box.bottom(), box.right(), box.bottom(), thickness, palette().frame);
+  page.line(box.left, box.top, box.left, box.bottom(), thickness, palette().frame);
+  const TextStyle label{tick_size * unit, palette().ink};
+  page.text(box.left, box.top - 16 * unit, curve.label, label);
+  page.text(box.right(), box.top - 16 * unit, curve.now,
+            {1.2 * tick_size * unit, curve.colour, true, Align::right});
+  page.text(box.left + box.width / 2, box.bottom() + 60 * unit, time_label,
+            {tick_size * unit, palette().ink, false, Align::centre});
+  Point previous;
+  bool begun = false;
+  for (std::size_t i = 0; i < curve.times.size() && i < curve.values.size(); ++i) {
+    if (!std::isfinite(curve.values[i])) continue;
+    const Point next = at(curve.times[i], curve.values[i]);
+    if (begun && curve.stepped) page.line(previous.x, previous.y, next.x, previous.y, 3 * unit, curve.colour);
+    if (begun)
+      page.line(curve.stepped ? next.x : previous.x, previous.y, next.x, next.y, 3 * unit, curve.colour);
+    previous = next;
+    begun = true;
+  }
+  if (begun) page.circle(previous.x, previous.y, 6 * unit, curve.colour);
 }
 
 }  // namespace hfrac::viz

@@ -48,14 +48,22 @@ struct Note {
 // Lines of a faint name and a value below it. Returns the y below them.
 double draw_notes(Page& page, double unit, double left, double top, const std::vector<Note>& notes);
 
-// A small curve of a quantity over time, drawn up to `now`; axes span the whole run.
+// The same beside each other, evenly over `width`.
+double draw_note_row(Page& page, double unit, double left, double top, double width,
+                     const std::vector<Note>& notes);
+
+// A curve of a quantity over time, as far as it has come.
 struct Curve {
   std::string label;
-  std::vector<double> times;
-  std::vector<double> values;
+  std::vector<double> times;   // in the axis' unit
+  std::vector<double> values;  // in the label's unit
+  double end = 1;              // of the time axis
+  double top = 1;   // of the other axis; it starts at 0, or at the lowest value if that is negative
+  std::string now;  // the last value, as written beside the label
   Colour colour;
   bool stepped = false;
 };
-void draw_curve(Page& page, double unit, const Box& box, const Curve& curve, std::size_t now);
+// `box`: of the plot itself; its label stands above, `time_label` below it.
+void draw_curve(Page& page, double unit, const Box& box, const Curve& curve, const std::string& time_label);
 
 }  // namespace hfrac::viz

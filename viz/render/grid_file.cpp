@@ -5,8 +5,11 @@
 #include <vtkLZMADataCompressor.h>
 #include <vtkZLibDataCompressor.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <string_view>
 
 #include "failure.h"
 #include "vtk_messages.h"
@@ -82,6 +85,32 @@ std::vector<double> GridFile::point_array(const char* name, std::size_t componen
 
 std::vector<double> GridFile::cell_array(const char* name) const {
   return scalars("CellData", name, cell_count_);
+}
+
+std::optional<std::vector<double>> GridFile::component(const char* section, const std::string& name,
+                                                       std::size_t index) const {
+  const XmlElement* array = find_array(section, name.c_str());
+  if (array == nullptr) return std::nullopt;
+  const std::string told = array->attribute("NumberOfComponents");
+  std::size_t components = 1;
+  if (!told.empty()) std::from_chars(told.data(), told.data() + told.size(), components);
+  constexpr std::size_t most = 64;  // more is damage
+  if (index >= components || components > most) return std::nullopt;
+  const std::size_t count = std::string_view(section) == "PointData" ? point_count_ : cell_count_;
+  const std::vector<double> all = scalars(section, name.c_str(), count * components);
+  std::vector<double> values(count);
+  for (std::size_t i = 0; i < count; ++i) values[i] = all[i * components + index];
+  return values;
+}
+
+std::vector<std::string> GridFile::array_names(const char* section) const {
+  std::vector<std::string> names;
+  const XmlElement* data = piece_->child(section);
+  if (data == nullptr) return names;
+  for (const auto& array : data->children) {
+    if (const std::string name = array->attribute("Name"); !name.empty()) names.push_back(name);
+  }
+  return names;
 }
 
 std::vector<Point> GridFile::points() const {

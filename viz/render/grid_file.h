@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,6 +28,10 @@ class GridFile {
   std::vector<double> point_array(const char* name, std::size_t components = 1) const;
   std::vector<double> cell_array(const char* name) const;
   bool has_cell_array(const char* name) const { return find_array("CellData", name) != nullptr; }
+  // One component of an array in "PointData" or "CellData"; nothing if there is no such array or component.
+  std::optional<std::vector<double>> component(const char* section, const std::string& name,
+                                               std::size_t index) const;
+  std::vector<std::string> array_names(const char* section) const;
   Moment moment() const;
 
   // Corners of the cells, all in range: those of cell i are corners[first[i]] to corners[first[i + 1] - 1].

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of the discs, their bonds and the cracks: the model, the stages of growth, the page of stages, a
-// movie's frame.
+// Pictures of the discs, their bonds and the cracks: the model, the stages of growth, the page of stages.
 #include <algorithm>
 #include <cmath>
 
 #include "disc_detail.h"
 #include "failure.h"
+#include "growth_layers.h"
 #include "layers.h"
 #include "number_text.h"
 #include "pictures.h"
@@ -33,23 +33,6 @@ double crack_half_width(double pixel_metres, double radius) {
 // [pixel] A hair on discs of two pixels, where lines would hide the discs, one on discs of five.
 double bond_width(double radius_pixels) {
   return std::clamp(0.25 * radius_pixels - 0.3, 0.1, 2.0);
-}
-
-// `unit_metres`: one design pixel in the view.
-void add_growth_layers(const View& view, const Page& page, const RunFolder& run, const Scene& scene,
-                       double unit_metres) {
-  const double radius = mean_radius(scene.discs);
-  view.renderer->AddActor(well_layer(scene.flow, run.wells, 2 * view.metres_per_pixel));
-  const Colour rim = scene.bonds.intact.empty() ? palette().disc_rim : palette().soft_disc_rim;
-  view.renderer->AddActor(
-      discs_in_view(view, scene.discs, palette().disc, rim, view.metres_per_pixel / page.drawn_pixels()));
-  if (!scene.bonds.intact.empty() && !drawn_as_density(view, scene.discs)) {
-    const double width = bond_width(radius / view.metres_per_pixel) * page.drawn_pixels();
-    view.renderer->AddActor(bond_layer(scene.bonds.intact, palette().bond, width));
-  }
-  if (!scene.cracks.cracks.empty()) {
-    view.renderer->AddActor(crack_layer(scene.cracks.cracks, crack_half_width(unit_metres, radius), 0.0));
-  }
 }
 
 std::string megapascal_text(double pascal) {
@@ -118,6 +101,22 @@ struct GrowthGrid {
 
 }  // namespace
 
+void add_growth_layers(const View& view, const Page& page, const RunFolder& run, const Scene& scene,
+                       double unit_metres) {
+  const double radius = mean_radius(scene.discs);
+  view.renderer->AddActor(well_layer(scene.flow, run.wells, 2 * view.metres_per_pixel));
+  const Colour rim = scene.bonds.intact.empty() ? palette().disc_rim : palette().soft_disc_rim;
+  view.renderer->AddActor(
+      discs_in_view(view, scene.discs, palette().disc, rim, view.metres_per_pixel / page.drawn_pixels()));
+  if (!scene.bonds.intact.empty() && !drawn_as_density(view, scene.discs)) {
+    const double width = bond_width(radius / view.metres_per_pixel) * page.drawn_pixels();
+    view.renderer->AddActor(bond_layer(scene.bonds.intact, palette().bond, width));
+  }
+  if (!scene.cracks.cracks.empty()) {
+    view.renderer->AddActor(crack_layer(scene.cracks.cracks, crack_half_width(unit_metres, radius), 0.0));
+  }
+}
+
 Image model_picture(const Studio& studio, const Scene& scene) {
   Sheet sheet(studio, whole_model(*studio.run, scene.discs));
   const double radius_pixels = mean_radius(scene.discs) / sheet.view.metres_per_pixel;
@@ -144,7 +143,8 @@ Image model_picture(const Studio& studio, const Scene& scene) {
 }
 
 Image stage_picture(const Studio& studio, const Scene& scene) {
-  Sheet sheet(studio, whole_model(*studio.run, scene.discs));
+  constexpr double column_needs = 980;  // legend, scale bar and notes below each other
+  Sheet sheet(studio, whole_model(*studio.run, scene.discs), {1600, 300, column_needs, false});
   add_growth_layers(sheet.view, sheet.page, *studio.run, scene, sheet.metres(1));
   draw_sheet_title(
       sheet, *studio.run,
@@ -189,36 +189,6 @@ Image growth_picture(const Studio& studio, const std::vector<Scene>& scenes) {
   const double below = draw_legend(page, unit, left, last.top, growth_legend(bonds));
   draw_scale_bar(page, unit, left, below + 40 * unit, 0.5 * last.width, metres_per_pixel);
   return page.draw();
-}
-
-Image movie_frame(const Studio& studio, const Scene& scene, const std::vector<HistoryPoint>& history,
-                  std::size_t now) {
-  Sheet sheet(studio, whole_model(*studio.run, scene.discs), 1400);
-  add_growth_layers(sheet.view, sheet.page, *studio.run, scene, sheet.metres(1));
-  draw_sheet_title(sheet, *studio.run, "Fracture growth");
-  draw_axes(sheet.page, sheet.unit, sheet.view);
-  const double unit = sheet.unit;
-  double below = draw_notes(sheet.page, unit, sheet.column_left, sheet.column_top,
-                            moment_notes(*studio.run, scene.point));
-  Curve pressure{"well pressure (MPa)", {}, {}, palette().well};
-  Curve cracks{"cracks", {}, {}, palette().tension, true};
-  for (const HistoryPoint& point : history) {
-    cracks.times.push_back(point.moment.time);
-    cracks.values.push_back(point.cracks());
-    if (point.moment.well_pressure.empty()) continue;
-    pressure.times.push_back(point.moment.time);
-    pressure.values.push_back(point.moment.well_pressure.front() / pascal_per_megapascal);
-  }
-  const double curve_height = 110 * unit;
-  const double curve_left = sheet.column_left + 56 * unit;
-  below += 50 * unit;
-  for (const Curve* curve : {&pressure, &cracks}) {
-    if (curve->times.size() != history.size() || below + curve_height > sheet.page.height()) continue;
-    draw_curve(sheet.page, unit, {curve_left, below, sheet.column_width - 76 * unit, curve_height}, *curve,
-               now);
-    below += curve_height + 90 * unit;
-  }
-  return sheet.page.draw();
 }
 
 }  // namespace hfrac::viz

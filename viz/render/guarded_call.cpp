@@ -38,11 +38,6 @@ void check_range(const char* name, int value, int lowest, int highest, bool zero
                 " to " + std::to_string(highest) + (zero_allowed ? ", or 0" : ""));
 }
 
-void check_struct_size(const char* name, std::int32_t size, std::size_t expected) {
-  if (size >= static_cast<std::int32_t>(expected)) return;
-  throw Failure(HFRAC_ERR_STRUCT_SIZE, std::string("options->struct_size is not set by ") + name + "_init");
-}
-
 Progress wrapped(hfrac_viz_progress_fn progress, void* user) {
   if (progress == nullptr) return {};
   return [progress, user](double fraction, const std::string& what) {

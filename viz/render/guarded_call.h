@@ -18,6 +18,14 @@ namespace hfrac::viz {
 
 // VTK's text cache is shared by the whole process and not guarded.
 std::mutex& drawing_mutex();
+// Lets other threads draw while it lives, inside a call that only waits.
+class DrawingPause {
+ public:
+  DrawingPause() { drawing_mutex().unlock(); }
+  ~DrawingPause() { drawing_mutex().lock(); }
+  DrawingPause(const DrawingPause&) = delete;
+  DrawingPause& operator=(const DrawingPause&) = delete;
+};
 // Whether this thread is inside a call.
 bool& inside_call();
 
@@ -76,8 +84,6 @@ std::int32_t call(char* error, std::int32_t capacity, std::int32_t* needed, cons
 
 std::string required_text(const char* text, const char* name);
 void check_range(const char* name, int value, int lowest, int highest, bool zero_allowed = false);
-// Throws Failure(HFRAC_ERR_STRUCT_SIZE) if `size` is not what the init function of `name` sets.
-void check_struct_size(const char* name, std::int32_t size, std::size_t expected);
 Progress wrapped(hfrac_viz_progress_fn progress, void* user);
 
 }  // namespace hfrac::viz

@@ -65,9 +65,15 @@ std::vector<int> even_in_growth(const std::vector<HistoryPoint>& history, int fi
 
 std::vector<HistoryPoint> read_history(const RunFolder& run) {
   std::vector<HistoryPoint> history;
-  history.reserve(run.discs.size());
-  for (const auto& [number, discs] : run.discs) history.push_back(read_point(run, number, discs));
+  extend_history(run, history);
   return history;
+}
+
+void extend_history(const RunFolder& run, std::vector<HistoryPoint>& history) {
+  const auto first = history.empty() ? run.discs.begin() : run.discs.upper_bound(history.back().number);
+  for (auto found = first; found != run.discs.end(); ++found) {
+    history.push_back(read_point(run, found->first, found->second));
+  }
 }
 
 HistoryPoint history_point(const RunFolder& run, int number) {

@@ -21,6 +21,9 @@ struct HistoryPoint {
 // One point per snapshot of the discs, in order.
 std::vector<HistoryPoint> read_history(const RunFolder& run);
 
+// Adds the points of the snapshots that came after the last one of `history`.
+void extend_history(const RunFolder& run, std::vector<HistoryPoint>& history);
+
 // The point of one snapshot, -1: of the last. Throws Failure if there is none of that number.
 HistoryPoint history_point(const RunFolder& run, int number);
 

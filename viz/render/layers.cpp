@@ -95,16 +95,24 @@ vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, double lowest, double h
   return mesh.actor(depth::domains);
 }
 
+vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, std::span<const Colour> colours) {
+  Mesh mesh;
+  for (const Domain& domain : flow.domains) {
+    if (domain.cell < colours.size()) mesh.polygon(corners_of(flow, domain), colours[domain.cell]);
+  }
+  return mesh.actor(depth::domains);
+}
+
 vtkSmartPointer<vtkActor> well_layer(const Flow& flow, std::span<const WellPlace> wells,
-                                     double smallest_radius) {
+                                     double smallest_radius, Colour colour) {
   Mesh mesh;
   if (has_well_domain(flow)) {
     for (const Domain& domain : flow.domains) {
-      if (domain.well) mesh.polygon(corners_of(flow, domain), palette().well);
+      if (domain.well) mesh.polygon(corners_of(flow, domain), colour);
     }
   } else {
     for (const WellPlace& well : wells) {
-      mesh.circle({well.x, well.y}, std::max(well.radius, smallest_radius), palette().well);
+      mesh.circle({well.x, well.y}, std::max(well.radius, smallest_radius), colour);
     }
   }
   return mesh.actor(depth::wells);

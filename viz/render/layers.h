@@ -50,12 +50,20 @@ vtkSmartPointer<vtkActor> force_layer(std::span<const BondForce> bonds, double l
 vtkSmartPointer<vtkActor> crack_time_layer(std::span<const Crack> cracks, double first, double last,
                                            double half_width);
 
+// Cracks and bonds in colours of their own: that of cell i of their file is colours[i].
+vtkSmartPointer<vtkActor> coloured_cracks(std::span<const Crack> cracks, std::span<const Colour> colours,
+                                          double half_width);
+vtkSmartPointer<vtkActor> coloured_bonds(std::span<const Segment> bonds, std::span<const Colour> colours,
+                                         double half_width);
+
+// Domains in colours of their own, by cell of their file.
+vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, std::span<const Colour> colours);
 // Domains in the colour of their pressure between two values.
 vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, double lowest, double highest);
 
 // The holes of the wells, to lie under the discs: the wells' domains if flow has any, otherwise circles.
 vtkSmartPointer<vtkActor> well_layer(const Flow& flow, std::span<const WellPlace> wells,
-                                     double smallest_radius);
+                                     double smallest_radius, Colour colour = palette().well);
 
 // An outline around each well's domain, or its circle.
 vtkSmartPointer<vtkActor> well_rings(const Flow& flow, std::span<const WellPlace> wells, double half_width,

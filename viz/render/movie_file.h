@@ -1,32 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A movie, picture by picture: an MP4 file with H.264 inside, or an animated WebP if the name ends in .webp.
+// A movie file around compressed packets: MP4 with the index in front, or an animated WebP that loops. It appears
+// whole or not at all.
 #pragma once
 
 #include <filesystem>
 #include <memory>
 
-#include "image.h"
+#include "video_encoder.h"
 
 namespace hfrac::viz {
 
 class MovieFile {
  public:
-  // Even width and height [pixel]. Throws Failure.
-  MovieFile(const std::filesystem::path& target, int width, int height, int frames_per_second);
-  ~MovieFile();  // without finish(): nothing is left of it
+  // `encoder`: one with the stream's format; it is not kept. Throws Failure, as all below do.
+  MovieFile(const std::filesystem::path& target, const VideoFormat& format, const VideoEncoder& encoder);
+  ~MovieFile();
   MovieFile(const MovieFile&) = delete;
   MovieFile& operator=(const MovieFile&) = delete;
 
-  void add(const Image& image);
-  // Ends the file and gives it its name.
+  // In order of decoding; `first_frame` is added to the packet's times.
+  void add(const VideoPacket& packet, std::int64_t first_frame = 0);
   void finish();
 
  private:
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
-
-// Name and version of the encoder.
-const char* movie_encoder_text();
 
 }  // namespace hfrac::viz

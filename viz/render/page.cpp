@@ -12,6 +12,7 @@
 
 #include "failure.h"
 #include "fonts.h"
+#include "page_svg.h"
 
 namespace hfrac::viz {
 namespace {
@@ -51,11 +52,11 @@ Page::Page(OffscreenWindow* window, int width, int height)
   auto sheet = vtkSmartPointer<vtkRenderer>::New();
   set_paper(sheet);
   window_->AddRenderer(sheet);
-  views_.push_back(sheet);
+  renderers_.push_back(sheet);
 }
 
 Page::~Page() {
-  for (const auto& renderer : views_) window_->RemoveRenderer(renderer);
+  for (const auto& renderer : renderers_) window_->RemoveRenderer(renderer);
   window_->RemoveRenderer(overlay_);
 }
 
@@ -72,7 +73,8 @@ View Page::view(const Box& room, const Extent& extent) {
                              view.box.right() / width_, 1.0 - view.box.top / height_);
   look_down(view.renderer, extent.left + extent.width / 2, extent.bottom + extent.height / 2, extent.height);
   window_->AddRenderer(view.renderer);
-  views_.push_back(view.renderer);
+  renderers_.push_back(view.renderer);
+  views_.push_back(view);
   return view;
 }
 
@@ -105,6 +107,7 @@ vtkSmartPointer<vtkTextProperty> Page::text_property(const TextStyle& style) con
 
 void Page::text(double x, double y, const std::string& content, const TextStyle& style) {
   if (content.empty()) return;
+  texts_.push_back({x, y, content, style});
   const auto property = text_property(style);
   if (style.align == Align::centre) property->SetJustificationToCentered();
   if (style.align == Align::right) property->SetJustificationToRight();
@@ -129,6 +132,11 @@ double Page::text_width(const std::string& content, const TextStyle& style) cons
     return 0.6 * style.size * static_cast<double>(content.size());
   }
   return static_cast<double>(bounds[1] - bounds[0] + 1) / factor_;
+}
+
+std::string Page::svg(const std::string& title) const {
+  const vtkSmartPointer<vtkActor> overlay = shapes_.empty() ? nullptr : shapes_.actor(0.0);
+  return page_svg({width_, height_, factor_, title, views_, overlay, texts_});
 }
 
 Image Page::draw() {

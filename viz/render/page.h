@@ -57,6 +57,14 @@ struct View {
   double to_page_y(double y) const { return box.bottom() - (y - extent.bottom) / metres_per_pixel; }
 };
 
+// A text on a page; x, y: the start (middle, end) of its baseline.
+struct PageText {
+  double x = 0;
+  double y = 0;
+  std::string content;
+  TextStyle style;
+};
+
 class Page {
  public:
   Page(OffscreenWindow* window, int width, int height);
@@ -80,6 +88,8 @@ class Page {
   double text_width(const std::string& content, const TextStyle& style) const;
 
   Image draw();
+  // The same as SVG, see page_svg.h.
+  std::string svg(const std::string& title) const;
 
  private:
   vtkSmartPointer<vtkTextProperty> text_property(const TextStyle& style) const;
@@ -90,7 +100,9 @@ class Page {
   int height_;
   int factor_;
   Mesh shapes_;
-  std::vector<vtkSmartPointer<vtkRenderer>> views_;
+  std::vector<vtkSmartPointer<vtkRenderer>> renderers_;
+  std::vector<View> views_;
+  std::vector<PageText> texts_;
   vtkSmartPointer<vtkRenderer> overlay_;
 };
 

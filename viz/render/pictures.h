@@ -44,8 +44,5 @@ Image growth_picture(const Studio& studio, const std::vector<Scene>& scenes);
 // Throws Failure(HFRAC_VIZ_ERR_READ) if the scene has no domains.
 Image pressure_picture(const Studio& studio, const Scene& scene);
 Image aperture_picture(const Studio& studio, const Scene& scene);
-// `now`: index into the history.
-Image movie_frame(const Studio& studio, const Scene& scene, const std::vector<HistoryPoint>& history,
-                  std::size_t now);
 
 }  // namespace hfrac::viz

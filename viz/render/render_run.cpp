@@ -5,9 +5,10 @@
 #include <cmath>
 #include <memory>
 
+#include "colour.h"
 #include "failure.h"
 #include "history.h"
-#include "movie_file.h"
+#include "movie_maker.h"
 #include "paraview_script.h"
 #include "pictures.h"
 #include "vtk_messages.h"
@@ -15,8 +16,6 @@
 
 namespace hfrac::viz {
 namespace {
-
-constexpr int highest_frame_rate = 60;  // [1/s]
 
 // Everything drawing needs, alive for one call.
 struct Workshop {
@@ -78,8 +77,8 @@ Image single_picture(const Workshop& shop, int picture) {
   }
 }
 
-void save(const std::filesystem::path& target, const Image& image) {
-  write_whole(target, png(image));
+void save(const std::filesystem::path& target, int dots_per_inch, const Image& image) {
+  write_whole(target, png(image, dots_per_inch));
 }
 
 void write_script(const RunFolder& run) {
@@ -92,49 +91,26 @@ void tell(const Progress& progress, double fraction, const std::string& what) {
   if (progress && progress(fraction, what)) throw Stopped{};
 }
 
-void make_movie(const Workshop& shop, const std::filesystem::path& target, const Progress& progress) {
-  const auto count = static_cast<int>(shop.history.size());
-  const int seconds = shop.options.movie_seconds;
-  const int stride = std::max(1, (count + seconds * highest_frame_rate - 1) / (seconds * highest_frame_rate));
-  const int frame_count = (count + stride - 1) / stride;
-  const int rate = std::clamp((frame_count + seconds - 1) / seconds, 2, highest_frame_rate);
-  Studio studio = shop.studio(shop.options.movie_width, shop.options.movie_height);
-  std::unique_ptr<MovieFile> movie;
-  for (int frame = 0; frame < frame_count; ++frame) {
-    tell(progress, static_cast<double>(frame) / frame_count, target.filename().string());
-    // Backwards from the end, so that the last snapshot is always the last picture.
-    const int index = count - 1 - (frame_count - 1 - frame) * stride;
-    const HistoryPoint& point = shop.history[index];
-    const Image image = drawn([&] {
-      return movie_frame(studio, load_scene(shop.run, point, false, false), shop.history,
-                         static_cast<std::size_t>(index));
-    });
-    if (!movie) {
-      studio.size.height = image.height;  // the first one decides for all
-      movie = std::make_unique<MovieFile>(target, image.width, image.height, rate);
-    }
-    movie->add(image);
-  }
-  if (movie) movie->finish();
-}
-
 }  // namespace
 
 void render_picture(const std::filesystem::path& folder, int picture, const std::filesystem::path& target,
                     const hfrac_viz_options& options) {
+  const PaletteScope paper(options.dark != 0 ? dark_palette() : light_palette());
   const Workshop shop(folder, options);
-  save(target, drawn([&] { return single_picture(shop, picture); }));
+  save(target, options.dots_per_inch, drawn([&] { return single_picture(shop, picture); }));
 }
 
 void render_movie(const std::filesystem::path& folder, const std::filesystem::path& target,
                   const hfrac_viz_options& options, const Progress& progress) {
-  make_movie(Workshop(folder, options), target, progress);
+  const PaletteScope paper(options.dark != 0 ? dark_palette() : light_palette());
+  make_movie(folder, target, options, progress);
 }
 
 void render_run(const std::filesystem::path& folder, const hfrac_viz_options& options,
                 const Progress& progress) {
   constexpr double pictures_share = 0.3;  // of the time, the movie takes the rest
   tell(progress, 0.0, "reading");
+  const PaletteScope paper(options.dark != 0 ? dark_palette() : light_palette());
   const Workshop shop(folder, options);
   const std::filesystem::path target = folder / "pictures";
   make_folder(target);
@@ -143,7 +119,7 @@ void render_run(const std::filesystem::path& folder, const hfrac_viz_options& op
   int done = 0;
   const auto picture = [&](const char* name, const auto& draw) {
     tell(progress, (movie ? pictures_share : 1.0) * done++ / 9.0, name);
-    save(target / name, drawn(draw));
+    save(target / name, options.dots_per_inch, drawn(draw));
   };
   if ((options.pictures & HFRAC_VIZ_MODEL) != 0) {
     picture("figure3.png", [&] { return single_picture(shop, HFRAC_VIZ_MODEL); });
@@ -165,7 +141,7 @@ void render_run(const std::filesystem::path& folder, const hfrac_viz_options& op
     picture("aperture.png", [&] { return single_picture(shop, HFRAC_VIZ_APERTURE); });
   }
   if (movie) {
-    make_movie(shop, target / "movie.mp4", [&](double fraction, const std::string& what) {
+    make_movie(folder, target / "movie.mp4", options, [&](double fraction, const std::string& what) {
       return progress && progress(pictures_share + (1 - pictures_share) * fraction, what);
     });
   }

@@ -58,6 +58,9 @@ std::string charts(const std::filesystem::path& folder) {
 
 std::string pictures(const std::filesystem::path& folder) {
   std::string text = picture(folder, {"growth.png", "Growth of the fracture."});
+  text += picture(
+      folder,
+      {"views.png", "Around the cracks: forces across bonds, mean stress, displacement, when cracks broke."});
   text += "<div class=\"pair\">" + picture(folder, {"aperture.png", "Cracks by aperture, close up."}) +
           picture(folder, {"pressure.png", "Fluid pressure in the pores, cracks over it."}) +
           picture(folder, {"figure3.png", "The particle model."}) + "</div>\n";

@@ -26,7 +26,8 @@ table { border-collapse: collapse; margin-top: 0.8rem; font-variant-numeric: tab
 th, td { text-align: left; padding: 0.35rem 1.5rem 0.35rem 0; border-bottom: 1px solid var(--grid);
   white-space: nowrap; }
 th { font-weight: 500; color: var(--faint); }
-td.number, th.number { text-align: right; }
+td.number, th.number { text-align: right; padding-right: 1.1rem; }
+th.number { white-space: normal; vertical-align: bottom; }
 pre { background: color-mix(in srgb, var(--grid) 45%, var(--paper)); border-radius: 8px; padding: 1rem 1.2rem;
   overflow-x: auto; font: 13px/1.5 ui-monospace, "DejaVu Sans Mono", monospace; }
 summary { cursor: pointer; color: var(--faint); }

@@ -90,14 +90,16 @@ std::string key_numbers(const json& summary) {
 }
 
 std::string fracture_table(const json& summary) {
-  std::vector<std::vector<std::string>> rows = {
-      {"fracture", "cracks", "in tension", "length (m)", "reach (m)", "azimuth (\xC2\xB0)",
-       "mean aperture (mm)", "largest (mm)", "volume (m\xC2\xB2)", "mean pressure (MPa)"}};
+  std::vector<std::vector<std::string>> rows = {{"fracture", "cracks", "in tension", "length (m)",
+                                                 "extent (m)", "reach (m)", "arms", "azimuth (\xC2\xB0)",
+                                                 "mean aperture (mm)", "largest (mm)", "volume (m\xC2\xB2)",
+                                                 "mean pressure (MPa)"}};
   for (const json& one : list_at(summary, "fractures")) {
     rows.push_back(
         {std::to_string(rows.size()), shown_count(number_at(one, "crack_count")),
          shown_count(number_at(one, "tensile_cracks")), shown(number_at(one, "length_m")),
-         shown(number_at(one, "reach_m")), shown(number_at(one, "azimuth_rad") * degrees_per_radian),
+         shown(number_at(one, "extent_m")), shown(number_at(one, "reach_m")),
+         shown_count(number_at(one, "arms")), shown(number_at(one, "azimuth_rad") * degrees_per_radian),
          shown(number_at(one, "mean_aperture_m") * millimetres_per_metre),
          shown(number_at(one, "largest_aperture_m") * millimetres_per_metre),
          shown(number_at(one, "volume_m2")), shown(number_at(one, "mean_pressure_Pa") * per_mega)});

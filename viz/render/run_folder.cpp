@@ -85,6 +85,12 @@ void read_summary(RunFolder& run) {
     run.model_width = positive_number(*model, "width_m");
     run.model_height = positive_number(*model, "height_m");
   }
+  run.going_on = text(summary, "ended") == "running";
+  const auto planned = summary.find("planned");
+  if (planned != summary.end() && planned->is_object()) {
+    run.planned_time = positive_number(*planned, "time_s");
+    run.planned_snapshots = static_cast<int>(std::min(1e6, positive_number(*planned, "snapshots")));
+  }
   const auto wells = summary.find("wells");
   if (wells == summary.end() || !wells->is_array()) return;
   for (const nlohmann::json& well : *wells) {
@@ -100,6 +106,9 @@ RunFolder open_run(const fs::path& folder) {
   if (!fs::is_directory(folder, error)) fail_reading("there is no folder " + folder.string());
   RunFolder run;
   run.path = folder;
+  // Before the lists: a run writes its data, then the lists, last the summary. Whoever reads the other way round never
+  // takes a run for over and misses its last snapshots.
+  read_summary(run);
   run.discs = read_series(folder, "discs");
   if (run.discs.empty()) {
     fail_reading(folder.string() + " is not a run folder: discs.pvd is missing or lists no snapshots");
@@ -107,7 +116,6 @@ RunFolder open_run(const fs::path& folder) {
   run.bonds = read_series(folder, "bonds");
   run.cracks = read_series(folder, "cracks");
   run.flow = read_series(folder, "flow");
-  read_summary(run);
   return run;
 }
 

@@ -31,7 +31,10 @@ struct RunFolder {
   double model_width = 0;      // [m], 0 if unknown
   double model_height = 0;     // [m], 0 if unknown
   std::vector<WellPlace> wells;
-  Series discs;  // never empty
+  bool going_on = false;      // the run is not over yet
+  double planned_time = 0;    // [s] at its end, 0 if unknown
+  int planned_snapshots = 0;  // at its end, 0 if unknown
+  Series discs;               // never empty
   Series bonds;
   Series cracks;
   Series flow;

@@ -11,34 +11,31 @@ constexpr double margin_left = 112;  // all in units, see furniture.h
 constexpr double margin_top = 124;
 constexpr double margin_bottom = 86;
 constexpr double column_gap = 36;
-constexpr double column_units = 300;
+constexpr double right_margin = 24;
 constexpr int smallest_height = 240;  // [pixel]
 constexpr int largest_height = 8192;
 
-double unit_of(const Studio& studio, double design_width) {
-  return studio.size.width / design_width;
+double unit_of(const Studio& studio, const SheetShape& shape) {
+  return studio.size.width / shape.design_width;
 }
 
-double view_width(const Studio& studio, double unit) {
-  return studio.size.width - unit * (margin_left + column_gap + column_units);
+double view_width(const Studio& studio, const SheetShape& shape, double unit) {
+  return studio.size.width - unit * (margin_left + column_gap + shape.column);
 }
 
 int even(double height) {
   return static_cast<int>(std::ceil(height / 2)) * 2;
 }
 
-int page_height(const Studio& studio, const Extent& extent, double unit) {
-  if (studio.size.height > 0) return studio.size.height;
-  const double view_height = view_width(studio, unit) * extent.height / extent.width;
-  const double column_needs = 700 * unit;
-  return std::clamp(even(std::max(view_height, column_needs) + unit * (margin_top + margin_bottom)),
-                    smallest_height,
-                    std::min(largest_height, std::max(smallest_height, 3 * studio.size.width)));
-}
-
-Box room_of(const Studio& studio, const Page& page, double unit) {
-  return {margin_left * unit, margin_top * unit, std::max(16.0, view_width(studio, unit)),
-          std::max(16.0, page.height() - unit * (margin_top + margin_bottom))};
+// Where the view goes: the largest that fits, in the middle of the room it has.
+Box room_of(const Studio& studio, const Page& page, const Extent& extent, const SheetShape& shape,
+            double unit) {
+  Box room{margin_left * unit, margin_top * unit, std::max(16.0, view_width(studio, shape, unit)),
+           std::max(16.0, page.height() - unit * (margin_top + margin_bottom))};
+  const double metres_per_pixel = std::max(extent.width / room.width, extent.height / room.height);
+  room.top += std::max(0.0, room.height - extent.height / metres_per_pixel) / 2;
+  if (!shape.wide_column) room.left += std::max(0.0, room.width - extent.width / metres_per_pixel) / 2;
+  return room;
 }
 
 }  // namespace
@@ -101,18 +98,26 @@ double mean_radius(const Discs& discs) {
   return sum / static_cast<double>(discs.discs.size());
 }
 
-Sheet::Sheet(const Studio& studio, const Extent& extent, double design_width)
-    : page(studio.window, studio.size.width, page_height(studio, extent, unit_of(studio, design_width))),
-      unit(std::min(unit_of(studio, design_width), page.height() / 640.0)),
+int sheet_height(const Studio& studio, const Extent& extent, const SheetShape& shape) {
+  if (studio.size.height > 0) return studio.size.height;
+  const double unit = unit_of(studio, shape);
+  const double view_height = view_width(studio, shape, unit) * extent.height / extent.width;
+  const double column_needs = 700 * unit;
+  return std::clamp(even(std::max(view_height, column_needs) + unit * (margin_top + margin_bottom)),
+                    smallest_height,
+                    std::min(largest_height, std::max(smallest_height, 3 * studio.size.width)));
+}
+
+Sheet::Sheet(const Studio& studio, const Extent& extent, const SheetShape& shape)
+    : page(studio.window, studio.size.width, sheet_height(studio, extent, shape)),
+      unit(std::min(unit_of(studio, shape), page.height() / shape.needs)),
       column_left(0),
-      column_width(column_units * unit),
+      column_width(shape.column * unit),
       column_top(margin_top * unit),
       column_bottom(page.height() - margin_bottom * unit) {
-  Box room = room_of(studio, page, unit);
-  // A view lower than the page lies in the middle; the column still has the whole height.
-  room.top += std::max(0.0, room.height - room.width * extent.height / extent.width) / 2;
-  view = page.view(room, extent);
+  view = page.view(room_of(studio, page, extent, shape, unit), extent);
   column_left = view.box.right() + column_gap * unit;
+  if (shape.wide_column) column_width = page.width() - column_left - right_margin * unit;
 }
 
 void draw_sheet_title(Sheet& sheet, const RunFolder& run, const std::string& what) {

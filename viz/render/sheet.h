@@ -20,6 +20,17 @@ Extent around_cracks(const RunFolder& run, const Scene& scene);
 // Mean disc radius [m], 0 without discs.
 double mean_radius(const Discs& discs);
 
+struct SheetShape {
+  double design_width = 1600;  // the width at which the unit is one pixel
+  double column = 300;         // [unit] width of the column
+  double needs = 640;          // [unit] height below which everything gets smaller
+  // Whether the column takes all the width the view leaves; otherwise both stand in the middle.
+  bool wide_column = false;
+};
+
+// Height of a sheet's page: the one asked for, or as the model's shape asks.
+int sheet_height(const Studio& studio, const Extent& extent, const SheetShape& shape = {});
+
 struct Sheet {
   Page page;
   View view;
@@ -29,8 +40,7 @@ struct Sheet {
   double column_top;
   double column_bottom;
 
-  // `design_width`: the width at which the unit is one pixel.
-  Sheet(const Studio& studio, const Extent& extent, double design_width = 1600);
+  Sheet(const Studio& studio, const Extent& extent, const SheetShape& shape = {});
 
   // The size of a drawn (not finished) pixel in the view [m].
   double drawn_pixel() const { return view.metres_per_pixel / page.drawn_pixels(); }

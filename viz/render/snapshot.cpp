@@ -68,6 +68,7 @@ Cracks read_cracks(const SeriesFile& file) {
     crack.mode = code(mode[cell]) == shear_code ? CrackMode::shear : CrackMode::tension;
     crack.aperture = std::max(0.0, usable(aperture[cell]));
     crack.time = usable(time[cell]);
+    crack.cell = cell;
     read.cracks.push_back(crack);
   }
   return read;
@@ -86,6 +87,18 @@ std::vector<BondForce> read_bond_forces(const SeriesFile& file) {
     read.push_back({{points[corners[0]], points[corners[1]]}, usable(normal[cell])});
   }
   return read;
+}
+
+std::vector<Segment> read_bond_lines(const SeriesFile& file) {
+  const GridFile grid(file);
+  const std::vector<Point> points = grid.points();
+  const GridFile::Cells cells = grid.cells();
+  std::vector<Segment> lines(grid.cell_count());
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
+    const auto corners = cells.of(cell);
+    if (corners.size() >= 2) lines[cell] = {points[corners[0]], points[corners[1]]};
+  }
+  return lines;
 }
 
 std::vector<double> read_disc_array(const SeriesFile& file, const char* name, std::size_t components) {
@@ -110,6 +123,7 @@ Flow read_flow(const SeriesFile& file) {
     domain.corner_count = static_cast<std::uint32_t>(corners.size());
     domain.pressure = usable(pressure[cell]);
     domain.well = code(kind[cell]) == 1;
+    domain.cell = cell;
     for (const std::uint32_t corner : corners) read.corners.push_back(points[corner]);
     read.domains.push_back(domain);
   }

@@ -47,8 +47,9 @@ enum class CrackMode { tension, shear };
 struct Crack {
   Segment line;
   CrackMode mode = CrackMode::tension;
-  double aperture = 0;  // [m]
-  double time = 0;      // [s] of its breaking; 0 if unknown
+  double aperture = 0;   // [m]
+  double time = 0;       // [s] of its breaking; 0 if unknown
+  std::size_t cell = 0;  // of the file
 };
 
 struct Cracks {
@@ -67,6 +68,7 @@ struct Domain {
   std::uint32_t corner_count = 0;
   double pressure = 0;  // [Pa]
   bool well = false;
+  std::size_t cell = 0;  // of the file
 };
 
 struct Flow {
@@ -80,6 +82,8 @@ Bonds read_bonds(const SeriesFile& file);
 Cracks read_cracks(const SeriesFile& file);
 Flow read_flow(const SeriesFile& file);
 std::vector<BondForce> read_bond_forces(const SeriesFile& file);
+// All bonds, broken ones too, one per cell of the file.
+std::vector<Segment> read_bond_lines(const SeriesFile& file);
 // An array of the discs, `components` values per disc.
 std::vector<double> read_disc_array(const SeriesFile& file, const char* name, std::size_t components);
 

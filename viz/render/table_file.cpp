@@ -44,11 +44,11 @@ TableFile::TableFile(const std::filesystem::path& path) {
   content << file.rdbuf();
   std::string line;
   if (!std::getline(content, line)) return;
-  const std::vector<std::string> names = split(line);
+  names_ = split(line);
   while (std::getline(content, line)) {
     std::vector<std::string> cells = split(line);
-    if (content.eof() || cells.size() != names.size()) continue;  // not whole
-    for (std::size_t i = 0; i < names.size(); ++i) columns_[names[i]].push_back(std::move(cells[i]));
+    if (content.eof() || cells.size() != names_.size()) continue;  // not whole
+    for (std::size_t i = 0; i < names_.size(); ++i) columns_[names_[i]].push_back(std::move(cells[i]));
     ++rows_;
   }
 }

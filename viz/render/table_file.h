@@ -16,6 +16,8 @@ class TableFile {
   explicit TableFile(const std::filesystem::path& path);
 
   std::size_t rows() const { return rows_; }
+  // Of the columns, in the file's order.
+  const std::vector<std::string>& names() const { return names_; }
   bool has(const std::string& column) const { return columns_.count(column) != 0; }
   // As long as there are rows; all NaN if there is no such column.
   std::vector<double> numbers(const std::string& column) const;
@@ -24,6 +26,7 @@ class TableFile {
 
  private:
   std::size_t rows_ = 0;
+  std::vector<std::string> names_;
   std::map<std::string, std::vector<std::string>> columns_;
 };
 

@@ -6,6 +6,7 @@
 #include "failure.h"
 #include "guarded_call.h"
 #include "hfrac/viz.h"
+#include "option_struct.h"
 #include "view_layers.h"
 #include "view_page.h"
 #include "vtk_messages.h"
@@ -16,12 +17,17 @@ namespace {
 
 constexpr int most_views = 9;
 
+hfrac_viz_view_options defaults() {
+  hfrac_viz_view_options options{};
+  options.struct_size = static_cast<int32_t>(sizeof options);
+  options.struct_version = 1;
+  options.snapshot = -1;
+  options.width = 1600;
+  return options;
+}
+
 hfrac_viz_view_options checked(const hfrac_viz_view_options* options) {
-  hfrac_viz_view_options own;
-  hfrac_viz_view_options_init(&own);
-  if (options == nullptr) return own;
-  check_struct_size("hfrac_viz_view_options", options->struct_size, sizeof(hfrac_viz_view_options));
-  own = *options;
+  const hfrac_viz_view_options own = read_options("hfrac_viz_view_options", options, defaults());
   check_range("width", own.width, 320, 8192);
   check_range("height", own.height, 240, 8192, true);
   check_range("dots_per_inch", own.dots_per_inch, 36, 2400, true);
@@ -39,28 +45,45 @@ hfrac_viz_view_options checked(const hfrac_viz_view_options* options) {
   return own;
 }
 
-std::vector<int> checked_views(const std::int32_t* views, std::int32_t count) {
+std::vector<ViewSpec> checked_views(const std::int32_t* views, std::int32_t count) {
   if (views == nullptr) fail_argument("views is NULL");
   check_range("view_count", count, 1, most_views);
-  std::vector<int> kinds(views, views + count);
-  for (const int kind : kinds) {
-    if (!is_view(kind)) fail_argument("no such view: " + std::to_string(kind));
-  }
-  return kinds;
+  std::vector<ViewSpec> specs;
+  for (std::int32_t i = 0; i < count; ++i) specs.push_back(view_of_kind(views[i]));
+  return specs;
 }
 
-void render_views(const std::filesystem::path& folder, const std::vector<int>& kinds,
+std::vector<ViewSpec> checked_names(const char* const* names, std::int32_t count) {
+  if (names == nullptr) fail_argument("names is NULL");
+  check_range("name_count", count, 1, most_views);
+  std::vector<ViewSpec> specs;
+  for (std::int32_t i = 0; i < count; ++i) specs.push_back(view_named(required_text(names[i], "a name")));
+  return specs;
+}
+
+void render_views(const std::filesystem::path& folder, const std::vector<ViewSpec>& specs,
                   const std::filesystem::path& target, const hfrac_viz_view_options& options) {
+  const bool drawing = target.extension() == ".svg";
+  if (!drawing && target.extension() != ".png") {
+    fail_argument("'" + target.string() + "' ends neither in .png nor in .svg");
+  }
   const RunFolder run = open_run(folder);
   const PaletteScope paper(options.dark != 0 ? dark_palette() : light_palette());
   const auto window = make_offscreen_window();
   const Scene scene = load_scene(run, history_point(run, options.snapshot), false, true);
   const Studio studio{window, &run, {options.width, options.height}};
+  const Extent extent = zoomed(run, scene, options);
   VtkMessages messages;
-  const Image image = view_picture(studio, scene, kinds, zoomed(run, scene, options));
+  std::vector<std::uint8_t> content;
+  if (drawing) {
+    const std::string text = view_drawing(studio, scene, specs, extent);
+    content.assign(text.begin(), text.end());
+  } else {
+    content = png(view_picture(studio, scene, specs, extent), options.dots_per_inch);
+  }
   const std::string errors = messages.take_errors();
   if (!errors.empty()) fail_drawing("drawing failed: " + errors);
-  write_whole(target, png(image, options.dots_per_inch));
+  write_whole(target, content);
 }
 
 }  // namespace
@@ -70,14 +93,8 @@ using namespace hfrac::viz;
 
 extern "C" {
 
-int32_t hfrac_viz_view_options_init(hfrac_viz_view_options* options) {
-  if (options == nullptr) return HFRAC_ERR_ARGUMENT;
-  *options = {};
-  options->struct_size = static_cast<int32_t>(sizeof(hfrac_viz_view_options));
-  options->struct_version = 1;
-  options->snapshot = -1;
-  options->width = 1600;
-  return HFRAC_OK;
+int32_t hfrac_viz_view_options_init(hfrac_viz_view_options* options, int32_t struct_size) {
+  return init_options(options, struct_size, defaults());
 }
 
 int32_t hfrac_viz_render_views(const char* run_dir, const int32_t* views, int32_t view_count,
@@ -85,9 +102,26 @@ int32_t hfrac_viz_render_views(const char* run_dir, const int32_t* views, int32_
                                int32_t capacity, int32_t* needed) {
   return call(error, capacity, needed, [&] {
     const std::string folder = required_text(run_dir, "run_dir");
-    const std::vector<int> kinds = checked_views(views, view_count);
-    render_views(folder, kinds, required_text(path, "path"), checked(options));
+    const std::vector<ViewSpec> specs = checked_views(views, view_count);
+    render_views(folder, specs, required_text(path, "path"), checked(options));
   });
+}
+
+int32_t hfrac_viz_render_named_views(const char* run_dir, const char* const* names, int32_t name_count,
+                                     const char* path, const hfrac_viz_view_options* options, char* error,
+                                     int32_t capacity, int32_t* needed) {
+  return call(error, capacity, needed, [&] {
+    const std::string folder = required_text(run_dir, "run_dir");
+    const std::vector<ViewSpec> specs = checked_names(names, name_count);
+    render_views(folder, specs, required_text(path, "path"), checked(options));
+  });
+}
+
+int32_t hfrac_viz_view_names(char* buffer, int32_t capacity, int32_t* needed) {
+  std::string text;
+  const int32_t status = call(nullptr, 0, nullptr, [&] { text = view_names(); });
+  copy_text(text, buffer, capacity, needed);
+  return status;
 }
 
 }  // extern "C"

@@ -5,12 +5,10 @@
 #include <cmath>
 #include <tuple>
 
-#include "disc_detail.h"
 #include "disc_field.h"
-#include "failure.h"
-#include "layers.h"
 #include "number_text.h"
 #include "sheet.h"
+#include "view_job.h"
 
 namespace hfrac::viz {
 namespace {
@@ -19,43 +17,6 @@ constexpr double pascal_per_megapascal = 1e6;
 constexpr double newton_per_meganewton = 1e6;
 constexpr double millimetres_per_metre = 1e3;
 constexpr double smoothing_radii = 5;  // of a disc
-
-// Everything a kind of view works with.
-struct Job {
-  const View& view;
-  const RunFolder& run;
-  const Scene& scene;
-  const ViewSize& size;
-  double radius;  // [m] mean of the discs
-
-  void add(vtkSmartPointer<vtkActor> layer) const { view.renderer->AddActor(layer); }
-  const SeriesFile& file(const Series& series, const char* what) const {
-    const SeriesFile* found = file_of(series, scene.point.number);
-    if (found == nullptr) {
-      fail_reading("snapshot " + std::to_string(scene.point.number) + " has no " + what);
-    }
-    return *found;
-  }
-  double crack_half_width() const {
-    return std::clamp(0.2 * radius, 1.8 * size.unit_metres, 5.0 * size.unit_metres);
-  }
-  void add_well() const { add(well_layer(scene.flow, run.wells, 2 * size.unit_metres)); }
-  void add_ring() const { add(well_rings(scene.flow, run.wells, 1.6 * size.unit_metres, palette().well)); }
-  void add_discs(Colour fill, Colour rim) const {
-    add(discs_in_view(view, scene.discs, fill, rim, size.drawn_pixel));
-  }
-  void add_quiet_discs() const { add_discs(palette().quiet_disc, palette().quiet_disc_rim); }
-  // Over colours: with paper around them.
-  void add_cracks(bool cased) const {
-    if (scene.cracks.cracks.empty()) return;
-    add(crack_layer(scene.cracks.cracks, crack_half_width(), cased ? 1.1 * size.unit_metres : 0.0));
-  }
-  std::vector<LegendEntry> crack_signs() const {
-    return {{Sign::band, palette().tension, {}, "crack, tension"},
-            {Sign::band, palette().shear, {}, "crack, shear"},
-            {Sign::hole, palette().well, {}, "wellbore"}};
-  }
-};
 
 Key show_discs(const Job& job) {
   job.add_well();
@@ -142,22 +103,6 @@ Key show_pressure(const Job& job) {
           {}};
 }
 
-// Discs in the colour of a value, `scale` shown units per SI unit.
-Key show_field(const Job& job, std::vector<double> values, double scale, bool two_ways, Key key) {
-  for (double& value : values) value *= scale;
-  std::tie(key.lowest, key.highest) = usual_range(job.scene.discs, values, job.view.extent, two_ways);
-  key.map = two_ways ? palette().two_ways : &magnitude_map;
-  std::vector<Colour> fills;
-  fills.reserve(values.size());
-  for (const double value : values) {
-    fills.push_back(key.map->at((value - key.lowest) / (key.highest - key.lowest)));
-  }
-  job.add_well();
-  job.add(discs_in_view(job.view, job.scene.discs, fills, job.size.drawn_pixel));
-  job.add_cracks(true);
-  return key;
-}
-
 Key show_displacement(const Job& job) {
   const std::vector<double> vectors = read_disc_array(job.file(job.run.discs, "discs"), "displacement_m", 3);
   std::vector<double> lengths;
@@ -167,13 +112,45 @@ Key show_displacement(const Job& job) {
                     {"Displacement", nullptr, 0, 1, "displacement (mm)", "since set-up", {}});
 }
 
-Key show_stress(const Job& job) {
+// Of the tensor xx, yy, xy the engine gives per disc.
+Key show_stress(const Job& job, double xx, double yy, double xy, bool signed_by_compression, Key key) {
   const std::vector<double> tensors = read_disc_array(job.file(job.run.discs, "discs"), "stress_Pa", 3);
-  std::vector<double> means;
-  for (std::size_t i = 0; i + 2 < tensors.size(); i += 3) means.push_back((tensors[i] + tensors[i + 1]) / 2);
-  return show_field(job, smoothed(job.scene.discs, means, smoothing_radii * job.radius),
-                    1 / pascal_per_megapascal, true,
-                    {"Mean stress", nullptr, 0, 1, "mean stress (MPa)", "compression positive", {}});
+  std::vector<double> values;
+  for (std::size_t i = 0; i + 2 < tensors.size(); i += 3)
+    values.push_back(xx * tensors[i] + yy * tensors[i + 1] + xy * tensors[i + 2]);
+  key.second_label = signed_by_compression ? "compression positive" : "";
+  return show_field(job, smoothed(job.scene.discs, values, smoothing_radii * job.radius),
+                    1 / pascal_per_megapascal, true, key);
+}
+
+Key show_stress(const Job& job, int kind) {
+  switch (kind) {
+    case HFRAC_VIZ_VIEW_STRESS_XX:
+      return show_stress(job, 1, 0, 0, true, {"Stress along x", nullptr, 0, 1, "stress xx (MPa)", "", {}});
+    case HFRAC_VIZ_VIEW_STRESS_YY:
+      return show_stress(job, 0, 1, 0, true, {"Stress along y", nullptr, 0, 1, "stress yy (MPa)", "", {}});
+    case HFRAC_VIZ_VIEW_STRESS_XY:
+      return show_stress(job, 0, 0, 1, false, {"Shear stress", nullptr, 0, 1, "stress xy (MPa)", "", {}});
+    default:
+      return show_stress(job, 0.5, 0.5, 0, true, {"Mean stress", nullptr, 0, 1, "mean stress (MPa)", "", {}});
+  }
+}
+
+Key show_bonds(const Job& job) {
+  const Bonds bonds = read_bonds(job.file(job.run.bonds, "bonds"));
+  job.add_well();
+  job.add_discs(palette().disc, palette().soft_disc_rim);
+  if (!drawn_as_density(job.view, job.scene.discs)) {
+    const double half = 0.06 * job.radius;
+    job.add(coloured_bonds(bonds.intact, std::vector<Colour>(bonds.intact.size(), palette().bond), half));
+  }
+  job.add_cracks(false);
+  Key key;
+  key.title = "Bonds and cracks";
+  key.entries = job.crack_signs();
+  key.entries.insert(key.entries.begin(), {{Sign::disc, palette().disc, palette().disc_rim, "disc"},
+                                           {Sign::line, palette().bond, {}, "intact bond"}});
+  return key;
 }
 
 Key show_rotation(const Job& job) {
@@ -185,14 +162,31 @@ Key show_rotation(const Job& job) {
 
 }  // namespace
 
-bool is_view(int kind) {
-  return kind >= HFRAC_VIZ_VIEW_DISCS && kind <= HFRAC_VIZ_VIEW_ROTATION;
+Key show_field(const Job& job, std::vector<double> values, double scale, bool two_ways, Key key) {
+  for (double& value : values) value *= scale;
+  std::tie(key.lowest, key.highest) = usual_range(job.scene.discs, values, job.view.extent, two_ways);
+  key.map = two_ways ? palette().two_ways : &magnitude_map;
+  std::vector<Colour> fills;
+  fills.reserve(values.size());
+  for (const double value : values) {
+    fills.push_back(key.map->at((value - key.lowest) / (key.highest - key.lowest)));
+  }
+  job.add_quiet_well();
+  job.add(discs_in_view(job.view, job.scene.discs, fills, job.size.drawn_pixel));
+  job.add_cracks(true);
+  return key;
 }
 
-Key add_view_layers(const View& view, const RunFolder& run, const Scene& scene, int kind,
+Key add_view_layers(const View& view, const RunFolder& run, const Scene& scene, const ViewSpec& spec,
                     const ViewSize& size) {
   const Job job{view, run, scene, size, mean_radius(scene.discs)};
-  switch (kind) {
+  switch (spec.kind) {
+    case array_view:
+      return show_array(job, spec);
+    case HFRAC_VIZ_VIEW_TEMPERATURE:
+      return show_temperature(job);
+    case HFRAC_VIZ_VIEW_BONDS:
+      return show_bonds(job);
     case HFRAC_VIZ_VIEW_FORCES:
       return show_forces(job);
     case HFRAC_VIZ_VIEW_CRACK_TIME:
@@ -203,10 +197,13 @@ Key add_view_layers(const View& view, const RunFolder& run, const Scene& scene, 
       return show_pressure(job);
     case HFRAC_VIZ_VIEW_DISPLACEMENT:
       return show_displacement(job);
-    case HFRAC_VIZ_VIEW_STRESS:
-      return show_stress(job);
     case HFRAC_VIZ_VIEW_ROTATION:
       return show_rotation(job);
+    case HFRAC_VIZ_VIEW_STRESS:
+    case HFRAC_VIZ_VIEW_STRESS_XX:
+    case HFRAC_VIZ_VIEW_STRESS_YY:
+    case HFRAC_VIZ_VIEW_STRESS_XY:
+      return show_stress(job, spec.kind);
     default:
       return show_discs(job);
   }

@@ -7,6 +7,7 @@
 
 #include "furniture.h"
 #include "pictures.h"
+#include "view_spec.h"
 
 namespace hfrac::viz {
 
@@ -27,12 +28,9 @@ struct ViewSize {
   double drawn_pixel = 0;
 };
 
-// Adds the layers of `kind`, a value of enum hfrac_viz_view. The scene has discs and cracks, what else is
-// needed is read here. Throws Failure if the run has no such data.
-Key add_view_layers(const View& view, const RunFolder& run, const Scene& scene, int kind,
+// Adds the layers of a view. The scene has discs and cracks, what else is needed is read here. Throws Failure if the
+// run has no such data.
+Key add_view_layers(const View& view, const RunFolder& run, const Scene& scene, const ViewSpec& spec,
                     const ViewSize& size);
-
-// Whether `kind` is a value of enum hfrac_viz_view.
-bool is_view(int kind);
 
 }  // namespace hfrac::viz

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "failure.h"
 #include "number_text.h"
@@ -60,10 +61,13 @@ void draw_key(Page& page, double unit, const Box& column, const Key& key) {
   draw_colour_bar(page, unit, bar, *key.map, key.lowest, key.highest, key.label, key.second_label);
 }
 
-Image single(const Studio& studio, const Scene& scene, int kind, const Extent& extent) {
+using Finish = std::function<void(Page&)>;
+
+void single(const Studio& studio, const Scene& scene, const ViewSpec& spec, const Extent& extent,
+            const Finish& finish) {
   Sheet sheet(studio, extent);
   const Key key =
-      add_view_layers(sheet.view, *studio.run, scene, kind, {sheet.metres(1), sheet.drawn_pixel()});
+      add_view_layers(sheet.view, *studio.run, scene, spec, {sheet.metres(1), sheet.drawn_pixel()});
   draw_sheet_title(sheet, *studio.run, key.title + ": " + moment_text(scene.point));
   draw_axes(sheet.page, sheet.unit, sheet.view);
   const double bar_top = sheet.column_bottom - 70 * sheet.unit;
@@ -73,7 +77,7 @@ Image single(const Studio& studio, const Scene& scene, int kind, const Extent& e
       key);
   draw_scale_bar(sheet.page, sheet.unit, sheet.column_left, bar_top, 0.8 * sheet.column_width,
                  sheet.view.metres_per_pixel);
-  return sheet.page.draw();
+  finish(sheet.page);
 }
 
 // Where the views of a page are.
@@ -114,6 +118,36 @@ struct Places {
   }
 };
 
+void views_on_page(const Studio& studio, const Scene& scene, const std::vector<ViewSpec>& specs,
+                   const Extent& extent, const Finish& finish) {
+  if (specs.size() == 1) {
+    single(studio, scene, specs.front(), extent, finish);
+    return;
+  }
+  const Places places(studio, static_cast<int>(specs.size()), extent);
+  const double unit = places.unit;
+  Page page(studio.window, studio.size.width, places.page_height);
+  const std::string title = studio.run->title;
+  draw_title(page, unit, Places::margin * unit, title.empty() ? moment_text(scene.point) : title,
+             title.empty() ? "" : moment_text(scene.point));
+  for (std::size_t i = 0; i < specs.size(); ++i) {
+    const Box cell = places.cell(static_cast<int>(i));
+    const View view =
+        page.view({cell.left, cell.top, cell.width - Places::key_width * unit, cell.height}, extent);
+    const Key key =
+        add_view_layers(view, *studio.run, scene, specs[i],
+                        {0.8 * unit * view.metres_per_pixel, view.metres_per_pixel / page.drawn_pixels()});
+    draw_frame(page, unit, view);
+    page.text(cell.left, cell.top - 12 * unit, key.title, {25 * unit, palette().ink, true});
+    const double left = view.box.right() + 22 * unit;
+    const double bar_top = view.box.bottom() - 62 * unit;
+    draw_key(page, 0.88 * unit, {left, cell.top, Places::key_width * unit, bar_top - 24 * unit - cell.top},
+             key);
+    draw_scale_bar(page, 0.88 * unit, left, bar_top, 0.7 * Places::key_width * unit, view.metres_per_pixel);
+  }
+  finish(page);
+}
+
 }  // namespace
 
 Extent zoomed(const RunFolder& run, const Scene& scene, const hfrac_viz_view_options& options) {
@@ -132,31 +166,19 @@ Extent zoomed(const RunFolder& run, const Scene& scene, const hfrac_viz_view_opt
   }
 }
 
-Image view_picture(const Studio& studio, const Scene& scene, const std::vector<int>& kinds,
+Image view_picture(const Studio& studio, const Scene& scene, const std::vector<ViewSpec>& views,
                    const Extent& extent) {
-  if (kinds.size() == 1) return single(studio, scene, kinds.front(), extent);
-  const Places places(studio, static_cast<int>(kinds.size()), extent);
-  const double unit = places.unit;
-  Page page(studio.window, studio.size.width, places.page_height);
-  const std::string title = studio.run->title;
-  draw_title(page, unit, Places::margin * unit, title.empty() ? moment_text(scene.point) : title,
-             title.empty() ? "" : moment_text(scene.point));
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
-    const Box cell = places.cell(static_cast<int>(i));
-    const View view =
-        page.view({cell.left, cell.top, cell.width - Places::key_width * unit, cell.height}, extent);
-    const Key key =
-        add_view_layers(view, *studio.run, scene, kinds[i],
-                        {0.8 * unit * view.metres_per_pixel, view.metres_per_pixel / page.drawn_pixels()});
-    draw_frame(page, unit, view);
-    page.text(cell.left, cell.top - 12 * unit, key.title, {25 * unit, palette().ink, true});
-    const double left = view.box.right() + 22 * unit;
-    const double bar_top = view.box.bottom() - 62 * unit;
-    draw_key(page, 0.88 * unit, {left, cell.top, Places::key_width * unit, bar_top - 24 * unit - cell.top},
-             key);
-    draw_scale_bar(page, 0.88 * unit, left, bar_top, 0.7 * Places::key_width * unit, view.metres_per_pixel);
-  }
-  return page.draw();
+  Image image;
+  views_on_page(studio, scene, views, extent, [&](Page& page) { image = page.draw(); });
+  return image;
+}
+
+std::string view_drawing(const Studio& studio, const Scene& scene, const std::vector<ViewSpec>& views,
+                         const Extent& extent) {
+  std::string drawing;
+  const std::string title = studio.run->title.empty() ? "hfrac" : studio.run->title;
+  views_on_page(studio, scene, views, extent, [&](Page& page) { drawing = page.svg(title); });
+  return drawing;
 }
 
 }  // namespace hfrac::viz

@@ -2,11 +2,13 @@
 // Pictures of chosen views of one snapshot: one with a wide column beside it, or several side by side.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "hfrac/viz.h"
 #include "page.h"
 #include "pictures.h"
+#include "view_spec.h"
 
 namespace hfrac::viz {
 
@@ -14,7 +16,10 @@ namespace hfrac::viz {
 // the given box.
 Extent zoomed(const RunFolder& run, const Scene& scene, const hfrac_viz_view_options& options);
 
-Image view_picture(const Studio& studio, const Scene& scene, const std::vector<int>& kinds,
+Image view_picture(const Studio& studio, const Scene& scene, const std::vector<ViewSpec>& views,
                    const Extent& extent);
+// The same as an SVG drawing.
+std::string view_drawing(const Studio& studio, const Scene& scene, const std::vector<ViewSpec>& views,
+                         const Extent& extent);
 
 }  // namespace hfrac::viz

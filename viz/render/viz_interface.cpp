@@ -8,26 +8,36 @@
 #include "guarded_call.h"
 #include "hfrac/viz.h"
 #include "history.h"
-#include "movie_file.h"
 #include "offscreen_window.h"
+#include "option_struct.h"
 #include "render_run.h"
 #include "run_folder.h"
+#include "video_encoder.h"
 
 namespace hfrac::viz {
 namespace {
 
+hfrac_viz_options defaults() {
+  hfrac_viz_options options{};
+  options.struct_size = static_cast<int32_t>(sizeof options);
+  options.struct_version = 1;
+  options.pictures = HFRAC_VIZ_ALL;
+  options.width = 1600;
+  options.movie_width = 1280;
+  options.movie_seconds = 12;
+  options.snapshot = -1;
+  return options;
+}
+
 hfrac_viz_options checked(const hfrac_viz_options* options) {
-  hfrac_viz_options own;
-  hfrac_viz_options_init(&own);
-  if (options == nullptr) return own;
-  check_struct_size("hfrac_viz_options", options->struct_size, sizeof(hfrac_viz_options));
-  own = *options;
+  const hfrac_viz_options own = read_options("hfrac_viz_options", options, defaults());
   check_range("pictures", own.pictures, 0, HFRAC_VIZ_ALL);
   check_range("width", own.width, 320, 8192);
   check_range("height", own.height, 240, 8192, true);
   check_range("movie_width", own.movie_width, 320, 4096);
   check_range("movie_height", own.movie_height, 240, 4096, true);
   check_range("movie_seconds", own.movie_seconds, 1, 600);
+  check_range("dots_per_inch", own.dots_per_inch, 36, 2400, true);
   if (own.movie_width % 2 != 0 || own.movie_height % 2 != 0)
     fail_argument("a movie's width and height must be even");
   return own;
@@ -40,17 +50,8 @@ using namespace hfrac::viz;
 
 extern "C" {
 
-int32_t hfrac_viz_options_init(hfrac_viz_options* options) {
-  if (options == nullptr) return HFRAC_ERR_ARGUMENT;
-  *options = {};
-  options->struct_size = static_cast<int32_t>(sizeof(hfrac_viz_options));
-  options->struct_version = 1;
-  options->pictures = HFRAC_VIZ_ALL;
-  options->width = 1600;
-  options->movie_width = 1280;
-  options->movie_seconds = 12;
-  options->snapshot = -1;
-  return HFRAC_OK;
+int32_t hfrac_viz_options_init(hfrac_viz_options* options, int32_t struct_size) {
+  return init_options(options, struct_size, defaults());
 }
 
 int32_t hfrac_viz_render_run(const char* run_dir, const hfrac_viz_options* options,

@@ -4,5 +4,5 @@
 
 int main(void) {
   hfrac_viz_options options;
-  return hfrac_viz_options_init(&options) == HFRAC_OK ? 0 : 1;
+  return hfrac_viz_options_init(&options, (int32_t)sizeof options) == HFRAC_OK ? 0 : 1;
 }

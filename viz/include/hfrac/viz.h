@@ -10,7 +10,9 @@
  * - Statuses and texts follow base.h; the codes below are added to its list. Every function that can fail for a
  *   reason worth reading takes a text buffer: `error` (may be NULL) gets the reason, at most `capacity` bytes with the
  *   final 0, and an empty text on success.
- * - Nothing is printed, the process is never ended, no display is opened or needed.
+ * - Nothing is printed, the process is never ended, no display is opened or needed. (Mesa, which draws, says one line on
+ *   stderr where it cannot make the folder of its shader cache, as with a HOME that is read-only;
+ *   MESA_SHADER_CACHE_DISABLE=true keeps it quiet.)
  * - Pictures appear whole or not at all: each is written under another name in the same folder, then renamed.
  * - Calls are safe from any thread; drawing is done one call after another. The calling thread must not have an OpenGL
  *   context current. Calling back from inside a progress callback gives HFRAC_ERR_BUSY.
@@ -54,14 +56,18 @@ typedef struct hfrac_viz_options {
   int32_t movie_seconds;  /**< [s] longest movie, 1 to 600; snapshots are left out only above 60 per second; default 12 */
   int32_t snapshot;       /**< number of the snapshot (the N of discs_N.vtu) for a single picture, pressure.png and
                                aperture.png; -1: the last (HFRAC_VIZ_MODEL: the first); default -1 */
+  int32_t dark;           /**< nonzero: light on dark paper; default 0 */
+  int32_t dots_per_inch;  /**< noted in the PNG files for printing, 0: not; default 0 */
+  int32_t movie_follow;   /**< nonzero: while summary.json says that the run goes on, the movie follows it, a piece of ten
+                               snapshots at a time, and is done when the run is over. MP4 only; default 0 */
 } hfrac_viz_options;
 
 /** Called with the share done in [0, 1] and what is being drawn. Nonzero return stops (HFRAC_STOPPED); files already
  * written stay, the one at work is removed. */
 typedef int32_t (*hfrac_viz_progress_fn)(void *user, double fraction, const char *what);
 
-/** Fills `options` with the defaults. Stable since 0.1. */
-HFRAC_API int32_t hfrac_viz_options_init(hfrac_viz_options *options);
+/** Defaults into `options`; `struct_size` is sizeof(hfrac_viz_options) in the caller. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_options_init(hfrac_viz_options *options, int32_t struct_size);
 
 /** Draws what options->pictures asks for into run_dir/pictures/, which is made if missing, and writes paraview_state.py. options NULL: the defaults.
  * progress may be NULL. A picture whose data the run does not have (pressure.png without flow.pvd) is left out.
@@ -77,7 +83,10 @@ HFRAC_API int32_t hfrac_viz_render_picture(const char *run_dir, int32_t picture,
                                            int32_t *needed);
 
 /** Draws the movie to the MP4 file `path` (H.264, yuv420p, index in front), or to an animated WebP that loops if `path`
- * ends in .webp: that suits small movies, say 640 pixels wide. Stable since 0.1. */
+ * ends in .webp: that suits small movies, say 640 pixels wide. Finished pieces of an MP4 lie in the folder .NAME.pieces
+ * beside it until it is whole: a render that was killed or stopped goes on behind the last of them. With
+ * options->movie_follow the call returns when the run is over; while it waits for snapshots other threads may draw.
+ * Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_render_movie(const char *run_dir, const char *path, const hfrac_viz_options *options,
                                          hfrac_viz_progress_fn progress, void *user, char *error, int32_t capacity,
                                          int32_t *needed);
@@ -105,7 +114,8 @@ enum hfrac_viz_chart {
   HFRAC_VIZ_CHART_HISTORY = 1, /**< history: pressures, rates, cracks, fracture, volumes, energies against time */
   HFRAC_VIZ_CHART_ROSE = 2,    /**< rose: directions of the cracks */
   HFRAC_VIZ_CHART_PROFILE = 4, /**< profile: aperture against distance from the well's wall */
-  HFRAC_VIZ_CHART_EVENTS = 8,  /**< events: magnitudes of the cracks, and how many are at least as strong */
+  HFRAC_VIZ_CHART_EVENTS = 8,  /**< events: energy magnitudes of the cracks (Choy and Boatwright 1995), how many are at
+                                     least as strong, and their b value (Aki 1965) */
   HFRAC_VIZ_CHART_ALL = 15     /**< all of them */
 };
 
@@ -127,14 +137,38 @@ typedef struct hfrac_viz_chart_options {
   int32_t dark;            /**< nonzero: light on dark paper; default 0 */
 } hfrac_viz_chart_options;
 
-/** Fills `options` with the defaults. Stable since 0.1. */
-HFRAC_API int32_t hfrac_viz_chart_options_init(hfrac_viz_chart_options *options);
+/** Defaults into `options`; `struct_size` is sizeof(hfrac_viz_chart_options) in the caller. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_chart_options_init(hfrac_viz_chart_options *options, int32_t struct_size);
 
 /** Draws charts of history.csv and cracks.csv into run_dir/pictures/, which is made if missing. A chart whose table the
  * run does not have (yet) is left out. options NULL: the defaults. progress may be NULL. Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_render_charts(const char *run_dir, const hfrac_viz_chart_options *options,
                                           hfrac_viz_progress_fn progress, void *user, char *error, int32_t capacity,
                                           int32_t *needed);
+
+/** How to draw a comparison. Fill with hfrac_viz_comparison_options_init first; members are only ever appended. */
+typedef struct hfrac_viz_comparison_options {
+  int32_t struct_size;    /**< sizeof(hfrac_viz_comparison_options) of the caller, set by init */
+  int32_t struct_version; /**< set by init */
+  int32_t width;          /**< [pixel] of a PNG file, 320 to 8192; default 1600 */
+  int32_t dots_per_inch;  /**< noted in a PNG file for printing, 0: not; default 0 */
+  int32_t dark;           /**< nonzero: light on dark paper; default 0 */
+  int32_t reserved;       /**< 0 */
+  const char *title;      /**< heading of the page, UTF-8; NULL: "Runs compared" */
+  const char *x_label;    /**< under the x axes, UTF-8, as it stands; NULL: made from the table's column */
+} hfrac_viz_comparison_options;
+
+/** Defaults into `options`; `struct_size` is sizeof(hfrac_viz_comparison_options) in the caller. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_comparison_options_init(hfrac_viz_comparison_options *options, int32_t struct_size);
+
+/** Draws runs against each other from the CSV file `table` to `path` (.png, .svg or .pdf). Its first line names the
+ * columns: the series (a word or a number), x, then 1 to 6 quantities, a panel each; NAME_spread is the half length of
+ * NAME's error bars. Names end with their SI unit as in history.csv, or with "(unit)", which is taken as it stands.
+ * Lines of equal series and x are runs of different packings: their mean is drawn, their standard deviation as its
+ * spread, and the single runs faintly. At most 12 series. options NULL: the defaults. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_render_comparison(const char *table, const char *path,
+                                              const hfrac_viz_comparison_options *options, char *error,
+                                              int32_t capacity, int32_t *needed);
 
 /** What a view shows. */
 enum hfrac_viz_view {
@@ -145,7 +179,12 @@ enum hfrac_viz_view {
   HFRAC_VIZ_VIEW_PRESSURE = 4,     /**< fluid pressure in the domains */
   HFRAC_VIZ_VIEW_DISPLACEMENT = 5, /**< length of the discs' displacement since set-up */
   HFRAC_VIZ_VIEW_STRESS = 6,       /**< mean stress, smoothed over neighbouring discs, compression positive */
-  HFRAC_VIZ_VIEW_ROTATION = 7      /**< rotation of the discs since set-up, anticlockwise positive */
+  HFRAC_VIZ_VIEW_ROTATION = 7,     /**< rotation of the discs since set-up, anticlockwise positive */
+  HFRAC_VIZ_VIEW_TEMPERATURE = 8,  /**< temperature_K or temperature_degC of the discs or the domains */
+  HFRAC_VIZ_VIEW_STRESS_XX = 9,    /**< normal stress along x, smoothed, compression positive */
+  HFRAC_VIZ_VIEW_STRESS_YY = 10,   /**< normal stress along y, smoothed, compression positive */
+  HFRAC_VIZ_VIEW_STRESS_XY = 11,   /**< shear stress, smoothed */
+  HFRAC_VIZ_VIEW_BONDS = 12        /**< the network of intact bonds over the discs, cracks by mode */
 };
 
 /** Which part of the model a view shows. */
@@ -173,14 +212,25 @@ typedef struct hfrac_viz_view_options {
   double box_height;      /**< [m] positive */
 } hfrac_viz_view_options;
 
-/** Fills `options` with the defaults. Stable since 0.1. */
-HFRAC_API int32_t hfrac_viz_view_options_init(hfrac_viz_view_options *options);
+/** Defaults into `options`; `struct_size` is sizeof(hfrac_viz_view_options) in the caller. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_view_options_init(hfrac_viz_view_options *options, int32_t struct_size);
 
-/** Draws 1 to 9 views (values of enum hfrac_viz_view) of one snapshot side by side to the PNG file `path`. options NULL:
- * the defaults. Fails with HFRAC_VIZ_ERR_READ if the run has no data for one of them. Stable since 0.1. */
+/** Draws 1 to 9 views (values of enum hfrac_viz_view) of one snapshot side by side to the file `path`, .png or .svg.
+ * options NULL: the defaults. Fails with HFRAC_VIZ_ERR_READ if the run has no data for one of them. Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_render_views(const char *run_dir, const int32_t *views, int32_t view_count,
                                          const char *path, const hfrac_viz_view_options *options, char *error,
                                          int32_t capacity, int32_t *needed);
+
+/** As hfrac_viz_render_views, by name: those that hfrac_viz_view_names lists, or any array of the snapshot's VTU files by
+ * its own, "radius_m", "stress_Pa[1]" (its second component), "flow:volume_m2" (of that file, if several have the name).
+ * Units come from the ends of names. `path` ends in .png, or in .svg for circles, lines and letters instead of pixels
+ * (discs too many or too small to be told apart are a picture in it). Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_render_named_views(const char *run_dir, const char *const *names, int32_t name_count,
+                                               const char *path, const hfrac_viz_view_options *options, char *error,
+                                               int32_t capacity, int32_t *needed);
+
+/** The names of the views with what they show, a line each. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_view_names(char *buffer, int32_t capacity, int32_t *needed);
 
 /** Writes one HTML file with everything in it (path NULL: run_dir/report.html): the case, pictures, movie and curves (those
  * that are in run_dir/pictures/; curves as SVG), fractures, wells, balances, versions, how to reproduce it. It refers

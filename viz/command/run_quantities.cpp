@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command/run_quantities.hpp"
+
+#include <fmt/format.h>
+#include <hfrac/hfrac.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string_view>
+
+#include "command/exit_code.hpp"
+#include "output/engine_call.hpp"
+#include "output/safe_file.hpp"
+
+namespace hfrac::command {
+namespace {
+
+using nlohmann::json;
+
+/** A name for `--y`: where it stands in summary.json and in history.csv; empty: not there. */
+struct Name {
+  std::string_view name;
+  std::string_view path;    ///< in summary.json; "*" in it: the largest of all fractures
+  std::string_view course;  ///< column of history.csv
+  std::string_view column;  ///< in the table of the comparison
+};
+
+constexpr std::array<Name, 15> names = {{
+    {"cracks", "state.crack_count", "crack_count", "crack_count"},
+    {"tensile-cracks", "state.tensile_cracks", "tensile_cracks", "tensile_cracks"},
+    {"shear-cracks", "state.shear_cracks", "shear_cracks", "shear_cracks"},
+    {"length", "longest_fracture.length_m", "fracture_length_m", "fracture_length_m"},
+    {"width", "longest_fracture.width_m", "fracture_width_m", "largest_fracture_width_m"},
+    {"extent", "fractures.*.extent_m", "", "fracture_extent_m"},
+    {"reach", "fractures.*.reach_m", "", "fracture_reach_m"},
+    {"arms", "fractures.*.arms", "", "fracture_arms"},
+    {"volume", "fracture_volume_m2", "fracture_volume_m2", "fracture_volume_m2"},
+    {"injected", "balance.injected_volume_m2", "injected_volume_m2", "injected_volume_m2"},
+    {"leak-off", "balance.leaked_volume_m2", "leaked_volume_m2", "leaked_volume_m2"},
+    {"tip", "state.tip_distance_m", "tip_distance_m", "tip_distance_m"},
+    {"pressure", "wells.0.pressure_Pa", "well_pressure_Pa", "well_pressure_Pa"},
+    {"rate", "wells.0.rate_m2_per_s", "well_rate_m2_per_s", "well_rate_m2_per_s"},
+    {"initiation-pressure", "", "", "initiation_pressure_Pa"},
+}};
+
+const Name* find_name(const std::string& wanted) {
+  const auto* found =
+      std::find_if(names.begin(), names.end(), [&](const Name& one) { return one.name == wanted; });
+  return found != names.end() ? found : nullptr;
+}
+
+[[noreturn]] void refuse_name(const std::string& name, const std::filesystem::path& file) {
+  throw BadInput(
+      fmt::format("'{}' is no number in '{}'; the names are\n{}", name, file.string(), quantity_help()));
+}
+
+/** The number at a path such as "state.crack_count"; NaN if there is none. */
+double number_at(const json& object, std::string_view path) {
+  const size_t dot = std::min(path.find('.'), path.size());
+  const std::string first(path.substr(0, dot));
+  if (dot == path.size()) {
+    const auto found = object.is_object() ? object.find(first) : object.end();
+    return object.is_object() && found != object.end() && found->is_number() ? found->get<double>()
+                                                                             : std::nan("");
+  }
+  const std::string_view rest = path.substr(dot + 1);
+  if (object.is_array() && first == "*") {
+    double largest = 0.0;  // no fracture: nothing long, nothing wide
+    for (const json& one : object) {
+      const double value = number_at(one, rest);
+      if (std::isnan(value)) return value;
+      largest = std::max(largest, value);
+    }
+    return largest;
+  }
+  if (object.is_array()) {
+    size_t index = 0;
+    const auto [end, error] = std::from_chars(first.data(), first.data() + first.size(), index);
+    if (error != std::errc() || index >= object.size()) return std::nan("");
+    return number_at(object[index], rest);
+  }
+  if (!object.is_object() || !object.contains(first)) return std::nan("");
+  return number_at(object.at(first), rest);
+}
+
+json summary_of(const std::filesystem::path& folder) {
+  const auto file = folder / "summary.json";
+  if (std::error_code error; !std::filesystem::is_regular_file(file, error))
+    throw BadInput(fmt::format("'{}' is not a run folder: it has no summary.json", folder.string()));
+  auto summary = json::parse(output::read_whole(file), nullptr, false);
+  if (!summary.is_object()) throw BadInput(fmt::format("'{}' is not valid JSON", file.string()));
+  return summary;
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  for (const char letter : line) {
+    if (letter == ',')
+      cells.emplace_back();
+    else
+      cells.back() += letter;
+  }
+  return cells;
+}
+
+/** A column of history.csv; empty if there is none of that name. A line still being written is left out. */
+std::vector<double> history_column(const std::filesystem::path& folder, std::string_view column) {
+  const auto file = folder / "history.csv";
+  if (std::error_code error; !std::filesystem::is_regular_file(file, error))
+    throw BadInput(fmt::format("'{}' has no history.csv", folder.string()));
+  std::istringstream lines(output::read_whole(file));
+  std::string line;
+  std::getline(lines, line);
+  const auto head = cells_of(line);
+  const auto place = static_cast<size_t>(std::find(head.begin(), head.end(), column) - head.begin());
+  std::vector<double> values;
+  while (place < head.size() && std::getline(lines, line)) {
+    const auto cells = cells_of(line);
+    if (cells.size() != head.size() || lines.eof()) continue;
+    double value = 0.0;
+    const auto& cell = cells[place];
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    values.push_back(error == std::errc() ? value : std::nan(""));
+  }
+  return values;
+}
+
+/** "N/m" -> "_N_per_m" */
+std::string unit_ending(std::string unit) {
+  if (unit.empty() || unit == "1") return "";
+  if (const size_t slash = unit.find('/'); slash != std::string::npos) unit.replace(slash, 1, "_per_");
+  std::replace(unit.begin(), unit.end(), ' ', '_');
+  return "_" + unit;
+}
+
+}  // namespace
+
+std::string quantity_help() {
+  std::string text;
+  for (const Name& one : names) {
+    const std::string where =
+        one.path.empty() ? "well pressure at the first crack after the set-up" : std::string(one.path);
+    text += fmt::format("  {:20} {}{}\n", one.name, where, one.course.empty() ? "" : "; also over time");
+  }
+  return text + "  or any number of summary.json by its path, any column of history.csv over time\n";
+}
+
+ComparedRun::ComparedRun(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+std::string ComparedRun::option(const std::string& key) const {
+  const std::string file = (folder_ / "case.toml").string();
+  hfrac_sim_def definition{};
+  output::require(hfrac_sim_def_init(&definition, static_cast<int32_t>(sizeof definition)), nullptr);
+  if (hfrac_sim_def_load(&definition, file.c_str()) < 0) throw BadInput(output::error_text(-1, nullptr));
+  if (key == "title") {
+    std::string title = definition.title;
+    std::replace(title.begin(), title.end(), ',', ';');  // the table has no quotes
+    return title;
+  }
+  double value = 0.0;
+  if (const int32_t status = hfrac_sim_def_get_f64(&definition, key.c_str(), &value); status < 0)
+    throw BadInput(output::error_text(status, nullptr));
+  return fmt::format("{}", value);
+}
+
+double ComparedRun::result(const std::string& name) const {
+  if (name == "initiation-pressure") return initiation_pressure();
+  const Name* known = find_name(name);
+  const double value =
+      number_at(summary_of(folder_), known != nullptr ? known->path : std::string_view(name));
+  if (std::isnan(value)) refuse_name(name, folder_ / "summary.json");
+  return value;
+}
+
+std::vector<double> ComparedRun::course(const std::string& name) const {
+  const Name* known = find_name(name);
+  auto values = history_column(folder_, known != nullptr ? known->course : std::string_view(name));
+  if (values.empty()) refuse_name(name, folder_ / "history.csv");
+  return values;
+}
+
+/** Pressure in the first well in the step whose cracks are the first ones; NaN if none came. */
+double ComparedRun::initiation_pressure() const {
+  const auto cracks = history_column(folder_, "crack_count");
+  const auto pressure = history_column(folder_, "well_pressure_Pa");
+  for (size_t i = 1; i < cracks.size() && i < pressure.size(); ++i)
+    if (cracks[i] > cracks[0]) return pressure[i];
+  return std::nan("");
+}
+
+std::string option_column(const std::string& key) {
+  if (key == "title") return key;
+  int32_t count = 0;
+  output::require(hfrac_option_count(&count), nullptr);
+  // Keys of wells are not in the table of options; their units are those of hfrac_well_def.
+  static constexpr std::array<std::array<std::string_view, 2>, 6> well_units = {{{"].x", "m"},
+                                                                                 {"].y", "m"},
+                                                                                 {"].radius", "m"},
+                                                                                 {"].pressure", "Pa"},
+                                                                                 {"].ramp_per_step", "Pa"},
+                                                                                 {"].rate", "m2/s"}}};
+  for (const auto& [end, unit] : well_units)
+    if (key.starts_with("well[") && key.ends_with(end)) return key + unit_ending(std::string(unit));
+  for (int32_t i = 0; i < count; ++i) {
+    auto option = output::sized<hfrac_option_info>();
+    output::require(hfrac_option_at(i, &option), nullptr);
+    if (key == option.key) return key + unit_ending(option.unit);
+  }
+  return key;
+}
+
+std::string result_column(const std::string& name, bool over_time) {
+  const Name* known = find_name(name);
+  if (known == nullptr) return over_time ? name : name.substr(name.rfind('.') + 1);
+  return std::string(known->column);
+}
+
+}  // namespace hfrac::command
