@@ -53,12 +53,19 @@ export class LayerList {
 
   /** Pores cover the discs, so choosing a field of the discs takes the pores away. */
   private colourDiscs(field: string): void {
-    const box = (name: string) => this.boxes.find(({ dataset }) => dataset.layer === name) as HTMLInputElement;
     if (field !== 'plain') {
-      this.settings.pores = box('pores').checked = false;
-      this.settings.discs = box('discs').checked = true;
+      this.leaveOutPores();
+      this.settings.discs = this.boxOf('discs').checked = true;
     }
     this.set('discColour', field);
+  }
+
+  leaveOutPores(): void {
+    this.settings.pores = this.boxOf('pores').checked = false;
+  }
+
+  private boxOf(name: string): HTMLInputElement {
+    return this.boxes.find(({ dataset }) => dataset.layer === name) as HTMLInputElement;
   }
 
   private layer(name: 'discs' | 'pores' | 'bonds' | 'cracks', title: string, ...parts: HTMLElement[]): HTMLElement {
