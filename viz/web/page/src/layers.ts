@@ -77,7 +77,11 @@ export class LayerList {
   private box(name: 'discs' | 'pores' | 'bonds' | 'cracks' , title: string) {
     const box = make('input', { type: 'checkbox', id: `layer-${name}` });
     box.checked = this.settings[name];
-    box.addEventListener('change', () => this.set(name, box.checked));
+    box.addEventListener('change', () => {
+      // What pores cover needs no colour.
+      if (name === 'pores' && box.checked) this.settings.discColour = this.discSelect.value = 'plain';
+      this.set(name, box.checked);
+    });
     this.boxes.push(box);
     return make('label', { class: 'check' }, box, make('span', {}, title));
   }
