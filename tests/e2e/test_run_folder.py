@@ -155,6 +155,24 @@ class Pictures(unittest.TestCase):
         self.assertEqual(hfrac("render", "/no/such/run").returncode, 2)
 
 
+class Codings(unittest.TestCase):
+    def test_change_the_files_and_not_the_run(self):
+        text = pathlib.Path(CASE).read_text()
+        with tempfile.TemporaryDirectory(prefix="hfrac-e2e-") as top:
+            hashes = set()
+            for choice in ('compression = "lz4"', 'compression = "none"\nlayout = "appended"', 'layout = "appended"'):
+                case, folder = pathlib.Path(top) / "case.toml", pathlib.Path(top) / "run"
+                case.write_text(text.replace("[output]", f"[output]\n{choice}"))
+                done = hfrac("run", case, "-o", folder, "--steps", 2, "--quiet", "--overwrite")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                check_whole(self, folder)
+                hashes.add(summary(folder)["state_hash"])
+                if "HFRAC_RENDERS" in os.environ:
+                    done = hfrac("render", folder, "--no-movie", "--width", 480, "--quiet")
+                    self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(len(hashes), 1)
+
+
 class SecondRun(unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="hfrac-e2e-"))

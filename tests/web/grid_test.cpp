@@ -69,6 +69,7 @@ class Grids : public testing::Test {
     writer->SetFileName((folder_ / name).c_str());
     writer->SetInputData(grid);
     writer->SetDataMode(mode);
+    writer->EncodeAppendedDataOff();
     if (!compressed) writer->SetCompressorTypeToNone();
     writer->Write();
     return folder_ / name;
@@ -128,7 +129,7 @@ TEST_F(Grids, MessagesCanBeCutToWhatIsShown) {
   const std::string part = grid_message(*grid, {"pressure_Pa"});
   EXPECT_NE(part.find("pressure_Pa"), std::string::npos);
   EXPECT_NE(part.find("TimeValue"), std::string::npos);
-  EXPECT_EQ(part.find("displacement_m"), std::string::npos);
+  EXPECT_GT(part.find("displacement_m"), part.find("others"));
   EXPECT_LT(part.size(), grid_message(*grid).size());
 }
 
@@ -172,6 +173,32 @@ TEST_F(Grids, DamagedOnesAreASentence) {
     }
   }
   EXPECT_THROW(read_grid(folder_ / "missing.vtu"), GridError);
+}
+
+TEST_F(Grids, NoDamageEndsTheProcess) {
+  for (const int mode : {vtkXMLWriter::Binary, vtkXMLWriter::Appended}) {
+    vtkNew<vtkXMLUnstructuredGridWriter> writer;
+    writer->SetFileName((folder_ / "whole.vtu").c_str());
+    const auto grid = sample();
+    writer->SetInputData(grid);
+    writer->SetDataMode(mode);
+    writer->EncodeAppendedDataOff();
+    writer->Write();
+    std::ifstream stream(folder_ / "whole.vtu", std::ios::binary);
+    const std::string whole{std::istreambuf_iterator<char>(stream), {}};
+    int sentences = 0;
+    for (size_t place = 0; place < whole.size(); place += 11) {
+      std::string text = whole;
+      text[place] = static_cast<char>(text[place] ^ (1U << place % 7));
+      std::ofstream(folder_ / "bad.vtu", std::ios::binary) << text;
+      try {
+        for (const auto& array : read_grid(folder_ / "bad.vtu")->arrays) EXPECT_LE(array.components, 64);
+      } catch (const GridError&) {
+        ++sentences;
+      }
+    }
+    EXPECT_GT(sentences, 30);
+  }
 }
 
 TEST_F(Grids, AreKeptUntilTheirFileChanges) {

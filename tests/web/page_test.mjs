@@ -174,7 +174,9 @@ test('shows pressure, displacement and bonds in colours with a key', async () =>
   await page.waitForFunction(() => !document.querySelector('#layer-pores').checked);
   await page.waitForTimeout(200);
   assert.ok(differing(await picture('displacement'), pressure) > 0.2);
-  await page.selectOption('#disc-colour', 'plain');
+  await page.locator('#layer-pores').check();
+  assert.equal(await page.inputValue('#disc-colour'), 'plain', 'a field that pores cover is still chosen');
+  await page.locator('#layer-pores').uncheck();
   await page.locator('#layer-bonds').check();
   await page.waitForTimeout(400);
   assert.ok(differing(await picture('bonds'), whole) > 0.1);

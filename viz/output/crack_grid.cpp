@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // cracks_*.vtu: one line per broken bond, drawn where the rock parts: across the contact, not along the bond.
-#include <vtkCellData.h>
-#include <vtkCellType.h>
-#include <vtkNew.h>
-
 #include <numeric>
+#include <utility>
 
 #include "output/snapshot_grids.hpp"
 #include "output/vtu_grid.hpp"
@@ -55,18 +52,20 @@ std::string crack_vtu(const SnapshotFrame& frame) {
   std::vector<int32_t> ends(cracks.size() * 2);
   std::iota(ends.begin(), ends.end(), 0);
 
-  vtkNew<vtkUnstructuredGrid> grid;
-  set_points(*grid, crack_ends(cracks));
-  set_cells(*grid, VTK_LINE, even_offsets(cracks.size(), 2), ends);
-  auto& data = *grid->GetCellData();
-  add_integers(data, "mode", column<int32_t>(cracks, &hfrac_crack::mode));
-  add_floats(data, "aperture_m", "m", column<double>(cracks, &hfrac_crack::aperture));
-  add_floats(data, "pressure_Pa", "Pa", crack_pressures(frame));
-  add_doubles(data, "time_s", "s", column<double>(cracks, &hfrac_crack::time));
-  add_integers(data, "step", column<int32_t>(cracks, &hfrac_crack::step));
-  add_integers(data, "fracture", column<int32_t>(cracks, &hfrac_crack::fracture));
-  add_integers(data, "crack_id", column<int32_t>(cracks, &hfrac_crack::id));
-  return encode(*grid, frame.state, frame.wells);
+  VtuGrid grid;
+  grid.positions = crack_ends(cracks);
+  grid.cell_type = CellType::line;
+  grid.offsets = even_offsets(cracks.size(), 2);
+  grid.connectivity = std::move(ends);
+  auto& data = grid.cell_data;
+  data.push_back(whole("mode", column<int32_t>(cracks, &hfrac_crack::mode)));
+  data.push_back(floats("aperture_m", "m", column<double>(cracks, &hfrac_crack::aperture)));
+  data.push_back(floats("pressure_Pa", "Pa", crack_pressures(frame)));
+  data.push_back(exact("time_s", "s", column<double>(cracks, &hfrac_crack::time)));
+  data.push_back(whole("step", column<int32_t>(cracks, &hfrac_crack::step)));
+  data.push_back(whole("fracture", column<int32_t>(cracks, &hfrac_crack::fracture)));
+  data.push_back(whole("crack_id", column<int32_t>(cracks, &hfrac_crack::id)));
+  return encode(grid, frame.state, frame.wells, frame.coding);
 }
 
 }  // namespace hfrac::output

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // flow_*.vtu: each fluid domain as the polygon of the disc centres around it; the outside has no polygon.
-#include <vtkCellData.h>
-#include <vtkCellType.h>
-#include <vtkNew.h>
+#include <utility>
 
 #include "output/snapshot_grids.hpp"
 #include "output/vtu_grid.hpp"
@@ -38,15 +36,17 @@ std::string flow_vtu(const SnapshotFrame& frame) {
     offsets.push_back(static_cast<int32_t>(connectivity.size()));
   }
 
-  vtkNew<vtkUnstructuredGrid> grid;
-  set_points(*grid, frame.positions);
-  set_cells(*grid, VTK_POLYGON, offsets, connectivity);
-  auto& data = *grid->GetCellData();
-  add_floats(data, "pressure_Pa", "Pa", pick(doubles(frame.sim, HFRAC_DOMAIN_PRESSURE), inside));
-  add_floats(data, "volume_m2", "m2", pick(doubles(frame.sim, HFRAC_DOMAIN_VOLUME), inside));
-  add_integers(data, "domain_id", inside);
-  add_integers(data, "kind", pick(kind, inside));
-  return encode(*grid, frame.state, frame.wells);
+  VtuGrid grid;
+  grid.positions = frame.positions;
+  grid.cell_type = CellType::polygon;
+  grid.offsets = std::move(offsets);
+  grid.connectivity = std::move(connectivity);
+  auto& data = grid.cell_data;
+  data.push_back(floats("pressure_Pa", "Pa", pick(doubles(frame.sim, HFRAC_DOMAIN_PRESSURE), inside)));
+  data.push_back(floats("volume_m2", "m2", pick(doubles(frame.sim, HFRAC_DOMAIN_VOLUME), inside)));
+  data.push_back(whole("domain_id", inside));
+  data.push_back(whole("kind", pick(kind, inside)));
+  return encode(grid, frame.state, frame.wells, frame.coding);
 }
 
 }  // namespace hfrac::output

@@ -3,6 +3,14 @@
 #include "output/snapshot_grids.hpp"
 
 namespace hfrac::output {
+namespace {
+
+Coding coding_of(const hfrac_sim_def& definition) {
+  return {static_cast<Compression>(definition.output_compression),
+          static_cast<Layout>(definition.output_layout)};
+}
+
+}  // namespace
 
 SnapshotFrame::SnapshotFrame(hfrac_sim* simulation)
     : sim(simulation),
@@ -10,6 +18,7 @@ SnapshotFrame::SnapshotFrame(hfrac_sim* simulation)
       wells(wells_of(simulation)),
       fractures(fractures_of(simulation)),
       cracks(cracks_of(simulation)),
-      positions(doubles(simulation, HFRAC_DISC_POSITION)) {}
+      positions(doubles(simulation, HFRAC_DISC_POSITION)),
+      coding(coding_of(definition_of(simulation))) {}
 
 }  // namespace hfrac::output

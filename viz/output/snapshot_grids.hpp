@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "output/array_coding.hpp"
 #include "output/engine_call.hpp"
 
 namespace hfrac::output {
@@ -19,6 +20,7 @@ struct SnapshotFrame {
   std::vector<hfrac_fracture> fractures;
   std::vector<hfrac_crack> cracks;
   std::vector<double> positions;  ///< disc centres now, x0 y0 x1 y1 ...
+  Coding coding;                  ///< of the arrays in the files
 };
 
 /** Discs as points with radius, displacement, rotation, stress and number of intact bonds. */

@@ -1,66 +1,112 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK's array and cell classes, wrapped so that the four writers read as lists of what is in a file.
+// The XML around the arrays; the numbers themselves are coded in array_coding.cpp.
 #include "output/vtu_grid.hpp"
 
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkDoubleArray.h>
-#include <vtkFloatArray.h>
-#include <vtkInformation.h>
-#include <vtkInformationStringKey.h>
-#include <vtkIntArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkTypeInt32Array.h>
-#include <vtkXMLUnstructuredGridWriter.h>
-#include <vtkZLibDataCompressor.h>
+#include <fmt/format.h>
 
+#include <iterator>
 #include <numeric>
-#include <stdexcept>
 
 namespace hfrac::output {
 namespace {
 
-template <class Array, class Value>
-void add_array(vtkFieldData& data, const char* name, const char* unit, const std::vector<Value>& values,
-               const std::vector<const char*>& components) {
-  const int width = components.empty() ? 1 : static_cast<int>(components.size());
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(width);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / width);
-  for (int i = 0; i < width && width > 1; ++i) array->SetComponentName(i, components[static_cast<size_t>(i)]);
-  for (size_t i = 0; i < values.size(); ++i)
-    array->SetValue(static_cast<vtkIdType>(i), static_cast<typename Array::ValueType>(values[i]));
-  if (unit) array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), unit);
-  data.AddArray(array);
+template <class Value>
+constexpr const char* kTypeName = nullptr;
+template <>
+constexpr const char* kTypeName<float> = "Float32";
+template <>
+constexpr const char* kTypeName<double> = "Float64";
+template <>
+constexpr const char* kTypeName<int32_t> = "Int32";
+template <>
+constexpr const char* kTypeName<uint8_t> = "UInt8";
+
+/** Grows the text of a file, element by element. */
+class Text {
+ public:
+  explicit Text(Coding coding) : coding_(coding) {}
+
+  void line(std::string_view words) {
+    text_ += words;
+    text_ += '\n';
+  }
+
+  void array(const VtuArray& array, const char* extra = "") {
+    std::visit([&](const auto& values) { this->array(array, values, extra); }, array.values);
+  }
+
+  /** The section `name` with its arrays. */
+  void section(const char* name, const std::vector<VtuArray>& arrays) {
+    line(fmt::format("<{}>", name));
+    for (const auto& one : arrays) array(one);
+    line(fmt::format("</{}>", name));
+  }
+
+  std::string finish() {
+    line("</UnstructuredGrid>");
+    if (coding_.layout == Layout::appended) {
+      text_ += "<AppendedData encoding=\"raw\">\n_";
+      text_ += appended_;
+      text_ += "\n</AppendedData>\n";
+    }
+    line("</VTKFile>");
+    return std::move(text_);
+  }
+
+ private:
+  template <class Value>
+  void array(const VtuArray& array, const std::vector<Value>& values, const char* extra) {
+    text_ += fmt::format("<DataArray type=\"{}\" Name=\"{}\"{}", kTypeName<Value>, array.name, extra);
+    if (!array.components.empty())
+      text_ += fmt::format(" NumberOfComponents=\"{}\"", array.components.size());
+    for (size_t i = 0; i < array.components.size(); ++i)
+      text_ += fmt::format(" ComponentName{}=\"{}\"", i, array.components[i]);
+    const std::span<const std::byte> bytes = std::as_bytes(std::span(values));
+    if (coding_.layout == Layout::appended) {
+      line(fmt::format(" format=\"appended\" offset=\"{}\">", appended_.size()));
+      append_coded(appended_, bytes, coding_);
+    } else {
+      line(" format=\"binary\">");
+      append_coded(text_, bytes, coding_);
+      text_ += '\n';
+    }
+    if (!array.unit.empty())
+      line(fmt::format("<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{}</InformationKey>",
+                       array.unit));
+    line("</DataArray>");
+  }
+
+  Coding coding_;
+  std::string text_;
+  std::string appended_;
+};
+
+std::vector<VtuArray> moment(const hfrac_sim_state& state, const std::vector<hfrac_well_state>& wells) {
+  std::vector<double> pressures;
+  for (const auto& well : wells) pressures.push_back(well.pressure);
+  return {exact("TimeValue", "s", {state.time}), exact("step", "", {static_cast<double>(state.step)}),
+          exact("well_pressure_Pa", "Pa", std::move(pressures))};
 }
 
-vtkSmartPointer<vtkTypeInt32Array> identifiers(const std::vector<int32_t>& values) {
-  auto array = vtkSmartPointer<vtkTypeInt32Array>::New();
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-  for (size_t i = 0; i < values.size(); ++i) array->SetValue(static_cast<vtkIdType>(i), values[i]);
-  return array;
+void add_moment(Text& text, const hfrac_sim_state& state, const std::vector<hfrac_well_state>& wells) {
+  text.line("<FieldData>");
+  for (const auto& array : moment(state, wells)) {
+    const auto count = std::get<std::vector<double>>(array.values).size();
+    text.array(array, fmt::format(" NumberOfTuples=\"{}\"", count).c_str());
+  }
+  text.line("</FieldData>");
+}
+
+void add_cells(Text& text, const VtuGrid& grid, size_t cells) {
+  std::vector<int32_t> ends;  // a file has the end of each cell
+  if (cells > 0) ends.assign(std::next(grid.offsets.begin()), grid.offsets.end());
+  text.section("Cells",
+               {whole("connectivity", grid.connectivity),
+                whole("offsets", std::move(ends)),
+                {"types", "", {}, std::vector<uint8_t>(cells, static_cast<uint8_t>(grid.cell_type))}});
 }
 
 }  // namespace
-
-void set_points(vtkUnstructuredGrid& grid, const std::vector<double>& positions) {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(positions.size() / 2));
-  for (size_t i = 0; i + 1 < positions.size(); i += 2)
-    points->SetPoint(static_cast<vtkIdType>(i / 2), positions[i], positions[i + 1], 0.0);
-  grid.SetPoints(points);
-}
-
-void set_cells(vtkUnstructuredGrid& grid, int cell_type, const std::vector<int32_t>& offsets,
-               const std::vector<int32_t>& connectivity) {
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(identifiers(offsets), identifiers(connectivity));
-  grid.SetCells(cell_type, cells);
-}
 
 std::vector<int32_t> even_offsets(size_t count, int32_t corners) {
   std::vector<int32_t> offsets(count + 1);
@@ -68,52 +114,54 @@ std::vector<int32_t> even_offsets(size_t count, int32_t corners) {
   return offsets;
 }
 
-void add_floats(vtkFieldData& data, const char* name, const char* unit, const std::vector<double>& values,
-                const std::vector<const char*>& components) {
-  add_array<vtkFloatArray>(data, name, unit, values, components);
+VtuArray floats(const char* name, const char* unit, const std::vector<double>& values,
+                std::vector<const char*> components) {
+  std::vector<float> rounded(values.size());
+  for (size_t i = 0; i < values.size(); ++i) rounded[i] = static_cast<float>(values[i]);
+  return {name, unit, std::move(components), std::move(rounded)};
 }
 
-void add_doubles(vtkFieldData& data, const char* name, const char* unit, const std::vector<double>& values) {
-  add_array<vtkDoubleArray>(data, name, unit, values, {});
+VtuArray exact(const char* name, const char* unit, std::vector<double> values) {
+  return {name, unit, {}, std::move(values)};
 }
 
-void add_integers(vtkFieldData& data, const char* name, const std::vector<int32_t>& values) {
-  add_array<vtkIntArray>(data, name, nullptr, values, {});
+VtuArray whole(const char* name, std::vector<int32_t> values) {
+  return {name, "", {}, std::move(values)};
 }
 
-void add_numbering(vtkFieldData& data, const char* name, size_t count) {
+VtuArray numbering(const char* name, size_t count) {
   std::vector<int32_t> numbers(count);
   std::iota(numbers.begin(), numbers.end(), 0);
-  add_integers(data, name, numbers);
+  return whole(name, std::move(numbers));
 }
 
 std::vector<double> in_space(const std::vector<double>& plane) {
-  std::vector<double> space;
-  space.reserve(plane.size() / 2 * 3);
-  for (size_t i = 0; i + 1 < plane.size(); i += 2) space.insert(space.end(), {plane[i], plane[i + 1], 0.0});
+  std::vector<double> space(plane.size() / 2 * 3);
+  for (size_t i = 0; i < plane.size() / 2; ++i) {
+    space[3 * i] = plane[2 * i];
+    space[3 * i + 1] = plane[2 * i + 1];
+  }
   return space;
 }
 
-std::string encode(vtkUnstructuredGrid& grid, const hfrac_sim_state& state,
-                   const std::vector<hfrac_well_state>& wells) {
-  std::vector<double> pressures;
-  for (const auto& well : wells) pressures.push_back(well.pressure);
-  auto& field = *grid.GetFieldData();
-  add_doubles(field, "TimeValue", "s", {state.time});
-  add_doubles(field, "step", nullptr, {static_cast<double>(state.step)});
-  add_doubles(field, "well_pressure_Pa", "Pa", pressures);
-
-  vtkNew<vtkZLibDataCompressor> compressor;
-  compressor->SetCompressionLevel(1);
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetInputData(&grid);
-  writer->SetDataModeToBinary();
-  writer->SetHeaderTypeToUInt32();
-  writer->SetCompressor(compressor);
-  writer->WriteToOutputStringOn();
-  if (writer->Write() == 0 || writer->GetErrorCode() != 0)
-    throw std::runtime_error("VTK could not encode a grid; is the machine out of memory?");
-  return writer->GetOutputString();
+std::string encode(const VtuGrid& grid, const hfrac_sim_state& state,
+                   const std::vector<hfrac_well_state>& wells, Coding coding) {
+  const size_t cells = grid.offsets.empty() ? 0 : grid.offsets.size() - 1;
+  Text text(coding);
+  text.line("<?xml version=\"1.0\"?>");
+  text.line(fmt::format(
+      R"(<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian" header_type="UInt32"{}>)",
+      compressor_attribute(coding.compression)));
+  text.line("<UnstructuredGrid>");
+  add_moment(text, state, wells);
+  text.line(
+      fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">", grid.positions.size() / 2, cells));
+  text.section("PointData", grid.point_data);
+  text.section("CellData", grid.cell_data);
+  text.section("Points", {{"Points", "", {"x", "y", "z"}, in_space(grid.positions)}});
+  add_cells(text, grid, cells);
+  text.line("</Piece>");
+  return text.finish();
 }
 
 }  // namespace hfrac::output

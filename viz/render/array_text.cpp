@@ -147,14 +147,18 @@ std::vector<double> from_ascii(const std::string& text) {
 std::vector<double> decode_array(const std::string& text, const std::string& type, const std::string& format,
                                  const ArrayCoding& coding) {
   if (format == "ascii") return from_ascii(text);
-  if (format != "binary") throw ArrayDamage("its format \"" + format + "\" is neither binary nor ascii");
-  const Bytes coded = from_base64(text);
+  const bool appended = format == "appended";
+  if (format != "binary" && !appended)
+    throw ArrayDamage("its format \"" + format + "\" is neither binary, ascii nor appended");
+  const Bytes coded = appended ? Bytes(text.begin(), text.end()) : from_base64(text);
   if (coding.compressor != nullptr) return numbers_of_type(uncompressed(coded, coding), type);
   if (coded.empty()) return {};
   SizeReader sizes(coded, coding.wide_headers);
   const std::uint64_t size = sizes.next();
-  if (size != sizes.rest().size()) throw ArrayDamage("it is not as long as it says");
-  return numbers_of_type({sizes.rest().begin(), sizes.rest().end()}, type);
+  const auto rest = sizes.rest();
+  // Appended bytes may be followed by some that belong to nothing.
+  if (appended ? size > rest.size() : size != rest.size()) throw ArrayDamage("it is not as long as it says");
+  return numbers_of_type({rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(size)}, type);
 }
 
 }  // namespace hfrac::viz

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One <DataArray> of a VTK XML file into numbers: ascii, or inline binary with or without compression.
+// One <DataArray> of a VTK XML file into numbers: ascii, or binary with or without compression, inline as base64
+// or appended as raw bytes.
 //
 // VTK's own readers trust what a file says about itself and end the process on some damaged ones. Here every
 // size is checked against what is there before it is used, so damage of any kind is an error and nothing
@@ -28,7 +29,7 @@ struct ArrayCoding {
   vtkSmartPointer<vtkDataCompressor> compressor;  // null: not compressed
 };
 
-// `type` as in the file, "Float64", "Int32", ...; `format` "ascii" or "binary". Throws ArrayDamage.
+// `type` as in the file, "Float64", "Int32", ...; `format` "ascii", "binary" or "appended". Throws ArrayDamage.
 std::vector<double> decode_array(const std::string& text, const std::string& type, const std::string& format,
                                  const ArrayCoding& coding);
 

@@ -5,6 +5,11 @@
 #include <vtkObjectFactory.h>
 #include <vtkXMLParser.h>
 
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <sstream>
+#include <string_view>
 #include <system_error>
 
 #include "failure.h"
@@ -69,6 +74,44 @@ class TreeBuilder final : public vtkXMLParser {
 
 vtkStandardNewMacro(TreeBuilder)
 
+    // Raw bytes after the XML, which no XML parser takes, are cut off before and handed to their arrays after.
+    constexpr std::string_view appended_tag = "<AppendedData";
+constexpr std::string_view appended_end = "</AppendedData>";
+
+std::size_t offset_of(const XmlElement& array) {
+  const std::string text = array.attribute("offset");
+  std::size_t offset = std::string::npos;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), offset);
+  return error == std::errc() && end == text.data() + text.size() ? offset : std::string::npos;
+}
+
+template <class Visit>
+void visit_appended_arrays(XmlElement& element, const Visit& visit) {
+  for (const auto& child : element.children) visit_appended_arrays(*child, visit);
+  if (element.name == "DataArray" && element.attribute("format") == "appended") visit(element);
+}
+
+// Each array gets the bytes from its offset to the next array's.
+void hand_out(XmlElement& root, std::string_view bytes) {
+  std::vector<std::size_t> offsets = {bytes.size()};
+  visit_appended_arrays(root, [&](const XmlElement& array) { offsets.push_back(offset_of(array)); });
+  std::sort(offsets.begin(), offsets.end());
+  visit_appended_arrays(root, [&](XmlElement& array) {
+    const std::size_t begin = offset_of(array);
+    if (begin >= bytes.size()) return;  // has no bytes, which its decoding will say
+    const std::size_t end = *std::upper_bound(offsets.begin(), offsets.end(), begin);
+    array.text = bytes.substr(begin, end - begin);
+  });
+}
+
+std::string content_of(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream content;
+  if (!stream || (stream.peek() != std::ifstream::traits_type::eof() && !(content << stream.rdbuf())))
+    fail_reading(path.string() + " cannot be read");
+  return std::move(content).str();
+}
+
 }  // namespace
 
 const XmlElement* XmlElement::child(const std::string& wanted) const {
@@ -86,16 +129,31 @@ std::string XmlElement::attribute(const std::string& wanted) const {
 std::unique_ptr<XmlElement> read_xml(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) fail_reading("there is no file " + path.string());
+  const std::string content = content_of(path);
+  std::string_view document = content;
+  std::string_view appended;
+  std::string head;
+  if (const std::size_t tag = document.find(appended_tag); tag != std::string_view::npos) {
+    const std::size_t begin = document.find('_', tag);
+    const std::size_t end = document.rfind(appended_end);
+    if (begin == std::string_view::npos || end == std::string_view::npos || end <= begin)
+      fail_reading(path.string() + " cannot be read: its appended data are cut off");
+    if (document.substr(tag, begin - tag).find("\"raw\"") == std::string_view::npos)
+      fail_reading(path.string() + " cannot be read: its appended data are not raw");
+    appended = document.substr(begin + 1, end - begin - 1);
+    head = std::string(document.substr(0, tag)) + "</VTKFile>";
+    document = head;
+  }
   VtkMessages messages;
   vtkNew<TreeBuilder> builder;
-  builder->SetFileName(path.c_str());
-  const int parsed = builder->Parse();
+  const int parsed = builder->Parse(document.data(), static_cast<unsigned>(document.size()));
   const std::string errors = messages.take_errors();
   if (builder->out_of_memory) throw std::bad_alloc();
   if (!errors.empty()) fail_reading(path.string() + " cannot be read: " + errors);
   if (parsed == 0 || builder->too_deep || builder->top.children.size() != 1) {
     fail_reading(path.string() + " cannot be read: it is not the XML that VTK writes");
   }
+  hand_out(*builder->top.children.front(), appended);
   return std::move(builder->top.children.front());
 }
 

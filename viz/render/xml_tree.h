@@ -13,7 +13,8 @@ namespace hfrac::viz {
 struct XmlElement {
   std::string name;
   std::map<std::string, std::string> attributes;
-  std::string text;  // its own, without that of its children
+  std::string
+      text;  // its own, without that of its children; of an array whose numbers are appended: those bytes
   std::vector<std::unique_ptr<XmlElement>> children;
 
   // The first child of that name, or nullptr.

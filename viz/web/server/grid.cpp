@@ -79,10 +79,14 @@ std::string grid_message(const Grid& grid, const std::vector<std::string>& chose
   };
   json head = {{"points", grid.points}, {"cells", grid.cells}, {"time_s", grid.time}};
   head["arrays"] = json::array();
+  head["others"] = json::array();
   std::vector<Described> sent;
   size_t body = 0;
   for (const auto& array : grid.arrays) {
-    if (!wanted(array)) continue;
+    if (!wanted(array)) {
+      head["others"].push_back(describe(array).head);
+      continue;
+    }
     auto& one = sent.emplace_back(describe(array));
     one.head["offset"] = body;
     head["arrays"].push_back(one.head);

@@ -12,7 +12,8 @@
 // The head says {"points": n, "cells": m, "time_s": t, "arrays": [{"name", "of": "geometry" | "points" |
 // "cells" | "run", "type": "f32" | "i32" | "f64", "components", "parts", "unit", "offset", "length"}]}, offset in bytes
 // from the end of the head, length in numbers. Geometry is "position" (x, y in metres) and, for cells,
-// "first" (m + 1 numbers) and "corner": cell i has the points corner[first[i]] to corner[first[i + 1] - 1].
+// "first" (m + 1 numbers) and "corner": cell i has the points corner[first[i]] to corner[first[i + 1] - 1]. Arrays
+// that were not asked for stand under "others", without offset.
 #pragma once
 
 #include <cstdint>

@@ -18,8 +18,8 @@ import { fetchRun, fetchValues, Grid, RunIndex, Series, Snapshot } from './serve
 import { listen, View } from './view';
 import { discFields } from './fields';
 
-const pollSeconds = { running: 1, ended: 6 };
-/** Above this many discs only the arrays that are shown are fetched. */
+const pollSeconds = { running: 1, ended: 4 };
+/** Above this many discs only the arrays that are shown are fetched, and pores only if asked for. */
 const manyDiscs = 200000;
 /** Silence after which a run that never ended is said to be silent [s]. */
 const silence = 120;
@@ -96,7 +96,10 @@ export class App {
       return this.notice('Nothing to show yet', 'The run has not written a snapshot. This page shows it as soon as there is one.');
     }
     const follow = find<HTMLInputElement>('follow');
-    if (!old || another || !old.snapshots.length) follow.checked = index.running;
+    if (!old || another || !old.snapshots.length) {
+      follow.checked = index.running;
+      if (this.discCount() > manyDiscs) this.layers.leaveOutPores();
+    }
     const toEnd = !this.moment || (follow.checked && grown);
     this.player.setCount(index.snapshots.length);
     showFractures(index, (fracture) => void this.goToFracture(fracture));

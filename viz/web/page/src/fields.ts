@@ -93,8 +93,8 @@ const known = new Set(['radius_m', 'displacement_m', 'rotation_rad', stress, 'in
 
 /** The fields of the discs in this grid. */
 export function fieldsOfDiscs(grid: Grid): Field[] {
-  const fields = discFields.filter((field) => grid.arrays.has(field.array));
-  for (const array of grid.arrays.values()) {
+  const fields = discFields.filter((field) => grid.heads.has(field.array));
+  for (const array of grid.heads.values()) {
     if (array.of !== 'points' || array.components !== 1 || known.has(array.name)) continue;
     fields.push({
       id: array.name, name: nameOf(array.name, array.unit), unit: array.unit, array: array.name, signed: false,

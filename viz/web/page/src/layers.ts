@@ -53,12 +53,19 @@ export class LayerList {
 
   /** Pores cover the discs, so choosing a field of the discs takes the pores away. */
   private colourDiscs(field: string): void {
-    const box = (name: string) => this.boxes.find(({ dataset }) => dataset.layer === name) as HTMLInputElement;
     if (field !== 'plain') {
-      this.settings.pores = box('pores').checked = false;
-      this.settings.discs = box('discs').checked = true;
+      this.leaveOutPores();
+      this.settings.discs = this.boxOf('discs').checked = true;
     }
     this.set('discColour', field);
+  }
+
+  leaveOutPores(): void {
+    this.settings.pores = this.boxOf('pores').checked = false;
+  }
+
+  private boxOf(name: string): HTMLInputElement {
+    return this.boxes.find(({ dataset }) => dataset.layer === name) as HTMLInputElement;
   }
 
   private layer(name: 'discs' | 'pores' | 'bonds' | 'cracks', title: string, ...parts: HTMLElement[]): HTMLElement {
@@ -70,7 +77,11 @@ export class LayerList {
   private box(name: 'discs' | 'pores' | 'bonds' | 'cracks' , title: string) {
     const box = make('input', { type: 'checkbox', id: `layer-${name}` });
     box.checked = this.settings[name];
-    box.addEventListener('change', () => this.set(name, box.checked));
+    box.addEventListener('change', () => {
+      // What pores cover needs no colour.
+      if (name === 'pores' && box.checked) this.settings.discColour = this.discSelect.value = 'plain';
+      this.set(name, box.checked);
+    });
     this.boxes.push(box);
     return make('label', { class: 'check' }, box, make('span', {}, title));
   }

@@ -96,7 +96,7 @@ export class Painter {
     const count = grid.points;
     const field = fieldOfDiscs(grid, settings.discColour);
     let colours: Uint8Array;
-    if (field) {
+    if (field && grid.arrays.has(field.array)) {
       this.scene.discs.setHeight(height.discs);
       const range = this.range(field, grid, reference.discs, settings.range, `discs ${field.id}`);
       colours = colourAll(field, grid.values(field.array), count, range, this.scale(keys, field, range));

@@ -58,18 +58,23 @@ export interface Values {
 
 export type Numbers = Float32Array | Int32Array | Float64Array;
 
-export interface GridArray {
+/** What an array is, whether its numbers are here or not. */
+export interface ArrayHead {
   name: string;
   of: string;
   unit: string;
   components: number;
-  parts: string[];
+}
+
+export interface GridArray extends ArrayHead {
   values: Numbers;
 }
 
 /** One decoded VTU file. */
 export class Grid {
   readonly arrays = new Map<string, GridArray>();
+  /** All arrays of the file, by name. */
+  readonly heads = new Map<string, ArrayHead>();
   readonly points: number;
   readonly cells: number;
   readonly time: number;
@@ -83,6 +88,7 @@ export class Grid {
     this.points = head.points;
     this.cells = head.cells;
     this.time = head.time_s;
+    for (const array of [...head.arrays, ...head.others]) if (array.of !== 'geometry') this.heads.set(array.name, array);
     for (const array of head.arrays) {
       const place = 8 + length + array.offset;
       const make = { f32: Float32Array, i32: Int32Array, f64: Float64Array }[array.type as 'f32' | 'i32' | 'f64'];

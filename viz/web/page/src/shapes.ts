@@ -53,31 +53,44 @@ export function quads(
 export function polygons(
   position: ArrayLike<number>, first: ArrayLike<number>, corner: ArrayLike<number>, colours: Uint8Array,
 ): Mesh {
-  const points: number[] = [];
-  const triangles: number[] = [];
-  const shades: number[] = [];
+  const shown = (i: number) => colours[4 * i + 3] > 0 && first[i + 1] - first[i] > 2;
+  let corners = 0;
+  let pieces = 0;
   for (let i = 0; i + 1 < first.length; ++i) {
-    if (colours[4 * i + 3] === 0) continue;
-    const begin = first[i];
-    const count = first[i + 1] - begin;
-    if (count < 3) continue;
-    const base = points.length / 3;
-    const outline: number[] = [];
-    for (let j = 0; j < count; ++j) {
-      const at = 2 * corner[begin + j];
-      points.push(position[at], position[at + 1], 0);
-      shades.push(colours[4 * i], colours[4 * i + 1], colours[4 * i + 2], colours[4 * i + 3]);
-      outline.push(position[at], position[at + 1]);
-    }
-    const ears = count === 3 ? [0, 1, 2] : earcut(outline);
-    for (let j = 0; j < ears.length; j += 3)
-      triangles.push(3, base + ears[j], base + ears[j + 1], base + ears[j + 2]);
+    if (!shown(i)) continue;
+    corners += first[i + 1] - first[i];
+    pieces += first[i + 1] - first[i] - 2;
   }
-  return {
-    points: new Float32Array(points),
-    triangles: new Uint32Array(triangles),
-    colours: new Uint8Array(shades),
-  };
+  const points = new Float32Array(3 * corners);
+  const shades = new Uint8Array(4 * corners);
+  const triangles = new Uint32Array(4 * pieces);
+  let base = 0;
+  let filled = 0;
+  for (let i = 0; i + 1 < first.length; ++i) {
+    if (!shown(i)) continue;
+    const count = first[i + 1] - first[i];
+    for (let j = 0; j < count; ++j) {
+      const at = 2 * corner[first[i] + j];
+      points[3 * (base + j)] = position[at];
+      points[3 * (base + j) + 1] = position[at + 1];
+      for (let c = 0; c < 4; ++c) shades[4 * (base + j) + c] = colours[4 * i + c];
+    }
+    if (count === 3) {
+      triangles.set([3, base, base + 1, base + 2], filled);
+      filled += 4;
+    } else {
+      const outline: number[] = [];
+      for (let j = base; j < base + count; ++j) outline.push(points[3 * j], points[3 * j + 1]);
+      const ears = earcut(outline);
+      // Corners that coincide or lie on a line give fewer triangles than there is room for.
+      for (let j = 0; j + 2 < ears.length && filled < triangles.length; j += 3, filled += 4) {
+        triangles[filled] = 3;
+        for (let c = 0; c < 3; ++c) triangles[filled + 1 + c] = base + ears[j + c];
+      }
+    }
+    base += count;
+  }
+  return { points, triangles: triangles.subarray(0, filled), colours: shades };
 }
 
 /** Colours are taken as they are: no light, no table. */
