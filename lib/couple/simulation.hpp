@@ -162,9 +162,11 @@ class Simulation {
   void count(const EquilibriumSolver::Outcome& outcome);
   // state.cpp
   template <class Archive, class Self>
-  static void visit_state(Archive& archive, Self& self);
-  void save_state(std::vector<std::byte>& image) const;
-  void load_state(std::span<const std::byte> image);
+  static void visit_state(Archive& archive, Self& self);  // what a step or the host may change
+  template <class Archive, class Self>
+  static void visit_start(Archive& archive, Self& self);  // what is fixed after set-up
+  void save_state(std::vector<std::byte>& image, bool whole = false) const;
+  void load_state(std::span<const std::byte> image, bool whole = false);
   [[nodiscard]] std::uint64_t model_fingerprint() const;
   // host.cpp
   void require_cells(std::size_t given, std::size_t per_cell, const char* what) const;

@@ -5,26 +5,30 @@
 #include <bit>
 
 #include "couple/simulation.hpp"
+#include "options/choices.hpp"
 #include "state/archive.hpp"
 
 namespace hfrac {
 
-// Everything that a step, a well or the host can change. Derived values (forces, stable step) are found anew.
+// Everything that a step, a well or the host can change. Derived values (forces, stable step) are found anew. This is kept
+// before every step, so what cannot change is left out: in a dry model the pores, in any the books' beginning.
 template <class Archive, class Self>
 void Simulation::visit_state(Archive& archive, Self& s) {
   auto& a = s.assembly_;
   auto& n = s.network_;
-  for (auto* values : {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin, &a.external_x, &a.external_y,
-                       &a.external_moment, &a.intact, &a.slip, &n.aperture, &n.conductance, &n.flow,
-                       &n.volume_change, &n.content, &n.pressure, &n.stiffness, &n.rim_excess}) {
-    archive.array(*values);
+  for (auto* values : {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin, &a.slip}) archive.array(*values);
+  for (auto* values : {&a.external_x, &a.external_y, &a.external_moment}) archive.mostly_zero(*values);
+  archive.array(a.intact);
+  if (FlowScheme{s.options().flow_scheme} != FlowScheme::off) {
+    for (auto* values : {&n.aperture, &n.conductance, &n.flow, &n.volume_change, &n.content, &n.pressure,
+                         &n.stiffness, &n.rim_excess}) {
+      archive.array(*values);
+    }
   }
   archive.value(n.zero_stress_aperture);
-  for (auto* values : {&s.start_x_, &s.start_y_, &s.start_rotation_, &s.start_content_, &s.pressure_rate_})
-    archive.array(*values);
+  archive.array(s.pressure_rate_);
   for (auto* value :
-       {&s.start_bond_energy_, &s.start_contact_energy_, &s.start_boundary_work_, &s.start_outside_change_,
-        &s.time_, &s.force_ratio_, &s.leaked_, &s.tip_distance_, &s.host_added_, &s.part_, &s.excess_,
+       {&s.time_, &s.force_ratio_, &s.leaked_, &s.tip_distance_, &s.host_added_, &s.part_, &s.excess_,
         &s.definition_.options.stress_sigma_H, &s.definition_.options.stress_sigma_h}) {
     archive.value(*value);
   }
@@ -37,7 +41,7 @@ void Simulation::visit_state(Archive& archive, Self& s) {
   archive.value(s.flow_rounds_);
   s.boundary_->visit_state(archive);
   s.solver_->visit_state(archive);
-  archive.list(s.wells_, [](auto& ar, auto& well) {
+  archive.list(s.wells_, [&n](auto& ar, auto& well) {
     ar.value(well.place.centre.x);
     ar.value(well.place.centre.y);
     ar.value(well.place.equivalent_radius);
@@ -46,6 +50,7 @@ void Simulation::visit_state(Archive& archive, Self& s) {
     for (auto* value : {&well.target_pressure, &well.ramp_per_step, &well.set_rate, &well.rate,
                         &well.injected, &well.content, &well.taken})
       ar.value(*value);
+    for (auto* values : {&n.pressure, &n.content, &n.stiffness}) ar.value((*values)[well.place.domain]);
   });
   archive.list(s.cracks_, [](auto& ar, auto& crack) {
     ar.value(crack.bond);
@@ -57,15 +62,31 @@ void Simulation::visit_state(Archive& archive, Self& s) {
   });
 }
 
-void Simulation::save_state(std::vector<std::byte>& image) const {
-  image.clear();
-  Saver saver(image);
-  visit_state(saver, *this);
+template <class Archive, class Self>
+void Simulation::visit_start(Archive& archive, Self& s) {
+  for (auto* values : {&s.start_x_, &s.start_y_, &s.start_rotation_, &s.start_content_})
+    archive.array(*values);
+  for (auto* value :
+       {&s.start_bond_energy_, &s.start_contact_energy_, &s.start_boundary_work_, &s.start_outside_change_})
+    archive.value(*value);
 }
 
-void Simulation::load_state(std::span<const std::byte> image) {
+void Simulation::save_state(std::vector<std::byte>& image, bool whole) const {
+  const auto visit = [&](auto&& archive) {
+    visit_state(archive, *this);
+    if (whole) visit_start(archive, *this);
+  };
+  Measurer measurer;
+  visit(measurer);
+  image.clear();
+  image.reserve(measurer.size());
+  visit(Saver(image));
+}
+
+void Simulation::load_state(std::span<const std::byte> image, bool whole) {
   Loader loader(image);
   visit_state(loader, *this);
+  if (whole) visit_start(loader, *this);
   if (loader.left() != 0)
     throw Error(ErrorKind::argument, "the state image is longer than this simulation's state.");
   boundary_->restore_load(assembly_, options().stress_sigma_H, options().stress_sigma_h);
@@ -75,6 +96,7 @@ void Simulation::load_state(std::span<const std::byte> image) {
 std::uint64_t Simulation::state_hash() const {
   Hasher hasher;
   visit_state(hasher, *this);
+  visit_start(hasher, *this);
   return hasher.result();
 }
 
@@ -88,7 +110,7 @@ struct ImageHeader {
   std::uint64_t model, size, checksum;
 };
 constexpr char image_magic[8] = {'h', 'f', 'r', 'a', 'c', 'i', 'm', 'g'};
-constexpr std::uint32_t image_format = 1, image_byte_order = 0x01020304;
+constexpr std::uint32_t image_format = 2, image_byte_order = 0x01020304;
 
 std::uint64_t checksum(std::span<const std::byte> bytes) {
   Hash hash;
@@ -113,14 +135,16 @@ std::uint64_t Simulation::model_fingerprint() const {
   hash.add_all(assembly_.x);
   hash.add_all(assembly_.y);
   hash.add_all(assembly_.radius);
-  hash.add_all(assembly_.tensile_capacity);
+  hash.add_all(assembly_.bond_radius);
+  hash.add(assembly_.tensile_per_radius);
+  hash.add(assembly_.shear_per_radius);
   hash.add_all(network_.volume);
   return hash.value();
 }
 
 std::vector<std::byte> Simulation::image() const {
   std::vector<std::byte> state;
-  save_state(state);
+  save_state(state, true);
   ImageHeader header{};
   std::memcpy(header.magic, image_magic, sizeof header.magic);
   header.format = image_format;
@@ -147,11 +171,11 @@ void Simulation::restore(std::span<const std::byte> image) {
     refuse("it is damaged: size or checksum differ.");
   if (header.model != model_fingerprint()) refuse("it was taken from another model.");
   std::vector<std::byte> before;
-  save_state(before);
+  save_state(before, true);
   try {
-    load_state(state);
+    load_state(state, true);
   } catch (...) {
-    load_state(before);
+    load_state(before, true);
     throw;
   }
 }

@@ -99,10 +99,10 @@ void update_apertures(Network& n, const Assembly& a, const Options& o) {
   const bool closed = OuterPores{o.flow_outer} == OuterPores::closed;
   for (std::size_t e = 0; e < n.left.size(); ++e) {
     const BondView bond = view_bond(a, o, static_cast<std::int64_t>(e));
-    const double w = pipe_aperture(o, n.zero_stress_aperture, bond, a.intact[e] > 0.0);
+    const double w = pipe_aperture(o, n.zero_stress_aperture, bond, a.intact[e] != 0);
     n.aperture[e] = w;
     const bool shut = n.left[e] == n.right[e] || (closed && (n.left[e] == 0 || n.right[e] == 0));
-    n.conductance[e] = shut ? 0.0 : conductance(o, w, n.pipe_length[e]);
+    n.conductance[e] = shut ? 0.0 : conductance(o, w, a.pipe_length(static_cast<std::int64_t>(e)));
   }
 }
 

@@ -171,10 +171,37 @@ ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y,
     graph.radius.push_back(cr[i]);
   }
   graph.removed_floaters = static_cast<std::int64_t>(cx.size() - graph.x.size());
+  const auto tile_of = [](std::int32_t disc) { return static_cast<std::size_t>(disc / discs_per_tile); };
+  std::size_t kept = 0;
   for (const auto& join : joins) {
-    if (!held[join.i] || !held[join.j]) continue;
-    graph.first.push_back(number[join.i]);
-    graph.second.push_back(number[join.j]);
+    if (held[join.i] && held[join.j]) joins[kept++] = {number[join.i], number[join.j], join.gap};
+  }
+  joins.resize(kept);
+  graph.tile_first_edge.assign(
+      graph.x.empty() ? 1 : tile_of(static_cast<std::int32_t>(graph.x.size()) - 1) + 2, 0);
+  for (const auto& join : joins) {
+    if (tile_of(join.i) == tile_of(join.j)) ++graph.tile_first_edge[tile_of(join.i) + 1];
+  }
+  for (std::size_t t = 1; t < graph.tile_first_edge.size(); ++t)
+    graph.tile_first_edge[t] += graph.tile_first_edge[t - 1];
+  graph.first.resize(kept);
+  graph.second.resize(kept);
+  auto next_across = static_cast<std::size_t>(graph.tile_first_edge.back());
+  std::size_t tile = 0;
+  std::int64_t rank = 0;
+  for (const auto& join : joins) {
+    std::size_t at = 0;
+    if (tile_of(join.i) != tile_of(join.j)) {
+      at = next_across++;
+    } else {
+      if (tile_of(join.i) != tile) rank = 0;
+      tile = tile_of(join.i);
+      at = static_cast<std::size_t>(
+          graph.tile_first_edge[tile] +
+          edge_at(rank++, graph.tile_first_edge[tile + 1] - graph.tile_first_edge[tile]));
+    }
+    graph.first[at] = join.i;
+    graph.second[at] = join.j;
   }
   if (graph.x.size() < 4) {
     throw Error(ErrorKind::model,

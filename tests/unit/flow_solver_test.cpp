@@ -24,9 +24,9 @@ std::unique_ptr<Model> flow_model(FlowScheme scheme, double wide = 1e-3) {
   for (std::size_t e = 0; e < m.network.left.size(); ++e) {
     const double w = e == m.network.left.size() / 2 ? wide : 5e-5;
     m.network.aperture[e] = w;
-    m.network.conductance[e] = m.network.left[e] == m.network.right[e]
-                                   ? 0.0
-                                   : w * w * w / (12.0 * o.fluid_viscosity * m.network.pipe_length[e]);
+    const double length = m.assembly.radius[m.assembly.first[e]] + m.assembly.radius[m.assembly.second[e]];
+    m.network.conductance[e] =
+        m.network.left[e] == m.network.right[e] ? 0.0 : w * w * w / (12.0 * o.fluid_viscosity * length);
   }
   return model;
 }
