@@ -171,7 +171,7 @@ void Simulation::begin_books() {
   if (wet) pressure_rate_.assign(static_cast<std::size_t>(network_.domain_count()), 0.0);
   if (SolverKind{o.solver_kind} == SolverKind::quasi_static)
     equilibrium_ = std::make_unique<EquilibriumSolver>(assembly_, network_, *boundary_, *solver_, o);
-  if (wet) start_content_.assign(network_.content.begin(), network_.content.end());
+  start_content_.assign(network_.content.begin(), network_.content.end());
   elastic_energy(start_bond_energy_, start_contact_energy_);
   start_boundary_work_ = boundary_->load_work(assembly_);
   start_outside_change_ = network_.volume_change[0];

@@ -140,6 +140,7 @@ ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y,
   graph.mean_radius = std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(n);
 
   Array<double> cx, cy, cr;
+  for (auto* values : {&cx, &cy, &cr}) values->reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 centre{x[i], y[i]};
     const bool inside = std::any_of(holes.begin(), holes.end(), [&](const Hole& hole) {
@@ -163,6 +164,8 @@ ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y,
   const auto held = discs_held(cx.size(), joins);
 
   std::vector<std::int32_t> number(cx.size(), -1);
+  const auto count = static_cast<std::size_t>(std::count(held.begin(), held.end(), 1));
+  for (auto* values : {&graph.x, &graph.y, &graph.radius}) values->reserve(count);
   for (std::size_t i = 0; i < cx.size(); ++i) {
     if (!held[i]) continue;
     number[i] = static_cast<std::int32_t>(graph.x.size());

@@ -59,6 +59,12 @@ Faces build_faces(const ContactGraph& graph) {
   };
   // Once around each face: its number, area and centroid. Numbers go by the lowest edge.
   std::vector<std::int32_t> begin;  // a half-edge of each face
+  // As many faces as Euler says, if all is well.
+  const std::size_t expected =
+      graph.first.size() + 2 > graph.x.size() ? graph.first.size() + 2 - graph.x.size() : 0;
+  begin.reserve(expected);
+  faces.centroid.reserve(expected);
+  faces.polygon_area.reserve(expected);
   std::size_t outside = 0;
   for (std::int32_t h0 = 0; h0 < count; ++h0) {
     if (face_of(h0) >= 0) continue;

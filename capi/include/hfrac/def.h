@@ -209,6 +209,10 @@ typedef struct hfrac_sim_def {
   /** [s] Mode coupled: parts of a step are not made shorter; what happens within is taken as sudden.
    * Default 1e-6. */
   double solver_smallest_step;
+
+  /** 0: auto, 1: direct, 2: iterative. How the implicit scheme solves for pressures. direct: factorisation.
+   * iterative: conjugate gradients, for large models. auto: direct up to 60 000 domains. Default 0. */
+  int64_t flow_solver;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */
