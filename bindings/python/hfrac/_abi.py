@@ -261,6 +261,7 @@ class hfrac_sim_def(ctypes.Structure):
         ("solver_pressure_change", ctypes.c_double),
         ("solver_strength_overshoot", ctypes.c_double),
         ("solver_smallest_step", ctypes.c_double),
+        ("flow_solver", ctypes.c_int64),
     ]
 
 
