@@ -56,6 +56,15 @@ void write_bonds(const Simulation& s, double* to, Get get) {
     to[e] = get(view_bond(s.assembly(), s.options(), e));
 }
 
+// A dry model has pipes that carry nothing.
+void write_pipes(const Simulation& s, const Array<double>& values, double* to) {
+  if (values.empty()) {
+    std::fill(to, to + s.assembly().bond_count(), 0.0);
+  } else {
+    std::copy(values.begin(), values.end(), to);
+  }
+}
+
 void write_pairs(const Array<double>& x, const Array<double>& y, double* to) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     to[2 * i] = x[i];
@@ -106,10 +115,10 @@ void write_values(const Simulation& s, std::int32_t field, double* to) {
       write_bonds(s, to, [](const BondView& b) { return b.gap; });
       return;
     case HFRAC_PIPE_APERTURE:
-      std::copy(n.aperture.begin(), n.aperture.end(), to);
+      write_pipes(s, n.aperture, to);
       return;
     case HFRAC_PIPE_FLOW:
-      std::copy(n.flow.begin(), n.flow.end(), to);
+      write_pipes(s, n.flow, to);
       return;
     case HFRAC_DOMAIN_PRESSURE:
       std::copy(n.pressure.begin(), n.pressure.end(), to);
@@ -139,10 +148,10 @@ void write_indices(const Simulation& s, std::int32_t field, std::int32_t* to) {
   };
   switch (field) {
     case HFRAC_DISC_INTACT_BONDS:
-      for (std::int64_t i = 0; i < a.disc_count(); ++i) {
-        to[i] = 0;
-        for (auto k = a.incidence_start[i]; k < a.incidence_start[i + 1]; ++k)
-          to[i] += a.intact[a.incidence[k] / 2] > 0.0 ? 1 : 0;
+      std::fill(to, to + a.disc_count(), 0);
+      for (std::int64_t e = 0; e < a.bond_count(); ++e) {
+        to[a.first[e]] += a.intact[e];
+        to[a.second[e]] += a.intact[e];
       }
       return;
     case HFRAC_BOND_DISCS:

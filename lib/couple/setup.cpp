@@ -94,10 +94,9 @@ void Simulation::build(std::span<const double> given_discs, const Progress& prog
     }
     well_domains.push_back(face);
   }
-  assembly_ = build_assembly(graph, o);
+  assembly_ = build_assembly(std::move(graph), o);
   setup_.coordination =
       2.0 * static_cast<double>(assembly_.bond_count()) / static_cast<double>(assembly_.disc_count());
-  graph = {};
   for (std::size_t w = 0; w < definition_.wells.size(); ++w) {
     const auto& given = definition_.wells[w];
     Well well;
@@ -159,7 +158,7 @@ void Simulation::begin_books() {
     const bool imposed = network_.kind[d] == DomainKind::outside;
     network_.stiffness[d] = wet && !imposed ? o.fluid_bulk_modulus / network_.volume[d] : 0.0;
   }
-  source_.assign(static_cast<std::size_t>(network_.domain_count()), 0.0);
+  if (wet) source_.assign(static_cast<std::size_t>(network_.domain_count()), 0.0);
   for (auto& well : wells_) {
     network_.stiffness[well.place.domain] = 0.0;
     well.content = network_.content[well.place.domain];
@@ -172,7 +171,7 @@ void Simulation::begin_books() {
     flow_ = std::make_unique<FlowSolver>(network_, o);
     solver_->set_undrained(true);
   }
-  pressure_rate_.assign(static_cast<std::size_t>(network_.domain_count()), 0.0);
+  if (wet) pressure_rate_.assign(static_cast<std::size_t>(network_.domain_count()), 0.0);
   if (SolverKind{o.solver_kind} == SolverKind::quasi_static)
     equilibrium_ = std::make_unique<EquilibriumSolver>(assembly_, network_, *boundary_, *solver_, o);
   start_content_.assign(network_.content.begin(), network_.content.end());

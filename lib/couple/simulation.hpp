@@ -168,10 +168,13 @@ class Simulation {
   void count(const EquilibriumSolver::Outcome& outcome);
   // state.cpp
   template <class Archive, class Self>
-  static void visit_state(Archive& archive, Self& self);
-  [[nodiscard]] std::size_t state_size() const;
-  void save_state(std::vector<std::byte>& state) const;
-  void load_state(std::span<const std::byte> image);
+  static void visit_state(Archive& archive, Self& self);  // what a step or the host may change
+  template <class Archive, class Self>
+  static void visit_start(Archive& archive, Self& self);  // what is fixed after set-up
+  [[nodiscard]] std::size_t state_size(bool whole) const;
+  void write_state(std::span<std::byte> state, bool whole) const;
+  void save_state(std::vector<std::byte>& state, bool whole = false) const;
+  void load_state(std::span<const std::byte> state, bool whole = false);
   [[nodiscard]] std::uint64_t model_fingerprint() const;
   // host.cpp
   void require_cells(std::size_t given, std::size_t per_cell, const char* what) const;

@@ -5,26 +5,30 @@
 #include <bit>
 
 #include "couple/simulation.hpp"
+#include "options/choices.hpp"
 #include "state/archive.hpp"
 
 namespace hfrac {
 
-// Everything that a step, a well or the host can change. Derived values (forces, stable step) are found anew.
+// Everything that a step, a well or the host can change. Derived values (forces, stable step) are found anew. This is kept
+// before every step, so what cannot change is left out: in a dry model the pores, in any the books' beginning.
 template <class Archive, class Self>
 void Simulation::visit_state(Archive& archive, Self& s) {
   auto& a = s.assembly_;
   auto& n = s.network_;
-  for (auto* values : {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin, &a.external_x, &a.external_y,
-                       &a.external_moment, &a.intact, &a.slip, &n.aperture, &n.conductance, &n.flow,
-                       &n.volume_change, &n.content, &n.pressure, &n.stiffness, &n.rim_excess}) {
-    archive.array(*values);
+  for (auto* values : {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin, &a.slip}) archive.array(*values);
+  for (auto* values : {&a.external_x, &a.external_y, &a.external_moment}) archive.mostly_zero(*values);
+  archive.array(a.intact);
+  if (FlowScheme{s.options().flow_scheme} != FlowScheme::off) {
+    for (auto* values : {&n.aperture, &n.conductance, &n.flow, &n.volume_change, &n.content, &n.pressure,
+                         &n.stiffness, &n.rim_excess}) {
+      archive.array(*values);
+    }
   }
   archive.value(n.zero_stress_aperture);
-  for (auto* values : {&s.start_x_, &s.start_y_, &s.start_rotation_, &s.start_content_, &s.pressure_rate_})
-    archive.array(*values);
-  for (auto* value : {&s.start_bond_energy_, &s.start_contact_energy_, &s.start_boundary_work_,
-                      &s.start_outside_change_, &s.time_, &s.force_ratio_, &s.leaked_, &s.tip_distance_,
-                      &s.host_added_, &s.part_, &s.excess_, &s.formation_pressure_, &s.outside_work_,
+  archive.array(s.pressure_rate_);
+  for (auto* value : {&s.time_, &s.force_ratio_, &s.leaked_, &s.tip_distance_, &s.host_added_, &s.part_, &s.excess_,
+                      &s.formation_pressure_, &s.outside_work_, &s.start_outside_change_,
                       &s.definition_.options.stress_sigma_H, &s.definition_.options.stress_sigma_h}) {
     archive.value(*value);
   }
@@ -37,7 +41,7 @@ void Simulation::visit_state(Archive& archive, Self& s) {
   archive.value(s.flow_rounds_);
   s.boundary_->visit_state(archive);
   s.solver_->visit_state(archive);
-  archive.list(s.wells_, [](auto& ar, auto& well) {
+  archive.list(s.wells_, [&n](auto& ar, auto& well) {
     ar.value(well.place.centre.x);
     ar.value(well.place.centre.y);
     ar.value(well.place.equivalent_radius);
@@ -46,6 +50,7 @@ void Simulation::visit_state(Archive& archive, Self& s) {
     for (auto* value : {&well.target_pressure, &well.ramp_per_step, &well.set_rate, &well.rate,
                         &well.injected, &well.content, &well.taken})
       ar.value(*value);
+    for (auto* values : {&n.pressure, &n.content, &n.stiffness}) ar.value((*values)[well.place.domain]);
   });
   archive.list(s.cracks_, [](auto& ar, auto& crack) {
     ar.value(crack.bond);
@@ -57,21 +62,36 @@ void Simulation::visit_state(Archive& archive, Self& s) {
   });
 }
 
-std::size_t Simulation::state_size() const {
+template <class Archive, class Self>
+void Simulation::visit_start(Archive& archive, Self& s) {
+  for (auto* values : {&s.start_x_, &s.start_y_, &s.start_rotation_, &s.start_content_})
+    archive.array(*values);
+  for (auto* value : {&s.start_bond_energy_, &s.start_contact_energy_, &s.start_boundary_work_})
+    archive.value(*value);
+}
+
+std::size_t Simulation::state_size(bool whole) const {
   Counter counter;
   visit_state(counter, *this);
+  if (whole) visit_start(counter, *this);
   return counter.size();
 }
 
-void Simulation::save_state(std::vector<std::byte>& state) const {
-  state.resize(state_size());
+void Simulation::write_state(std::span<std::byte> state, bool whole) const {
   Saver saver(state);
   visit_state(saver, *this);
+  if (whole) visit_start(saver, *this);
 }
 
-void Simulation::load_state(std::span<const std::byte> image) {
+void Simulation::save_state(std::vector<std::byte>& state, bool whole) const {
+  state.resize(state_size(whole));
+  write_state(state, whole);
+}
+
+void Simulation::load_state(std::span<const std::byte> image, bool whole) {
   Loader loader(image);
   visit_state(loader, *this);
+  if (whole) visit_start(loader, *this);
   if (loader.left() != 0)
     throw Error(ErrorKind::argument, "the state image is longer than this simulation's state.");
   boundary_->restore_load(assembly_, network_, options().stress_sigma_H, options().stress_sigma_h);
@@ -81,6 +101,7 @@ void Simulation::load_state(std::span<const std::byte> image) {
 std::uint64_t Simulation::state_hash() const {
   Hasher hasher;
   visit_state(hasher, *this);
+  visit_start(hasher, *this);
   return hasher.result();
 }
 
@@ -133,7 +154,9 @@ std::uint64_t Simulation::model_fingerprint() const {
   hash.add_all(assembly_.x);
   hash.add_all(assembly_.y);
   hash.add_all(assembly_.radius);
-  hash.add_all(assembly_.tensile_capacity);
+  hash.add_all(assembly_.bond_radius);
+  hash.add(assembly_.tensile_per_radius);
+  hash.add(assembly_.shear_per_radius);
   hash.add_all(network_.volume);
   for (const auto& info : option_table()) {
     if (is_of_the_model(info.key)) hash.add(get_value(options(), info));
@@ -142,13 +165,12 @@ std::uint64_t Simulation::model_fingerprint() const {
 }
 
 std::size_t Simulation::image_size() const {
-  return sizeof(ImageHeader) + state_size();
+  return sizeof(ImageHeader) + state_size(true);
 }
 
 void Simulation::write_image(std::span<std::byte> image) const {
   const auto state = image.subspan(sizeof(ImageHeader));
-  Saver saver(state);
-  visit_state(saver, *this);
+  write_state(state, true);
   ImageHeader header{};
   std::memcpy(header.magic, image_magic, sizeof header.magic);
   header.format = image_format;
@@ -184,11 +206,11 @@ void Simulation::restore(std::span<const std::byte> image) {
         "flow differ.");
   }
   std::vector<std::byte> before;
-  save_state(before);
+  save_state(before, true);
   try {
-    load_state(state);
+    load_state(state, true);
   } catch (...) {
-    load_state(before);
+    load_state(before, true);
     throw;
   }
 }

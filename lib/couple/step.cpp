@@ -108,7 +108,7 @@ void Simulation::drive_wells() {
           network_.stiffness[d] = options().fluid_bulk_modulus / network_.volume[d];
           network_.content[d] = content_at(network_, d, options().fluid_bulk_modulus, network_.pressure[d]);
         }
-        source_[static_cast<std::size_t>(d)] = well.set_rate;
+        if (flow_) source_[static_cast<std::size_t>(d)] = well.set_rate;
         break;
     }
   }
@@ -156,7 +156,7 @@ void Simulation::book_flow(double duration) {
       well.injected += duration * outflow[w] + content - well.content;
       network_.content[d] = content;
     } else {
-      well.injected += duration * source_[static_cast<std::size_t>(d)];
+      if (flow_) well.injected += duration * source_[static_cast<std::size_t>(d)];
     }
     well.content = network_.content[d];
     well.taken += well.injected - injected_before;

@@ -95,15 +95,15 @@ void CoupledSystem::evaluate() {
   }
   for (std::int32_t i = 0; i < discs_; ++i) {
     const Vec2 load = boundary_.load_on(i);
-    Vec2 push{};
-    if (wet_) {
-      for (auto k = network_.disc_corner_start[i]; k < network_.disc_corner_start[i + 1]; ++k) {
-        const double p = network_.pressure[network_.disc_corner_domain[k]];
-        push = push + p * Vec2{network_.disc_corner_weight[2 * k], network_.disc_corner_weight[2 * k + 1]};
-      }
+    residual_[3 * i] += load.x;
+    residual_[3 * i + 1] += load.y;
+  }
+  for (std::int64_t d = first_pushing(); d < domains_; ++d) {
+    const double p = network_.pressure[d];
+    for (auto k = network_.corner_start[d]; k < network_.corner_start[d + 1]; ++k) {
+      residual_[3 * network_.corner_disc[k]] += p * network_.corner_weight[2 * k];
+      residual_[3 * network_.corner_disc[k] + 1] += p * network_.corner_weight[2 * k + 1];
     }
-    residual_[3 * i] += load.x + push.x;
-    residual_[3 * i + 1] += load.y + push.y;
   }
   for (const auto& pin : pins_) {
     const double bears = force_scale_ * (dot({a.ux[pin.disc], a.uy[pin.disc]}, pin.along) - pin.start);
@@ -196,7 +196,7 @@ void CoupledSystem::evaluate_pipes() {
     const auto w = aperture_response(options_, n.zero_stress_aperture, bonds_[e].gap, bonds_[e].normal,
                                      bonds_[e].normal_stiffness, assembly_.intact[e] > 0.0);
     n.aperture[e] = w.aperture;
-    n.conductance[e] = conductance(options_, w.aperture, n.pipe_length[e]);
+    n.conductance[e] = conductance(options_, w.aperture, assembly_.pipe_length(static_cast<std::int64_t>(e)));
     aperture_change_[e] = duration_ * 3.0 * n.conductance[e] / w.aperture * w.by_gap * drop(e);
   }
 }
@@ -309,12 +309,13 @@ void CoupledSystem::product(const Vector& x, Vector& y) const {
     for (std::int64_t d = 0; d < domains_; ++d) y[pressure_at(d)] = -x[pressure_at(d)];
     return;
   }
-  for (std::int32_t i = 0; i < discs_; ++i) {
-    if (adrift_[static_cast<std::size_t>(i)] != 0) continue;
-    for (auto k = n.disc_corner_start[i]; k < n.disc_corner_start[i + 1]; ++k) {
-      const double p = x[pressure_at(n.disc_corner_domain[k])] / length_scale_;
-      y[3 * i] -= p * n.disc_corner_weight[2 * k];
-      y[3 * i + 1] -= p * n.disc_corner_weight[2 * k + 1];
+  for (std::int64_t d = first_pushing(); d < domains_; ++d) {
+    const double p = x[pressure_at(d)] / length_scale_;
+    for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
+      const auto i = n.corner_disc[k];
+      if (adrift_[static_cast<std::size_t>(i)] != 0) continue;
+      y[3 * i] -= p * n.corner_weight[2 * k];
+      y[3 * i + 1] -= p * n.corner_weight[2 * k + 1];
     }
   }
   for (std::int64_t d = 0; d < domains_; ++d) {
@@ -388,6 +389,7 @@ void CoupledSystem::move(const Vector& x, double share) {
 }
 
 void CoupledSystem::keep_flow() {
+  if (!wet_) return;
   for (std::size_t e = 0; e < bonds_.size(); ++e) {
     network_.flow[e] = network_.conductance[e] * drop(e);
   }

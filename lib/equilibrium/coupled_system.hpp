@@ -80,6 +80,8 @@ class CoupledSystem {
     double start;
   };
   [[nodiscard]] Eigen::Index pressure_at(std::int64_t domain) const { return 3 * discs_ + domain; }
+  // First domain whose pressure pushes discs: the outside does on walls only, and in a dry model none.
+  [[nodiscard]] std::int64_t first_pushing() const { return !wet_ ? domains_ : (boundary_.walled() ? 0 : 1); }
   [[nodiscard]] Eigen::Index wall_at(std::size_t wall) const {
     return 3 * discs_ + domains_ + static_cast<Eigen::Index>(wall);
   }

@@ -5,25 +5,48 @@
 #include <algorithm>
 #include <cmath>
 
+#include "flow/conjugate_gradient.hpp"
 #include "options/choices.hpp"
 
 namespace hfrac {
 namespace {
 
-// Conductivity of the domains whose centroid lies in the band [low, high] of x, over the model's full height.
+constexpr std::int32_t largest_to_factorise = 60000;  // domains; beyond, conjugate gradients
+
+// A band of more domains than this is measured over a part of its height, in the middle of the model: permeability is a
+// mean, and that of a quarter of a million pores is known to a few thousandths.
+constexpr std::int32_t most_measured = 250000;
+
+// Conductivity of the domains whose centroid lies in the band [low, high] of x, over the model's height.
 double band_permeability(const Network& n, const Assembly& a, double low, double high, double viscosity) {
   const double edge = 2.0 * a.mean_radius;
   const auto domains = static_cast<std::size_t>(n.domain_count());
   std::vector<std::int32_t> unknown(domains, -1);
+  const auto [y_low, y_high] = std::minmax_element(a.y.begin(), a.y.end());
+  double bottom = *y_low - a.mean_radius, top = *y_high + a.mean_radius;
+  const auto within = [&](std::size_t d) {
+    return n.kind[d] == DomainKind::rock && n.centroid[d].y >= bottom && n.centroid[d].y <= top;
+  };
+  const auto inner = [&](std::size_t d) {
+    return within(d) && n.centroid[d].x > low + edge && n.centroid[d].x < high - edge;
+  };
+  std::int64_t all = 0;
+  for (std::size_t d = 1; d < domains; ++d) all += inner(d) ? 1 : 0;
+  if (all > most_measured) {
+    const double middle = 0.5 * (bottom + top),
+                 half = 0.5 * (top - bottom) * static_cast<double>(most_measured) / static_cast<double>(all);
+    bottom = middle - half;
+    top = middle + half;
+  }
   std::int32_t count = 0;
   for (std::size_t d = 1; d < domains; ++d) {
-    if (n.kind[d] == DomainKind::rock && n.centroid[d].x > low + edge && n.centroid[d].x < high - edge)
-      unknown[d] = count++;
+    if (inner(d)) unknown[d] = count++;
   }
   if (count < 8) return 0.0;
   const auto imposed = [&](std::int32_t d) { return n.centroid[d].x <= low + edge ? 1.0 : 0.0; };
   const auto in_band = [&](std::int32_t d) {
-    return n.kind[d] == DomainKind::rock && n.centroid[d].x >= low - edge && n.centroid[d].x <= high + edge;
+    return within(static_cast<std::size_t>(d)) && n.centroid[d].x >= low - edge &&
+           n.centroid[d].x <= high + edge;
   };
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd rhs = Eigen::VectorXd::Zero(count);
@@ -35,7 +58,8 @@ double band_permeability(const Network& n, const Assembly& a, double low, double
       if (unknown[d] < 0) continue;
       entries.emplace_back(unknown[d], unknown[d], c);
       if (unknown[other] >= 0) {
-        entries.emplace_back(unknown[d], unknown[other], -c);
+        if (unknown[d] > unknown[other])
+          entries.emplace_back(unknown[d], unknown[other], -c);  // lower triangle
       } else {
         rhs[unknown[d]] += c * imposed(other);
       }
@@ -47,9 +71,20 @@ double band_permeability(const Network& n, const Assembly& a, double low, double
   for (std::int32_t d = 0; d < count; ++d) entries.emplace_back(d, d, 1e-14 * typical);
   Eigen::SparseMatrix<double> matrix(count, count);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
-  if (solver.info() != Eigen::Success) return 0.0;
-  const Eigen::VectorXd p = solver.solve(rhs);
+  entries = {};
+  Eigen::VectorXd p = Eigen::VectorXd::Zero(count);
+  if (count <= largest_to_factorise) {
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+    if (solver.info() != Eigen::Success) return 0.0;
+    p = solver.solve(rhs);
+  } else {
+    const auto span = std::max(high - low, 1e-300);
+    for (std::size_t d = 1; d < domains; ++d) {
+      if (unknown[d] >= 0) p[unknown[d]] = std::clamp((high - n.centroid[d].x) / span, 0.0, 1.0);
+    }
+    ConjugateGradient solver;
+    if (!solver.factorise(matrix) || solver.solve(matrix, rhs, p, 1e-8, 20000) < 0) return 0.0;
+  }
 
   // Flow through the inlet and the distance between the mean positions of inlet and outlet domains that take part.
   double inflow = 0.0, inlet = 0.0, outlet = 0.0, inlet_weight = 0.0, outlet_weight = 0.0;
@@ -68,9 +103,7 @@ double band_permeability(const Network& n, const Assembly& a, double low, double
     }
   }
   if (inlet_weight <= 0.0 || outlet_weight <= 0.0) return 0.0;
-  const auto [y_low, y_high] = std::minmax_element(a.y.begin(), a.y.end());
-  const double height = *y_high - *y_low + 2.0 * a.mean_radius;
-  return inflow * viscosity * (outlet / outlet_weight - inlet / inlet_weight) / height;
+  return inflow * viscosity * (outlet / outlet_weight - inlet / inlet_weight) / (top - bottom);
 }
 
 }  // namespace
@@ -99,10 +132,10 @@ void update_apertures(Network& n, const Assembly& a, const Options& o) {
   const bool closed = OuterPores{o.flow_outer} == OuterPores::closed;
   for (std::size_t e = 0; e < n.left.size(); ++e) {
     const BondView bond = view_bond(a, o, static_cast<std::int64_t>(e));
-    const double w = pipe_aperture(o, n.zero_stress_aperture, bond, a.intact[e] > 0.0);
+    const double w = pipe_aperture(o, n.zero_stress_aperture, bond, a.intact[e] != 0);
     n.aperture[e] = w;
     const bool shut = n.left[e] == n.right[e] || (closed && (n.left[e] == 0 || n.right[e] == 0));
-    n.conductance[e] = shut ? 0.0 : conductance(o, w, n.pipe_length[e]);
+    n.conductance[e] = shut ? 0.0 : conductance(o, w, a.pipe_length(static_cast<std::int64_t>(e)));
   }
 }
 
@@ -147,7 +180,7 @@ void calibrate_aperture(Network& n, const Assembly& a, const Options& o,
     if (k <= 0.0 || o.flow_permeability <= 0.0) return;
     const double factor = std::cbrt(o.flow_permeability / k);
     n.zero_stress_aperture *= factor;
-    if (std::abs(factor - 1.0) < 1e-9) break;
+    if (std::abs(factor - 1.0) < 1e-7) break;
   }
   update_apertures(n, a, o);
 }

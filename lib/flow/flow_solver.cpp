@@ -11,6 +11,14 @@
 namespace hfrac {
 namespace {
 
+// Domains up to which a factorisation is the faster way: its cost grows with the power 1.5 of their number.
+constexpr std::int64_t largest_to_factorise = 60000;
+// Conjugate gradients: residual over right-hand side. Fluid is conserved whatever is left.
+constexpr double iterative_tolerance = 1e-12;
+constexpr int most_iterations = 20000;
+// A pressure this far below the floor is below it: less is what conjugate gradients leave open.
+constexpr double floor_slack = 0.1;  // Pa
+
 // Pressure from content without the floor of cavitation.
 double full_pressure(const Network& n, std::size_t d) {
   return n.reference_pressure + n.stiffness[d] * (n.content[d] - n.volume_change[d]);
@@ -30,27 +38,70 @@ FlowSolver::FlowSolver(const Network& n, const Options& options)
   const auto domains = static_cast<Eigen::Index>(n.domain_count());
   full_.resize(static_cast<std::size_t>(domains));
   cavitated_.assign(static_cast<std::size_t>(domains), 0);
+  const FlowMatrixSolver wanted{options.flow_solver};
+  iterative_ = wanted == FlowMatrixSolver::iterative ||
+               (wanted == FlowMatrixSolver::automatic && n.domain_count() > largest_to_factorise);
   if (explicit_) return;
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Eigen::Index d = 0; d < domains; ++d) entries.emplace_back(d, d, 1.0);
+  double volume = 0.0;
+  for (std::size_t d = 1; d < n.volume.size(); ++d) volume += n.volume[d];
+  imposed_weight_ = volume / static_cast<double>(domains) / options.fluid_bulk_modulus;
+
+  // The pattern, column by column: the diagonal, then the neighbours with higher numbers. Two pipes between the same two
+  // domains share a place.
+  std::vector<int> start(static_cast<std::size_t>(domains) + 1, 0);
+  const auto joins = [&](std::size_t e) { return n.left[e] != n.right[e]; };
   for (std::size_t e = 0; e < n.left.size(); ++e) {
-    if (n.left[e] != n.right[e])
-      entries.emplace_back(std::max(n.left[e], n.right[e]), std::min(n.left[e], n.right[e]), 1.0);
+    if (joins(e)) ++start[static_cast<std::size_t>(std::min(n.left[e], n.right[e])) + 1];
+  }
+  for (std::size_t d = 0; d < static_cast<std::size_t>(domains); ++d) start[d + 1] += start[d];
+  std::vector<int> neighbour(static_cast<std::size_t>(start.back()));
+  auto cursor = start;
+  for (std::size_t e = 0; e < n.left.size(); ++e) {
+    if (joins(e))
+      neighbour[static_cast<std::size_t>(
+          cursor[static_cast<std::size_t>(std::min(n.left[e], n.right[e]))]++)] =
+          std::max(n.left[e], n.right[e]);
   }
   matrix_.resize(domains, domains);
-  matrix_.setFromTriplets(entries.begin(), entries.end());
+  Eigen::VectorXi most(domains);
+  for (Eigen::Index d = 0; d < domains; ++d)
+    most[d] = 1 + start[static_cast<std::size_t>(d) + 1] - start[static_cast<std::size_t>(d)];
+  matrix_.reserve(most);
+  for (Eigen::Index d = 0; d < domains; ++d) {
+    const auto begin = neighbour.begin() + start[static_cast<std::size_t>(d)],
+               end = neighbour.begin() + start[static_cast<std::size_t>(d) + 1];
+    std::sort(begin, end);
+    matrix_.insert(d, d) = 1.0;
+    for (auto at = begin, last = std::unique(begin, end); at != last; ++at) matrix_.insert(*at, d) = 1.0;
+  }
   matrix_.makeCompressed();
-  factor_.analyzePattern(matrix_);
-  const auto place = [&](std::int32_t row, std::int32_t column) -> Eigen::Index {
+  if (!iterative_) factor_.analyzePattern(matrix_);
+  const auto place = [&](std::int32_t row, std::int32_t column) {
     const auto* begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column];
     const auto* end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column + 1];
-    return std::lower_bound(begin, end, row) - matrix_.innerIndexPtr();
+    return static_cast<std::int32_t>(std::lower_bound(begin, end, row) - matrix_.innerIndexPtr());
   };
+  diagonal_.reserve(static_cast<std::size_t>(domains));
+  off_diagonal_.reserve(n.left.size());
   for (std::int32_t d = 0; d < domains; ++d) diagonal_.push_back(place(d, d));
   for (std::size_t e = 0; e < n.left.size(); ++e) {
-    off_diagonal_.push_back(n.left[e] == n.right[e]
-                                ? -1
-                                : place(std::max(n.left[e], n.right[e]), std::min(n.left[e], n.right[e])));
+    off_diagonal_.push_back(joins(e) ? place(std::max(n.left[e], n.right[e]), std::min(n.left[e], n.right[e]))
+                                     : -1);
+  }
+}
+
+void FlowSolver::solve_pressures(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
+  const bool factorised = iterative_ ? conjugate_gradient_.factorise(matrix_)
+                                     : (factor_.factorize(matrix_), factor_.info() == Eigen::Success);
+  if (!factorised)
+    throw Error(ErrorKind::diverged,
+                "the flow matrix cannot be factorised: an aperture or volume is not finite");
+  if (!iterative_) {
+    p = factor_.solve(rhs);
+  } else if (conjugate_gradient_.solve(matrix_, rhs, p, iterative_tolerance, most_iterations) < 0) {
+    throw Error(ErrorKind::diverged,
+                "the flow step's conjugate gradients did not converge in " + std::to_string(most_iterations) +
+                    " iterations; use a smaller stepping.flow_step or flow.aperture_limit");
   }
 }
 
@@ -68,7 +119,13 @@ int FlowSolver::advance_implicit(Network& n, double step, const std::vector<doub
         n.stiffness[d] > 0.0 && n.pressure[d] <= n.floor_pressure && full_[d] < n.floor_pressure ? 1 : 0;
   }
   constexpr int most_rounds = 60;
-  Eigen::VectorXd rhs(static_cast<Eigen::Index>(domains)), p(static_cast<Eigen::Index>(domains));
+  Eigen::VectorXd &rhs = rhs_, &p = pressure_;
+  rhs.resize(static_cast<Eigen::Index>(domains));
+  p = Eigen::Map<const Eigen::VectorXd>(n.pressure.data(),
+                                        static_cast<Eigen::Index>(domains));  // a good guess
+  const double slack = iterative_ ? floor_slack : 0.0;
+  // Rows of imposed pressures weigh as much as others, or the residual would be all theirs.
+  const double unit = iterative_ ? imposed_weight_ : 1.0;
   int round = 0;
   bool changed = true;
   for (; changed && round < most_rounds; ++round) {
@@ -80,8 +137,8 @@ int FlowSolver::advance_implicit(Network& n, double step, const std::vector<doub
         value[diagonal_[d]] = 1.0 / n.stiffness[d];
         rhs[row] = full_[d] / n.stiffness[d] + (source.empty() ? 0.0 : step * source[d]);
       } else {
-        value[diagonal_[d]] = 1.0;
-        rhs[row] = n.stiffness[d] > 0.0 ? n.floor_pressure : n.pressure[d];
+        value[diagonal_[d]] = unit;
+        rhs[row] = unit * (n.stiffness[d] > 0.0 ? n.floor_pressure : n.pressure[d]);
       }
     }
     for (std::size_t e = 0; e < n.left.size(); ++e) {
@@ -104,11 +161,7 @@ int FlowSolver::advance_implicit(Network& n, double step, const std::vector<doub
       const auto inner = static_cast<std::size_t>(n.left[e] == 0 ? n.right[e] : n.left[e]);
       if (solved(inner)) rhs[static_cast<Eigen::Index>(inner)] += step * n.conductance[e] * n.rim_excess[k];
     }
-    factor_.factorize(matrix_);
-    if (factor_.info() != Eigen::Success)
-      throw Error(ErrorKind::diverged,
-                  "the flow matrix cannot be factorised: an aperture or volume is not finite");
-    p = factor_.solve(rhs);
+    solve_pressures(rhs, p);
 
     changed = false;
     for (std::size_t e = 0; e < n.left.size(); ++e) {
@@ -125,7 +178,7 @@ int FlowSolver::advance_implicit(Network& n, double step, const std::vector<doub
       if (n.stiffness[d] <= 0.0) continue;
       const double gain = fill_[d] + (source.empty() ? 0.0 : step * source[d]);
       const bool at_floor = cavitated_[d] ? full_[d] + n.stiffness[d] * gain <= n.floor_pressure
-                                          : p[static_cast<Eigen::Index>(d)] < n.floor_pressure;
+                                          : p[static_cast<Eigen::Index>(d)] < n.floor_pressure - slack;
       if (at_floor != (cavitated_[d] != 0)) {
         cavitated_[d] = at_floor ? 1 : 0;
         changed = true;

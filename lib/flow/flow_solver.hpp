@@ -2,7 +2,8 @@
 // One step of flow through the pipes while the rock stands still.
 //
 // Both schemes move content along pipes, so what one domain loses the next one gains to the last bit but rounding:
-//   implicit  backward Euler on all domains at once (sparse Cholesky, the pattern analysed once). Cavitation makes it
+//   implicit  backward Euler on all domains at once (sparse Cholesky, the pattern analysed once; conjugate gradients for
+//             more than some 60 000 domains, where factors outgrow memory). Cavitation makes it
 //             a complementarity problem: p >= floor, a domain at the floor first fills its void. A primal-dual active
 //             set finds it in a few rounds.
 //   explicit  the paper's eq. 8 as it stands, sub-cycled below its stability limit V / (K_f sum of conductances).
@@ -12,6 +13,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "flow/conjugate_gradient.hpp"
 #include "flow/network.hpp"
 
 namespace hfrac {
@@ -32,11 +34,17 @@ class FlowSolver {
   int advance_explicit(Network& network, double step, const std::vector<double>& source);
 
   using Matrix = Eigen::SparseMatrix<double>;
-  bool explicit_;
+  // Pressures of the system as it stands in matrix_ into p.
+  void solve_pressures(const Eigen::VectorXd& rhs, Eigen::VectorXd& p);
+
+  bool explicit_, iterative_;
+  double imposed_weight_ = 1.0;
   Matrix matrix_;  // lower triangle, pattern of all domains
-  std::vector<Eigen::Index> diagonal_,
+  std::vector<std::int32_t> diagonal_,
       off_diagonal_;  // places in the value array: per domain, per pipe (-1: none)
   Eigen::SimplicialLDLT<Matrix, Eigen::Lower> factor_;
+  ConjugateGradient conjugate_gradient_;
+  Eigen::VectorXd rhs_, pressure_;
   std::vector<double> full_;  // Pa, pressure the content would have without the floor
   std::vector<double> fill_;  // m2, content gained in the step
   std::vector<char> cavitated_;

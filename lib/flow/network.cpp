@@ -22,9 +22,8 @@ Network build_network(Faces faces, const Assembly& a, const std::vector<std::int
   const auto domains = static_cast<std::size_t>(faces.count());
   n.left = std::move(faces.left);
   n.right = std::move(faces.right);
-  n.pipe_length.resize(pipes);
-  for (std::size_t e = 0; e < pipes; ++e) n.pipe_length[e] = a.radius[a.first[e]] + a.radius[a.second[e]];
-  for (auto* values : {&n.aperture, &n.conductance, &n.flow}) values->assign(pipes, 0.0);
+  const bool wet = FlowScheme{options.flow_scheme} != FlowScheme::off;
+  for (auto* values : {&n.aperture, &n.conductance, &n.flow}) values->assign(wet ? pipes : 0, 0.0);
   for (std::size_t e = 0; e < pipes; ++e) {
     if ((n.left[e] == 0) != (n.right[e] == 0)) n.rim_pipe.push_back(static_cast<std::int32_t>(e));
   }
@@ -36,7 +35,7 @@ Network build_network(Faces faces, const Assembly& a, const std::vector<std::int
   n.corner_start = std::move(faces.corner_start);
   n.corner_disc = std::move(faces.corner);
   n.centroid = std::move(faces.centroid);
-  n.corner_weight.resize(2 * n.corner_disc.size());
+  n.corner_weight.resize(2 * (wet ? n.corner_disc.size() : static_cast<std::size_t>(n.corner_start[1])));
   n.volume.resize(domains);
   const bool sound = Reading{options.model_reading} == Reading::sound;
   n.reference_pressure = sound ? options.fluid_formation_pressure : 0.0;
@@ -54,35 +53,16 @@ Network build_network(Faces faces, const Assembly& a, const std::vector<std::int
       const double share_back = a.radius[i] / (a.radius[i] + a.radius[from]);
       const double share_ahead = a.radius[i] / (a.radius[i] + a.radius[to]);
       const Vec2 chord = share_ahead * ahead - share_back * back;
-      n.corner_weight[2 * k] = chord.y;
-      n.corner_weight[2 * k + 1] = -chord.x;
+      if (wet || d == 0) {
+        n.corner_weight[2 * k] = chord.y;
+        n.corner_weight[2 * k + 1] = -chord.x;
+      }
       double angle =
           std::atan2(cross(ahead, back), dot(ahead, back));  // of the disc's sector inside the polygon
       if (angle < 0.0) angle += 2.0 * 3.14159265358979323846;
       sectors += 0.5 * a.radius[i] * a.radius[i] * angle;
     }
     n.volume[d] = std::max(faces.polygon_area[d] - sectors, smallest_pore * a.mean_radius * a.mean_radius);
-  }
-
-  // The same corners by disc. The outside pushes on walled models only: under stress control the far field is total.
-  const bool outside_pushes = BoundaryKind{options.boundary_kind} == BoundaryKind::walls;
-  const auto discs = static_cast<std::size_t>(a.disc_count());
-  n.disc_corner_start.assign(discs + 1, 0);
-  for (std::size_t d = outside_pushes ? 0 : 1; d < domains; ++d) {
-    for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k)
-      ++n.disc_corner_start[n.corner_disc[k] + 1];
-  }
-  for (std::size_t i = 0; i < discs; ++i) n.disc_corner_start[i + 1] += n.disc_corner_start[i];
-  n.disc_corner_domain.resize(static_cast<std::size_t>(n.disc_corner_start.back()));
-  n.disc_corner_weight.resize(2 * n.disc_corner_domain.size());
-  auto cursor = n.disc_corner_start;
-  for (std::size_t d = outside_pushes ? 0 : 1; d < domains; ++d) {
-    for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
-      const auto at = cursor[n.corner_disc[k]]++;
-      n.disc_corner_domain[at] = static_cast<std::int32_t>(d);
-      n.disc_corner_weight[2 * at] = n.corner_weight[2 * k];
-      n.disc_corner_weight[2 * at + 1] = n.corner_weight[2 * k + 1];
-    }
   }
 
   n.volume_change.assign(domains, 0.0);

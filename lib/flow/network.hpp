@@ -24,7 +24,7 @@ enum class DomainKind : std::int32_t { rock = 0, well = 1, outside = 2 };
 struct Network {
   // pipes, one per bond, from the domain left of (first -> second) to the one right of it
   std::vector<std::int32_t> left, right;
-  Array<double> pipe_length;  // m, R_i + R_j (eq. 6)
+  // Empty in a dry model:
   Array<double> aperture;     // m, hydraulic
   Array<double> conductance;  // m2/(Pa s): w^3 / (12 eta L)
   Array<double> flow;         // m2/s, left to right, of the last flow step
@@ -36,16 +36,20 @@ struct Network {
   Array<double> pressure;       // Pa
   Array<double> stiffness;      // Pa/m2: K_f / V, 0 where the pressure is imposed
   std::vector<std::int32_t> corner_start, corner_disc;
-  Array<double> corner_weight;  // m, (x, y) per corner
-  std::vector<std::int32_t> disc_corner_start, disc_corner_domain;
-  Array<double> disc_corner_weight;
-  std::vector<Vec2> centroid;  // m, at bonding
+  Array<double> corner_weight;  // m, (x, y) per corner; dry: those of domain 0 alone
+  std::vector<Vec2> centroid;   // m, at bonding
   // pipes to the outside, and how far the pressure beyond each is above domain 0's: a host may say what lies there
   std::vector<std::int32_t> rim_pipe;
   Array<double> rim_excess;                               // Pa
   double reference_pressure = 0.0, floor_pressure = 0.0;  // Pa
   double zero_stress_aperture = 0.0;                      // m, r0
 
+  // 0 in a dry model, for those who look at either.
+  [[nodiscard]] double aperture_of(std::size_t pipe) const { return aperture.empty() ? 0.0 : aperture[pipe]; }
+  [[nodiscard]] double flow_of(std::size_t pipe) const { return flow.empty() ? 0.0 : flow[pipe]; }
+  [[nodiscard]] double conductance_of(std::size_t pipe) const {
+    return conductance.empty() ? 0.0 : conductance[pipe];
+  }
   [[nodiscard]] std::int64_t domain_count() const { return static_cast<std::int64_t>(kind.size()); }
 };
 

@@ -140,6 +140,7 @@ ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y,
   graph.mean_radius = std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(n);
 
   Array<double> cx, cy, cr;
+  for (auto* values : {&cx, &cy, &cr}) values->reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 centre{x[i], y[i]};
     const bool inside = std::any_of(holes.begin(), holes.end(), [&](const Hole& hole) {
@@ -163,6 +164,8 @@ ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y,
   const auto held = discs_held(cx.size(), joins);
 
   std::vector<std::int32_t> number(cx.size(), -1);
+  const auto count = static_cast<std::size_t>(std::count(held.begin(), held.end(), 1));
+  for (auto* values : {&graph.x, &graph.y, &graph.radius}) values->reserve(count);
   for (std::size_t i = 0; i < cx.size(); ++i) {
     if (!held[i]) continue;
     number[i] = static_cast<std::int32_t>(graph.x.size());
@@ -171,10 +174,37 @@ ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y,
     graph.radius.push_back(cr[i]);
   }
   graph.removed_floaters = static_cast<std::int64_t>(cx.size() - graph.x.size());
+  const auto tile_of = [](std::int32_t disc) { return static_cast<std::size_t>(disc / discs_per_tile); };
+  std::size_t kept = 0;
   for (const auto& join : joins) {
-    if (!held[join.i] || !held[join.j]) continue;
-    graph.first.push_back(number[join.i]);
-    graph.second.push_back(number[join.j]);
+    if (held[join.i] && held[join.j]) joins[kept++] = {number[join.i], number[join.j], join.gap};
+  }
+  joins.resize(kept);
+  graph.tile_first_edge.assign(
+      graph.x.empty() ? 1 : tile_of(static_cast<std::int32_t>(graph.x.size()) - 1) + 2, 0);
+  for (const auto& join : joins) {
+    if (tile_of(join.i) == tile_of(join.j)) ++graph.tile_first_edge[tile_of(join.i) + 1];
+  }
+  for (std::size_t t = 1; t < graph.tile_first_edge.size(); ++t)
+    graph.tile_first_edge[t] += graph.tile_first_edge[t - 1];
+  graph.first.resize(kept);
+  graph.second.resize(kept);
+  auto next_across = static_cast<std::size_t>(graph.tile_first_edge.back());
+  std::size_t tile = 0;
+  std::int64_t rank = 0;
+  for (const auto& join : joins) {
+    std::size_t at = 0;
+    if (tile_of(join.i) != tile_of(join.j)) {
+      at = next_across++;
+    } else {
+      if (tile_of(join.i) != tile) rank = 0;
+      tile = tile_of(join.i);
+      at = static_cast<std::size_t>(
+          graph.tile_first_edge[tile] +
+          edge_at(rank++, graph.tile_first_edge[tile + 1] - graph.tile_first_edge[tile]));
+    }
+    graph.first[at] = join.i;
+    graph.second[at] = join.j;
   }
   if (graph.x.size() < 4) {
     throw Error(ErrorKind::model,

@@ -18,11 +18,27 @@ struct Hole {
   double radius;  // m
 };
 
+// Neighbours are worked on together, this many at a time (solid/tiles.hpp).
+constexpr std::int32_t discs_per_tile = 512;
+
+// Where the edge of some rank (by first and second disc) among the `count` edges of a tile stands. Edges in a row that share
+// discs would make each addition to a disc's force wait for the one before; so eight stretches of the sorted list take turns.
+inline std::int64_t edge_at(std::int64_t rank, std::int64_t count) {
+  constexpr std::int64_t stretches = 8;
+  const std::int64_t length = count / stretches, longer = count % stretches;
+  const std::int64_t in_longer = longer * (length + 1);
+  return rank < in_longer ? (rank % (length + 1)) * stretches + rank / (length + 1)
+                          : ((rank - in_longer) % length) * stretches + longer + (rank - in_longer) / length;
+}
+
 struct ContactGraph {
-  Array<double> x, y, radius;        // m; discs kept, order of the packing
-  std::vector<std::int32_t> first;   // disc i of each edge, first < second
-  std::vector<std::int32_t> second;  // sorted by (first, second)
-  double mean_radius = 0.0;          // m, of all discs given
+  Array<double> x, y, radius;       // m; discs kept, order of the packing
+  std::vector<std::int32_t> first;  // disc i of each edge, first < second
+  std::vector<std::int32_t> second;
+  // Edges inside tile t: tile_first_edge[t] .. tile_first_edge[t + 1), interleaved (edge_at); then those across tiles,
+  // sorted by (first, second).
+  std::vector<std::int64_t> tile_first_edge;
+  double mean_radius = 0.0;  // m, of all discs given
   std::int64_t removed_in_wells = 0, removed_floaters = 0, removed_crossings = 0;
 };
 

@@ -57,8 +57,14 @@ Faces build_faces(const ContactGraph& graph) {
   const auto face_of = [&](std::int32_t h) -> std::int32_t& {
     return (h % 2 == 0 ? faces.left : faces.right)[static_cast<std::size_t>(h / 2)];
   };
-  // Once around each face: its number, area and centroid. Numbers go by the lowest edge, and so by the lowest disc.
+  // Once around each face: its number, area and centroid. Numbers go by the lowest edge.
   std::vector<std::int32_t> begin;  // a half-edge of each face
+  // As many faces as Euler says, if all is well.
+  const std::size_t expected =
+      graph.first.size() + 2 > graph.x.size() ? graph.first.size() + 2 - graph.x.size() : 0;
+  begin.reserve(expected);
+  faces.centroid.reserve(expected);
+  faces.polygon_area.reserve(expected);
   std::size_t outside = 0;
   for (std::int32_t h0 = 0; h0 < count; ++h0) {
     if (face_of(h0) >= 0) continue;
@@ -88,18 +94,29 @@ Faces build_faces(const ContactGraph& graph) {
     throw Error(ErrorKind::model, "the contact graph is not planar: N - E + F = " + std::to_string(euler) +
                                       " instead of 2; check the given discs for overlaps");
   }
-  // The outside first; the others keep their order.
-  const auto to_front = [outside](auto& values) {
-    std::rotate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(outside),
-                values.begin() + static_cast<std::ptrdiff_t>(outside) + 1);
+  // The outside first, then those all edges of which lie inside a tile (they stay in the order of tiles), then the rest.
+  std::vector<char> across(begin.size(), 0);
+  for (std::size_t e = static_cast<std::size_t>(graph.tile_first_edge.back()); e < graph.first.size(); ++e)
+    across[faces.left[e]] = across[faces.right[e]] = 1;
+  std::vector<std::int32_t> order{static_cast<std::int32_t>(outside)};
+  for (const char rest : {0, 1}) {
+    for (std::size_t f = 0; f < begin.size(); ++f) {
+      if (f != outside && across[f] == rest) order.push_back(static_cast<std::int32_t>(f));
+    }
+  }
+  const auto reorder = [&order](auto& values) {
+    auto sorted = values;
+    for (std::size_t f = 0; f < order.size(); ++f) sorted[f] = values[order[f]];
+    values.swap(sorted);
   };
-  to_front(begin);
-  to_front(faces.polygon_area);
-  to_front(faces.centroid);
+  reorder(begin);
+  reorder(faces.polygon_area);
+  reorder(faces.centroid);
   faces.polygon_area[0] = 0.0;
-  const auto was_outside = static_cast<std::int32_t>(outside);
+  std::vector<std::int32_t> number(order.size());
+  for (std::size_t f = 0; f < order.size(); ++f) number[order[f]] = static_cast<std::int32_t>(f);
   for (auto* side : {&faces.left, &faces.right}) {
-    for (auto& face : *side) face = face == was_outside ? 0 : face + (face < was_outside ? 1 : 0);
+    for (auto& face : *side) face = number[face];
   }
   faces.corner.reserve(static_cast<std::size_t>(count));
   faces.corner_start.reserve(begin.size() + 1);

@@ -2,7 +2,7 @@
 // The faces of the contact graph: polygons of disc centres that enclose the pores.
 //
 // Each edge is walked once in either direction, always turning to the next edge clockwise at a disc, so that the face
-// lies to the left. Face 0 is the one outside. The graph is connected, so N - E + F = 2 (Euler), which is checked.
+// lies to the left. Face 0 is the one outside; then come those inside a tile of discs, tile by tile, then the others. The graph is connected, so N - E + F = 2 (Euler), which is checked.
 #pragma once
 
 #include <cstdint>

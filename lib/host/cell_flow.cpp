@@ -91,8 +91,8 @@ CellFlow flow_through_cell(const HostGrid& grid, std::int64_t cell, double cover
   for (const auto& part : grid.pipes_of(cell)) {
     const auto e = static_cast<std::size_t>(part.item);
     const PipeWay way = pipe_way(a, n, e);
-    CellPipe pipe{unknown_of(n.left[e]), unknown_of(n.right[e]), way.left - middle, way.right - middle, 1.0,
-                  n.conductance[e],      n.pipe_length[e]};
+    CellPipe pipe{unknown_of(n.left[e]), unknown_of(n.right[e]),  way.left - middle, way.right - middle, 1.0,
+                  n.conductance_of(e),   a.pipe_length(part.item)};
     if (pipe.left < 0 && pipe.right < 0) {
       pipe.weight = part.amount;  // passes through: its part in the cell under the gradient
     } else if (part.amount < 1.0) {
@@ -104,7 +104,7 @@ CellFlow flow_through_cell(const HostGrid& grid, std::int64_t cell, double cover
     }
     pipes.push_back(pipe);
     if (a.intact[e] > 0.0) {
-      cube += part.amount * n.conductance[e] * n.pipe_length[e];
+      cube += part.amount * n.conductance_of(e) * a.pipe_length(part.item);
       shares += part.amount;
     } else {
       cracked = true;

@@ -24,7 +24,7 @@ double uniform_gradient_permeability(const Assembly& a, const Network& n, double
   for (std::size_t e = 0; e < n.left.size(); ++e) {
     const PipeWay way = pipe_way(a, n, e);
     const Vec2 d = way.right - way.left;
-    sum += 0.5 * n.conductance[e] * dot(d, d);
+    sum += 0.5 * n.conductance_of(e) * dot(d, d);
   }
   for (std::int32_t d = 1; d < n.domain_count(); ++d) {
     if (n.kind[d] != DomainKind::rock) continue;
@@ -67,13 +67,13 @@ std::vector<CellReport> report_cells(const HostGrid& grid, const Assembly& a, co
     auto& cell = cells[static_cast<std::size_t>(part.cell)];
     const PipeWay way = pipe_way(a, n, e);
     const Vec2 d = way.right - way.left;
-    const double c = part.amount * n.conductance[e] * o.fluid_viscosity;
+    const double c = part.amount * n.conductance_of(e) * o.fluid_viscosity;
     const auto l = static_cast<std::size_t>(n.left[e]), r = static_cast<std::size_t>(n.right[e]);
     if (a.intact[e] > 0.0) {
       intact_energy[static_cast<std::size_t>(part.cell)] += 0.5 * c * dot(d, d);
       if (n.kind[l] != DomainKind::rock || n.kind[r] != DomainKind::rock || fractured[l] == fractured[r])
         continue;
-      cell.leak_off += part.amount * (fractured[l] != 0 ? n.flow[e] : -n.flow[e]);
+      cell.leak_off += part.amount * (fractured[l] != 0 ? n.flow_of(e) : -n.flow_of(e));
     } else if (rule == Upscaling::oda) {
       cell.permeability[0] += c * d.x * d.x / cell.area;
       cell.permeability[1] += c * d.y * d.y / cell.area;
@@ -108,7 +108,8 @@ std::vector<CellReport> report_cells(const HostGrid& grid, const Assembly& a, co
 
   for (std::size_t k = 0; k < n.rim_pipe.size(); ++k) {
     const auto e = static_cast<std::size_t>(n.rim_pipe[k]);
-    cells[static_cast<std::size_t>(grid.rim_cell()[k])].outflow += n.left[e] == 0 ? -n.flow[e] : n.flow[e];
+    cells[static_cast<std::size_t>(grid.rim_cell()[k])].outflow +=
+        n.left[e] == 0 ? -n.flow_of(e) : n.flow_of(e);
   }
 
   for (std::size_t c = 0; c < count; ++c) {

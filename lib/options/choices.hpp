@@ -13,6 +13,7 @@ enum class ContactMode : std::int64_t { parallel = 0, after_break = 1 };
 enum class BoundaryKind : std::int64_t { stress = 0, walls = 1 };
 enum class WallsAfterSetup : std::int64_t { fixed = 0, servo = 1 };
 enum class FlowScheme : std::int64_t { implicit_scheme = 0, explicit_scheme = 1, off = 2 };
+enum class FlowMatrixSolver : std::int64_t { automatic = 0, direct = 1, iterative = 2 };
 enum class OuterPores : std::int64_t { formation = 0, closed = 1 };
 enum class SteppingMode : std::int64_t { substep = 0, dynamic = 1, coupled = 2 };
 enum class SolverKind : std::int64_t { explicit_solver = 0, quasi_static = 1 };

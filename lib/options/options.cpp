@@ -74,6 +74,9 @@ static_assert(is_word("model.reading", "sound", Reading::sound) &&
 static_assert(is_word("packing.method", "relaxed", PackingMethod::relaxed) &&
               is_word("packing.method", "tiled", PackingMethod::tiled) &&
               is_word("packing.method", "growth", PackingMethod::growth));
+static_assert(is_word("flow.solver", "auto", FlowMatrixSolver::automatic) &&
+              is_word("flow.solver", "direct", FlowMatrixSolver::direct) &&
+              is_word("flow.solver", "iterative", FlowMatrixSolver::iterative));
 static_assert(is_word("contact.mode", "parallel", ContactMode::parallel) &&
               is_word("contact.mode", "after-break", ContactMode::after_break));
 static_assert(is_word("boundary.kind", "stress", BoundaryKind::stress) &&

@@ -3,62 +3,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "options/choices.hpp"
 
 namespace hfrac {
-namespace {
-
-constexpr double pi = 3.14159265358979323846;
-
-void build_incidence(Assembly& a) {
-  const auto n = static_cast<std::size_t>(a.disc_count());
-  a.incidence_start.assign(n + 1, 0);
-  for (std::size_t e = 0; e < a.first.size(); ++e) {
-    ++a.incidence_start[a.first[e] + 1];
-    ++a.incidence_start[a.second[e] + 1];
-  }
-  for (std::size_t i = 0; i < n; ++i) a.incidence_start[i + 1] += a.incidence_start[i];
-  a.incidence.resize(2 * a.first.size());
-  auto cursor = a.incidence_start;
-  for (std::size_t e = 0; e < a.first.size(); ++e) {
-    a.incidence[cursor[a.first[e]]++] = static_cast<std::int32_t>(2 * e);
-    a.incidence[cursor[a.second[e]]++] = static_cast<std::int32_t>(2 * e + 1);
-  }
-}
-
-}  // namespace
-
-Assembly build_assembly(const ContactGraph& graph, const Options& options) {
+Assembly build_assembly(ContactGraph graph, const Options& options) {
   Assembly a;
-  a.x = graph.x;
-  a.y = graph.y;
-  a.radius = graph.radius;
+  a.x = std::move(graph.x);
+  a.y = std::move(graph.y);
+  a.radius = std::move(graph.radius);
+  a.first = std::move(graph.first);
+  a.second = std::move(graph.second);
+  a.tile_first_bond = std::move(graph.tile_first_edge);
   a.mean_radius = graph.mean_radius;
-  const std::size_t n = a.x.size(), bonds = graph.first.size();
+  a.density = options.disc_density;
+  const std::size_t n = a.x.size(), bonds = a.first.size();
   for (auto* values :
        {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin, &a.external_x, &a.external_y, &a.external_moment})
     values->assign(n, 0.0);
-  a.mass.resize(n);
-  a.inertia.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    a.mass[i] = options.disc_density * pi * a.radius[i] * a.radius[i];
-    a.inertia[i] = 0.5 * a.mass[i] * a.radius[i] * a.radius[i];  // a cylinder about its axis
-  }
 
   // Toughness of a bonded assembly goes with strength times sqrt(R) (Potyondy and Cundall 2004): strengths given for
   // one mean radius serve any resolution of the same rock.
   if (options.bond_toughness_reference_radius > 0.0) {
     a.strength_factor = std::sqrt(options.bond_toughness_reference_radius / a.mean_radius);
   }
-  a.first = graph.first;
-  a.second = graph.second;
-  for (auto* values :
-       {&a.dx, &a.dy, &a.length, &a.arm, &a.bond_radius, &a.tensile_capacity, &a.shear_capacity})
-    values->resize(bonds);
-  a.intact.assign(bonds, 1.0);
+  a.tensile_per_radius = 2.0 * options.bond_tensile_strength * a.strength_factor;
+  a.shear_per_radius = 2.0 * options.bond_shear_strength * a.strength_factor;
+  for (auto* values : {&a.dx, &a.dy, &a.length, &a.arm, &a.bond_radius}) values->resize(bonds);
+  a.intact.assign(bonds, 1);
   a.slip.assign(bonds, 0.0);
-  a.force.assign(bonds, BondForce{0.0, 0.0, 0.0, 0.0});
   for (std::size_t e = 0; e < bonds; ++e) {
     const auto i = a.first[e], j = a.second[e];
     a.dx[e] = a.x[j] - a.x[i];
@@ -66,12 +40,27 @@ Assembly build_assembly(const ContactGraph& graph, const Options& options) {
     a.length[e] = std::sqrt(a.dx[e] * a.dx[e] + a.dy[e] * a.dy[e]);
     a.arm[e] = a.length[e] * a.radius[i] / (a.radius[i] + a.radius[j]);
     a.bond_radius[e] = options.bond_radius_factor * std::min(a.radius[i], a.radius[j]);
-    const double area = 2.0 * a.bond_radius[e];  // unit thickness
-    a.tensile_capacity[e] = options.bond_tensile_strength * a.strength_factor * area;
-    a.shear_capacity[e] = options.bond_shear_strength * a.strength_factor * area;
   }
-  build_incidence(a);
   return a;
+}
+
+std::int64_t Assembly::bond_between(std::int32_t i, std::int32_t j) const {
+  if (i > j) std::swap(i, j);
+  // Those of a tile and those across tiles are each sorted by (first, second), the former by rank.
+  const bool across = i / discs_per_tile != j / discs_per_tile;
+  const auto tile = static_cast<std::size_t>(i / discs_per_tile);
+  const std::int64_t begin = across ? tile_first_bond.back() : tile_first_bond[tile];
+  const std::int64_t count = (across ? bond_count() : tile_first_bond[tile + 1]) - begin;
+  const auto place = [&](std::int64_t rank) { return begin + (across ? rank : edge_at(rank, count)); };
+  std::int64_t low = 0, high = count;
+  while (low < high) {
+    const auto middle = low + (high - low) / 2, e = place(middle);
+    const bool before = first[e] != i ? first[e] < i : second[e] < j;
+    (before ? low : high) = before ? middle + 1 : middle;
+  }
+  if (low == count) return -1;
+  const auto e = place(low);
+  return first[e] == i && second[e] == j ? e : -1;
 }
 
 BondView view_bond(const Assembly& a, const Options& o, std::int64_t e) {
@@ -98,8 +87,9 @@ BondView view_bond(const Assembly& a, const Options& o, std::int64_t e) {
   if (o.contact_shear_stiffness > 0.0)
     v.contact_energy += 0.5 * v.contact_shear * v.contact_shear / o.contact_shear_stiffness;
   const double pull = v.bond_normal + o.bond_moment_contribution * 3.0 * std::abs(v.bond_moment) / r;
-  v.tensile_excess = a.tensile_capacity[e] > 0.0 ? pull / a.tensile_capacity[e] : (pull >= 0.0 ? 1.0 : 0.0);
-  v.shear_excess = a.shear_capacity[e] > 0.0 ? std::abs(v.bond_shear) / a.shear_capacity[e] : 1.0;
+  const double tensile = a.tensile_capacity(e), shearing = a.shear_capacity(e);
+  v.tensile_excess = tensile > 0.0 ? pull / tensile : (pull >= 0.0 ? 1.0 : 0.0);
+  v.shear_excess = shearing > 0.0 ? std::abs(v.bond_shear) / shearing : 1.0;
   return v;
 }
 

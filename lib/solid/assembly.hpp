@@ -12,7 +12,6 @@
 #include "core/array.hpp"
 #include "geom/contact_graph.hpp"
 #include "options/options.hpp"
-#include "solid/kernels.hpp"
 
 namespace hfrac {
 
@@ -22,22 +21,43 @@ struct Assembly {
   Array<double> ux, uy, rotation;                         // m, m, rad since bonding
   Array<double> vx, vy, spin;                             // m/s, rad/s (per unit of the solver's step)
   Array<double> external_x, external_y, external_moment;  // N, N, N m: far field, walls, loose contacts
-  Array<double> mass, inertia;                            // kg, kg m2 per metre thickness
-  // bonds, sorted by (first, second)
+  // bonds, in the order of contact_graph.hpp: those inside tiles first, then those across
   std::vector<std::int32_t> first, second;
   Array<double> dx, dy, length, arm, bond_radius;  // m
-  Array<double> intact, tensile_capacity, shear_capacity, slip;
-  Array<BondForce> force;
-  std::vector<std::int32_t> incidence_start, incidence;
-  double mean_radius = 0.0;      // m
-  double strength_factor = 1.0;  // strengths used over strengths given
+  Array<std::uint8_t> intact;
+  Array<double> slip;                         // m
+  std::vector<std::int64_t> tile_first_bond;  // one more than tiles
+  double mean_radius = 0.0;                   // m
+  double density = 0.0;                       // kg/m3
+  double strength_factor = 1.0;               // strengths used over strengths given
+  double tensile_per_radius = 0.0;            // N per metre of bond radius: 2 sigma_c, unit thickness
+  double shear_per_radius = 0.0;              // 2 tau_c
 
   [[nodiscard]] std::int64_t disc_count() const { return static_cast<std::int64_t>(x.size()); }
   [[nodiscard]] std::int64_t bond_count() const { return static_cast<std::int64_t>(first.size()); }
   [[nodiscard]] Vec2 position(std::int64_t disc) const { return {x[disc] + ux[disc], y[disc] + uy[disc]}; }
+  // Per metre thickness: kg, and kg m2 as of a cylinder about its axis.
+  [[nodiscard]] double mass(std::int64_t disc) const {
+    return density * 3.14159265358979323846 * radius[disc] * radius[disc];
+  }
+  [[nodiscard]] double inertia(std::int64_t disc) const {
+    return 0.5 * mass(disc) * radius[disc] * radius[disc];
+  }
+  [[nodiscard]] double tensile_capacity(std::int64_t bond) const {
+    return tensile_per_radius * bond_radius[bond];
+  }
+  [[nodiscard]] double shear_capacity(std::int64_t bond) const {
+    return shear_per_radius * bond_radius[bond];
+  }
+  [[nodiscard]] double pipe_length(std::int64_t bond) const {  // m: R_i + R_j (eq. 6)
+    return radius[first[bond]] + radius[second[bond]];
+  }
+  // The bond of two discs, -1 if they have none.
+  [[nodiscard]] std::int64_t bond_between(std::int32_t i, std::int32_t j) const;
 };
 
-Assembly build_assembly(const ContactGraph& graph, const Options& options);
+// Takes the graph over.
+Assembly build_assembly(ContactGraph graph, const Options& options);
 
 // One bond as it stands, by the same formulas as the kernel (for logs, fields and energies; not for the step loop).
 struct BondView {

@@ -13,15 +13,17 @@ Boundary::Boundary(const Assembly& a, const Network& n, const Options& o)
       wet_(FlowScheme{o.flow_scheme} != FlowScheme::off),
       stiffness_(o.contact_normal_stiffness) {
   if (!walled_) {
-    for (auto* values : {&pore_x_, &pore_y_, &weight_x_, &weight_y_, &host_x_, &host_y_, &load_x_, &load_y_})
-      values->assign(a.x.size(), 0.0);
     const auto begin = n.corner_start[0], end = n.corner_start[1];
+    edge_.assign(n.corner_disc.begin() + begin, n.corner_disc.begin() + end);
+    std::sort(edge_.begin(), edge_.end());
+    edge_.erase(std::unique(edge_.begin(), edge_.end()), edge_.end());
+    for (auto* values : {&pore_, &weight_, &host_, &load_on_}) values->assign(edge_.size(), Vec2{});
     for (auto k = begin; k < end; ++k) {
       const auto i = n.corner_disc[k], from = n.corner_disc[k > begin ? k - 1 : end - 1],
                  to = n.corner_disc[k + 1 < end ? k + 1 : begin];
+      const std::size_t at = place_of(i);
       // Half of the edge behind and half of the one ahead, turned inward.
-      weight_x_[i] += 0.5 * (a.y[to] - a.y[from]);
-      weight_y_[i] -= 0.5 * (a.x[to] - a.x[from]);
+      weight_[at] = weight_[at] + 0.5 * Vec2{a.y[to] - a.y[from], a.x[from] - a.x[to]};
     }
     put_outside_pressure(n);
     put_far_field(o.stress_sigma_H, o.stress_sigma_h);
@@ -36,14 +38,13 @@ Boundary::Boundary(const Assembly& a, const Network& n, const Options& o)
   walls_[3] = {{0.0, -1.0}, width, 0.0, 0.0, 0.0, {}};
   put_far_field(o.stress_sigma_H, o.stress_sigma_h);
   const double tolerance = std::max(o.bond_gap_tolerance, 0.01) * a.mean_radius;
-  at_wall_.assign(a.x.size(), 0);
   for (std::int32_t i = 0; i < a.disc_count(); ++i) {
     const double distance[4] = {a.x[i] - a.radius[i], width - a.x[i] - a.radius[i], a.y[i] - a.radius[i],
                                 height - a.y[i] - a.radius[i]};
     for (std::size_t w = 0; w < 4; ++w) {
       if (distance[w] >= tolerance) continue;
       walls_[w].discs.push_back(i);
-      at_wall_[static_cast<std::size_t>(i)] = 1;
+      if (edge_.empty() || edge_.back() != i) edge_.push_back(i);
     }
   }
 }
@@ -53,10 +54,10 @@ void Boundary::put_outside_pressure(const Network& n) {
   outside_pressure_ = wet_ ? n.pressure[0] : 0.0;
   if (walled_) return;
   const auto begin = n.corner_start[0], end = n.corner_start[1];
-  for (auto k = begin; k < end; ++k) pore_x_[n.corner_disc[k]] = pore_y_[n.corner_disc[k]] = 0.0;
+  std::fill(pore_.begin(), pore_.end(), Vec2{});
   for (auto k = begin; k < end; ++k) {
-    pore_x_[n.corner_disc[k]] += outside_pressure_ * n.corner_weight[2 * k];
-    pore_y_[n.corner_disc[k]] += outside_pressure_ * n.corner_weight[2 * k + 1];
+    Vec2& on_disc = pore_[place_of(n.corner_disc[k])];
+    on_disc = on_disc + outside_pressure_ * Vec2{n.corner_weight[2 * k], n.corner_weight[2 * k + 1]};
   }
 }
 
@@ -66,10 +67,26 @@ void Boundary::put_far_field(double sigma_H, double sigma_h) {
     walls_[2].target = walls_[3].target = sigma_h - outside_pressure_;
     return;
   }
-  for (std::size_t i = 0; i < load_x_.size(); ++i) {
-    load_x_[i] = pore_x_[i] + (sigma_H - outside_pressure_) * weight_x_[i] + host_x_[i];
-    load_y_[i] = pore_y_[i] + (sigma_h - outside_pressure_) * weight_y_[i] + host_y_[i];
+  for (std::size_t k = 0; k < edge_.size(); ++k) {
+    load_on_[k] =
+        pore_[k] +
+        Vec2{(sigma_H - outside_pressure_) * weight_[k].x, (sigma_h - outside_pressure_) * weight_[k].y} +
+        host_[k];
   }
+}
+
+std::size_t Boundary::place_of(std::int32_t disc) const {
+  return static_cast<std::size_t>(std::lower_bound(edge_.begin(), edge_.end(), disc) - edge_.begin());
+}
+
+Vec2 Boundary::load_on(std::int32_t disc) const {
+  if (walled_) return {};
+  const std::size_t at = place_of(disc);
+  return at == edge_.size() || edge_[at] != disc ? Vec2{} : load_ * load_on_[at];
+}
+
+bool Boundary::touches_wall(std::int32_t disc) const {
+  return walled_ && std::binary_search(edge_.begin(), edge_.end(), disc);
 }
 
 void Boundary::set_far_field(Assembly& a, double sigma_H, double sigma_h) {
@@ -95,8 +112,7 @@ void Boundary::restore_load(Assembly& a, const Network& n, double sigma_H, doubl
 
 void Boundary::set_host_stress(Assembly& a, const Network& n, std::span<const double> stress, double sigma_H,
                                double sigma_h) {
-  std::fill(host_x_.begin(), host_x_.end(), 0.0);
-  std::fill(host_y_.begin(), host_y_.end(), 0.0);
+  std::fill(host_.begin(), host_.end(), Vec2{});
   const auto begin = n.corner_start[0], end = n.corner_start[1];
   const auto discs = static_cast<double>(end - begin);
   Vec2 force{}, centre{};
@@ -106,8 +122,7 @@ void Boundary::set_host_stress(Assembly& a, const Network& n, std::span<const do
     const Vec2 inward{0.5 * (a.y[to] - a.y[from]), -0.5 * (a.x[to] - a.x[from])};  // times length
     const auto* s = stress.data() + 3 * static_cast<std::size_t>(k - begin);
     const Vec2 push{s[0] * inward.x + s[2] * inward.y, s[2] * inward.x + s[1] * inward.y};
-    host_x_[i] += push.x;
-    host_y_[i] += push.y;
+    host_[place_of(i)] = host_[place_of(i)] + push;
     force = force + push;
     centre = centre + (1.0 / discs) * Vec2{a.x[i], a.y[i]};
   }
@@ -115,22 +130,20 @@ void Boundary::set_host_stress(Assembly& a, const Network& n, std::span<const do
   // force and as a turn about its middle for the moment.
   double moment = 0.0, inertia = 0.0;
   for (auto k = begin; k < end; ++k) {
-    const auto i = n.corner_disc[k];
-    host_x_[i] -= force.x / discs;
-    host_y_[i] -= force.y / discs;
+    Vec2& on_disc = host_[place_of(n.corner_disc[k])];
+    on_disc = on_disc - (1.0 / discs) * force;
   }
   for (auto k = begin; k < end; ++k) {
     const auto i = n.corner_disc[k];
     const Vec2 arm = Vec2{a.x[i], a.y[i]} - centre;
     inertia += dot(arm, arm);
   }
-  for (std::size_t i = 0; i < host_x_.size(); ++i)
-    moment += cross(Vec2{a.x[i], a.y[i]} - centre, {host_x_[i], host_y_[i]});
+  for (std::size_t q = 0; q < host_.size(); ++q)
+    moment += cross(Vec2{a.x[edge_[q]], a.y[edge_[q]]} - centre, host_[q]);
   for (auto k = begin; k < end; ++k) {
     const auto i = n.corner_disc[k];
     const Vec2 arm = Vec2{a.x[i], a.y[i]} - centre;
-    host_x_[i] += moment / inertia * arm.y;
-    host_y_[i] -= moment / inertia * arm.x;
+    host_[place_of(i)] = host_[place_of(i)] + (moment / inertia) * Vec2{arm.y, -arm.x};
   }
   set_far_field(a, sigma_H, sigma_h);
 }
@@ -138,9 +151,11 @@ void Boundary::set_host_stress(Assembly& a, const Network& n, std::span<const do
 void Boundary::set_load(Assembly& a, double share) {
   load_ = share;
   if (walled_) return;
-  for (std::size_t i = 0; i < a.x.size(); ++i) {
-    a.external_x[i] = share * load_x_[i];
-    a.external_y[i] = share * load_y_[i];
+  std::fill(a.external_x.begin(), a.external_x.end(), 0.0);
+  std::fill(a.external_y.begin(), a.external_y.end(), 0.0);
+  for (std::size_t k = 0; k < edge_.size(); ++k) {
+    a.external_x[edge_[k]] = share * load_on_[k].x;
+    a.external_y[edge_[k]] = share * load_on_[k].y;
   }
 }
 
@@ -150,7 +165,7 @@ void Boundary::hold_still(Assembly& a) const {
   double mass = 0.0, inertia = 0.0;
   Vec2 centre{}, shift{}, drift{};
   for (std::size_t i = 0; i < n; ++i) {
-    const double m = a.mass[i];
+    const double m = a.mass(static_cast<std::int64_t>(i));
     mass += m;
     centre = centre + m * Vec2{a.x[i], a.y[i]};
     shift = shift + m * Vec2{a.ux[i], a.uy[i]};
@@ -162,9 +177,10 @@ void Boundary::hold_still(Assembly& a) const {
   double turn = 0.0, spin = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 r = Vec2{a.x[i], a.y[i]} - centre;
-    inertia += a.mass[i] * dot(r, r);
-    turn += a.mass[i] * cross(r, Vec2{a.ux[i], a.uy[i]} - shift);
-    spin += a.mass[i] * cross(r, Vec2{a.vx[i], a.vy[i]} - drift);
+    const double m = a.mass(static_cast<std::int64_t>(i));
+    inertia += m * dot(r, r);
+    turn += m * cross(r, Vec2{a.ux[i], a.uy[i]} - shift);
+    spin += m * cross(r, Vec2{a.vx[i], a.vy[i]} - drift);
   }
   turn /= inertia;
   spin /= inertia;
@@ -247,7 +263,8 @@ double Boundary::wall_energy(const Assembly& a) const {
 double Boundary::load_work(const Assembly& a) const {
   if (walled_) return work_;
   double work = carried_work_;
-  for (std::size_t i = 0; i < a.x.size(); ++i) work += load_ * (load_x_[i] * a.ux[i] + load_y_[i] * a.uy[i]);
+  for (std::size_t k = 0; k < edge_.size(); ++k)
+    work += load_ * (load_on_[k].x * a.ux[edge_[k]] + load_on_[k].y * a.uy[edge_[k]]);
   return work;
 }
 

@@ -38,14 +38,8 @@ class Boundary {
   void add_stiffness(std::vector<double>& row_x, std::vector<double>& row_y) const;
 
   // The far field's force on a disc now (stress boundary) [N], and whether a disc is one of a wall's.
-  [[nodiscard]] Vec2 load_on(std::int32_t disc) const {
-    return walled_ ? Vec2{}
-                   : Vec2{load_ * load_x_[static_cast<std::size_t>(disc)],
-                          load_ * load_y_[static_cast<std::size_t>(disc)]};
-  }
-  [[nodiscard]] bool touches_wall(std::int32_t disc) const {
-    return walled_ && at_wall_[static_cast<std::size_t>(disc)] != 0;
-  }
+  [[nodiscard]] Vec2 load_on(std::int32_t disc) const;
+  [[nodiscard]] bool touches_wall(std::int32_t disc) const;
 
   void fix_walls() { servo_ = false; }
   // Moves a servo-driven wall inward by `by` [m] (quasi-static solver).
@@ -66,12 +60,9 @@ class Boundary {
   void set_host_stress(Assembly& assembly, const Network& network, std::span<const double> stress,
                        double sigma_H, double sigma_h);
   // The forces that came of it, to keep them while a state is loaded; set_far_field or restore_load puts them in force.
-  using HostLoad = std::array<Array<double>, 2>;
-  [[nodiscard]] HostLoad host_load() const { return {host_x_, host_y_}; }
-  void put_host_load(const HostLoad& load) {
-    host_x_ = load[0];
-    host_y_ = load[1];
-  }
+  using HostLoad = std::vector<Vec2>;
+  [[nodiscard]] const HostLoad& host_load() const { return host_; }
+  void put_host_load(const HostLoad& load) { host_ = load; }
 
   template <class Archive>
   void visit_state(Archive& archive) {
@@ -108,6 +99,7 @@ class Boundary {
 
  private:
   void put_outside_pressure(const Network& network);
+  [[nodiscard]] std::size_t place_of(std::int32_t disc) const;  // in edge_
   void put_far_field(double sigma_H, double sigma_h);
 
   template <class Archive, class Self>
@@ -121,19 +113,21 @@ class Boundary {
     archive.value(s.work_);
     archive.value(s.imbalance_);
     archive.value(s.carried_work_);
-    archive.array(s.host_x_);
-    archive.array(s.host_y_);
+    archive.list(s.host_, [](auto& ar, auto& force) {
+      ar.value(force.x);
+      ar.value(force.y);
+    });
   }
 
   bool walled_, wet_, servo_ = true;
   double stiffness_, load_ = 0.0, work_ = 0.0, imbalance_ = 0.0, carried_work_ = 0.0;
-  double outside_pressure_ = 0.0;      // Pa, what walls leave to the pores outside
-  Array<double> pore_x_, pore_y_;      // N: what balances the pores' pressure at the start
-  Array<double> weight_x_, weight_y_;  // m: force on a disc per stress beyond that along x, y
-  Array<double> host_x_, host_y_;      // N: from the host's stress
-  Array<double> load_x_, load_y_;      // N at full load
+  double outside_pressure_ = 0.0;   // Pa, what walls leave to the pores outside
+  std::vector<std::int32_t> edge_;  // outermost discs, or those at walls; ascending
+  std::vector<Vec2> pore_;          // N: what balances the pores' pressure at the start
+  std::vector<Vec2> weight_;        // m: force per stress beyond that along x, y
+  std::vector<Vec2> host_;          // N: from the host's stress
+  std::vector<Vec2> load_on_;       // N at full load
   std::array<Wall, 4> walls_;
-  std::vector<char> at_wall_;  // per disc
 };
 
 }  // namespace hfrac

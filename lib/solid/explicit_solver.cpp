@@ -15,17 +15,13 @@ namespace {
 // Cycles between looks at the force ratio. Breakage is watched in every cycle.
 constexpr std::int64_t look_every = 20;
 
-std::size_t blocks(std::int64_t n) {
-  return static_cast<std::size_t>((n + kernel_block - 1) / kernel_block);
-}
-
-double sum_force(const std::vector<BlockSums>& sums) {
+double sum_force(const std::vector<TileSums>& sums) {
   double total = 0.0;
   for (const auto& s : sums) total += s.force;
   return total;
 }
 
-double take_work(std::vector<BlockSums>& sums) {
+double take_work(std::vector<TileSums>& sums) {
   double total = 0.0;
   for (auto& s : sums) {
     total += s.work;
@@ -45,16 +41,19 @@ ExplicitSolver::ExplicitSolver(Assembly& assembly, Network& network, Boundary& b
       options_(options),
       workers_(workers),
       kernels_(kernels()) {
-  const auto discs = assembly.disc_count();
-  inverse_mass_.resize(static_cast<std::size_t>(discs));
-  inverse_inertia_.resize(static_cast<std::size_t>(discs));
-  bond_sums_.assign(blocks(assembly.bond_count()), {});
-  disc_sums_.assign(blocks(discs), {});
-  domain_sums_.assign(blocks(network.domain_count()), {});
-  sweeps_ = plan_sweeps(assembly, network, workers.count());
+  const auto discs = static_cast<std::size_t>(assembly.disc_count());
+  inverse_mass_.resize(discs);
+  inverse_inertia_.resize(discs);
+  plan_ =
+      plan_tiles(assembly, network, FlowScheme{options.flow_scheme} != FlowScheme::off, boundary.walled());
+  const auto tiles = plan_.tiles.size();
+  bond_sums_.assign(tiles + static_cast<std::size_t>(plan_.bond_blocks), {});
+  disc_sums_.assign(tiles, {});
+  domain_sums_.assign(tiles + static_cast<std::size_t>(plan_.domain_blocks), {});
+  scratch_.resize(static_cast<std::size_t>(workers.count()));
+  for (auto& scratch : scratch_) scratch.assign(static_cast<std::size_t>(tile_scratch), 0.0);
   bind_arrays();
   refresh_stiffness();
-  use_scaled_masses();
 }
 
 void ExplicitSolver::bind_arrays() {
@@ -81,27 +80,29 @@ void ExplicitSolver::bind_arrays() {
   k.arm = a.arm.data();
   k.bond_radius = a.bond_radius.data();
   k.intact = a.intact.data();
-  k.tensile_capacity = a.tensile_capacity.data();
-  k.shear_capacity = a.shear_capacity.data();
   k.slip = a.slip.data();
-  k.force = a.force.data();
   k.bond_count = a.bond_count();
-  k.incidence_start = a.incidence_start.data();
-  k.incidence = a.incidence.data();
-  k.disc_corner_start = n.disc_corner_start.data();
-  k.disc_corner_domain = n.disc_corner_domain.data();
-  k.disc_corner_weight = n.disc_corner_weight.data();
+  k.first_cross_bond = plan_.first_cross_bond;
   k.domain_corner_start = n.corner_start.data();
   k.domain_corner_disc = n.corner_disc.data();
   k.domain_corner_weight = n.corner_weight.data();
   k.pressure = n.pressure.data();
   k.volume_change = n.volume_change.data();
   k.content = n.content.data();
-  k.domain_count = n.domain_count();
+  k.tiles = plan_.tiles.data();
+  k.tile_count = static_cast<std::int64_t>(plan_.tiles.size());
+  k.cross_domain = plan_.cross_domain.data();
+  k.cross_corner_start = plan_.cross_corner_start.data();
+  k.cross_domain_count = static_cast<std::int64_t>(plan_.cross_domain.size());
+  k.bond_mail = plan_.bond_mail.data();
+  k.corner_mail = plan_.corner_mail.data();
+  k.mail = plan_.mail.data();
   k.bond_normal = options_.bond_normal_stiffness;
   k.bond_shear = options_.bond_shear_stiffness;
   k.contact_normal = options_.contact_normal_stiffness;
   k.contact_shear = options_.contact_shear_stiffness;
+  k.tensile_capacity = a.tensile_per_radius;
+  k.shear_capacity = a.shear_per_radius;
   k.friction = options_.contact_friction;
   k.bending_share = options_.bond_moment_contribution;
   k.contact_with_bond = ContactMode{options_.contact_mode} == ContactMode::parallel ? 1.0 : 0.0;
@@ -114,40 +115,56 @@ void ExplicitSolver::bind_arrays() {
   k.domain_sums = domain_sums_.data();
 }
 
+// Row sums of the stiffness matrix [N/m].
+void ExplicitSolver::stiffness(std::vector<double>& row_x, std::vector<double>& row_y,
+                               std::vector<double>& row_rotation) const {
+  stiffness_rows(assembly_, network_, options_, row_x, row_y, row_rotation);
+  boundary_.add_stiffness(row_x, row_y);
+  loose_.add_stiffness(assembly_, row_x, row_y, row_rotation);
+}
+
 void ExplicitSolver::refresh_stiffness() {
-  stiffness_rows(assembly_, network_, options_, row_x_, row_y_, row_rotation_);
-  boundary_.add_stiffness(row_x_, row_y_);
-  loose_.add_stiffness(assembly_, row_x_, row_y_, row_rotation_);
+  std::vector<double> row_x, row_y, row_rotation;
+  stiffness(row_x, row_y, row_rotation);
   double shortest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < row_x_.size(); ++i) {
-    const double row = std::max(row_x_[i], row_y_[i]);
-    shortest = std::min(shortest, assembly_.mass[i] / row);
-    if (row_rotation_[i] > 0.0) shortest = std::min(shortest, assembly_.inertia[i] / row_rotation_[i]);
+  for (std::size_t i = 0; i < row_x.size(); ++i) {
+    const auto disc = static_cast<std::int64_t>(i);
+    shortest = std::min(shortest, assembly_.mass(disc) / std::max(row_x[i], row_y[i]));
+    if (row_rotation[i] > 0.0) shortest = std::min(shortest, assembly_.inertia(disc) / row_rotation[i]);
   }
   // Gershgorin: omega^2 is at most the largest row sum over mass; the leap-frog is stable below 2 / omega.
   real_step_ = options_.stepping_safety * 2.0 * std::sqrt(shortest);
-  scaled_ ? use_scaled_masses() : use_real_masses();
+  put_masses(row_x, row_y, row_rotation);
+}
+
+void ExplicitSolver::put_masses(const std::vector<double>& row_x, const std::vector<double>& row_y,
+                                const std::vector<double>& row_rotation) {
+  arrays_.step = scaled_ ? 1.0 : real_step_;
+  const double factor = 0.25 / (options_.stepping_safety * options_.stepping_safety);
+  for (std::size_t i = 0; i < row_x.size(); ++i) {
+    const auto disc = static_cast<std::int64_t>(i);
+    if (scaled_) {
+      inverse_mass_[i] = 1.0 / (factor * std::max(row_x[i], row_y[i]));
+      inverse_inertia_[i] = row_rotation[i] > 0.0 ? 1.0 / (factor * row_rotation[i]) : 0.0;
+    } else {
+      inverse_mass_[i] = 1.0 / assembly_.mass(disc);
+      inverse_inertia_[i] = 1.0 / assembly_.inertia(disc);
+    }
+  }
 }
 
 void ExplicitSolver::use_scaled_masses() {
-  if (!scaled_) stop_motion();
+  if (scaled_) return;
+  stop_motion();
   scaled_ = true;
-  arrays_.step = 1.0;
-  const double factor = 0.25 / (options_.stepping_safety * options_.stepping_safety);
-  for (std::size_t i = 0; i < row_x_.size(); ++i) {
-    inverse_mass_[i] = 1.0 / (factor * std::max(row_x_[i], row_y_[i]));
-    inverse_inertia_[i] = row_rotation_[i] > 0.0 ? 1.0 / (factor * row_rotation_[i]) : 0.0;
-  }
+  refresh_stiffness();
 }
 
 void ExplicitSolver::use_real_masses() {
-  if (scaled_) stop_motion();
+  if (!scaled_) return;
+  stop_motion();
   scaled_ = false;
-  arrays_.step = real_step_;
-  for (std::size_t i = 0; i < row_x_.size(); ++i) {
-    inverse_mass_[i] = 1.0 / assembly_.mass[i];
-    inverse_inertia_[i] = 1.0 / assembly_.inertia[i];
-  }
+  refresh_stiffness();
 }
 
 void ExplicitSolver::stop_motion() {
@@ -165,7 +182,7 @@ void ExplicitSolver::break_bond(const BondView& bond, std::int64_t e, std::int64
   crack.released = bond.bond_energy + bond.contact_energy;
   crack.mode = bond.tensile_excess >= bond.shear_excess ? CrackMode::tension : CrackMode::shear;
   found.push_back(crack);
-  assembly_.intact[e] = 0.0;
+  assembly_.intact[e] = 0;
   // In mode after-break a contact takes over where discs were pressed together.
   found.back().released -= view_bond(assembly_, options_, e).contact_energy;
 }
@@ -175,46 +192,56 @@ void ExplicitSolver::break_bond(std::int64_t bond, CrackLog& log) {
   energies_.fracture += log.back().released;
 }
 
-// Scalar look at a block some bond of which exceeds its strength; rare.
-void ExplicitSolver::break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, CrackLog& found) {
+// Scalar look at bonds some of which exceed their strength; rare. True if any broke.
+bool ExplicitSolver::break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, CrackLog& found) {
+  const std::size_t before = found.size();
   for (std::int64_t e = first; e < last; ++e) {
-    if (assembly_.intact[e] == 0.0) continue;
+    if (assembly_.intact[e] == 0) continue;
     const BondView bond = view_bond(assembly_, options_, e);
     if (bond.tensile_excess < 1.0 && bond.shear_excess < 1.0) continue;
     break_bond(bond, e, cycle, found);
   }
-  kernels_.bond_pass(arrays_, first, last);  // what the block's bonds bear now
+  return found.size() > before;
 }
 
-void ExplicitSolver::take(const SweepItem& item, std::int64_t cycle, CrackLog& found) {
-  switch (item.kind) {
-    case SweepItem::Kind::bonds:
-      kernels_.bond_pass(arrays_, item.first, item.last);
-      if (bond_sums_[static_cast<std::size_t>(item.first / kernel_block)].flagged != 0)
-        break_bonds(item.first, item.last, cycle, found);
-      break;
-    case SweepItem::Kind::domains:
-      if (arrays_.with_pressure != 0 && undrained_) kernels_.domain_pass(arrays_, item.first, item.last);
-      break;
-    case SweepItem::Kind::discs:
-      kernels_.disc_pass(arrays_, item.first, item.last);
-      break;
-  }
+// After breakage the forces are computed again, as those of what is left.
+void ExplicitSolver::take_cross_block(std::int64_t block, std::int64_t cycle, CrackLog& found) {
+  kernels_.cross_bonds(arrays_, block);
+  if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + block)].flagged == 0) return;
+  const auto first = arrays_.first_cross_bond + block * cross_block;
+  if (break_bonds(first, std::min(first + cross_block, arrays_.bond_count), cycle, found))
+    kernels_.cross_bonds(arrays_, block);
+}
+
+void ExplicitSolver::take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, CrackLog& found) {
+  kernels_.tile_forces(arrays_, tile, scratch);
+  const auto t = static_cast<std::size_t>(tile);
+  if (bond_sums_[t].flagged != 0 &&
+      break_bonds(plan_.tiles[t].first_bond, plan_.tiles[t].last_bond, cycle, found))
+    kernels_.tile_forces(arrays_, tile, scratch);
+  kernels_.tile_move(arrays_, tile, scratch);
 }
 
 void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
   arrays_.stiffness = network_.stiffness.data();
+  arrays_.undrained = undrained_ ? 1 : 0;
+  const auto domain_blocks = arrays_.with_pressure != 0 ? plan_.domain_blocks : 0;
   const std::function<void(int)> task = [&](int worker) {
     const auto w = static_cast<std::size_t>(worker);
+    double* scratch = scratch_[w].data();
+    const auto bonds = workers_.part(worker, plan_.bond_blocks, 1),
+               domains = workers_.part(worker, domain_blocks, 1),
+               tiles = workers_.part(worker, arrays_.tile_count, 1);
     for (std::int64_t cycle = total_cycles_; cycle < total_cycles_ + cycles; ++cycle) {
-      for (const auto& item : sweeps_[w].shared) take(item, cycle, found[w]);
+      for (auto block = bonds.first; block < bonds.last; ++block) take_cross_block(block, cycle, found[w]);
+      for (auto block = domains.first; block < domains.last; ++block) kernels_.cross_domains(arrays_, block);
       if (worker == 0 && boundary_.walled()) {
         boundary_.cycle(assembly_, arrays_.step, options_.stepping_safety, arrays_.damping);
       }
       if (worker == 0 && !loose_.empty())
         loose_.cycle(assembly_, boundary_, arrays_.step, energies_.friction);
       workers_.barrier();
-      for (const auto& item : sweeps_[w].own) take(item, cycle, found[w]);
+      for (auto tile = tiles.first; tile < tiles.last; ++tile) take_tile(tile, cycle, scratch, found[w]);
       workers_.barrier();
     }
   };
@@ -280,8 +307,13 @@ ExplicitSolver::Outcome ExplicitSolver::run(std::int64_t cycles, CrackLog& log,
 
 void ExplicitSolver::evaluate() {
   arrays_.stiffness = network_.stiffness.data();
-  kernels_.bond_pass(arrays_, 0, arrays_.bond_count);
-  if (arrays_.with_pressure != 0) kernels_.domain_pass(arrays_, 0, arrays_.domain_count);
+  arrays_.undrained = 1;  // volumes are looked at
+  for (std::int64_t block = 0; block < plan_.bond_blocks; ++block) kernels_.cross_bonds(arrays_, block);
+  if (arrays_.with_pressure != 0) {
+    for (std::int64_t block = 0; block < plan_.domain_blocks; ++block) kernels_.cross_domains(arrays_, block);
+  }
+  for (std::int64_t tile = 0; tile < arrays_.tile_count; ++tile)
+    kernels_.tile_forces(arrays_, tile, scratch_[0].data());
   energies_.friction += take_work(bond_sums_);
   energies_.fluid += take_work(domain_sums_);
 }
@@ -293,7 +325,7 @@ void ExplicitSolver::search_contacts(const CrackLog& cracks) {
 void ExplicitSolver::after_restore() {
   // What a failed step had summed up so far is void.
   for (auto* sums : {&bond_sums_, &disc_sums_, &domain_sums_})
-    std::fill(sums->begin(), sums->end(), BlockSums{});
+    std::fill(sums->begin(), sums->end(), TileSums{});
   refresh_stiffness();
 }
 

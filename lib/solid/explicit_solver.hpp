@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Newton's law for every disc, cycle by cycle (eq. 11, 12), with local damping (Cundall 1987).
 //
-// One cycle, in two phases with a barrier after each; sweep.hpp says what is done in which:
-//   bond pass: forces from displacements, breakage       domain pass: undrained pressures from displacements
-//   boundary (worker 0, first phase): wall forces, servo
-//   disc pass: velocities and displacements from bond forces, pressures and the boundary's forces
+// One cycle, in two phases with a barrier after each; tiles.hpp says what is done in which:
+//   1  bonds and pores across tiles; boundary (worker 0): wall forces, servo
+//   2  tile by tile: forces of bonds, breakage, undrained pressures; then velocities and displacements
 //
 // With real masses a cycle lasts the stable step. To find rest, masses are scaled instead so that every disc is equally close
 // to its stability limit and the step is 1 (density scaling): the way is not physical, the end is.
@@ -21,7 +20,7 @@
 #include "solid/boundary.hpp"
 #include "solid/kernels.hpp"
 #include "solid/loose_contacts.hpp"
-#include "solid/sweep.hpp"
+#include "solid/tiles.hpp"
 
 namespace hfrac {
 
@@ -98,9 +97,14 @@ class ExplicitSolver {
   }
 
   void batch(std::int64_t cycles, std::vector<CrackLog>& found);
-  void take(const SweepItem& item, std::int64_t cycle, CrackLog& found);
+  void take_cross_block(std::int64_t block, std::int64_t cycle, CrackLog& found);
+  void take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, CrackLog& found);
   void break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, CrackLog& found);
-  void break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, CrackLog& found);
+  bool break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, CrackLog& found);
+  void put_masses(const std::vector<double>& row_x, const std::vector<double>& row_y,
+                  const std::vector<double>& row_rotation);
+  void stiffness(std::vector<double>& row_x, std::vector<double>& row_y,
+                 std::vector<double>& row_rotation) const;
   [[nodiscard]] double force_ratio() const;
   void bind_arrays();
 
@@ -111,11 +115,11 @@ class ExplicitSolver {
   const Options& options_;
   Workers& workers_;
   const KernelTable& kernels_;
-  std::vector<Sweep> sweeps_;
+  TilePlan plan_;
   KernelArrays arrays_{};
   Array<double> inverse_mass_, inverse_inertia_;
-  std::vector<double> row_x_, row_y_, row_rotation_;  // N/m: row sums of stiffness
-  std::vector<BlockSums> bond_sums_, disc_sums_, domain_sums_;
+  std::vector<Array<double>> scratch_;  // one per worker
+  std::vector<TileSums> bond_sums_, disc_sums_, domain_sums_;
   Energies energies_;
   double real_step_ = 0.0;
   bool scaled_ = true, undrained_ = false;

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The step loop's three passes over raw arrays, compiled for several instruction sets from one source.
+// The step loop over raw arrays, compiled for several instruction sets from one source.
 //
-//   bond pass     displacements -> force and moment of every bond and contact, breakage flags       (writes force[e])
-//   disc pass     forces of its bonds, pressures of its domains, external forces -> new velocity and displacement
-//   domain pass   displacements of its corner discs -> change of volume -> undrained pressure
+// Discs go in tiles of `tile_size` neighbours (tiles.hpp). What lies inside one tile, bonds and pores, is done there and
+// then: displacements come in once, forces add up in the scratch memory of the tile and never see main memory, the
+// discs move.
 //
-// Every pass gathers: an item adds up what acts on it in a fixed order, nothing is scattered, so any number of workers
-// gives the same bits. Sums for the balances are kept per block of `kernel_block` items and added in block order.
+//   cross_bonds, cross_domains   bonds and pores that touch two tiles: forces into the mail of their discs' tiles
+//   tile_forces                  mail, outside forces, then the tile's bonds and pores -> force on each of its discs
+//   tile_move                    those forces -> new velocities and displacements
+//
+// Each tile is one worker's at a time and adds up in a fixed order, so any number of workers gives the same bits. Sums
+// for the balances are kept per tile and added in the order of tiles.
 // This header and the sources behind it include no standard templates: they are compiled with wider instructions
 // than the rest, and an inline function from here must never be the one the linker keeps for the whole library.
 #pragma once
@@ -15,17 +19,28 @@
 
 namespace hfrac {
 
-constexpr int64_t kernel_block = 256;
+constexpr int64_t tile_size = 512;    // discs: displacements and forces of a tile fit the first-level cache
+constexpr int64_t cross_block = 256;  // bonds or domains across tiles that are handed out together
 
 // Force of one bond on its discs: force on disc i (disc j gets the opposite), moment on i, moment on j.
 struct alignas(32) BondForce {
   double fx, fy, moment_i, moment_j;
 };
 
-struct BlockSums {
-  double force;     // sum of |fx| + |fy|: contact forces (bond pass), unbalanced forces (disc pass)
-  double work;      // friction (bond pass), damping (disc pass), work of the fluid on the discs (domain pass)
-  int64_t flagged;  // bond pass: 1 if some bond of the block exceeds its strength
+// A force on its way to a disc of another tile.
+struct alignas(32) Mail {
+  double fx, fy, moment;
+  int64_t disc;
+};
+
+struct TileSums {
+  double force;     // sum of |fx| + |fy|: contact forces (bonds), unbalanced forces (discs)
+  double work;      // friction (bonds), damping (discs), work of the fluid on the discs (domains)
+  int64_t flagged;  // bonds: 1 if some bond exceeds its strength
+};
+
+struct Tile {
+  int64_t first_disc, last_disc, first_bond, last_bond, first_domain, last_domain, first_mail, last_mail;
 };
 
 struct KernelArrays {
@@ -35,33 +50,34 @@ struct KernelArrays {
   const double *inverse_mass, *inverse_inertia;
   const double *external_x, *external_y, *external_moment;  // N, N, N m: far field, walls, loose contacts
   int64_t disc_count;
-  // bonds, sorted by first disc
+  // bonds: those inside tiles by tile, then those across
   const int32_t *first, *second;
   const double *dx, *dy, *length;  // m: centre to centre at bonding
   const double* arm;               // m: from the first disc's centre to the contact point at bonding
   const double* bond_radius;       // m
-  const double* intact;            // 1, or 0 once broken
-  const double* tensile_capacity;  // N: sigma_c A
-  const double* shear_capacity;    // N: tau_c A
+  const uint8_t* intact;           // 1, or 0 once broken
   double* slip;                    // m: shear displacement the contact has slid through
-  BondForce* force;
-  int64_t bond_count;
-  // the bonds of each disc: 2 * bond + (1 if the disc is the second one)
-  const int32_t *incidence_start, *incidence;
-  // the domains around each disc: weight dV/du of eq. 10
-  const int32_t *disc_corner_start, *disc_corner_domain;
-  const double* disc_corner_weight;  // m: x, y per corner
-  // the discs around each domain, same weights
+  int64_t bond_count, first_cross_bond;
+  // the discs around each domain: weight dV/du of eq. 10
   const int32_t *domain_corner_start, *domain_corner_disc;
-  const double* domain_corner_weight;
-  double* pressure;         // Pa
-  double* volume_change;    // m2 since bonding
-  const double* content;    // m2: fluid taken in, at reference pressure
-  const double* stiffness;  // Pa/m2: K_f / V; 0 where the pressure is imposed
-  int64_t domain_count;
+  const double* domain_corner_weight;  // m: x, y per corner
+  double* pressure;                    // Pa
+  double* volume_change;               // m2 since bonding
+  const double* content;               // m2: fluid taken in, at reference pressure
+  const double* stiffness;             // Pa/m2: K_f / V; 0 where the pressure is imposed
+  // tiles
+  const Tile* tiles;
+  int64_t tile_count;
+  const int32_t* cross_domain;        // domains that touch two tiles, the outside first
+  const int32_t* cross_corner_start;  // their corners' places in corner_mail
+  int64_t cross_domain_count;
+  const int32_t* bond_mail;    // two places per bond across tiles: first disc, second disc
+  const int32_t* corner_mail;  // place per corner of a cross domain; -1: pushes nobody
+  Mail* mail;
   // constants
-  double bond_normal, bond_shear;        // N/m: parallel bond stiffness times area
-  double contact_normal, contact_shear;  // N/m
+  double bond_normal, bond_shear;           // N/m: parallel bond stiffness times area
+  double contact_normal, contact_shear;     // N/m
+  double tensile_capacity, shear_capacity;  // N per metre of bond radius: 2 sigma_c, 2 tau_c
   double friction;
   double bending_share;                       // beta of eq. 21
   double contact_with_bond;                   // 1: contact beside an intact bond, 0: only after it broke
@@ -69,15 +85,21 @@ struct KernelArrays {
   double step;                                // s, or 1 with scaled masses
   double reference_pressure, floor_pressure;  // Pa
   int32_t with_pressure;                      // 0: no fluid forces
-  // sums per block
-  BlockSums *bond_sums, *disc_sums, *domain_sums;
+  int32_t undrained;                          // 1: pressures follow the volumes of their pores
+  // sums: of each tile, then of each block of bonds or domains across
+  TileSums *bond_sums, *disc_sums, *domain_sums;
 };
 
-// first and last are multiples of kernel_block, or the number of items.
+// Doubles of scratch memory that tile_forces and tile_move share, on a 64-byte boundary.
+constexpr int64_t tile_scratch = 8 * tile_size;
+
 struct KernelTable {
-  void (*bond_pass)(const KernelArrays& a, int64_t first, int64_t last);
-  void (*disc_pass)(const KernelArrays& a, int64_t first, int64_t last);
-  void (*domain_pass)(const KernelArrays& a, int64_t first, int64_t last);
+  void (*tile_forces)(const KernelArrays& a, int64_t tile, double* scratch);
+  void (*tile_move)(const KernelArrays& a, int64_t tile, const double* scratch);
+  void (*cross_bonds)(const KernelArrays& a, int64_t block);
+  void (*cross_domains)(const KernelArrays& a, int64_t block);
+  // The forces of some bonds as they stand, for tests and whoever wants to look; moves and slides nothing.
+  void (*bond_forces)(const KernelArrays& a, int64_t first, int64_t last, BondForce* to);
   const char* name;
 };
 

@@ -11,13 +11,20 @@
 //   contact        F_n = -k_n max(0, -g), F_s = k_s (u_s - slip), |F_s| <= mu F_n
 //   forces on i    F_n n + F_s (L0 / L) t, moments F_s a_i + M and F_s a_j - M: the exact gradient of the energy
 //   breakage       F_n + 3 beta |M| / R >= sigma_c A  or  |F_s| >= tau_c A                (eq. 21-23, tension positive)
+//
+// Bonds go through it 64 at a time: records of discs are picked up four by four and transposed into arrays (a gather
+// instruction costs several times as much), the law runs over the arrays in the widest vectors there are, and forces are
+// transposed back and added to their discs.
 #include "solid/kernels.hpp"
 
 namespace hfrac {
 namespace HFRAC_KERNEL_NAMESPACE {
 namespace {
 
-typedef double Quad __attribute__((vector_size(32)));  // NOLINT(modernize-use-using): attribute form
+// NOLINTNEXTLINE(modernize-use-using): attribute form
+typedef double Quad __attribute__((vector_size(32), may_alias));
+
+constexpr int64_t chunk = 64;  // bonds at a time; a multiple of 8
 
 inline double positive(double a) {
   return a > 0.0 ? a : 0.0;
@@ -36,98 +43,307 @@ inline double total(const Partial& p) {
 }
 
 // Adds n values in an order that does not depend on the vector width.
-inline double sum_of(const double* __restrict values, int64_t n) {
-  Partial sum{};
+inline void add_up(Partial& sum, const double* __restrict values, int64_t n) {
   const int64_t whole = n & ~int64_t{7};
   for (int64_t k = 0; k < whole; k += 8) {
     for (int64_t lane = 0; lane < 8; ++lane) sum.lane[lane] += values[k + lane];
   }
   for (int64_t k = whole; k < n; ++k) sum.lane[k - whole] += values[k];
-  return total(sum);
 }
 
-__attribute__((noinline)) void bond_block(const KernelArrays& a, int64_t first, int64_t last,
-                                          BlockSums& sums) {
-  const double* __restrict ux = a.ux;
-  const double* __restrict uy = a.uy;
-  const double* __restrict rotation = a.rotation;
-  const int32_t* __restrict first_disc = a.first;
-  const int32_t* __restrict second_disc = a.second;
-  const double* __restrict dx_ = a.dx;
-  const double* __restrict dy_ = a.dy;
-  const double* __restrict length_ = a.length;
-  const double* __restrict arm_ = a.arm;
-  const double* __restrict radius_ = a.bond_radius;
-  const double* __restrict intact_ = a.intact;
-  const double* __restrict tensile_capacity = a.tensile_capacity;
-  const double* __restrict shear_capacity = a.shear_capacity;
-  double* __restrict slip = a.slip;
-  double* __restrict force = &a.force->fx;
+// A chunk of bonds as arrays: motion of their discs in, forces out.
+struct alignas(64) Chunk {
+  double dux[chunk], duy[chunk];       // m: second disc less first
+  double turn[chunk], theta_i[chunk];  // rad: second disc less first; first disc
+  double intact[chunk];
+  double fx[chunk], fy[chunk], moment_i[chunk], minus_moment_j[chunk];
+  double force[chunk], friction[chunk], over[chunk];  // for the sums
+  double slip[chunk];                                 // after this cycle
+};
+
+// The law, for bonds e to e + n - 1.
+__attribute__((noinline)) void bond_law(const KernelArrays& a, int64_t e, int64_t n, Chunk& c) {
+  const double* __restrict dx_ = a.dx + e;
+  const double* __restrict dy_ = a.dy + e;
+  const double* __restrict length_ = a.length + e;
+  const double* __restrict arm_ = a.arm + e;
+  const double* __restrict radius_ = a.bond_radius + e;
+  const double* __restrict slip_ = a.slip + e;
+  const uint8_t* __restrict intact_ = a.intact + e;
   const double bond_normal = a.bond_normal, bond_shear = a.bond_shear, contact_normal = a.contact_normal,
                contact_shear = a.contact_shear, friction = a.friction, bending_share = a.bending_share,
-               contact_with_bond = a.contact_with_bond;
-  double force_size[kernel_block], friction_work[kernel_block], over[kernel_block];
+               contact_with_bond = a.contact_with_bond, tensile = a.tensile_capacity,
+               shearing = a.shear_capacity;
   const double inverse_contact_shear = a.contact_shear > 0.0 ? 1.0 / a.contact_shear : 0.0;
-#pragma GCC \
-    ivdep  // arrays written here are never the gathered ones; restrict alone does not reach gathers in GCC 12
-  for (int64_t e = first; e < last; ++e) {
-    const int32_t i = first_disc[e], j = second_disc[e];
-    const double dux = ux[j] - ux[i], duy = uy[j] - uy[i];
-    const double theta_i = rotation[i], theta_j = rotation[j];
-    const double dx = dx_[e], dy = dy_[e], length = length_[e], arm_i = arm_[e], arm_j = length - arm_i;
+  for (int64_t k = 0; k < n; ++k) c.intact[k] = static_cast<double>(intact_[k]);
+#pragma GCC ivdep
+  for (int64_t k = 0; k < n; ++k) {
+    const double dux = c.dux[k], duy = c.duy[k], turn = c.turn[k];
+    const double dx = dx_[k], dy = dy_[k], length = length_[k], arm_i = arm_[k], arm_j = length - arm_i;
     const double lx = dx + dux, ly = dy + duy;
     const double now = __builtin_sqrt(lx * lx + ly * ly);
-    const double inverse = 1.0 / now;
-    const double gap = (2.0 * (dx * dux + dy * duy) + (dux * dux + duy * duy)) / (now + length);
+    // One division for 1 / L, 1 / (L + L0) and 1 / L0.
+    const double both = now + length, at_once = 1.0 / (now * length * both);
+    const double inverse = at_once * (length * both), inverse_length = at_once * (now * both);
+    const double gap = (2.0 * (dx * dux + dy * duy) + (dux * dux + duy * duy)) * (at_once * (now * length));
     const double nx = lx * inverse, ny = ly * inverse;
     const double ratio = length * inverse;
     const double sine = (dx * duy - dy * dux) * inverse;  // times L0
-    const double s = sine / length, s2 = s * s;
+    const double s = sine * inverse_length, s2 = s * s;
     const double shear = sine * (1.0 + s2 * (1.0 / 6.0 + s2 * (3.0 / 40.0 + s2 * (15.0 / 336.0)))) -
-                         (arm_i * theta_i + arm_j * theta_j);
+                         (length * c.theta_i[k] + arm_j * turn);
 
-    const double intact = intact_[e], radius = radius_[e];
+    const double intact = c.intact[k], radius = radius_[k];
     const double bond_n = bond_normal * intact * gap;
     const double bond_s = bond_shear * intact * shear;
-    const double bend = bond_normal * intact * radius * (theta_j - theta_i);  // 3 M / R
+    const double bend = bond_normal * intact * radius * turn;  // 3 M / R
     const double moment = bend * radius * (1.0 / 3.0);
 
     const double present = intact > 0.0 ? contact_with_bond : 1.0;
     const double contact_n = contact_normal * present * positive(-gap);
     const double limit = friction * contact_n;
-    const double trial = contact_shear * (shear - slip[e]);
+    const double slip = slip_[k];
+    const double trial = contact_shear * (shear - slip);
     const double contact_s = trial > limit ? limit : (trial < -limit ? -limit : trial);
-    const double slipped = magnitude(trial) > limit ? shear - contact_s * inverse_contact_shear : slip[e];
-    friction_work[e - first] = magnitude(contact_s * (slipped - slip[e]));
-    slip[e] = slipped;
+    const double slipped = magnitude(trial) > limit ? shear - contact_s * inverse_contact_shear : slip;
+    c.friction[k] = magnitude(contact_s * (slipped - slip));
+    c.slip[k] = slipped;
 
     const double normal = bond_n - contact_n, tangential = bond_s + contact_s;
-    const double fx = normal * nx - tangential * ratio * ny;
-    const double fy = normal * ny + tangential * ratio * nx;
-    force[4 * e] = fx;
-    force[4 * e + 1] = fy;
-    force[4 * e + 2] = tangential * arm_i + moment;
-    force[4 * e + 3] = tangential * arm_j - moment;
-    force_size[e - first] = magnitude(fx) + magnitude(fy);
+    const double across = tangential * ratio;
+    const double fx = normal * nx - across * ny;
+    const double fy = normal * ny + across * nx;
+    c.fx[k] = fx;
+    c.fy[k] = fy;
+    c.moment_i[k] = tangential * arm_i + moment;
+    c.minus_moment_j[k] = moment - tangential * arm_j;
+    c.force[k] = magnitude(fx) + magnitude(fy);
 
-    const double pull = bond_n + bending_share * magnitude(bend);
     // Excess over strength, as a number so that the loop stays in vector registers; a broken bond has none.
-    const double excess = pull - tensile_capacity[e] > magnitude(bond_s) - shear_capacity[e]
-                              ? pull - tensile_capacity[e]
-                              : magnitude(bond_s) - shear_capacity[e];
-    over[e - first] = intact > 0.0 && excess >= 0.0 ? 1.0 : 0.0;
+    const double pull = bond_n + bending_share * magnitude(bend) - tensile * radius;
+    const double push = magnitude(bond_s) - shearing * radius;
+    const double excess = pull > push ? pull : push;
+    c.over[k] = intact > 0.0 && excess >= 0.0 ? 1.0 : 0.0;
   }
-  const int64_t n = last - first;
-  sums.force = sum_of(force_size, n);
-  sums.work += sum_of(friction_work, n);
-  sums.flagged = sum_of(over, n) > 0.0 ? 1 : 0;
 }
 
-// One degree of freedom of a block of discs: leap-frog with local damping (Cundall 1987). Returns the damping work.
-double integrate(int64_t n, double step, double damping, const double* __restrict force,
-                 const double* __restrict inverse_mass, double* __restrict velocity,
-                 double* __restrict displacement) {
-  double work[kernel_block];
+// Four records a, b, c, d to four rows: row k holds lane k of each. Its own inverse.
+inline __attribute__((always_inline)) void transpose(Quad& a, Quad& b, Quad& c, Quad& d) {
+  const Quad ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6),
+             ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Quad cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6),
+             cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  a = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
+  b = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
+  c = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
+  d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+}
+
+// Arrays of n values each to records (x, y, z, 0). Arrays begin with a tile, so on a boundary of 64 bytes.
+inline void to_records(const double* __restrict x, const double* __restrict y, const double* __restrict z,
+                       int64_t n, Quad* __restrict records) {
+  const int64_t whole = n & ~int64_t{3};
+  for (int64_t k = 0; k < whole; k += 4) {
+    Quad q0 = *reinterpret_cast<const Quad*>(x + k), q1 = *reinterpret_cast<const Quad*>(y + k),
+         q2 = *reinterpret_cast<const Quad*>(z + k), q3 = {0.0, 0.0, 0.0, 0.0};
+    transpose(q0, q1, q2, q3);
+    records[k] = q0;
+    records[k + 1] = q1;
+    records[k + 2] = q2;
+    records[k + 3] = q3;
+  }
+  for (int64_t k = whole; k < n; ++k) records[k] = Quad{x[k], y[k], z[k], 0.0};
+}
+
+// Motion of the discs of n bonds, from records (ux, uy, rotation, 0). Records are counted from disc `base` on.
+inline void pick_up(const int32_t* first, const int32_t* second, int64_t base, const Quad* records, int64_t n,
+                    Chunk& c) {
+  const Quad* at = records - base;
+  for (int64_t k = 0; k < n; k += 4) {
+    // The last few of a chunk may be fewer than four: the last bond stands in for those missing.
+    const int64_t k1 = k + 1 < n ? k + 1 : n - 1, k2 = k + 2 < n ? k + 2 : n - 1,
+                  k3 = k + 3 < n ? k + 3 : n - 1;
+    Quad i0 = at[first[k]], i1 = at[first[k1]], i2 = at[first[k2]], i3 = at[first[k3]];
+    Quad d0 = at[second[k]] - i0, d1 = at[second[k1]] - i1, d2 = at[second[k2]] - i2,
+         d3 = at[second[k3]] - i3;
+    transpose(d0, d1, d2, d3);
+    transpose(i0, i1, i2, i3);
+    *reinterpret_cast<Quad*>(c.dux + k) = d0;
+    *reinterpret_cast<Quad*>(c.duy + k) = d1;
+    *reinterpret_cast<Quad*>(c.turn + k) = d2;
+    *reinterpret_cast<Quad*>(c.theta_i + k) = i2;
+  }
+}
+
+// Adds the chunk's forces to the records (fx, fy, moment, -) of their discs.
+inline void put_down(const int32_t* first, const int32_t* second, int64_t base, Quad* records, int64_t n,
+                     const Chunk& c) {
+  Quad* at = records - base;
+  for (int64_t k = 0; k < n; k += 4) {
+    Quad f0 = *reinterpret_cast<const Quad*>(c.fx + k), f1 = *reinterpret_cast<const Quad*>(c.fy + k),
+         f2 = *reinterpret_cast<const Quad*>(c.moment_i + k),
+         f3 = *reinterpret_cast<const Quad*>(c.minus_moment_j + k);
+    transpose(f0, f1, f2, f3);
+    const auto add = [&](int64_t bond, const Quad& force) {
+      at[first[bond]] += force;
+      at[second[bond]] -= __builtin_shufflevector(force, force, 0, 1, 3, 2);
+    };
+    add(k, f0);
+    if (k + 1 < n) add(k + 1, f1);
+    if (k + 2 < n) add(k + 2, f2);
+    if (k + 3 < n) add(k + 3, f3);
+  }
+}
+
+struct BondSums {
+  Partial force{}, friction{}, over{};
+  void add(const Chunk& c, int64_t n) {
+    add_up(force, c.force, n);
+    add_up(friction, c.friction, n);
+    add_up(over, c.over, n);
+  }
+  void put(TileSums& sums) const {
+    sums.force = total(force);
+    sums.work += total(friction);
+    sums.flagged = total(over) > 0.0 ? 1 : 0;
+  }
+};
+
+void keep_slip(const KernelArrays& a, int64_t e, int64_t n, const Chunk& c) {
+  double* __restrict to = a.slip + e;
+  for (int64_t k = 0; k < n; ++k) to[k] = c.slip[k];
+}
+
+// Pressure of a domain whose volume has changed by `change`; adds the work it did on the way.
+inline double answer(const KernelArrays& a, int64_t d, double change, double& work) {
+  const double before = a.pressure[d];
+  double p = before;
+  if (a.stiffness[d] > 0.0) {
+    p = a.reference_pressure + a.stiffness[d] * (a.content[d] - change);
+    p = p > a.floor_pressure ? p : a.floor_pressure;  // cavitation
+  }
+  work += 0.5 * (before + p) * (change - a.volume_change[d]);
+  a.pressure[d] = p;
+  a.volume_change[d] = change;
+  return p;
+}
+
+double tile_domains(const KernelArrays& a, const Tile& t, const Quad* motion, Quad* force) {
+  double work = 0.0;
+  for (int64_t d = t.first_domain; d < t.last_domain; ++d) {
+    const int32_t begin = a.domain_corner_start[d], end = a.domain_corner_start[d + 1];
+    double p = a.pressure[d];
+    if (a.undrained != 0) {
+      double change = 0.0;
+      for (int32_t k = begin; k < end; ++k) {
+        const Quad& u = motion[a.domain_corner_disc[k] - t.first_disc];
+        change += a.domain_corner_weight[2 * k] * u[0] + a.domain_corner_weight[2 * k + 1] * u[1];
+      }
+      p = answer(a, d, change, work);
+    }
+    for (int32_t k = begin; k < end; ++k) {
+      const Quad push = {p * a.domain_corner_weight[2 * k], p * a.domain_corner_weight[2 * k + 1], 0.0, 0.0};
+      force[a.domain_corner_disc[k] - t.first_disc] += push;
+    }
+  }
+  return work;
+}
+
+void tile_forces(const KernelArrays& a, int64_t tile, double* scratch) {
+  const Tile& t = a.tiles[tile];
+  const int64_t discs = t.last_disc - t.first_disc;
+  Quad* motion = reinterpret_cast<Quad*>(scratch);
+  Quad* force = motion + tile_size;
+  to_records(a.ux + t.first_disc, a.uy + t.first_disc, a.rotation + t.first_disc, discs, motion);
+  to_records(a.external_x + t.first_disc, a.external_y + t.first_disc, a.external_moment + t.first_disc,
+             discs, force);
+  for (int64_t m = t.first_mail; m < t.last_mail; ++m) {
+    const Mail& mail = a.mail[m];
+    force[mail.disc - t.first_disc] += Quad{mail.fx, mail.fy, mail.moment, 0.0};
+  }
+  Chunk c;
+  BondSums sums;
+  for (int64_t e = t.first_bond; e < t.last_bond; e += chunk) {
+    const int64_t n = e + chunk < t.last_bond ? chunk : t.last_bond - e;
+    pick_up(a.first + e, a.second + e, t.first_disc, motion, n, c);
+    bond_law(a, e, n, c);
+    keep_slip(a, e, n, c);
+    sums.add(c, n);
+    put_down(a.first + e, a.second + e, t.first_disc, force, n, c);
+  }
+  sums.put(a.bond_sums[tile]);
+  if (a.with_pressure != 0) a.domain_sums[tile].work += tile_domains(a, t, motion, force);
+}
+
+// The same from the arrays of all discs, for bonds that know no tile.
+void pick_up_anywhere(const KernelArrays& a, int64_t e, int64_t n, Chunk& c) {
+  for (int64_t k = 0; k < n; ++k) {
+    const int32_t i = a.first[e + k], j = a.second[e + k];
+    c.dux[k] = a.ux[j] - a.ux[i];
+    c.duy[k] = a.uy[j] - a.uy[i];
+    c.turn[k] = a.rotation[j] - a.rotation[i];
+    c.theta_i[k] = a.rotation[i];
+  }
+}
+
+void cross_bonds(const KernelArrays& a, int64_t block) {
+  const int64_t begin = a.first_cross_bond + block * cross_block;
+  const int64_t end = begin + cross_block < a.bond_count ? begin + cross_block : a.bond_count;
+  Chunk c;
+  BondSums sums;
+  for (int64_t e = begin; e < end; e += chunk) {
+    const int64_t n = e + chunk < end ? chunk : end - e;
+    pick_up_anywhere(a, e, n, c);
+    bond_law(a, e, n, c);
+    keep_slip(a, e, n, c);
+    sums.add(c, n);
+    const int32_t* place = a.bond_mail + 2 * (e - a.first_cross_bond);
+    for (int64_t k = 0; k < n; ++k) {
+      Mail& to_i = a.mail[place[2 * k]];
+      Mail& to_j = a.mail[place[2 * k + 1]];
+      to_i.fx = c.fx[k];
+      to_i.fy = c.fy[k];
+      to_i.moment = c.moment_i[k];
+      to_j.fx = -c.fx[k];
+      to_j.fy = -c.fy[k];
+      to_j.moment = -c.minus_moment_j[k];
+    }
+  }
+  sums.put(a.bond_sums[a.tile_count + block]);
+}
+
+void cross_domains(const KernelArrays& a, int64_t block) {
+  const int64_t begin = block * cross_block;
+  const int64_t end = begin + cross_block < a.cross_domain_count ? begin + cross_block : a.cross_domain_count;
+  double work = 0.0;
+  for (int64_t q = begin; q < end; ++q) {
+    const int64_t d = a.cross_domain[q];
+    const int32_t first = a.domain_corner_start[d], last = a.domain_corner_start[d + 1];
+    double p = a.pressure[d];
+    if (a.undrained != 0) {
+      double change = 0.0;
+      for (int32_t k = first; k < last; ++k) {
+        const int32_t disc = a.domain_corner_disc[k];
+        change += a.domain_corner_weight[2 * k] * a.ux[disc] + a.domain_corner_weight[2 * k + 1] * a.uy[disc];
+      }
+      p = answer(a, d, change, work);
+    }
+    const int32_t* place = a.corner_mail + a.cross_corner_start[q];
+    for (int32_t k = first; k < last; ++k) {
+      if (place[k - first] < 0) continue;
+      Mail& to = a.mail[place[k - first]];
+      to.fx = p * a.domain_corner_weight[2 * k];
+      to.fy = p * a.domain_corner_weight[2 * k + 1];
+    }
+  }
+  a.domain_sums[a.tile_count + block].work += work;
+}
+
+// One degree of freedom of some discs: leap-frog with local damping (Cundall 1987). Adds up the damping work.
+void integrate(int64_t n, double step, double damping, const double* __restrict force,
+               const double* __restrict inverse_mass, double* __restrict velocity,
+               double* __restrict displacement, Partial& sum) {
+  double work[chunk];
   for (int64_t k = 0; k < n; ++k) {
     const double f = force[k], v = velocity[k];
     const double against = v > 0.0 ? 1.0 : (v < 0.0 ? -1.0 : 0.0);
@@ -137,82 +353,52 @@ double integrate(int64_t n, double step, double damping, const double* __restric
     velocity[k] = after;
     displacement[k] += step * after;
   }
-  return sum_of(work, n);
+  add_up(sum, work, n);
 }
 
-void disc_block(const KernelArrays& a, int64_t first, int64_t last, BlockSums& sums) {
-  double fx[kernel_block], fy[kernel_block], moment[kernel_block];
-  const Quad on_first = {1.0, 1.0, 1.0, 0.0}, on_second = {-1.0, -1.0, 0.0, 1.0};
-  for (int64_t d = first; d < last; ++d) {
-    Quad sum = {0.0, 0.0, 0.0, 0.0};
-    for (int32_t k = a.incidence_start[d]; k < a.incidence_start[d + 1]; ++k) {
-      const int32_t code = a.incidence[k];
-      const Quad force = *reinterpret_cast<const Quad*>(a.force + (code >> 1));
-      sum += force * ((code & 1) != 0 ? on_second : on_first);
+void tile_move(const KernelArrays& a, int64_t tile, const double* scratch) {
+  const Tile& t = a.tiles[tile];
+  const Quad* force = reinterpret_cast<const Quad*>(scratch) + tile_size;
+  Partial unbalanced{}, damped{};
+  for (int64_t first = t.first_disc; first < t.last_disc; first += chunk) {
+    const int64_t n = first + chunk < t.last_disc ? chunk : t.last_disc - first;
+    alignas(32) double fx[chunk], fy[chunk], moment[chunk], size[chunk];
+    // A chunk of records is whole in the scratch memory even where the tile ends.
+    for (int64_t k = 0; k < n; k += 4) {
+      const Quad* f = force + (first - t.first_disc + k);
+      Quad f0 = f[0], f1 = f[1], f2 = f[2], f3 = f[3];
+      transpose(f0, f1, f2, f3);
+      *reinterpret_cast<Quad*>(fx + k) = f0;
+      *reinterpret_cast<Quad*>(fy + k) = f1;
+      *reinterpret_cast<Quad*>(moment + k) = f2;
     }
-    double px = 0.0, py = 0.0;
-    if (a.with_pressure != 0) {
-      for (int32_t k = a.disc_corner_start[d]; k < a.disc_corner_start[d + 1]; ++k) {
-        const double p = a.pressure[a.disc_corner_domain[k]];
-        px += p * a.disc_corner_weight[2 * k];
-        py += p * a.disc_corner_weight[2 * k + 1];
-      }
-    }
-    fx[d - first] = sum[0] + px + a.external_x[d];
-    fy[d - first] = sum[1] + py + a.external_y[d];
-    moment[d - first] = sum[2] + sum[3] + a.external_moment[d];
+    for (int64_t k = 0; k < n; ++k) size[k] = magnitude(fx[k]) + magnitude(fy[k]);
+    add_up(unbalanced, size, n);
+    integrate(n, a.step, a.damping, fx, a.inverse_mass + first, a.vx + first, a.ux + first, damped);
+    integrate(n, a.step, a.damping, fy, a.inverse_mass + first, a.vy + first, a.uy + first, damped);
+    integrate(n, a.step, a.damping, moment, a.inverse_inertia + first, a.spin + first, a.rotation + first,
+              damped);
   }
-  const int64_t n = last - first;
-  double unbalanced[kernel_block];
-  for (int64_t k = 0; k < n; ++k) unbalanced[k] = magnitude(fx[k]) + magnitude(fy[k]);
-  sums.force = sum_of(unbalanced, n);
-  sums.work += integrate(n, a.step, a.damping, fx, a.inverse_mass + first, a.vx + first, a.ux + first);
-  sums.work += integrate(n, a.step, a.damping, fy, a.inverse_mass + first, a.vy + first, a.uy + first);
-  sums.work +=
-      integrate(n, a.step, a.damping, moment, a.inverse_inertia + first, a.spin + first, a.rotation + first);
+  a.disc_sums[tile].force = total(unbalanced);
+  a.disc_sums[tile].work += total(damped);
 }
 
-void domain_block(const KernelArrays& a, int64_t first, int64_t last, BlockSums& sums) {
-  double work = 0.0;
-  for (int64_t d = first; d < last; ++d) {
-    double change = 0.0;
-    for (int32_t k = a.domain_corner_start[d]; k < a.domain_corner_start[d + 1]; ++k) {
-      const int32_t disc = a.domain_corner_disc[k];
-      change += a.domain_corner_weight[2 * k] * a.ux[disc] + a.domain_corner_weight[2 * k + 1] * a.uy[disc];
-    }
-    const double before = a.pressure[d];
-    double p = before;
-    if (a.stiffness[d] > 0.0) {
-      p = a.reference_pressure + a.stiffness[d] * (a.content[d] - change);
-      p = p > a.floor_pressure ? p : a.floor_pressure;  // cavitation
-    }
-    work += 0.5 * (before + p) * (change - a.volume_change[d]);
-    a.pressure[d] = p;
-    a.volume_change[d] = change;
-  }
-  sums.work += work;
-}
-
-void bond_pass(const KernelArrays& a, int64_t first, int64_t last) {
-  for (int64_t b = first; b < last; b += kernel_block) {
-    bond_block(a, b, b + kernel_block < last ? b + kernel_block : last, a.bond_sums[b / kernel_block]);
-  }
-}
-void disc_pass(const KernelArrays& a, int64_t first, int64_t last) {
-  for (int64_t b = first; b < last; b += kernel_block) {
-    disc_block(a, b, b + kernel_block < last ? b + kernel_block : last, a.disc_sums[b / kernel_block]);
-  }
-}
-void domain_pass(const KernelArrays& a, int64_t first, int64_t last) {
-  for (int64_t b = first; b < last; b += kernel_block) {
-    domain_block(a, b, b + kernel_block < last ? b + kernel_block : last, a.domain_sums[b / kernel_block]);
+void bond_forces(const KernelArrays& a, int64_t first, int64_t last, BondForce* to) {
+  Chunk c;
+  for (int64_t e = first; e < last; e += chunk) {
+    const int64_t n = e + chunk < last ? chunk : last - e;
+    pick_up_anywhere(a, e, n, c);
+    bond_law(a, e, n, c);
+    for (int64_t k = 0; k < n; ++k)
+      to[e - first + k] = BondForce{c.fx[k], c.fy[k], c.moment_i[k], -c.minus_moment_j[k]};
   }
 }
 
 }  // namespace
 
 extern const KernelTable table;
-const KernelTable table = {bond_pass, disc_pass, domain_pass, HFRAC_KERNEL_NAME};
+const KernelTable table = {tile_forces,   tile_move,   cross_bonds,
+                           cross_domains, bond_forces, HFRAC_KERNEL_NAME};
 
 }  // namespace HFRAC_KERNEL_NAMESPACE
 }  // namespace hfrac

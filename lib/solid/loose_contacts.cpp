@@ -12,14 +12,6 @@ namespace {
 constexpr double search_gap = 0.4;   // pairs up to this gap are listed, in mean radii
 constexpr double search_move = 0.1;  // listed anew when a disc moved this far, in mean radii
 
-bool bonded(const Assembly& a, std::int32_t i, std::int32_t j) {
-  for (auto k = a.incidence_start[i]; k < a.incidence_start[i + 1]; ++k) {
-    const auto e = a.incidence[k] / 2;
-    if (a.first[e] == j || a.second[e] == j) return true;
-  }
-  return false;
-}
-
 std::vector<std::int32_t> discs_with_broken_bonds(const Assembly& a, const CrackLog& cracks) {
   std::vector<std::int32_t> discs;
   for (const auto& crack : cracks) {
@@ -65,7 +57,7 @@ bool LooseContacts::search(Assembly& a, const Boundary& boundary, const CrackLog
     grid.near(x[i], y[i], a.radius[i] + largest + reach, [&](std::int32_t j) {
       if (i == j) return;
       const double touch = a.radius[i] + a.radius[j];
-      if (std::hypot(x[j] - x[i], y[j] - y[i]) - touch > reach || bonded(a, i, j)) return;
+      if (std::hypot(x[j] - x[i], y[j] - y[i]) - touch > reach || a.bond_between(i, j) >= 0) return;
       const double at_bonding = std::hypot(a.x[j] - a.x[i], a.y[j] - a.y[i]) - touch;
       found.push_back({std::min(i, j), std::max(i, j), std::min(0.0, at_bonding)});
     });

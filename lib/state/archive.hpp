@@ -5,6 +5,7 @@
 // The bytes are those of the machine (little-endian here; the image's header says so), doubles bit for bit.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -28,6 +29,11 @@ class Counter {
   template <class Values>
   void array(const Values& values) {
     size_ += sizeof(std::int64_t) + values.size() * sizeof values[0];
+  }
+  template <class Values>
+  void mostly_zero(const Values& values) {
+    size_ += 2 * sizeof(std::int64_t);
+    for (const double v : values) size_ += std::bit_cast<std::uint64_t>(v) != 0 ? 12 : 0;
   }
   template <class Values, class Item>
   void list(const Values& values, Item&& item) {
@@ -55,6 +61,19 @@ class Saver {
   void array(const Values& values) {
     value(static_cast<std::int64_t>(values.size()));
     append(values.data(), values.size() * sizeof values[0]);
+  }
+  // The same, for an array most of which is zero: length, number of others, their places and values.
+  template <class Values>
+  void mostly_zero(const Values& values) {
+    std::int64_t others = 0;
+    for (const double v : values) others += std::bit_cast<std::uint64_t>(v) != 0 ? 1 : 0;
+    value(static_cast<std::int64_t>(values.size()));
+    value(others);
+    for (std::size_t k = 0; others > 0 && k < values.size(); ++k) {
+      if (std::bit_cast<std::uint64_t>(static_cast<double>(values[k])) == 0) continue;
+      value(static_cast<std::int32_t>(k));
+      value(values[k]);
+    }
   }
   // A list that grows and shrinks; item(archive, element) visits one.
   template <class Values, class Item>
@@ -88,6 +107,20 @@ class Loader {
     value(count);
     if (count != static_cast<std::int64_t>(values.size())) refuse();
     take(values.data(), values.size() * sizeof values[0]);
+  }
+  template <class Values>
+  void mostly_zero(Values& values) {
+    std::int64_t count = 0, others = 0;
+    value(count);
+    value(others);
+    if (count != static_cast<std::int64_t>(values.size())) refuse();
+    for (auto& v : values) v = 0.0;
+    for (; others > 0; --others) {
+      std::int32_t place = 0;
+      value(place);
+      if (place < 0 || place >= count) refuse();
+      value(values[static_cast<std::size_t>(place)]);
+    }
   }
   template <class Values, class Item>
   void list(Values& values, Item&& item) {
@@ -128,6 +161,10 @@ class Hasher {
   template <class Values>
   void array(const Values& values) {
     for (const auto& v : values) value(v);
+  }
+  template <class Values>
+  void mostly_zero(const Values& values) {
+    array(values);
   }
   template <class Values, class Item>
   void list(const Values& values, Item&& item) {

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <utility>
+
 #include <cmath>
 
 #include "core/error.hpp"
@@ -45,13 +48,44 @@ TEST(ContactGraph, LatticeHasItsBondsAndFaces) {
     EXPECT_NEAR(faces.polygon_area[f], 1.0, 1e-12);
     EXPECT_EQ(faces.corner_start[f + 1] - faces.corner_start[f], 4);
   }
-  for (std::size_t e = 0; e < graph.first.size(); ++e) {
-    EXPECT_LT(graph.first[e], graph.second[e]);
-    if (e > 0) {
-      EXPECT_TRUE(graph.first[e - 1] < graph.first[e] ||
-                  (graph.first[e - 1] == graph.first[e] && graph.second[e - 1] < graph.second[e]));
+  for (std::size_t e = 0; e < graph.first.size(); ++e) EXPECT_LT(graph.first[e], graph.second[e]);
+}
+
+TEST(ContactGraph, EdgesGoByTilesOfDiscs) {
+  const ContactGraph graph = graph_of(square_lattice(40, 40, 0.5));
+  const auto tiles = static_cast<std::int32_t>(graph.tile_first_edge.size()) - 1;
+  ASSERT_EQ(tiles, (1600 + discs_per_tile - 1) / discs_per_tile);
+  EXPECT_EQ(graph.tile_first_edge.front(), 0);
+  std::set<std::pair<std::int32_t, std::int32_t>> all;
+  for (std::int32_t t = 0; t <= tiles; ++t) {
+    const auto begin = graph.tile_first_edge[static_cast<std::size_t>(t)],
+               end = t < tiles ? graph.tile_first_edge[static_cast<std::size_t>(t) + 1]
+                               : static_cast<std::int64_t>(graph.first.size());
+    for (auto e = begin; e < end; ++e) {
+      const bool across = graph.first[e] / discs_per_tile != graph.second[e] / discs_per_tile;
+      EXPECT_EQ(across, t == tiles);
+      EXPECT_EQ(graph.first[e] / discs_per_tile == t || across, true);
+      EXPECT_TRUE(all.emplace(graph.first[e], graph.second[e]).second);
     }
   }
+  EXPECT_EQ(all.size(), static_cast<std::size_t>(2 * 40 * 39));
+  // Ranks and places are one to one for any count.
+  for (std::int64_t count = 0; count < 40; ++count) {
+    std::set<std::int64_t> places;
+    for (std::int64_t rank = 0; rank < count; ++rank) places.insert(edge_at(rank, count));
+    EXPECT_EQ(static_cast<std::int64_t>(places.size()), count);
+    EXPECT_EQ(places.empty() ? -1 : *places.rbegin(), count - 1);
+  }
+}
+
+TEST(Assembly, FindsTheBondOfTwoDiscs) {
+  const ContactGraph graph = graph_of(square_lattice(40, 40, 0.5));
+  const Assembly a = build_assembly(graph, Options{});
+  for (std::int64_t e = 0; e < a.bond_count(); ++e) {
+    EXPECT_EQ(a.bond_between(a.first[e], a.second[e]), e);
+    EXPECT_EQ(a.bond_between(a.second[e], a.first[e]), e);
+  }
+  for (std::int32_t i = 0; i + 2 < 1600; ++i) EXPECT_EQ(a.bond_between(i, i + 2), -1);
 }
 
 TEST(Faces, LieLeftAndRightOfTheirEdges) {

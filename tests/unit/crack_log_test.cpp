@@ -40,7 +40,7 @@ TEST(CrackLog, IsInOrderOfBreakage) {
     EXPECT_EQ(m.assembly.intact[log[c].bond], 0.0);
     EXPECT_EQ(log[c].cycle < 100, c < first_batch);
     // A bond that fails in shear bears its shear strength, give or take what one cycle adds.
-    const double shear = std::abs(log[c].shear_force) / m.assembly.shear_capacity[log[c].bond];
+    const double shear = std::abs(log[c].shear_force) / m.assembly.shear_capacity(log[c].bond);
     if (log[c].mode == CrackMode::shear) {
       EXPECT_GE(shear, 1.0);
     } else {

@@ -36,10 +36,9 @@ struct Pair {
     a.length = {2.0};
     a.arm = {1.2};
     a.bond_radius = {0.8};
-    a.intact = {intact ? 1.0 : 0.0};
+    a.intact.assign(1, intact ? 1 : 0);
     a.slip = {1e-5};
-    a.tensile_capacity = {1e12};
-    a.shear_capacity = {1e12};
+    a.tensile_per_radius = a.shear_per_radius = 1e12;
   }
   double* unknown(int k) {
     switch (k) {

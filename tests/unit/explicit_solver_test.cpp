@@ -27,8 +27,8 @@ Velocities velocities(const Model& m) {
 double kinetic_between(const Model& m, const Velocities& before) {
   double energy = 0.0;
   for (std::size_t i = 0; i < before.x.size(); ++i) {
-    energy += 0.5 * m.assembly.mass[i] * (before.x[i] * m.assembly.vx[i] + before.y[i] * m.assembly.vy[i]) +
-              0.5 * m.assembly.inertia[i] * before.spin[i] * m.assembly.spin[i];
+    energy += 0.5 * m.assembly.mass(i) * (before.x[i] * m.assembly.vx[i] + before.y[i] * m.assembly.vy[i]) +
+              0.5 * m.assembly.inertia(i) * before.spin[i] * m.assembly.spin[i];
   }
   return energy;
 }
@@ -69,9 +69,9 @@ TEST(ExplicitSolver, KeepsMomentum) {
   m.solver->run(500, log);
   double px = 0.0, py = 0.0, size = 0.0;
   for (std::int64_t i = 0; i < m.assembly.disc_count(); ++i) {
-    px += m.assembly.mass[i] * m.assembly.vx[i];
-    py += m.assembly.mass[i] * m.assembly.vy[i];
-    size += m.assembly.mass[i] * std::abs(m.assembly.vx[i]);
+    px += m.assembly.mass(i) * m.assembly.vx[i];
+    py += m.assembly.mass(i) * m.assembly.vy[i];
+    size += m.assembly.mass(i) * std::abs(m.assembly.vx[i]);
   }
   EXPECT_LT(std::abs(px), 1e-10 * size);
   EXPECT_LT(std::abs(py), 1e-10 * size);

@@ -5,9 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <string>
+#include <vector>
 
 #include "model.hpp"
 
@@ -28,7 +30,7 @@ void stir(Model& m) {
   m.shake(1e-3, 11);
   Random random(12);
   for (std::int64_t e = 0; e < m.assembly.bond_count(); ++e) {
-    if (random.uniform() < 0.2) m.assembly.intact[e] = 0.0;
+    if (random.uniform() < 0.2) m.assembly.intact[e] = 0;
     m.assembly.slip[e] = 1e-4 * (random.uniform() - 0.5);
   }
   for (std::int64_t i = 0; i < m.assembly.disc_count(); ++i) {
@@ -42,7 +44,25 @@ void stir(Model& m) {
     m.network.content[d] = 1e-4 * (random.uniform() - 0.5);
 }
 
-// What the three passes write, as bytes.
+// One cycle by a table's kernels, as the solver takes it.
+void cycle(const KernelTable& table, const KernelArrays& a) {
+  const auto blocks = [](std::int64_t n) { return (n + cross_block - 1) / cross_block; };
+  alignas(64) double scratch[tile_scratch];
+  for (std::int64_t b = 0; b < blocks(a.bond_count - a.first_cross_bond); ++b) table.cross_bonds(a, b);
+  for (std::int64_t b = 0; b < blocks(a.cross_domain_count); ++b) table.cross_domains(a, b);
+  for (std::int64_t t = 0; t < a.tile_count; ++t) {
+    table.tile_forces(a, t, scratch);
+    table.tile_move(a, t, scratch);
+  }
+}
+
+std::vector<BondForce> forces_of(const Model& m) {
+  std::vector<BondForce> forces(static_cast<std::size_t>(m.assembly.bond_count()));
+  kernels().bond_forces(m.solver->arrays(), 0, m.assembly.bond_count(), forces.data());
+  return forces;
+}
+
+// What a cycle writes, as bytes.
 std::string outputs_of(const char* isa, ContactMode mode) {
   const Options o = kernel_options(mode);
   Model m(o, packed(o));
@@ -54,19 +74,21 @@ std::string outputs_of(const char* isa, ContactMode mode) {
   const auto keep = [&bytes](const auto* values, std::int64_t count) {
     bytes.append(reinterpret_cast<const char*>(values), static_cast<std::size_t>(count) * sizeof(*values));
   };
-  const auto blocks = [](std::int64_t n) { return (n + kernel_block - 1) / kernel_block; };
-  for (int cycle = 0; cycle < 3; ++cycle) {
-    table.bond_pass(a, 0, a.bond_count);
-    table.domain_pass(a, 0, a.domain_count);
-    table.disc_pass(a, 0, a.disc_count);
-    keep(a.force, a.bond_count);
+  a.undrained = 1;
+  EXPECT_EQ(a.tile_count, 2);  // so that bonds and pores across tiles have their part
+  EXPECT_LT(a.first_cross_bond, a.bond_count);
+  std::vector<BondForce> force(static_cast<std::size_t>(a.bond_count));
+  for (int round = 0; round < 3; ++round) {
+    cycle(table, a);
+    table.bond_forces(a, 0, a.bond_count, force.data());
+    keep(force.data(), a.bond_count);
     keep(a.slip, a.bond_count);
     for (const double* values : {a.ux, a.uy, a.rotation, a.vx, a.vy, a.spin}) keep(values, a.disc_count);
-    keep(a.pressure, a.domain_count);
-    keep(a.volume_change, a.domain_count);
-    keep(a.bond_sums, blocks(a.bond_count));
-    keep(a.disc_sums, blocks(a.disc_count));
-    keep(a.domain_sums, blocks(a.domain_count));
+    keep(a.pressure, m.network.domain_count());
+    keep(a.volume_change, m.network.domain_count());
+    keep(a.bond_sums, a.tile_count + 1);
+    keep(a.disc_sums, a.tile_count);
+    keep(a.domain_sums, a.tile_count + 1);
   }
   return bytes;
 }
@@ -94,10 +116,11 @@ TEST(Kernels, FollowTheLawOfViewBond) {
     Model m(o, packed(o));
     stir(m);
     const Array<double> slip = m.assembly.slip;
+    const auto forces = forces_of(m);
     m.solver->evaluate();
     const Array<double> slipped = m.assembly.slip;
-    std::vector<char> breaks_in_block(static_cast<std::size_t>(m.assembly.bond_count() / kernel_block + 1),
-                                      0);
+    const KernelArrays& a = m.solver->arrays();
+    std::vector<char> breaks_in(static_cast<std::size_t>(a.tile_count) + 1, 0);  // the last: across tiles
     std::int64_t breaking = 0;
     for (std::int64_t e = 0; e < m.assembly.bond_count(); ++e) {
       m.assembly.slip[e] = slip[e];
@@ -106,7 +129,7 @@ TEST(Kernels, FollowTheLawOfViewBond) {
       const double now = std::hypot(m.assembly.position(j).x - m.assembly.position(i).x,
                                     m.assembly.position(j).y - m.assembly.position(i).y);
       const double ratio = m.assembly.length[e] / now, tangential = bond.shear_force() * ratio;
-      const BondForce& force = m.assembly.force[e];
+      const BondForce& force = forces[static_cast<std::size_t>(e)];
       const double scale = 1e-12 * (std::abs(bond.normal_force()) + std::abs(tangential) + 1.0);
       EXPECT_NEAR(force.fx, bond.normal_force() * bond.normal.x - tangential * bond.normal.y, scale);
       EXPECT_NEAR(force.fy, bond.normal_force() * bond.normal.y + tangential * bond.normal.x, scale);
@@ -121,13 +144,14 @@ TEST(Kernels, FollowTheLawOfViewBond) {
       const bool breaks =
           m.assembly.intact[e] > 0.0 && (bond.tensile_excess >= 1.0 || bond.shear_excess >= 1.0);
       breaking += breaks ? 1 : 0;
-      if (breaks) breaks_in_block[static_cast<std::size_t>(e / kernel_block)] = 1;
+      if (!breaks) continue;
+      const bool across = e >= a.first_cross_bond;
+      breaks_in[static_cast<std::size_t>(across ? a.tile_count : i / tile_size)] = 1;
     }
     EXPECT_GT(breaking, 0);  // the state is violent enough to mean something
     EXPECT_LT(breaking, m.assembly.bond_count() / 2);
-    for (std::size_t b = 0; b < breaks_in_block.size(); ++b) {
-      EXPECT_EQ(m.solver->arrays().bond_sums[b].flagged, breaks_in_block[b]) << "block " << b;
-    }
+    for (std::size_t t = 0; t < breaks_in.size(); ++t)
+      EXPECT_EQ(a.bond_sums[t].flagged, breaks_in[t]) << "tile " << t;
   }
 }
 
@@ -135,12 +159,13 @@ TEST(Kernels, ForcesAreTheGradientOfTheEnergy) {
   Options o = kernel_options(ContactMode::after_break);
   Model m(o, packed(o));
   m.shake(1e-3, 21);
-  m.solver->evaluate();
+  const auto forces = forces_of(m);
   const auto force_on = [&](std::int64_t disc, int component) {
     double total = 0.0;
-    for (auto k = m.assembly.incidence_start[disc]; k < m.assembly.incidence_start[disc + 1]; ++k) {
-      const BondForce& f = m.assembly.force[m.assembly.incidence[k] / 2];
-      const bool second = m.assembly.incidence[k] % 2 != 0;
+    for (std::int64_t e = 0; e < m.assembly.bond_count(); ++e) {
+      if (m.assembly.first[e] != disc && m.assembly.second[e] != disc) continue;
+      const BondForce& f = forces[static_cast<std::size_t>(e)];
+      const bool second = m.assembly.second[e] == disc;
       if (component == 2) {
         total += second ? f.moment_j : f.moment_i;
       } else {
@@ -152,8 +177,9 @@ TEST(Kernels, ForcesAreTheGradientOfTheEnergy) {
   // Only the bonds at the disc change with it.
   const auto energy_at = [&](std::int64_t disc) {
     double energy = 0.0;
-    for (auto k = m.assembly.incidence_start[disc]; k < m.assembly.incidence_start[disc + 1]; ++k) {
-      const BondView bond = view_bond(m.assembly, o, m.assembly.incidence[k] / 2);
+    for (std::int64_t e = 0; e < m.assembly.bond_count(); ++e) {
+      if (m.assembly.first[e] != disc && m.assembly.second[e] != disc) continue;
+      const BondView bond = view_bond(m.assembly, o, e);
       energy += bond.bond_energy + bond.contact_energy;
     }
     return energy;
@@ -183,12 +209,12 @@ TEST(Kernels, ContactsBesideBondsPushByTheirEnergyToo) {
     m.assembly.ux[i] = -1e-3 * m.assembly.x[i];
     m.assembly.uy[i] = -2e-3 * m.assembly.y[i] + 1e-5 * m.assembly.x[i] * m.assembly.x[i];
   }
-  m.solver->evaluate();
+  const auto forces = forces_of(m);
   for (std::int64_t disc = 0; disc < m.assembly.disc_count(); ++disc) {
     double force = 0.0;
-    for (auto k = m.assembly.incidence_start[disc]; k < m.assembly.incidence_start[disc + 1]; ++k) {
-      force +=
-          (m.assembly.incidence[k] % 2 != 0 ? -1.0 : 1.0) * m.assembly.force[m.assembly.incidence[k] / 2].fy;
+    for (std::int64_t e = 0; e < m.assembly.bond_count(); ++e) {
+      if (m.assembly.first[e] == disc) force += forces[static_cast<std::size_t>(e)].fy;
+      if (m.assembly.second[e] == disc) force -= forces[static_cast<std::size_t>(e)].fy;
     }
     const double at = m.assembly.uy[disc], step = 1e-7;
     m.assembly.uy[disc] = at + step;
@@ -200,26 +226,80 @@ TEST(Kernels, ContactsBesideBondsPushByTheirEnergyToo) {
   }
 }
 
+// A disc's motion in one undamped cycle from rest is what all that acts on it makes of it, within a tile or across.
+TEST(Kernels, TilesAddUpWhatActsOnADisc) {
+  Options o = kernel_options(ContactMode::parallel);
+  o.boundary_kind = choice(BoundaryKind::walls);  // the pressure outside pushes too
+  o.stepping_damping = 0.0;
+  Model m(o, packed(o));
+  stir(m);
+  for (auto* v : {&m.assembly.vx, &m.assembly.vy, &m.assembly.spin}) std::fill(v->begin(), v->end(), 0.0);
+  const auto forces = forces_of(m);
+  const auto discs = static_cast<std::size_t>(m.assembly.disc_count());
+  std::vector<double> fx(m.assembly.external_x.begin(), m.assembly.external_x.end()), fy(discs, 0.0),
+      moment(discs, 0.0);
+  for (std::size_t e = 0; e < forces.size(); ++e) {
+    const auto i = static_cast<std::size_t>(m.assembly.first[e]),
+               j = static_cast<std::size_t>(m.assembly.second[e]);
+    fx[i] += forces[e].fx;
+    fy[i] += forces[e].fy;
+    fx[j] -= forces[e].fx;
+    fy[j] -= forces[e].fy;
+    moment[i] += forces[e].moment_i;
+    moment[j] += forces[e].moment_j;
+  }
+  const Network& n = m.network;
+  for (std::int64_t d = 0; d < n.domain_count(); ++d) {
+    double change = 0.0;
+    for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
+      const auto i = static_cast<std::size_t>(n.corner_disc[k]);
+      change += n.corner_weight[2 * k] * m.assembly.ux[i] + n.corner_weight[2 * k + 1] * m.assembly.uy[i];
+    }
+    const double p =
+        n.stiffness[d] > 0.0
+            ? std::max(n.floor_pressure, n.reference_pressure + n.stiffness[d] * (n.content[d] - change))
+            : n.pressure[d];
+    for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
+      const auto i = static_cast<std::size_t>(n.corner_disc[k]);
+      fx[i] += p * n.corner_weight[2 * k];
+      fy[i] += p * n.corner_weight[2 * k + 1];
+    }
+  }
+  KernelArrays a = m.solver->arrays();
+  a.stiffness = n.stiffness.data();
+  a.undrained = 1;
+  cycle(kernels(), a);
+  double largest = 0.0;
+  for (const double f : fx) largest = std::max(largest, std::abs(f));
+  for (std::size_t i = 0; i < discs; ++i) {
+    const auto disc = static_cast<std::int64_t>(i);
+    EXPECT_NEAR(m.assembly.vx[i] / (a.step * a.inverse_mass[disc]), fx[i], 1e-12 * largest) << i;
+    EXPECT_NEAR(m.assembly.vy[i] / (a.step * a.inverse_mass[disc]), fy[i], 1e-12 * largest) << i;
+    EXPECT_NEAR(m.assembly.spin[i] / (a.step * a.inverse_inertia[disc]), moment[i], 1e-12 * largest) << i;
+  }
+}
+
 TEST(Kernels, InnerForcesAddUpToNothing) {
   for (const auto mode : {ContactMode::parallel, ContactMode::after_break}) {
     const Options o = kernel_options(mode);
     Model m(o, packed(o));
     stir(m);
-    m.solver->evaluate();
-    // Disc by disc, as the disc pass gathers them.
     double fx = 0.0, fy = 0.0, torque = 0.0, size = 0.0;
-    for (std::int64_t i = 0; i < m.assembly.disc_count(); ++i) {
-      Vec2 force{};
-      for (auto k = m.assembly.incidence_start[i]; k < m.assembly.incidence_start[i + 1]; ++k) {
-        const bool second = m.assembly.incidence[k] % 2 != 0;
-        const BondForce& f = m.assembly.force[m.assembly.incidence[k] / 2];
-        force = force + (second ? -1.0 : 1.0) * Vec2{f.fx, f.fy};
-        torque += second ? f.moment_j : f.moment_i;
-        size += std::abs(f.fx) + std::abs(f.fy);
-      }
-      fx += force.x;
-      fy += force.y;
-      torque += cross(m.assembly.position(i), force);
+    std::vector<Vec2> on_disc(static_cast<std::size_t>(m.assembly.disc_count()));
+    const auto forces = forces_of(m);
+    for (std::size_t e = 0; e < forces.size(); ++e) {
+      const BondForce& f = forces[e];
+      const auto i = static_cast<std::size_t>(m.assembly.first[e]),
+                 j = static_cast<std::size_t>(m.assembly.second[e]);
+      on_disc[i] = on_disc[i] + Vec2{f.fx, f.fy};
+      on_disc[j] = on_disc[j] - Vec2{f.fx, f.fy};
+      torque += f.moment_i + f.moment_j;
+      size += 2.0 * (std::abs(f.fx) + std::abs(f.fy));
+    }
+    for (std::size_t i = 0; i < on_disc.size(); ++i) {
+      fx += on_disc[i].x;
+      fy += on_disc[i].y;
+      torque += cross(m.assembly.position(static_cast<std::int64_t>(i)), on_disc[i]);
     }
     EXPECT_LT(std::abs(fx), 1e-13 * size);
     EXPECT_LT(std::abs(fy), 1e-13 * size);

@@ -109,8 +109,8 @@ TEST(QuasiStaticParts, AreShortenedWhereBondsBreak) {
   // However long the step, the first bond broke within solver.strength_overshoot of its strength.
   ASSERT_GT(s.cracks().size(), 0U);
   const Crack& first = s.cracks().front();
-  const double capacity = first.mode == CrackMode::tension ? s.assembly().tensile_capacity[first.bond]
-                                                           : s.assembly().shear_capacity[first.bond];
+  const double capacity = first.mode == CrackMode::tension ? s.assembly().tensile_capacity(first.bond)
+                                                           : s.assembly().shear_capacity(first.bond);
   const double bore = first.mode == CrackMode::tension ? first.normal_force : std::abs(first.shear_force);
   EXPECT_LE(bore, (1.0 + definition.options.solver_strength_overshoot) * capacity);
 }
@@ -126,8 +126,8 @@ TEST(QuasiStaticStressBoundary, StaysInPlace) {
   for (int k = 0; k < 3; ++k) s.step();
   double shift_x = 0.0, shift_y = 0.0;
   for (std::int64_t i = 0; i < s.assembly().disc_count(); ++i) {
-    shift_x += s.assembly().mass[i] * s.assembly().ux[i];
-    shift_y += s.assembly().mass[i] * s.assembly().uy[i];
+    shift_x += s.assembly().mass(i) * s.assembly().ux[i];
+    shift_y += s.assembly().mass(i) * s.assembly().uy[i];
   }
   EXPECT_NEAR(shift_x, 0.0, 1e-3);
   EXPECT_NEAR(shift_y, 0.0, 1e-3);

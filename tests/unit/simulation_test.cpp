@@ -191,4 +191,15 @@ TEST(Simulation, StopsAtTheCracksAskedFor) {
   EXPECT_GT(s.tip_distance(), 8.0);
 }
 
+TEST(Simulation, FluidBalanceClosesWithTheIterativeSolverToo) {
+  CaseDefinition definition = cracking_case();
+  definition.options.flow_solver = static_cast<std::int64_t>(FlowMatrixSolver::iterative);
+  Simulation s(definition, {}, {});
+  for (int step = 0; step < 5; ++step) s.step();
+  EXPECT_GT(s.cracks().size(), 0u);
+  const Balance b = s.balance();
+  EXPECT_GT(b.injected, 0.0);
+  EXPECT_LT(std::abs(b.fluid_error), 1e-6 * b.injected);
+}
+
 }  // namespace

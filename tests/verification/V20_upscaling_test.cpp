@@ -87,10 +87,11 @@ class CrackedBlock {
     }
     for (std::int32_t d = end; d != start; d = came[d].first) {
       const std::size_t e = came[d].second;
-      rock_.assembly().intact[e] = 0.0;
+      rock_.assembly().intact[e] = 0;
       rock_.network().aperture[e] = crack_aperture;
       rock_.network().conductance[e] =
-          std::pow(crack_aperture, 3) / (12.0 * viscosity() * rock_.network().pipe_length[e]);
+          std::pow(crack_aperture, 3) /
+          (12.0 * viscosity() * rock_.assembly().pipe_length(static_cast<std::int64_t>(e)));
     }
   }
 

@@ -77,11 +77,12 @@ class KgdModel {
     well.rate = c.rate;
     definition.wells.push_back(well);
     sim_ = std::make_unique<Simulation>(std::move(definition), discs, Progress{});
-    // Strengths along the line, through the model's own arrays: no option describes a line of weakness.
+    // Strengths along the line, through the model's own arrays, since no option describes a line of weakness: strength goes
+    // with a bond's radius, and bonds that thin bear no moment.
     auto& a = const_cast<Assembly&>(sim_->assembly());
     for (std::int64_t e = 0; e < a.bond_count(); ++e) {
       if (!on_line(e) || std::abs(along(e)) > 0.42 * c.side) continue;
-      a.tensile_capacity[e] = c.strength * 2.0 * a.bond_radius[e];
+      a.bond_radius[e] *= c.strength / 1e12;
     }
   }
 

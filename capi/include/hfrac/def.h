@@ -210,6 +210,10 @@ typedef struct hfrac_sim_def {
    * Default 1e-6. */
   double solver_smallest_step;
 
+  /** 0: auto, 1: direct, 2: iterative. How the implicit scheme solves for pressures. direct: factorisation.
+   * iterative: conjugate gradients, for large models. auto: direct up to 60 000 domains. Default 0. */
+  int64_t flow_solver;
+
   /** 0: zlib, 1: lz4, 2: none. How arrays in VTU files are packed. lz4: twice as fast as zlib, files a
    * fifth larger. Default 0. */
   int64_t output_compression;

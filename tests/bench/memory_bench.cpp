@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Memory and time of a whole simulation: set-up, then a few steps, undo image and all.
+//
+//     bench_memory N dry|coupled [STEPS] [WORKERS]
+//
+// The paper's rock around a well in tiled bricks, real time, a millisecond a step. Prints
+//
+//     hfrac-memory N kind bytes_per_disc | seconds of set-up, of a step, peak
+//
+// bytes_per_disc: the process's peak less that of a process that has done nothing yet, over the discs.
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "core/error.hpp"
+#include "couple/simulation.hpp"
+#include "options/choices.hpp"
+
+using namespace hfrac;
+
+namespace {
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double processor_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+double peak_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+void measure(std::int64_t count, bool coupled, int steps, int workers) {
+  const double empty = peak_bytes();
+  CaseDefinition definition;
+  Options& o = definition.options;
+  o.model_reading = static_cast<std::int64_t>(Reading::paper);
+  o.boundary_kind = static_cast<std::int64_t>(BoundaryKind::walls);
+  o.stepping_mode = static_cast<std::int64_t>(SteppingMode::dynamic);
+  o.stepping_flow_step = 1e-3;
+  o.packing_disc_count = count;
+  o.packing_method = static_cast<std::int64_t>(PackingMethod::tiled);
+  o.stress_sigma_H = o.stress_sigma_h = 0.0;
+  o.run_workers = workers;
+  if (!coupled) o.flow_scheme = static_cast<std::int64_t>(FlowScheme::off);
+  definition.wells.push_back({50.0, 50.0, 8.5, 45e6, 0.0, 0.0, WellControl::pressure});
+  const double start = now(), cpu_start = processor_seconds();
+  Simulation s(definition, {}, {});
+  const double built = now() - start, cpu_built = processor_seconds() - cpu_start;
+  const double at = now(), cpu_at = processor_seconds();
+  for (int k = 0; k < steps; ++k) s.step();
+  const double stepped = (now() - at) / std::max(1, steps),
+               cpu_stepped = (processor_seconds() - cpu_at) / std::max(1, steps);
+  const double bytes = peak_bytes() - empty;
+  std::printf(
+      "hfrac-memory %lld %s %.0f | set-up %.1f s (processor %.1f s), step of %.0f cycles %.2f s (processor "
+      "%.2f s), "
+      "%lld bonds, %lld domains, %zu cracks, peak %.0f MB\n",
+      static_cast<long long>(s.assembly().disc_count()), coupled ? "coupled" : "dry",
+      bytes / static_cast<double>(s.assembly().disc_count()), built, cpu_built,
+      std::ceil(1e-3 / s.solver().step()), stepped, cpu_stepped,
+      static_cast<long long>(s.assembly().bond_count()), static_cast<long long>(s.network().domain_count()),
+      s.cracks().size(), bytes / 1e6);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::int64_t count = argc > 1 ? std::atoll(argv[1]) : 0;
+  const std::string kind = argc > 2 ? argv[2] : "";
+  const int steps = argc > 3 ? std::atoi(argv[3]) : 2, workers = argc > 4 ? std::atoi(argv[4]) : 1;
+  if (count < 1000 || count > 5000000 || (kind != "dry" && kind != "coupled") || steps < 0 || workers < 1) {
+    std::fprintf(stderr, "usage: bench_memory N dry|coupled [STEPS] [WORKERS]   1 000 to 5 000 000 discs\n");
+    return 2;
+  }
+  try {
+    measure(count, kind == "coupled", steps, workers);
+  } catch (const Error& error) {
+    std::fprintf(stderr, "bench_memory: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
