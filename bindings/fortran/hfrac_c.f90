@@ -330,6 +330,9 @@ module hfrac_c
     real(c_double) :: solver_strength_overshoot = 0.0_c_double
     !> [s] Mode coupled: parts of a step are not made shorter; what happens within is taken as sudden. Default 1e-6.
     real(c_double) :: solver_smallest_step = 0.0_c_double
+    !> 0: auto, 1: direct, 2: iterative. How the implicit scheme solves for pressures. direct: factorisation.
+    !> iterative: conjugate gradients, for large models. auto: direct up to 60 000 domains. Default 0.
+    integer(c_int64_t) :: flow_solver = 0_c_int64_t
     !> 0: zlib, 1: lz4, 2: none. How arrays in VTU files are packed. lz4: twice as fast as zlib, files a fifth
     !> larger. Default 0.
     integer(c_int64_t) :: output_compression = 0_c_int64_t

@@ -27,8 +27,8 @@ void Simulation::visit_state(Archive& archive, Self& s) {
   }
   archive.value(n.zero_stress_aperture);
   archive.array(s.pressure_rate_);
-  for (auto* value : {&s.time_, &s.force_ratio_, &s.leaked_, &s.tip_distance_, &s.host_added_, &s.part_, &s.excess_,
-                      &s.formation_pressure_, &s.outside_work_, &s.start_outside_change_,
+  for (auto* value : {&s.time_, &s.force_ratio_, &s.leaked_, &s.tip_distance_, &s.host_added_, &s.part_,
+                      &s.excess_, &s.formation_pressure_, &s.outside_work_, &s.start_outside_change_,
                       &s.definition_.options.stress_sigma_H, &s.definition_.options.stress_sigma_h}) {
     archive.value(*value);
   }

@@ -302,6 +302,7 @@ class hfrac_sim_def(ctypes.Structure):
         ("solver_pressure_change", ctypes.c_double),
         ("solver_strength_overshoot", ctypes.c_double),
         ("solver_smallest_step", ctypes.c_double),
+        ("flow_solver", ctypes.c_int64),
         ("output_compression", ctypes.c_int64),
         ("output_layout", ctypes.c_int64),
         ("log", hfrac_log_fn),
