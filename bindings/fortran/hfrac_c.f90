@@ -1223,7 +1223,7 @@ module hfrac_c
     !> are along the cell's i and j; a tensor's off-diagonal part has no place there and is left out, as the file
     !> says. Cells the model does not cover get the rock's values and multipliers of 1; rock the host gives no value
     !> for and no cell covers takes the mean of the covered cells. The file appears whole or not at all (written
-    !> aside, synced, renamed). HFRAC_ERR_ARGUMENT: it cannot be written. Unstable since 0.1.
+    !> aside, synced, renamed). HFRAC_ERR_FILE: it cannot be written. Unstable since 0.1.
     function hfrac_write_grdecl(sim, path, method, kind, layers, porosity, permeability) bind(C, &
       name="hfrac_write_grdecl")
       import

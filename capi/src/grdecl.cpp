@@ -6,11 +6,12 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
+#include <span>
 #include <vector>
 
+#include "byte_file.hpp"
 #include "core/error.hpp"
 #include "hfrac/grid.h"
-#include "whole_file.hpp"
 
 namespace hfrac::capi {
 namespace {
@@ -162,7 +163,7 @@ void write_grdecl(const Simulation& s, const std::string& path, Upscaling rule,
       volume.push_back(rock.porosity[c] > 0.0 ? rock.whole_porosity[c] / rock.porosity[c] : 1.0);
     put_keyword(text, "MULTPV", volume, request.layers);
   }
-  write_whole_file(path, text);
+  write_whole_file(path, std::as_bytes(std::span(text)));
 }
 
 }  // namespace hfrac::capi

@@ -16,7 +16,7 @@ struct GrdeclRequest {
   double permeability;  // m2, of the rock, 0: the network's
 };
 
-// Throws Error(argument) if a value is out of range or the file cannot be written.
+// Throws Error(argument) if a value is out of range, Error(file) if the file cannot be written.
 void write_grdecl(const Simulation& simulation, const std::string& path, Upscaling rule,
                   const GrdeclRequest& request);
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
-
 namespace hfrac {
 namespace {
 
@@ -49,14 +47,14 @@ EquilibriumSolver::Outcome EquilibriumSolver::solve(double duration, const std::
     const bool found = find_rest(outcome, interrupt);
     outcome.force_ratio = system_.force_ratio();
     if (!found) return outcome;
-    const double excess = largest_excess();
+    const double excess = find_exceeding();
     if (outcome.rounds == 1) outcome.excess = excess;
     if (outcome.rounds == 1 && excess > most_excess) {
       outcome.end = End::overshoot;
       return outcome;
     }
     keep_round();
-    if (excess < 1.0) {
+    if (exceeding_.empty()) {
       if (duration > 0.0) system_.keep_flow();
       boundary_.hold_still(assembly_);
       outcome.end = End::rest;
@@ -123,12 +121,15 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
   return system_.force_ratio() <= tolerance && system_.pressure_error() <= tolerance;
 }
 
-double EquilibriumSolver::largest_excess() const {
+double EquilibriumSolver::find_exceeding() {
+  exceeding_.clear();
   double largest = 0.0;
   for (std::int64_t e = 0; e < assembly_.bond_count(); ++e) {
-    if (assembly_.intact[e] == 0.0) continue;
+    if (assembly_.intact[e] == 0) continue;
     const BondView bond = view_bond(assembly_, options_, e);
-    largest = std::max({largest, bond.tensile_excess, bond.shear_excess});
+    const double excess = std::max(bond.tensile_excess, bond.shear_excess);
+    largest = std::max(largest, excess);
+    if (excess >= 1.0) exceeding_.push_back({excess, e});
   }
   return largest;
 }
@@ -144,32 +145,19 @@ void EquilibriumSolver::keep_round() {
 }
 
 void EquilibriumSolver::break_farthest(CrackLog& log) {
-  struct Candidate {
-    double excess;
-    std::int64_t bond;
-    Vec2 middle;
-  };
-  std::vector<Candidate> found;
-  for (std::int64_t e = 0; e < assembly_.bond_count(); ++e) {
-    if (assembly_.intact[e] == 0.0) continue;
-    const BondView bond = view_bond(assembly_, options_, e);
-    const double excess = std::max(bond.tensile_excess, bond.shear_excess);
-    if (excess < 1.0) continue;
-    found.push_back(
-        {excess, e,
-         0.5 * (assembly_.position(assembly_.first[e]) + assembly_.position(assembly_.second[e]))});
-  }
-  std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+  std::sort(exceeding_.begin(), exceeding_.end(), [](const Exceeding& a, const Exceeding& b) {
     return a.excess != b.excess ? a.excess > b.excess : a.bond < b.bond;
   });
   std::vector<Vec2> broken;
-  for (const auto& candidate : found) {
+  for (const auto& candidate : exceeding_) {
+    const Vec2 middle = 0.5 * (assembly_.position(assembly_.first[candidate.bond]) +
+                               assembly_.position(assembly_.second[candidate.bond]));
     const bool near = std::any_of(broken.begin(), broken.end(), [&](Vec2 at) {
-      const Vec2 between = candidate.middle - at;
+      const Vec2 between = middle - at;
       return dot(between, between) < apart * apart * assembly_.mean_radius * assembly_.mean_radius;
     });
     if (near) continue;
-    broken.push_back(candidate.middle);
+    broken.push_back(middle);
     mechanics_.break_bond(candidate.bond, log);
   }
 }

@@ -43,7 +43,12 @@ class EquilibriumSolver {
 
  private:
   bool find_rest(Outcome& outcome, const std::function<bool()>& interrupt);
-  [[nodiscard]] double largest_excess() const;
+  struct Exceeding {
+    double excess;  // stress over strength, at least 1
+    std::int64_t bond;
+  };
+  // Intact bonds beyond their strength, into exceeding_. Returns the largest stress over strength of all.
+  double find_exceeding();
   void keep_round();
   void break_farthest(CrackLog& log);
 
@@ -55,6 +60,7 @@ class EquilibriumSolver {
   CoupledSystem system_;
   CoupledFactor factor_;
   std::vector<double> pressure_start_;
+  std::vector<Exceeding> exceeding_;
   int last_krylov_ = 0;
   bool flowed_ = false;
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs_;  // that the order of elimination knows

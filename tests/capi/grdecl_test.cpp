@@ -135,10 +135,9 @@ TEST_F(Grdecl, OfATurnedGridRunsAlongItsOwnAxes) {
 TEST_F(Grdecl, AFailedWriteLeavesTheEarlierFile) {
   const std::string path = folder_.file();
   { std::ofstream(path) << "earlier"; }
-  EXPECT_EQ(hfrac_write_grdecl(sim_, (path + "/below.grdecl").c_str(), 0, 0, 1, 0.0, 0.0),
-            HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_write_grdecl(sim_, (path + "/below.grdecl").c_str(), 0, 0, 1, 0.0, 0.0), HFRAC_ERR_FILE);
   EXPECT_NE(last_error(sim_).find("below.grdecl"), std::string::npos);
-  EXPECT_EQ(hfrac_write_grdecl(sim_, folder_.path().c_str(), 0, 0, 1, 0.0, 0.0), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_write_grdecl(sim_, folder_.path().c_str(), 0, 0, 1, 0.0, 0.0), HFRAC_ERR_FILE);
   std::string text;
   std::getline(std::ifstream(path), text);
   EXPECT_EQ(text, "earlier");

@@ -115,15 +115,6 @@ class KgdModel {
   [[nodiscard]] double net_pressure() const {
     return sim_->network().pressure[static_cast<std::size_t>(sim_->wells()[0].place.domain)] - case_.stress;
   }
-  // Fluid in the slit: each open bond stands for a length R of it.
-  [[nodiscard]] double volume() const {
-    double sum = 0.0;
-    for (const auto& crack : sim_->cracks()) {
-      sum += radius_ * std::max(0.0, hfrac::view_bond(sim_->assembly(), sim_->options(), crack.bond).gap) /
-             0.8660254037844386;
-    }
-    return sum;
-  }
 
  private:
   [[nodiscard]] bool on_line(std::int64_t e) const {

@@ -37,6 +37,7 @@ from .errors import (
     BusyError,
     CaseFileError,
     DivergedError,
+    FileError,
     HfracError,
     InternalError,
     LibraryError,
@@ -44,7 +45,6 @@ from .errors import (
     OutOfMemoryError,
     PoisonedError,
     StaleViewError,
-    StateFileError,
     StoppedError,
     StructSizeError,
     UnknownKeyError,
@@ -52,9 +52,9 @@ from .errors import (
 
 __all__ = [
     "FIELDS", "Advance", "ArgumentError", "BadHandleError", "Balance", "Bonds", "BusyError", "CaseFileError", "Crack",
-    "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "FieldInfo", "Fracture", "GrdeclKind", "Grid", "HfracError",
+    "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "FieldInfo", "FileError", "Fracture", "GrdeclKind", "Grid", "HfracError",
     "InternalError", "LibraryError", "LogLevel", "ModelError", "OpenStep", "Option", "OutOfMemoryError", "Pipes", "PoisonedError",
-    "SetupReport", "SimState", "Simulation", "SolverReport", "StaleViewError", "StateFileError", "Status", "StepLimit",
+    "SetupReport", "SimState", "Simulation", "SolverReport", "StaleViewError", "Status", "StepLimit",
     "StepLimits", "StopReason", "StoppedError", "StructSizeError", "UnknownKeyError", "Upscaling", "View", "WallState", "Well",
     "WellControl", "WellState", "build_info", "library_path", "options", "version", "well_options",
 ]

@@ -71,8 +71,8 @@ class PoisonedError(HfracError, RuntimeError):
     status = Status.ERR_POISONED
 
 
-class StateFileError(HfracError, OSError):
-    """A file of a state cannot be written, cannot be read, or is not what it should be; nothing has changed."""
+class FileError(HfracError, OSError):
+    """A file cannot be written, cannot be read, or is not what it should be; nothing has changed."""
 
     status = Status.ERR_FILE
 

@@ -106,7 +106,7 @@ enum hfrac_grdecl_kind {
  * `permeability` [m2] are the host's own of the rock; 0: the network's. PERMX and PERMY are along the cell's i and j; a
  * tensor's off-diagonal part has no place there and is left out, as the file says. Cells the model does not cover get the
  * rock's values and multipliers of 1; rock the host gives no value for and no cell covers takes the mean of the covered cells.
- * The file appears whole or not at all (written aside, synced, renamed). HFRAC_ERR_ARGUMENT: it cannot be written.
+ * The file appears whole or not at all (written aside, synced, renamed). HFRAC_ERR_FILE: it cannot be written.
  * Unstable since 0.1. */
 HFRAC_API int32_t hfrac_write_grdecl(hfrac_sim *sim, const char *path, int32_t method, int32_t kind, int64_t layers,
                                      double porosity, double permeability);

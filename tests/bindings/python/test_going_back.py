@@ -53,7 +53,7 @@ class Files(unittest.TestCase):
             other.load_file(path)
             self.assertEqual(other.state_hash, sim.state_hash)
             path.write_bytes(path.read_bytes()[:-1])
-            with self.assertRaisesRegex(hfrac.StateFileError, "was cut"):
+            with self.assertRaisesRegex(hfrac.FileError, "was cut"):
                 other.load_file(path)
             with self.assertRaises(OSError):
                 sim.save_file("/nonexistent/state")

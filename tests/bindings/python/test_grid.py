@@ -64,7 +64,7 @@ class Grid(unittest.TestCase):
                 self.assertIn(f"\n{keyword}\n", text)
             grid.write_grdecl(path, kind=hfrac.GrdeclKind.MULT, method=hfrac.Upscaling.ODA)
             self.assertIn("\nMULTX\n", path.read_text())
-            with self.assertRaises(hfrac.ArgumentError):
+            with self.assertRaises(hfrac.FileError):
                 grid.write_grdecl(path / "below.grdecl")
 
     def test_misuse(self):
