@@ -35,6 +35,13 @@ class Simulation {
   void ramp(int32_t well, double pressure, double per_step) {
     check(hfrac_well_set_ramp(sim_, well, pressure, per_step));
   }
+  void set_far_field(double sigma_H, double sigma_h) { check(hfrac_set_far_field(sim_, sigma_H, sigma_h)); }
+  // One step of that many seconds.
+  void step_for(double duration) {
+    check(hfrac_step_prepare(sim_));
+    check(hfrac_step_do(sim_, duration));
+    check(hfrac_step_finalize(sim_));
+  }
   [[nodiscard]] hfrac_sim_state state() const {
     hfrac_sim_state state{};
     state.struct_size = sizeof state;
