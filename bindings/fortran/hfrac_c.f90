@@ -345,6 +345,19 @@ module hfrac_c
     type(c_ptr) :: log_user = c_null_ptr
     !> enum hfrac_log_level, how much `log` hears. Default 3
     integer(c_int64_t) :: log_level = 0_c_int64_t
+    !> 0: uniform, 1: seepage. Pore pressure before the treatment. uniform: the formation's. seepage: what one well
+    !> held at initial.well_pressure leaves, found by the poroelastic continuum (eq. 1-3). Default 0.
+    integer(c_int64_t) :: initial_state = 0_c_int64_t
+    !> [Pa] State seepage: pressure of the well before the treatment, in the reading's sense. Default 0.0.
+    real(c_double) :: initial_well_pressure = 0.0_c_double
+    !> [s] State seepage: how long the well has been at that pressure; 0: until nothing changes any more. Default
+    !> 0.0.
+    real(c_double) :: initial_seepage_time = 0.0_c_double
+    !> [Pa] State seepage: drained Young's modulus of the continuum; needed for a seepage_time above 0 only. Default
+    !> 14.2e9.
+    real(c_double) :: initial_youngs_modulus = 0.0_c_double
+    !> [1] State seepage: drained Poisson's ratio of the continuum in plane strain. Default 0.24.
+    real(c_double) :: initial_poissons_ratio = 0.0_c_double
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.

@@ -9,6 +9,7 @@
 #include "flow/aperture.hpp"
 #include "geom/packing.hpp"
 #include "options/choices.hpp"
+#include "rock/seeping_well.hpp"
 
 namespace hfrac {
 namespace {
@@ -114,11 +115,44 @@ void Simulation::build(std::span<const double> given_discs, const Progress& prog
   solver_ = std::make_unique<ExplicitSolver>(assembly_, network_, *boundary_, o, *workers_);
 }
 
+// What the pores hold before the treatment, by domain [Pa].
+std::vector<double> Simulation::initial_pressures() const {
+  const Options& o = options();
+  std::vector<double> pressure(static_cast<std::size_t>(network_.domain_count()),
+                               network_.reference_pressure);
+  if (InitialState{o.initial_state} == InitialState::uniform) return pressure;
+  SeepingWell well;
+  well.width = o.model_width;
+  well.height = o.model_height;
+  well.centre = wells_[0].place.centre;
+  well.radius = wells_[0].place.equivalent_radius;
+  well.excess = o.initial_well_pressure - network_.reference_pressure;
+  well.duration = o.initial_seepage_time;
+  well.outer_drained = OuterPores{o.flow_outer} == OuterPores::formation;
+  well.outer_held = BoundaryKind{o.boundary_kind} == BoundaryKind::walls;
+  double pores = 0.0;
+  for (std::size_t d = 1; d < network_.volume.size(); ++d)
+    pores += network_.kind[d] == DomainKind::rock ? network_.volume[d] : 0.0;
+  BiotMaterial rock;
+  rock.youngs_modulus = o.initial_youngs_modulus;
+  rock.poissons_ratio = o.initial_poissons_ratio;
+  rock.biot = 1.0;  // discs do not shrink under the pressure of the pores around them
+  rock.storage = pores / (o.model_width * o.model_height) / o.fluid_bulk_modulus;
+  // What rests in the end does not depend on it; validate() asks for it where it matters.
+  if (o.flow_permeability > 0.0) rock.mobility = o.flow_permeability / o.fluid_viscosity;
+  const auto excess = seepage_pressure(well, rock, network_.centroid);
+  for (std::size_t d = 1; d < pressure.size(); ++d)
+    pressure[d] = std::max(pressure[d] + excess[d], network_.floor_pressure);
+  pressure[static_cast<std::size_t>(wells_[0].place.domain)] = o.initial_well_pressure;
+  return pressure;
+}
+
 // Far field and formation pressure in stages, together: at every stage effective stresses are a share of the final ones.
 // Pores are drained, so breakage here is the far field's doing alone.
 void Simulation::equilibrate(const Progress& progress) {
   const Options& o = options();
   constexpr int stages = 10;
+  const std::vector<double> pressure = initial_pressures();
   if (progress && progress(0.5, "finding equilibrium under the far field")) throw Stopped{};
   solver_->use_scaled_masses();
   solver_->set_damping(std::max(0.3, o.stepping_damping));
@@ -127,7 +161,7 @@ void Simulation::equilibrate(const Progress& progress) {
   for (int stage = 1; stage <= stages; ++stage) {
     const double share = static_cast<double>(stage) / stages;
     boundary_->set_load(assembly_, share);
-    std::fill(network_.pressure.begin(), network_.pressure.end(), share * network_.reference_pressure);
+    for (std::size_t d = 0; d < pressure.size(); ++d) network_.pressure[d] = share * pressure[d];
     const bool last = stage == stages;
     bool stop = false;
     outcome = solver_->relax(
@@ -153,8 +187,7 @@ void Simulation::begin_books() {
   solver_->evaluate();  // volumes and forces where they came to rest
   const bool wet = FlowScheme{o.flow_scheme} != FlowScheme::off;
   for (std::int64_t d = 0; d < network_.domain_count(); ++d) {
-    network_.pressure[d] = network_.reference_pressure;
-    network_.content[d] = content_at(network_, d, o.fluid_bulk_modulus, network_.reference_pressure);
+    network_.content[d] = content_at(network_, d, o.fluid_bulk_modulus, network_.pressure[d]);
     const bool imposed = network_.kind[d] == DomainKind::outside;
     network_.stiffness[d] = wet && !imposed ? o.fluid_bulk_modulus / network_.volume[d] : 0.0;
   }

@@ -149,6 +149,7 @@ class Simulation {
  private:
   // setup.cpp
   void build(std::span<const double> given_discs, const Progress& progress);
+  [[nodiscard]] std::vector<double> initial_pressures() const;
   void equilibrate(const Progress& progress);
   void begin_books();
   // step.cpp

@@ -16,6 +16,7 @@ enum class FlowScheme : std::int64_t { implicit_scheme = 0, explicit_scheme = 1,
 enum class FlowMatrixSolver : std::int64_t { automatic = 0, direct = 1, iterative = 2 };
 enum class OuterPores : std::int64_t { formation = 0, closed = 1 };
 enum class SteppingMode : std::int64_t { substep = 0, dynamic = 1, coupled = 2 };
+enum class InitialState : std::int64_t { uniform = 0, seepage = 1 };
 enum class SolverKind : std::int64_t { explicit_solver = 0, quasi_static = 1 };
 
 }  // namespace hfrac

@@ -91,6 +91,8 @@ static_assert(is_word("flow.outer", "formation", OuterPores::formation) &&
 static_assert(is_word("stepping.mode", "substep", SteppingMode::substep) &&
               is_word("stepping.mode", "dynamic", SteppingMode::dynamic) &&
               is_word("stepping.mode", "coupled", SteppingMode::coupled));
+static_assert(is_word("initial.state", "uniform", InitialState::uniform) &&
+              is_word("initial.state", "seepage", InitialState::seepage));
 static_assert(is_word("solver.kind", "explicit", SolverKind::explicit_solver) &&
               is_word("solver.kind", "quasi-static", SolverKind::quasi_static));
 static_assert(choice_index(well_rows[6].choices, "ramp") == static_cast<std::int64_t>(WellControl::ramp) &&

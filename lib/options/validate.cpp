@@ -126,6 +126,30 @@ void check_solver(const Options& o) {
   }
 }
 
+void check_initial(const CaseDefinition& c) {
+  const Options& o = c.options;
+  if (InitialState{o.initial_state} != InitialState::seepage) return;
+  if (FlowScheme{o.flow_scheme} == FlowScheme::off) {
+    refuse(
+        "initial.state = \"seepage\" needs flow, but flow.scheme = \"off\"; set flow.scheme = \"implicit\".");
+  }
+  if (c.wells.size() != 1) {
+    refuse("initial.state = \"seepage\" is solved around one well, the case has " +
+           std::to_string(c.wells.size()) + "; keep one well or set initial.state = \"uniform\".");
+  }
+  const double lowest = Reading{o.model_reading} == Reading::sound ? 0.0 : -o.fluid_formation_pressure;
+  if (o.initial_well_pressure < lowest) {
+    refuse(value_text("initial.well_pressure", o.initial_well_pressure, "Pa") +
+           " is below zero absolute pressure, which is " + number_text(lowest) +
+           " Pa in this model.reading.");
+  }
+  if (o.initial_seepage_time > 0.0 && o.flow_permeability == 0.0) {
+    refuse(
+        "initial.seepage_time above 0 needs flow.permeability, which is 0; give the rock's permeability, or "
+        "initial.seepage_time = 0 for the steady state.");
+  }
+}
+
 void check_control(const std::string& name, const WellOptions& well, const Options& o) {
   if (well.control == WellControl::ramp && !(well.ramp_per_step > 0.0)) {
     refuse(name + ".ramp_per_step = " + number_text(well.ramp_per_step) +
@@ -200,6 +224,7 @@ void validate(const CaseDefinition& definition, std::span<const double> given_di
   check_stresses(o);
   check_material(o);
   check_solver(o);
+  check_initial(definition);
   const auto& wells = definition.wells;
   for (std::size_t i = 0; i < wells.size(); ++i) {
     const std::string name = "well[" + std::to_string(i) + "]";

@@ -308,6 +308,11 @@ class hfrac_sim_def(ctypes.Structure):
         ("log", hfrac_log_fn),
         ("log_user", ctypes.c_void_p),
         ("log_level", ctypes.c_int64),
+        ("initial_state", ctypes.c_int64),
+        ("initial_well_pressure", ctypes.c_double),
+        ("initial_seepage_time", ctypes.c_double),
+        ("initial_youngs_modulus", ctypes.c_double),
+        ("initial_poissons_ratio", ctypes.c_double),
     ]
 
 

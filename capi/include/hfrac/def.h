@@ -224,6 +224,21 @@ typedef struct hfrac_sim_def {
   hfrac_log_fn log;           /**< told what happens while the simulation is built; may be NULL. Later: hfrac_set_log */
   void *log_user;             /**< handed to `log` */
   int64_t log_level;          /**< enum hfrac_log_level, how much `log` hears. Default 3 */
+
+  /** 0: uniform, 1: seepage. Pore pressure before the treatment. uniform: the formation's. seepage: what
+   * one well held at initial.well_pressure leaves, found by the poroelastic continuum (eq. 1-3). Default
+   * 0. */
+  int64_t initial_state;
+  /** [Pa] State seepage: pressure of the well before the treatment, in the reading's sense. Default 0.0. */
+  double initial_well_pressure;
+  /** [s] State seepage: how long the well has been at that pressure; 0: until nothing changes any more.
+   * Default 0.0. */
+  double initial_seepage_time;
+  /** [Pa] State seepage: drained Young's modulus of the continuum; needed for a seepage_time above 0 only.
+   * Default 14.2e9. */
+  double initial_youngs_modulus;
+  /** [1] State seepage: drained Poisson's ratio of the continuum in plane strain. Default 0.24. */
+  double initial_poissons_ratio;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */
