@@ -9,8 +9,8 @@
 namespace hfrac {
 namespace {
 
-constexpr int around = 64, outward = 32;  // elements
-constexpr int steps_per_doubling = 12;    // of the time passed
+constexpr int around = 48, outward = 24;  // elements
+constexpr int steps_per_doubling = 6;     // of the time passed
 
 std::vector<BiotSolver::Side> sides_of(const SeepingWell& well) {
   const auto motion = well.outer_held ? SideMotion::held : SideMotion::free;
@@ -45,7 +45,9 @@ std::vector<double> seepage_pressure(const SeepingWell& well, const BiotMaterial
                   sides_of(well));
   seep(rock, well, material);
   // The elements again, by corners: the mesh is a block, outward first.
-  const auto element_at = [](int a, int b) { return static_cast<std::size_t>(b * outward + a); };
+  const auto element_at = [](int a, int b) {
+    return static_cast<std::size_t>(b) * outward + static_cast<std::size_t>(a);
+  };
   std::vector<double> pressure;
   pressure.reserve(places.size());
   for (const Vec2 place : places) {

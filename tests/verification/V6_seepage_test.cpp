@@ -138,3 +138,58 @@ TEST(V6Seepage, DiscsTakeOverTheContinuumsState) {
     EXPECT_NEAR(hoop / excess, wanted_hoop / excess, tolerance);
   }
 }
+
+// A finite time lies between the untouched rock and the steady state, and comes near the latter.
+TEST(V6Seepage, GrowsWithTime) {
+  hfrac_sim_def def = rock_with_well();
+  def.packing_disc_count = 2000;
+  def.stepping_force_ratio = 1e-3;
+  def.initial_state = 1;
+  def.initial_well_pressure = 25e6 + excess;
+  const auto mean_excess = [&](double seconds) {
+    def.initial_seepage_time = seconds;
+    verification::Simulation rock(def);
+    const auto pressure = rock.values(HFRAC_DOMAIN_PRESSURE), volume = rock.values(HFRAC_DOMAIN_VOLUME);
+    double sum = 0.0, all = 0.0;
+    for (std::size_t d = 1; d < pressure.size(); ++d) {
+      sum += volume[d] * (pressure[d] - 25e6);
+      all += volume[d];
+    }
+    return sum / all / excess;
+  };
+  const double early = mean_excess(1e5), later = mean_excess(3e6), late = mean_excess(1e9),
+               steady = mean_excess(0.0);
+  std::printf("  mean excess after 1e5, 3e6, 1e8 s and without end: %.4f, %.4f, %.4f, %.4f\n", early, later,
+              late, steady);
+  EXPECT_LT(early, later);
+  EXPECT_LT(later, 0.95 * steady);
+  EXPECT_NEAR(late, steady, 1e-3 * steady);
+}
+
+TEST(V6Seepage, IsRefusedWhereItHasNoMeaning) {
+  const auto text_of = [](hfrac_sim_def def) -> std::string {
+    try {
+      const verification::Simulation rock(def);
+    } catch (const std::exception& fault) {
+      return fault.what();
+    }
+    return "";
+  };
+  hfrac_sim_def def = rock_with_well();
+  def.packing_disc_count = 1000;
+  def.initial_state = 1;
+  def.initial_well_pressure = 30e6;
+  hfrac_sim_def dry = def;
+  dry.flow_scheme = 2;
+  EXPECT_NE(text_of(dry).find("needs flow"), std::string::npos);
+  hfrac_sim_def none = def;
+  none.well_count = 0;
+  EXPECT_NE(text_of(none).find("around one well, the case has 0"), std::string::npos);
+  hfrac_sim_def empty = def;
+  empty.initial_well_pressure = -1.0;
+  EXPECT_NE(text_of(empty).find("below zero absolute pressure"), std::string::npos);
+  hfrac_sim_def tight = def;
+  tight.flow_permeability = 0.0;
+  tight.initial_seepage_time = 10.0;
+  EXPECT_NE(text_of(tight).find("needs flow.permeability"), std::string::npos);
+}
