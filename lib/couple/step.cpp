@@ -46,8 +46,7 @@ Simulation::StepOutcome Simulation::step_for(double duration, const std::functio
     ExplicitSolver::Outcome mechanics;
     const std::size_t cracks_before = cracks_.size();
     if (SteppingMode{o.stepping_mode} == SteppingMode::dynamic) {
-      const auto cycles = static_cast<std::int64_t>(std::max(1.0, std::ceil(duration / solver_->step())));
-      mechanics = solver_->run(cycles, cracks_, interrupt);
+      mechanics = solver_->run_for(duration, cracks_, interrupt);
       mechanics.at_rest = true;  // not asked for
     } else {
       mechanics = solver_->relax(o.stepping_force_ratio, o.stepping_max_cycles, cracks_, interrupt);

@@ -305,6 +305,16 @@ ExplicitSolver::Outcome ExplicitSolver::run(std::int64_t cycles, CrackLog& log,
   return relax(-1.0, cycles, log, interrupt);
 }
 
+ExplicitSolver::Outcome ExplicitSolver::run_for(double duration, CrackLog& log,
+                                                const std::function<bool()>& interrupt) {
+  const auto cycles =
+      std::max<std::int64_t>(1, std::llround(std::ceil(duration / real_step_ * (1.0 - 1e-12))));
+  arrays_.step = duration / static_cast<double>(cycles);
+  const Outcome outcome = run(cycles, log, interrupt);
+  arrays_.step = scaled_ ? 1.0 : real_step_;
+  return outcome;
+}
+
 void ExplicitSolver::evaluate() {
   arrays_.stiffness = network_.stiffness.data();
   arrays_.undrained = 1;  // volumes are looked at

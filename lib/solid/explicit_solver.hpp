@@ -57,6 +57,9 @@ class ExplicitSolver {
   // Exactly `cycles` cycles.
   Outcome run(std::int64_t cycles, CrackLog& log, const std::function<bool()>& interrupt = {});
 
+  // `duration` seconds of real motion (real masses) in equal cycles no longer than the stable one.
+  Outcome run_for(double duration, CrackLog& log, const std::function<bool()>& interrupt = {});
+
   // Forces, pressures and volumes at the displacements as they stand (no motion, no breakage).
   void evaluate();
 

@@ -42,6 +42,7 @@ class Simulation {
     check(hfrac_step_do(sim_, duration));
     check(hfrac_step_finalize(sim_));
   }
+  void balance(hfrac_balance* into) { check(hfrac_get_balance(sim_, into)); }
   [[nodiscard]] hfrac_sim_state state() const {
     hfrac_sim_state state{};
     state.struct_size = sizeof state;

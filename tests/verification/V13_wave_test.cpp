@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// V13  A plane wave without damping: its speed, its amplitude, and the energy it keeps.
+//
+// Formula    c = sqrt(M / rho) with M = E' / (1 - nu'^2) the plane model's modulus for strain along one axis and rho the mass
+//            over the area; behind the front of a sudden pressure s the rock moves at s / (rho c).
+// Source     Timoshenko and Goodier, Theory of Elasticity, sections 166 and 168.
+// Set-up     100 m x 100 m of the linear set, dry, unbreakable, no well, no damping, mode dynamic. E' and nu' of the same packing
+//            at rest under sigma_H alone, as in V2. Then sigma_H is put on at once: from left and right a front runs inward.
+//            Mean displacement over |y - 50 m| < 20 m in columns of 4 m round x = 10 m and 34 m; a straight line through
+//            it over 6 ms behind the front gives the velocity and when the front came. Nothing has come from other sides by then.
+// Tolerance  Speed 2 % (physics.md), velocity behind the front 3 %, both as means over three packings. Energy: error of the balance over the work done, below 1e-2 with
+//            velocities half a cycle apart from forces; 1e-6 with both at one time is ExplicitSolver.KeepsEnergyWithoutDamping.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support.hpp"
+
+namespace {
+
+using namespace verification;
+
+constexpr double push = 1e6;      // [Pa]
+constexpr double tick = 1e-4;     // [s]
+constexpr double density = 2320;  // of the discs [kg/m3]
+
+hfrac_sim_def rock(int64_t discs, int64_t seed) {
+  hfrac_sim_def def = new_def();
+  def.flow_scheme = 2;
+  def.packing_disc_count = discs;
+  def.model_seed = seed;
+  def.contact_mode = 1;
+  def.bond_normal_stiffness = 16e9;
+  def.bond_shear_stiffness = 5.6e9;
+  def.bond_tensile_strength = def.bond_shear_strength = 1e12;
+  def.disc_density = density;
+  def.stress_sigma_H = def.stress_sigma_h = 0.0;
+  return def;
+}
+
+// E' and nu' of the plane model.
+std::pair<double, double> elasticity(hfrac_sim_def def) {
+  const auto before = Simulation(def).values(HFRAC_DISC_POSITION);
+  def.stress_sigma_H = push;
+  const auto after = Simulation(def).values(HFRAC_DISC_POSITION);
+  std::vector<double> x, y, ux, uy;
+  std::vector<char> use;
+  for (std::size_t i = 0; i < before.size(); i += 2) {
+    x.push_back(before[i]);
+    y.push_back(before[i + 1]);
+    ux.push_back(after[i] - before[i]);
+    uy.push_back(after[i + 1] - before[i + 1]);
+    use.push_back(std::abs(x.back() - 50.0) < 35.0 && std::abs(y.back() - 50.0) < 35.0 ? 1 : 0);
+  }
+  const double along = -fit_plane(x, y, ux, use).b, across = fit_plane(x, y, uy, use).c;
+  return {push / along, across / along};
+}
+
+// Mean displacement along x round x = `middle`.
+double column(const std::vector<double>& place, const std::vector<double>& displacement, double middle) {
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t i = 0; i < place.size(); i += 2) {
+    if (std::abs(place[i] - middle) > 2.0 || std::abs(place[i + 1] - 50.0) > 20.0) continue;
+    sum += displacement[i];
+    ++count;
+  }
+  return sum / count;
+}
+
+// Behind the front the column moves as velocity (t - arrival): both by least squares over 6 ms, from 1 ms after the time
+// expected. The ringing of the discs behind a sharp front averages out.
+struct Line {
+  double arrival, velocity;
+};
+Line front(Simulation& wave, const std::vector<double>& place, const std::vector<double>& start,
+           double middle, double speed) {
+  const double begin = middle / speed + 1e-3, end = begin + 6e-3;
+  double n = 0.0, t = 0.0, u = 0.0, tt = 0.0, tu = 0.0;
+  for (double now = wave.state().time; now < end; now = wave.state().time) {
+    wave.step_for(tick);
+    if (now < begin) continue;
+    const double time = wave.state().time;
+    const double moved =
+        column(place, wave.values(HFRAC_DISC_DISPLACEMENT), middle) - column(place, start, middle);
+    n += 1.0;
+    t += time;
+    u += moved;
+    tt += time * time;
+    tu += time * moved;
+  }
+  const double velocity = (n * tu - t * u) / (n * tt - t * t);
+  return {(t - u / velocity) / n, velocity};
+}
+
+}  // namespace
+
+TEST(V13Wave, RunsAtTheSpeedOfSound) {
+  double speeds = 0.0, velocities = 0.0;
+  constexpr int packings = 3;
+  for (int64_t seed = 1; seed <= packings; ++seed) {
+    hfrac_sim_def def = rock(8000, seed);
+    const auto [modulus, poisson] = elasticity(def);
+    def.stepping_mode = 1;
+    def.stepping_damping = 0.0;
+    def.stepping_flow_step = tick;
+    Simulation wave(def);
+    const double rho = density * (1.0 - wave.setup().porosity);
+    const double speed = std::sqrt(modulus / (1.0 - poisson * poisson) / rho), behind = push / (rho * speed);
+    const auto place = wave.values(HFRAC_DISC_POSITION);
+    const auto start = wave.values(HFRAC_DISC_DISPLACEMENT);
+    wave.set_far_field(push, 0.0);
+    constexpr double from = 10.0, to = 34.0;
+    const Line first = front(wave, place, start, from, speed), second = front(wave, place, start, to, speed);
+    const double measured = (to - from) / (second.arrival - first.arrival);
+    const double plateau = 0.5 * (first.velocity + second.velocity);
+    hfrac_balance balance{};
+    balance.struct_size = sizeof balance;
+    wave.balance(&balance);
+    std::printf("  packing %lld: E' %.2f GPa, nu' %.3f, rho %.0f kg/m3\n", static_cast<long long>(seed),
+                modulus / 1e9, poisson, rho);
+    std::printf("  speed of the front %.0f m/s, formula %.0f; velocity behind it %.4f m/s, formula %.4f\n",
+                measured, speed, plateau, behind);
+    const double error = balance.energy_error / balance.boundary_work;
+    std::printf("  energy: error of the balance over the work of the far field %.2e, tolerance 1e-2\n",
+                error);
+    EXPECT_LT(std::abs(error), 1e-2);
+    speeds += measured / speed / packings;
+    velocities += plateau / behind / packings;
+  }
+  report("speed over the formula's, mean over packings", speeds, 1.0, 0.02);
+  report("velocity over the formula's, mean over packings", velocities, 1.0, 0.03);
+}
