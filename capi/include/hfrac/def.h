@@ -224,6 +224,14 @@ typedef struct hfrac_sim_def {
   hfrac_log_fn log;           /**< told what happens while the simulation is built; may be NULL. Later: hfrac_set_log */
   void *log_user;             /**< handed to `log` */
   int64_t log_level;          /**< enum hfrac_log_level, how much `log` hears. Default 3 */
+
+  /** [Pa m^0.5] If positive, strengths follow from it and the size of the discs around each bond: sigma_c =
+   * K_Ic / (coefficient sqrt(R)); bond.shear_strength keeps its ratio to bond.tensile_strength. 0:
+   * strengths as given. Default 0.0. */
+  double bond_fracture_toughness;
+  /** [1] K_Ic over sigma_c sqrt(R) of the packing, for bond.fracture_toughness; 'hfrac lab centre-crack'
+   * measures it. 0: what it measured on the default rock of contact.mode. Default 0.0. */
+  double bond_toughness_coefficient;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */
