@@ -21,6 +21,7 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_VERSION_MINOR = 1
   integer(c_int32_t), parameter :: HFRAC_VERSION_PATCH = 0
   integer(c_int32_t), parameter :: HFRAC_ABI_NUMBER = 0
+  integer(c_int32_t), parameter :: HFRAC_MACRO_COUNT = 6
 
   ! The one list of status codes. Values are never renumbered.
   !> good
@@ -155,6 +156,47 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_GRDECL_PERM = 0
   !> MULTX, MULTY, MULTPV: how far the cracks raise transmissibilities and pore volume
   integer(c_int32_t), parameter :: HFRAC_GRDECL_MULT = 1
+
+  ! The tests. What each gives as `value` of its report stands in brackets.
+  !> square pressed by 1e-5: E in plane strain [Pa]; one linear solve where the rock is linear
+  integer(c_int32_t), parameter :: HFRAC_LAB_ELASTIC = 0
+  !> direct tension, height twice the width: strength [Pa]
+  integer(c_int32_t), parameter :: HFRAC_LAB_TENSION = 1
+  !> compression, height twice the width: UCS [Pa]
+  integer(c_int32_t), parameter :: HFRAC_LAB_UNIAXIAL = 2
+  !> the same under `confining` on the sides: axial stress at failure [Pa]
+  integer(c_int32_t), parameter :: HFRAC_LAB_BIAXIAL = 3
+  !> round disc pressed on two arcs of 30 degrees: indirect strength [Pa] (Hondros 1959)
+  integer(c_int32_t), parameter :: HFRAC_LAB_BRAZILIAN = 4
+  !> plate with a slit in the middle, dead tension: K_Ic [Pa m^0.5]
+  integer(c_int32_t), parameter :: HFRAC_LAB_CENTRE_CRACK = 5
+  !> plate slit from one side, dead tension: K_Ic [Pa m^0.5]
+  integer(c_int32_t), parameter :: HFRAC_LAB_NOTCH = 6
+  !> slit in the middle under fluid pressure: K_Ic [Pa m^0.5], and its opening
+  integer(c_int32_t), parameter :: HFRAC_LAB_PRESSURISED_CRACK = 7
+  !> of the unloaded network, mean of both directions [m2]
+  integer(c_int32_t), parameter :: HFRAC_LAB_PERMEABILITY = 8
+
+  ! How a test ended.
+  !> the specimen failed, as it should
+  integer(c_int32_t), parameter :: HFRAC_LAB_FAILED = 0
+  !> the load asked for was reached; the end of tests without failure
+  integer(c_int32_t), parameter :: HFRAC_LAB_LOAD_REACHED = 1
+  !> no equilibrium was found at the last load; values are those up to it
+  integer(c_int32_t), parameter :: HFRAC_LAB_NO_EQUILIBRIUM = 2
+  !> the progress callback asked for it; values are those up to then
+  integer(c_int32_t), parameter :: HFRAC_LAB_STOPPED = 3
+
+  ! Tables of a test. Each row has as many values as stand in brackets.
+  !> (7) load, stress [Pa], axial and lateral strain, largest stress over strength, tensile cracks, shear cracks.
+  !> The load is a strain between platens, else in units of 1 MPa
+  integer(c_int32_t), parameter :: HFRAC_LAB_CURVE = 0
+  !> (5) x, y, radius at bonding, displacement x, y [m]
+  integer(c_int32_t), parameter :: HFRAC_LAB_DISCS = 1
+  !> (5) x, y of one end, x, y of the other [m], enum hfrac_crack_mode; in order of breakage
+  integer(c_int32_t), parameter :: HFRAC_LAB_CRACKS = 2
+  !> (3) x from the slit's middle [m], opening [m], pressure it holds for [Pa]; pressurised crack only
+  integer(c_int32_t), parameter :: HFRAC_LAB_OPENING = 3
 
   !> One wellbore: a round hole cut into the packing.
   type, bind(C) :: hfrac_well_def
@@ -345,6 +387,13 @@ module hfrac_c
     type(c_ptr) :: log_user = c_null_ptr
     !> enum hfrac_log_level, how much `log` hears. Default 3
     integer(c_int64_t) :: log_level = 0_c_int64_t
+    !> [Pa m^0.5] If positive, strengths follow from it and the size of the discs around each bond: sigma_c = K_Ic /
+    !> (coefficient sqrt(R)); bond.shear_strength keeps its ratio to bond.tensile_strength. 0: strengths as given.
+    !> Default 0.0.
+    real(c_double) :: bond_fracture_toughness = 0.0_c_double
+    !> [1] K_Ic over sigma_c sqrt(R) of the packing, for bond.fracture_toughness; 'hfrac lab centre-crack' measures
+    !> it. 0: what it measured on the default rock of contact.mode. Default 0.0.
+    real(c_double) :: bond_toughness_coefficient = 0.0_c_double
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.
@@ -435,7 +484,8 @@ module hfrac_c
     integer(c_int64_t) :: removed_floaters = 0_c_int64_t
     !> near contacts not bonded because they cross another
     integer(c_int64_t) :: removed_crossings = 0_c_int64_t
-    !> strengths used over strengths given (bond.toughness_reference_radius)
+    !> strengths used, at the mean radius, over strengths given (bond.fracture_toughness and
+    !> bond.toughness_reference_radius)
     real(c_double) :: strength_factor = 0.0_c_double
     !> [m] r0 in use (eq. 7)
     real(c_double) :: zero_stress_aperture = 0.0_c_double
@@ -713,6 +763,139 @@ module hfrac_c
     !> cracks with some length in the cell
     integer(c_int64_t) :: crack_count = 0_c_int64_t
   end type hfrac_cell
+
+  !> Which test on which specimen. Fill with hfrac_lab_spec_init first.
+  type, bind(C) :: hfrac_lab_spec
+    !> sizeof(hfrac_lab_spec) of the caller, set by init
+    integer(c_int32_t) :: struct_size = 0_c_int32_t
+    !> enum hfrac_lab_test; default HFRAC_LAB_ELASTIC
+    integer(c_int32_t) :: test = 0_c_int32_t
+    !> discs packed, 100 to 2000000; default 2000
+    integer(c_int64_t) :: disc_count = 0_c_int64_t
+    !> of the packing; default 1
+    integer(c_int64_t) :: seed = 0_c_int64_t
+    !> [m] of the specimen; default 10. Sets the disc size, which K_Ic goes with
+    real(c_double) :: width = 0.0_c_double
+    !> [Pa] on the sides, HFRAC_LAB_BIAXIAL, compression positive; default 0
+    real(c_double) :: confining = 0.0_c_double
+    !> length of a slit over the width, 0.05 to 0.6; default 0.3
+    real(c_double) :: slit_share = 0.0_c_double
+  end type hfrac_lab_spec
+
+  !> What a test found; 0 where a test has no such thing. Set struct_size before the call.
+  type, bind(C) :: hfrac_lab_report
+    !> sizeof(hfrac_lab_report) of the caller
+    integer(c_int32_t) :: struct_size = 216_c_int32_t
+    !> enum hfrac_lab_end
+    integer(c_int32_t) :: end = 0_c_int32_t
+    !> what the test is for, see enum hfrac_lab_test
+    real(c_double) :: value = 0.0_c_double
+    !> [Pa] E in plane strain
+    real(c_double) :: modulus = 0.0_c_double
+    !> nu in plane strain
+    real(c_double) :: poisson = 0.0_c_double
+    !> [Pa] E', slope of the two-dimensional model
+    real(c_double) :: plane_modulus = 0.0_c_double
+    !> nu', likewise
+    real(c_double) :: plane_poisson = 0.0_c_double
+    !> [Pa] largest stress (or fluid pressure) borne
+    real(c_double) :: peak_stress = 0.0_c_double
+    !> axial strain there, extension positive
+    real(c_double) :: strain_at_peak = 0.0_c_double
+    !> [Pa] at the first broken bond
+    real(c_double) :: first_crack_stress = 0.0_c_double
+    !> [m] a: half the slit, or the depth of a notch, as cut between bonds
+    real(c_double) :: slit_half_length = 0.0_c_double
+    !> F of K = F sigma sqrt(pi a), or the Brazilian's sigma over P / D
+    real(c_double) :: geometry_factor = 0.0_c_double
+    !> K_Ic over sigma_c sqrt(mean radius)
+    real(c_double) :: toughness_coefficient = 0.0_c_double
+    !> [m2] along x
+    real(c_double) :: permeability_x = 0.0_c_double
+    !> [m2] along y
+    real(c_double) :: permeability_y = 0.0_c_double
+    !> [m] r0 in use (eq. 7)
+    real(c_double) :: zero_stress_aperture = 0.0_c_double
+    !> [m] of the discs packed
+    real(c_double) :: mean_radius = 0.0_c_double
+    !> bonds per disc times two
+    real(c_double) :: coordination = 0.0_c_double
+    !> largest mean unbalanced over mean contact force of all equilibria
+    real(c_double) :: force_ratio = 0.0_c_double
+    !> largest stress over strength less 1 at which a bond broke, up to the peak
+    real(c_double) :: worst_overshoot = 0.0_c_double
+    !> wall time of the packing
+    real(c_double) :: packing_seconds = 0.0_c_double
+    !> wall time of the test
+    real(c_double) :: test_seconds = 0.0_c_double
+    !> discs of the specimen
+    integer(c_int64_t) :: disc_count = 0_c_int64_t
+    !> bonds of the specimen
+    integer(c_int64_t) :: bond_count = 0_c_int64_t
+    !> bonds broken in tension
+    integer(c_int64_t) :: tensile_cracks = 0_c_int64_t
+    !> bonds broken in shear
+    integer(c_int64_t) :: shear_cracks = 0_c_int64_t
+    !> sparse factors computed
+    integer(c_int64_t) :: factor_count = 0_c_int64_t
+    !> equilibria that took the explicit solver
+    integer(c_int64_t) :: relaxation_count = 0_c_int64_t
+  end type hfrac_lab_report
+
+  !> What a rock is to have; NaN: not asked. Fill with hfrac_targets_init first.
+  type, bind(C) :: hfrac_targets
+    !> sizeof(hfrac_targets) of the caller, set by init
+    integer(c_int32_t) :: struct_size = 0_c_int32_t
+    !> nonzero: modulus and poisson are E' and nu'; default 0, plane strain
+    integer(c_int32_t) :: plane_slopes = 0_c_int32_t
+    !> [Pa]
+    real(c_double) :: modulus = 0.0_c_double
+    !> 1
+    real(c_double) :: poisson = 0.0_c_double
+    !> [Pa] UCS
+    real(c_double) :: compressive_strength = 0.0_c_double
+    !> [Pa] direct
+    real(c_double) :: tensile_strength = 0.0_c_double
+    !> [Pa m^0.5] K_Ic
+    real(c_double) :: toughness = 0.0_c_double
+    !> [m2]
+    real(c_double) :: permeability = 0.0_c_double
+    !> specimens a value is the mean of; default 4
+    integer(c_int64_t) :: packings = 0_c_int64_t
+    !> of elastic and permeability specimens; default 4000
+    integer(c_int64_t) :: disc_count = 0_c_int64_t
+    !> of the others; default 2000
+    integer(c_int64_t) :: strength_disc_count = 0_c_int64_t
+    !> of the first packing; default 1
+    integer(c_int64_t) :: seed = 0_c_int64_t
+  end type hfrac_targets
+
+  !> What a calibration came to. Arrays are in the order of hfrac_targets, NaN where not asked. Set struct_size
+  !> before the call.
+  type, bind(C) :: hfrac_calibration
+    !> sizeof(hfrac_calibration) of the caller
+    integer(c_int32_t) :: struct_size = 1256_c_int32_t
+    !> 1: all targets reached; 0: `text` says which not
+    integer(c_int32_t) :: reached = 0_c_int32_t
+    !> mean over as many packings again, not those calibrated on
+    real(c_double) :: achieved(6) = 0.0_c_double
+    !> standard deviation over them
+    real(c_double) :: spread(6) = 0.0_c_double
+    !> least that can be had with the other targets as they are; NaN: no bound known
+    real(c_double) :: lowest(6) = 0.0_c_double
+    !> most, likewise
+    real(c_double) :: highest(6) = 0.0_c_double
+    !> [m] r0 at the model's disc size, if permeability was asked
+    real(c_double) :: zero_stress_aperture = 0.0_c_double
+    !> K_Ic over sigma_c sqrt(R), if K_Ic was asked
+    real(c_double) :: toughness_coefficient = 0.0_c_double
+    !> wall time
+    real(c_double) :: seconds = 0.0_c_double
+    !> tests done
+    integer(c_int64_t) :: test_count = 0_c_int64_t
+    !> what could not be reached, and the nearest; empty if all was
+    character(kind=c_char) :: text(1024) = c_null_char
+  end type hfrac_calibration
 
   abstract interface
     !> Takes one message, a sentence without a line end, on the thread of the call it is about; `message` is valid
@@ -1236,6 +1419,70 @@ module hfrac_c
       real(c_double), value :: permeability
       integer(c_int32_t) :: hfrac_write_grdecl
     end function hfrac_write_grdecl
+    !> Defaults into `spec`; `struct_size` is sizeof(hfrac_lab_spec) in the caller. Unstable since 0.1.
+    function hfrac_lab_spec_init(spec, struct_size) bind(C, name="hfrac_lab_spec_init")
+      import
+      type(hfrac_lab_spec), intent(inout) :: spec
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t) :: hfrac_lab_spec_init
+    end function hfrac_lab_spec_init
+    !> Does a test. `progress` (may be NULL) is called now and then with the share 0 and what is done; nonzero ends
+    !> the test, and HFRAC_STOPPED comes back with what there is. *lab is to be destroyed; on failure it is NULL.
+    !> HFRAC_ERR_ARGUMENT: the spec is out of range; HFRAC_ERR_MODEL: no specimen comes of it. Unstable since 0.1.
+    function hfrac_lab_run(def, spec, progress, user, lab) bind(C, name="hfrac_lab_run")
+      import
+      type(hfrac_sim_def), intent(in) :: def
+      type(hfrac_lab_spec), intent(in) :: spec
+      type(c_funptr), value :: progress
+      type(c_ptr), value :: user
+      type(c_ptr), intent(inout) :: lab
+      integer(c_int32_t) :: hfrac_lab_run
+    end function hfrac_lab_run
+    !> Frees a test and sets *lab to NULL; NULL and *lab == NULL are fine. Unstable since 0.1.
+    function hfrac_lab_destroy(lab) bind(C, name="hfrac_lab_destroy")
+      import
+      type(c_ptr), intent(inout) :: lab
+      integer(c_int32_t) :: hfrac_lab_destroy
+    end function hfrac_lab_destroy
+    !> What the test found. Unstable since 0.1.
+    function hfrac_lab_get_report(lab, report) bind(C, name="hfrac_lab_get_report")
+      import
+      type(c_ptr), value :: lab
+      type(hfrac_lab_report), intent(inout) :: report
+      integer(c_int32_t) :: hfrac_lab_get_report
+    end function hfrac_lab_get_report
+    !> Copies up to `capacity` values of a table (enum hfrac_lab_table), row by row; *count is how many there are.
+    !> buffer NULL: only *count. Unstable since 0.1.
+    function hfrac_lab_copy_f64(lab, table, buffer, capacity, count) bind(C, name="hfrac_lab_copy_f64")
+      import
+      type(c_ptr), value :: lab
+      integer(c_int32_t), value :: table
+      type(c_ptr), value :: buffer
+      integer(c_int64_t), value :: capacity
+      integer(c_int64_t), intent(out) :: count
+      integer(c_int32_t) :: hfrac_lab_copy_f64
+    end function hfrac_lab_copy_f64
+    !> Defaults into `targets`; `struct_size` is sizeof(hfrac_targets) in the caller. Unstable since 0.1.
+    function hfrac_targets_init(targets, struct_size) bind(C, name="hfrac_targets_init")
+      import
+      type(hfrac_targets), intent(inout) :: targets
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t) :: hfrac_targets_init
+    end function hfrac_targets_init
+    !> Finds micro-parameters that give `targets`, starting from those of `def`, and puts them into it: stiffnesses
+    !> of contacts and bonds (their share of each other kept), strengths, flow.permeability, and packing.disc_count
+    !> if both K_Ic and a strength are asked (the two together fix the disc size). Targets that cannot be had give
+    !> the nearest, reached 0 and HFRAC_OK. `progress` as in hfrac_lab_run; stopped, HFRAC_STOPPED comes back and
+    !> `def` is as it was. Unstable since 0.1.
+    function hfrac_calibrate(def, targets, progress, user, calibration) bind(C, name="hfrac_calibrate")
+      import
+      type(hfrac_sim_def), intent(inout) :: def
+      type(hfrac_targets), intent(in) :: targets
+      type(c_funptr), value :: progress
+      type(c_ptr), value :: user
+      type(hfrac_calibration), intent(inout) :: calibration
+      integer(c_int32_t) :: hfrac_calibrate
+    end function hfrac_calibrate
     !> Bytes an image needs now; it grows with the crack log. Stable since 0.1.
     function hfrac_state_size(sim, size) bind(C, name="hfrac_state_size")
       import

@@ -48,8 +48,8 @@ LabResult test_crack(const Options& material, const LabSpec& spec, const Packing
   };
   loading.stress = [&] { return 1e6 * load_now; };
   // Under dead load a slit that has grown by a third of the ligament does not stop any more.
-  const double ligament = notch ? (1.0 - spec.slit_share) * spec.width
-                                : 0.5 * (1.0 - spec.slit_share) * spec.width;
+  const double ligament =
+      notch ? (1.0 - spec.slit_share) * spec.width : 0.5 * (1.0 - spec.slit_share) * spec.width;
   loading.runaway = std::max<std::int64_t>(
       6, static_cast<std::int64_t>(ligament / (6.0 * s->assembly().mean_radius)) * (notch ? 1 : 2));
   LoadingResult loaded = load_to_failure(*s, loading, interrupt);

@@ -99,8 +99,8 @@ LabResult test_strength(const Options& material, const Packing& packing, double 
                         double way, const std::function<bool()>& interrupt) {
   LabResult result;
   const double height = specimen_aspect(LabTest::uniaxial) * width;
-  auto s = std::make_unique<Specimen>(
-      packing, material, SpecimenShape{.width = width, .height = height, .stress_x = confining});
+  auto s = std::make_unique<Specimen>(packing, material,
+                                      SpecimenShape{.width = width, .height = height, .stress_x = confining});
   s->grip_ends();
   double start = 0.0;  // shortening at which the axial stress is the confining one
   if (confining > 0.0) {
@@ -139,8 +139,8 @@ LabResult test_brazilian(const Options& material, const Packing& packing, double
   auto s = std::make_unique<Specimen>(packing, material,
                                       SpecimenShape{.width = width, .height = width, .round = true});
   s->grip_ends(bearing_half_angle);
-  const double hondros = 2.0 / (std::numbers::pi * width) *
-                         (std::sin(2.0 * bearing_half_angle) / bearing_half_angle - 1.0);
+  const double hondros =
+      2.0 / (std::numbers::pi * width) * (std::sin(2.0 * bearing_half_angle) / bearing_half_angle - 1.0);
   Loading loading;
   loading.apply = [&](double strain) { s->lead_ends(-strain * width); };
   loading.stress = [&] { return -s->pull() * hondros; };

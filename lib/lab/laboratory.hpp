@@ -54,34 +54,34 @@ struct LabSpec {
 };
 
 struct LabReport {
-  double value = 0.0;                            // what the test is for: Pa, Pa m^0.5 or m2
-  double modulus = 0.0, poisson = 0.0;           // Pa, 1: plane strain, E and nu
+  double value = 0.0;                               // what the test is for: Pa, Pa m^0.5 or m2
+  double modulus = 0.0, poisson = 0.0;              // Pa, 1: plane strain, E and nu
   double plane_modulus = 0.0, plane_poisson = 0.0;  // Pa, 1: slopes of the two-dimensional model, E' and nu'
   double peak_stress = 0.0, strain_at_peak = 0.0, first_crack_stress = 0.0;  // Pa, 1, Pa
   double slit_half_length = 0.0, geometry_factor = 0.0;  // m, 1: K = factor stress sqrt(pi a)
-  double toughness_coefficient = 0.0;            // K_Ic over sigma_c sqrt(mean radius)
+  double toughness_coefficient = 0.0;                    // K_Ic over sigma_c sqrt(mean radius)
   double permeability_x = 0.0, permeability_y = 0.0, zero_stress_aperture = 0.0;  // m2, m2, m
-  double mean_radius = 0.0, coordination = 0.0;  // m, 1
+  double mean_radius = 0.0, coordination = 0.0;                                   // m, 1
   double force_ratio = 0.0, worst_overshoot = 0.0;
   double packing_seconds = 0.0, test_seconds = 0.0;
   std::int64_t discs = 0, bonds = 0, tensile_cracks = 0, shear_cracks = 0, factors = 0;
-  std::int64_t relaxations = 0;                  // equilibria that took the explicit solver
+  std::int64_t relaxations = 0;  // equilibria that took the explicit solver
   TestEnd end = TestEnd::failed;
 };
 
 struct LabResult {
   LabReport report;
   std::vector<CurvePoint> curve;
-  std::vector<Vec2> opening;            // pressurised_crack: opening() at 1 % of the pressure at failure
-  double opening_pressure = 0.0;        // Pa, it holds for
-  std::unique_ptr<Specimen> specimen;   // as the test left it; none for permeability
+  std::vector<Vec2> opening;           // pressurised_crack: opening() at 1 % of the pressure at failure
+  double opening_pressure = 0.0;       // Pa, it holds for
+  std::unique_ptr<Specimen> specimen;  // as the test left it; none for permeability
 };
 
 // Height over width of a test's specimen.
 double specimen_aspect(LabTest test);
 // Discs for a specimen. The same seed, number and shape give the same packing whatever the micro-parameters.
-Packing pack_specimen(const Options& material, LabTest test, double width, std::int64_t discs, std::int64_t seed,
-                      const std::function<bool(double)>& progress = {});
+Packing pack_specimen(const Options& material, LabTest test, double width, std::int64_t discs,
+                      std::int64_t seed, const std::function<bool(double)>& progress = {});
 
 // Throws Error(argument) if the spec is out of range, Error(model) if no specimen comes of it, Stopped-like ends are in
 // report.end.

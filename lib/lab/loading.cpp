@@ -10,9 +10,9 @@ namespace {
 
 using End = EquilibriumSolver::End;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-constexpr double intact = 1.0 - 1e-12;   // below it no bond breaks
-constexpr double longest = 0.2;          // share of the load of the foreseen break that one step may add
-constexpr double no_failure = 30.0;      // loads at the first break, beyond which the test is over
+constexpr double intact = 1.0 - 1e-12;  // below it no bond breaks
+constexpr double longest = 0.2;         // share of the load of the foreseen break that one step may add
+constexpr double no_failure = 30.0;     // loads at the first break, beyond which the test is over
 constexpr std::size_t most_points = 20000;
 
 }  // namespace

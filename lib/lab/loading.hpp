@@ -16,20 +16,20 @@
 namespace hfrac {
 
 struct Loading {
-  std::function<void(double)> apply;    // puts a load on, from 0 upwards
-  std::function<double()> stress;       // Pa, positive, what the test's strength is the largest value of
-  double first = 1e-5;                  // first load tried; small against the load at failure
-  double most = 0.0;                    // the test ends at this load; 0: at failure
-  double end_share = 0.5;               // ... or when stress has fallen to this share of its peak
-  std::int64_t runaway = 1000000000;    // ... or when more than so many bonds break at one load
+  std::function<void(double)> apply;  // puts a load on, from 0 upwards
+  std::function<double()> stress;     // Pa, positive, what the test's strength is the largest value of
+  double first = 1e-5;                // first load tried; small against the load at failure
+  double most = 0.0;                  // the test ends at this load; 0: at failure
+  double end_share = 0.5;             // ... or when stress has fallen to this share of its peak
+  std::int64_t runaway = 1000000000;  // ... or when more than so many bonds break at one load
   double overshoot = 0.01, least = 1e-3;
 };
 
 struct CurvePoint {
-  double load = 0.0, stress = 0.0;         // as of Loading
-  double axial = 0.0, lateral = 0.0;       // strains of the gauge, extension positive
-  double excess = 0.0;                     // largest stress over strength, before breakage if any
-  std::int64_t tensile = 0, shear = 0;     // cracks so far
+  double load = 0.0, stress = 0.0;      // as of Loading
+  double axial = 0.0, lateral = 0.0;    // strains of the gauge, extension positive
+  double excess = 0.0;                  // largest stress over strength, before breakage if any
+  std::int64_t tensile = 0, shear = 0;  // cracks so far
 };
 
 enum class TestEnd : std::int32_t { failed = 0, load_reached = 1, no_equilibrium = 2, stopped = 3 };

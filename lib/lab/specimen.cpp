@@ -12,10 +12,10 @@
 namespace hfrac {
 namespace {
 
-constexpr double platen_reach = 0.5;   // mean radii between a disc's rim and a platen that holds it
-constexpr double gauge = 0.35;         // half of the sides' share that strain is taken over
-constexpr double unbreakable = 1e6;    // times its strength
-constexpr double round_cap = 0.35;     // diameters from the middle, beyond which a round specimen does not break
+constexpr double platen_reach = 0.5;  // mean radii between a disc's rim and a platen that holds it
+constexpr double gauge = 0.35;        // half of the sides' share that strain is taken over
+constexpr double unbreakable = 1e6;   // times its strength
+constexpr double round_cap = 0.35;  // diameters from the middle, beyond which a round specimen does not break
 constexpr int most_attempts = 3;
 constexpr double relaxed_ratio = 1e-5;  // mean unbalanced over mean contact force
 constexpr std::int64_t most_cycles = 40000;
@@ -51,8 +51,7 @@ Specimen::Specimen(const Packing& packing, const Options& material, const Specim
     : options_(bench_options(material, shape)), shape_(shape) {
   const Packing cut = shape.round ? round_out(packing, shape.width) : Packing{};
   const Packing& taken = shape.round ? cut : packing;
-  ContactGraph graph =
-      build_contact_graph(taken.x, taken.y, taken.radius, {}, options_.bond_gap_tolerance);
+  ContactGraph graph = build_contact_graph(taken.x, taken.y, taken.radius, {}, options_.bond_gap_tolerance);
   Faces faces = build_faces(graph);
   assembly_ = build_assembly(std::move(graph), options_);
   network_ = build_network(std::move(faces), assembly_, {}, options_);
@@ -82,7 +81,8 @@ void Specimen::cut_slit() {
     slit_.push_back(e);
   }
   // A tip lies between the last bond cut and the first one that holds.
-  tips_ = {before < 0.0 ? 0.0 : 0.5 * (before + first), after > shape_.width ? shape_.width : 0.5 * (last + after)};
+  tips_ = {before < 0.0 ? 0.0 : 0.5 * (before + first),
+           after > shape_.width ? shape_.width : 0.5 * (last + after)};
   if (slit_.size() < 3) {
     throw Error(ErrorKind::model, "the slit of " + std::to_string(shape_.slit_end - shape_.slit_begin) +
                                       " m crosses only " + std::to_string(slit_.size()) +
@@ -109,8 +109,8 @@ void Specimen::grip_ends(double half_angle) {
   lower_ = collect(-1.0);
   upper_ = collect(1.0);
   if (lower_ == 0 || upper_ == lower_) {
-    throw Error(ErrorKind::model, "no disc lies within " + std::to_string(reach) +
-                                      " m of a platen; raise the number of discs");
+    throw Error(ErrorKind::model,
+                "no disc lies within " + std::to_string(reach) + " m of a platen; raise the number of discs");
   }
   grips.push_back({grips[lower_ / 2].disc, {1.0, 0.0}, 0.0});  // against drifting sideways; bears nothing
   if (assembly_.strength_scale.empty()) assembly_.strength_scale.assign(a.first.size(), 1.0);
@@ -118,7 +118,8 @@ void Specimen::grip_ends(double half_angle) {
   for (const auto& grip : grips) held[static_cast<std::size_t>(grip.disc)] = 1;
   const double cap = half_angle > 0.0 ? round_cap * shape_.height : 1e300;
   for (std::size_t e = 0; e < a.first.size(); ++e) {
-    const double y = 0.5 * (a.y[static_cast<std::size_t>(a.first[e])] + a.y[static_cast<std::size_t>(a.second[e])]);
+    const double y =
+        0.5 * (a.y[static_cast<std::size_t>(a.first[e])] + a.y[static_cast<std::size_t>(a.second[e])]);
     if (std::abs(y - middle) > cap) assembly_.strength_scale[e] = unbreakable;
     if (held[static_cast<std::size_t>(a.first[e])] != 0 || held[static_cast<std::size_t>(a.second[e])] != 0)
       assembly_.strength_scale[e] = unbreakable;
@@ -235,8 +236,7 @@ std::vector<Vec2> Specimen::opening() const {
     const auto k = static_cast<std::size_t>(e);
     const bool up = a.y[a.second[k]] > a.y[a.first[k]];
     const auto below = up ? a.first[k] : a.second[k], above = up ? a.second[k] : a.first[k];
-    const double x =
-        a.x[below] + (a.x[above] - a.x[below]) * (y - a.y[below]) / (a.y[above] - a.y[below]);
+    const double x = a.x[below] + (a.x[above] - a.x[below]) * (y - a.y[below]) / (a.y[above] - a.y[below]);
     points.push_back({x - middle, a.uy[above] - a.uy[below]});
   }
   std::sort(points.begin(), points.end(), [](Vec2 p, Vec2 q) { return p.x < q.x; });

@@ -26,11 +26,11 @@
 namespace hfrac {
 
 struct SpecimenShape {
-  double width = 0.0, height = 0.0;          // m; of a round one the diameter, twice
-  bool round = false;                        // a disc cut from a square
-  bool wet = false;                          // with pores that take a pressure
-  double slit_begin = 0.0, slit_end = 0.0;   // m along x at half height; equal: no slit
-  double stress_x = 0.0, stress_y = 0.0;     // Pa at load 1, compression positive: tractions
+  double width = 0.0, height = 0.0;         // m; of a round one the diameter, twice
+  bool round = false;                       // a disc cut from a square
+  bool wet = false;                         // with pores that take a pressure
+  double slit_begin = 0.0, slit_end = 0.0;  // m along x at half height; equal: no slit
+  double stress_x = 0.0, stress_y = 0.0;    // Pa at load 1, compression positive: tractions
 };
 
 struct Strain {
@@ -94,9 +94,9 @@ class Specimen {
   std::unique_ptr<ExplicitSolver> mechanics_;
   std::unique_ptr<EquilibriumSolver> equilibrium_;
   CrackLog log_;
-  std::vector<std::int64_t> slit_;          // its bonds
-  Vec2 tips_;                               // begin, end
-  std::size_t lower_ = 0, upper_ = 0;       // grips of either platen: [0, lower_), [lower_, upper_)
+  std::vector<std::int64_t> slit_;     // its bonds
+  Vec2 tips_;                          // begin, end
+  std::size_t lower_ = 0, upper_ = 0;  // grips of either platen: [0, lower_), [lower_, upper_)
   int factors_ = 0, relaxations_ = 0;
 };
 

@@ -9,6 +9,7 @@ VERSION_MAJOR = 0
 VERSION_MINOR = 1
 VERSION_PATCH = 0
 ABI_VERSION = 0
+MACRO_COUNT = 6
 
 
 class Status(enum.IntEnum):
@@ -177,6 +178,56 @@ class GrdeclKind(enum.IntEnum):
     MULT = 1
 
 
+class LabTest(enum.IntEnum):
+    """The tests. What each gives as `value` of its report stands in brackets."""
+
+    #: square pressed by 1e-5: E in plane strain [Pa]; one linear solve where the rock is linear
+    ELASTIC = 0
+    #: direct tension, height twice the width: strength [Pa]
+    TENSION = 1
+    #: compression, height twice the width: UCS [Pa]
+    UNIAXIAL = 2
+    #: the same under `confining` on the sides: axial stress at failure [Pa]
+    BIAXIAL = 3
+    #: round disc pressed on two arcs of 30 degrees: indirect strength [Pa] (Hondros 1959)
+    BRAZILIAN = 4
+    #: plate with a slit in the middle, dead tension: K_Ic [Pa m^0.5]
+    CENTRE_CRACK = 5
+    #: plate slit from one side, dead tension: K_Ic [Pa m^0.5]
+    NOTCH = 6
+    #: slit in the middle under fluid pressure: K_Ic [Pa m^0.5], and its opening
+    PRESSURISED_CRACK = 7
+    #: of the unloaded network, mean of both directions [m2]
+    PERMEABILITY = 8
+
+
+class LabEnd(enum.IntEnum):
+    """How a test ended."""
+
+    #: the specimen failed, as it should
+    FAILED = 0
+    #: the load asked for was reached; the end of tests without failure
+    LOAD_REACHED = 1
+    #: no equilibrium was found at the last load; values are those up to it
+    NO_EQUILIBRIUM = 2
+    #: the progress callback asked for it; values are those up to then
+    STOPPED = 3
+
+
+class LabTable(enum.IntEnum):
+    """Tables of a test. Each row has as many values as stand in brackets."""
+
+    #: (7) load, stress [Pa], axial and lateral strain, largest stress over strength, tensile cracks, shear
+    #: cracks. The load is a strain between platens, else in units of 1 MPa
+    CURVE = 0
+    #: (5) x, y, radius at bonding, displacement x, y [m]
+    DISCS = 1
+    #: (5) x, y of one end, x, y of the other [m], enum hfrac_crack_mode; in order of breakage
+    CRACKS = 2
+    #: (3) x from the slit's middle [m], opening [m], pressure it holds for [Pa]; pressurised crack only
+    OPENING = 3
+
+
 #: What each status code means.
 STATUS_TEXTS = {
     0: 'good',
@@ -308,6 +359,8 @@ class hfrac_sim_def(ctypes.Structure):
         ("log", hfrac_log_fn),
         ("log_user", ctypes.c_void_p),
         ("log_level", ctypes.c_int64),
+        ("bond_fracture_toughness", ctypes.c_double),
+        ("bond_toughness_coefficient", ctypes.c_double),
     ]
 
 
@@ -558,6 +611,94 @@ class hfrac_cell(ctypes.Structure):
         ("pressure", ctypes.c_double),
         ("fracture_pressure", ctypes.c_double),
         ("crack_count", ctypes.c_int64),
+    ]
+
+
+class hfrac_lab_spec(ctypes.Structure):
+    """Which test on which specimen. Fill with hfrac_lab_spec_init first."""
+
+    _fields_ = [
+        ("struct_size", ctypes.c_int32),
+        ("test", ctypes.c_int32),
+        ("disc_count", ctypes.c_int64),
+        ("seed", ctypes.c_int64),
+        ("width", ctypes.c_double),
+        ("confining", ctypes.c_double),
+        ("slit_share", ctypes.c_double),
+    ]
+
+
+class hfrac_lab_report(ctypes.Structure):
+    """What a test found; 0 where a test has no such thing. Set struct_size before the call."""
+
+    _fields_ = [
+        ("struct_size", ctypes.c_int32),
+        ("end", ctypes.c_int32),
+        ("value", ctypes.c_double),
+        ("modulus", ctypes.c_double),
+        ("poisson", ctypes.c_double),
+        ("plane_modulus", ctypes.c_double),
+        ("plane_poisson", ctypes.c_double),
+        ("peak_stress", ctypes.c_double),
+        ("strain_at_peak", ctypes.c_double),
+        ("first_crack_stress", ctypes.c_double),
+        ("slit_half_length", ctypes.c_double),
+        ("geometry_factor", ctypes.c_double),
+        ("toughness_coefficient", ctypes.c_double),
+        ("permeability_x", ctypes.c_double),
+        ("permeability_y", ctypes.c_double),
+        ("zero_stress_aperture", ctypes.c_double),
+        ("mean_radius", ctypes.c_double),
+        ("coordination", ctypes.c_double),
+        ("force_ratio", ctypes.c_double),
+        ("worst_overshoot", ctypes.c_double),
+        ("packing_seconds", ctypes.c_double),
+        ("test_seconds", ctypes.c_double),
+        ("disc_count", ctypes.c_int64),
+        ("bond_count", ctypes.c_int64),
+        ("tensile_cracks", ctypes.c_int64),
+        ("shear_cracks", ctypes.c_int64),
+        ("factor_count", ctypes.c_int64),
+        ("relaxation_count", ctypes.c_int64),
+    ]
+
+
+class hfrac_targets(ctypes.Structure):
+    """What a rock is to have; NaN: not asked. Fill with hfrac_targets_init first."""
+
+    _fields_ = [
+        ("struct_size", ctypes.c_int32),
+        ("plane_slopes", ctypes.c_int32),
+        ("modulus", ctypes.c_double),
+        ("poisson", ctypes.c_double),
+        ("compressive_strength", ctypes.c_double),
+        ("tensile_strength", ctypes.c_double),
+        ("toughness", ctypes.c_double),
+        ("permeability", ctypes.c_double),
+        ("packings", ctypes.c_int64),
+        ("disc_count", ctypes.c_int64),
+        ("strength_disc_count", ctypes.c_int64),
+        ("seed", ctypes.c_int64),
+    ]
+
+
+class hfrac_calibration(ctypes.Structure):
+    """What a calibration came to. Arrays are in the order of hfrac_targets, NaN where not asked. Set struct_size
+    before the call.
+    """
+
+    _fields_ = [
+        ("struct_size", ctypes.c_int32),
+        ("reached", ctypes.c_int32),
+        ("achieved", ctypes.c_double * 6),
+        ("spread", ctypes.c_double * 6),
+        ("lowest", ctypes.c_double * 6),
+        ("highest", ctypes.c_double * 6),
+        ("zero_stress_aperture", ctypes.c_double),
+        ("toughness_coefficient", ctypes.c_double),
+        ("seconds", ctypes.c_double),
+        ("test_count", ctypes.c_int64),
+        ("text", ctypes.c_char * 1024),
     ]
 
 
@@ -834,6 +975,42 @@ SIGNATURES = {
         ctypes.c_int64,
         ctypes.c_double,
         ctypes.c_double,
+    ),
+    "hfrac_lab_spec_init": (
+        ctypes.POINTER(hfrac_lab_spec),
+        ctypes.c_int32,
+    ),
+    "hfrac_lab_run": (
+        ctypes.POINTER(hfrac_sim_def),
+        ctypes.POINTER(hfrac_lab_spec),
+        hfrac_progress_fn,
+        ctypes.c_void_p,
+        ctypes.POINTER(ctypes.c_void_p),
+    ),
+    "hfrac_lab_destroy": (
+        ctypes.POINTER(ctypes.c_void_p),
+    ),
+    "hfrac_lab_get_report": (
+        ctypes.c_void_p,
+        ctypes.POINTER(hfrac_lab_report),
+    ),
+    "hfrac_lab_copy_f64": (
+        ctypes.c_void_p,
+        ctypes.c_int32,
+        ctypes.c_void_p,
+        ctypes.c_int64,
+        ctypes.POINTER(ctypes.c_int64),
+    ),
+    "hfrac_targets_init": (
+        ctypes.POINTER(hfrac_targets),
+        ctypes.c_int32,
+    ),
+    "hfrac_calibrate": (
+        ctypes.POINTER(hfrac_sim_def),
+        ctypes.POINTER(hfrac_targets),
+        hfrac_progress_fn,
+        ctypes.c_void_p,
+        ctypes.POINTER(hfrac_calibration),
     ),
     "hfrac_state_size": (
         ctypes.c_void_p,
