@@ -74,6 +74,7 @@ class Calibrator {
     spec.test = which;
     spec.width = width;
     spec.seed = seed;
+    spec.end_share = 0.85;  // only the peak is wanted
     spec.discs = which == LabTest::elastic || which == LabTest::permeability ? targets_.discs
                                                                              : targets_.strength_discs;
     const auto key = std::pair(specimen_aspect(which) * static_cast<double>(spec.discs), seed);

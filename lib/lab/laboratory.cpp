@@ -21,7 +21,7 @@ constexpr double small_strain = 1e-5;
 constexpr double bearing_half_angle = 15.0 * std::numbers::pi / 180.0;  // Brazilian: half of each arc
 // Elastic energy of a specimen near its strength is enough to break every bond. When this share has broken at one load the test
 // is over: what would follow is dust.
-constexpr std::int64_t collapse = 25;
+constexpr std::int64_t collapse = 50;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -96,7 +96,7 @@ LabResult test_elastic(const Options& material, const Packing& packing, double w
 
 // `way`: 1 apart, -1 together.
 LabResult test_strength(const Options& material, const Packing& packing, double width, double confining,
-                        double way, const std::function<bool()>& interrupt) {
+                        double way, double end_share, const std::function<bool()>& interrupt) {
   LabResult result;
   const double height = specimen_aspect(LabTest::uniaxial) * width;
   auto s = std::make_unique<Specimen>(packing, material,
@@ -122,6 +122,7 @@ LabResult test_strength(const Options& material, const Packing& packing, double 
   loading.apply = [&](double strain) { s->lead_ends((way * strain - start) * height); };
   loading.stress = [&] { return way * s->pull() / width; };
   loading.runaway = s->assembly().bond_count() / collapse;
+  loading.end_share = end_share;
   take(result, load_to_failure(*s, loading, interrupt));
   const auto& first = result.curve.empty() ? CurvePoint{} : result.curve.front();
   if (confining == 0.0 && !result.curve.empty())
@@ -133,7 +134,7 @@ LabResult test_strength(const Options& material, const Packing& packing, double 
 
 // Stress at the centre of a disc under a uniform pressure on two arcs of 2 alpha each (Hondros 1959):
 // sigma = 2 P / (pi D) (sin 2 alpha / alpha - 1), for P = p D sin alpha taken as p D alpha.
-LabResult test_brazilian(const Options& material, const Packing& packing, double width,
+LabResult test_brazilian(const Options& material, const Packing& packing, double width, double end_share,
                          const std::function<bool()>& interrupt) {
   LabResult result;
   auto s = std::make_unique<Specimen>(packing, material,
@@ -145,6 +146,7 @@ LabResult test_brazilian(const Options& material, const Packing& packing, double
   loading.apply = [&](double strain) { s->lead_ends(-strain * width); };
   loading.stress = [&] { return -s->pull() * hondros; };
   loading.runaway = s->assembly().bond_count() / collapse;
+  loading.end_share = end_share;
   take(result, load_to_failure(*s, loading, interrupt));
   result.report.value = result.report.peak_stress;
   result.report.geometry_factor = hondros * width;
@@ -214,16 +216,16 @@ LabResult run_lab(const Options& material, const LabSpec& spec, const Packing& p
       result = test_elastic(material, packing, spec.width);
       break;
     case LabTest::tension:
-      result = test_strength(material, packing, spec.width, 0.0, 1.0, interrupt);
+      result = test_strength(material, packing, spec.width, 0.0, 1.0, spec.end_share, interrupt);
       break;
     case LabTest::uniaxial:
-      result = test_strength(material, packing, spec.width, 0.0, -1.0, interrupt);
+      result = test_strength(material, packing, spec.width, 0.0, -1.0, spec.end_share, interrupt);
       break;
     case LabTest::biaxial:
-      result = test_strength(material, packing, spec.width, spec.confining, -1.0, interrupt);
+      result = test_strength(material, packing, spec.width, spec.confining, -1.0, spec.end_share, interrupt);
       break;
     case LabTest::brazilian:
-      result = test_brazilian(material, packing, spec.width, interrupt);
+      result = test_brazilian(material, packing, spec.width, spec.end_share, interrupt);
       break;
     case LabTest::centre_crack:
     case LabTest::notch:

@@ -51,6 +51,7 @@ struct LabSpec {
   double width = 10.0;      // m
   double confining = 0.0;   // Pa, biaxial
   double slit_share = 0.3;  // of the width: the whole slit of a centre crack, the depth of a notch
+  double end_share = 0.5;   // tests between platens end when stress has fallen to this share of its peak
 };
 
 struct LabReport {
