@@ -17,7 +17,7 @@ CTYPES = {
 NATIVE = {"int32_t": "int", "int64_t": "int", "double": "float"}
 GROUPS = {"disc": "Discs", "bond": "Bonds", "pipe": "Pipes", "domain": "Domains"}
 # Structs whose values are handed out as records: filled by the library, no pointers inside.
-NOT_RECORDS = ("hfrac_sim_def", "hfrac_well_def")
+NOT_RECORDS = ("hfrac_sim_def", "hfrac_well_def", "hfrac_lab_spec", "hfrac_targets")
 
 
 def camel(name):
@@ -112,12 +112,15 @@ class PythonWriter:
                 if m.name.startswith("struct_"):
                     continue
                 listed = re.match(r"enum (\w+)", m.doc)
-                kind, getter = NATIVE[m.type.base], f"struct.{m.name}"
+                if m.type.base == "char":
+                    kind, getter = "str", f"struct.{m.name}.decode()"
+                else:
+                    kind, getter = NATIVE[m.type.base], f"struct.{m.name}"
                 if listed:
                     kind = enums[listed[1]]
                     used.add(kind)
                     getter = f"{kind}({getter})"
-                elif m.length:
+                elif m.length and m.type.base != "char":
                     kind, getter = f"Tuple[{', '.join([kind] * m.length)}]", f"tuple({getter})"
                 lines += [*documented(m.doc, 4), f"    {m.name}: {kind}"]
                 getters.append(f"            {getter},")

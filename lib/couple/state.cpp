@@ -157,6 +157,7 @@ std::uint64_t Simulation::model_fingerprint() const {
   hash.add_all(assembly_.bond_radius);
   hash.add(assembly_.tensile_per_radius);
   hash.add(assembly_.shear_per_radius);
+  hash.add_all(assembly_.strength_scale);
   hash.add_all(network_.volume);
   for (const auto& info : option_table()) {
     if (is_of_the_model(info.key)) hash.add(get_value(options(), info));

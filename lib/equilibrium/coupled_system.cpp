@@ -57,6 +57,11 @@ void CoupledSystem::begin(double duration, const std::vector<double>& source) {
     rim_drop_[e] = network_.left[e] == 0 ? network_.rim_excess[k] : -network_.rim_excess[k];
   }
   keep_pairs();
+  if (!boundary_.grips().empty()) {
+    pins_.clear();
+    for (const auto& grip : boundary_.grips()) pins_.push_back({grip.disc, grip.along, grip.target});
+    return;
+  }
   for (auto& pin : pins_) pin.start = dot({a.ux[pin.disc], a.uy[pin.disc]}, pin.along);
 }
 

@@ -100,6 +100,16 @@ void check_material(const Options& o) {
         "stiffness; "
         "give bond.normal_stiffness or set contact.mode = \"parallel\".");
   }
+  if (o.bond_fracture_toughness > 0.0 && o.bond_toughness_reference_radius > 0.0) {
+    refuse(value_text("bond.fracture_toughness", o.bond_fracture_toughness, "Pa m^0.5") + " and " +
+           value_text("bond.toughness_reference_radius", o.bond_toughness_reference_radius, "m") +
+           " both set the strengths; leave one of them at 0.");
+  }
+  if (o.bond_fracture_toughness > 0.0 && !(o.bond_tensile_strength > 0.0)) {
+    refuse(
+        "bond.fracture_toughness needs bond.tensile_strength above 0: bond.shear_strength keeps its ratio to "
+        "it, 1 if both are left alone.");
+  }
   if (o.flow_zero_stress_aperture > o.flow_aperture_limit) {
     refuse(value_text("flow.zero_stress_aperture", o.flow_zero_stress_aperture, "m") + " is above " +
            value_text("flow.aperture_limit", o.flow_aperture_limit, "m") +

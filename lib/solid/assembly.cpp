@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "options/choices.hpp"
+#include "solid/toughness.hpp"
 
 namespace hfrac {
 Assembly build_assembly(ContactGraph graph, const Options& options) {
@@ -41,6 +42,7 @@ Assembly build_assembly(ContactGraph graph, const Options& options) {
     a.arm[e] = a.length[e] * a.radius[i] / (a.radius[i] + a.radius[j]);
     a.bond_radius[e] = options.bond_radius_factor * std::min(a.radius[i], a.radius[j]);
   }
+  if (options.bond_fracture_toughness > 0.0) apply_fracture_toughness(a, options);
   return a;
 }
 

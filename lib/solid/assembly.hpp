@@ -32,6 +32,7 @@ struct Assembly {
   double strength_factor = 1.0;               // strengths used over strengths given
   double tensile_per_radius = 0.0;            // N per metre of bond radius: 2 sigma_c, unit thickness
   double shear_per_radius = 0.0;              // 2 tau_c
+  Array<double> strength_scale;               // per bond, on top of the two above; empty: 1 (toughness.hpp)
 
   [[nodiscard]] std::int64_t disc_count() const { return static_cast<std::int64_t>(x.size()); }
   [[nodiscard]] std::int64_t bond_count() const { return static_cast<std::int64_t>(first.size()); }
@@ -44,10 +45,13 @@ struct Assembly {
     return 0.5 * mass(disc) * radius[disc] * radius[disc];
   }
   [[nodiscard]] double tensile_capacity(std::int64_t bond) const {
-    return tensile_per_radius * bond_radius[bond];
+    return tensile_per_radius * bond_radius[bond] * scale_of(bond);
   }
   [[nodiscard]] double shear_capacity(std::int64_t bond) const {
-    return shear_per_radius * bond_radius[bond];
+    return shear_per_radius * bond_radius[bond] * scale_of(bond);
+  }
+  [[nodiscard]] double scale_of(std::int64_t bond) const {
+    return strength_scale.empty() ? 1.0 : strength_scale[bond];
   }
   [[nodiscard]] double pipe_length(std::int64_t bond) const {  // m: R_i + R_j (eq. 6)
     return radius[first[bond]] + radius[second[bond]];

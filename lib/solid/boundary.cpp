@@ -86,6 +86,8 @@ Vec2 Boundary::load_on(std::int32_t disc) const {
 }
 
 bool Boundary::touches_wall(std::int32_t disc) const {
+  if (std::any_of(grips_.begin(), grips_.end(), [&](const Grip& grip) { return grip.disc == disc; }))
+    return true;
   return walled_ && std::binary_search(edge_.begin(), edge_.end(), disc);
 }
 
@@ -160,7 +162,7 @@ void Boundary::set_load(Assembly& a, double share) {
 }
 
 void Boundary::hold_still(Assembly& a) const {
-  if (walled_) return;
+  if (walled_ || !grips_.empty()) return;
   const auto n = static_cast<std::size_t>(a.disc_count());
   double mass = 0.0, inertia = 0.0;
   Vec2 centre{}, shift{}, drift{};
@@ -199,6 +201,16 @@ void Boundary::cycle(Assembly& a, double step, double safety, double damping) {
   for (auto& wall : walls_) {
     for (const auto i : wall.discs) a.external_x[i] = a.external_y[i] = 0.0;
   }
+  for (const auto& grip : grips_) {
+    const Vec2 load = load_on(grip.disc);
+    a.external_x[grip.disc] = load.x;
+    a.external_y[grip.disc] = load.y;
+  }
+  for (const auto& grip : grips_) {
+    const double force = grip_force(a, grip);
+    a.external_x[grip.disc] += force * grip.along.x;
+    a.external_y[grip.disc] += force * grip.along.y;
+  }
   imbalance_ = 0.0;
   for (auto& wall : walls_) {
     double push = 0.0;
@@ -231,6 +243,10 @@ void Boundary::add_stiffness(std::vector<double>& row_x, std::vector<double>& ro
       row_x[i] += 2.0 * stiffness_ * std::abs(wall.inward.x);
       row_y[i] += 2.0 * stiffness_ * std::abs(wall.inward.y);
     }
+  }
+  for (const auto& grip : grips_) {
+    row_x[grip.disc] += stiffness_;
+    row_y[grip.disc] += stiffness_;
   }
 }
 

@@ -9,6 +9,8 @@
 // walls   Frictionless rigid walls press on the discs that touch them at set-up, with the contacts' stiffness and no
 //         tension. While a wall is servo-driven it is a body with one degree of freedom whose unbalanced force is
 //         target stress times length minus what the discs push back; afterwards it may be fixed.
+// Besides, single discs may be gripped (the laboratory's platens): led along one direction to where they are told, free across
+// it and in rotation, by a spring of the contacts' stiffness.
 #pragma once
 
 #include <array>
@@ -37,7 +39,7 @@ class Boundary {
   // Adds the walls' share to the row sums of stiffness that set the stable step.
   void add_stiffness(std::vector<double>& row_x, std::vector<double>& row_y) const;
 
-  // The far field's force on a disc now (stress boundary) [N], and whether a disc is one of a wall's.
+  // The far field's force on a disc now (stress boundary) [N], and whether a disc is one of a wall's or gripped.
   [[nodiscard]] Vec2 load_on(std::int32_t disc) const;
   [[nodiscard]] bool touches_wall(std::int32_t disc) const;
 
@@ -86,6 +88,20 @@ class Boundary {
   // The constant force of the far field on each disc [N] (stress boundary), for the work it does.
   [[nodiscard]] double load_work(const Assembly& assembly) const;
 
+  struct Grip {
+    std::int32_t disc;
+    Vec2 along;     // unit vector
+    double target;  // m, displacement along it
+  };
+  std::vector<Grip>& grips() { return grips_; }
+  [[nodiscard]] const std::vector<Grip>& grips() const { return grips_; }
+  // Forces on some discs change with every cycle.
+  [[nodiscard]] bool reacts() const { return walled_ || !grips_.empty(); }
+  // Force of a grip on its disc, along its direction [N].
+  [[nodiscard]] double grip_force(const Assembly& a, const Grip& grip) const {
+    return stiffness_ * (grip.target - (a.ux[grip.disc] * grip.along.x + a.uy[grip.disc] * grip.along.y));
+  }
+
   struct Wall {
     Vec2 inward;                // unit normal into the model
     double length = 0.0;        // m
@@ -128,6 +144,7 @@ class Boundary {
   std::vector<Vec2> host_;          // N: from the host's stress
   std::vector<Vec2> load_on_;       // N at full load
   std::array<Wall, 4> walls_;
+  std::vector<Grip> grips_;  // no part of a state: the laboratory takes none
 };
 
 }  // namespace hfrac

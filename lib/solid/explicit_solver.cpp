@@ -103,6 +103,7 @@ void ExplicitSolver::bind_arrays() {
   k.contact_shear = options_.contact_shear_stiffness;
   k.tensile_capacity = a.tensile_per_radius;
   k.shear_capacity = a.shear_per_radius;
+  k.strength_scale = a.strength_scale.empty() ? nullptr : a.strength_scale.data();
   k.friction = options_.contact_friction;
   k.bending_share = options_.bond_moment_contribution;
   k.contact_with_bond = ContactMode{options_.contact_mode} == ContactMode::parallel ? 1.0 : 0.0;
@@ -235,7 +236,7 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
     for (std::int64_t cycle = total_cycles_; cycle < total_cycles_ + cycles; ++cycle) {
       for (auto block = bonds.first; block < bonds.last; ++block) take_cross_block(block, cycle, found[w]);
       for (auto block = domains.first; block < domains.last; ++block) kernels_.cross_domains(arrays_, block);
-      if (worker == 0 && boundary_.walled()) {
+      if (worker == 0 && boundary_.reacts()) {
         boundary_.cycle(assembly_, arrays_.step, options_.stepping_safety, arrays_.damping);
       }
       if (worker == 0 && !loose_.empty())

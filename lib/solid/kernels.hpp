@@ -78,6 +78,7 @@ struct KernelArrays {
   double bond_normal, bond_shear;           // N/m: parallel bond stiffness times area
   double contact_normal, contact_shear;     // N/m
   double tensile_capacity, shear_capacity;  // N per metre of bond radius: 2 sigma_c, 2 tau_c
+  const double* strength_scale;             // per bond, on top of them; nullptr: 1
   double friction;
   double bending_share;                       // beta of eq. 21
   double contact_with_bond;                   // 1: contact beside an intact bond, 0: only after it broke

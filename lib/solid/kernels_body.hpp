@@ -59,6 +59,7 @@ struct alignas(64) Chunk {
   double fx[chunk], fy[chunk], moment_i[chunk], minus_moment_j[chunk];
   double force[chunk], friction[chunk], over[chunk];  // for the sums
   double slip[chunk];                                 // after this cycle
+  double scale[chunk];                                // of the strengths
 };
 
 // The law, for bonds e to e + n - 1.
@@ -76,6 +77,7 @@ __attribute__((noinline)) void bond_law(const KernelArrays& a, int64_t e, int64_
                shearing = a.shear_capacity;
   const double inverse_contact_shear = a.contact_shear > 0.0 ? 1.0 / a.contact_shear : 0.0;
   for (int64_t k = 0; k < n; ++k) c.intact[k] = static_cast<double>(intact_[k]);
+  for (int64_t k = 0; k < n; ++k) c.scale[k] = a.strength_scale != nullptr ? a.strength_scale[e + k] : 1.0;
 #pragma GCC ivdep
   for (int64_t k = 0; k < n; ++k) {
     const double dux = c.dux[k], duy = c.duy[k], turn = c.turn[k];
@@ -120,8 +122,8 @@ __attribute__((noinline)) void bond_law(const KernelArrays& a, int64_t e, int64_
     c.force[k] = magnitude(fx) + magnitude(fy);
 
     // Excess over strength, as a number so that the loop stays in vector registers; a broken bond has none.
-    const double pull = bond_n + bending_share * magnitude(bend) - tensile * radius;
-    const double push = magnitude(bond_s) - shearing * radius;
+    const double pull = bond_n + bending_share * magnitude(bend) - tensile * radius * c.scale[k];
+    const double push = magnitude(bond_s) - shearing * radius * c.scale[k];
     const double excess = pull > push ? pull : push;
     c.over[k] = intact > 0.0 && excess >= 0.0 ? 1.0 : 0.0;
   }

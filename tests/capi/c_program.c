@@ -320,6 +320,38 @@ static void exchange(hfrac_sim* sim) {
   check(remove(path) == 0, "the file is there");
 }
 
+/* lab.h */
+static void rock_tests(void) {
+  hfrac_sim_def def;
+  hfrac_lab_spec spec;
+  hfrac_lab_report report;
+  hfrac_targets targets;
+  hfrac_calibration found;
+  hfrac_lab* lab = NULL;
+  int64_t count = 0;
+  good(hfrac_sim_def_init(&def, (int32_t)sizeof def), NULL, "def_init");
+  good(hfrac_lab_spec_init(&spec, (int32_t)sizeof spec), NULL, "lab_spec_init");
+  spec.disc_count = 500;
+  good(hfrac_lab_run(&def, &spec, NULL, NULL, &lab), NULL, "lab_run");
+  memset(&report, 0, sizeof report);
+  report.struct_size = (int32_t)sizeof report;
+  good(hfrac_lab_get_report(lab, &report), NULL, "lab_get_report");
+  check(report.modulus > 10e9 && report.modulus < 18e9 && report.value == report.modulus,
+        "rock has a modulus");
+  good(hfrac_lab_copy_f64(lab, HFRAC_LAB_DISCS, NULL, 0, &count), NULL, "lab_copy_f64");
+  check(count == 5 * report.disc_count, "five values a disc");
+  good(hfrac_lab_destroy(&lab), NULL, "lab_destroy");
+  check(lab == NULL, "the test is gone");
+  good(hfrac_targets_init(&targets, (int32_t)sizeof targets), NULL, "targets_init");
+  targets.modulus = 20e9;
+  targets.disc_count = 500;
+  targets.packings = 1;
+  memset(&found, 0, sizeof found);
+  found.struct_size = (int32_t)sizeof found;
+  good(hfrac_calibrate(&def, &targets, NULL, NULL, &found), NULL, "calibrate");
+  check(def.bond_normal_stiffness > 5.152e9 && found.test_count == 2, "stiffer rock takes stiffer bonds");
+}
+
 int main(void) {
   hfrac_sim_def def;
   hfrac_sim* sim = NULL;
@@ -337,5 +369,6 @@ int main(void) {
   }
   good(hfrac_sim_destroy(&sim), NULL, "destroy");
   check(sim == NULL, "the simulation is gone");
+  rock_tests();
   return failures == 0 ? 0 : 1;
 }

@@ -33,6 +33,9 @@ int run_program(int argument_count, char** arguments) {
   add_info(program, action);
   add_options(program, action);
   add_view(program, action);
+  add_lab(program, action);
+  add_calibrate(program, action);
+  add_verify(program, action);
 #ifdef HFRAC_WITH_RENDERER
   add_render(program, action);
   add_plot(program, action);

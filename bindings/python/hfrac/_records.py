@@ -4,7 +4,7 @@
 from typing import NamedTuple, Tuple
 
 from . import _abi
-from ._abi import CrackMode, StepLimit, StopReason, WellControl
+from ._abi import CrackMode, LabEnd, StepLimit, StopReason, WellControl
 
 
 class SimState(NamedTuple):
@@ -94,7 +94,8 @@ class SetupReport(NamedTuple):
     removed_floaters: int
     #: near contacts not bonded because they cross another
     removed_crossings: int
-    #: strengths used over strengths given (bond.toughness_reference_radius)
+    #: strengths used, at the mean radius, over strengths given (bond.fracture_toughness and
+    #: bond.toughness_reference_radius)
     strength_factor: float
     #: [m] r0 in use (eq. 7)
     zero_stress_aperture: float
@@ -467,4 +468,137 @@ class Cell(NamedTuple):
             struct.pressure,
             struct.fracture_pressure,
             struct.crack_count,
+        )
+
+
+class LabReport(NamedTuple):
+    """What a test found; 0 where a test has no such thing."""
+
+    #: enum hfrac_lab_end
+    end: LabEnd
+    #: what the test is for, see enum hfrac_lab_test
+    value: float
+    #: [Pa] E in plane strain
+    modulus: float
+    #: nu in plane strain
+    poisson: float
+    #: [Pa] E', slope of the two-dimensional model
+    plane_modulus: float
+    #: nu', likewise
+    plane_poisson: float
+    #: [Pa] largest stress (or fluid pressure) borne
+    peak_stress: float
+    #: axial strain there, extension positive
+    strain_at_peak: float
+    #: [Pa] at the first broken bond
+    first_crack_stress: float
+    #: [m] a: half the slit, or the depth of a notch, as cut between bonds
+    slit_half_length: float
+    #: F of K = F sigma sqrt(pi a), or the Brazilian's sigma over P / D
+    geometry_factor: float
+    #: K_Ic over sigma_c sqrt(mean radius)
+    toughness_coefficient: float
+    #: [m2] along x
+    permeability_x: float
+    #: [m2] along y
+    permeability_y: float
+    #: [m] r0 in use (eq. 7)
+    zero_stress_aperture: float
+    #: [m] of the discs packed
+    mean_radius: float
+    #: bonds per disc times two
+    coordination: float
+    #: largest mean unbalanced over mean contact force of all equilibria
+    force_ratio: float
+    #: largest stress over strength less 1 at which a bond broke, up to the peak
+    worst_overshoot: float
+    #: wall time of the packing
+    packing_seconds: float
+    #: wall time of the test
+    test_seconds: float
+    #: discs of the specimen
+    disc_count: int
+    #: bonds of the specimen
+    bond_count: int
+    #: bonds broken in tension
+    tensile_cracks: int
+    #: bonds broken in shear
+    shear_cracks: int
+    #: sparse factors computed
+    factor_count: int
+    #: equilibria that took the explicit solver
+    relaxation_count: int
+
+    @classmethod
+    def of(cls, struct: _abi.hfrac_lab_report) -> "LabReport":
+        """The struct's values."""
+        return cls(
+            LabEnd(struct.end),
+            struct.value,
+            struct.modulus,
+            struct.poisson,
+            struct.plane_modulus,
+            struct.plane_poisson,
+            struct.peak_stress,
+            struct.strain_at_peak,
+            struct.first_crack_stress,
+            struct.slit_half_length,
+            struct.geometry_factor,
+            struct.toughness_coefficient,
+            struct.permeability_x,
+            struct.permeability_y,
+            struct.zero_stress_aperture,
+            struct.mean_radius,
+            struct.coordination,
+            struct.force_ratio,
+            struct.worst_overshoot,
+            struct.packing_seconds,
+            struct.test_seconds,
+            struct.disc_count,
+            struct.bond_count,
+            struct.tensile_cracks,
+            struct.shear_cracks,
+            struct.factor_count,
+            struct.relaxation_count,
+        )
+
+
+class Calibration(NamedTuple):
+    """What a calibration came to. Arrays are in the order of hfrac_targets, NaN where not asked."""
+
+    #: 1: all targets reached; 0: `text` says which not
+    reached: int
+    #: mean over as many packings again, not those calibrated on
+    achieved: Tuple[float, float, float, float, float, float]
+    #: standard deviation over them
+    spread: Tuple[float, float, float, float, float, float]
+    #: least that can be had with the other targets as they are; NaN: no bound known
+    lowest: Tuple[float, float, float, float, float, float]
+    #: most, likewise
+    highest: Tuple[float, float, float, float, float, float]
+    #: [m] r0 at the model's disc size, if permeability was asked
+    zero_stress_aperture: float
+    #: K_Ic over sigma_c sqrt(R), if K_Ic was asked
+    toughness_coefficient: float
+    #: wall time
+    seconds: float
+    #: tests done
+    test_count: int
+    #: what could not be reached, and the nearest; empty if all was
+    text: str
+
+    @classmethod
+    def of(cls, struct: _abi.hfrac_calibration) -> "Calibration":
+        """The struct's values."""
+        return cls(
+            struct.reached,
+            tuple(struct.achieved),
+            tuple(struct.spread),
+            tuple(struct.lowest),
+            tuple(struct.highest),
+            struct.zero_stress_aperture,
+            struct.toughness_coefficient,
+            struct.seconds,
+            struct.test_count,
+            struct.text.decode(),
         )

@@ -239,6 +239,13 @@ typedef struct hfrac_sim_def {
   double initial_youngs_modulus;
   /** [1] State seepage: drained Poisson's ratio of the continuum in plane strain. Default 0.24. */
   double initial_poissons_ratio;
+  /** [Pa m^0.5] If positive, strengths follow from it and the size of the discs around each bond: sigma_c =
+   * K_Ic / (coefficient sqrt(R)); bond.shear_strength keeps its ratio to bond.tensile_strength. 0:
+   * strengths as given. Default 0.0. */
+  double bond_fracture_toughness;
+  /** [1] K_Ic over sigma_c sqrt(R) of the packing, for bond.fracture_toughness; 'hfrac lab centre-crack'
+   * measures it. 0: what it measured on the default rock of contact.mode. Default 0.0. */
+  double bond_toughness_coefficient;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */

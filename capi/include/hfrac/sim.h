@@ -95,7 +95,8 @@ typedef struct hfrac_setup_report {
   int64_t removed_in_wells;      /**< discs removed to cut the wells */
   int64_t removed_floaters;      /**< discs removed because they had fewer than two bonds */
   int64_t removed_crossings;     /**< near contacts not bonded because they cross another */
-  double strength_factor;        /**< strengths used over strengths given (bond.toughness_reference_radius) */
+  double strength_factor;        /**< strengths used, at the mean radius, over strengths given (bond.fracture_toughness and
+                                      bond.toughness_reference_radius) */
   double zero_stress_aperture;   /**< [m] r0 in use (eq. 7) */
   double permeability;           /**< [m2] of the network after the initial equilibrium */
   double setup_force_ratio;      /**< unbalanced over mean contact force after the initial equilibrium */

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lab/calibration.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <vector>
+
+#include "core/error.hpp"
+#include "lab/laboratory.hpp"
+#include "options/number_text.hpp"
+
+namespace hfrac {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double width = 10.0;                          // m, of specimens; nothing but R over it counts
+constexpr double least_ratio = 0.02, most_ratio = 5.0;  // k_s / k_n looked at
+constexpr double least_strengths = 0.25, most_strengths = 4.0;  // tau_c / sigma_c looked at
+constexpr double poisson_tolerance = 5e-4, ratio_tolerance = 0.02;
+constexpr double reached[macro_count] = {0.01, 0.01, 0.1, 0.1, 0.1, 0.01};  // relative; of nu absolute
+
+struct Stop {};
+
+struct Mean {
+  double value = 0.0, spread = 0.0;
+};
+Mean mean_of(const std::vector<double>& values) {
+  Mean m;
+  const auto n = static_cast<double>(values.size());
+  for (const double v : values) m.value += v / n;
+  for (const double v : values) m.spread += (v - m.value) * (v - m.value);
+  m.spread = values.size() > 1 ? std::sqrt(m.spread / (n - 1.0)) : 0.0;
+  return m;
+}
+
+class Calibrator {
+ public:
+  Calibrator(const CaseDefinition& definition, const CalibrationTargets& targets,
+             const std::function<bool(std::int64_t)>& step)
+      : targets_(targets), step_(step), started_(definition.options) {
+    result_.options = definition.options;
+    result_.options.bond_fracture_toughness = result_.options.bond_toughness_reference_radius = 0.0;
+    for (auto* values : {&result_.achieved, &result_.spread, &result_.lowest, &result_.highest})
+      values->fill(unknown);
+    result_.reachable.fill(true);
+  }
+
+  CalibrationResult run() {
+    const auto start = std::chrono::steady_clock::now();
+    try {
+      if (asked(Macro::modulus) || asked(Macro::poisson)) fit_elastic();
+      if (asked(Macro::compressive) || asked(Macro::tensile)) fit_strength();
+      if (asked(Macro::toughness)) fit_toughness();
+      if (asked(Macro::permeability)) result_.options.flow_permeability = target(Macro::permeability);
+      verify();
+    } catch (const Stop&) {
+      result_.stopped = true;
+    }
+    result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result_;
+  }
+
+ private:
+  [[nodiscard]] double target(Macro m) const { return targets_.target[static_cast<std::size_t>(m)]; }
+  [[nodiscard]] bool asked(Macro m) const { return !std::isnan(target(m)); }
+
+  LabReport test(LabTest which, const Options& material, std::int64_t seed) {
+    if (step_ && step_(result_.tests)) throw Stop{};
+    ++result_.tests;
+    LabSpec spec;
+    spec.test = which;
+    spec.width = width;
+    spec.seed = seed;
+    spec.end_share = 0.85;  // only the peak is wanted
+    spec.discs = which == LabTest::elastic || which == LabTest::permeability ? targets_.discs
+                                                                             : targets_.strength_discs;
+    const auto key = std::pair(specimen_aspect(which) * static_cast<double>(spec.discs), seed);
+    auto& packing = packings_[key];
+    if (packing.x.empty()) packing = pack_specimen(material, which, width, spec.discs, seed);
+    LabReport report = run_lab(material, spec, packing).report;
+    if (report.end == TestEnd::no_equilibrium && which == LabTest::elastic)
+      throw Error(ErrorKind::diverged, "no equilibrium was found in the elastic test of seed " +
+                                           number_text(seed) + "; use other stiffnesses to start from");
+    return report;
+  }
+  template <class Value>
+  Mean over_packings(LabTest which, const Options& material, const Value& value, bool other = false) {
+    std::vector<double> values;
+    for (std::int64_t k = 0; k < targets_.packings; ++k)
+      values.push_back(value(test(which, material, targets_.seed + k + (other ? targets_.packings : 0))));
+    return mean_of(values);
+  }
+  [[nodiscard]] double modulus_of(const LabReport& r) const {
+    return targets_.plane_slopes ? r.plane_modulus : r.modulus;
+  }
+  [[nodiscard]] double poisson_of(const LabReport& r) const {
+    return targets_.plane_slopes ? r.plane_poisson : r.poisson;
+  }
+
+  // The start's stiffnesses with k_s / k_n of contacts and bonds multiplied by `ratio` over their own, then all by `scale`.
+  Options with_stiffness(double ratio, double scale) const {
+    Options o = result_.options;
+    const double own = started_.bond_normal_stiffness > 0.0 && started_.bond_shear_stiffness > 0.0
+                           ? started_.bond_shear_stiffness / started_.bond_normal_stiffness
+                           : 1.0;
+    o.contact_normal_stiffness = scale * started_.contact_normal_stiffness;
+    o.bond_normal_stiffness = scale * started_.bond_normal_stiffness;
+    o.contact_shear_stiffness = scale * ratio / own * started_.contact_shear_stiffness;
+    o.bond_shear_stiffness = scale * ratio / own * started_.bond_shear_stiffness;
+    return o;
+  }
+
+  void fit_elastic() {
+    double ratio = started_.bond_shear_stiffness / std::max(started_.bond_normal_stiffness, 1e-300);
+    double modulus = 0.0;
+    const auto measure = [&](double at) {
+      std::vector<double> moduli, ratios;
+      const Options o = with_stiffness(at, 1.0);
+      for (std::int64_t k = 0; k < targets_.packings; ++k) {
+        const LabReport r = test(LabTest::elastic, o, targets_.seed + k);
+        moduli.push_back(modulus_of(r));
+        ratios.push_back(poisson_of(r));
+      }
+      modulus = mean_of(moduli).value;
+      return mean_of(ratios).value;
+    };
+    if (asked(Macro::poisson)) {
+      const auto m = static_cast<std::size_t>(Macro::poisson);
+      // nu falls with the ratio: bracket, then false position (Illinois) on its logarithm.
+      double low = std::log(least_ratio), high = std::log(most_ratio);
+      const double most = measure(least_ratio), least = measure(most_ratio), wanted = target(Macro::poisson);
+      result_.lowest[m] = least;
+      result_.highest[m] = most;
+      if (wanted > most || wanted < least) {
+        ratio = wanted > most ? least_ratio : most_ratio;
+      } else {
+        double at_low = most - wanted, at_high = least - wanted, now = 1.0;
+        int side = 0;
+        for (int round = 0; round < 30 && std::abs(now) > poisson_tolerance; ++round) {
+          const double middle = (low * at_high - high * at_low) / (at_high - at_low);
+          ratio = std::exp(middle);
+          now = measure(ratio) - wanted;
+          if (now > 0.0) {
+            low = middle;
+            at_low = now;
+            if (side == 1) at_high *= 0.5;
+            side = 1;
+          } else {
+            high = middle;
+            at_high = now;
+            if (side == -1) at_low *= 0.5;
+            side = -1;
+          }
+        }
+      }
+    }
+    measure(ratio);
+    const double scale = asked(Macro::modulus) ? target(Macro::modulus) / modulus : 1.0;
+    result_.options = with_stiffness(ratio, scale);
+  }
+
+  Options with_strengths(double sigma, double ratio) const {
+    Options o = result_.options;
+    o.bond_tensile_strength = sigma;
+    o.bond_shear_strength = ratio * sigma;
+    return o;
+  }
+
+  void fit_strength() {
+    const double sigma = started_.bond_tensile_strength;
+    double ratio = started_.bond_shear_strength / sigma, tensile = 0.0, compressive = 0.0;
+    const auto peak = [](const LabReport& r) { return r.value; };
+    const auto measure = [&](double at) {
+      const Options o = with_strengths(sigma, at);
+      if (asked(Macro::tensile)) tensile = over_packings(LabTest::tension, o, peak).value;
+      if (asked(Macro::compressive)) compressive = over_packings(LabTest::uniaxial, o, peak).value;
+      return asked(Macro::tensile) ? compressive / tensile : 0.0;
+    };
+    double scale = 1.0;
+    if (asked(Macro::compressive) && asked(Macro::tensile)) {
+      const double wanted = target(Macro::compressive) / target(Macro::tensile);
+      const double least = measure(least_strengths), most = measure(most_strengths);
+      double low = std::log(least_strengths), high = std::log(most_strengths);
+      if (wanted <= least || wanted >= most) {
+        ratio = wanted <= least ? least_strengths : most_strengths;
+      } else {
+        for (double found = 0.0; std::abs(found / wanted - 1.0) > ratio_tolerance && high - low > 0.02;) {
+          ratio = std::exp(0.5 * (low + high));
+          found = measure(ratio);
+          (found < wanted ? low : high) = std::log(ratio);
+        }
+      }
+      measure(ratio);
+      // Both off by the same factor, if both cannot be had.
+      scale = std::sqrt(target(Macro::tensile) / tensile * target(Macro::compressive) / compressive);
+      const auto t = static_cast<std::size_t>(Macro::tensile),
+                 c = static_cast<std::size_t>(Macro::compressive);
+      result_.lowest[c] = least * target(Macro::tensile);
+      result_.highest[c] = most * target(Macro::tensile);
+      result_.lowest[t] = target(Macro::compressive) / most;
+      result_.highest[t] = target(Macro::compressive) / least;
+    } else {
+      measure(ratio);
+      scale =
+          asked(Macro::tensile) ? target(Macro::tensile) / tensile : target(Macro::compressive) / compressive;
+    }
+    result_.options = with_strengths(scale * sigma, ratio);
+  }
+
+  void fit_toughness() {
+    Options o = result_.options;
+    const double c = over_packings(LabTest::centre_crack, o, [](const LabReport& r) {
+                       return r.toughness_coefficient;
+                     }).value;
+    result_.toughness_coefficient = c;
+    const double wanted = target(Macro::toughness), radius = expected_mean_radius(o);
+    if (!asked(Macro::compressive) && !asked(Macro::tensile)) {
+      const double shear = o.bond_shear_strength / o.bond_tensile_strength;
+      result_.options = with_strengths(wanted / (c * std::sqrt(radius)), shear);
+      return;
+    }
+    // Strengths are spoken for: the disc size is what is left.
+    const double asked_radius = std::pow(wanted / (c * o.bond_tensile_strength), 2.0);
+    const double count = static_cast<double>(o.packing_disc_count) * std::pow(radius / asked_radius, 2.0);
+    const auto m = static_cast<std::size_t>(Macro::toughness);
+    const double at_radius = c * o.bond_tensile_strength * std::sqrt(radius);
+    const double discs = static_cast<double>(o.packing_disc_count);
+    result_.lowest[m] = at_radius * std::pow(discs / most_model_discs, 0.25);
+    result_.highest[m] = at_radius * std::pow(discs / fewest_model_discs, 0.25);
+    result_.options.packing_disc_count =
+        std::llround(std::clamp(count, fewest_model_discs, most_model_discs));
+  }
+
+  void verify() {
+    const Options& o = result_.options;
+    const auto put = [&](Macro m, Mean mean) {
+      const auto k = static_cast<std::size_t>(m);
+      result_.achieved[k] = mean.value;
+      result_.spread[k] = mean.spread;
+      const double size = m == Macro::poisson ? 1.0 : std::abs(target(m));
+      const double room =
+          m == Macro::permeability
+              ? 0.05
+              : reached[k] + (mean.value > 0 ? 2.0 * mean.spread / size /
+                                                   std::sqrt(static_cast<double>(targets_.packings))
+                                             : 0.0);
+      result_.reachable[k] = std::abs(mean.value - target(m)) <= room * size;
+      if (!result_.reachable[k]) explain(m);
+    };
+    if (asked(Macro::modulus) || asked(Macro::poisson)) {
+      std::vector<double> moduli, ratios;
+      for (std::int64_t k = 0; k < targets_.packings; ++k) {
+        const LabReport r = test(LabTest::elastic, o, targets_.seed + targets_.packings + k);
+        moduli.push_back(modulus_of(r));
+        ratios.push_back(poisson_of(r));
+      }
+      if (asked(Macro::modulus)) put(Macro::modulus, mean_of(moduli));
+      if (asked(Macro::poisson)) put(Macro::poisson, mean_of(ratios));
+    }
+    const auto value = [](const LabReport& r) { return r.value; };
+    if (asked(Macro::compressive)) put(Macro::compressive, over_packings(LabTest::uniaxial, o, value, true));
+    if (asked(Macro::tensile)) put(Macro::tensile, over_packings(LabTest::tension, o, value, true));
+    if (asked(Macro::toughness)) {
+      const double at_model = o.bond_tensile_strength * std::sqrt(expected_mean_radius(o));
+      put(Macro::toughness,
+          over_packings(
+              LabTest::centre_crack, o,
+              [&](const LabReport& r) { return r.toughness_coefficient * at_model; }, true));
+    }
+    if (asked(Macro::permeability)) {
+      double aperture = 0.0, radius = 0.0;
+      put(Macro::permeability, over_packings(
+                                   LabTest::permeability, o,
+                                   [&](const LabReport& r) {
+                                     aperture +=
+                                         r.zero_stress_aperture / static_cast<double>(targets_.packings);
+                                     radius = r.mean_radius;
+                                     return r.value;
+                                   },
+                                   true));
+      result_.zero_stress_aperture = aperture * std::cbrt(expected_mean_radius(o) / radius);
+    }
+  }
+
+  void explain(Macro m) {
+    static constexpr const char* name[macro_count] = {"E",    "nu",          "UCS", "tensile strength",
+                                                      "K_Ic", "permeability"};
+    static constexpr const char* unit[macro_count] = {" Pa", "", " Pa", " Pa", " Pa m^0.5", " m2"};
+    const auto k = static_cast<std::size_t>(m);
+    std::string text = std::string(name[k]) + " = " + rounded_text(target(m)) + unit[k] +
+                       " cannot be reached: the nearest set has " + rounded_text(result_.achieved[k]) +
+                       unit[k];
+    if (!std::isnan(result_.lowest[k])) {
+      text += "; with the other targets as they are it lies between " + rounded_text(result_.lowest[k]) +
+              " and " + rounded_text(result_.highest[k]) + unit[k];
+    }
+    result_.text += (result_.text.empty() ? "" : ". ") + text;
+  }
+
+  static constexpr double fewest_model_discs = 500.0, most_model_discs = 5e6;
+
+  CalibrationTargets targets_;
+  std::function<bool(std::int64_t)> step_;
+  Options started_;
+  CalibrationResult result_;
+  std::map<std::pair<double, std::int64_t>, Packing> packings_;
+};
+
+void check(const CaseDefinition& definition, const CalibrationTargets& t) {
+  static constexpr const char* name[macro_count] = {"modulus",          "poisson",   "compressive_strength",
+                                                    "tensile_strength", "toughness", "permeability"};
+  bool any = false;
+  for (std::size_t k = 0; k < macro_count; ++k) {
+    const double value = t.target[k];
+    if (std::isnan(value)) continue;
+    any = true;
+    const double most = k == static_cast<std::size_t>(Macro::poisson) ? (t.plane_slopes ? 1.0 : 0.5) : 1e15;
+    if (!(value > 0.0) || !(value < most)) {
+      throw Error(ErrorKind::argument, std::string(name[k]) + " = " + number_text(value) +
+                                           " is out of range; give a value between 0 and " +
+                                           number_text(most) + ", or NaN not to ask for it.");
+    }
+  }
+  if (!any) throw Error(ErrorKind::argument, "no target is given; give at least one.");
+  if (t.packings < 1 || t.packings > 1000)
+    throw Error(ErrorKind::argument, "packings = " + number_text(t.packings) + "; give 1 to 1000.");
+  if (t.seed < 0) throw Error(ErrorKind::argument, "seed = " + number_text(t.seed) + "; give 0 or more.");
+  const Options& o = definition.options;
+  if (!(o.bond_normal_stiffness > 0.0) || !(o.bond_shear_stiffness > 0.0) ||
+      !(o.bond_tensile_strength > 0.0) || !(o.bond_shear_strength > 0.0)) {
+    throw Error(ErrorKind::argument,
+                "the material to start from has a bond stiffness or strength of 0; calibration keeps the "
+                "bonds' share "
+                "of the stiffness, so give bond.normal_stiffness, bond.shear_stiffness and both strengths.");
+  }
+}
+
+}  // namespace
+
+CalibrationResult calibrate(const CaseDefinition& definition, const CalibrationTargets& targets,
+                            const std::function<bool(std::int64_t)>& step) {
+  check(definition, targets);
+  return Calibrator(definition, targets, step).run();
+}
+
+}  // namespace hfrac

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lab/specimen.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+#include "geom/faces.hpp"
+#include "options/choices.hpp"
+
+namespace hfrac {
+namespace {
+
+constexpr double platen_reach = 0.5;  // mean radii between a disc's rim and a platen that holds it
+constexpr double gauge = 0.35;        // half of the sides' share that strain is taken over
+constexpr double unbreakable = 1e6;   // times its strength
+constexpr double round_cap = 0.35;  // diameters from the middle, beyond which a round specimen does not break
+constexpr int most_attempts = 3;
+constexpr double relaxed_ratio = 1e-5;  // mean unbalanced over mean contact force
+constexpr std::int64_t most_cycles = 40000;
+
+Options bench_options(Options o, const SpecimenShape& shape) {
+  o.model_width = shape.width;
+  o.model_height = shape.height;
+  o.model_reading = static_cast<std::int64_t>(Reading::paper);  // pressures count from the drained rock's
+  o.boundary_kind = static_cast<std::int64_t>(BoundaryKind::stress);
+  o.flow_scheme = static_cast<std::int64_t>(shape.wet ? FlowScheme::implicit_scheme : FlowScheme::off);
+  o.stress_sigma_H = shape.stress_x;
+  o.stress_sigma_h = shape.stress_y;
+  o.solver_tolerance = std::min(o.solver_tolerance, 1e-6);
+  return o;
+}
+
+Packing round_out(const Packing& square, double diameter) {
+  Packing round;
+  round.mean_radius = square.mean_radius;
+  for (std::size_t i = 0; i < square.x.size(); ++i) {
+    const double x = square.x[i] - 0.5 * diameter, y = square.y[i] - 0.5 * diameter;
+    if (std::hypot(x, y) + square.radius[i] > 0.5 * diameter) continue;
+    round.x.push_back(square.x[i]);
+    round.y.push_back(square.y[i]);
+    round.radius.push_back(square.radius[i]);
+  }
+  return round;
+}
+
+}  // namespace
+
+Specimen::Specimen(const Packing& packing, const Options& material, const SpecimenShape& shape)
+    : options_(bench_options(material, shape)), shape_(shape) {
+  const Packing cut = shape.round ? round_out(packing, shape.width) : Packing{};
+  const Packing& taken = shape.round ? cut : packing;
+  ContactGraph graph = build_contact_graph(taken.x, taken.y, taken.radius, {}, options_.bond_gap_tolerance);
+  Faces faces = build_faces(graph);
+  assembly_ = build_assembly(std::move(graph), options_);
+  network_ = build_network(std::move(faces), assembly_, {}, options_);
+  boundary_ = std::make_unique<Boundary>(assembly_, network_, options_);
+  workers_.reset(new Workers(1));
+  mechanics_ = std::make_unique<ExplicitSolver>(assembly_, network_, *boundary_, options_, *workers_);
+  mechanics_->set_undrained(false);
+  cut_slit();
+  equilibrium_ = std::make_unique<EquilibriumSolver>(assembly_, network_, *boundary_, *mechanics_, options_);
+}
+
+void Specimen::cut_slit() {
+  if (!(shape_.slit_end > shape_.slit_begin)) return;
+  const auto& a = assembly_;
+  const double y = 0.5 * shape_.height;
+  double before = -1.0, after = 2.0 * shape_.width, first = after, last = before;
+  for (std::int64_t e = 0; e < a.bond_count(); ++e) {
+    const auto i = a.first[e], j = a.second[e];
+    if ((a.y[i] - y) * (a.y[j] - y) >= 0.0) continue;
+    const double x = a.x[i] + (a.x[j] - a.x[i]) * (y - a.y[i]) / (a.y[j] - a.y[i]);
+    if (x < shape_.slit_begin) before = std::max(before, x);
+    if (x > shape_.slit_end) after = std::min(after, x);
+    if (x < shape_.slit_begin || x > shape_.slit_end) continue;
+    assembly_.intact[static_cast<std::size_t>(e)] = 0;
+    first = std::min(first, x);
+    last = std::max(last, x);
+    slit_.push_back(e);
+  }
+  // A tip lies between the last bond cut and the first one that holds.
+  tips_ = {before < 0.0 ? 0.0 : 0.5 * (before + first),
+           after > shape_.width ? shape_.width : 0.5 * (last + after)};
+  if (slit_.size() < 3) {
+    throw Error(ErrorKind::model, "the slit of " + std::to_string(shape_.slit_end - shape_.slit_begin) +
+                                      " m crosses only " + std::to_string(slit_.size()) +
+                                      " bonds; raise the number of discs or the slit's share of the width");
+  }
+}
+
+void Specimen::grip_ends(double half_angle) {
+  const auto& a = assembly_;
+  const double reach = platen_reach * a.mean_radius, middle = 0.5 * shape_.height;
+  auto& grips = boundary_->grips();
+  grips.clear();
+  const auto collect = [&](double side) {
+    for (std::int32_t i = 0; i < a.disc_count(); ++i) {
+      const double x = a.x[i] - 0.5 * shape_.width, y = side * (a.y[i] - middle);
+      const bool held = half_angle > 0.0
+                            ? y > 0.0 && std::abs(std::atan2(x, y)) <= half_angle &&
+                                  std::hypot(x, y) + a.radius[i] > 0.5 * shape_.height - 2.0 * a.mean_radius
+                            : y + a.radius[i] > middle - reach;
+      if (held) grips.push_back({i, {0.0, 1.0}, 0.0});
+    }
+    return grips.size();
+  };
+  lower_ = collect(-1.0);
+  upper_ = collect(1.0);
+  if (lower_ == 0 || upper_ == lower_) {
+    throw Error(ErrorKind::model,
+                "no disc lies within " + std::to_string(reach) + " m of a platen; raise the number of discs");
+  }
+  grips.push_back({grips[lower_ / 2].disc, {1.0, 0.0}, 0.0});  // against drifting sideways; bears nothing
+  if (assembly_.strength_scale.empty()) assembly_.strength_scale.assign(a.first.size(), 1.0);
+  std::vector<char> held(a.x.size(), 0);
+  for (const auto& grip : grips) held[static_cast<std::size_t>(grip.disc)] = 1;
+  const double cap = half_angle > 0.0 ? round_cap * shape_.height : 1e300;
+  for (std::size_t e = 0; e < a.first.size(); ++e) {
+    const double y =
+        0.5 * (a.y[static_cast<std::size_t>(a.first[e])] + a.y[static_cast<std::size_t>(a.second[e])]);
+    if (std::abs(y - middle) > cap) assembly_.strength_scale[e] = unbreakable;
+    if (held[static_cast<std::size_t>(a.first[e])] != 0 || held[static_cast<std::size_t>(a.second[e])] != 0)
+      assembly_.strength_scale[e] = unbreakable;
+  }
+}
+
+void Specimen::make_unbreakable() {
+  assembly_.tensile_per_radius = assembly_.shear_per_radius = 1e30;
+}
+
+void Specimen::lead_ends(double elongation) {
+  auto& grips = boundary_->grips();
+  for (std::size_t k = 0; k < upper_; ++k) grips[k].target = (k < lower_ ? -0.5 : 0.5) * elongation;
+}
+
+double Specimen::pull() const {
+  double force = 0.0;
+  const auto& grips = boundary_->grips();
+  for (std::size_t k = 0; k < upper_; ++k)
+    force += (k < lower_ ? -0.5 : 0.5) * boundary_->grip_force(assembly_, grips[k]);
+  return force;
+}
+
+// The slit's pores, and those that broken bonds join to them.
+void Specimen::pressurise(double pressure) {
+  auto& n = network_;
+  std::vector<char> reached(n.kind.size(), 0);
+  for (const auto e : slit_) {
+    reached[static_cast<std::size_t>(n.left[static_cast<std::size_t>(e)])] = 1;
+    reached[static_cast<std::size_t>(n.right[static_cast<std::size_t>(e)])] = 1;
+  }
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (const auto& crack : log_) {
+      auto& l = reached[static_cast<std::size_t>(n.left[static_cast<std::size_t>(crack.bond)])];
+      auto& r = reached[static_cast<std::size_t>(n.right[static_cast<std::size_t>(crack.bond)])];
+      grew = grew || l != r;
+      l = r = static_cast<char>(l | r);
+    }
+  }
+  for (std::size_t d = 1; d < reached.size(); ++d) n.pressure[d] = reached[d] != 0 ? pressure : 0.0;
+}
+
+EquilibriumSolver::Outcome Specimen::solve(double most_excess, const std::function<bool()>& interrupt) {
+  using End = EquilibriumSolver::End;
+  auto outcome = equilibrium_->solve(0.0, {}, most_excess, log_, interrupt);
+  factors_ += outcome.factors;
+  for (int attempt = 0; outcome.end == End::stuck && attempt < most_attempts; ++attempt) {
+    ++relaxations_;
+    const auto moved = mechanics_->relax(relaxed_ratio, most_cycles, log_, interrupt);
+    if (moved.stopped) {
+      outcome.end = End::stopped;
+      break;
+    }
+    mechanics_->search_contacts(log_);
+    outcome = equilibrium_->solve(0.0, {}, std::numeric_limits<double>::infinity(), log_, interrupt);
+    factors_ += outcome.factors;
+    if (outcome.end == End::stuck && moved.at_rest) {
+      outcome.force_ratio = moved.force_ratio;
+      outcome.end = End::rest;
+    }
+  }
+  if (outcome.end == EquilibriumSolver::End::rest) mechanics_->search_contacts(log_);
+  return outcome;
+}
+
+Strain Specimen::strain() const {
+  const auto& a = assembly_;
+  double n = 0.0, mx = 0.0, my = 0.0, mu = 0.0, mv = 0.0;
+  double xx = 0.0, xy = 0.0, yy = 0.0, xu = 0.0, yu = 0.0, xv = 0.0, yv = 0.0;
+  for (std::int64_t i = 0; i < a.disc_count(); ++i) {
+    const double x = a.x[i] - 0.5 * shape_.width, y = a.y[i] - 0.5 * shape_.height;
+    if (std::abs(x) > gauge * shape_.width || std::abs(y) > gauge * shape_.height) continue;
+    const double u = a.ux[i], v = a.uy[i];
+    n += 1.0;
+    mx += x;
+    my += y;
+    mu += u;
+    mv += v;
+    xx += x * x;
+    xy += x * y;
+    yy += y * y;
+    xu += x * u;
+    yu += y * u;
+    xv += x * v;
+    yv += y * v;
+  }
+  xx -= mx * mx / n;
+  xy -= mx * my / n;
+  yy -= my * my / n;
+  xu -= mx * mu / n;
+  yu -= my * mu / n;
+  xv -= mx * mv / n;
+  yv -= my * mv / n;
+  const double determinant = xx * yy - xy * xy;
+  return {(yv * xx - xv * xy) / determinant, (xu * yy - yu * xy) / determinant};
+}
+
+double Specimen::largest_excess() const {
+  double largest = 0.0;
+  for (std::int64_t e = 0; e < assembly_.bond_count(); ++e) {
+    if (assembly_.intact[static_cast<std::size_t>(e)] == 0) continue;
+    const BondView bond = view_bond(assembly_, options_, e);
+    largest = std::max({largest, bond.tensile_excess, bond.shear_excess});
+  }
+  return largest;
+}
+
+std::vector<Vec2> Specimen::opening() const {
+  const auto& a = assembly_;
+  const double middle = 0.5 * (shape_.slit_begin + shape_.slit_end), y = 0.5 * shape_.height;
+  std::vector<Vec2> points;
+  for (const auto e : slit_) {
+    const auto k = static_cast<std::size_t>(e);
+    const bool up = a.y[a.second[k]] > a.y[a.first[k]];
+    const auto below = up ? a.first[k] : a.second[k], above = up ? a.second[k] : a.first[k];
+    const double x = a.x[below] + (a.x[above] - a.x[below]) * (y - a.y[below]) / (a.y[above] - a.y[below]);
+    points.push_back({x - middle, a.uy[above] - a.uy[below]});
+  }
+  std::sort(points.begin(), points.end(), [](Vec2 p, Vec2 q) { return p.x < q.x; });
+  return points;
+}
+
+std::int64_t Specimen::cracks_in(CrackMode mode) const {
+  return std::count_if(log_.begin(), log_.end(), [&](const Crack& crack) { return crack.mode == mode; });
+}
+
+double Specimen::coordination() const {
+  return 2.0 * static_cast<double>(assembly_.bond_count()) / static_cast<double>(assembly_.disc_count());
+}
+
+}  // namespace hfrac

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// hfrac lab: standard rock tests on specimens of a case's rock.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <memory>
+
+#include "command/case_file.hpp"
+#include "command/commands.hpp"
+#include "command/interrupt.hpp"
+#include "command/progress_line.hpp"
+#include "command/specimen_svg.hpp"
+#include "output/engine_call.hpp"
+#include "output/safe_file.hpp"
+#ifdef HFRAC_WITH_RENDERER
+#include <hfrac/viz.h>
+#endif
+
+namespace hfrac::command {
+namespace {
+
+struct TestName {
+  const char *word, *value, *unit;
+  double scale;  // of the unit, per SI unit
+};
+/** In the order of enum hfrac_lab_test. */
+constexpr std::array<TestName, 9> tests = {{{"elastic", "E (plane strain)", "GPa", 1e-9},
+                                            {"tension", "tensile strength", "MPa", 1e-6},
+                                            {"uniaxial", "UCS", "MPa", 1e-6},
+                                            {"biaxial", "axial strength", "MPa", 1e-6},
+                                            {"brazilian", "Brazilian strength", "MPa", 1e-6},
+                                            {"centre-crack", "K_Ic", "MPa m^0.5", 1e-6},
+                                            {"notch", "K_Ic", "MPa m^0.5", 1e-6},
+                                            {"pressurised-crack", "K_Ic", "MPa m^0.5", 1e-6},
+                                            {"permeability", "permeability", "mD", 1.0 / 9.869233e-16}}};
+constexpr const char* ends[] = {"failed", "load reached", "no equilibrium found beyond this", "interrupted"};
+
+struct LabRequest {
+  std::string test, case_file, folder;
+  hfrac_lab_spec spec{};
+  int64_t packings = 1;
+  bool time = false, quiet = false;
+};
+
+struct Destroy {
+  void operator()(hfrac_lab* lab) const { hfrac_lab_destroy(&lab); }
+};
+using Lab = std::unique_ptr<hfrac_lab, Destroy>;
+
+std::vector<double> table(const hfrac_lab* lab, int32_t which) {
+  int64_t count = 0;
+  output::require(hfrac_lab_copy_f64(lab, which, nullptr, 0, &count), nullptr);
+  std::vector<double> values(static_cast<std::size_t>(count));
+  output::require(hfrac_lab_copy_f64(lab, which, values.data(), count, &count), nullptr);
+  return values;
+}
+
+int32_t show(void* line, double /*share*/, const char* what) {
+  static_cast<ProgressLine*>(line)->show(what);
+  return interrupted() ? 1 : 0;
+}
+
+std::string describe(const hfrac_lab_report& r, int32_t test, int64_t seed, bool time) {
+  const TestName& name = tests[static_cast<std::size_t>(test)];
+  std::string text =
+      fmt::format("  seed {:<3} {} {:.4g} {}", seed, name.value, r.value * name.scale, name.unit);
+  auto out = std::back_inserter(text);
+  if (r.plane_modulus > 0.0)
+    fmt::format_to(out, ", E {:.4g} GPa, nu {:.3f} (slopes E' {:.4g} GPa, nu' {:.3f})", r.modulus * 1e-9,
+                   r.poisson, r.plane_modulus * 1e-9, r.plane_poisson);
+  if (r.peak_stress > 0.0)
+    fmt::format_to(out, ", first crack at {:.4g} of {:.4g} MPa", r.first_crack_stress * 1e-6,
+                   r.peak_stress * 1e-6);
+  if (r.toughness_coefficient > 0.0)
+    fmt::format_to(out, ", {:.3f} sigma_c sqrt(R), a {:.4g} m, F {:.3f}", r.toughness_coefficient,
+                   r.slit_half_length, r.geometry_factor);
+  if (r.zero_stress_aperture > 0.0)
+    fmt::format_to(out, ", along x {:.4g}, along y {:.4g} mD, r0 {:.3g} um", r.permeability_x * name.scale,
+                   r.permeability_y * name.scale, r.zero_stress_aperture * 1e6);
+  fmt::format_to(out, "\n           {}; {} discs, R {:.4g} m, cracks {} tensile {} shear, force ratio {:.0e}",
+                 ends[r.end], r.disc_count, r.mean_radius, r.tensile_cracks, r.shear_cracks, r.force_ratio);
+  if (time)
+    fmt::format_to(out, "\n           packing {:.2f} s, test {:.2f} s, {} sparse factors", r.packing_seconds,
+                   r.test_seconds, r.factor_count);
+  return text + "\n";
+}
+
+void write_files(const std::filesystem::path& folder, const hfrac_lab* lab, const std::string& test,
+                 int64_t seed, std::string& chart) {
+  std::filesystem::create_directories(folder);
+  const auto curve = table(lab, HFRAC_LAB_CURVE), opening = table(lab, HFRAC_LAB_OPENING),
+             discs = table(lab, HFRAC_LAB_DISCS);
+  if (!curve.empty()) {
+    std::string text =
+        "load,stress_Pa,axial_strain,lateral_strain,stress_over_strength,tensile_cracks,shear_cracks\n";
+    double last = -1.0;
+    for (std::size_t k = 0; k + 7 <= curve.size(); k += 7) {
+      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{:.0f},{:.0f}\n", curve[k], curve[k + 1],
+                     curve[k + 2], curve[k + 3], curve[k + 4], curve[k + 5], curve[k + 6]);
+      // A chart has one point for each load: the one before breakage.
+      if (curve[k] == last) continue;
+      last = curve[k];
+      fmt::format_to(std::back_inserter(chart), "packing {},{},{},{:.0f}\n", seed, curve[k + 2],
+                     curve[k + 1] * 1e-6, curve[k + 5] + curve[k + 6]);
+    }
+    output::write_whole(folder / fmt::format("{}_{}.csv", test, seed), text);
+  }
+  if (!opening.empty()) {
+    std::string text = "x_m,opening_m,pressure_Pa\n";
+    for (std::size_t k = 0; k + 3 <= opening.size(); k += 3)
+      fmt::format_to(std::back_inserter(text), "{},{},{}\n", opening[k], opening[k + 1], opening[k + 2]);
+    output::write_whole(folder / fmt::format("{}_opening_{}.csv", test, seed), text);
+  }
+  if (!discs.empty())
+    output::write_whole(
+        folder / fmt::format("{}_{}.svg", test, seed),
+        specimen_svg(discs, table(lab, HFRAC_LAB_CRACKS), fmt::format("{}, packing {}", test, seed)));
+}
+
+void draw_curves(const std::filesystem::path& folder, const std::string& test, const std::string& chart) {
+  const auto file = folder / fmt::format("{}_curves.csv", test);
+  output::write_whole(file, "packing,axial strain (1),stress (MPa),broken bonds (1)\n" + chart);
+#ifdef HFRAC_WITH_RENDERER
+  hfrac_viz_comparison_options options{};
+  hfrac_viz_comparison_options_init(&options, sizeof options);
+  const std::string title = fmt::format("hfrac lab {}", test);
+  options.title = title.c_str();
+  std::array<char, 2048> error{};
+  const auto picture = folder / fmt::format("{}_curves.png", test);
+  if (hfrac_viz_render_comparison(file.c_str(), picture.c_str(), &options, error.data(),
+                                  static_cast<int32_t>(error.size()), nullptr) < 0)
+    throw std::runtime_error(error.data());
+#endif
+}
+
+ExitCode lab(LabRequest request) {
+  hfrac_sim_def definition{};
+  output::require(hfrac_sim_def_init(&definition, static_cast<int32_t>(sizeof definition)), nullptr);
+  if (!request.case_file.empty()) definition = load_case(request.case_file, 0);
+  for (std::size_t k = 0; k < tests.size(); ++k) {
+    if (request.test == tests[k].word) request.spec.test = static_cast<int32_t>(k);
+  }
+  const TestName& name = tests[static_cast<std::size_t>(request.spec.test)];
+  catch_interrupts();
+  double sum = 0.0, squares = 0.0;
+  std::string chart;
+  const int64_t first = request.spec.seed;
+  for (int64_t k = 0; k < request.packings; ++k) {
+    request.spec.seed = first + k;
+    ProgressLine line(request.quiet);
+    hfrac_lab* raw = nullptr;
+    const int32_t status = hfrac_lab_run(&definition, &request.spec, show, &line, &raw);
+    const Lab one(raw);
+    line.end();
+    if (status == HFRAC_ERR_ARGUMENT || status == HFRAC_ERR_MODEL)
+      throw BadInput(output::error_text(status, nullptr));
+    output::require(status, nullptr);
+    auto report = output::sized<hfrac_lab_report>();
+    output::require(hfrac_lab_get_report(one.get(), &report), nullptr);
+    fmt::print("{}", describe(report, request.spec.test, request.spec.seed, request.time));
+    if (!request.folder.empty())
+      write_files(request.folder, one.get(), request.test, request.spec.seed, chart);
+    if (status == HFRAC_STOPPED) return kInterrupted;
+    sum += report.value;
+    squares += report.value * report.value;
+  }
+  if (request.packings > 1) {
+    const auto n = static_cast<double>(request.packings);
+    const double mean = sum / n, spread = std::sqrt(std::max(0.0, squares / n - mean * mean) * n / (n - 1.0));
+    fmt::print("  mean     {} {:.4g} +- {:.2g} {} ({} packings)\n", name.value, mean * name.scale,
+               spread * name.scale, name.unit, request.packings);
+  }
+  if (!chart.empty()) draw_curves(request.folder, request.test, chart);
+  return kGood;
+}
+
+}  // namespace
+
+void add_lab(CLI::App& program, Action& action) {
+  auto* command =
+      program.add_subcommand("lab", "Test specimens of a case's rock: elasticity, strength, toughness");
+  auto request = std::make_shared<LabRequest>();
+  hfrac_lab_spec_init(&request->spec, static_cast<int32_t>(sizeof request->spec));
+  std::vector<std::string> words;
+  for (const TestName& test : tests) words.emplace_back(test.word);
+  command->add_option("TEST", request->test, "What to test")->required()->check(CLI::IsMember(words));
+  command->add_option("CASE", request->case_file,
+                      "Case file whose contacts, bonds and packing count; else the defaults");
+  command->add_option("--discs", request->spec.disc_count, "Discs of the specimen")->capture_default_str();
+  command->add_option("--seed", request->spec.seed, "Seed of the first packing")->capture_default_str();
+  command->add_option("--packings", request->packings, "Specimens, each of another packing")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  command->add_option("--width", request->spec.width, "Of the specimen, in m")->capture_default_str();
+  command->add_option("--confining", request->spec.confining, "Stress on the sides (biaxial), in Pa");
+  command->add_option("--slit", request->spec.slit_share, "Length of the slit over the width")
+      ->capture_default_str();
+  command->add_option("-o,--output", request->folder, "Write curves (CSV, PNG) and specimens (SVG) there")
+      ->type_name("DIR");
+  command->add_flag("--time", request->time, "Say how long packing and test took");
+  command->add_flag("-q,--quiet", request->quiet, "No progress");
+  command->callback([request, &action] { action = [request] { return lab(*request); }; });
+}
+
+}  // namespace hfrac::command
