@@ -67,6 +67,8 @@ module hfrac_c
   ! hfrac_def_limits.
   integer(c_int32_t), parameter :: HFRAC_MAX_WELLS = 8
   integer(c_int32_t), parameter :: HFRAC_TITLE_SIZE = 128
+  integer(c_int32_t), parameter :: HFRAC_MAX_JOINTS = 64
+  integer(c_int32_t), parameter :: HFRAC_MAX_SCHEDULE = 64
 
   ! How a well is driven.
   !> held at `pressure` from the first step
@@ -75,6 +77,12 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_WELL_RAMP = 1
   !> takes `rate`; its pressure follows
   integer(c_int32_t), parameter :: HFRAC_WELL_RATE = 2
+
+  ! Whether the bonds of a joint hold.
+  !> until their strength is reached
+  integer(c_int32_t), parameter :: HFRAC_JOINT_BONDED = 0
+  !> broken from the start, and counted as set-up cracks in shear
+  integer(c_int32_t), parameter :: HFRAC_JOINT_BROKEN = 1
 
   ! Why hfrac_advance returned.
   !> target time reached
@@ -173,6 +181,40 @@ module hfrac_c
     !> enum hfrac_well_control
     integer(c_int64_t) :: control = 0_c_int64_t
   end type hfrac_well_def
+
+  !> A straight line along which the rock is weaker or broken: it takes the bonds between discs whose centres lie on
+  !> different sides of it, with the line between them meeting it between its ends. Of joints that share a bond the
+  !> last counts. Set every member: zeros are not the defaults of the keys.
+  type, bind(C) :: hfrac_joint_def
+    !> [m] one end, origin at the model's lower left corner
+    real(c_double) :: x1 = 0.0_c_double
+    !> [m]
+    real(c_double) :: y1 = 0.0_c_double
+    !> [m] other end
+    real(c_double) :: x2 = 0.0_c_double
+    !> [m]
+    real(c_double) :: y2 = 0.0_c_double
+    !> [1] normal strength of its bonds over that of the rock
+    real(c_double) :: tensile_factor = 0.0_c_double
+    !> [1] shear strength of its bonds over that of the rock
+    real(c_double) :: shear_factor = 0.0_c_double
+    !> [1] coefficient of its contacts, negative: contact.friction
+    real(c_double) :: friction = 0.0_c_double
+    !> enum hfrac_joint_state
+    integer(c_int64_t) :: state = 0_c_int64_t
+  end type hfrac_joint_def
+
+  !> From `time` on, a well is driven otherwise. Entries of one well stand in order of time.
+  type, bind(C) :: hfrac_schedule_def
+    !> number of the well, from 0
+    integer(c_int64_t) :: well = 0_c_int64_t
+    !> [s] model time; steps end at it
+    real(c_double) :: time = 0.0_c_double
+    !> [Pa] with control pressure, [m2/s] with control rate
+    real(c_double) :: value = 0.0_c_double
+    !> HFRAC_WELL_PRESSURE or HFRAC_WELL_RATE of enum hfrac_well_control
+    integer(c_int64_t) :: control = 0_c_int64_t
+  end type hfrac_schedule_def
 
   !> The definition of a simulation. Fill with hfrac_sim_def_init first. Members are only ever appended, options
   !> too, so later ones stand at the end; capi/tools/def_struct.py writes them from the option table.
@@ -345,6 +387,19 @@ module hfrac_c
     type(c_ptr) :: log_user = c_null_ptr
     !> enum hfrac_log_level, how much `log` hears. Default 3
     integer(c_int64_t) :: log_level = 0_c_int64_t
+    !> joints used of the array below, 0 to HFRAC_MAX_JOINTS
+    integer(c_int64_t) :: joint_count = 0_c_int64_t
+    !> lines of weakness
+    type(hfrac_joint_def) :: joints(64)
+    !> entries used of the array below, 0 to HFRAC_MAX_SCHEDULE
+    integer(c_int64_t) :: schedule_count = 0_c_int64_t
+    !> how wells are driven over time
+    type(hfrac_schedule_def) :: schedule(64)
+    !> [Pa s^n] Consistency K of a shear-thinning fluid: its rate of shear is tau / viscosity + (tau / K)^(1/n), so
+    !> fluid.viscosity is that at rest. 0: Newtonian, with fluid.viscosity. Default 0.0.
+    real(c_double) :: fluid_consistency = 0.0_c_double
+    !> [1] Index n of the power law; below 1 with fluid.consistency, 1 without. Default 1.0.
+    real(c_double) :: fluid_power_index = 0.0_c_double
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.
@@ -518,7 +573,7 @@ module hfrac_c
     integer(c_int32_t) :: struct_size = 32_c_int32_t
     !> enum hfrac_step_limit: what divides a step of stepping.flow_step most finely
     integer(c_int32_t) :: binding = 0_c_int32_t
-    !> [s] stepping.flow_step, what hfrac_step takes at a time
+    !> [s] what hfrac_step takes next: stepping.flow_step, or what is left to a schedule's next time
     real(c_double) :: flow_step = 0.0_c_double
     !> [s] of one mechanical cycle with real masses, stable step times stepping.safety; binds in mode dynamic only,
     !> since in the others the rock moves to rest in no time of its own
@@ -831,9 +886,9 @@ module hfrac_c
       type(hfrac_sim_def), intent(in) :: def
       integer(c_int32_t) :: hfrac_sim_def_check
     end function hfrac_sim_def_check
-    !> Sets an option by its key, e.g. "bond.tensile_strength" or "well[0].pressure". The first value of the well
-    !> after the last one adds it; its centre is then the model's, as wide and high as it is at that moment. Stable
-    !> since 0.1.
+    !> Sets an option by its key, e.g. "bond.tensile_strength", "well[0].pressure", "joint[0].x1" or
+    !> "schedule[0].time". The first value of the well, joint or entry after the last one adds it; a well's centre
+    !> is then the model's, as wide and high as it is at that moment. Stable since 0.1.
     function hfrac_sim_def_set_f64(def, key, value) bind(C, name="hfrac_sim_def_set_f64")
       import
       type(hfrac_sim_def), intent(inout) :: def
@@ -865,8 +920,8 @@ module hfrac_c
       real(c_double), intent(out) :: value
       integer(c_int32_t) :: hfrac_sim_def_get_f64
     end function hfrac_sim_def_get_f64
-    !> Reads an integer option, a choice's index, or "well_count"; a real one is refused, since it would lose its
-    !> fraction. Unstable since 0.1.
+    !> Reads an integer option, a choice's index, or "well_count", "joint_count", "schedule_count"; a real one is
+    !> refused, since it would lose its fraction. Unstable since 0.1.
     function hfrac_sim_def_get_i64(def, key, value) bind(C, name="hfrac_sim_def_get_i64")
       import
       type(hfrac_sim_def), intent(in) :: def
@@ -912,6 +967,34 @@ module hfrac_c
       type(hfrac_option_info), intent(inout) :: info
       integer(c_int32_t) :: hfrac_well_option_at
     end function hfrac_well_option_at
+    !> Number of values a joint has. Unstable since 0.1.
+    function hfrac_joint_option_count(count) bind(C, name="hfrac_joint_option_count")
+      import
+      integer(c_int32_t), intent(out) :: count
+      integer(c_int32_t) :: hfrac_joint_option_count
+    end function hfrac_joint_option_count
+    !> Entry `index` (from 0) of a joint's values; its key is "x1" where the keyed functions take "joint[0].x1".
+    !> Unstable since 0.1.
+    function hfrac_joint_option_at(index, info) bind(C, name="hfrac_joint_option_at")
+      import
+      integer(c_int32_t), value :: index
+      type(hfrac_option_info), intent(inout) :: info
+      integer(c_int32_t) :: hfrac_joint_option_at
+    end function hfrac_joint_option_at
+    !> Number of values a schedule's entry has. Unstable since 0.1.
+    function hfrac_schedule_option_count(count) bind(C, name="hfrac_schedule_option_count")
+      import
+      integer(c_int32_t), intent(out) :: count
+      integer(c_int32_t) :: hfrac_schedule_option_count
+    end function hfrac_schedule_option_count
+    !> Entry `index` (from 0) of the values of a schedule's entry; its key is "time" where the keyed functions take
+    !> "schedule[0].time". Unstable since 0.1.
+    function hfrac_schedule_option_at(index, info) bind(C, name="hfrac_schedule_option_at")
+      import
+      integer(c_int32_t), value :: index
+      type(hfrac_option_info), intent(inout) :: info
+      integer(c_int32_t) :: hfrac_schedule_option_at
+    end function hfrac_schedule_option_at
     !> Builds a simulation. On failure *sim is NULL and hfrac_last_error(NULL, ...) says why. Stable since 0.1.
     function hfrac_sim_create(def, sim) bind(C, name="hfrac_sim_create")
       import
@@ -1078,6 +1161,23 @@ module hfrac_c
       real(c_double), value :: rate
       integer(c_int32_t) :: hfrac_well_set_rate
     end function hfrac_well_set_rate
+    !> Replaces a well's schedule: from model time time[k] [s] on, held at value[k] [Pa] (control[k]
+    !> HFRAC_WELL_PRESSURE) or taking value[k] [m2/s] (HFRAC_WELL_RATE). `count` entries in order of time, copied; 0
+    !> ends the schedule and leaves the well as it is driven. Of entries already past the last takes effect with the
+    !> next step. Steps of hfrac_step and hfrac_advance end at the times; a host that sets its own durations
+    !> (hfrac_step_do) gets what is due when its step begins. hfrac_well_set_pressure, _ramp and _rate end a well's
+    !> schedule. HFRAC_ERR_ARGUMENT or HFRAC_ERR_MODEL, and the old schedule stays, if times fall or repeat, or a
+    !> value is none a well can have. Unstable since 0.1.
+    function hfrac_well_set_schedule(sim, index, count, time, control, value) bind(C, name="hfrac_well_set_schedule")
+      import
+      type(c_ptr), value :: sim
+      integer(c_int32_t), value :: index
+      integer(c_int32_t), value :: count
+      real(c_double), intent(in) :: time(*)
+      integer(c_int32_t), intent(in) :: control(*)
+      real(c_double), intent(in) :: value(*)
+      integer(c_int32_t) :: hfrac_well_set_schedule
+    end function hfrac_well_set_schedule
     !> Describes field `field` of `sim`. Stable since 0.1.
     function hfrac_field_info(sim, field, desc) bind(C, name="hfrac_field_info")
       import

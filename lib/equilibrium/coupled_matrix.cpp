@@ -79,7 +79,7 @@ void CoupledSystem::each_entry(const Emit& emit) const {
     if (l == r) continue;
     const double on_l = at_floor_[static_cast<std::size_t>(l)] == 0 ? 1.0 : 0.0,
                  on_r = at_floor_[static_cast<std::size_t>(r)] == 0 ? 1.0 : 0.0;
-    const double c = duration_ * n.conductance[e] * pressure_scale_ / length_scale_;
+    const double c = duration_ * slope_[e] * pressure_scale_ / length_scale_;
     emit(at(l), at(l), -on_l * c);
     emit(at(r), at(r), -on_r * c);
     emit(at(l), at(r), on_l * c);

@@ -26,6 +26,8 @@ CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& bou
       pressure_scale_(force_scale_ / length_scale_),
       bonds_(static_cast<std::size_t>(assembly.bond_count())),
       aperture_change_(static_cast<std::size_t>(assembly.bond_count()), 0.0),
+      slope_(static_cast<std::size_t>(assembly.bond_count()), 0.0),
+      law_(options),
       at_floor_(static_cast<std::size_t>(domains_), 0) {
   residual_.setZero(3 * discs_ + domains_ + static_cast<Eigen::Index>(servo_walls_));
   if (boundary.walled()) return;
@@ -188,7 +190,7 @@ void CoupledSystem::evaluate_pipes() {
   auto& n = network_;
   for (std::size_t e = 0; e < bonds_.size(); ++e) {
     const auto l = n.left[e], r = n.right[e];
-    aperture_change_[e] = 0.0;
+    aperture_change_[e] = slope_[e] = 0.0;
     if (l == r || (closed_outside_ && (l == 0 || r == 0))) {
       n.conductance[e] = 0.0;
       continue;
@@ -196,8 +198,10 @@ void CoupledSystem::evaluate_pipes() {
     const auto w = aperture_response(options_, n.zero_stress_aperture, bonds_[e].gap, bonds_[e].normal,
                                      bonds_[e].normal_stiffness, assembly_.intact[e] > 0.0);
     n.aperture[e] = w.aperture;
-    n.conductance[e] = conductance(options_, w.aperture, assembly_.pipe_length(static_cast<std::int64_t>(e)));
-    aperture_change_[e] = duration_ * 3.0 * n.conductance[e] / w.aperture * w.by_gap * drop(e);
+    const auto flow = law_.respond(w.aperture, assembly_.pipe_length(static_cast<std::int64_t>(e)), drop(e));
+    n.conductance[e] = flow.conductance;
+    slope_[e] = flow.slope;
+    aperture_change_[e] = duration_ * flow.by_aperture * n.conductance[e] / w.aperture * w.by_gap * drop(e);
   }
 }
 
@@ -341,7 +345,7 @@ void CoupledSystem::product(const Vector& x, Vector& y) const {
                               : aperture_change_[e] * (bonds_[e].direction.x * (x[3 * j] - x[3 * i]) +
                                                        bonds_[e].direction.y * (x[3 * j + 1] - x[3 * i + 1]));
     const double moved =
-        (duration_ * n.conductance[e] * pressure_scale_ * (x[pressure_at(l)] - x[pressure_at(r)]) + opened) /
+        (duration_ * slope_[e] * pressure_scale_ * (x[pressure_at(l)] - x[pressure_at(r)]) + opened) /
         length_scale_;
     if (at_floor_[static_cast<std::size_t>(l)] == 0) y[pressure_at(l)] -= moved;
     if (at_floor_[static_cast<std::size_t>(r)] == 0) y[pressure_at(r)] += moved;

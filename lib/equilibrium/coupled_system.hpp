@@ -16,6 +16,7 @@
 
 #include "equilibrium/bond_response.hpp"
 #include "equilibrium/multifrontal.hpp"
+#include "flow/fluid_law.hpp"
 #include "flow/network.hpp"
 #include "solid/boundary.hpp"
 #include "solid/loose_contacts.hpp"
@@ -116,6 +117,8 @@ class CoupledSystem {
   // at the last evaluation
   std::vector<BondResponse> bonds_, pairs_;
   std::vector<double> aperture_change_;  // per pipe: d(flow) / d(gap) dt
+  std::vector<double> slope_;  // per pipe: d(flow) / d(pressure drop), the conductance unless the fluid thins
+  FluidLaw law_;
   std::vector<std::int32_t> piece_;
   std::vector<char> adrift_;    // per disc: in a small piece that nothing holds
   std::vector<char> at_floor_;  // per domain: pressure follows no content

@@ -33,6 +33,11 @@ struct Assembly {
   double tensile_per_radius = 0.0;            // N per metre of bond radius: 2 sigma_c, unit thickness
   double shear_per_radius = 0.0;              // 2 tau_c
 
+  // of joints (joints.hpp); empty without
+  std::vector<std::int64_t> joint_bond;  // in order
+  Array<double> joint_tensile, joint_shear,
+      joint_friction;  // per bond: factors of the strengths, coefficient
+
   [[nodiscard]] std::int64_t disc_count() const { return static_cast<std::int64_t>(x.size()); }
   [[nodiscard]] std::int64_t bond_count() const { return static_cast<std::int64_t>(first.size()); }
   [[nodiscard]] Vec2 position(std::int64_t disc) const { return {x[disc] + ux[disc], y[disc] + uy[disc]}; }
@@ -44,10 +49,13 @@ struct Assembly {
     return 0.5 * mass(disc) * radius[disc] * radius[disc];
   }
   [[nodiscard]] double tensile_capacity(std::int64_t bond) const {
-    return tensile_per_radius * bond_radius[bond];
+    return tensile_per_radius * bond_radius[bond] * (joint_tensile.empty() ? 1.0 : joint_tensile[bond]);
   }
   [[nodiscard]] double shear_capacity(std::int64_t bond) const {
-    return shear_per_radius * bond_radius[bond];
+    return shear_per_radius * bond_radius[bond] * (joint_shear.empty() ? 1.0 : joint_shear[bond]);
+  }
+  [[nodiscard]] double friction_of(std::int64_t bond, double elsewhere) const {
+    return joint_friction.empty() ? elsewhere : joint_friction[bond];
   }
   [[nodiscard]] double pipe_length(std::int64_t bond) const {  // m: R_i + R_j (eq. 6)
     return radius[first[bond]] + radius[second[bond]];

@@ -79,6 +79,7 @@ struct KernelArrays {
   double contact_normal, contact_shear;     // N/m
   double tensile_capacity, shear_capacity;  // N per metre of bond radius: 2 sigma_c, 2 tau_c
   double friction;
+  const double* joint_friction = nullptr;     // per bond; nullptr: friction
   double bending_share;                       // beta of eq. 21
   double contact_with_bond;                   // 1: contact beside an intact bond, 0: only after it broke
   double damping;                             // local damping

@@ -64,6 +64,8 @@ class DefLimits(enum.IntEnum):
 
     MAX_WELLS = 8
     TITLE_SIZE = 128
+    MAX_JOINTS = 64
+    MAX_SCHEDULE = 64
 
 
 class WellControl(enum.IntEnum):
@@ -75,6 +77,15 @@ class WellControl(enum.IntEnum):
     RAMP = 1
     #: takes `rate`; its pressure follows
     RATE = 2
+
+
+class JointState(enum.IntEnum):
+    """Whether the bonds of a joint hold."""
+
+    #: until their strength is reached
+    BONDED = 0
+    #: broken from the start, and counted as set-up cracks in shear
+    BROKEN = 1
 
 
 class StopReason(enum.IntEnum):
@@ -232,6 +243,35 @@ class hfrac_well_def(ctypes.Structure):
     ]
 
 
+class hfrac_joint_def(ctypes.Structure):
+    """A straight line along which the rock is weaker or broken: it takes the bonds between discs whose centres lie
+    on different sides of it, with the line between them meeting it between its ends. Of joints that share a
+    bond the last counts. Set every member: zeros are not the defaults of the keys.
+    """
+
+    _fields_ = [
+        ("x1", ctypes.c_double),
+        ("y1", ctypes.c_double),
+        ("x2", ctypes.c_double),
+        ("y2", ctypes.c_double),
+        ("tensile_factor", ctypes.c_double),
+        ("shear_factor", ctypes.c_double),
+        ("friction", ctypes.c_double),
+        ("state", ctypes.c_int64),
+    ]
+
+
+class hfrac_schedule_def(ctypes.Structure):
+    """From `time` on, a well is driven otherwise. Entries of one well stand in order of time."""
+
+    _fields_ = [
+        ("well", ctypes.c_int64),
+        ("time", ctypes.c_double),
+        ("value", ctypes.c_double),
+        ("control", ctypes.c_int64),
+    ]
+
+
 class hfrac_sim_def(ctypes.Structure):
     """The definition of a simulation. Fill with hfrac_sim_def_init first. Members are only ever appended, options
     too, so later ones stand at the end; capi/tools/def_struct.py writes them from the option table.
@@ -308,6 +348,12 @@ class hfrac_sim_def(ctypes.Structure):
         ("log", hfrac_log_fn),
         ("log_user", ctypes.c_void_p),
         ("log_level", ctypes.c_int64),
+        ("joint_count", ctypes.c_int64),
+        ("joints", hfrac_joint_def * 64),
+        ("schedule_count", ctypes.c_int64),
+        ("schedule", hfrac_schedule_def * 64),
+        ("fluid_consistency", ctypes.c_double),
+        ("fluid_power_index", ctypes.c_double),
     ]
 
 
@@ -651,6 +697,20 @@ SIGNATURES = {
         ctypes.c_int32,
         ctypes.POINTER(hfrac_option_info),
     ),
+    "hfrac_joint_option_count": (
+        ctypes.POINTER(ctypes.c_int32),
+    ),
+    "hfrac_joint_option_at": (
+        ctypes.c_int32,
+        ctypes.POINTER(hfrac_option_info),
+    ),
+    "hfrac_schedule_option_count": (
+        ctypes.POINTER(ctypes.c_int32),
+    ),
+    "hfrac_schedule_option_at": (
+        ctypes.c_int32,
+        ctypes.POINTER(hfrac_option_info),
+    ),
     "hfrac_sim_create": (
         ctypes.POINTER(hfrac_sim_def),
         ctypes.POINTER(ctypes.c_void_p),
@@ -746,6 +806,14 @@ SIGNATURES = {
         ctypes.c_void_p,
         ctypes.c_int32,
         ctypes.c_double,
+    ),
+    "hfrac_well_set_schedule": (
+        ctypes.c_void_p,
+        ctypes.c_int32,
+        ctypes.c_int32,
+        ctypes.POINTER(ctypes.c_double),
+        ctypes.POINTER(ctypes.c_int32),
+        ctypes.POINTER(ctypes.c_double),
     ),
     "hfrac_field_info": (
         ctypes.c_void_p,

@@ -227,7 +227,7 @@ class StepLimits(NamedTuple):
 
     #: enum hfrac_step_limit: what divides a step of stepping.flow_step most finely
     binding: StepLimit
-    #: [s] stepping.flow_step, what hfrac_step takes at a time
+    #: [s] what hfrac_step takes next: stepping.flow_step, or what is left to a schedule's next time
     flow_step: float
     #: [s] of one mechanical cycle with real masses, stable step times stepping.safety; binds in mode dynamic
     #: only, since in the others the rock moves to rest in no time of its own
