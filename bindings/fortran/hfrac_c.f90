@@ -352,9 +352,10 @@ module hfrac_c
     type(c_funptr) :: progress = c_null_funptr
     !> handed to `progress`
     type(c_ptr) :: progress_user = c_null_ptr
-    !> 0: relaxed, 1: tiled, 2: growth. How discs are packed. relaxed: from a jittered lattice. growth: grown at
-    !> random places, knows of no lattice, takes longer. tiled: periodic bricks side by side, for more than some 100
-    !> 000 discs; disc_count is rounded to whole bricks and the frame of the bricks repeats. Default 0.
+    !> 0: relaxed, 1: tiled, 2: growth, 3: square. How discs are packed. relaxed: from a jittered lattice. growth:
+    !> grown at random places, knows of no lattice, takes longer. tiled: periodic bricks side by side, for more than
+    !> some 100 000 discs; disc_count is rounded to whole bricks and the frame of the bricks repeats. square: equal
+    !> discs in rows and columns, in which cracks and joints along them are smooth slits. Default 0.
     integer(c_int64_t) :: packing_method = 0_c_int64_t
     !> Discs in one brick of a tiled packing. Default 5000.
     integer(c_int64_t) :: packing_brick_discs = 0_c_int64_t

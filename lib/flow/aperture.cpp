@@ -134,7 +134,10 @@ void update_apertures(Network& n, const Assembly& a, const Options& o) {
   const FluidLaw law(o);
   for (std::size_t e = 0; e < n.left.size(); ++e) {
     const BondView bond = view_bond(a, o, static_cast<std::int64_t>(e));
-    const double w = pipe_aperture(o, n.zero_stress_aperture, bond, a.intact[e] != 0);
+    const double joint = a.joint_opening(static_cast<std::int64_t>(e));
+    const double w = joint > 0.0
+                         ? aperture_response(o, n.zero_stress_aperture, joint, 0.0, 0.0, false).aperture
+                         : pipe_aperture(o, n.zero_stress_aperture, bond, a.intact[e] != 0);
     n.aperture[e] = w;
     const bool shut = n.left[e] == n.right[e] || (closed && (n.left[e] == 0 || n.right[e] == 0));
     n.conductance[e] = shut ? 0.0

@@ -34,6 +34,7 @@ struct Assembly {
   double shear_per_radius = 0.0;              // 2 tau_c
 
   // of joints (joints.hpp); empty without
+  std::vector<Vec2> joint_normal;        // per bond: unit, towards its second disc; 0: of no joint
   std::vector<std::int64_t> joint_bond;  // in order
   Array<double> joint_tensile, joint_shear,
       joint_friction;  // per bond: factors of the strengths, coefficient
@@ -53,6 +54,13 @@ struct Assembly {
   }
   [[nodiscard]] double shear_capacity(std::int64_t bond) const {
     return shear_per_radius * bond_radius[bond] * (joint_shear.empty() ? 1.0 : joint_shear[bond]);
+  }
+  // Opening of the broken joint a bond belongs to, across the joint [m]; 0 if closed or of no joint.
+  [[nodiscard]] double joint_opening(std::int64_t bond) const {
+    if (joint_normal.empty() || intact[bond] != 0) return 0.0;
+    const auto i = first[bond], j = second[bond];
+    const double opening = dot({ux[j] - ux[i], uy[j] - uy[i]}, joint_normal[static_cast<std::size_t>(bond)]);
+    return opening > 0.0 ? opening : 0.0;
   }
   [[nodiscard]] double friction_of(std::int64_t bond, double elsewhere) const {
     return joint_friction.empty() ? elsewhere : joint_friction[bond];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solid/joints.hpp"
 
+#include <cmath>
+
 namespace hfrac {
 namespace {
 
@@ -19,6 +21,7 @@ void apply_joints(Assembly& a, const std::vector<JointOptions>& joints, const Op
   a.joint_tensile.assign(bonds, 1.0);
   a.joint_shear.assign(bonds, 1.0);
   a.joint_friction.assign(bonds, o.contact_friction);
+  a.joint_normal.assign(bonds, {});
   for (std::int64_t e = 0; e < a.bond_count(); ++e) {
     const JointOptions* of = nullptr;
     const Vec2 first{a.x[a.first[e]], a.y[a.first[e]]}, second{a.x[a.second[e]], a.y[a.second[e]]};
@@ -27,6 +30,11 @@ void apply_joints(Assembly& a, const std::vector<JointOptions>& joints, const Op
     }
     if (of == nullptr) continue;
     a.joint_bond.push_back(e);
+    const Vec2 along{of->x2 - of->x1, of->y2 - of->y1};
+    const double length = std::sqrt(dot(along, along));
+    const Vec2 normal{-along.y / length, along.x / length};
+    a.joint_normal[static_cast<std::size_t>(e)] =
+        dot(normal, {a.dx[e], a.dy[e]}) > 0.0 ? normal : -1.0 * normal;
     a.joint_tensile[e] = of->tensile_factor;
     a.joint_shear[e] = of->shear_factor;
     if (of->friction >= 0.0) a.joint_friction[e] = of->friction;

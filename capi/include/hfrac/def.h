@@ -213,10 +213,11 @@ typedef struct hfrac_sim_def {
   hfrac_progress_fn progress; /**< called while the simulation is built; may be NULL */
   void *progress_user;        /**< handed to `progress` */
 
-  /** 0: relaxed, 1: tiled, 2: growth. How discs are packed. relaxed: from a jittered lattice. growth: grown
-   * at random places, knows of no lattice, takes longer. tiled: periodic bricks side by side, for more
-   * than some 100 000 discs; disc_count is rounded to whole bricks and the frame of the bricks repeats.
-   * Default 0. */
+  /** 0: relaxed, 1: tiled, 2: growth, 3: square. How discs are packed. relaxed: from a jittered lattice.
+   * growth: grown at random places, knows of no lattice, takes longer. tiled: periodic bricks side by
+   * side, for more than some 100 000 discs; disc_count is rounded to whole bricks and the frame of the
+   * bricks repeats. square: equal discs in rows and columns, in which cracks and joints along them are
+   * smooth slits. Default 0. */
   int64_t packing_method;
   /** Discs in one brick of a tiled packing. Default 5000. */
   int64_t packing_brick_discs;
