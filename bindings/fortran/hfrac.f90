@@ -64,6 +64,7 @@ module hfrac
     procedure, public :: set_well_pressure
     procedure, public :: set_well_ramp
     procedure, public :: set_well_rate
+    procedure, public :: set_well_schedule
     procedure, public :: set_far_field
     procedure, public :: set_formation_pressure
     !> A reservoir simulator's grid: call sim%set_grid(nx, ny, origin, cell_size) or sim%set_grid(corners).
@@ -97,7 +98,8 @@ module hfrac
 
   private :: create_from_definition, create_from_file, destroy, exists, c_handle, step_int32, step_int64, advance, &
     on_progress, on_step, on_log, state, setup, balance, solver, step_limits, walls, state_hash, epoch, definition, &
-    wells, set_well_pressure, set_well_ramp, set_well_rate, set_far_field, set_formation_pressure, &
+    wells, set_well_pressure, set_well_ramp, set_well_rate, set_well_schedule, set_far_field, &
+    set_formation_pressure, &
     set_regular_grid, set_grid_corners, cells, set_rim_pressure, set_cell_pressure, set_cell_stress, write_grdecl, &
     save_image, restore, save_file, load_file, prepare_step, do_step, finalize_step, reject_step, cracks, fractures, &
     get_double_1, get_double_2, get_int32_1, get_int32_2, view_double, view_int32, refuse_copy, describe, &
@@ -479,6 +481,22 @@ contains
     character(*), intent(inout), optional :: errmsg
     call report(hfrac_well_set_rate(self%handle, int(index, c_int32_t), rate), self%handle, stat, errmsg)
   end subroutine set_well_rate
+
+  !> Replaces the schedule of well `index` (from 0): from model time `time(k)` [s] on it is held at `value(k)` [Pa] where
+  !> `control(k)` is HFRAC_WELL_PRESSURE, or takes `value(k)` [m2/s] where it is HFRAC_WELL_RATE. In order of time; steps end at
+  !> the times; arrays without elements end the schedule.
+  subroutine set_well_schedule(self, index, time, control, value, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    integer, intent(in) :: index
+    real(c_double), intent(in), contiguous :: time(:), value(:)
+    integer(c_int32_t), intent(in), contiguous :: control(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int32_t) :: count
+    count = int(min(size(time), size(control), size(value)), c_int32_t)
+    call report(hfrac_well_set_schedule(self%handle, int(index, c_int32_t), count, time, control, value), &
+                self%handle, stat, errmsg)
+  end subroutine set_well_schedule
 
   ! Going back: images of the state, and steps that may be rejected
 

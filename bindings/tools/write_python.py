@@ -17,7 +17,7 @@ CTYPES = {
 NATIVE = {"int32_t": "int", "int64_t": "int", "double": "float"}
 GROUPS = {"disc": "Discs", "bond": "Bonds", "pipe": "Pipes", "domain": "Domains"}
 # Structs whose values are handed out as records: filled by the library, no pointers inside.
-NOT_RECORDS = ("hfrac_sim_def", "hfrac_well_def", "hfrac_lab_spec", "hfrac_targets")
+NOT_RECORDS = ("hfrac_sim_def", "hfrac_well_def", "hfrac_joint_def", "hfrac_schedule_def", "hfrac_lab_spec", "hfrac_targets")
 
 
 def camel(name):

@@ -50,7 +50,7 @@ std::string did_you_mean(std::string_view nearest) {
 
 std::string unknown_section_text(std::string_view name) {
   auto names = section_names();
-  names.insert(names.end(), {"well", "title"});
+  names.insert(names.end(), {"well", "joint", "title"});
   return printable(name) + " is not a known section" + did_you_mean(nearest_name(name, names));
 }
 
@@ -87,8 +87,8 @@ const char* wanted_name(ValueType type) {
 
 class CaseReader {
  public:
-  CaseReader(const std::string& path, const CaseDefinition& base, std::size_t most_wells)
-      : path_(printable(path, 400)), result_(base), most_wells_(most_wells) {}
+  CaseReader(const std::string& path, const CaseDefinition& base, const MostItems& most)
+      : path_(printable(path, 400)), result_(base), most_(most) {}
 
   CaseDefinition read(const toml::table& root) {
     const toml::node* wells = nullptr;
@@ -97,6 +97,8 @@ class CaseReader {
         read_title(*node);
       } else if (name == "well") {
         wells = node;
+      } else if (name == "joint") {
+        read_joints(*node);
       } else {
         read_section(name, *node);
       }
@@ -160,20 +162,80 @@ class CaseReader {
     }
   }
 
-  void read_wells(const toml::node& node) {
+  // The tables of a list, at most `most` of them.
+  std::vector<const toml::table*> tables_of(const toml::node& node, const std::string& name,
+                                            const std::string& plural, std::size_t most) const {
+    const std::string wrong =
+        name + " must be a list of tables; write [[" + name + "]] above each one's keys.";
     const toml::array* list = node.as_array();
-    if (list == nullptr)
-      refuse(node, "well must be a list of tables; write [[well]] above each well's keys.");
-    if (list->size() > most_wells_) {
-      refuse(node, std::to_string(list->size()) + " wells are too many; at most " +
-                       std::to_string(most_wells_) + " can be defined.");
+    if (list == nullptr) refuse(node, wrong);
+    if (list->size() > most) {
+      refuse(node, std::to_string(list->size()) + " " + plural + " are too many; at most " +
+                       std::to_string(most) + " can be defined.");
     }
-    result_.wells.clear();
+    std::vector<const toml::table*> tables;
     for (const toml::node& item : *list) {
-      const toml::table* table = item.as_table();
-      if (table == nullptr)
-        refuse(item, "well must be a list of tables; write [[well]] above each well's keys.");
-      result_.wells.push_back(read_well(*table, "well[" + std::to_string(result_.wells.size()) + "]"));
+      if (item.as_table() == nullptr) refuse(item, wrong);
+      tables.push_back(item.as_table());
+    }
+    return tables;
+  }
+
+  void read_wells(const toml::node& node) {
+    result_.wells.clear();
+    result_.schedule.clear();
+    for (const toml::table* table : tables_of(node, "well", "wells", most_.wells)) {
+      const std::string name = "well[" + std::to_string(result_.wells.size()) + "]";
+      result_.wells.push_back(read_well(*table, name));
+      if (const toml::node* schedule = table->get("schedule")) read_schedule(*schedule, name);
+    }
+  }
+
+  // Entries of the well read last.
+  void read_schedule(const toml::node& node, const std::string& well) {
+    std::size_t number = 0;
+    for (const toml::table* table :
+         tables_of(node, "well.schedule", "entries", most_.schedule - result_.schedule.size())) {
+      const std::string name = well + ".schedule[" + std::to_string(number++) + "]";
+      ScheduleEntry entry;
+      entry.well = static_cast<std::int64_t>(result_.wells.size()) - 1;
+      bool timed = false, driven = false;
+      for (const auto& [key, value] : entries_by_line(*table)) {
+        if (key == "time") {
+          timed = true;
+          read_value(entry, *find_schedule_value("time"), name + ".time", *value);
+        } else if (key == "pressure" || key == "rate") {
+          if (driven) refuse(*value, name + " has both pressure and rate; give one of them.");
+          driven = true;
+          entry.control =
+              static_cast<std::int64_t>(key == "rate" ? WellControl::rate : WellControl::pressure);
+          read_value(entry, *find_schedule_value("value"), name + "." + std::string(key), *value);
+        } else {
+          refuse(*value,
+                 "well.schedule." + printable(key) + " is not a known key; it is time, pressure or rate.");
+        }
+      }
+      if (!timed || !driven)
+        refuse(*table,
+               name + (timed ? " has neither pressure nor rate; it needs one of them." : " has no time."));
+      result_.schedule.push_back(entry);
+    }
+  }
+
+  void read_joints(const toml::node& node) {
+    result_.joints.clear();
+    for (const toml::table* table : tables_of(node, "joint", "joints", most_.joints)) {
+      const std::string name = "joint[" + std::to_string(result_.joints.size()) + "]";
+      JointOptions joint;
+      for (const auto& [key, value] : entries_by_line(*table)) {
+        const JointInfo* info = find_joint_value(key);
+        if (info == nullptr) refuse(*value, unknown_item_key_text("joint", printable(key)));
+        read_value(joint, *info, name + "." + info->key, *value);
+      }
+      for (const char* key : {"x1", "y1", "x2", "y2"}) {
+        if (!table->contains(key)) refuse(*table, name + " has no " + key + "; a joint needs both its ends.");
+      }
+      result_.joints.push_back(joint);
     }
   }
 
@@ -182,8 +244,9 @@ class CaseReader {
     well.x = 0.5 * result_.options.model_width;
     well.y = 0.5 * result_.options.model_height;
     for (const auto& [key, value] : entries_by_line(table)) {
+      if (key == "schedule") continue;
       const WellOptionInfo* info = find_well_option(key);
-      if (info == nullptr) refuse(*value, unknown_well_key_text(printable(key)));
+      if (info == nullptr) refuse(*value, unknown_item_key_text("well", printable(key)));
       read_value(well, *info, name + "." + info->key, *value);
     }
     const auto has = [&](const char* key) { return table.contains(key); };
@@ -212,20 +275,26 @@ class CaseReader {
 
   std::string path_;
   CaseDefinition result_;
-  std::size_t most_wells_;
+  MostItems most_;
 };
 
 }  // namespace
 
-std::string unknown_well_key_text(std::string_view name) {
+std::string unknown_item_key_text(std::string_view list, std::string_view name) {
   std::vector<std::string_view> names;
-  for (const auto& info : well_option_table()) names.emplace_back(info.key);
+  const auto add = [&](const auto& table) {
+    for (const auto& info : table) names.emplace_back(info.key);
+  };
+  if (list == "well") add(well_option_table());
+  if (list == "joint") add(joint_table());
+  if (list == "schedule") add(schedule_table());
   const std::string_view nearest = nearest_name(name, names);
-  return "well." + std::string(name) + " is not a known key" +
-         did_you_mean(nearest.empty() ? "" : "well." + std::string(nearest));
+  const std::string prefix = std::string(list) + ".";
+  return prefix + std::string(name) + " is not a known key" +
+         did_you_mean(nearest.empty() ? "" : prefix + std::string(nearest));
 }
 
-CaseDefinition load_case(const std::string& path, const CaseDefinition& base, std::size_t most_wells) {
+CaseDefinition load_case(const std::string& path, const CaseDefinition& base, const MostItems& most) {
   const std::string text = read_text_file(path);
   if (const std::size_t line = line_of_stray_character(text)) {
     throw Error(
@@ -233,7 +302,7 @@ CaseDefinition load_case(const std::string& path, const CaseDefinition& base, st
         printable(path, 400) + ":" + std::to_string(line) +
             ": not a case file: a quote or a character beyond ASCII stands where a case file has none.");
   }
-  CaseReader reader(path, base, most_wells);
+  CaseReader reader(path, base, most);
   try {
     return reader.read(toml::parse(std::string_view(text)));
   } catch (const TomlFault&) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Case files: TOML with a table per section of the options, [[well]] for each well, and a title.
+// Case files: TOML with a table per section of the options, [[well]] for each well, [[well.schedule]] for each turn of it,
+// [[joint]] for each line of weakness, and a title.
 //
 //   title = "hole under pressure"
 //   [packing]
@@ -17,15 +18,20 @@
 
 namespace hfrac::capi {
 
-// Reads a case file over `base`. A file with wells replaces those of `base`. Throws Error(case_file) with one
+// How many there may be.
+struct MostItems {
+  std::size_t wells, joints, schedule;
+};
+
+// Reads a case file over `base`. A file with wells replaces those of `base` with their schedules, one with joints its joints. Throws Error(case_file) with one
 // sentence "path:line: what is wrong and what is allowed".
-CaseDefinition load_case(const std::string& path, const CaseDefinition& base, std::size_t most_wells);
+CaseDefinition load_case(const std::string& path, const CaseDefinition& base, const MostItems& most);
 
 // A case file with every value; loading it gives the same definition. Throws Error(argument) if a value is
 // out of range, so that what is written can be read.
 std::string case_text(const CaseDefinition& definition);
 
-// "well.radus is not a known key; did you mean well.radius?"
-std::string unknown_well_key_text(std::string_view name);
+// "well.radus is not a known key; did you mean well.radius?", for the lists well, joint and schedule.
+std::string unknown_item_key_text(std::string_view list, std::string_view name);
 
 }  // namespace hfrac::capi

@@ -61,11 +61,26 @@ std::string case_text(const CaseDefinition& definition) {
     }
     text += std::string(key.substr(dot + 1)) + " = " + value_text(info, definition.options) + "\n";
   }
-  for (const auto& well : definition.wells) {
+  for (std::size_t w = 0; w < definition.wells.size(); ++w) {
     text += "\n[[well]]\n";
     for (const auto& info : well_option_table())
-      text += std::string(info.key) + " = " + value_text(info, well) + "\n";
+      text += std::string(info.key) + " = " + value_text(info, definition.wells[w]) + "\n";
+    for (const auto& entry : definition.schedule) {
+      if (entry.well != static_cast<std::int64_t>(w)) continue;
+      const bool by_rate = WellControl{entry.control} == WellControl::rate;
+      text += "\n[[well.schedule]]\ntime = " + real_text(entry.time) + "\n" +
+              (by_rate ? "rate" : "pressure") + " = " + real_text(entry.value) + "\n";
+    }
   }
+  for (const auto& joint : definition.joints) {
+    text += "\n[[joint]]\n";
+    for (const auto& info : joint_table()) {
+      const std::string value =
+          info.real != nullptr ? real_text(joint.*info.real) : quoted(choice_word(info.choices, joint.state));
+      text += std::string(info.key) + " = " + value + "\n";
+    }
+  }
+  if (definition.joints.empty()) text.insert(text.find('\n') + 1, "joint = []\n");
   if (definition.wells.empty()) text.insert(text.find('\n') + 1, "well = []\n");
   return text;
 }

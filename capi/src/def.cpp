@@ -19,57 +19,109 @@ using namespace hfrac::capi;
 
 namespace {
 
-constexpr std::string_view well_count_key = "well_count";
-
-// "well[2].radius": number and entry of the value.
-struct WellKey {
-  std::int64_t index;
-  const WellOptionInfo* info;
-};
-
 [[noreturn]] void refuse_unknown(std::string_view key) {
   throw Error(ErrorKind::unknown_key, unknown_key_text(printable(key)));
 }
 
-std::optional<WellKey> parse_well_key(std::string_view key) {
-  constexpr std::string_view prefix = "well[";
-  if (!key.starts_with(prefix)) return std::nullopt;
-  WellKey result{-1, nullptr};
+// The lists of a definition, each the same way: "well[2].radius" is the value `radius` of item 2 of the list `well`.
+struct Wells {
+  static constexpr std::string_view name = "well", plural = "wells", count_key = "well_count";
+  static constexpr std::int64_t most = HFRAC_MAX_WELLS;
+  static auto& count(auto& def) { return def.well_count; }
+  static auto* items(auto& def) { return def.wells; }
+  static auto* find(std::string_view value) { return find_well_option(value); }
+  static WellOptions get(const hfrac_well_def& well) { return well_of(well); }
+  static void put(const WellOptions& from, hfrac_well_def& well) { put_well(from, well); }
+  static WellOptions fresh(const hfrac_sim_def& def) {
+    WellOptions well;
+    well.x = 0.5 * def.model_width;
+    well.y = 0.5 * def.model_height;
+    return well;
+  }
+};
+struct Joints {
+  static constexpr std::string_view name = "joint", plural = "joints", count_key = "joint_count";
+  static constexpr std::int64_t most = HFRAC_MAX_JOINTS;
+  static auto& count(auto& def) { return def.joint_count; }
+  static auto* items(auto& def) { return def.joints; }
+  static auto* find(std::string_view value) { return find_joint_value(value); }
+  static JointOptions get(const hfrac_joint_def& joint) { return joint_of(joint); }
+  static void put(const JointOptions& from, hfrac_joint_def& joint) { put_joint(from, joint); }
+  static JointOptions fresh(const hfrac_sim_def& /*def*/) { return {}; }
+};
+struct Schedule {
+  static constexpr std::string_view name = "schedule", plural = "entries", count_key = "schedule_count";
+  static constexpr std::int64_t most = HFRAC_MAX_SCHEDULE;
+  static auto& count(auto& def) { return def.schedule_count; }
+  static auto* items(auto& def) { return def.schedule; }
+  static auto* find(std::string_view value) { return find_schedule_value(value); }
+  static ScheduleEntry get(const hfrac_schedule_def& entry) { return entry_of(entry); }
+  static void put(const ScheduleEntry& from, hfrac_schedule_def& entry) { put_entry(from, entry); }
+  static ScheduleEntry fresh(const hfrac_sim_def& /*def*/) { return {}; }
+};
+
+// Calls use(list, index, entry of the list's table) if the key is of `List`.
+template <class List, class Use>
+bool use_item_of(std::string_view key, const Use& use) {
+  if (!key.starts_with(List::name) || !key.substr(List::name.size()).starts_with('[')) return false;
+  std::int64_t index = -1;
   const char* const end = key.data() + key.size();
-  const auto number = std::from_chars(key.data() + prefix.size(), end, result.index);
+  const auto number = std::from_chars(key.data() + List::name.size() + 1, end, index);
   const std::string_view rest(number.ptr, static_cast<std::size_t>(end - number.ptr));
-  if (number.ec != std::errc{} || result.index < 0 || !rest.starts_with("].")) refuse_unknown(key);
-  result.info = find_well_option(rest.substr(2));
-  if (result.info == nullptr) {
-    throw Error(ErrorKind::unknown_key, unknown_well_key_text(printable(rest.substr(2))));
-  }
-  return result;
+  if (number.ec != std::errc{} || index < 0 || !rest.starts_with("].")) refuse_unknown(key);
+  const auto* info = List::find(rest.substr(2));
+  if (info == nullptr)
+    throw Error(ErrorKind::unknown_key, unknown_item_key_text(List::name, printable(rest.substr(2))));
+  use(List{}, index, *info);
+  return true;
 }
 
-[[noreturn]] void refuse_well(const hfrac_sim_def& def, std::int64_t index) {
-  throw Error(ErrorKind::argument, "well[" + std::to_string(index) + "] is not there: well_count is " +
-                                       std::to_string(def.well_count) + ", at most " +
-                                       std::to_string(static_cast<int>(HFRAC_MAX_WELLS)) +
-                                       "; wells are added in order.");
+template <class Use>
+bool use_item(std::string_view key, const Use& use) {
+  return use_item_of<Wells>(key, use) || use_item_of<Joints>(key, use) || use_item_of<Schedule>(key, use);
 }
 
-// The well of a key, to be read.
-const hfrac_well_def& well_at(const hfrac_sim_def& def, std::int64_t index) {
-  if (index >= std::min<std::int64_t>(def.well_count, HFRAC_MAX_WELLS)) refuse_well(def, index);
-  return def.wells[index];
+// The number of a list's items, nullptr if the key is no such number.
+std::int64_t* count_of(hfrac_sim_def& def, std::string_view key) {
+  if (key == Wells::count_key) return &def.well_count;
+  if (key == Joints::count_key) return &def.joint_count;
+  if (key == Schedule::count_key) return &def.schedule_count;
+  return nullptr;
 }
 
-// The well of a key, to be set. One past the last is added, so that keys alone can define wells.
-hfrac_well_def& well_to_set(hfrac_sim_def& def, std::int64_t index) {
-  const std::int64_t count = def.well_count;
-  if (count < 0 || index > count || index >= HFRAC_MAX_WELLS) refuse_well(def, index);
+template <class List>
+[[noreturn]] void refuse_item(const hfrac_sim_def& def, std::int64_t index) {
+  throw Error(ErrorKind::argument,
+              std::string(List::name) + "[" + std::to_string(index) + "] is not there: " +
+                  std::string(List::count_key) + " is " + std::to_string(List::count(def)) + ", at most " +
+                  std::to_string(List::most) + "; " + std::string(List::plural) + " are added in order.");
+}
+
+// The item of a key, to be read.
+template <class List>
+auto item_at(List /*list*/, const hfrac_sim_def& def, std::int64_t index) {
+  if (index >= std::min<std::int64_t>(List::count(def), List::most)) refuse_item<List>(def, index);
+  return List::get(List::items(def)[index]);
+}
+
+// The item of a key, to be set. One past the last is added, so that keys alone can define items.
+template <class List>
+auto& item_to_set(List /*list*/, hfrac_sim_def& def, std::int64_t index) {
+  const std::int64_t count = List::count(def);
+  if (count < 0 || index > count || index >= List::most) refuse_item<List>(def, index);
   if (index == count) {
-    def.wells[index] = hfrac_well_def{};
-    def.wells[index].x = 0.5 * def.model_width;
-    def.wells[index].y = 0.5 * def.model_height;
-    ++def.well_count;
+    List::put(List::fresh(def), List::items(def)[index]);
+    ++List::count(def);
   }
-  return def.wells[index];
+  return List::items(def)[index];
+}
+
+std::int64_t integer_of(const WellOptions& values, const WellOptionInfo& /*info*/) {
+  return static_cast<std::int64_t>(values.control);
+}
+template <class Item>
+std::int64_t integer_of(const Item& values, const ItemInfo<Item>& info) {
+  return values.*info.integer;
 }
 
 [[noreturn]] void refuse_fraction(std::string_view key) {
@@ -108,11 +160,13 @@ std::int32_t set_by_key(hfrac_sim_def* def, const char* key, Set&& set) noexcept
   return guarded([&] {
     hfrac_sim_def full = read_def(def);
     require_not_null(key, "key");
-    if (const auto well_key = parse_well_key(key)) {
-      hfrac_well_def& well = well_to_set(full, well_key->index);
-      WellOptions values = well_of(well);
-      set(values, *well_key->info);
-      put_well(values, well);
+    const bool of_a_list = use_item(key, [&](auto list, std::int64_t index, const auto& info) {
+      auto& item = item_to_set(list, full, index);
+      auto values = list.get(item);
+      set(values, info);
+      list.put(values, item);
+    });
+    if (of_a_list) {
     } else if (const OptionInfo* info = find_option(key)) {
       Options values = options_of(full);
       set(values, *info);
@@ -139,7 +193,7 @@ std::int32_t hfrac_sim_def_load(hfrac_sim_def* def, const char* path) {
   return guarded([&] {
     hfrac_sim_def full = read_def(def);
     require_not_null(path, "path");
-    put_case(load_case(path, case_of(full), HFRAC_MAX_WELLS), full);
+    put_case(load_case(path, case_of(full), {HFRAC_MAX_WELLS, HFRAC_MAX_JOINTS, HFRAC_MAX_SCHEDULE}), full);
     write_struct(def, full, "def");
   });
 }
@@ -161,13 +215,14 @@ std::int32_t hfrac_sim_def_set_f64(hfrac_sim_def* def, const char* key, double v
 }
 
 std::int32_t hfrac_sim_def_set_i64(hfrac_sim_def* def, const char* key, std::int64_t value) {
-  if (key == nullptr || key != well_count_key) {
+  hfrac_sim_def any{};
+  if (key == nullptr || count_of(any, key) == nullptr) {
     return set_by_key(def, key,
                       [&](auto& values, const auto& info) { set_integer(values, info, key, value); });
   }
   return guarded([&] {
     hfrac_sim_def full = read_def(def);
-    full.well_count = value;
+    *count_of(full, key) = value;
     (void)case_of(full);  // refuses a count out of range
     write_struct(def, full, "def");
   });
@@ -191,12 +246,13 @@ std::int32_t hfrac_sim_def_get_f64(const hfrac_sim_def* def, const char* key, do
     hfrac_sim_def full = read_def(def);
     require_not_null(key, "key");
     require_not_null(value, "value");
-    if (const auto well_key = parse_well_key(key)) {
-      *value = get_value(well_of(well_at(full, well_key->index)), *well_key->info);
+    if (use_item(key, [&](auto list, std::int64_t index, const auto& info) {
+          *value = get_value(item_at(list, full, index), info);
+        })) {
     } else if (const OptionInfo* info = find_option(key)) {
       *value = get_value(options_of(full), *info);
-    } else if (key == well_count_key) {
-      *value = static_cast<double>(full.well_count);
+    } else if (const std::int64_t* count = count_of(full, key)) {
+      *value = static_cast<double>(*count);
     } else {
       refuse_unknown(key);
     }
@@ -205,18 +261,19 @@ std::int32_t hfrac_sim_def_get_f64(const hfrac_sim_def* def, const char* key, do
 
 std::int32_t hfrac_sim_def_get_i64(const hfrac_sim_def* def, const char* key, std::int64_t* value) {
   return guarded([&] {
-    const hfrac_sim_def full = read_def(def);
+    hfrac_sim_def full = read_def(def);
     require_not_null(key, "key");
     require_not_null(value, "value");
-    if (const auto well_key = parse_well_key(key)) {
-      const WellOptions well = well_of(well_at(full, well_key->index));
-      if (well_key->info->real != nullptr) refuse_fraction(key);
-      *value = static_cast<std::int64_t>(well.control);
+    if (use_item(key, [&](auto list, std::int64_t index, const auto& info) {
+          const auto item = item_at(list, full, index);
+          if (info.real != nullptr) refuse_fraction(key);
+          *value = integer_of(item, info);
+        })) {
     } else if (const OptionInfo* info = find_option(key)) {
       if (info->real != nullptr) refuse_fraction(key);
       *value = options_of(full).*info->integer;
-    } else if (key == well_count_key) {
-      *value = full.well_count;
+    } else if (const std::int64_t* count = count_of(full, key)) {
+      *value = *count;
     } else {
       refuse_unknown(key);
     }
@@ -226,18 +283,18 @@ std::int32_t hfrac_sim_def_get_i64(const hfrac_sim_def* def, const char* key, st
 std::int32_t hfrac_sim_def_get_str(const hfrac_sim_def* def, const char* key, char* buffer,
                                    std::int32_t capacity, std::int32_t* needed) {
   return guarded([&] {
-    const hfrac_sim_def full = read_def(def);
+    hfrac_sim_def full = read_def(def);
     require_not_null(key, "key");
     std::string text;
-    if (const auto well_key = parse_well_key(key)) {
-      const WellOptions well = well_of(well_at(full, well_key->index));
-      text = value_text(*well_key->info, get_value(well, *well_key->info));
+    if (use_item(key, [&](auto list, std::int64_t index, const auto& info) {
+          text = value_text(info, get_value(item_at(list, full, index), info));
+        })) {
     } else if (const OptionInfo* info = find_option(key)) {
       const Options options = options_of(full);
       text = info->type == ValueType::integer ? number_text(options.*info->integer)
                                               : value_text(*info, get_value(options, *info));
-    } else if (key == well_count_key) {
-      text = number_text(full.well_count);
+    } else if (const std::int64_t* count = count_of(full, key)) {
+      text = number_text(*count);
     } else if (key == std::string_view("title")) {
       text = case_of(full).title;
     } else {
@@ -267,4 +324,26 @@ std::int32_t hfrac_well_option_count(std::int32_t* count) {
 
 std::int32_t hfrac_well_option_at(std::int32_t index, hfrac_option_info* info) {
   return guarded([&] { describe(well_option_table(), index, info); });
+}
+
+std::int32_t hfrac_joint_option_count(std::int32_t* count) {
+  return guarded([&] {
+    require_not_null(count, "count");
+    *count = static_cast<std::int32_t>(joint_table().size());
+  });
+}
+
+std::int32_t hfrac_joint_option_at(std::int32_t index, hfrac_option_info* info) {
+  return guarded([&] { describe(joint_table(), index, info); });
+}
+
+std::int32_t hfrac_schedule_option_count(std::int32_t* count) {
+  return guarded([&] {
+    require_not_null(count, "count");
+    *count = static_cast<std::int32_t>(schedule_table().size());
+  });
+}
+
+std::int32_t hfrac_schedule_option_at(std::int32_t index, hfrac_option_info* info) {
+  return guarded([&] { describe(schedule_table(), index, info); });
 }

@@ -33,6 +33,16 @@ constexpr std::int32_t def_version = 1;
 #undef F64
 #undef CHOICE
 
+#define F64(name, unit, initial, min, max, help) \
+  static_assert(std::is_same_v<decltype(hfrac_joint_def::name), double>);
+#define CHOICE(name, initial, words, help) \
+  static_assert(std::is_same_v<decltype(hfrac_joint_def::name), std::int64_t>);
+#include "options/joint_list.inc"
+#undef F64
+#undef CHOICE
+static_assert(static_cast<int>(JointState::bonded) == HFRAC_JOINT_BONDED &&
+              static_cast<int>(JointState::broken) == HFRAC_JOINT_BROKEN);
+
 static_assert(static_cast<int>(WellControl::pressure) == HFRAC_WELL_PRESSURE &&
               static_cast<int>(WellControl::ramp) == HFRAC_WELL_RAMP &&
               static_cast<int>(WellControl::rate) == HFRAC_WELL_RATE);
@@ -95,19 +105,44 @@ void put_well(const WellOptions& from, hfrac_well_def& well) {
           static_cast<std::int64_t>(from.control)};
 }
 
+JointOptions joint_of(const hfrac_joint_def& j) {
+  return {j.x1, j.y1, j.x2, j.y2, j.tensile_factor, j.shear_factor, j.friction, j.state};
+}
+void put_joint(const JointOptions& j, hfrac_joint_def& joint) {
+  joint = {j.x1, j.y1, j.x2, j.y2, j.tensile_factor, j.shear_factor, j.friction, j.state};
+}
+ScheduleEntry entry_of(const hfrac_schedule_def& e) {
+  return {e.well, e.time, e.value, e.control};
+}
+void put_entry(const ScheduleEntry& e, hfrac_schedule_def& entry) {
+  entry = {e.well, e.time, e.value, e.control};
+}
+
+namespace {
+
+void require_count(const char* name, std::int64_t count, int most) {
+  if (count >= 0 && count <= most) return;
+  throw Error(ErrorKind::argument, std::string(name) + " = " + std::to_string(count) + " is outside 0 to " +
+                                       std::to_string(most) + ".");
+}
+
+}  // namespace
+
 CaseDefinition case_of(const hfrac_sim_def& def) {
-  if (def.well_count < 0 || def.well_count > HFRAC_MAX_WELLS) {
-    throw Error(ErrorKind::argument, "well_count = " + std::to_string(def.well_count) + " is outside 0 to " +
-                                         std::to_string(static_cast<int>(HFRAC_MAX_WELLS)) + ".");
-  }
+  require_count("well_count", def.well_count, HFRAC_MAX_WELLS);
+  require_count("joint_count", def.joint_count, HFRAC_MAX_JOINTS);
+  require_count("schedule_count", def.schedule_count, HFRAC_MAX_SCHEDULE);
   const char* end = std::find(std::begin(def.title), std::end(def.title), '\0');
   if (end == std::end(def.title)) {
     throw Error(ErrorKind::argument,
                 "title has no final 0 within its " + std::to_string(sizeof def.title) + " bytes.");
   }
-  CaseDefinition definition{options_of(def), {}, std::string(std::begin(def.title), end)};
+  CaseDefinition definition{options_of(def), {}, std::string(std::begin(def.title), end), {}, {}};
   if (!is_utf8(definition.title)) throw Error(ErrorKind::argument, "title is not valid UTF-8.");
   for (std::int64_t i = 0; i < def.well_count; ++i) definition.wells.push_back(well_of(def.wells[i]));
+  for (std::int64_t i = 0; i < def.joint_count; ++i) definition.joints.push_back(joint_of(def.joints[i]));
+  for (std::int64_t i = 0; i < def.schedule_count; ++i)
+    definition.schedule.push_back(entry_of(def.schedule[i]));
   return definition;
 }
 
@@ -130,10 +165,17 @@ void put_case(const CaseDefinition& definition, hfrac_sim_def& def) {
                 std::to_string(definition.wells.size()) + " wells are too many; at most " +
                     std::to_string(static_cast<int>(HFRAC_MAX_WELLS)) + " can be defined.");
   }
+  require_count("joint_count", static_cast<std::int64_t>(definition.joints.size()), HFRAC_MAX_JOINTS);
+  require_count("schedule_count", static_cast<std::int64_t>(definition.schedule.size()), HFRAC_MAX_SCHEDULE);
   put_title(definition.title, def);
   put_options(definition.options, def);
   def.well_count = static_cast<std::int64_t>(definition.wells.size());
   for (std::size_t i = 0; i < definition.wells.size(); ++i) put_well(definition.wells[i], def.wells[i]);
+  def.joint_count = static_cast<std::int64_t>(definition.joints.size());
+  for (std::size_t i = 0; i < definition.joints.size(); ++i) put_joint(definition.joints[i], def.joints[i]);
+  def.schedule_count = static_cast<std::int64_t>(definition.schedule.size());
+  for (std::size_t i = 0; i < definition.schedule.size(); ++i)
+    put_entry(definition.schedule[i], def.schedule[i]);
 }
 
 void put_title(std::string_view title, hfrac_sim_def& def) {

@@ -281,7 +281,7 @@ int32_t hfrac_get_step_limits(const hfrac_sim* sim, hfrac_step_limits* limits) {
     const Simulation& s = *sim->simulation;
     const Options& o = s.options();
     hfrac_step_limits full{};
-    full.flow_step = o.stepping_flow_step;
+    full.flow_step = s.next_step();
     full.mechanical_step = s.solver().real_step();
     full.explicit_step = std::min(1e300, FlowSolver::explicit_limit(s.network()));
     const double mechanics =
@@ -393,5 +393,39 @@ int32_t hfrac_well_set_rate(hfrac_sim* sim, int32_t index, double rate) {
     sim->simulation->set_well_rate(static_cast<std::size_t>(index), rate);
     ++sim->epoch;
     tell_well(*sim, index, "takes " + number_text(rate) + " m2/s");
+  });
+}
+
+int32_t hfrac_well_set_schedule(hfrac_sim* sim, int32_t index, int32_t count, const double* time,
+                                const int32_t* control, const double* value) {
+  return guarded_sim(sim, [&] {
+    well_at(*sim, index);
+    if (count < 0)
+      throw Error(ErrorKind::argument,
+                  "count = " + std::to_string(count) + " is negative; give 0 or more entries.");
+    if (count > 0) {
+      require_not_null(time, "time");
+      require_not_null(control, "control");
+      require_not_null(value, "value");
+    }
+    std::vector<ScheduleEntry> entries;
+    for (std::int32_t k = 0; k < count; ++k) {
+      const std::string name = "schedule[" + std::to_string(k) + "]";
+      ScheduleEntry entry;
+      set_integer(entry, *find_schedule_value("control"), name + ".control", control[k]);
+      set_real(entry, *find_schedule_value("time"), name + ".time", time[k]);
+      set_real(entry, *find_schedule_value("value"), name + ".value", value[k]);
+      entry.well = index;
+      check_schedule_entry(name, entry, sim->simulation->options());
+      if (!entries.empty() && entry.time <= entries.back().time) {
+        throw Error(ErrorKind::argument, name + ".time = " + number_text(entry.time) + " s is not after " +
+                                             number_text(entries.back().time) +
+                                             " s, the entry before it; give them in order of time.");
+      }
+      entries.push_back(entry);
+    }
+    sim->simulation->set_well_schedule(static_cast<std::size_t>(index), std::move(entries));
+    ++sim->epoch;
+    tell_well(*sim, index, "follows a schedule of " + std::to_string(count) + " entries");
   });
 }

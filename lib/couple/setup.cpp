@@ -10,6 +10,7 @@
 #include "geom/packing.hpp"
 #include "options/choices.hpp"
 #include "rock/seeping_well.hpp"
+#include "solid/joints.hpp"
 
 namespace hfrac {
 namespace {
@@ -96,6 +97,7 @@ void Simulation::build(std::span<const double> given_discs, const Progress& prog
     well_domains.push_back(face);
   }
   assembly_ = build_assembly(std::move(graph), o);
+  apply_joints(assembly_, definition_.joints, o, cracks_);
   setup_.coordination =
       2.0 * static_cast<double>(assembly_.bond_count()) / static_cast<double>(assembly_.disc_count());
   for (std::size_t w = 0; w < definition_.wells.size(); ++w) {
@@ -108,6 +110,9 @@ void Simulation::build(std::span<const double> given_discs, const Progress& prog
     well.target_pressure = given.pressure;
     well.ramp_per_step = given.ramp_per_step;
     well.set_rate = given.rate;
+    for (const auto& entry : definition_.schedule) {
+      if (entry.well == static_cast<std::int64_t>(w)) well.schedule.push_back(entry);
+    }
     wells_.push_back(well);
   }
   network_ = build_network(std::move(faces), assembly_, well_domains, o);

@@ -31,13 +31,15 @@ using Progress = std::function<bool(double, const char*)>;
 struct Well {
   WellPlace place;
   WellControl control = WellControl::pressure;
-  double target_pressure = 0.0;  // Pa
-  double ramp_per_step = 0.0;    // Pa
-  double set_rate = 0.0;         // m2/s
-  double rate = 0.0;             // m2/s into the well in the last step
-  double injected = 0.0;         // m2 since set-up
-  double content = 0.0;          // m2 at the end of the last step
-  double taken = 0.0;            // m2 in the parts of the step so far
+  double target_pressure = 0.0;         // Pa
+  double ramp_per_step = 0.0;           // Pa
+  double set_rate = 0.0;                // m2/s
+  double rate = 0.0;                    // m2/s into the well in the last step
+  double injected = 0.0;                // m2 since set-up
+  double content = 0.0;                 // m2 at the end of the last step
+  double taken = 0.0;                   // m2 in the parts of the step so far
+  std::vector<ScheduleEntry> schedule;  // in order of time; `well` is not looked at
+  std::int64_t next = 0;                // of the schedule: entries before it hold or are past
 };
 
 struct SetupReport {
@@ -72,13 +74,16 @@ class Simulation {
     bool at_rest = true;
   };
   // One step. If it is interrupted or fails, the state is as before it.
-  StepOutcome step(const std::function<bool()>& interrupt = {}) {
-    return step_for(options().stepping_flow_step, interrupt);
-  }
+  StepOutcome step(const std::function<bool()>& interrupt = {}) { return step_for(next_step(), interrupt); }
+  // stepping.flow_step, or as much of it as is left before the next entry of a schedule [s].
+  [[nodiscard]] double next_step() const;
 
   void set_well_pressure(std::size_t well, double pressure);
   void set_well_ramp(std::size_t well, double pressure, double per_step);
   void set_well_rate(std::size_t well, double rate);
+  // Replaces the well's schedule. Entries already past take effect with the next step, the last of them in the end. The three
+  // functions above end a well's schedule.
+  void set_well_schedule(std::size_t well, std::vector<ScheduleEntry> schedule);
 
   [[nodiscard]] const CaseDefinition& definition() const { return definition_; }
   [[nodiscard]] const Options& options() const { return definition_.options; }
@@ -154,6 +159,8 @@ class Simulation {
   void begin_books();
   // step.cpp
   StepOutcome step_for(double duration, const std::function<bool()>& interrupt);
+  [[nodiscard]] bool is_due(const ScheduleEntry& entry) const;
+  void follow_schedules();
   void drive_wells();
   void flow_step(double duration);
   void finish_step(double duration, std::size_t cracks_before);

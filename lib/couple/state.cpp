@@ -50,6 +50,16 @@ void Simulation::visit_state(Archive& archive, Self& s) {
     for (auto* value : {&well.target_pressure, &well.ramp_per_step, &well.set_rate, &well.rate,
                         &well.injected, &well.content, &well.taken})
       ar.value(*value);
+    // Hashes of runs without a schedule are what they were before there were any.
+    constexpr bool hashing = std::is_same_v<std::decay_t<decltype(ar)>, Hasher>;
+    if (!hashing || !well.schedule.empty()) {
+      ar.value(well.next);
+      ar.list(well.schedule, [](auto& inner, auto& entry) {
+        inner.value(entry.time);
+        inner.value(entry.value);
+        inner.value(entry.control);
+      });
+    }
     for (auto* values : {&n.pressure, &n.content, &n.stiffness}) ar.value((*values)[well.place.domain]);
   });
   archive.list(s.cracks_, [](auto& ar, auto& crack) {
@@ -116,7 +126,7 @@ struct ImageHeader {
   std::uint64_t model, size, checksum;  // the checksum is of the header before it and of the state
 };
 constexpr char image_magic[8] = {'h', 'f', 'r', 'a', 'c', 'i', 'm', 'g'};
-constexpr std::uint32_t image_format = 2, image_byte_order = 0x01020304;
+constexpr std::uint32_t image_format = 3, image_byte_order = 0x01020304;
 
 std::uint64_t checksum(const ImageHeader& header, std::span<const std::byte> bytes) {
   Hash hash;
@@ -158,6 +168,8 @@ std::uint64_t Simulation::model_fingerprint() const {
   hash.add(assembly_.tensile_per_radius);
   hash.add(assembly_.shear_per_radius);
   hash.add_all(assembly_.strength_scale);
+  for (const auto* values : {&assembly_.joint_tensile, &assembly_.joint_shear, &assembly_.joint_friction})
+    hash.add_all(*values);
   hash.add_all(network_.volume);
   for (const auto& info : option_table()) {
     if (is_of_the_model(info.key)) hash.add(get_value(options(), info));

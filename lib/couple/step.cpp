@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The order of a step. Everything a step does is called from Simulation::step, top to bottom:
 //
-//   1  wells take their pressures or rates
+//   1  wells take their pressures or rates, of their schedule if they have one; steps end at its times
 //   2  fluid moves along the pipes for flow_step seconds while the rock stands still (eq. 6, 8; implicit or sub-cycled)
 //   3  the rock moves until it is at rest, or for flow_step seconds of real time (mode dynamic): in every cycle
 //        bond and contact forces (eq. 15-20), breakage (eq. 21-23) -> crack log
@@ -26,6 +26,7 @@ Simulation::StepOutcome Simulation::step_for(double duration, const std::functio
   const Options& o = options();
   save_state(before_step_);
   try {
+    follow_schedules();
     drive_wells();
     if (equilibrium_) {
       equilibrium_->begin_step();
@@ -85,6 +86,39 @@ void Simulation::require_finite() const {
                                          std::to_string(time_) +
                                          " s; use a shorter flow step or a smaller rate");
   }
+}
+
+// Adding up steps rounds: a billionth of a step early is on time.
+bool Simulation::is_due(const ScheduleEntry& entry) const {
+  return entry.time <= time_ + 1e-9 * options().stepping_flow_step;
+}
+
+double Simulation::next_step() const {
+  double step = options().stepping_flow_step;
+  for (const auto& well : wells_) {
+    for (auto k = static_cast<std::size_t>(well.next); k < well.schedule.size(); ++k) {
+      if (!is_due(well.schedule[k])) {
+        step = std::min(step, well.schedule[k].time - time_);
+        break;
+      }
+    }
+  }
+  return step;
+}
+
+void Simulation::follow_schedules() {
+  bool turned = false;
+  for (auto& well : wells_) {
+    for (; well.next < static_cast<std::int64_t>(well.schedule.size()); ++well.next) {
+      const ScheduleEntry& entry = well.schedule[static_cast<std::size_t>(well.next)];
+      if (!is_due(entry)) break;
+      well.control = WellControl{entry.control};
+      (well.control == WellControl::rate ? well.set_rate : well.target_pressure) = entry.value;
+      turned = true;
+    }
+  }
+  // What pressures were heading for before says nothing any more.
+  if (turned) std::fill(pressure_rate_.begin(), pressure_rate_.end(), 0.0);
 }
 
 void Simulation::drive_wells() {
@@ -270,19 +304,30 @@ void Simulation::put_formation_pressure(double pressure) {
 }
 
 void Simulation::set_well_pressure(std::size_t well, double pressure) {
+  wells_[well].schedule.clear();
+  wells_[well].next = 0;
   wells_[well].control = WellControl::pressure;
   wells_[well].target_pressure = pressure;
 }
 
 void Simulation::set_well_ramp(std::size_t well, double pressure, double per_step) {
+  wells_[well].schedule.clear();
+  wells_[well].next = 0;
   wells_[well].control = WellControl::ramp;
   wells_[well].target_pressure = pressure;
   wells_[well].ramp_per_step = per_step;
 }
 
 void Simulation::set_well_rate(std::size_t well, double rate) {
+  wells_[well].schedule.clear();
+  wells_[well].next = 0;
   wells_[well].control = WellControl::rate;
   wells_[well].set_rate = rate;
+}
+
+void Simulation::set_well_schedule(std::size_t well, std::vector<ScheduleEntry> schedule) {
+  wells_[well].schedule = std::move(schedule);
+  wells_[well].next = 0;
 }
 
 }  // namespace hfrac

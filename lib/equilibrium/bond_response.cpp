@@ -49,16 +49,16 @@ void fill(BondResponse& r, const Components& c, Vec2 n, double now, double lengt
 }
 
 // Adds a frictional contact pressed together by `squeeze` >= 0 whose shear spring would bear `trial`.
-void add_contact(Components& c, const Options& o, double squeeze, double trial) {
+void add_contact(Components& c, const Options& o, double friction, double squeeze, double trial) {
   c.normal -= squeeze;
   c.normal_stiffness += o.contact_normal_stiffness;
-  const double limit = o.contact_friction * squeeze;
+  const double limit = friction * squeeze;
   if (std::abs(trial) <= limit) {
     c.shear += trial;
     c.shear_stiffness += o.contact_shear_stiffness;
   } else {
     c.shear += std::copysign(limit, trial);
-    c.shear_by_gap -= std::copysign(o.contact_friction * o.contact_normal_stiffness, trial);
+    c.shear_by_gap -= std::copysign(friction * o.contact_normal_stiffness, trial);
   }
 }
 
@@ -86,8 +86,10 @@ BondResponse respond(const Assembly& a, const Options& o, std::int64_t e) {
     c.moment = c.moment_stiffness * (a.rotation[j] - a.rotation[i]);
   }
   const bool present = !intact || ContactMode{o.contact_mode} == ContactMode::parallel;
-  if (present && r.gap < 0.0)
-    add_contact(c, o, -o.contact_normal_stiffness * r.gap, o.contact_shear_stiffness * (shear - a.slip[e]));
+  if (present && r.gap < 0.0) {
+    add_contact(c, o, a.friction_of(e, o.contact_friction), -o.contact_normal_stiffness * r.gap,
+                o.contact_shear_stiffness * (shear - a.slip[e]));
+  }
   fill(r, c, (1.0 / now) * d, now, length, arm_i, arm_j);
   return r;
 }
@@ -106,7 +108,7 @@ BondResponse respond(const Assembly& a, const Options& o, const LooseContacts::P
   const double slide =
       dot(moved, t) - arm_i * (a.rotation[i] - start.first) - arm_j * (a.rotation[j] - start.second);
   Components c;
-  add_contact(c, o, -o.contact_normal_stiffness * r.gap,
+  add_contact(c, o, o.contact_friction, -o.contact_normal_stiffness * r.gap,
               pair.shear_force + o.contact_shear_stiffness * slide);
   fill(r, c, r.direction, now, now, arm_i, arm_j);
   return r;

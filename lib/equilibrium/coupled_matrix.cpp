@@ -61,7 +61,7 @@ void CoupledSystem::each_entry(const Emit& emit) const {
   }
   for (std::int64_t d = 0; d < domains_; ++d) {
     const bool solved = wet_ && at_floor_[static_cast<std::size_t>(d)] == 0;
-    emit(at(d), at(d), solved ? -pressure_scale_ / n.stiffness[d] / length_scale_ : -1.0);
+    emit(at(d), at(d), wet_ ? -floor_entry(d) : -1.0);
     if (!wet_ || n.kind[d] == DomainKind::outside) continue;
     for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
       const std::int32_t p = 3 * n.corner_disc[k];
@@ -79,13 +79,13 @@ void CoupledSystem::each_entry(const Emit& emit) const {
     if (l == r) continue;
     const double on_l = at_floor_[static_cast<std::size_t>(l)] == 0 ? 1.0 : 0.0,
                  on_r = at_floor_[static_cast<std::size_t>(r)] == 0 ? 1.0 : 0.0;
-    const double c = duration_ * n.conductance[e] * pressure_scale_ / length_scale_;
+    const double c = duration_ * slope_[e] * pressure_scale_ / length_scale_;
     emit(at(l), at(l), -on_l * c);
     emit(at(r), at(r), -on_r * c);
     emit(at(l), at(r), on_l * c);
     emit(at(r), at(l), on_r * c);
-    const double x = aperture_change_[e] * bonds_[e].direction.x / length_scale_,
-                 y = aperture_change_[e] * bonds_[e].direction.y / length_scale_;
+    const double x = aperture_change_[e] * opening_way_[e].x / length_scale_,
+                 y = aperture_change_[e] * opening_way_[e].y / length_scale_;
     for (const auto& [disc, sign] : {std::pair{a.first[e], -1.0}, std::pair{a.second[e], 1.0}}) {
       emit(at(l), 3 * disc, -on_l * sign * x);
       emit(at(l), 3 * disc + 1, -on_l * sign * y);

@@ -26,6 +26,10 @@ CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& bou
       pressure_scale_(force_scale_ / length_scale_),
       bonds_(static_cast<std::size_t>(assembly.bond_count())),
       aperture_change_(static_cast<std::size_t>(assembly.bond_count()), 0.0),
+      slope_(static_cast<std::size_t>(assembly.bond_count()), 0.0),
+      law_(options),
+      opening_(static_cast<std::size_t>(assembly.bond_count()), 0.0),
+      opening_way_(static_cast<std::size_t>(assembly.bond_count())),
       at_floor_(static_cast<std::size_t>(domains_), 0) {
   residual_.setZero(3 * discs_ + domains_ + static_cast<Eigen::Index>(servo_walls_));
   if (boundary.walled()) return;
@@ -193,16 +197,22 @@ void CoupledSystem::evaluate_pipes() {
   auto& n = network_;
   for (std::size_t e = 0; e < bonds_.size(); ++e) {
     const auto l = n.left[e], r = n.right[e];
-    aperture_change_[e] = 0.0;
+    aperture_change_[e] = slope_[e] = 0.0;
     if (l == r || (closed_outside_ && (l == 0 || r == 0))) {
       n.conductance[e] = 0.0;
       continue;
     }
-    const auto w = aperture_response(options_, n.zero_stress_aperture, bonds_[e].gap, bonds_[e].normal,
-                                     bonds_[e].normal_stiffness, assembly_.intact[e] > 0.0);
+    const double joint = assembly_.joint_opening(static_cast<std::int64_t>(e));
+    opening_[e] = joint > 0.0 ? joint : bonds_[e].gap;
+    opening_way_[e] = joint > 0.0 ? assembly_.joint_normal[e] : bonds_[e].direction;
+    const auto w =
+        aperture_response(options_, n.zero_stress_aperture, opening_[e], joint > 0.0 ? 0.0 : bonds_[e].normal,
+                          bonds_[e].normal_stiffness, assembly_.intact[e] > 0.0);
     n.aperture[e] = w.aperture;
-    n.conductance[e] = conductance(options_, w.aperture, assembly_.pipe_length(static_cast<std::int64_t>(e)));
-    aperture_change_[e] = duration_ * 3.0 * n.conductance[e] / w.aperture * w.by_gap * drop(e);
+    const auto flow = law_.respond(w.aperture, assembly_.pipe_length(static_cast<std::int64_t>(e)), drop(e));
+    n.conductance[e] = flow.conductance;
+    slope_[e] = flow.slope;
+    aperture_change_[e] = duration_ * flow.by_aperture * n.conductance[e] / w.aperture * w.by_gap * drop(e);
   }
 }
 
@@ -236,12 +246,9 @@ void CoupledSystem::evaluate_domains() {
     const double full = n.reference_pressure + n.stiffness[d] * (n.content[d] - change);
     const double target = std::max(full, n.floor_pressure);
     pressure_error_ = std::max(pressure_error_, std::abs(n.pressure[d] - target));
-    if (full > n.floor_pressure) {
-      at_floor_[static_cast<std::size_t>(d)] = 0;
-      r = (n.pressure[d] - full) / n.stiffness[d] / length_scale_;
-    } else {
-      r = (n.pressure[d] - n.floor_pressure) / pressure_scale_;
-    }
+    if (full > n.floor_pressure) at_floor_[static_cast<std::size_t>(d)] = 0;
+    // One scale on either side of the floor, or the residual would jump where a domain comes to it.
+    r = (n.pressure[d] - target) / n.stiffness[d] / length_scale_;
   }
   pressure_error_ /= range;
 }
@@ -326,7 +333,7 @@ void CoupledSystem::product(const Vector& x, Vector& y) const {
   for (std::int64_t d = 0; d < domains_; ++d) {
     auto& out = y[pressure_at(d)];
     if (at_floor_[static_cast<std::size_t>(d)] != 0) {
-      out = -x[pressure_at(d)];
+      out = -x[pressure_at(d)] * floor_entry(d);
       continue;
     }
     double change = 0.0;
@@ -343,10 +350,10 @@ void CoupledSystem::product(const Vector& x, Vector& y) const {
     const auto i = a.first[e], j = a.second[e];
     const double opened = aperture_change_[e] == 0.0
                               ? 0.0
-                              : aperture_change_[e] * (bonds_[e].direction.x * (x[3 * j] - x[3 * i]) +
-                                                       bonds_[e].direction.y * (x[3 * j + 1] - x[3 * i + 1]));
+                              : aperture_change_[e] * (opening_way_[e].x * (x[3 * j] - x[3 * i]) +
+                                                       opening_way_[e].y * (x[3 * j + 1] - x[3 * i + 1]));
     const double moved =
-        (duration_ * n.conductance[e] * pressure_scale_ * (x[pressure_at(l)] - x[pressure_at(r)]) + opened) /
+        (duration_ * slope_[e] * pressure_scale_ * (x[pressure_at(l)] - x[pressure_at(r)]) + opened) /
         length_scale_;
     if (at_floor_[static_cast<std::size_t>(l)] == 0) y[pressure_at(l)] -= moved;
     if (at_floor_[static_cast<std::size_t>(r)] == 0) y[pressure_at(r)] += moved;
@@ -371,8 +378,8 @@ double CoupledSystem::share_for_apertures(const Vector& x, double growth) const 
     const double aperture = network_.aperture[e];
     if (aperture >= options_.flow_aperture_limit) continue;
     const double opens =
-        bonds_[e].direction.x * (x[3 * j] - x[3 * i]) + bonds_[e].direction.y * (x[3 * j + 1] - x[3 * i + 1]);
-    const double room = std::max(0.0, bonds_[e].gap) + (growth - 1.0) * aperture - bonds_[e].gap;
+        opening_way_[e].x * (x[3 * j] - x[3 * i]) + opening_way_[e].y * (x[3 * j + 1] - x[3 * i + 1]);
+    const double room = std::max(0.0, opening_[e]) + (growth - 1.0) * aperture - opening_[e];
     if (opens > room) share = std::min(share, room / opens);
   }
   return share;

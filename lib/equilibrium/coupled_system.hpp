@@ -16,6 +16,7 @@
 
 #include "equilibrium/bond_response.hpp"
 #include "equilibrium/multifrontal.hpp"
+#include "flow/fluid_law.hpp"
 #include "flow/network.hpp"
 #include "solid/boundary.hpp"
 #include "solid/loose_contacts.hpp"
@@ -85,6 +86,11 @@ class CoupledSystem {
   [[nodiscard]] Eigen::Index wall_at(std::size_t wall) const {
     return 3 * discs_ + domains_ + static_cast<Eigen::Index>(wall);
   }
+  // Of a domain whose pressure follows no content, on its own row.
+  [[nodiscard]] double floor_entry(std::int64_t domain) const {
+    const double stiffness = network_.stiffness[domain];
+    return stiffness > 0.0 ? pressure_scale_ / stiffness / length_scale_ : 1.0;
+  }
   void add_pair(const BondResponse& r, std::int32_t i, std::int32_t j);
   void pair_product(const double* tangent, std::int32_t i, std::int32_t j, const Vector& x, Vector& y) const;
   template <class Emit>
@@ -116,6 +122,11 @@ class CoupledSystem {
   // at the last evaluation
   std::vector<BondResponse> bonds_, pairs_;
   std::vector<double> aperture_change_;  // per pipe: d(flow) / d(gap) dt
+  std::vector<double> slope_;  // per pipe: d(flow) / d(pressure drop), the conductance unless the fluid thins
+  FluidLaw law_;
+  std::vector<double>
+      opening_;  // per pipe: m, what its aperture goes by: the gap, or that of the joint it belongs to
+  std::vector<Vec2> opening_way_;  // unit vector along which it is measured
   std::vector<std::int32_t> piece_;
   std::vector<char> adrift_;    // per disc: in a small piece that nothing holds
   std::vector<char> at_floor_;  // per domain: pressure follows no content

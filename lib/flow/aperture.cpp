@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "flow/conjugate_gradient.hpp"
+#include "flow/fluid_law.hpp"
 #include "options/choices.hpp"
 
 namespace hfrac {
@@ -130,12 +131,19 @@ double pipe_aperture(const Options& o, double zero_stress_aperture, const BondVi
 
 void update_apertures(Network& n, const Assembly& a, const Options& o) {
   const bool closed = OuterPores{o.flow_outer} == OuterPores::closed;
+  const FluidLaw law(o);
   for (std::size_t e = 0; e < n.left.size(); ++e) {
     const BondView bond = view_bond(a, o, static_cast<std::int64_t>(e));
-    const double w = pipe_aperture(o, n.zero_stress_aperture, bond, a.intact[e] != 0);
+    const double joint = a.joint_opening(static_cast<std::int64_t>(e));
+    const double w = joint > 0.0
+                         ? aperture_response(o, n.zero_stress_aperture, joint, 0.0, 0.0, false).aperture
+                         : pipe_aperture(o, n.zero_stress_aperture, bond, a.intact[e] != 0);
     n.aperture[e] = w;
     const bool shut = n.left[e] == n.right[e] || (closed && (n.left[e] == 0 || n.right[e] == 0));
-    n.conductance[e] = shut ? 0.0 : conductance(o, w, a.pipe_length(static_cast<std::int64_t>(e)));
+    n.conductance[e] = shut ? 0.0
+                            : law.respond(w, a.pipe_length(static_cast<std::int64_t>(e)),
+                                          n.pressure[n.left[e]] - n.pressure[n.right[e]])
+                                  .conductance;
   }
 }
 

@@ -20,12 +20,7 @@ struct ApertureResponse {
 ApertureResponse aperture_response(const Options& options, double zero_stress_aperture, double gap,
                                    double normal, double normal_stiffness, bool intact);
 
-// w^3 / (12 eta L) [m2/(Pa s)], the cubic law (eq. 6).
-inline double conductance(const Options& options, double aperture, double length) {
-  return aperture * aperture * aperture / (12.0 * options.fluid_viscosity * length);
-}
-
-// All apertures and conductances w^3 / (12 eta L) (cubic law, eq. 6) from the assembly as it stands.
+// All apertures from the assembly as it stands, and conductances (fluid_law.hpp) from them and the pressures.
 void update_apertures(Network& network, const Assembly& assembly, const Options& options);
 
 // Permeability of the network as it stands, k = q eta L / dp [m2]: a steady solve between two bands of domains across the part

@@ -18,6 +18,8 @@ constexpr double iterative_tolerance = 1e-12;
 constexpr int most_iterations = 20000;
 // A pressure this far below the floor is below it: less is what conjugate gradients leave open.
 constexpr double floor_slack = 0.1;  // Pa
+// A fluid that thins: sum of the flows' errors over the flows, at which conductances and pressures agree.
+constexpr double thinning_tolerance = 1e-7;
 
 // Pressure from content without the floor of cavitation.
 double full_pressure(const Network& n, std::size_t d) {
@@ -34,7 +36,7 @@ double rim_flow(const Network& n, std::size_t k) {
 }  // namespace
 
 FlowSolver::FlowSolver(const Network& n, const Options& options)
-    : explicit_(FlowScheme{options.flow_scheme} == FlowScheme::explicit_scheme) {
+    : explicit_(FlowScheme{options.flow_scheme} == FlowScheme::explicit_scheme), law_(options) {
   const auto domains = static_cast<Eigen::Index>(n.domain_count());
   full_.resize(static_cast<std::size_t>(domains));
   cavitated_.assign(static_cast<std::size_t>(domains), 0);
@@ -111,13 +113,58 @@ int FlowSolver::advance(Network& n, double step, const std::vector<double>& sour
 
 int FlowSolver::advance_implicit(Network& n, double step, const std::vector<double>& source) {
   const auto domains = static_cast<std::size_t>(n.domain_count());
-  // A domain is solved for unless its pressure is imposed or, in this round, at the floor.
-  const auto solved = [&](std::size_t d) { return n.stiffness[d] > 0.0 && !cavitated_[d]; };
   for (std::size_t d = 0; d < domains; ++d) {
     full_[d] = n.stiffness[d] > 0.0 ? full_pressure(n, d) : n.pressure[d];
     cavitated_[d] =
         n.stiffness[d] > 0.0 && n.pressure[d] <= n.floor_pressure && full_[d] < n.floor_pressure ? 1 : 0;
   }
+  if (law_.thins()) {
+    at_rest_.resize(n.left.size());
+    thinning_.resize(n.left.size());
+    for (std::size_t e = 0; e < n.left.size(); ++e) {
+      const bool shut = n.conductance[e] == 0.0;
+      at_rest_[e] = shut ? 0.0 : law_.at_rest(n.aperture[e], n.length[e]);
+      thinning_[e] = shut ? 0.0 : law_.thinning(n.aperture[e], n.length[e]);
+    }
+  }
+  int rounds = solve_step(n, step, source);
+  constexpr int most_passes = 400;
+  int passes = 0;
+  while (law_.thins() && follow_thinning(n) > thinning_tolerance) {
+    if (++passes > most_passes) {
+      throw Error(ErrorKind::diverged,
+                  "the flow of the thinning fluid did not settle in " + std::to_string(most_passes) +
+                      " passes; use a smaller stepping.flow_step or a smaller fluid.viscosity");
+    }
+    rounds += solve_step(n, step, source);
+  }
+  for (std::size_t d = 0; d < domains; ++d) {
+    if (n.stiffness[d] <= 0.0) continue;
+    n.content[d] += fill_[d] + (source.empty() ? 0.0 : step * source[d]);
+    n.pressure[d] = std::max(n.floor_pressure, full_pressure(n, d));
+  }
+  return rounds;
+}
+
+// The weight n makes pipes in a row, whose flow is given, right at once; pipes beside each other, whose drop is given, come
+// nearer by 1 - n a pass.
+double FlowSolver::follow_thinning(Network& n) {
+  double off = 0.0, all = 0.0;
+  for (std::size_t e = 0; e < n.left.size(); ++e) {
+    double& c = n.conductance[e];
+    if (c == 0.0) continue;
+    const double drop = n.flow[e] / c, wanted = law_.conductance(at_rest_[e], thinning_[e], drop);
+    off += std::abs((wanted - c) * drop);
+    all += std::abs(wanted * drop);
+    c *= std::pow(wanted / c, law_.index());
+  }
+  return all > 0.0 ? off / all : 0.0;
+}
+
+int FlowSolver::solve_step(Network& n, double step, const std::vector<double>& source) {
+  const auto domains = static_cast<std::size_t>(n.domain_count());
+  // A domain is solved for unless its pressure is imposed or, in this round, at the floor.
+  const auto solved = [&](std::size_t d) { return n.stiffness[d] > 0.0 && !cavitated_[d]; };
   constexpr int most_rounds = 60;
   Eigen::VectorXd &rhs = rhs_, &p = pressure_;
   rhs.resize(static_cast<Eigen::Index>(domains));
@@ -189,11 +236,6 @@ int FlowSolver::advance_implicit(Network& n, double step, const std::vector<doub
     throw Error(ErrorKind::diverged, "which pores are cavitated did not settle in " +
                                          std::to_string(most_rounds) +
                                          " rounds of the flow step; use a smaller stepping.flow_step");
-  }
-  for (std::size_t d = 0; d < domains; ++d) {
-    if (n.stiffness[d] <= 0.0) continue;
-    n.content[d] += fill_[d] + (source.empty() ? 0.0 : step * source[d]);
-    n.pressure[d] = std::max(n.floor_pressure, full_pressure(n, d));
   }
   return round;
 }

@@ -5,7 +5,8 @@
 //   implicit  backward Euler on all domains at once (sparse Cholesky, the pattern analysed once; conjugate gradients for
 //             more than some 60 000 domains, where factors outgrow memory). Cavitation makes it
 //             a complementarity problem: p >= floor, a domain at the floor first fills its void. A primal-dual active
-//             set finds it in a few rounds.
+//             set finds it in a few rounds. A fluid that thins is followed by solving again at the conductances of the
+//             pressure drops found (Picard), until they agree.
 //   explicit  the paper's eq. 8 as it stands, sub-cycled below its stability limit V / (K_f sum of conductances).
 #pragma once
 
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "flow/conjugate_gradient.hpp"
+#include "flow/fluid_law.hpp"
 #include "flow/network.hpp"
 
 namespace hfrac {
@@ -31,6 +33,10 @@ class FlowSolver {
 
  private:
   int advance_implicit(Network& network, double step, const std::vector<double>& source);
+  // Pressures, flows and what each domain gains at the conductances as they stand; rounds of the active set.
+  int solve_step(Network& network, double step, const std::vector<double>& source);
+  // A fluid that thins: conductances nearer to those of the pressure drops found. Returns how far off the flows were.
+  double follow_thinning(Network& network);
   int advance_explicit(Network& network, double step, const std::vector<double>& source);
 
   using Matrix = Eigen::SparseMatrix<double>;
@@ -38,6 +44,8 @@ class FlowSolver {
   void solve_pressures(const Eigen::VectorXd& rhs, Eigen::VectorXd& p);
 
   bool explicit_, iterative_;
+  FluidLaw law_;
+  std::vector<double> at_rest_, thinning_;  // per pipe, of a fluid that thins
   double imposed_weight_ = 1.0;
   Matrix matrix_;  // lower triangle, pattern of all domains
   std::vector<std::int32_t> diagonal_,

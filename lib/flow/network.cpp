@@ -24,6 +24,9 @@ Network build_network(Faces faces, const Assembly& a, const std::vector<std::int
   n.right = std::move(faces.right);
   const bool wet = FlowScheme{options.flow_scheme} != FlowScheme::off;
   for (auto* values : {&n.aperture, &n.conductance, &n.flow}) values->assign(wet ? pipes : 0, 0.0);
+  if (wet && options.fluid_consistency > 0.0) {
+    for (std::size_t e = 0; e < pipes; ++e) n.length.push_back(a.pipe_length(static_cast<std::int64_t>(e)));
+  }
   for (std::size_t e = 0; e < pipes; ++e) {
     if ((n.left[e] == 0) != (n.right[e] == 0)) n.rim_pipe.push_back(static_cast<std::int32_t>(e));
   }

@@ -28,6 +28,7 @@ struct Network {
   Array<double> aperture;     // m, hydraulic
   Array<double> conductance;  // m2/(Pa s): w^3 / (12 eta L)
   Array<double> flow;         // m2/s, left to right, of the last flow step
+  Array<double> length;       // m, of pipes; only for a fluid that thins
   // domains; 0 is the outside
   std::vector<DomainKind> kind;
   Array<double> volume;         // m2, pore volume at bonding

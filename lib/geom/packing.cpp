@@ -119,11 +119,38 @@ void place_on_lattice(double width, double height, Random& random, Packing& p) {
   }
 }
 
+namespace {
+
+Packing pack_square(const PackingOptions& o) {
+  Packing p;
+  const double share = static_cast<double>(o.count) * o.width / o.height;
+  const auto columns = std::max<std::int64_t>(2, std::llround(std::sqrt(share)));
+  p.mean_radius = 0.5 * o.width / static_cast<double>(columns);
+  // As many rows as fit, in the middle.
+  const auto rows = static_cast<std::int64_t>(std::floor(0.5 * o.height / p.mean_radius * (1.0 + 1e-12)));
+  const double low = 0.5 * o.height - p.mean_radius * static_cast<double>(rows);
+  for (std::int64_t row = 0; row < rows; ++row) {
+    for (std::int64_t column = 0; column < columns; ++column) {
+      p.x.push_back(p.mean_radius * static_cast<double>(2 * column + 1));
+      p.y.push_back(low + p.mean_radius * static_cast<double>(2 * row + 1));
+      p.radius.push_back(p.mean_radius);
+    }
+  }
+  return p;
+}
+
+}  // namespace
+
 Packing pack_discs(const PackingOptions& options, const std::function<bool(double)>& progress) {
   if (options.method == PackingMethod::tiled) {
     Packing tiled = pack_tiled(options, progress);
     renumber(tiled);
     return tiled;
+  }
+  if (options.method == PackingMethod::square) {
+    Packing square = pack_square(options);
+    renumber(square);
+    return square;
   }
   Random random(options.seed);
   Packing p;

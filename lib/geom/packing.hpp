@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A dense, relaxed packing of discs in a rectangle, made in one of three ways:
+// A dense, relaxed packing of discs in a rectangle, made in one of four ways:
 //
 //   relaxed  Radii are spread evenly between R_min and R_max and scaled so that the discs fill (1 - porosity) of the box.
 //            Discs start on a jittered lattice, overlapping at random, and are relaxed (relaxation.hpp).
@@ -7,6 +7,8 @@
 //            that knows of no lattice.
 //   tiled    A periodic brick is packed once and laid side by side; cost grows with the number of discs and no faster
 //            (tiled_packing.cpp).
+//   square   Equal discs in rows and columns that touch. As rock it is elastic with E' = k_n and nu = 0 per metre of thickness
+//            (contacts after a break only), isotropic if k_s = k_n; cracks along rows are slits of the cubic law.
 //
 // What overlap is left carries no stress later: bonding takes the gaps it finds as reference.
 #pragma once

@@ -8,7 +8,7 @@
 namespace hfrac {
 
 enum class Reading : std::int64_t { sound = 0, paper = 1 };
-enum class PackingMethod : std::int64_t { relaxed = 0, tiled = 1, growth = 2 };
+enum class PackingMethod : std::int64_t { relaxed = 0, tiled = 1, growth = 2, square = 3 };
 enum class ContactMode : std::int64_t { parallel = 0, after_break = 1 };
 enum class BoundaryKind : std::int64_t { stress = 0, walls = 1 };
 enum class WallsAfterSetup : std::int64_t { fixed = 0, servo = 1 };

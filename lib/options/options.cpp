@@ -44,6 +44,34 @@ constexpr WellOptionInfo well_rows[] = {
 #undef F64
 #undef CHOICE
 
+#define HFRAC_ITEM_F64(Item, name, unit, initial, min, max, help) \
+  ItemInfo<Item>{{#name, unit, ValueType::real, nullptr, initial, min, max, help}, &Item::name, nullptr},
+#define HFRAC_ITEM_CHOICE(Item, name, initial, words, help)                                                \
+  ItemInfo<Item>{{#name, "1", ValueType::choice, words, static_cast<double>(choice_index(words, initial)), \
+                  0.0, static_cast<double>(choice_count(words) - 1), help},                                \
+                 nullptr,                                                                                  \
+                 &Item::name},
+#define F64(...) HFRAC_ITEM_F64(JointOptions, __VA_ARGS__)
+#define CHOICE(...) HFRAC_ITEM_CHOICE(JointOptions, __VA_ARGS__)
+constexpr JointInfo joint_rows[] = {
+#include "options/joint_list.inc"
+};
+#undef F64
+#undef CHOICE
+#define F64(...) HFRAC_ITEM_F64(ScheduleEntry, __VA_ARGS__)
+#define I64(name, initial, min, max, help) \
+  ScheduleInfo{                            \
+      {#name, "1", ValueType::integer, nullptr, initial, min, max, help}, nullptr, &ScheduleEntry::name},
+#define CHOICE(...) HFRAC_ITEM_CHOICE(ScheduleEntry, __VA_ARGS__)
+constexpr ScheduleInfo schedule_rows[] = {
+#include "options/schedule_list.inc"
+};
+#undef F64
+#undef I64
+#undef CHOICE
+#undef HFRAC_ITEM_F64
+#undef HFRAC_ITEM_CHOICE
+
 // Mistakes in the tables themselves do not compile.
 constexpr bool sound(const ValueInfo& info) {
   return info.min <= info.max && (info.initial == 0.0 || info.initial >= info.min) &&
@@ -54,6 +82,12 @@ constexpr bool tables_sound() {
     if (!sound(info) || info.initial < info.min) return false;
   }
   for (const auto& info : well_rows) {
+    if (!sound(info)) return false;
+  }
+  for (const auto& info : joint_rows) {
+    if (!sound(info)) return false;
+  }
+  for (const auto& info : schedule_rows) {
     if (!sound(info)) return false;
   }
   return true;
@@ -73,7 +107,8 @@ static_assert(is_word("model.reading", "sound", Reading::sound) &&
               is_word("model.reading", "paper", Reading::paper));
 static_assert(is_word("packing.method", "relaxed", PackingMethod::relaxed) &&
               is_word("packing.method", "tiled", PackingMethod::tiled) &&
-              is_word("packing.method", "growth", PackingMethod::growth));
+              is_word("packing.method", "growth", PackingMethod::growth) &&
+              is_word("packing.method", "square", PackingMethod::square));
 static_assert(is_word("flow.solver", "auto", FlowMatrixSolver::automatic) &&
               is_word("flow.solver", "direct", FlowMatrixSolver::direct) &&
               is_word("flow.solver", "iterative", FlowMatrixSolver::iterative));
@@ -97,6 +132,10 @@ static_assert(is_word("solver.kind", "explicit", SolverKind::explicit_solver) &&
               is_word("solver.kind", "quasi-static", SolverKind::quasi_static));
 static_assert(choice_index(well_rows[6].choices, "ramp") == static_cast<std::int64_t>(WellControl::ramp) &&
               choice_index(well_rows[6].choices, "rate") == static_cast<std::int64_t>(WellControl::rate));
+
+static_assert(choice_index(joint_rows[7].choices, "broken") ==
+                  static_cast<std::int64_t>(JointState::broken) &&
+              choice_index(schedule_rows[3].choices, "rate") == static_cast<std::int64_t>(WellControl::rate));
 
 template <class Table>
 auto find_in(const Table& table, std::string_view key) noexcept -> decltype(&table[0]) {
@@ -174,6 +213,18 @@ std::span<const OptionInfo> option_table() noexcept {
 std::span<const WellOptionInfo> well_option_table() noexcept {
   return well_rows;
 }
+std::span<const JointInfo> joint_table() noexcept {
+  return joint_rows;
+}
+std::span<const ScheduleInfo> schedule_table() noexcept {
+  return schedule_rows;
+}
+const JointInfo* find_joint_value(std::string_view name) noexcept {
+  return find_in(joint_rows, name);
+}
+const ScheduleInfo* find_schedule_value(std::string_view name) noexcept {
+  return find_in(schedule_rows, name);
+}
 const OptionInfo* find_option(std::string_view key) noexcept {
   return find_in(option_rows, key);
 }
@@ -236,6 +287,49 @@ void set_word(WellOptions& values, const WellOptionInfo& info, std::string_view 
   values.control = WellControl{word_index(info, key, word)};
 }
 
+template <class Item>
+void set_real(Item& values, const ItemInfo<Item>& info, std::string_view key, double value) {
+  check_real(info, key, value);
+  values.*info.real = value;
+}
+
+template <class Item>
+void set_integer(Item& values, const ItemInfo<Item>& info, std::string_view key, std::int64_t value) {
+  check_integer(info, key, value);
+  if (info.real != nullptr) {
+    values.*info.real = static_cast<double>(value);
+  } else {
+    values.*info.integer = value;
+  }
+}
+
+template <class Item>
+void set_word(Item& values, const ItemInfo<Item>& info, std::string_view key, std::string_view word) {
+  values.*info.integer = word_index(info, key, word);
+}
+
+template void set_real(JointOptions&, const JointInfo&, std::string_view, double);
+template void set_integer(JointOptions&, const JointInfo&, std::string_view, std::int64_t);
+template void set_word(JointOptions&, const JointInfo&, std::string_view, std::string_view);
+template void set_real(ScheduleEntry&, const ScheduleInfo&, std::string_view, double);
+template void set_integer(ScheduleEntry&, const ScheduleInfo&, std::string_view, std::int64_t);
+template void set_word(ScheduleEntry&, const ScheduleInfo&, std::string_view, std::string_view);
+
+namespace {
+
+template <class Item>
+void check_items(const std::vector<Item>& items, std::span<const ItemInfo<Item>> table, const char* name) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    for (const auto& info : table) {
+      const double value = get_value(items[i], info);
+      check_value(info, std::string(name) + "[" + std::to_string(i) + "]." + info.key, value,
+                  info.real != nullptr ? number_text(value) : number_text(static_cast<std::int64_t>(value)));
+    }
+  }
+}
+
+}  // namespace
+
 void check_ranges(const CaseDefinition& definition) {
   for (const auto& info : option_rows) {
     if (info.real != nullptr) {
@@ -252,6 +346,8 @@ void check_ranges(const CaseDefinition& definition) {
                   info.real != nullptr ? number_text(value) : number_text(static_cast<std::int64_t>(value)));
     }
   }
+  check_items(definition.joints, joint_table(), "joint");
+  check_items(definition.schedule, schedule_table(), "schedule");
 }
 
 }  // namespace hfrac

@@ -72,10 +72,29 @@ struct WellOptions {
   WellControl control = WellControl::pressure;
 };
 
+// A line along which the rock is weaker or broken (solid/joints.hpp).
+enum class JointState : std::int64_t { bonded = 0, broken = 1 };
+struct JointOptions {
+  double x1 = 0.0, y1 = 0.0, x2 = 0.0, y2 = 0.0;    // m
+  double tensile_factor = 1.0, shear_factor = 1.0;  // of the rock's strengths
+  double friction = -1.0;                           // negative: contact.friction
+  std::int64_t state = 0;                           // JointState
+};
+
+// From `time` on, a well is driven otherwise.
+struct ScheduleEntry {
+  std::int64_t well = 0;
+  double time = 0.0;         // s
+  double value = 0.0;        // Pa or m2/s
+  std::int64_t control = 0;  // WellControl, pressure or rate
+};
+
 struct CaseDefinition {
   Options options;
   std::vector<WellOptions> wells;
   std::string title;
+  std::vector<JointOptions> joints;
+  std::vector<ScheduleEntry> schedule;
 };
 
 struct OptionInfo : ValueInfo {
@@ -85,13 +104,25 @@ struct OptionInfo : ValueInfo {
 struct WellOptionInfo : ValueInfo {
   double WellOptions::*real;  // nullptr: the control
 };
+// Of an item of a list: one of the two members is set.
+template <class Item>
+struct ItemInfo : ValueInfo {
+  double Item::*real;
+  std::int64_t Item::*integer;
+};
+using JointInfo = ItemInfo<JointOptions>;
+using ScheduleInfo = ItemInfo<ScheduleEntry>;
 
 std::span<const OptionInfo> option_table() noexcept;
 std::span<const WellOptionInfo> well_option_table() noexcept;
+std::span<const JointInfo> joint_table() noexcept;
+std::span<const ScheduleInfo> schedule_table() noexcept;
 
 // Entry of a key, nullptr if there is none.
 const OptionInfo* find_option(std::string_view key) noexcept;
 const WellOptionInfo* find_well_option(std::string_view name) noexcept;
+const JointInfo* find_joint_value(std::string_view name) noexcept;
+const ScheduleInfo* find_schedule_value(std::string_view name) noexcept;
 
 // "section.name is not a known key; did you mean section.other?"
 std::string unknown_key_text(std::string_view key);
@@ -99,6 +130,10 @@ std::string unknown_key_text(std::string_view key);
 // As a double; integers and choices converted.
 double get_value(const Options& values, const OptionInfo& info) noexcept;
 double get_value(const WellOptions& values, const WellOptionInfo& info) noexcept;
+template <class Item>
+double get_value(const Item& values, const ItemInfo<Item>& info) noexcept {
+  return info.real != nullptr ? values.*info.real : static_cast<double>(values.*info.integer);
+}
 
 // Sets one value, after a check of type and range. `key` is the name shown in errors. All throw
 // Error(ErrorKind::argument) and change nothing then. An integer may be given for a real, not the reverse.
@@ -108,6 +143,13 @@ void set_word(Options& values, const OptionInfo& info, std::string_view key, std
 void set_real(WellOptions& values, const WellOptionInfo& info, std::string_view key, double value);
 void set_integer(WellOptions& values, const WellOptionInfo& info, std::string_view key, std::int64_t value);
 void set_word(WellOptions& values, const WellOptionInfo& info, std::string_view key, std::string_view word);
+// For JointOptions and ScheduleEntry.
+template <class Item>
+void set_real(Item& values, const ItemInfo<Item>& info, std::string_view key, double value);
+template <class Item>
+void set_integer(Item& values, const ItemInfo<Item>& info, std::string_view key, std::int64_t value);
+template <class Item>
+void set_word(Item& values, const ItemInfo<Item>& info, std::string_view key, std::string_view word);
 
 // Every value by itself: finite and in range. Throws Error(argument).
 void check_ranges(const CaseDefinition& definition);
@@ -116,6 +158,9 @@ void check_ranges(const CaseDefinition& definition);
 // the model or overlapping, holes smaller than the discs around them. Throws Error(model) with the fix.
 // `given_discs` are the host's own discs (x, y, radius each) instead of a packing.
 void validate(const CaseDefinition& definition, std::span<const double> given_discs = {});
+
+// Refuses, as Error(model) or Error(argument), what a well cannot be driven by.
+void check_schedule_entry(const std::string& name, const ScheduleEntry& entry, const Options& options);
 
 // Mean radius of a packing made from these options.
 double expected_mean_radius(const Options& options) noexcept;

@@ -160,6 +160,48 @@ void check_initial(const CaseDefinition& c) {
   }
 }
 
+void check_fluid(const Options& o) {
+  const bool thinning = o.fluid_consistency > 0.0;
+  if (thinning != (o.fluid_power_index < 1.0)) {
+    refuse(
+        value_text("fluid.consistency", o.fluid_consistency, "Pa s^n") +
+        " and fluid.power_index = " + number_text(o.fluid_power_index) +
+        (thinning
+             ? ": a fluid of index 1 is Newtonian; give fluid.viscosity and set fluid.consistency = 0, or an "
+               "index below 1."
+             : ": a power law needs its consistency; give fluid.consistency above 0, or set "
+               "fluid.power_index = 1."));
+  }
+  if (thinning && FlowScheme{o.flow_scheme} == FlowScheme::explicit_scheme) {
+    refuse("fluid.consistency needs flow.scheme = \"implicit\": explicit flow is the paper's, Newtonian.");
+  }
+}
+
+void check_joint(const std::string& name, const JointOptions& joint) {
+  if (joint.x1 == joint.x2 && joint.y1 == joint.y2) {
+    refuse(name + " has no length: both ends are at (" + number_text(joint.x1) + ", " +
+           number_text(joint.y1) + ") m; move one of them.");
+  }
+}
+
+void check_schedule(const CaseDefinition& definition) {
+  const auto& entries = definition.schedule;
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    const std::string name = "schedule[" + std::to_string(k) + "]";
+    const ScheduleEntry& entry = entries[k];
+    if (entry.well >= static_cast<std::int64_t>(definition.wells.size())) {
+      refuse(name + ".well = " + number_text(entry.well) + " is not there: the case has " +
+             std::to_string(definition.wells.size()) + " wells, counted from 0.");
+    }
+    check_schedule_entry(name, entry, definition.options);
+    for (std::size_t j = 0; j < k; ++j) {
+      if (entries[j].well != entry.well || entries[j].time < entry.time) continue;
+      refuse(name + ".time = " + number_text(entry.time) + " s is not after " + number_text(entries[j].time) +
+             " s, the time of the same well's entry before it; give them in order of time.");
+    }
+  }
+}
+
 void check_control(const std::string& name, const WellOptions& well, const Options& o) {
   if (well.control == WellControl::ramp && !(well.ramp_per_step > 0.0)) {
     refuse(name + ".ramp_per_step = " + number_text(well.ramp_per_step) +
@@ -217,6 +259,18 @@ void check_pair(std::size_t i, std::size_t j, const WellOptions& a, const WellOp
 
 }  // namespace
 
+void check_schedule_entry(const std::string& name, const ScheduleEntry& entry, const Options& o) {
+  if (WellControl{entry.control} == WellControl::ramp) {
+    refuse(name + ".control = \"ramp\" is not for a schedule; give pressures at several times, or a rate.");
+  }
+  WellOptions as_well;
+  as_well.control = WellControl{entry.control};
+  const bool by_rate = as_well.control == WellControl::rate;
+  const WellOptionInfo& info = *find_well_option(by_rate ? "rate" : "pressure");
+  set_real(as_well, info, name + ".value", entry.value);  // refuses what a well may not have
+  check_control(name, as_well, o);
+}
+
 double expected_mean_radius(const Options& o) noexcept {
   // Radii spread evenly between the smallest and the largest: squared coefficient of variation
   // ((a-1)/(a+1))^2 / 3.
@@ -235,6 +289,10 @@ void validate(const CaseDefinition& definition, std::span<const double> given_di
   check_material(o);
   check_solver(o);
   check_initial(definition);
+  check_fluid(o);
+  for (std::size_t k = 0; k < definition.joints.size(); ++k)
+    check_joint("joint[" + std::to_string(k) + "]", definition.joints[k]);
+  check_schedule(definition);
   const auto& wells = definition.wells;
   for (std::size_t i = 0; i < wells.size(); ++i) {
     const std::string name = "well[" + std::to_string(i) + "]";

@@ -83,7 +83,7 @@ BondView view_bond(const Assembly& a, const Options& o, std::int64_t e) {
   v.bond_energy = 0.5 * (v.bond_normal * v.gap + v.bond_shear * v.shear + v.bond_moment * bend);
   const bool present = intact == 0.0 || ContactMode{o.contact_mode} == ContactMode::parallel;
   v.contact_normal = present ? o.contact_normal_stiffness * std::max(0.0, -v.gap) : 0.0;
-  const double limit = o.contact_friction * v.contact_normal;
+  const double limit = a.friction_of(e, o.contact_friction) * v.contact_normal;
   v.contact_shear = std::clamp(o.contact_shear_stiffness * (v.shear - a.slip[e]), -limit, limit);
   v.contact_energy = 0.5 * v.contact_normal * std::max(0.0, -v.gap);
   if (o.contact_shear_stiffness > 0.0)

@@ -34,6 +34,12 @@ struct Assembly {
   double shear_per_radius = 0.0;              // 2 tau_c
   Array<double> strength_scale;               // per bond, on top of the two above; empty: 1 (toughness.hpp)
 
+  // of joints (joints.hpp); empty without
+  std::vector<Vec2> joint_normal;        // per bond: unit, towards its second disc; 0: of no joint
+  std::vector<std::int64_t> joint_bond;  // in order
+  Array<double> joint_tensile, joint_shear,
+      joint_friction;  // per bond: factors of the strengths, coefficient
+
   [[nodiscard]] std::int64_t disc_count() const { return static_cast<std::int64_t>(x.size()); }
   [[nodiscard]] std::int64_t bond_count() const { return static_cast<std::int64_t>(first.size()); }
   [[nodiscard]] Vec2 position(std::int64_t disc) const { return {x[disc] + ux[disc], y[disc] + uy[disc]}; }
@@ -52,6 +58,20 @@ struct Assembly {
   }
   [[nodiscard]] double scale_of(std::int64_t bond) const {
     return strength_scale.empty() ? 1.0 : strength_scale[bond];
+    return tensile_per_radius * bond_radius[bond] * (joint_tensile.empty() ? 1.0 : joint_tensile[bond]);
+  }
+  [[nodiscard]] double shear_capacity(std::int64_t bond) const {
+    return shear_per_radius * bond_radius[bond] * (joint_shear.empty() ? 1.0 : joint_shear[bond]);
+  }
+  // Opening of the broken joint a bond belongs to, across the joint [m]; 0 if closed or of no joint.
+  [[nodiscard]] double joint_opening(std::int64_t bond) const {
+    if (joint_normal.empty() || intact[bond] != 0) return 0.0;
+    const auto i = first[bond], j = second[bond];
+    const double opening = dot({ux[j] - ux[i], uy[j] - uy[i]}, joint_normal[static_cast<std::size_t>(bond)]);
+    return opening > 0.0 ? opening : 0.0;
+  }
+  [[nodiscard]] double friction_of(std::int64_t bond, double elsewhere) const {
+    return joint_friction.empty() ? elsewhere : joint_friction[bond];
   }
   [[nodiscard]] double pipe_length(std::int64_t bond) const {  // m: R_i + R_j (eq. 6)
     return radius[first[bond]] + radius[second[bond]];

@@ -80,6 +80,7 @@ struct KernelArrays {
   double tensile_capacity, shear_capacity;  // N per metre of bond radius: 2 sigma_c, 2 tau_c
   const double* strength_scale;             // per bond, on top of them; nullptr: 1
   double friction;
+  const double* joint_friction = nullptr;     // per bond; nullptr: friction
   double bending_share;                       // beta of eq. 21
   double contact_with_bond;                   // 1: contact beside an intact bond, 0: only after it broke
   double damping;                             // local damping

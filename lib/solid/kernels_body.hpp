@@ -60,6 +60,7 @@ struct alignas(64) Chunk {
   double force[chunk], friction[chunk], over[chunk];  // for the sums
   double slip[chunk];                                 // after this cycle
   double scale[chunk];                                // of the strengths
+  double rub[chunk];                                  // coefficients of friction
 };
 
 // The law, for bonds e to e + n - 1.
@@ -72,12 +73,14 @@ __attribute__((noinline)) void bond_law(const KernelArrays& a, int64_t e, int64_
   const double* __restrict slip_ = a.slip + e;
   const uint8_t* __restrict intact_ = a.intact + e;
   const double bond_normal = a.bond_normal, bond_shear = a.bond_shear, contact_normal = a.contact_normal,
-               contact_shear = a.contact_shear, friction = a.friction, bending_share = a.bending_share,
+               contact_shear = a.contact_shear, bending_share = a.bending_share,
                contact_with_bond = a.contact_with_bond, tensile = a.tensile_capacity,
                shearing = a.shear_capacity;
   const double inverse_contact_shear = a.contact_shear > 0.0 ? 1.0 / a.contact_shear : 0.0;
   for (int64_t k = 0; k < n; ++k) c.intact[k] = static_cast<double>(intact_[k]);
   for (int64_t k = 0; k < n; ++k) c.scale[k] = a.strength_scale != nullptr ? a.strength_scale[e + k] : 1.0;
+  for (int64_t k = 0; k < n; ++k)
+    c.rub[k] = a.joint_friction == nullptr ? a.friction : a.joint_friction[e + k];
 #pragma GCC ivdep
   for (int64_t k = 0; k < n; ++k) {
     const double dux = c.dux[k], duy = c.duy[k], turn = c.turn[k];
@@ -103,7 +106,7 @@ __attribute__((noinline)) void bond_law(const KernelArrays& a, int64_t e, int64_
 
     const double present = intact > 0.0 ? contact_with_bond : 1.0;
     const double contact_n = contact_normal * present * positive(-gap);
-    const double limit = friction * contact_n;
+    const double limit = c.rub[k] * contact_n;
     const double slip = slip_[k];
     const double trial = contact_shear * (shear - slip);
     const double contact_s = trial > limit ? limit : (trial < -limit ? -limit : trial);

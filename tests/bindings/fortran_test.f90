@@ -119,6 +119,10 @@ contains
     call expect(c_associated(info%key) .and. info%default_value == 100.0_real64, 'the first option')
     call expect(hfrac_well_option_count(count) == HFRAC_OK .and. count >= 7, 'number of values of a well')
     call expect(hfrac_well_option_at(count - 1, info) == HFRAC_OK .and. info%type == 2, 'a value of a well')
+    call expect(hfrac_joint_option_count(count) == HFRAC_OK .and. count >= 8, 'number of values of a joint')
+    call expect(hfrac_joint_option_at(count - 1, info) == HFRAC_OK .and. info%type == 2, 'a value of a joint')
+    call expect(hfrac_schedule_option_count(count) == HFRAC_OK .and. count >= 4, 'number of values of an entry')
+    call expect(hfrac_schedule_option_at(1, info) == HFRAC_OK .and. info%type == 0, 'a value of an entry')
   end subroutine options
 
   subroutine definition()
@@ -246,6 +250,11 @@ contains
     call sim%step()
     call sim%wells(list)
     call expect(list(1)%control == HFRAC_WELL_RATE .and. list(1)%rate > 0.0_real64, 'rate')
+    call sim%set_well_schedule(0, [0.0525_real64, 0.0575_real64], [HFRAC_WELL_RATE, HFRAC_WELL_PRESSURE], &
+                               [0.0_real64, 4e6_real64])
+    call sim%step(3)
+    call sim%wells(list)
+    call expect(list(1)%control == HFRAC_WELL_PRESSURE .and. list(1)%pressure == 4e6_real64, 'the schedule is followed')
     call sim%set_well_rate(3, 1.0_real64, stat, message)
     call expect(stat == HFRAC_ERR_ARGUMENT .and. index(message, 'well 3') == 1, 'no such well: '//message)
   end subroutine wells

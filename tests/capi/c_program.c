@@ -87,6 +87,12 @@ static void define(hfrac_sim_def* def) {
   info.struct_size = (int32_t)sizeof info;
   good(hfrac_well_option_at(count - 1, &info), NULL, "well_option_at");
   check(info.type == 2 && strcmp(info.key, "control") == 0, "a well's values are listed");
+  good(hfrac_joint_option_count(&count), NULL, "joint_option_count");
+  good(hfrac_joint_option_at(0, &info), NULL, "joint_option_at");
+  check(count == 8 && strcmp(info.key, "x1") == 0, "a joint's values are listed");
+  good(hfrac_schedule_option_count(&count), NULL, "schedule_option_count");
+  good(hfrac_schedule_option_at(1, &info), NULL, "schedule_option_at");
+  check(count == 4 && strcmp(info.key, "time") == 0, "an entry's values are listed");
   good(hfrac_sim_def_write(def, text, (int32_t)sizeof text, &needed), NULL, "def_write");
   check(needed == (int32_t)strlen(text) + 1, "the text has the size it says");
 
@@ -170,6 +176,8 @@ static void drive_well(hfrac_sim* sim) {
   hfrac_well_state well;
   int32_t count = 0;
   double injected;
+  const double times[2] = {0.0, 6.5}, values[2] = {0.0, 2e6};
+  const int32_t controls[2] = {HFRAC_WELL_RATE, HFRAC_WELL_PRESSURE};
   good(hfrac_well_count(sim, &count), sim, "well_count");
   check(count == 1, "there is one well");
   well.struct_size = (int32_t)sizeof well;
@@ -184,6 +192,10 @@ static void drive_well(hfrac_sim* sim) {
   good(hfrac_step(sim, 1), sim, "step");
   good(hfrac_well_get(sim, 0, &well), sim, "well_get");
   check(well.pressure == 1e6 && well.control == HFRAC_WELL_RAMP, "it is ramped");
+  good(hfrac_well_set_schedule(sim, 0, 2, times, controls, values), sim, "well_set_schedule");
+  good(hfrac_step(sim, 2), sim, "step");
+  good(hfrac_well_get(sim, 0, &well), sim, "well_get");
+  check(well.pressure == 2e6 && well.control == HFRAC_WELL_PRESSURE, "it follows its schedule");
   good(hfrac_well_set_pressure(sim, 0, 60e6), sim, "well_set_pressure");
   expect(hfrac_well_get(sim, 1, &well), HFRAC_ERR_ARGUMENT, sim, "no second well");
 }

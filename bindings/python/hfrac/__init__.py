@@ -11,8 +11,8 @@
 SI units everywhere, unit thickness out of the plane, compression positive for stress and pressure. numpy is used if it
 is there and not needed otherwise. One simulation serves one thread at a time; different ones run side by side.
 """
-from ._abi import CrackMode, GrdeclKind, LogLevel, Status, StepLimit, StopReason, Upscaling, WellControl
-from ._definition import Definition, Option, options, well_options
+from ._abi import CrackMode, GrdeclKind, JointState, LogLevel, Status, StepLimit, StopReason, Upscaling, WellControl
+from ._definition import Definition, Option, joint_options, options, schedule_options, well_options
 from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Pipes
 from ._grid import Grid
 from ._library import build_info, library_path, version
@@ -53,8 +53,8 @@ from .errors import (
 __all__ = [
     "FIELDS", "Advance", "ArgumentError", "BadHandleError", "Balance", "Bonds", "BusyError", "CaseFileError", "Crack",
     "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "FieldInfo", "FileError", "Fracture", "GrdeclKind", "Grid", "HfracError",
-    "InternalError", "LibraryError", "LogLevel", "ModelError", "OpenStep", "Option", "OutOfMemoryError", "Pipes", "PoisonedError",
+    "InternalError", "JointState", "LibraryError", "LogLevel", "ModelError", "OpenStep", "Option", "OutOfMemoryError", "Pipes", "PoisonedError",
     "SetupReport", "SimState", "Simulation", "SolverReport", "StaleViewError", "Status", "StepLimit",
     "StepLimits", "StopReason", "StoppedError", "StructSizeError", "UnknownKeyError", "Upscaling", "View", "WallState", "Well",
-    "WellControl", "WellState", "build_info", "library_path", "options", "version", "well_options",
+    "WellControl", "WellState", "build_info", "joint_options", "library_path", "options", "schedule_options", "version", "well_options",
 ]

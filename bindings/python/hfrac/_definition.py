@@ -68,13 +68,25 @@ def well_options() -> List[Option]:
     return list(_option_table("hfrac_well_option"))
 
 
+def joint_options() -> List[Option]:
+    """Every value a joint has; the key is without its "joint[0]."."""
+    return list(_option_table("hfrac_joint_option"))
+
+
+def schedule_options() -> List[Option]:
+    """Every value an entry of the wells' schedule has; the key is without its "schedule[0]."."""
+    return list(_option_table("hfrac_schedule_option"))
+
+
 class Definition:
     """The options of a simulation, its wells and, if wanted, its own discs.
 
     Options are keyword arguments, whole (``bond_tensile_strength=40e6``) or by section
     (``bond={"tensile_strength": 40e6}``). ``wells`` holds one mapping per well: x, y (the model's centre if left
     out), radius, pressure, ramp_per_step, rate, control ("pressure", "ramp" or "rate"). Wells of a case file are
-    changed in order, further ones are added. ``discs``: rows of x, y, radius [m], packed elsewhere.
+    changed in order, further ones are added. ``joints`` likewise: lines of weakness from x1, y1 to x2, y2 with
+    tensile_factor, shear_factor, friction, state ("bonded" or "broken"). ``schedule``: entries of well, time, value,
+    control ("pressure" or "rate"). ``discs``: rows of x, y, radius [m], packed elsewhere.
     """
 
     def __init__(
@@ -82,6 +94,8 @@ class Definition:
         case: Optional[PathLike] = None,
         *,
         wells: Sequence[Mapping[str, Value]] = (),
+        joints: Sequence[Mapping[str, Value]] = (),
+        schedule: Sequence[Mapping[str, Value]] = (),
         title: Optional[str] = None,
         discs: Optional[Iterable[Sequence[float]]] = None,
         **options: Any,
@@ -91,7 +105,7 @@ class Definition:
         call("hfrac_sim_def_init", ctypes.byref(self._struct), ctypes.sizeof(self._struct))
         if case is not None:
             self.load(case)
-        self.update(wells=wells, title=title, discs=discs, **options)
+        self.update(wells=wells, joints=joints, schedule=schedule, title=title, discs=discs, **options)
 
     def load(self, path: PathLike) -> None:
         """Reads a case file over what is set so far."""
@@ -101,6 +115,8 @@ class Definition:
         self,
         *,
         wells: Sequence[Mapping[str, Value]] = (),
+        joints: Sequence[Mapping[str, Value]] = (),
+        schedule: Sequence[Mapping[str, Value]] = (),
         title: Optional[str] = None,
         discs: Optional[Iterable[Sequence[float]]] = None,
         **options: Any,
@@ -112,9 +128,10 @@ class Definition:
                     self.set(f"{name}.{inner}", inner_value)
             else:
                 self.set(name.replace("_", ".", 1), value)
-        for index, well in enumerate(wells):
-            for name, value in well.items():
-                self.set(f"well[{index}].{name}", value)
+        for kind, items in (("well", wells), ("joint", joints), ("schedule", schedule)):
+            for index, item in enumerate(items):
+                for name, value in item.items():
+                    self.set(f"{kind}[{index}].{name}", value)
         if title is not None:
             self.set("title", title)
         if discs is not None:
@@ -154,10 +171,14 @@ class Definition:
 
     @staticmethod
     def _kind(key: str) -> str:
-        if key == "well_count":
+        if key in ("well_count", "joint_count", "schedule_count"):
             return "integer"
-        table = _option_table("hfrac_well_option") if key.startswith("well[") else _option_table()
-        name = key.partition("].")[2] if key.startswith("well[") else key
+        kind, of_a_list, name = key.partition("[")[0], "[" in key, key
+        if of_a_list and kind in ("well", "joint", "schedule"):
+            name = key.partition("].")[2]
+            table = _option_table(f"hfrac_{kind}_option")
+        else:
+            table = _option_table()
         return next((row.type for row in table if row.key == name), "real")
 
     @property
@@ -173,8 +194,22 @@ class Definition:
     @property
     def wells(self) -> List[Dict[str, Value]]:
         """The wells, in the form the constructor takes."""
-        names = [name for name, _ in _abi.hfrac_well_def._fields_]
-        return [{name: self.get(f"well[{index}].{name}") for name in names} for index in range(self.well_count)]
+        return self._items("well", _abi.hfrac_well_def)
+
+    @property
+    def joints(self) -> List[Dict[str, Value]]:
+        """The joints, in the form the constructor takes."""
+        return self._items("joint", _abi.hfrac_joint_def)
+
+    @property
+    def schedule(self) -> List[Dict[str, Value]]:
+        """The wells' schedule, in the form the constructor takes."""
+        return self._items("schedule", _abi.hfrac_schedule_def)
+
+    def _items(self, kind: str, struct: Any) -> List[Dict[str, Value]]:
+        names = [name for name, _ in struct._fields_]
+        count = self.get(f"{kind}_count")
+        return [{name: self.get(f"{kind}[{index}].{name}") for name in names} for index in range(int(count))]
 
     @property
     def options(self) -> Dict[str, Value]:

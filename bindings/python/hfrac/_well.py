@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A well of a running simulation."""
 import ctypes
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Iterable, Tuple
 
 from . import _abi
+from ._abi import WellControl
 from ._records import WellState
 
 if TYPE_CHECKING:
@@ -50,6 +51,21 @@ class Well:
     def set_rate(self, rate: float) -> None:
         """Injects `rate` [m2/s]; negative: takes out; 0: shut in."""
         self._simulation._call("hfrac_well_set_rate", self.index, rate)
+
+    def set_schedule(self, entries: Iterable[Tuple[float, str, float]]) -> None:
+        """Replaces the well's schedule: (time [s], "pressure" or "rate", value [Pa or m2/s]) in order of time. Steps end at
+        the times; no entries end the schedule."""
+        rows = list(entries)
+        controls = [WellControl[control.upper()] for _, control, _ in rows]
+        count = len(rows)
+        self._simulation._call(
+            "hfrac_well_set_schedule",
+            self.index,
+            count,
+            (ctypes.c_double * count)(*(time for time, _, _ in rows)),
+            (ctypes.c_int32 * count)(*controls),
+            (ctypes.c_double * count)(*(value for _, _, value in rows)),
+        )
 
     def __repr__(self) -> str:
         s = self.state

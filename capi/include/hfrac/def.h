@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-enum hfrac_def_limits { HFRAC_MAX_WELLS = 8, HFRAC_TITLE_SIZE = 128 };
+enum hfrac_def_limits { HFRAC_MAX_WELLS = 8, HFRAC_TITLE_SIZE = 128, HFRAC_MAX_JOINTS = 64, HFRAC_MAX_SCHEDULE = 64 };
 
 /** How a well is driven. */
 enum hfrac_well_control {
@@ -34,6 +34,34 @@ typedef struct hfrac_well_def {
   double rate;          /**< [m2/s] injected volume per thickness and time (control rate) */
   int64_t control;      /**< enum hfrac_well_control */
 } hfrac_well_def;
+
+/** Whether the bonds of a joint hold. */
+enum hfrac_joint_state {
+  HFRAC_JOINT_BONDED = 0, /**< until their strength is reached */
+  HFRAC_JOINT_BROKEN = 1  /**< broken from the start, and counted as set-up cracks in shear */
+};
+
+/** A straight line along which the rock is weaker or broken: it takes the bonds between discs whose centres lie on different
+ * sides of it, with the line between them meeting it between its ends. Of joints that share a bond the last counts. Set every
+ * member: zeros are not the defaults of the keys. */
+typedef struct hfrac_joint_def {
+  double x1;             /**< [m] one end, origin at the model's lower left corner */
+  double y1;             /**< [m] */
+  double x2;             /**< [m] other end */
+  double y2;             /**< [m] */
+  double tensile_factor; /**< [1] normal strength of its bonds over that of the rock */
+  double shear_factor;   /**< [1] shear strength of its bonds over that of the rock */
+  double friction;       /**< [1] coefficient of its contacts, negative: contact.friction */
+  int64_t state;         /**< enum hfrac_joint_state */
+} hfrac_joint_def;
+
+/** From `time` on, a well is driven otherwise. Entries of one well stand in order of time. */
+typedef struct hfrac_schedule_def {
+  int64_t well;    /**< number of the well, from 0 */
+  double time;     /**< [s] model time; steps end at it */
+  double value;    /**< [Pa] with control pressure, [m2/s] with control rate */
+  int64_t control; /**< HFRAC_WELL_PRESSURE or HFRAC_WELL_RATE of enum hfrac_well_control */
+} hfrac_schedule_def;
 
 /** Called while a simulation is built and while it runs, on the calling thread, with the share done in [0, 1] and
  * what is being done. Nonzero return stops (HFRAC_STOPPED). Must not call back into the same simulation except to read. */
@@ -185,10 +213,11 @@ typedef struct hfrac_sim_def {
   hfrac_progress_fn progress; /**< called while the simulation is built; may be NULL */
   void *progress_user;        /**< handed to `progress` */
 
-  /** 0: relaxed, 1: tiled, 2: growth. How discs are packed. relaxed: from a jittered lattice. growth: grown
-   * at random places, knows of no lattice, takes longer. tiled: periodic bricks side by side, for more
-   * than some 100 000 discs; disc_count is rounded to whole bricks and the frame of the bricks repeats.
-   * Default 0. */
+  /** 0: relaxed, 1: tiled, 2: growth, 3: square. How discs are packed. relaxed: from a jittered lattice.
+   * growth: grown at random places, knows of no lattice, takes longer. tiled: periodic bricks side by
+   * side, for more than some 100 000 discs; disc_count is rounded to whole bricks and the frame of the
+   * bricks repeats. square: equal discs in rows and columns, in which cracks and joints along them are
+   * smooth slits. Default 0. */
   int64_t packing_method;
   /** Discs in one brick of a tiled packing. Default 5000. */
   int64_t packing_brick_discs;
@@ -246,6 +275,16 @@ typedef struct hfrac_sim_def {
   /** [1] K_Ic over sigma_c sqrt(R) of the packing, for bond.fracture_toughness; 'hfrac lab centre-crack'
    * measures it. 0: what it measured on the default rock of contact.mode. Default 0.0. */
   double bond_toughness_coefficient;
+  int64_t joint_count;                             /**< joints used of the array below, 0 to HFRAC_MAX_JOINTS */
+  hfrac_joint_def joints[HFRAC_MAX_JOINTS];        /**< lines of weakness */
+  int64_t schedule_count;                          /**< entries used of the array below, 0 to HFRAC_MAX_SCHEDULE */
+  hfrac_schedule_def schedule[HFRAC_MAX_SCHEDULE]; /**< how wells are driven over time */
+
+  /** [Pa s^n] Consistency K of a shear-thinning fluid: its rate of shear is tau / viscosity + (tau /
+   * K)^(1/n), so fluid.viscosity is that at rest. 0: Newtonian, with fluid.viscosity. Default 0.0. */
+  double fluid_consistency;
+  /** [1] Index n of the power law; below 1 with fluid.consistency, 1 without. Default 1.0. */
+  double fluid_power_index;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */
@@ -262,8 +301,9 @@ HFRAC_API int32_t hfrac_sim_def_write(const hfrac_sim_def *def, char *buffer, in
  * overlapping, and so on; the text (hfrac_last_error(NULL, ...)) names the fix. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_def_check(const hfrac_sim_def *def);
 
-/** Sets an option by its key, e.g. "bond.tensile_strength" or "well[0].pressure". The first value of the well after the last
- * one adds it; its centre is then the model's, as wide and high as it is at that moment. Stable since 0.1. */
+/** Sets an option by its key, e.g. "bond.tensile_strength", "well[0].pressure", "joint[0].x1" or "schedule[0].time". The first
+ * value of the well, joint or entry after the last one adds it; a well's centre is then the model's, as wide and high as it is
+ * at that moment. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_def_set_f64(hfrac_sim_def *def, const char *key, double value);
 /** Sets an integer option, or a choice by its index. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_def_set_i64(hfrac_sim_def *def, const char *key, int64_t value);
@@ -271,7 +311,7 @@ HFRAC_API int32_t hfrac_sim_def_set_i64(hfrac_sim_def *def, const char *key, int
 HFRAC_API int32_t hfrac_sim_def_set_str(hfrac_sim_def *def, const char *key, const char *value);
 /** Reads an option by its key as a double (integers and choices are converted). Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_def_get_f64(const hfrac_sim_def *def, const char *key, double *value);
-/** Reads an integer option, a choice's index, or "well_count"; a real one is refused, since it would lose its fraction.
+/** Reads an integer option, a choice's index, or "well_count", "joint_count", "schedule_count"; a real one is refused, since it would lose its fraction.
  * Unstable since 0.1. */
 HFRAC_API int32_t hfrac_sim_def_get_i64(const hfrac_sim_def *def, const char *key, int64_t *value);
 /** Reads any option as text: a choice's word, "title", numbers with all their digits, so that setting or loading the text
@@ -302,6 +342,16 @@ HFRAC_API int32_t hfrac_well_option_count(int32_t *count);
 /** Entry `index` (from 0) of a well's values; its key is "radius" where the keyed functions take "well[0].radius".
  * Unstable since 0.1. */
 HFRAC_API int32_t hfrac_well_option_at(int32_t index, hfrac_option_info *info);
+
+/** Number of values a joint has. Unstable since 0.1. */
+HFRAC_API int32_t hfrac_joint_option_count(int32_t *count);
+/** Entry `index` (from 0) of a joint's values; its key is "x1" where the keyed functions take "joint[0].x1". Unstable since 0.1. */
+HFRAC_API int32_t hfrac_joint_option_at(int32_t index, hfrac_option_info *info);
+/** Number of values a schedule's entry has. Unstable since 0.1. */
+HFRAC_API int32_t hfrac_schedule_option_count(int32_t *count);
+/** Entry `index` (from 0) of the values of a schedule's entry; its key is "time" where the keyed functions take
+ * "schedule[0].time". Unstable since 0.1. */
+HFRAC_API int32_t hfrac_schedule_option_at(int32_t index, hfrac_option_info *info);
 
 #ifdef __cplusplus
 }

@@ -156,7 +156,7 @@ enum hfrac_step_limit {
 typedef struct hfrac_step_limits {
   int32_t struct_size;    /**< sizeof(hfrac_step_limits) of the caller */
   int32_t binding;        /**< enum hfrac_step_limit: what divides a step of stepping.flow_step most finely */
-  double flow_step;       /**< [s] stepping.flow_step, what hfrac_step takes at a time */
+  double flow_step;       /**< [s] what hfrac_step takes next: stepping.flow_step, or what is left to a schedule's next time */
   double mechanical_step; /**< [s] of one mechanical cycle with real masses, stable step times stepping.safety; binds in mode
                                dynamic only, since in the others the rock moves to rest in no time of its own */
   double explicit_step;   /**< [s] largest stable step of explicit flow at today's apertures (half of it is used), at most
@@ -207,6 +207,14 @@ HFRAC_API int32_t hfrac_well_set_pressure(hfrac_sim *sim, int32_t index, double 
 HFRAC_API int32_t hfrac_well_set_ramp(hfrac_sim *sim, int32_t index, double pressure, double per_step);
 /** From the next step on, injects `rate` [m2/s] (negative: takes out; 0: shut in). Stable since 0.1. */
 HFRAC_API int32_t hfrac_well_set_rate(hfrac_sim *sim, int32_t index, double rate);
+/** Replaces a well's schedule: from model time time[k] [s] on, held at value[k] [Pa] (control[k] HFRAC_WELL_PRESSURE) or taking
+ * value[k] [m2/s] (HFRAC_WELL_RATE). `count` entries in order of time, copied; 0 ends the schedule and leaves the well as it is
+ * driven. Of entries already past the last takes effect with the next step. Steps of hfrac_step and hfrac_advance end at the
+ * times; a host that sets its own durations (hfrac_step_do) gets what is due when its step begins. hfrac_well_set_pressure,
+ * _ramp and _rate end a well's schedule. HFRAC_ERR_ARGUMENT or HFRAC_ERR_MODEL, and the old schedule stays, if times fall or
+ * repeat, or a value is none a well can have. Unstable since 0.1. */
+HFRAC_API int32_t hfrac_well_set_schedule(hfrac_sim *sim, int32_t index, int32_t count, const double *time,
+                                          const int32_t *control, const double *value);
 
 #ifdef __cplusplus
 }

@@ -41,6 +41,17 @@ class Definition(unittest.TestCase):
         self.assertEqual((first["x"], first["y"], first["control"]), (40.0, 50.0, "pressure"))
         self.assertEqual((second["x"], second["y"], second["control"]), (10.0, 20.0, "rate"))
 
+    def test_joints_and_schedule(self):
+        joint = {"x1": 10.0, "y1": 5.0, "x2": 60.0, "y2": 5.0, "friction": 0.6, "state": "broken"}
+        entry = {"well": 0, "time": 60.0, "value": 0.0, "control": "rate"}
+        definition = hfrac.Definition(CASE, joints=[joint], schedule=[entry])
+        self.assertEqual(definition.joints, [{**joint, "tensile_factor": 1.0, "shear_factor": 1.0}])
+        self.assertEqual(definition.schedule, [entry])
+        self.assertEqual((definition.get("joint_count"), definition.get("schedule_count")), (1, 1))
+        self.assertIn("[[well.schedule]]", definition.text)
+        self.assertEqual([option.key for option in hfrac.schedule_options()], list(entry))
+        self.assertIn("tensile_factor", [option.key for option in hfrac.joint_options()])
+
     def test_case_file_and_keywords_on_top(self):
         definition = hfrac.Definition(CASE, model_seed=3, wells=[{"pressure": 30e6}], title="another")
         self.assertEqual(definition.get("model.seed"), 3)

@@ -104,6 +104,20 @@ class Wells(unittest.TestCase):
             self.assertIs(well.state.control, hfrac.WellControl.RATE)
             self.assertAlmostEqual(well.rate, 1e-4)
 
+    def test_schedule(self):
+        with small() as sim:
+            (well,) = sim.wells
+            step = 1e-2
+            well.set_schedule([(0.5 * step, "pressure", 4e6), (1.25 * step, "rate", 0.0)])
+            sim.step()
+            self.assertAlmostEqual(sim.time, 0.5 * step)
+            sim.step()
+            self.assertEqual((well.pressure, sim.time), (4e6, 1.25 * step))
+            sim.step()
+            self.assertIs(well.state.control, hfrac.WellControl.RATE)
+            with self.assertRaisesRegex(hfrac.ArgumentError, "in order of time"):
+                well.set_schedule([(2.0, "rate", 0.0), (1.0, "rate", 0.0)])
+
     def test_no_such_well(self):
         with small() as sim, self.assertRaisesRegex(hfrac.ArgumentError, "well 3 is not there"):
             hfrac.Well(sim, 3).set_pressure(1.0)

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solid/joints.hpp"
+
+#include <cmath>
+
+namespace hfrac {
+namespace {
+
+bool crosses(const JointOptions& joint, Vec2 p, Vec2 q) {
+  const Vec2 from{joint.x1, joint.y1}, along = Vec2{joint.x2, joint.y2} - from, bond = q - p;
+  const auto apart = [](double a, double b) { return (a > 0.0) != (b > 0.0); };
+  return apart(cross(along, p - from), cross(along, q - from)) &&
+         apart(cross(bond, from - p), cross(bond, from + along - p));
+}
+
+}  // namespace
+
+void apply_joints(Assembly& a, const std::vector<JointOptions>& joints, const Options& o, CrackLog& log) {
+  if (joints.empty()) return;
+  const auto bonds = static_cast<std::size_t>(a.bond_count());
+  a.joint_tensile.assign(bonds, 1.0);
+  a.joint_shear.assign(bonds, 1.0);
+  a.joint_friction.assign(bonds, o.contact_friction);
+  a.joint_normal.assign(bonds, {});
+  for (std::int64_t e = 0; e < a.bond_count(); ++e) {
+    const JointOptions* of = nullptr;
+    const Vec2 first{a.x[a.first[e]], a.y[a.first[e]]}, second{a.x[a.second[e]], a.y[a.second[e]]};
+    for (const auto& joint : joints) {
+      if (crosses(joint, first, second)) of = &joint;
+    }
+    if (of == nullptr) continue;
+    a.joint_bond.push_back(e);
+    const Vec2 along{of->x2 - of->x1, of->y2 - of->y1};
+    const double length = std::sqrt(dot(along, along));
+    const Vec2 normal{-along.y / length, along.x / length};
+    a.joint_normal[static_cast<std::size_t>(e)] =
+        dot(normal, {a.dx[e], a.dy[e]}) > 0.0 ? normal : -1.0 * normal;
+    a.joint_tensile[e] = of->tensile_factor;
+    a.joint_shear[e] = of->shear_factor;
+    if (of->friction >= 0.0) a.joint_friction[e] = of->friction;
+    if (JointState{of->state} != JointState::broken) continue;
+    a.intact[e] = 0;
+    Crack crack;
+    crack.bond = e;
+    crack.mode = CrackMode::shear;
+    log.push_back(crack);
+  }
+}
+
+}  // namespace hfrac
