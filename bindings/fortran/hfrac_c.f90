@@ -109,6 +109,8 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_DISC_STRESS = 5
   !> number of intact bonds
   integer(c_int32_t), parameter :: HFRAC_DISC_INTACT_BONDS = 6
+  !> of the rock; thermal.rock_temperature without a temperature in the model
+  integer(c_int32_t), parameter :: HFRAC_DISC_TEMPERATURE = 7
   !> indices of the two discs
   integer(c_int32_t), parameter :: HFRAC_BOND_DISCS = 20
   !> 0 intact, 1 broken in tension, 2 broken in shear
@@ -135,6 +137,8 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_CENTRE = 62
   !> 0 rock, 1 well, 2 outside
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_KIND = 63
+  !> of the fluid; thermal.rock_temperature without a temperature in the model
+  integer(c_int32_t), parameter :: HFRAC_DOMAIN_TEMPERATURE = 66
   !> first corner of each domain in domain.corners; the next domain's is its end
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_OFFSET = 64
   !> disc indices around each domain, anticlockwise (outside: clockwise)
@@ -345,6 +349,77 @@ module hfrac_c
     type(c_ptr) :: log_user = c_null_ptr
     !> enum hfrac_log_level, how much `log` hears. Default 3
     integer(c_int64_t) :: log_level = 0_c_int64_t
+    !> 0: off, 1: uniform, 2: transport. Temperature. off: none. uniform: one temperature that a host may change.
+    !> transport: heat is conducted by the rock and carried by the fluid. Default 0.
+    integer(c_int64_t) :: thermal_mode = 0_c_int64_t
+    !> [K] Temperature of rock and fluid before injection; discs have their given radius at it (0 degrees C is
+    !> 273.15 K). Default 523.15.
+    real(c_double) :: thermal_rock_temperature = 0.0_c_double
+    !> [K] Temperature of the fluid injected into wells; a host may set each well's own. Default 293.15.
+    real(c_double) :: thermal_fluid_temperature = 0.0_c_double
+    !> [W/(m K)] Thermal conductivity of the rock with its fluid. Default 2.8.
+    real(c_double) :: thermal_conductivity = 0.0_c_double
+    !> [J/(kg K)] Specific heat of the disc material. Default 900.0.
+    real(c_double) :: thermal_specific_heat = 0.0_c_double
+    !> [J/(kg K)] Specific heat of the fluid. Default 4200.0.
+    real(c_double) :: thermal_fluid_specific_heat = 0.0_c_double
+    !> [kg/m3] Density of the fluid, for the heat it carries. Default 1000.0.
+    real(c_double) :: thermal_fluid_density = 0.0_c_double
+    !> [W/(m2 K)] Heat transfer between the fluid and the faces of discs. 0: faces have the fluid's temperature.
+    !> Default 0.0.
+    real(c_double) :: thermal_film_coefficient = 0.0_c_double
+    !> [1/K] Linear expansion of discs and bonds in the plane; for a rock in plane strain 1 + nu times the rock's
+    !> own (thermal strain of Timoshenko and Goodier). 0: temperature strains nothing. Default 0.0.
+    real(c_double) :: thermal_expansion = 0.0_c_double
+    !> 0: insulated, 1: held. Outermost discs: no heat passes them, or they keep their temperature. Default 0.
+    integer(c_int64_t) :: thermal_outer = 0_c_int64_t
+    !> 0: constant, 1: table. constant: stiffness, strength and friction as given. table: multiplied by the factors
+    !> below at each disc's temperature, linear in between; temperatures outside the table are refused. Default 0.
+    integer(c_int64_t) :: thermal_parameters = 0_c_int64_t
+    !> Rows of the table in use. Default 4.
+    integer(c_int64_t) :: thermal_table_rows = 0_c_int64_t
+    !> [K] Row 1 of the table (Table 3: 250 degrees C). Rows rise in temperature. Default 523.15.
+    real(c_double) :: thermal_temperature_1 = 0.0_c_double
+    !> [K] Row 2 (Table 3: 300 degrees C). Default 573.15.
+    real(c_double) :: thermal_temperature_2 = 0.0_c_double
+    !> [K] Row 3 (Table 3: 350 degrees C). Default 623.15.
+    real(c_double) :: thermal_temperature_3 = 0.0_c_double
+    !> [K] Row 4 (Table 3: 400 degrees C). Default 673.15.
+    real(c_double) :: thermal_temperature_4 = 0.0_c_double
+    !> [K] Row 5 (beyond Table 3; a row of your own). Default 773.15.
+    real(c_double) :: thermal_temperature_5 = 0.0_c_double
+    !> [1] Factor on contact and bond stiffnesses at temperature_1 (Table 3: 11.20e9 N/m over 11.20e9; bonds follow
+    !> the contacts by assumption). Default 1.0.
+    real(c_double) :: thermal_stiffness_1 = 0.0_c_double
+    !> [1] At temperature_2 (Table 3: 8.98e9 over 11.20e9). Default 0.8017857142857143.
+    real(c_double) :: thermal_stiffness_2 = 0.0_c_double
+    !> [1] At temperature_3 (Table 3: 7.21e9 over 11.20e9). Default 0.64375.
+    real(c_double) :: thermal_stiffness_3 = 0.0_c_double
+    !> [1] At temperature_4 (Table 3: 5.78e9 over 11.20e9). Default 0.5160714285714286.
+    real(c_double) :: thermal_stiffness_4 = 0.0_c_double
+    !> [1] At temperature_5. Default 0.5160714285714286.
+    real(c_double) :: thermal_stiffness_5 = 0.0_c_double
+    !> [1] Factor on bond strengths at temperature_1. The paper gives no strength by temperature: any value but 1 is
+    !> an assumption of yours. Default 1.0.
+    real(c_double) :: thermal_strength_1 = 0.0_c_double
+    !> [1] At temperature_2. Default 1.0.
+    real(c_double) :: thermal_strength_2 = 0.0_c_double
+    !> [1] At temperature_3. Default 1.0.
+    real(c_double) :: thermal_strength_3 = 0.0_c_double
+    !> [1] At temperature_4. Default 1.0.
+    real(c_double) :: thermal_strength_4 = 0.0_c_double
+    !> [1] At temperature_5. Default 1.0.
+    real(c_double) :: thermal_strength_5 = 0.0_c_double
+    !> [1] Factor on contact.friction at temperature_1 (Table 3: 0.22 over 0.22). Default 1.0.
+    real(c_double) :: thermal_friction_1 = 0.0_c_double
+    !> [1] At temperature_2 (Table 3: 0.22 over 0.22). Default 1.0.
+    real(c_double) :: thermal_friction_2 = 0.0_c_double
+    !> [1] At temperature_3 (Table 3: 0.23 over 0.22). Default 1.0454545454545454.
+    real(c_double) :: thermal_friction_3 = 0.0_c_double
+    !> [1] At temperature_4 (Table 3: 0.23 over 0.22). Default 1.0454545454545454.
+    real(c_double) :: thermal_friction_4 = 0.0_c_double
+    !> [1] At temperature_5. Default 1.0454545454545454.
+    real(c_double) :: thermal_friction_5 = 0.0_c_double
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.
@@ -713,6 +788,32 @@ module hfrac_c
     !> cracks with some length in the cell
     integer(c_int64_t) :: crack_count = 0_c_int64_t
   end type hfrac_cell
+
+  !> Heat of rock and pores, wells excluded, counted from thermal.rock_temperature. Set struct_size before the call.
+  type, bind(C) :: hfrac_heat
+    !> sizeof(hfrac_heat) of the caller
+    integer(c_int32_t) :: struct_size = 80_c_int32_t
+    !> 0 off, 1 uniform, 2 transport
+    integer(c_int32_t) :: mode = 0_c_int32_t
+    !> [J/m] in rock and pores beyond that at set-up
+    real(c_double) :: stored = 0.0_c_double
+    !> [J/m] from wells since set-up: carried and through their walls
+    real(c_double) :: wells = 0.0_c_double
+    !> [J/m] carried in through the outer boundary
+    real(c_double) :: outside = 0.0_c_double
+    !> [J/m] from discs that are held
+    real(c_double) :: held = 0.0_c_double
+    !> [J/m] put in by the host: temperatures it set, fluid it put into pores
+    real(c_double) :: host = 0.0_c_double
+    !> [J/m] wells + outside + held + host - stored: rounding
+    real(c_double) :: error = 0.0_c_double
+    !> [J/m] elastic energy that changes of temperature put in; one of the works of hfrac_balance
+    real(c_double) :: thermal_work = 0.0_c_double
+    !> [K] coldest disc
+    real(c_double) :: lowest = 0.0_c_double
+    !> [K] warmest disc
+    real(c_double) :: highest = 0.0_c_double
+  end type hfrac_heat
 
   abstract interface
     !> Takes one message, a sentence without a line end, on the thread of the call it is about; `message` is valid
@@ -1236,6 +1337,80 @@ module hfrac_c
       real(c_double), value :: permeability
       integer(c_int32_t) :: hfrac_write_grdecl
     end function hfrac_write_grdecl
+    !> Gives rock and fluid one temperature [K]. HFRAC_ERR_ARGUMENT: no temperature in this simulation, a step is
+    !> open, or the value lies outside the table of micro-parameters. Unstable since 0.1.
+    function hfrac_set_temperature(sim, temperature) bind(C, name="hfrac_set_temperature")
+      import
+      type(c_ptr), value :: sim
+      real(c_double), value :: temperature
+      integer(c_int32_t) :: hfrac_set_temperature
+    end function hfrac_set_temperature
+    !> Gives every disc its temperature [K], `count` values, one per disc; the fluid in a pore takes the mean of the
+    !> discs around it. What heat this takes goes to `host` of hfrac_get_heat. Needs mode "transport".
+    !> HFRAC_ERR_ARGUMENT as above; nothing changes then. Unstable since 0.1.
+    function hfrac_set_disc_temperature(sim, temperature, count) bind(C, name="hfrac_set_disc_temperature")
+      import
+      type(c_ptr), value :: sim
+      real(c_double), intent(in) :: temperature(*)
+      integer(c_int64_t), value :: count
+      integer(c_int32_t) :: hfrac_set_disc_temperature
+    end function hfrac_set_disc_temperature
+    !> The same by cell of the host's grid (hfrac_set_grid), `count` values [K], one per cell (nx * ny, i fastest):
+    !> a disc takes the temperature of the cell that held its centre at bonding, discs outside the grid keep theirs.
+    !> Unstable since 0.1.
+    function hfrac_set_cell_temperature(sim, temperature, count) bind(C, name="hfrac_set_cell_temperature")
+      import
+      type(c_ptr), value :: sim
+      real(c_double), intent(in) :: temperature(*)
+      integer(c_int64_t), value :: count
+      integer(c_int32_t) :: hfrac_set_cell_temperature
+    end function hfrac_set_cell_temperature
+    !> Temperature [K] of the rock by cell of the host's grid: mean of the discs with their centre in it, by heat
+    !> capacity; a cell without discs gives thermal.rock_temperature. Copies up to `capacity` values; *count is nx *
+    !> ny. buffer NULL: only *count. Unstable since 0.1.
+    function hfrac_get_cell_temperature(sim, buffer, capacity, count) bind(C, name="hfrac_get_cell_temperature")
+      import
+      type(c_ptr), value :: sim
+      type(c_ptr), value :: buffer
+      integer(c_int64_t), value :: capacity
+      integer(c_int64_t), intent(out) :: count
+      integer(c_int32_t) :: hfrac_get_cell_temperature
+    end function hfrac_get_cell_temperature
+    !> Which discs keep their temperature whatever flows: `count` values, one per disc, not 0: held; in place of
+    !> what was held before (thermal.outer "held" begins with the outermost discs). Part of the state. Needs mode
+    !> "transport". Unstable since 0.1.
+    function hfrac_hold_disc_temperature(sim, held, count) bind(C, name="hfrac_hold_disc_temperature")
+      import
+      type(c_ptr), value :: sim
+      integer(c_int32_t), intent(in) :: held(*)
+      integer(c_int64_t), value :: count
+      integer(c_int32_t) :: hfrac_hold_disc_temperature
+    end function hfrac_hold_disc_temperature
+    !> Temperature [K] of what well `index` injects, from the next step on; thermal.fluid_temperature at first. Kept
+    !> by the tries of an open step. Needs mode "transport". Unstable since 0.1.
+    function hfrac_well_set_temperature(sim, index, temperature) bind(C, name="hfrac_well_set_temperature")
+      import
+      type(c_ptr), value :: sim
+      integer(c_int32_t), value :: index
+      real(c_double), value :: temperature
+      integer(c_int32_t) :: hfrac_well_set_temperature
+    end function hfrac_well_set_temperature
+    !> Temperature [K] of the fluid in well `index`: that injected while it feeds the rock, else the mixture of what
+    !> flows in. thermal.rock_temperature before the first step. Unstable since 0.1.
+    function hfrac_well_get_temperature(sim, index, temperature) bind(C, name="hfrac_well_get_temperature")
+      import
+      type(c_ptr), value :: sim
+      integer(c_int32_t), value :: index
+      real(c_double), intent(out) :: temperature
+      integer(c_int32_t) :: hfrac_well_get_temperature
+    end function hfrac_well_get_temperature
+    !> The books of heat now. Unstable since 0.1.
+    function hfrac_get_heat(sim, heat) bind(C, name="hfrac_get_heat")
+      import
+      type(c_ptr), value :: sim
+      type(hfrac_heat), intent(inout) :: heat
+      integer(c_int32_t) :: hfrac_get_heat
+    end function hfrac_get_heat
     !> Bytes an image needs now; it grows with the crack log. Stable since 0.1.
     function hfrac_state_size(sim, size) bind(C, name="hfrac_state_size")
       import

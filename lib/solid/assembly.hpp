@@ -15,6 +15,33 @@
 
 namespace hfrac {
 
+// What temperature makes of discs and bonds (lib/heat). All arrays are empty in a model without temperature, and whoever asks
+// then gets nothing grown and shares of 1.
+struct ThermalState {
+  // discs
+  Array<double> growth;           // m, of the radius since set-up
+  Array<double> stiffness_share;  // over the stiffness given
+  Array<double> friction_share;
+  // bonds
+  Array<double> gap;             // m, that the two discs' growth takes from the gap
+  Array<double> bond_stiffness;  // shares over the values given, mean of the two discs
+  Array<double> bond_strength, bond_friction;
+
+  [[nodiscard]] bool empty() const { return gap.empty(); }
+  [[nodiscard]] double growth_of(std::int64_t disc) const { return empty() ? 0.0 : growth[disc]; }
+  [[nodiscard]] double gap_of(std::int64_t bond) const { return empty() ? 0.0 : gap[bond]; }
+  [[nodiscard]] double stiffness_of(std::int64_t bond) const { return empty() ? 1.0 : bond_stiffness[bond]; }
+  [[nodiscard]] double strength_of(std::int64_t bond) const { return empty() ? 1.0 : bond_strength[bond]; }
+  [[nodiscard]] double friction_of(std::int64_t bond) const { return empty() ? 1.0 : bond_friction[bond]; }
+  // Of two discs that were never bonded.
+  [[nodiscard]] double pair_stiffness(std::int64_t i, std::int64_t j) const {
+    return empty() ? 1.0 : 0.5 * (stiffness_share[i] + stiffness_share[j]);
+  }
+  [[nodiscard]] double pair_friction(std::int64_t i, std::int64_t j) const {
+    return empty() ? 1.0 : 0.5 * (friction_share[i] + friction_share[j]);
+  }
+};
+
 struct Assembly {
   // discs
   Array<double> x, y, radius;                             // m, at bonding
@@ -26,6 +53,7 @@ struct Assembly {
   Array<double> dx, dy, length, arm, bond_radius;  // m
   Array<std::uint8_t> intact;
   Array<double> slip;                         // m
+  ThermalState thermal;
   std::vector<std::int64_t> tile_first_bond;  // one more than tiles
   double mean_radius = 0.0;                   // m
   double density = 0.0;                       // kg/m3
@@ -44,10 +72,10 @@ struct Assembly {
     return 0.5 * mass(disc) * radius[disc] * radius[disc];
   }
   [[nodiscard]] double tensile_capacity(std::int64_t bond) const {
-    return tensile_per_radius * bond_radius[bond];
+    return tensile_per_radius * bond_radius[bond] * thermal.strength_of(bond);
   }
   [[nodiscard]] double shear_capacity(std::int64_t bond) const {
-    return shear_per_radius * bond_radius[bond];
+    return shear_per_radius * bond_radius[bond] * thermal.strength_of(bond);
   }
   [[nodiscard]] double pipe_length(std::int64_t bond) const {  // m: R_i + R_j (eq. 6)
     return radius[first[bond]] + radius[second[bond]];

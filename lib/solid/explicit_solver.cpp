@@ -81,6 +81,12 @@ void ExplicitSolver::bind_arrays() {
   k.bond_radius = a.bond_radius.data();
   k.intact = a.intact.data();
   k.slip = a.slip.data();
+  if (!a.thermal.empty()) {
+    k.thermal_gap = a.thermal.gap.data();
+    k.stiffness_share = a.thermal.bond_stiffness.data();
+    k.strength_share = a.thermal.bond_strength.data();
+    k.friction_share = a.thermal.bond_friction.data();
+  }
   k.bond_count = a.bond_count();
   k.first_cross_bond = plan_.first_cross_bond;
   k.domain_corner_start = n.corner_start.data();

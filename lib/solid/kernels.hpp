@@ -57,6 +57,8 @@ struct KernelArrays {
   const double* bond_radius;       // m
   const uint8_t* intact;           // 1, or 0 once broken
   double* slip;                    // m: shear displacement the contact has slid through
+  // by temperature, all null in a model without: what growth takes from the gap [m], shares of the values given
+  const double *thermal_gap, *stiffness_share, *strength_share, *friction_share;
   int64_t bond_count, first_cross_bond;
   // the discs around each domain: weight dV/du of eq. 10
   const int32_t *domain_corner_start, *domain_corner_disc;

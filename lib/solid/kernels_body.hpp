@@ -10,6 +10,7 @@
 //   bond           F_n = k_n g, F_s = k_s u_s, M = k_n (R^2 / 3) (theta_j - theta_i)     (eq. 16-20; I / A = R^2 / 3)
 //   contact        F_n = -k_n max(0, -g), F_s = k_s (u_s - slip), |F_s| <= mu F_n
 //   forces on i    F_n n + F_s (L0 / L) t, moments F_s a_i + M and F_s a_j - M: the exact gradient of the energy
+//   warm           g less what the discs grew, k times its share, strengths times theirs (lib/heat/expansion.hpp)
 //   breakage       F_n + 3 beta |M| / R >= sigma_c A  or  |F_s| >= tau_c A                (eq. 21-23, tension positive)
 //
 // Bonds go through it 64 at a time: records of discs are picked up four by four and transposed into arrays (a gather
@@ -61,8 +62,9 @@ struct alignas(64) Chunk {
   double slip[chunk];                                 // after this cycle
 };
 
-// The law, for bonds e to e + n - 1.
-__attribute__((noinline)) void bond_law(const KernelArrays& a, int64_t e, int64_t n, Chunk& c) {
+// The law, for bonds e to e + n - 1. With `warm`, discs have grown by temperature and stiffness and strength follow it.
+template <bool warm>
+__attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, int64_t n, Chunk& c) {
   const double* __restrict dx_ = a.dx + e;
   const double* __restrict dy_ = a.dy + e;
   const double* __restrict length_ = a.length + e;
@@ -70,6 +72,10 @@ __attribute__((noinline)) void bond_law(const KernelArrays& a, int64_t e, int64_
   const double* __restrict radius_ = a.bond_radius + e;
   const double* __restrict slip_ = a.slip + e;
   const uint8_t* __restrict intact_ = a.intact + e;
+  const double* __restrict growth_ = warm ? a.thermal_gap + e : nullptr;
+  const double* __restrict stiffness_ = warm ? a.stiffness_share + e : nullptr;
+  const double* __restrict strength_ = warm ? a.strength_share + e : nullptr;
+  const double* __restrict rub_ = warm ? a.friction_share + e : nullptr;
   const double bond_normal = a.bond_normal, bond_shear = a.bond_shear, contact_normal = a.contact_normal,
                contact_shear = a.contact_shear, friction = a.friction, bending_share = a.bending_share,
                contact_with_bond = a.contact_with_bond, tensile = a.tensile_capacity,
@@ -85,7 +91,9 @@ __attribute__((noinline)) void bond_law(const KernelArrays& a, int64_t e, int64_
     // One division for 1 / L, 1 / (L + L0) and 1 / L0.
     const double both = now + length, at_once = 1.0 / (now * length * both);
     const double inverse = at_once * (length * both), inverse_length = at_once * (now * both);
-    const double gap = (2.0 * (dx * dux + dy * duy) + (dux * dux + duy * duy)) * (at_once * (now * length));
+    const double gap = (2.0 * (dx * dux + dy * duy) + (dux * dux + duy * duy)) * (at_once * (now * length)) -
+                       (warm ? growth_[k] : 0.0);
+    const double share = warm ? stiffness_[k] : 1.0, strength = warm ? strength_[k] : 1.0;
     const double nx = lx * inverse, ny = ly * inverse;
     const double ratio = length * inverse;
     const double sine = (dx * duy - dy * dux) * inverse;  // times L0
@@ -94,18 +102,18 @@ __attribute__((noinline)) void bond_law(const KernelArrays& a, int64_t e, int64_
                          (length * c.theta_i[k] + arm_j * turn);
 
     const double intact = c.intact[k], radius = radius_[k];
-    const double bond_n = bond_normal * intact * gap;
-    const double bond_s = bond_shear * intact * shear;
-    const double bend = bond_normal * intact * radius * turn;  // 3 M / R
+    const double bond_n = bond_normal * share * intact * gap;
+    const double bond_s = bond_shear * share * intact * shear;
+    const double bend = bond_normal * share * intact * radius * turn;  // 3 M / R
     const double moment = bend * radius * (1.0 / 3.0);
 
     const double present = intact > 0.0 ? contact_with_bond : 1.0;
-    const double contact_n = contact_normal * present * positive(-gap);
-    const double limit = friction * contact_n;
+    const double contact_n = contact_normal * share * present * positive(-gap);
+    const double limit = friction * (warm ? rub_[k] : 1.0) * contact_n;
     const double slip = slip_[k];
-    const double trial = contact_shear * (shear - slip);
+    const double trial = contact_shear * share * (shear - slip);
     const double contact_s = trial > limit ? limit : (trial < -limit ? -limit : trial);
-    const double slipped = magnitude(trial) > limit ? shear - contact_s * inverse_contact_shear : slip;
+    const double slipped = magnitude(trial) > limit ? shear - contact_s * (inverse_contact_shear / share) : slip;
     c.friction[k] = magnitude(contact_s * (slipped - slip));
     c.slip[k] = slipped;
 
@@ -120,10 +128,18 @@ __attribute__((noinline)) void bond_law(const KernelArrays& a, int64_t e, int64_
     c.force[k] = magnitude(fx) + magnitude(fy);
 
     // Excess over strength, as a number so that the loop stays in vector registers; a broken bond has none.
-    const double pull = bond_n + bending_share * magnitude(bend) - tensile * radius;
-    const double push = magnitude(bond_s) - shearing * radius;
+    const double pull = bond_n + bending_share * magnitude(bend) - tensile * radius * strength;
+    const double push = magnitude(bond_s) - shearing * radius * strength;
     const double excess = pull > push ? pull : push;
     c.over[k] = intact > 0.0 && excess >= 0.0 ? 1.0 : 0.0;
+  }
+}
+
+inline void bond_law(const KernelArrays& a, int64_t e, int64_t n, Chunk& c) {
+  if (a.thermal_gap == nullptr) {
+    bond_law_with<false>(a, e, n, c);
+  } else {
+    bond_law_with<true>(a, e, n, c);
   }
 }
 

@@ -120,6 +120,8 @@ class Field(enum.IntEnum):
     DISC_STRESS = 5
     #: number of intact bonds
     DISC_INTACT_BONDS = 6
+    #: of the rock; thermal.rock_temperature without a temperature in the model
+    DISC_TEMPERATURE = 7
     #: indices of the two discs
     BOND_DISCS = 20
     #: 0 intact, 1 broken in tension, 2 broken in shear
@@ -146,6 +148,8 @@ class Field(enum.IntEnum):
     DOMAIN_CENTRE = 62
     #: 0 rock, 1 well, 2 outside
     DOMAIN_KIND = 63
+    #: of the fluid; thermal.rock_temperature without a temperature in the model
+    DOMAIN_TEMPERATURE = 66
     #: first corner of each domain in domain.corners; the next domain's is its end
     DOMAIN_OFFSET = 64
     #: disc indices around each domain, anticlockwise (outside: clockwise)
@@ -308,6 +312,38 @@ class hfrac_sim_def(ctypes.Structure):
         ("log", hfrac_log_fn),
         ("log_user", ctypes.c_void_p),
         ("log_level", ctypes.c_int64),
+        ("thermal_mode", ctypes.c_int64),
+        ("thermal_rock_temperature", ctypes.c_double),
+        ("thermal_fluid_temperature", ctypes.c_double),
+        ("thermal_conductivity", ctypes.c_double),
+        ("thermal_specific_heat", ctypes.c_double),
+        ("thermal_fluid_specific_heat", ctypes.c_double),
+        ("thermal_fluid_density", ctypes.c_double),
+        ("thermal_film_coefficient", ctypes.c_double),
+        ("thermal_expansion", ctypes.c_double),
+        ("thermal_outer", ctypes.c_int64),
+        ("thermal_parameters", ctypes.c_int64),
+        ("thermal_table_rows", ctypes.c_int64),
+        ("thermal_temperature_1", ctypes.c_double),
+        ("thermal_temperature_2", ctypes.c_double),
+        ("thermal_temperature_3", ctypes.c_double),
+        ("thermal_temperature_4", ctypes.c_double),
+        ("thermal_temperature_5", ctypes.c_double),
+        ("thermal_stiffness_1", ctypes.c_double),
+        ("thermal_stiffness_2", ctypes.c_double),
+        ("thermal_stiffness_3", ctypes.c_double),
+        ("thermal_stiffness_4", ctypes.c_double),
+        ("thermal_stiffness_5", ctypes.c_double),
+        ("thermal_strength_1", ctypes.c_double),
+        ("thermal_strength_2", ctypes.c_double),
+        ("thermal_strength_3", ctypes.c_double),
+        ("thermal_strength_4", ctypes.c_double),
+        ("thermal_strength_5", ctypes.c_double),
+        ("thermal_friction_1", ctypes.c_double),
+        ("thermal_friction_2", ctypes.c_double),
+        ("thermal_friction_3", ctypes.c_double),
+        ("thermal_friction_4", ctypes.c_double),
+        ("thermal_friction_5", ctypes.c_double),
     ]
 
 
@@ -558,6 +594,26 @@ class hfrac_cell(ctypes.Structure):
         ("pressure", ctypes.c_double),
         ("fracture_pressure", ctypes.c_double),
         ("crack_count", ctypes.c_int64),
+    ]
+
+
+class hfrac_heat(ctypes.Structure):
+    """Heat of rock and pores, wells excluded, counted from thermal.rock_temperature. Set struct_size before the
+    call.
+    """
+
+    _fields_ = [
+        ("struct_size", ctypes.c_int32),
+        ("mode", ctypes.c_int32),
+        ("stored", ctypes.c_double),
+        ("wells", ctypes.c_double),
+        ("outside", ctypes.c_double),
+        ("held", ctypes.c_double),
+        ("host", ctypes.c_double),
+        ("error", ctypes.c_double),
+        ("thermal_work", ctypes.c_double),
+        ("lowest", ctypes.c_double),
+        ("highest", ctypes.c_double),
     ]
 
 
@@ -834,6 +890,45 @@ SIGNATURES = {
         ctypes.c_int64,
         ctypes.c_double,
         ctypes.c_double,
+    ),
+    "hfrac_set_temperature": (
+        ctypes.c_void_p,
+        ctypes.c_double,
+    ),
+    "hfrac_set_disc_temperature": (
+        ctypes.c_void_p,
+        ctypes.POINTER(ctypes.c_double),
+        ctypes.c_int64,
+    ),
+    "hfrac_set_cell_temperature": (
+        ctypes.c_void_p,
+        ctypes.POINTER(ctypes.c_double),
+        ctypes.c_int64,
+    ),
+    "hfrac_get_cell_temperature": (
+        ctypes.c_void_p,
+        ctypes.c_void_p,
+        ctypes.c_int64,
+        ctypes.POINTER(ctypes.c_int64),
+    ),
+    "hfrac_hold_disc_temperature": (
+        ctypes.c_void_p,
+        ctypes.POINTER(ctypes.c_int32),
+        ctypes.c_int64,
+    ),
+    "hfrac_well_set_temperature": (
+        ctypes.c_void_p,
+        ctypes.c_int32,
+        ctypes.c_double,
+    ),
+    "hfrac_well_get_temperature": (
+        ctypes.c_void_p,
+        ctypes.c_int32,
+        ctypes.POINTER(ctypes.c_double),
+    ),
+    "hfrac_get_heat": (
+        ctypes.c_void_p,
+        ctypes.POINTER(hfrac_heat),
     ),
     "hfrac_state_size": (
         ctypes.c_void_p,

@@ -468,3 +468,44 @@ class Cell(NamedTuple):
             struct.fracture_pressure,
             struct.crack_count,
         )
+
+
+class Heat(NamedTuple):
+    """Heat of rock and pores, wells excluded, counted from thermal.rock_temperature."""
+
+    #: 0 off, 1 uniform, 2 transport
+    mode: int
+    #: [J/m] in rock and pores beyond that at set-up
+    stored: float
+    #: [J/m] from wells since set-up: carried and through their walls
+    wells: float
+    #: [J/m] carried in through the outer boundary
+    outside: float
+    #: [J/m] from discs that are held
+    held: float
+    #: [J/m] put in by the host: temperatures it set, fluid it put into pores
+    host: float
+    #: [J/m] wells + outside + held + host - stored: rounding
+    error: float
+    #: [J/m] elastic energy that changes of temperature put in; one of the works of hfrac_balance
+    thermal_work: float
+    #: [K] coldest disc
+    lowest: float
+    #: [K] warmest disc
+    highest: float
+
+    @classmethod
+    def of(cls, struct: _abi.hfrac_heat) -> "Heat":
+        """The struct's values."""
+        return cls(
+            struct.mode,
+            struct.stored,
+            struct.wells,
+            struct.outside,
+            struct.held,
+            struct.host,
+            struct.error,
+            struct.thermal_work,
+            struct.lowest,
+            struct.highest,
+        )
