@@ -67,12 +67,20 @@ module hfrac
     procedure, public :: set_well_schedule
     procedure, public :: set_far_field
     procedure, public :: set_formation_pressure
+    procedure, public :: set_temperature
+    procedure, public :: set_disc_temperature
+    procedure, public :: hold_disc_temperature
+    procedure, public :: set_well_temperature
+    procedure, public :: well_temperature
+    procedure, public :: heat
     !> A reservoir simulator's grid: call sim%set_grid(nx, ny, origin, cell_size) or sim%set_grid(corners).
     generic, public :: set_grid => set_regular_grid, set_grid_corners
     procedure, public :: cells
     procedure, public :: set_rim_pressure
     procedure, public :: set_cell_pressure
     procedure, public :: set_cell_stress
+    procedure, public :: set_cell_temperature
+    procedure, public :: cell_temperature
     procedure, public :: write_grdecl
     procedure, public :: save => save_image
     procedure, public :: restore
@@ -103,7 +111,8 @@ module hfrac
     set_regular_grid, set_grid_corners, cells, set_rim_pressure, set_cell_pressure, set_cell_stress, write_grdecl, &
     save_image, restore, save_file, load_file, prepare_step, do_step, finalize_step, reject_step, cracks, fractures, &
     get_double_1, get_double_2, get_int32_1, get_int32_2, view_double, view_int32, refuse_copy, describe, &
-    borrow, finish, ask_host, show_step, tell_host
+    borrow, finish, ask_host, show_step, tell_host, set_temperature, set_disc_temperature, hold_disc_temperature, &
+    set_well_temperature, well_temperature, heat, set_cell_temperature, cell_temperature
 
 contains
 
@@ -518,6 +527,67 @@ contains
     call report(hfrac_set_formation_pressure(self%handle, pressure), self%handle, stat, errmsg)
   end subroutine set_formation_pressure
 
+  ! Temperature, in kelvin.
+
+  !> Gives rock and fluid one temperature [K]; the rock answers in the next step.
+  subroutine set_temperature(self, temperature, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    real(c_double), intent(in) :: temperature
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_set_temperature(self%handle, temperature), self%handle, stat, errmsg)
+  end subroutine set_temperature
+
+  !> Gives every disc its temperature [K]. Needs thermal.mode "transport".
+  subroutine set_disc_temperature(self, temperature, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    real(c_double), contiguous, intent(in) :: temperature(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_set_disc_temperature(self%handle, temperature, size(temperature, kind=c_int64_t)), self%handle, stat, &
+      errmsg)
+  end subroutine set_disc_temperature
+
+  !> Discs that keep their temperature whatever flows.
+  subroutine hold_disc_temperature(self, held, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    logical, intent(in) :: held(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_hold_disc_temperature(self%handle, int(merge(1, 0, held), c_int32_t), size(held, kind=c_int64_t)), &
+      self%handle, stat, errmsg)
+  end subroutine hold_disc_temperature
+
+  !> From the next step on, well `index` (from 0) injects at a temperature [K].
+  subroutine set_well_temperature(self, index, temperature, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    integer, intent(in) :: index
+    real(c_double), intent(in) :: temperature
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_well_set_temperature(self%handle, int(index, c_int32_t), temperature), self%handle, stat, errmsg)
+  end subroutine set_well_temperature
+
+  !> Temperature [K] of the fluid in well `index` (from 0).
+  function well_temperature(self, index, stat, errmsg) result(now)
+    class(hfrac_simulation), intent(in) :: self
+    integer, intent(in) :: index
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    real(c_double) :: now
+    now = 0.0_c_double
+    call report(hfrac_well_get_temperature(self%handle, int(index, c_int32_t), now), self%handle, stat, errmsg)
+  end function well_temperature
+
+  !> The books of heat since the end of the set-up.
+  function heat(self, stat, errmsg) result(now)
+    class(hfrac_simulation), intent(in) :: self
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_heat) :: now
+    call report(hfrac_get_heat(self%handle, now), self%handle, stat, errmsg)
+  end function heat
+
   ! A reservoir simulator's grid. Arrays have the grid's shape (nx, ny), i first.
 
   !> Lays a grid of nx times ny cells of `cell_size` (dx, dy) [m] over the model; `origin` [m] is the first corner of cell (1, 1),
@@ -615,6 +685,29 @@ contains
     character(*), intent(inout), optional :: errmsg
     call report(hfrac_set_cell_stress(self%handle, stress, size(stress, kind=c_int64_t)), self%handle, stat, errmsg)
   end subroutine set_cell_stress
+
+  !> Gives the discs of each cell the host's temperature [K], shape (nx, ny); the rock answers in the next step.
+  subroutine set_cell_temperature(self, temperature, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    real(c_double), contiguous, intent(in) :: temperature(:, :)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_set_cell_temperature(self%handle, temperature, size(temperature, kind=c_int64_t)), self%handle, &
+      stat, errmsg)
+  end subroutine set_cell_temperature
+
+  !> Temperature [K] of the rock by cell, shape (nx, ny).
+  subroutine cell_temperature(self, temperature, stat, errmsg)
+    class(hfrac_simulation), intent(in) :: self
+    real(c_double), allocatable, target, intent(out) :: temperature(:, :)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int64_t) :: count
+    integer(c_int32_t) :: status
+    allocate (temperature(self%grid_shape(1), self%grid_shape(2)), source=0.0_c_double)
+    status = hfrac_get_cell_temperature(self%handle, c_loc(temperature), size(temperature, kind=c_int64_t), count)
+    call report(status, self%handle, stat, errmsg)
+  end subroutine cell_temperature
 
   !> Writes an Eclipse include file. Left out: HFRAC_UPSCALE_FLOW, HFRAC_GRDECL_PERM, one layer, the network's porosity and
   !> permeability [m2] of the rock.

@@ -31,7 +31,7 @@ void write_stress(const Simulation& s, double* to) {
   }
   for (const auto& wall : s.boundary().walls()) {
     for (const auto i : wall.discs) {
-      const double closing = wall.displacement - (a.ux[i] * wall.inward.x + a.uy[i] * wall.inward.y);
+      const double closing = Boundary::closing_of(a, wall, i);
       const double force = s.options().contact_normal_stiffness * std::max(0.0, closing);
       add(static_cast<std::size_t>(i), force * wall.inward, -a.radius[i] * wall.inward);
     }
@@ -102,6 +102,13 @@ void write_values(const Simulation& s, std::int32_t field, double* to) {
     case HFRAC_DISC_STRESS:
       write_stress(s, to);
       return;
+    case HFRAC_DISC_TEMPERATURE:
+      if (s.heat() == nullptr) {
+        std::fill(to, to + a.disc_count(), s.options().thermal_rock_temperature);
+      } else {
+        std::copy(s.heat()->state.disc.begin(), s.heat()->state.disc.end(), to);
+      }
+      return;
     case HFRAC_BOND_NORMAL_FORCE:
       write_bonds(s, to, [](const BondView& b) { return b.normal_force(); });
       return;
@@ -125,6 +132,13 @@ void write_values(const Simulation& s, std::int32_t field, double* to) {
       return;
     case HFRAC_DOMAIN_VOLUME:
       for (std::size_t d = 0; d < n.kind.size(); ++d) to[d] = n.volume[d] + n.volume_change[d];
+      return;
+    case HFRAC_DOMAIN_TEMPERATURE:
+      if (s.heat() == nullptr) {
+        std::fill(to, to + n.domain_count(), s.options().thermal_rock_temperature);
+      } else {
+        std::copy(s.heat()->state.fluid.begin(), s.heat()->state.fluid.end(), to);
+      }
       return;
     case HFRAC_DOMAIN_CENTRE:
       for (std::size_t d = 0; d < n.kind.size(); ++d) {

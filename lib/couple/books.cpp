@@ -22,10 +22,10 @@ void Simulation::elastic_energy(double& bonds, double& contacts) const {
     bonds += view.bond_energy;
     contacts += view.contact_energy;
   }
-  contacts += solver_->loose_contacts().energy();
+  contacts += solver_->loose_contacts().energy(assembly_);
 }
 
-// Works of fluid and far field = change of stored energy + what was dissipated + what breaking bonds took along.
+// Works of fluid, far field and temperature = change of stored energy + what was dissipated + what breaking bonds took along.
 Balance Simulation::balance() const {
   Balance b{};
   double bonds = 0.0, contacts = 0.0;
@@ -45,7 +45,8 @@ Balance Simulation::balance() const {
   b.damping = e.damping;
   b.fracture = e.fracture;
   b.energy_error = b.fluid_work + b.boundary_work - b.kinetic - (bonds - start_bond_energy_) -
-                   (contacts - start_contact_energy_) - b.friction - b.damping - b.fracture;
+                   (contacts - start_contact_energy_) - b.friction - b.damping - b.fracture +
+                   (heat_ ? heat_->state.thermal_work : 0.0);
   for (const auto& well : wells_) b.injected += well.injected;
   for (std::size_t d = 1; d < start_content_.size(); ++d) b.stored += network_.content[d] - start_content_[d];
   b.leaked = leaked_;

@@ -75,6 +75,7 @@ Simulation::StepOutcome Simulation::coupled_step(double duration, const std::fun
     double part = std::min(part_, duration - done);
     if (part < duration - done && 2.0 * part > duration - done) part = 0.5 * (duration - done);
     save_state(before_part_);
+    feel_heat();
     part_pressure_.assign(network_.pressure.begin(), network_.pressure.end());
     const std::size_t cracks_at = cracks_.size();
     const bool shortest = part <= o.solver_smallest_step;
@@ -130,6 +131,7 @@ Simulation::StepOutcome Simulation::coupled_step(double duration, const std::fun
     force_ratio_ = outcome.force_ratio;
     at_rest_ = true;
     book_flow(part);
+    move_heat(part);
     done += part;
     update_apertures(network_, assembly_, o);
     solver_->search_contacts(cracks_);

@@ -79,6 +79,7 @@ void Simulation::set_cell_pressure(std::span<const double> pressure, std::span<d
     network_.content[d] = content;
     network_.pressure[d] = p;
     host_added_ += gain[d];
+    book_host_fluid(d, gain[d]);
   }
   if (added.empty()) return;
   std::fill(added.begin(), added.end(), 0.0);

@@ -116,6 +116,7 @@ void Simulation::build(std::span<const double> given_discs, const Progress& prog
     wells_.push_back(well);
   }
   network_ = build_network(std::move(faces), assembly_, well_domains, o);
+  begin_heat();
   boundary_ = std::make_unique<Boundary>(assembly_, network_, o);
   solver_ = std::make_unique<ExplicitSolver>(assembly_, network_, *boundary_, o, *workers_);
 }

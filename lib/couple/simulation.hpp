@@ -17,6 +17,7 @@
 #include "flow/network.hpp"
 #include "frac/crack_log.hpp"
 #include "frac/fractures.hpp"
+#include "heat/heat.hpp"
 #include "host/cell_report.hpp"
 #include "options/options.hpp"
 #include "solid/assembly.hpp"
@@ -60,6 +61,13 @@ struct Balance {
       energy_error;                              // J/m
   double injected, stored, leaked, fluid_error;  // m2
   double host;                                   // m2, put into pores by the host
+};
+
+// Heat of rock and pores [J/m], counted from the temperature at set-up.
+struct HeatBalance {
+  double stored, from_wells, from_outside, from_held, from_host, error;
+  double thermal_work;     // J/m of elastic energy put in by changes of temperature
+  double lowest, highest;  // K, of the discs
 };
 
 enum class StopReason : std::int32_t { target = 0, callback = 1, extent = 2, cracks = 3 };
@@ -151,6 +159,19 @@ class Simulation {
   // From the next step on, stress on top of the far field by cell [Pa; xx, yy, xy].
   void set_cell_stress(std::span<const double> stress);
 
+  // Temperature (heat.cpp); nullptr with thermal.mode = "off".
+  [[nodiscard]] const Heat* heat() const { return heat_.get(); }
+  [[nodiscard]] HeatBalance heat_balance() const;
+  // At once, in kelvin; the rock answers in the next step. Not while a step is open. By disc, or by the cell that holds
+  // a disc's centre, in mode transport only.
+  void set_temperature(double kelvin);
+  void set_disc_temperature(std::span<const double> kelvin);
+  void set_cell_temperature(std::span<const double> kelvin);
+  [[nodiscard]] std::vector<double> cell_temperature() const;  // mean by heat capacity
+  // Discs not 0 keep their temperature until told otherwise.
+  void hold_temperature(std::span<const std::int32_t> held);
+  void set_well_temperature(std::size_t well, double kelvin);  // of what it injects
+
  private:
   // setup.cpp
   void build(std::span<const double> given_discs, const Progress& progress);
@@ -186,6 +207,17 @@ class Simulation {
   [[nodiscard]] std::uint64_t model_fingerprint() const;
   // host.cpp
   void require_cells(std::size_t given, std::size_t per_cell, const char* what) const;
+  // heat.cpp
+  void begin_heat();
+  void move_heat(double duration);
+  void feel_heat();
+  void feel_again();  // after a restore
+  void book_host_fluid(std::size_t domain, double gain);
+  void put_temperatures(const Array<double>& disc);
+  void require_heat() const;
+  void require_transport(const char* what) const;
+  void require_no_open_step() const;
+  [[nodiscard]] double stored_heat() const;
   // books.cpp
   void elastic_energy(double& bonds, double& contacts) const;  // J/m
 
@@ -197,6 +229,7 @@ class Simulation {
   std::unique_ptr<ExplicitSolver> solver_;
   std::unique_ptr<FlowSolver> flow_;
   std::unique_ptr<EquilibriumSolver> equilibrium_;
+  std::unique_ptr<Heat> heat_;
   std::vector<Well> wells_;
   CrackLog cracks_;
   SetupReport setup_;

@@ -70,6 +70,8 @@ void Simulation::visit_state(Archive& archive, Self& s) {
       ar.value(*value);
     ar.value(crack.mode);
   });
+  // A model without temperature has the image, and the hash, that it had before there was any.
+  if (s.heat_) HeatState::visit(archive, s.heat_->state);
 }
 
 template <class Archive, class Self>
@@ -104,6 +106,7 @@ void Simulation::load_state(std::span<const std::byte> image, bool whole) {
   if (whole) visit_start(loader, *this);
   if (loader.left() != 0)
     throw Error(ErrorKind::argument, "the state image is longer than this simulation's state.");
+  feel_again();
   boundary_->restore_load(assembly_, network_, options().stress_sigma_H, options().stress_sigma_h);
   solver_->after_restore();
 }
@@ -172,7 +175,8 @@ std::uint64_t Simulation::model_fingerprint() const {
     hash.add_all(*values);
   hash.add_all(network_.volume);
   for (const auto& info : option_table()) {
-    if (is_of_the_model(info.key)) hash.add(get_value(options(), info));
+    const bool thermal = heat_ && std::string_view(info.key).starts_with("thermal.");
+    if (thermal || is_of_the_model(info.key)) hash.add(get_value(options(), info));
   }
   return hash.value();
 }
@@ -215,8 +219,8 @@ void Simulation::restore(std::span<const std::byte> image) {
   if (header.model != model_) {
     refuse(
         "it was taken from another model: discs, wells, or options of model, disc, contact, bond, boundary, "
-        "fluid or "
-        "flow differ.");
+        "fluid, flow or "
+        "thermal differ.");
   }
   std::vector<std::byte> before;
   save_state(before, true);

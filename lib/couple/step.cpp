@@ -3,6 +3,7 @@
 //
 //   1  wells take their pressures or rates, of their schedule if they have one; steps end at its times
 //   2  fluid moves along the pipes for flow_step seconds while the rock stands still (eq. 6, 8; implicit or sub-cycled)
+//      and heat with it, if there is a temperature; the rock feels it in 3 (heat.cpp)
 //   3  the rock moves until it is at rest, or for flow_step seconds of real time (mode dynamic): in every cycle
 //        bond and contact forces (eq. 15-20), breakage (eq. 21-23) -> crack log
 //        pores answer undrained: pressure follows from the fluid they hold and their volume (eq. 8)
@@ -153,8 +154,9 @@ void Simulation::impose_well_pressure(Well& well, double pressure) {
 }
 
 void Simulation::flow_step(double duration) {
-  if (!flow_) return;
-  flow_rounds_ = flow_->advance(network_, duration, source_);
+  if (flow_) flow_rounds_ = flow_->advance(network_, duration, source_);
+  move_heat(duration);
+  feel_heat();
 }
 
 void Simulation::finish_step(double duration, std::size_t cracks_before) {
@@ -232,7 +234,9 @@ Simulation::StepOutcome Simulation::try_step(double duration, const std::functio
   const auto host_load = boundary_->host_load();
   const double sigma_H = options().stress_sigma_H, sigma_h = options().stress_sigma_h;
   const double formation = formation_pressure_;
+  const auto well_temperature = heat_ ? heat_->state.well : std::vector<double>{};
   load_state(opened_);
+  if (heat_) heat_->state.well = well_temperature;
   for (std::size_t w = 0; w < wells.size(); ++w) {
     wells_[w].control = wells[w].control;
     wells_[w].target_pressure = wells[w].target_pressure;

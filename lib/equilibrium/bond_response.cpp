@@ -48,17 +48,21 @@ void fill(BondResponse& r, const Components& c, Vec2 n, double now, double lengt
   k[15] = c.shear_stiffness * arm_j * arm_j + c.moment_stiffness;
 }
 
+struct ContactLaw {
+  double normal_stiffness, shear_stiffness, friction;  // N/m, N/m, 1
+};
+
 // Adds a frictional contact pressed together by `squeeze` >= 0 whose shear spring would bear `trial`.
-void add_contact(Components& c, const Options& o, double friction, double squeeze, double trial) {
+void add_contact(Components& c, const ContactLaw& law, double squeeze, double trial) {
   c.normal -= squeeze;
-  c.normal_stiffness += o.contact_normal_stiffness;
-  const double limit = friction * squeeze;
+  c.normal_stiffness += law.normal_stiffness;
+  const double limit = law.friction * squeeze;
   if (std::abs(trial) <= limit) {
     c.shear += trial;
-    c.shear_stiffness += o.contact_shear_stiffness;
+    c.shear_stiffness += law.shear_stiffness;
   } else {
     c.shear += std::copysign(limit, trial);
-    c.shear_by_gap -= std::copysign(friction * o.contact_normal_stiffness, trial);
+    c.shear_by_gap -= std::copysign(law.friction * law.normal_stiffness, trial);
   }
 }
 
@@ -70,25 +74,27 @@ BondResponse respond(const Assembly& a, const Options& o, std::int64_t e) {
   const double now = std::sqrt(dot(d, d)), length = a.length[e];
   const double arm_i = a.arm[e], arm_j = length - arm_i;
   BondResponse r;
-  r.gap = (2.0 * dot(d0, du) + dot(du, du)) / (now + length);
+  r.gap = (2.0 * dot(d0, du) + dot(du, du)) / (now + length) - a.shares.growth_of(e);
   const double sine = cross(d0, du) / now, s2 = sine * sine / (length * length);
   const double shear = sine * (1.0 + s2 * (1.0 / 6.0 + s2 * (3.0 / 40.0 + s2 * (15.0 / 336.0)))) -
                        (arm_i * a.rotation[i] + arm_j * a.rotation[j]);
   const bool intact = a.intact[e] > 0.0;
   Components c;
+  const double share = a.shares.stiffness_of(e);
   if (intact) {
     const double radius = a.bond_radius[e];
-    c.normal_stiffness = o.bond_normal_stiffness;
-    c.shear_stiffness = o.bond_shear_stiffness;
-    c.moment_stiffness = o.bond_normal_stiffness * radius * radius / 3.0;
+    c.normal_stiffness = o.bond_normal_stiffness * share;
+    c.shear_stiffness = o.bond_shear_stiffness * share;
+    c.moment_stiffness = c.normal_stiffness * radius * radius / 3.0;
     c.normal = c.normal_stiffness * r.gap;
     c.shear = c.shear_stiffness * shear;
     c.moment = c.moment_stiffness * (a.rotation[j] - a.rotation[i]);
   }
   const bool present = !intact || ContactMode{o.contact_mode} == ContactMode::parallel;
   if (present && r.gap < 0.0) {
-    add_contact(c, o, a.friction_of(e, o.contact_friction), -o.contact_normal_stiffness * r.gap,
-                o.contact_shear_stiffness * (shear - a.slip[e]));
+    const ContactLaw law{o.contact_normal_stiffness * share, o.contact_shear_stiffness * share,
+                         a.shares.friction_of(e, o.contact_friction)};
+    add_contact(c, law, -law.normal_stiffness * r.gap, law.shear_stiffness * (shear - a.slip[e]));
   }
   fill(r, c, (1.0 / now) * d, now, length, arm_i, arm_j);
   return r;
@@ -100,7 +106,7 @@ BondResponse respond(const Assembly& a, const Options& o, const LooseContacts::P
   const Vec2 d = a.position(j) - a.position(i);
   const double now = std::sqrt(dot(d, d)), touch = a.radius[i] + a.radius[j];
   BondResponse r{};
-  r.gap = now - touch - pair.reference_gap;
+  r.gap = now - touch - pair.reference_gap - a.thermal.growth_of(i) - a.thermal.growth_of(j);
   r.direction = (1.0 / now) * d;
   if (r.gap >= 0.0) return r;
   const double share = now / touch, arm_i = share * a.radius[i], arm_j = share * a.radius[j];
@@ -108,8 +114,10 @@ BondResponse respond(const Assembly& a, const Options& o, const LooseContacts::P
   const double slide =
       dot(moved, t) - arm_i * (a.rotation[i] - start.first) - arm_j * (a.rotation[j] - start.second);
   Components c;
-  add_contact(c, o, o.contact_friction, -o.contact_normal_stiffness * r.gap,
-              pair.shear_force + o.contact_shear_stiffness * slide);
+  const double stiffness = a.thermal.pair_stiffness(i, j);
+  const ContactLaw law{o.contact_normal_stiffness * stiffness, o.contact_shear_stiffness * stiffness,
+                       o.contact_friction * a.thermal.pair_friction(i, j)};
+  add_contact(c, law, -law.normal_stiffness * r.gap, pair.shear_force + law.shear_stiffness * slide);
   fill(r, c, r.direction, now, now, arm_i, arm_j);
   return r;
 }

@@ -142,7 +142,7 @@ void CoupledSystem::evaluate_walls() {
     const auto& wall = boundary_.walls()[w];
     double push = 0.0;
     for (const auto i : wall.discs) {
-      const double closing = wall.displacement - dot({assembly_.ux[i], assembly_.uy[i]}, wall.inward);
+      const double closing = Boundary::closing_of(assembly_, wall, i);
       if (closing <= 0.0) continue;
       push += k * closing;
       residual_[3 * i] += k * closing * wall.inward.x;
@@ -307,7 +307,7 @@ void CoupledSystem::product(const Vector& x, Vector& y) const {
     for (std::size_t w = 0; w < boundary_.walls().size(); ++w) {
       const auto& wall = boundary_.walls()[w];
       for (const auto i : wall.discs) {
-        if (wall.displacement - dot({a.ux[i], a.uy[i]}, wall.inward) <= 0.0) continue;
+        if (Boundary::closing_of(a, wall, i) <= 0.0) continue;
         double closing = -(x[3 * i] * wall.inward.x + x[3 * i + 1] * wall.inward.y);
         if (w < servo_walls_) closing += x[wall_at(w)];
         y[3 * i] -= closing * wall.inward.x;

@@ -124,6 +124,7 @@ void Specimen::grip_ends(double half_angle) {
     if (held[static_cast<std::size_t>(a.first[e])] != 0 || held[static_cast<std::size_t>(a.second[e])] != 0)
       assembly_.strength_scale[e] = unbreakable;
   }
+  combine_shares(assembly_, options_);
 }
 
 void Specimen::make_unbreakable() {

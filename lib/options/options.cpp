@@ -130,6 +130,10 @@ static_assert(is_word("initial.state", "uniform", InitialState::uniform) &&
               is_word("initial.state", "seepage", InitialState::seepage));
 static_assert(is_word("solver.kind", "explicit", SolverKind::explicit_solver) &&
               is_word("solver.kind", "quasi-static", SolverKind::quasi_static));
+static_assert(is_word("thermal.mode", "uniform", ThermalMode::uniform) &&
+              is_word("thermal.mode", "transport", ThermalMode::transport) &&
+              is_word("thermal.outer", "held", ThermalOuter::held) &&
+              is_word("thermal.parameters", "table", ThermalParameters::table));
 static_assert(choice_index(well_rows[6].choices, "ramp") == static_cast<std::int64_t>(WellControl::ramp) &&
               choice_index(well_rows[6].choices, "rate") == static_cast<std::int64_t>(WellControl::rate));
 

@@ -202,6 +202,37 @@ void check_schedule(const CaseDefinition& definition) {
   }
 }
 
+double row_value(const Options& o, const char* column, std::int64_t row) {
+  const std::string key = std::string("thermal.") + column + "_" + std::to_string(row);
+  return get_value(o, *find_option(key));
+}
+
+void check_temperature(const Options& o) {
+  const ThermalMode mode{o.thermal_mode};
+  if (mode == ThermalMode::off || ThermalParameters{o.thermal_parameters} == ThermalParameters::constant)
+    return;
+  for (std::int64_t row = 2; row <= o.thermal_table_rows; ++row) {
+    const double before = row_value(o, "temperature", row - 1), here = row_value(o, "temperature", row);
+    if (here > before) continue;
+    refuse("thermal.temperature_" + std::to_string(row) + " = " + number_text(here) +
+           " K is not above the row before, " + number_text(before) +
+           " K; give the rows of the table in rising temperature, or lower thermal.table_rows.");
+  }
+  const double lowest = row_value(o, "temperature", 1),
+               highest = row_value(o, "temperature", o.thermal_table_rows);
+  const auto require_inside = [&](const char* key, double kelvin) {
+    if (kelvin >= lowest && kelvin <= highest) return;
+    refuse(
+        value_text(key, kelvin, "K") + " lies outside the table of micro-parameters, " + number_text(lowest) +
+        " to " + number_text(highest) +
+        " K; add a row (thermal.table_rows, thermal.temperature_1 to _5 and the factors beside them), or set "
+        "thermal.parameters = \"constant\".");
+  };
+  require_inside("thermal.rock_temperature", o.thermal_rock_temperature);
+  if (mode == ThermalMode::transport && FlowScheme{o.flow_scheme} != FlowScheme::off)
+    require_inside("thermal.fluid_temperature", o.thermal_fluid_temperature);
+}
+
 void check_control(const std::string& name, const WellOptions& well, const Options& o) {
   if (well.control == WellControl::ramp && !(well.ramp_per_step > 0.0)) {
     refuse(name + ".ramp_per_step = " + number_text(well.ramp_per_step) +
@@ -293,6 +324,7 @@ void validate(const CaseDefinition& definition, std::span<const double> given_di
   for (std::size_t k = 0; k < definition.joints.size(); ++k)
     check_joint("joint[" + std::to_string(k) + "]", definition.joints[k]);
   check_schedule(definition);
+  check_temperature(o);
   const auto& wells = definition.wells;
   for (std::size_t i = 0; i < wells.size(); ++i) {
     const std::string name = "well[" + std::to_string(i) + "]";

@@ -43,6 +43,7 @@ Assembly build_assembly(ContactGraph graph, const Options& options) {
     a.bond_radius[e] = options.bond_radius_factor * std::min(a.radius[i], a.radius[j]);
   }
   if (options.bond_fracture_toughness > 0.0) apply_fracture_toughness(a, options);
+  combine_shares(a, options);
   return a;
 }
 
@@ -70,24 +71,26 @@ BondView view_bond(const Assembly& a, const Options& o, std::int64_t e) {
   const Vec2 du{a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, d0{a.dx[e], a.dy[e]}, d = d0 + du;
   const double now = std::sqrt(dot(d, d)), length = a.length[e];
   BondView v{};
-  v.gap = (2.0 * dot(d0, du) + dot(du, du)) / (now + length);
+  v.gap = (2.0 * dot(d0, du) + dot(du, du)) / (now + length) - a.shares.growth_of(e);
   v.normal = (1.0 / now) * d;
   const double sine = cross(d0, du) / now, s2 = sine * sine / (length * length);
   v.shear = sine * (1.0 + s2 * (1.0 / 6.0 + s2 * (3.0 / 40.0 + s2 * (15.0 / 336.0)))) -
             (a.arm[e] * a.rotation[i] + (length - a.arm[e]) * a.rotation[j]);
   const double bend = a.rotation[j] - a.rotation[i], intact = a.intact[e], r = a.bond_radius[e];
-  const double bending_stiffness = o.bond_normal_stiffness * r * r / 3.0;
-  v.bond_normal = o.bond_normal_stiffness * intact * v.gap;
-  v.bond_shear = o.bond_shear_stiffness * intact * v.shear;
+  const double share = a.shares.stiffness_of(e);
+  const double bond_normal = o.bond_normal_stiffness * share,
+               contact_shear = o.contact_shear_stiffness * share;
+  const double bending_stiffness = bond_normal * r * r / 3.0;
+  v.bond_normal = bond_normal * intact * v.gap;
+  v.bond_shear = o.bond_shear_stiffness * share * intact * v.shear;
   v.bond_moment = bending_stiffness * intact * bend;
   v.bond_energy = 0.5 * (v.bond_normal * v.gap + v.bond_shear * v.shear + v.bond_moment * bend);
   const bool present = intact == 0.0 || ContactMode{o.contact_mode} == ContactMode::parallel;
-  v.contact_normal = present ? o.contact_normal_stiffness * std::max(0.0, -v.gap) : 0.0;
-  const double limit = a.friction_of(e, o.contact_friction) * v.contact_normal;
-  v.contact_shear = std::clamp(o.contact_shear_stiffness * (v.shear - a.slip[e]), -limit, limit);
+  v.contact_normal = present ? o.contact_normal_stiffness * share * std::max(0.0, -v.gap) : 0.0;
+  const double limit = a.shares.friction_of(e, o.contact_friction) * v.contact_normal;
+  v.contact_shear = std::clamp(contact_shear * (v.shear - a.slip[e]), -limit, limit);
   v.contact_energy = 0.5 * v.contact_normal * std::max(0.0, -v.gap);
-  if (o.contact_shear_stiffness > 0.0)
-    v.contact_energy += 0.5 * v.contact_shear * v.contact_shear / o.contact_shear_stiffness;
+  if (contact_shear > 0.0) v.contact_energy += 0.5 * v.contact_shear * v.contact_shear / contact_shear;
   const double pull = v.bond_normal + o.bond_moment_contribution * 3.0 * std::abs(v.bond_moment) / r;
   const double tensile = a.tensile_capacity(e), shearing = a.shear_capacity(e);
   v.tensile_excess = tensile > 0.0 ? pull / tensile : (pull >= 0.0 ? 1.0 : 0.0);

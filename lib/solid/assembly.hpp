@@ -12,8 +12,32 @@
 #include "core/array.hpp"
 #include "geom/contact_graph.hpp"
 #include "options/options.hpp"
+#include "solid/bond_shares.hpp"
 
 namespace hfrac {
+
+// What temperature makes of discs and bonds (lib/heat). All arrays are empty in a model without temperature, and whoever asks
+// then gets nothing grown and shares of 1.
+struct ThermalState {
+  // discs
+  Array<double> growth;           // m, of the radius since set-up
+  Array<double> stiffness_share;  // over the stiffness given
+  Array<double> friction_share;
+  // bonds
+  Array<double> gap;             // m, that the two discs' growth takes from the gap
+  Array<double> bond_stiffness;  // shares over the values given, mean of the two discs
+  Array<double> bond_strength, bond_friction;
+
+  [[nodiscard]] bool empty() const { return gap.empty(); }
+  [[nodiscard]] double growth_of(std::int64_t disc) const { return empty() ? 0.0 : growth[disc]; }
+  // Of two discs that were never bonded.
+  [[nodiscard]] double pair_stiffness(std::int64_t i, std::int64_t j) const {
+    return empty() ? 1.0 : 0.5 * (stiffness_share[i] + stiffness_share[j]);
+  }
+  [[nodiscard]] double pair_friction(std::int64_t i, std::int64_t j) const {
+    return empty() ? 1.0 : 0.5 * (friction_share[i] + friction_share[j]);
+  }
+};
 
 struct Assembly {
   // discs
@@ -25,7 +49,9 @@ struct Assembly {
   std::vector<std::int32_t> first, second;
   Array<double> dx, dy, length, arm, bond_radius;  // m
   Array<std::uint8_t> intact;
-  Array<double> slip;                         // m
+  Array<double> slip;  // m
+  ThermalState thermal;
+  BondShares shares;  // of toughness, joints and temperature together (bond_shares.hpp)
   std::vector<std::int64_t> tile_first_bond;  // one more than tiles
   double mean_radius = 0.0;                   // m
   double density = 0.0;                       // kg/m3
@@ -51,17 +77,10 @@ struct Assembly {
     return 0.5 * mass(disc) * radius[disc] * radius[disc];
   }
   [[nodiscard]] double tensile_capacity(std::int64_t bond) const {
-    return tensile_per_radius * bond_radius[bond] * scale_of(bond);
+    return tensile_per_radius * bond_radius[bond] * shares.tensile_of(bond);
   }
   [[nodiscard]] double shear_capacity(std::int64_t bond) const {
-    return shear_per_radius * bond_radius[bond] * scale_of(bond);
-  }
-  [[nodiscard]] double scale_of(std::int64_t bond) const {
-    return strength_scale.empty() ? 1.0 : strength_scale[bond];
-    return tensile_per_radius * bond_radius[bond] * (joint_tensile.empty() ? 1.0 : joint_tensile[bond]);
-  }
-  [[nodiscard]] double shear_capacity(std::int64_t bond) const {
-    return shear_per_radius * bond_radius[bond] * (joint_shear.empty() ? 1.0 : joint_shear[bond]);
+    return shear_per_radius * bond_radius[bond] * shares.shear_of(bond);
   }
   // Opening of the broken joint a bond belongs to, across the joint [m]; 0 if closed or of no joint.
   [[nodiscard]] double joint_opening(std::int64_t bond) const {
@@ -69,9 +88,6 @@ struct Assembly {
     const auto i = first[bond], j = second[bond];
     const double opening = dot({ux[j] - ux[i], uy[j] - uy[i]}, joint_normal[static_cast<std::size_t>(bond)]);
     return opening > 0.0 ? opening : 0.0;
-  }
-  [[nodiscard]] double friction_of(std::int64_t bond, double elsewhere) const {
-    return joint_friction.empty() ? elsewhere : joint_friction[bond];
   }
   [[nodiscard]] double pipe_length(std::int64_t bond) const {  // m: R_i + R_j (eq. 6)
     return radius[first[bond]] + radius[second[bond]];

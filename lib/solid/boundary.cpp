@@ -215,7 +215,7 @@ void Boundary::cycle(Assembly& a, double step, double safety, double damping) {
   for (auto& wall : walls_) {
     double push = 0.0;
     for (const auto i : wall.discs) {
-      const double closing = wall.displacement - (a.ux[i] * wall.inward.x + a.uy[i] * wall.inward.y);
+      const double closing = closing_of(a, wall, i);
       const double force = stiffness_ * std::max(0.0, closing);
       push += force;
       a.external_x[i] += force * wall.inward.x;
@@ -254,7 +254,7 @@ double Boundary::wall_stress(const Assembly& a, std::size_t w) const {
   const Wall& wall = walls_[w];
   double sum = 0.0;
   for (const auto i : wall.discs) {
-    const double closing = wall.displacement - (a.ux[i] * wall.inward.x + a.uy[i] * wall.inward.y);
+    const double closing = closing_of(a, wall, i);
     sum += stiffness_ * std::max(0.0, closing) / wall.length;
   }
   return sum;
@@ -268,8 +268,7 @@ double Boundary::wall_energy(const Assembly& a) const {
   double energy = 0.0;
   for (const auto& wall : walls_) {
     for (const auto i : wall.discs) {
-      const double closing =
-          std::max(0.0, wall.displacement - (a.ux[i] * wall.inward.x + a.uy[i] * wall.inward.y));
+      const double closing = std::max(0.0, closing_of(a, wall, i));
       energy += 0.5 * stiffness_ * closing * closing;
     }
   }

@@ -110,6 +110,10 @@ class Boundary {
     double velocity = 0.0;
     std::vector<std::int32_t> discs;
   };
+  // How far a disc is pressed into a wall [m], with what it grew by temperature.
+  [[nodiscard]] static double closing_of(const Assembly& a, const Wall& wall, std::int32_t i) {
+    return wall.displacement - (a.ux[i] * wall.inward.x + a.uy[i] * wall.inward.y) + a.thermal.growth_of(i);
+  }
   [[nodiscard]] const std::array<Wall, 4>& walls() const { return walls_; }
   std::array<Wall, 4>& walls() { return walls_; }
 

@@ -81,6 +81,13 @@ void ExplicitSolver::bind_arrays() {
   k.bond_radius = a.bond_radius.data();
   k.intact = a.intact.data();
   k.slip = a.slip.data();
+  if (!a.shares.empty()) {
+    k.growth = a.shares.growth.data();
+    k.stiffness_share = a.shares.stiffness.data();
+    k.tensile_share = a.shares.tensile.data();
+    k.shear_share = a.shares.shear.data();
+    k.bond_friction = a.shares.friction.data();
+  }
   k.bond_count = a.bond_count();
   k.first_cross_bond = plan_.first_cross_bond;
   k.domain_corner_start = n.corner_start.data();
@@ -103,9 +110,7 @@ void ExplicitSolver::bind_arrays() {
   k.contact_shear = options_.contact_shear_stiffness;
   k.tensile_capacity = a.tensile_per_radius;
   k.shear_capacity = a.shear_per_radius;
-  k.strength_scale = a.strength_scale.empty() ? nullptr : a.strength_scale.data();
   k.friction = options_.contact_friction;
-  k.joint_friction = a.joint_friction.empty() ? nullptr : a.joint_friction.data();
   k.bending_share = options_.bond_moment_contribution;
   k.contact_with_bond = ContactMode{options_.contact_mode} == ContactMode::parallel ? 1.0 : 0.0;
   k.damping = options_.stepping_damping;
@@ -206,33 +211,19 @@ bool ExplicitSolver::break_bonds(std::int64_t first, std::int64_t last, std::int
   return found.size() > before;
 }
 
-// The kernel knows the rock's strengths; bonds of joints are looked at one by one.
-bool ExplicitSolver::joint_exceeds(std::int64_t first, std::int64_t last) const {
-  const auto& bonds = assembly_.joint_bond;
-  for (auto at = std::lower_bound(bonds.begin(), bonds.end(), first); at != bonds.end() && *at < last; ++at) {
-    if (assembly_.intact[*at] == 0) continue;
-    const BondView bond = view_bond(assembly_, options_, *at);
-    if (bond.tensile_excess >= 1.0 || bond.shear_excess >= 1.0) return true;
-  }
-  return false;
-}
-
 // After breakage the forces are computed again, as those of what is left.
 void ExplicitSolver::take_cross_block(std::int64_t block, std::int64_t cycle, CrackLog& found) {
   kernels_.cross_bonds(arrays_, block);
+  if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + block)].flagged == 0) return;
   const auto first = arrays_.first_cross_bond + block * cross_block;
-  const auto last = std::min(first + cross_block, arrays_.bond_count);
-  if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + block)].flagged == 0 &&
-      !joint_exceeds(first, last))
-    return;
-  if (break_bonds(first, last, cycle, found)) kernels_.cross_bonds(arrays_, block);
+  if (break_bonds(first, std::min(first + cross_block, arrays_.bond_count), cycle, found))
+    kernels_.cross_bonds(arrays_, block);
 }
 
 void ExplicitSolver::take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, CrackLog& found) {
   kernels_.tile_forces(arrays_, tile, scratch);
   const auto t = static_cast<std::size_t>(tile);
-  const auto& bonds = plan_.tiles[t];
-  if ((bond_sums_[t].flagged != 0 || joint_exceeds(bonds.first_bond, bonds.last_bond)) &&
+  if (bond_sums_[t].flagged != 0 &&
       break_bonds(plan_.tiles[t].first_bond, plan_.tiles[t].last_bond, cycle, found))
     kernels_.tile_forces(arrays_, tile, scratch);
   kernels_.tile_move(arrays_, tile, scratch);

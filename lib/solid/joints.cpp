@@ -45,6 +45,7 @@ void apply_joints(Assembly& a, const std::vector<JointOptions>& joints, const Op
     crack.mode = CrackMode::shear;
     log.push_back(crack);
   }
+  combine_shares(a, o);
 }
 
 }  // namespace hfrac

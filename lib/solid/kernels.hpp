@@ -57,6 +57,9 @@ struct KernelArrays {
   const double* bond_radius;       // m
   const uint8_t* intact;           // 1, or 0 once broken
   double* slip;                    // m: shear displacement the contact has slid through
+  // by bond, all null where the rock is the same everywhere (bond_shares.hpp): thermal growth [m], shares of stiffness and
+  // strengths, coefficient of friction
+  const double *growth, *stiffness_share, *tensile_share, *shear_share, *bond_friction;
   int64_t bond_count, first_cross_bond;
   // the discs around each domain: weight dV/du of eq. 10
   const int32_t *domain_corner_start, *domain_corner_disc;
@@ -78,9 +81,7 @@ struct KernelArrays {
   double bond_normal, bond_shear;           // N/m: parallel bond stiffness times area
   double contact_normal, contact_shear;     // N/m
   double tensile_capacity, shear_capacity;  // N per metre of bond radius: 2 sigma_c, 2 tau_c
-  const double* strength_scale;             // per bond, on top of them; nullptr: 1
   double friction;
-  const double* joint_friction = nullptr;     // per bond; nullptr: friction
   double bending_share;                       // beta of eq. 21
   double contact_with_bond;                   // 1: contact beside an intact bond, 0: only after it broke
   double damping;                             // local damping

@@ -10,6 +10,7 @@
 //   bond           F_n = k_n g, F_s = k_s u_s, M = k_n (R^2 / 3) (theta_j - theta_i)     (eq. 16-20; I / A = R^2 / 3)
 //   contact        F_n = -k_n max(0, -g), F_s = k_s (u_s - slip), |F_s| <= mu F_n
 //   forces on i    F_n n + F_s (L0 / L) t, moments F_s a_i + M and F_s a_j - M: the exact gradient of the energy
+//   varied         g less what the discs grew, k and strengths times their shares, mu by bond (bond_shares.hpp)
 //   breakage       F_n + 3 beta |M| / R >= sigma_c A  or  |F_s| >= tau_c A                (eq. 21-23, tension positive)
 //
 // Bonds go through it 64 at a time: records of discs are picked up four by four and transposed into arrays (a gather
@@ -59,12 +60,11 @@ struct alignas(64) Chunk {
   double fx[chunk], fy[chunk], moment_i[chunk], minus_moment_j[chunk];
   double force[chunk], friction[chunk], over[chunk];  // for the sums
   double slip[chunk];                                 // after this cycle
-  double scale[chunk];                                // of the strengths
-  double rub[chunk];                                  // coefficients of friction
 };
 
-// The law, for bonds e to e + n - 1.
-__attribute__((noinline)) void bond_law(const KernelArrays& a, int64_t e, int64_t n, Chunk& c) {
+// The law, for bonds e to e + n - 1. With `varied`, bonds differ (bond_shares.hpp).
+template <bool varied>
+__attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, int64_t n, Chunk& c) {
   const double* __restrict dx_ = a.dx + e;
   const double* __restrict dy_ = a.dy + e;
   const double* __restrict length_ = a.length + e;
@@ -72,15 +72,17 @@ __attribute__((noinline)) void bond_law(const KernelArrays& a, int64_t e, int64_
   const double* __restrict radius_ = a.bond_radius + e;
   const double* __restrict slip_ = a.slip + e;
   const uint8_t* __restrict intact_ = a.intact + e;
+  const double* __restrict growth_ = varied ? a.growth + e : nullptr;
+  const double* __restrict stiffness_ = varied ? a.stiffness_share + e : nullptr;
+  const double* __restrict tensile_ = varied ? a.tensile_share + e : nullptr;
+  const double* __restrict shear_ = varied ? a.shear_share + e : nullptr;
+  const double* __restrict friction_ = varied ? a.bond_friction + e : nullptr;
   const double bond_normal = a.bond_normal, bond_shear = a.bond_shear, contact_normal = a.contact_normal,
-               contact_shear = a.contact_shear, bending_share = a.bending_share,
+               contact_shear = a.contact_shear, friction = a.friction, bending_share = a.bending_share,
                contact_with_bond = a.contact_with_bond, tensile = a.tensile_capacity,
                shearing = a.shear_capacity;
   const double inverse_contact_shear = a.contact_shear > 0.0 ? 1.0 / a.contact_shear : 0.0;
   for (int64_t k = 0; k < n; ++k) c.intact[k] = static_cast<double>(intact_[k]);
-  for (int64_t k = 0; k < n; ++k) c.scale[k] = a.strength_scale != nullptr ? a.strength_scale[e + k] : 1.0;
-  for (int64_t k = 0; k < n; ++k)
-    c.rub[k] = a.joint_friction == nullptr ? a.friction : a.joint_friction[e + k];
 #pragma GCC ivdep
   for (int64_t k = 0; k < n; ++k) {
     const double dux = c.dux[k], duy = c.duy[k], turn = c.turn[k];
@@ -90,7 +92,9 @@ __attribute__((noinline)) void bond_law(const KernelArrays& a, int64_t e, int64_
     // One division for 1 / L, 1 / (L + L0) and 1 / L0.
     const double both = now + length, at_once = 1.0 / (now * length * both);
     const double inverse = at_once * (length * both), inverse_length = at_once * (now * both);
-    const double gap = (2.0 * (dx * dux + dy * duy) + (dux * dux + duy * duy)) * (at_once * (now * length));
+    const double gap = (2.0 * (dx * dux + dy * duy) + (dux * dux + duy * duy)) * (at_once * (now * length)) -
+                       (varied ? growth_[k] : 0.0);
+    const double share = varied ? stiffness_[k] : 1.0;
     const double nx = lx * inverse, ny = ly * inverse;
     const double ratio = length * inverse;
     const double sine = (dx * duy - dy * dux) * inverse;  // times L0
@@ -99,18 +103,19 @@ __attribute__((noinline)) void bond_law(const KernelArrays& a, int64_t e, int64_
                          (length * c.theta_i[k] + arm_j * turn);
 
     const double intact = c.intact[k], radius = radius_[k];
-    const double bond_n = bond_normal * intact * gap;
-    const double bond_s = bond_shear * intact * shear;
-    const double bend = bond_normal * intact * radius * turn;  // 3 M / R
+    const double bond_n = bond_normal * share * intact * gap;
+    const double bond_s = bond_shear * share * intact * shear;
+    const double bend = bond_normal * share * intact * radius * turn;  // 3 M / R
     const double moment = bend * radius * (1.0 / 3.0);
 
     const double present = intact > 0.0 ? contact_with_bond : 1.0;
-    const double contact_n = contact_normal * present * positive(-gap);
-    const double limit = c.rub[k] * contact_n;
+    const double contact_n = contact_normal * share * present * positive(-gap);
+    const double limit = (varied ? friction_[k] : friction) * contact_n;
     const double slip = slip_[k];
-    const double trial = contact_shear * (shear - slip);
+    const double trial = contact_shear * share * (shear - slip);
     const double contact_s = trial > limit ? limit : (trial < -limit ? -limit : trial);
-    const double slipped = magnitude(trial) > limit ? shear - contact_s * inverse_contact_shear : slip;
+    const double slipped =
+        magnitude(trial) > limit ? shear - contact_s * (inverse_contact_shear / share) : slip;
     c.friction[k] = magnitude(contact_s * (slipped - slip));
     c.slip[k] = slipped;
 
@@ -125,10 +130,19 @@ __attribute__((noinline)) void bond_law(const KernelArrays& a, int64_t e, int64_
     c.force[k] = magnitude(fx) + magnitude(fy);
 
     // Excess over strength, as a number so that the loop stays in vector registers; a broken bond has none.
-    const double pull = bond_n + bending_share * magnitude(bend) - tensile * radius * c.scale[k];
-    const double push = magnitude(bond_s) - shearing * radius * c.scale[k];
+    const double pull =
+        bond_n + bending_share * magnitude(bend) - tensile * radius * (varied ? tensile_[k] : 1.0);
+    const double push = magnitude(bond_s) - shearing * radius * (varied ? shear_[k] : 1.0);
     const double excess = pull > push ? pull : push;
     c.over[k] = intact > 0.0 && excess >= 0.0 ? 1.0 : 0.0;
+  }
+}
+
+inline void bond_law(const KernelArrays& a, int64_t e, int64_t n, Chunk& c) {
+  if (a.tensile_share == nullptr) {
+    bond_law_with<false>(a, e, n, c);
+  } else {
+    bond_law_with<true>(a, e, n, c);
   }
 }
 

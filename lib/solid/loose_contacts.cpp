@@ -102,12 +102,15 @@ void LooseContacts::release(Assembly& a, const Boundary& boundary) {
 
 void LooseContacts::cycle(Assembly& a, const Boundary& boundary, double step, double& friction) {
   release(a, boundary);
-  const double kn = options_.contact_normal_stiffness, ks = options_.contact_shear_stiffness;
   for (auto& pair : pairs_) {
     const auto i = pair.first, j = pair.second;
+    const double stiffness = a.thermal.pair_stiffness(i, j);
+    const double kn = options_.contact_normal_stiffness * stiffness,
+                 ks = options_.contact_shear_stiffness * stiffness;
     const Vec2 d = a.position(j) - a.position(i);
     const double distance = std::sqrt(dot(d, d));
-    const double gap = distance - a.radius[i] - a.radius[j] - pair.reference_gap;
+    const double gap = distance - a.radius[i] - a.radius[j] - pair.reference_gap - a.thermal.growth_of(i) -
+                       a.thermal.growth_of(j);
     if (gap >= 0.0) {
       pair.shear_force = pair.normal_force = 0.0;
       continue;
@@ -118,7 +121,7 @@ void LooseContacts::cycle(Assembly& a, const Boundary& boundary, double step, do
     const Vec2 speed{a.vx[j] - a.vx[i], a.vy[j] - a.vy[i]};
     const double slide = step * (dot(speed, tangent) - a.spin[i] * arm_i - a.spin[j] * arm_j);
     pair.normal_force = -kn * gap;
-    const double limit = options_.contact_friction * pair.normal_force;
+    const double limit = options_.contact_friction * a.thermal.pair_friction(i, j) * pair.normal_force;
     const double trial = pair.shear_force + ks * slide;
     pair.shear_force = std::clamp(trial, -limit, limit);
     if (ks > 0.0) friction += std::abs(pair.shear_force * (trial - pair.shear_force)) / ks;
@@ -134,22 +137,25 @@ void LooseContacts::cycle(Assembly& a, const Boundary& boundary, double step, do
 
 void LooseContacts::add_stiffness(const Assembly& a, std::vector<double>& row_x, std::vector<double>& row_y,
                                   std::vector<double>& row_rotation) const {
-  const double translation = 2.0 * (options_.contact_normal_stiffness + options_.contact_shear_stiffness);
   for (const auto& pair : pairs_) {
+    const double share = a.thermal.pair_stiffness(pair.first, pair.second);
+    const double translation =
+        2.0 * (options_.contact_normal_stiffness + options_.contact_shear_stiffness) * share;
     for (const auto i : {pair.first, pair.second}) {
       row_x[i] += translation;
       row_y[i] += translation;
-      row_rotation[i] += 5.0 * options_.contact_shear_stiffness * a.radius[i] * a.radius[i];
+      row_rotation[i] += 5.0 * options_.contact_shear_stiffness * share * a.radius[i] * a.radius[i];
     }
   }
 }
 
-double LooseContacts::energy() const {
+double LooseContacts::energy(const Assembly& a) const {
   double sum = 0.0;
   for (const auto& pair : pairs_) {
-    sum += 0.5 * pair.normal_force * pair.normal_force / options_.contact_normal_stiffness;
+    const double share = a.thermal.pair_stiffness(pair.first, pair.second);
+    sum += 0.5 * pair.normal_force * pair.normal_force / (options_.contact_normal_stiffness * share);
     if (options_.contact_shear_stiffness > 0.0)
-      sum += 0.5 * pair.shear_force * pair.shear_force / options_.contact_shear_stiffness;
+      sum += 0.5 * pair.shear_force * pair.shear_force / (options_.contact_shear_stiffness * share);
   }
   return sum;
 }

@@ -46,7 +46,7 @@ class LooseContacts {
 
   [[nodiscard]] bool empty() const { return pairs_.empty(); }
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
-  [[nodiscard]] double energy() const;  // J/m, stored now
+  [[nodiscard]] double energy(const Assembly& assembly) const;  // J/m, stored now
 
   template <class Archive>
   void visit_state(Archive& archive) {

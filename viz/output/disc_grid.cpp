@@ -24,6 +24,7 @@ std::string disc_vtu(const SnapshotFrame& frame) {
   data.push_back(floats("rotation_rad", "rad", doubles(frame.sim, HFRAC_DISC_ROTATION)));
   data.push_back(floats("stress_Pa", "Pa", doubles(frame.sim, HFRAC_DISC_STRESS), {"xx", "yy", "xy"}));
   data.push_back(whole("intact_bonds", integers(frame.sim, HFRAC_DISC_INTACT_BONDS)));
+  if (frame.warm) data.push_back(floats("temperature_K", "K", doubles(frame.sim, HFRAC_DISC_TEMPERATURE)));
   data.push_back(numbering("disc_id", count));
   return encode(grid, frame.state, frame.wells, frame.coding);
 }

@@ -19,6 +19,7 @@ SnapshotFrame::SnapshotFrame(hfrac_sim* simulation)
       fractures(fractures_of(simulation)),
       cracks(cracks_of(simulation)),
       positions(doubles(simulation, HFRAC_DISC_POSITION)),
-      coding(coding_of(definition_of(simulation))) {}
+      coding(coding_of(definition_of(simulation))),
+      warm(definition_of(simulation).thermal_mode != 0) {}
 
 }  // namespace hfrac::output

@@ -21,6 +21,7 @@ struct SnapshotFrame {
   std::vector<hfrac_crack> cracks;
   std::vector<double> positions;  ///< disc centres now, x0 y0 x1 y1 ...
   Coding coding;                  ///< of the arrays in the files
+  bool warm;                      ///< the run has a temperature
 };
 
 /** Discs as points with radius, displacement, rotation, stress and number of intact bonds. */

@@ -50,6 +50,10 @@ FIELDS: Tuple[FieldInfo, ...] = (
         'number of intact bonds',
     ),
     FieldInfo(
+        'disc.temperature', 'K', 'double', 1,
+        'of the rock; thermal.rock_temperature without a temperature in the model',
+    ),
+    FieldInfo(
         'bond.discs', '1', 'int32', 2,
         'indices of the two discs',
     ),
@@ -102,6 +106,10 @@ FIELDS: Tuple[FieldInfo, ...] = (
         '0 rock, 1 well, 2 outside',
     ),
     FieldInfo(
+        'domain.temperature', 'K', 'double', 1,
+        'of the fluid; thermal.rock_temperature without a temperature in the model',
+    ),
+    FieldInfo(
         'domain.corner_offset', '1', 'int32', 1,
         "first corner of each domain in domain.corners; the next domain's is its end",
     ),
@@ -151,6 +159,11 @@ class Discs(FieldGroup):
     def intact_bonds(self) -> Array:
         """[1] number of intact bonds; shape (n,)"""
         return self._simulation.field("disc.intact_bonds")
+
+    @property
+    def temperature(self) -> Array:
+        """[K] of the rock; thermal.rock_temperature without a temperature in the model; shape (n,)"""
+        return self._simulation.field("disc.temperature")
 
 
 class Bonds(FieldGroup):
@@ -228,6 +241,11 @@ class Domains(FieldGroup):
     def kind(self) -> Array:
         """[1] 0 rock, 1 well, 2 outside; shape (n,)"""
         return self._simulation.field("domain.kind")
+
+    @property
+    def temperature(self) -> Array:
+        """[K] of the fluid; thermal.rock_temperature without a temperature in the model; shape (n,)"""
+        return self._simulation.field("domain.temperature")
 
     @property
     def corner_offset(self) -> Array:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 Numbers = Union[Array, Sequence[Any]]
 
 
-def _flat(values: Any, name: str) -> Any:
+def flat(values: Any, name: str) -> Any:
     """Numbers of any nesting as a ctypes array, last index fastest."""
 
     def walk(item: Any) -> Any:
@@ -63,20 +63,33 @@ class Grid:
 
     def set_rim_pressure(self, pressure: Numbers) -> None:
         """From the next step on, pressure [Pa] beyond the model's edge, by cell."""
-        values = _flat(pressure, "pressure")
+        values = flat(pressure, "pressure")
         self._simulation._call("hfrac_set_rim_pressure", values, len(values))
 
     def set_cell_pressure(self, pressure: Numbers) -> Array:
         """At once, gives the rock's pores the host's pressure [Pa]. The fluid [m2] that each cell gave."""
-        values = _flat(pressure, "pressure")
+        values = flat(pressure, "pressure")
         added, address = _arrays.new_array("double", len(values), 1)
         self._simulation._call("hfrac_set_cell_pressure", values, len(values), address, len(values))
         return added.reshape(self.shape) if _arrays.numpy is not None else added
 
     def set_cell_stress(self, stress: Numbers) -> None:
         """From the next step on, stress [Pa] on top of the far field: xx, yy, xy of each cell, shape (ny, nx, 3)."""
-        values = _flat(stress, "stress")
+        values = flat(stress, "stress")
         self._simulation._call("hfrac_set_cell_stress", values, len(values))
+
+    def set_temperature(self, temperature: Numbers) -> None:
+        """Gives the discs of each cell the host's temperature [K]; the rock answers in the next step."""
+        values = flat(temperature, "temperature")
+        self._simulation._call("hfrac_set_cell_temperature", values, len(values))
+
+    @property
+    def temperature(self) -> Array:
+        """[K] of the rock, mean of the discs of each cell, shape (ny, nx)"""
+        count = ctypes.c_int64()
+        values, address = _arrays.new_array("double", self.nx * self.ny, 1)
+        self._simulation._call("hfrac_get_cell_temperature", address, self.nx * self.ny, ctypes.byref(count))
+        return values.reshape(self.shape) if _arrays.numpy is not None else values
 
     def write_grdecl(
         self,
@@ -115,9 +128,9 @@ def lay(
     if size is not None:
         struct.dx, struct.dy = size
     else:
-        flat = _flat(corners, "corners")
-        if len(flat) != 8 * nx * ny:
-            raise TypeError(f"corners has {len(flat)} numbers; {nx} x {ny} cells take {8 * nx * ny}")
-        struct.corners = ctypes.addressof(flat)
+        numbers = flat(corners, "corners")
+        if len(numbers) != 8 * nx * ny:
+            raise TypeError(f"corners has {len(numbers)} numbers; {nx} x {ny} cells take {8 * nx * ny}")
+        struct.corners = ctypes.addressof(numbers)
     simulation._call("hfrac_set_grid", ctypes.byref(struct))
     return Grid(simulation, nx, ny)

@@ -13,7 +13,7 @@ from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Pipes
 from ._library import call, load
 from ._open_step import OpenStep
 from ._progress import LogFunction, Progress, ProgressFunction
-from ._records import Balance, Crack, Fracture, SetupReport, SimState, SolverReport, StepLimits, WallState
+from ._records import Balance, Crack, Fracture, Heat, SetupReport, SimState, SolverReport, StepLimits, WallState
 from ._view import View
 from ._well import Well
 from .errors import BadHandleError, StoppedError, UnknownKeyError
@@ -192,6 +192,27 @@ class Simulation:
     def set_formation_pressure(self, pressure: float) -> None:
         """From the next step on, another pressure [Pa, absolute] in the pores outside the model."""
         self._call("hfrac_set_formation_pressure", pressure)
+
+    # Temperature, in kelvin
+
+    def set_temperature(self, temperature: float) -> None:
+        """Gives rock and fluid one temperature [K]; the rock answers in the next step."""
+        self._call("hfrac_set_temperature", temperature)
+
+    def set_disc_temperature(self, temperature: _grid.Numbers) -> None:
+        """Gives every disc its temperature [K], one value per disc. Needs thermal.mode "transport"."""
+        values = _grid.flat(temperature, "temperature")
+        self._call("hfrac_set_disc_temperature", values, len(values))
+
+    def hold_disc_temperature(self, held: Sequence[int]) -> None:
+        """Discs that keep their temperature whatever flows: one value per disc, not 0: held."""
+        values = (ctypes.c_int32 * len(held))(*(1 if value else 0 for value in held))
+        self._call("hfrac_hold_disc_temperature", values, len(values))
+
+    @property
+    def heat(self) -> Heat:
+        """The books of heat since the end of the set-up."""
+        return Heat.of(self._read("hfrac_get_heat", _abi.hfrac_heat))
 
     # A reservoir simulator's grid
 

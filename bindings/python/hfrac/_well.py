@@ -67,6 +67,17 @@ class Well:
             (ctypes.c_double * count)(*(value for _, _, value in rows)),
         )
 
+    @property
+    def temperature(self) -> float:
+        """[K] of the fluid in the well: as injected while it feeds the rock, else the mixture of what flows in"""
+        value = ctypes.c_double()
+        self._simulation._call("hfrac_well_get_temperature", self.index, ctypes.byref(value))
+        return value.value
+
+    def set_temperature(self, temperature: float) -> None:
+        """Injects at a temperature [K]. Needs thermal.mode "transport"."""
+        self._simulation._call("hfrac_well_set_temperature", self.index, temperature)
+
     def __repr__(self) -> str:
         s = self.state
         return (

@@ -285,6 +285,79 @@ typedef struct hfrac_sim_def {
   double fluid_consistency;
   /** [1] Index n of the power law; below 1 with fluid.consistency, 1 without. Default 1.0. */
   double fluid_power_index;
+  /** 0: off, 1: uniform, 2: transport. Temperature. off: none. uniform: one temperature that a host may
+   * change. transport: heat is conducted by the rock and carried by the fluid. Default 0. */
+  int64_t thermal_mode;
+  /** [K] Temperature of rock and fluid before injection; discs have their given radius at it (0 degrees C
+   * is 273.15 K). Default 523.15. */
+  double thermal_rock_temperature;
+  /** [K] Temperature of the fluid injected into wells; a host may set each well's own. Default 293.15. */
+  double thermal_fluid_temperature;
+  /** [W/(m K)] Thermal conductivity of the rock with its fluid. Default 2.8. */
+  double thermal_conductivity;
+  /** [J/(kg K)] Specific heat of the disc material. Default 900.0. */
+  double thermal_specific_heat;
+  /** [J/(kg K)] Specific heat of the fluid. Default 4200.0. */
+  double thermal_fluid_specific_heat;
+  /** [kg/m3] Density of the fluid, for the heat it carries. Default 1000.0. */
+  double thermal_fluid_density;
+  /** [W/(m2 K)] Heat transfer between the fluid and the faces of discs. 0: faces have the fluid's
+   * temperature. Default 0.0. */
+  double thermal_film_coefficient;
+  /** [1/K] Linear expansion of discs and bonds in the plane; for a rock in plane strain 1 + nu times the
+   * rock's own (thermal strain of Timoshenko and Goodier). 0: temperature strains nothing. Default 0.0. */
+  double thermal_expansion;
+  /** 0: insulated, 1: held. Outermost discs: no heat passes them, or they keep their temperature. Default
+   * 0. */
+  int64_t thermal_outer;
+  /** 0: constant, 1: table. constant: stiffness, strength and friction as given. table: multiplied by the
+   * factors below at each disc's temperature, linear in between; temperatures outside the table are
+   * refused. Default 0. */
+  int64_t thermal_parameters;
+  /** Rows of the table in use. Default 4. */
+  int64_t thermal_table_rows;
+  /** [K] Row 1 of the table (Table 3: 250 degrees C). Rows rise in temperature. Default 523.15. */
+  double thermal_temperature_1;
+  /** [K] Row 2 (Table 3: 300 degrees C). Default 573.15. */
+  double thermal_temperature_2;
+  /** [K] Row 3 (Table 3: 350 degrees C). Default 623.15. */
+  double thermal_temperature_3;
+  /** [K] Row 4 (Table 3: 400 degrees C). Default 673.15. */
+  double thermal_temperature_4;
+  /** [K] Row 5 (beyond Table 3; a row of your own). Default 773.15. */
+  double thermal_temperature_5;
+  /** [1] Factor on contact and bond stiffnesses at temperature_1 (Table 3: 11.20e9 N/m over 11.20e9; bonds
+   * follow the contacts by assumption). Default 1.0. */
+  double thermal_stiffness_1;
+  /** [1] At temperature_2 (Table 3: 8.98e9 over 11.20e9). Default 0.8017857142857143. */
+  double thermal_stiffness_2;
+  /** [1] At temperature_3 (Table 3: 7.21e9 over 11.20e9). Default 0.64375. */
+  double thermal_stiffness_3;
+  /** [1] At temperature_4 (Table 3: 5.78e9 over 11.20e9). Default 0.5160714285714286. */
+  double thermal_stiffness_4;
+  /** [1] At temperature_5. Default 0.5160714285714286. */
+  double thermal_stiffness_5;
+  /** [1] Factor on bond strengths at temperature_1. The paper gives no strength by temperature: any value
+   * but 1 is an assumption of yours. Default 1.0. */
+  double thermal_strength_1;
+  /** [1] At temperature_2. Default 1.0. */
+  double thermal_strength_2;
+  /** [1] At temperature_3. Default 1.0. */
+  double thermal_strength_3;
+  /** [1] At temperature_4. Default 1.0. */
+  double thermal_strength_4;
+  /** [1] At temperature_5. Default 1.0. */
+  double thermal_strength_5;
+  /** [1] Factor on contact.friction at temperature_1 (Table 3: 0.22 over 0.22). Default 1.0. */
+  double thermal_friction_1;
+  /** [1] At temperature_2 (Table 3: 0.22 over 0.22). Default 1.0. */
+  double thermal_friction_2;
+  /** [1] At temperature_3 (Table 3: 0.23 over 0.22). Default 1.0454545454545454. */
+  double thermal_friction_3;
+  /** [1] At temperature_4 (Table 3: 0.23 over 0.22). Default 1.0454545454545454. */
+  double thermal_friction_4;
+  /** [1] At temperature_5. Default 1.0454545454545454. */
+  double thermal_friction_5;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */

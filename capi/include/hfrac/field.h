@@ -28,6 +28,7 @@ extern "C" {
   X(HFRAC_DISC_VELOCITY, 4, "disc.velocity", "m/s", 0, 0, 2, "velocity (dynamic mode; scaled in substep mode)")    \
   X(HFRAC_DISC_STRESS, 5, "disc.stress", "Pa", 0, 0, 3, "xx, yy, xy averaged over the disc's cell, from bond, contact and wall forces; compression positive") \
   X(HFRAC_DISC_INTACT_BONDS, 6, "disc.intact_bonds", "1", 0, 1, 1, "number of intact bonds")                       \
+  X(HFRAC_DISC_TEMPERATURE, 7, "disc.temperature", "K", 0, 0, 1, "of the rock; thermal.rock_temperature without a temperature in the model") \
   X(HFRAC_BOND_DISCS, 20, "bond.discs", "1", 1, 1, 2, "indices of the two discs")                                  \
   X(HFRAC_BOND_STATE, 21, "bond.state", "1", 1, 1, 1, "0 intact, 1 broken in tension, 2 broken in shear")          \
   X(HFRAC_BOND_NORMAL_FORCE, 22, "bond.normal_force", "N", 1, 0, 1, "bond and contact together, per thickness, tension positive") \
@@ -41,6 +42,7 @@ extern "C" {
   X(HFRAC_DOMAIN_VOLUME, 61, "domain.volume", "m2", 3, 0, 1, "fluid volume now")                                   \
   X(HFRAC_DOMAIN_CENTRE, 62, "domain.centre", "m", 3, 0, 2, "centroid of the polygon of disc centres")             \
   X(HFRAC_DOMAIN_KIND, 63, "domain.kind", "1", 3, 1, 1, "0 rock, 1 well, 2 outside")                               \
+  X(HFRAC_DOMAIN_TEMPERATURE, 66, "domain.temperature", "K", 3, 0, 1, "of the fluid; thermal.rock_temperature without a temperature in the model") \
   X(HFRAC_DOMAIN_OFFSET, 64, "domain.corner_offset", "1", 3, 1, 1, "first corner of each domain in domain.corners; the next domain's is its end") \
   X(HFRAC_DOMAIN_CORNERS, 65, "domain.corners", "1", 4, 1, 1, "disc indices around each domain, anticlockwise (outside: clockwise)")
 

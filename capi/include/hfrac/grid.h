@@ -13,7 +13,8 @@
  *   hfrac_set_rim_pressure    what lies beyond the model's edge; fluid passes there as the pressures say (conservative)
  *   hfrac_set_cell_pressure   the rock's pores take the host's pressure; the fluid this takes is the host's to book
  *   hfrac_set_cell_stress     stress on top of the far field, as tractions on the model's edge
- * There is no temperature in the model; a host's thermal stress comes in as stress.
+ *   hfrac_set_cell_temperature  the rock's temperature, with thermal.mode "transport" (heat.h)
+ * Without a temperature in the model a host's thermal stress comes in as stress.
  *
  * Fluid books: injected + host = stored + leaked (hfrac_balance), to rounding, whatever the host does.
  */

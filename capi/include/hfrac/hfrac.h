@@ -10,6 +10,7 @@
 #include "def.h"
 #include "field.h"
 #include "grid.h"
+#include "heat.h"
 #include "lab.h"
 #include "sim.h"
 #include "state.h"

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solid/bond_shares.hpp"
+
+#include "options/options.hpp"
+#include "solid/assembly.hpp"
+
+namespace hfrac {
+
+void combine_shares(Assembly& a, const Options& o) {
+  const ThermalState& thermal = a.thermal;
+  if (thermal.empty() && a.strength_scale.empty() && a.joint_bond.empty()) return;
+  BondShares& shares = a.shares;
+  const std::size_t bonds = a.first.size();
+  for (auto* values : {&shares.growth, &shares.stiffness, &shares.tensile, &shares.shear, &shares.friction})
+    values->resize(bonds);
+  for (std::size_t e = 0; e < bonds; ++e) {
+    shares.growth[e] = thermal.empty() ? 0.0 : thermal.gap[e];
+    shares.stiffness[e] = thermal.empty() ? 1.0 : thermal.bond_stiffness[e];
+    const double strength = (thermal.empty() ? 1.0 : thermal.bond_strength[e]) *
+                            (a.strength_scale.empty() ? 1.0 : a.strength_scale[e]);
+    shares.tensile[e] = strength * (a.joint_tensile.empty() ? 1.0 : a.joint_tensile[e]);
+    shares.shear[e] = strength * (a.joint_shear.empty() ? 1.0 : a.joint_shear[e]);
+    shares.friction[e] = (a.joint_friction.empty() ? o.contact_friction : a.joint_friction[e]) *
+                         (thermal.empty() ? 1.0 : thermal.bond_friction[e]);
+  }
+}
+
+}  // namespace hfrac
