@@ -268,6 +268,7 @@ typedef struct hfrac_sim_def {
   double initial_youngs_modulus;
   /** [1] State seepage: drained Poisson's ratio of the continuum in plane strain. Default 0.24. */
   double initial_poissons_ratio;
+
   /** [Pa m^0.5] If positive, strengths follow from it and the size of the discs around each bond: sigma_c =
    * K_Ic / (coefficient sqrt(R)); bond.shear_strength keeps its ratio to bond.tensile_strength. 0:
    * strengths as given. Default 0.0. */
@@ -285,6 +286,7 @@ typedef struct hfrac_sim_def {
   double fluid_consistency;
   /** [1] Index n of the power law; below 1 with fluid.consistency, 1 without. Default 1.0. */
   double fluid_power_index;
+
   /** 0: off, 1: uniform, 2: transport. Temperature. off: none. uniform: one temperature that a host may
    * change. transport: heat is conducted by the rock and carried by the fluid. Default 0. */
   int64_t thermal_mode;
