@@ -345,6 +345,10 @@ module hfrac_c
     type(c_ptr) :: log_user = c_null_ptr
     !> enum hfrac_log_level, how much `log` hears. Default 3
     integer(c_int64_t) :: log_level = 0_c_int64_t
+    !> [s] Wall time between the checkpoints that hfrac resume goes on from; 0: none by time. Default 600.0.
+    real(c_double) :: output_checkpoint_every = 0.0_c_double
+    !> Steps between the checkpoints that hfrac resume goes on from; 0: none by steps. Default 0.
+    integer(c_int64_t) :: output_checkpoint_steps = 0_c_int64_t
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.

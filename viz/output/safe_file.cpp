@@ -20,7 +20,7 @@ namespace {
 class Descriptor {
  public:
   Descriptor(const std::filesystem::path& file, int flags)
-      : number_(::open(file.c_str(), flags | O_CLOEXEC, 0666)) {}
+      : number_(::open(file.c_str(), flags | O_CLOEXEC | O_NOFOLLOW, 0666)) {}
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   ~Descriptor() {
@@ -42,10 +42,17 @@ bool write_all(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
+    if (written == 0) errno = ENOSPC;  // a file system that takes nothing and names no reason
+    if (written <= 0) return false;
     bytes.remove_prefix(static_cast<size_t>(written));
   }
   return true;
+}
+
+/** The name of a new file is safe once its folder is synced. Some file systems cannot; the file is there all the same. */
+void sync_folder(const std::filesystem::path& folder) {
+  const Descriptor descriptor(folder.empty() ? "." : folder / "", O_RDONLY | O_DIRECTORY);
+  if (descriptor.is_open()) ::fsync(descriptor.number());
 }
 
 [[noreturn]] void fail(const char* action, const std::filesystem::path& file, int error) {
@@ -69,6 +76,7 @@ void write_whole(const std::filesystem::path& file, std::string_view bytes) {
     ::unlink(aside.c_str());
     fail("write", file, error);
   }
+  sync_folder(file.parent_path());
 }
 
 void append_whole(const std::filesystem::path& file, std::string_view lines) {
@@ -82,6 +90,18 @@ void append_whole(const std::filesystem::path& file, std::string_view lines) {
     fail("add to", file, error);
   }
   if (!descriptor.close()) fail("add to", file, errno);
+}
+
+void sync_file(const std::filesystem::path& file) {
+  Descriptor descriptor(file, O_WRONLY | O_APPEND);
+  if (!descriptor.is_open() || ::fsync(descriptor.number()) != 0 || !descriptor.close())
+    fail("sync", file, errno);
+}
+
+void make_real_folder(const std::filesystem::path& folder) {
+  if (::mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST) fail("make folder", folder, errno);
+  const Descriptor descriptor(folder, O_RDONLY | O_DIRECTORY);
+  if (!descriptor.is_open()) fail("use as a folder", folder, errno);
 }
 
 std::string read_whole(const std::filesystem::path& file) {

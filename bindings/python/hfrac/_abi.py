@@ -308,6 +308,8 @@ class hfrac_sim_def(ctypes.Structure):
         ("log", hfrac_log_fn),
         ("log_user", ctypes.c_void_p),
         ("log_level", ctypes.c_int64),
+        ("output_checkpoint_every", ctypes.c_double),
+        ("output_checkpoint_steps", ctypes.c_int64),
     ]
 
 

@@ -224,6 +224,11 @@ typedef struct hfrac_sim_def {
   hfrac_log_fn log;           /**< told what happens while the simulation is built; may be NULL. Later: hfrac_set_log */
   void *log_user;             /**< handed to `log` */
   int64_t log_level;          /**< enum hfrac_log_level, how much `log` hears. Default 3 */
+
+  /** [s] Wall time between the checkpoints that hfrac resume goes on from; 0: none by time. Default 600.0. */
+  double output_checkpoint_every;
+  /** Steps between the checkpoints that hfrac resume goes on from; 0: none by steps. Default 0. */
+  int64_t output_checkpoint_steps;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */
