@@ -27,6 +27,7 @@ void RunFolder::open(hfrac_sim* sim) {
   write_whole(folder_ / "case.toml", case_text(definition_of(sim)));
   write_whole(folder_ / "history.csv", history_header(wells_of(sim).size()) + history_row(sim));
   snapshot(sim);
+  begun_ = true;
 }
 
 void RunFolder::go_on_from(hfrac_sim* sim, const Checkpoint& checkpoint) {
@@ -45,6 +46,7 @@ void RunFolder::go_on_from(hfrac_sim* sim, const Checkpoint& checkpoint) {
   const SnapshotFrame frame(sim);
   write_whole(folder_ / "cracks.csv", crack_table(frame.cracks));
   write_summary(frame);
+  begun_ = true;
 }
 
 // A kill inside a write may have left part of a line at the end.
@@ -98,6 +100,7 @@ void RunFolder::finish(hfrac_sim* sim, const std::string& why_ended) {
 }
 
 void RunFolder::finish_failed(hfrac_sim* sim, const std::string& why) noexcept {
+  if (!begun_) return;
   try {
     finish(sim, "failed: " + why);
   } catch (...) {
@@ -106,6 +109,7 @@ void RunFolder::finish_failed(hfrac_sim* sim, const std::string& why) noexcept {
 }
 
 void RunFolder::note_failure(hfrac_sim* sim, const std::string& why) noexcept {
+  if (!begun_) return;
   try {
     course_.ended = "failed: " + why;
     write_summary(SnapshotFrame(sim));

@@ -47,7 +47,7 @@ class RunFolder {
   /** The engine failed: writes the state it still has, that before the step, and why. Never throws. */
   void finish_failed(hfrac_sim* sim, const std::string& why) noexcept;
 
-  /** A file could not be written: notes why in the summary, if that can be written. Never throws. */
+  /** A file could not be written: notes why in the summary, if that can be written and the run had begun. Never throws. */
   void note_failure(hfrac_sim* sim, const std::string& why) noexcept;
 
   int64_t snapshots() const { return course_.snapshots; }
@@ -66,6 +66,8 @@ class RunFolder {
   std::vector<SnapshotEntry> snapshots_;
   double earlier_seconds_ = 0.0;  ///< [s] wall time before this process took over
   int64_t last_checkpoint_step_ = -1;
+  bool begun_ =
+      false;  ///< all that the start consists of is there; before, no summary may say there is a run
 };
 
 }  // namespace hfrac::output

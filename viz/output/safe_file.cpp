@@ -10,8 +10,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 
 namespace hfrac::output {
 namespace {
@@ -19,8 +17,8 @@ namespace {
 /** An open file that closes itself; close() reports, the destructor does not. */
 class Descriptor {
  public:
-  Descriptor(const std::filesystem::path& file, int flags)
-      : number_(::open(file.c_str(), flags | O_CLOEXEC | O_NOFOLLOW, 0666)) {}
+  Descriptor(const std::filesystem::path& file, int flags, bool follow_link = false)
+      : number_(::open(file.c_str(), flags | O_CLOEXEC | (follow_link ? 0 : O_NOFOLLOW), 0666)) {}
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   ~Descriptor() {
@@ -49,14 +47,16 @@ bool write_all(int descriptor, std::string_view bytes) {
   return true;
 }
 
-/** The name of a new file is safe once its folder is synced. Some file systems cannot; the file is there all the same. */
-void sync_folder(const std::filesystem::path& folder) {
-  const Descriptor descriptor(folder.empty() ? "." : folder / "", O_RDONLY | O_DIRECTORY);
-  if (descriptor.is_open()) ::fsync(descriptor.number());
-}
-
 [[noreturn]] void fail(const char* action, const std::filesystem::path& file, int error) {
   throw FileError(fmt::format("cannot {} '{}': {}", action, file.string(), std::strerror(error)));
+}
+
+/** The name of a new file is safe once its folder is synced. File systems that cannot do that say so; a disk that fails
+ * is no such case. */
+void sync_folder(const std::filesystem::path& folder) {
+  const Descriptor descriptor(folder.empty() ? "." : folder / "", O_RDONLY | O_DIRECTORY);
+  if (descriptor.is_open() && ::fsync(descriptor.number()) != 0 && (errno == EIO || errno == ENOSPC))
+    fail("sync", folder, errno);
 }
 
 }  // namespace
@@ -105,10 +105,16 @@ void make_real_folder(const std::filesystem::path& folder) {
 }
 
 std::string read_whole(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream content;
-  if (!stream || !(content << stream.rdbuf())) fail("read", file, errno);
-  return content.str();
+  const Descriptor descriptor(file, O_RDONLY, true);
+  if (!descriptor.is_open()) fail("read", file, errno);
+  std::string content;
+  for (char part[65536];;) {
+    const ssize_t got = ::read(descriptor.number(), part, sizeof part);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail("read", file, errno);
+    if (got == 0) return content;
+    content.append(part, static_cast<size_t>(got));
+  }
 }
 
 }  // namespace hfrac::output
