@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <string>
+#include <system_error>
 
 #include "core/error.hpp"
 
@@ -26,11 +28,25 @@ void wait_while(const std::atomic<Number>& number, Number old) {
 }  // namespace
 
 Workers::Workers(int count) : count_(std::max(1, count)), process_(::getpid()) {
-  threads_.reserve(static_cast<std::size_t>(count_ - 1));
-  for (int worker = 1; worker < count_; ++worker) threads_.emplace_back([this, worker] { loop(worker); });
+  try {
+    threads_.reserve(static_cast<std::size_t>(count_ - 1));
+    for (int worker = 1; worker < count_; ++worker) threads_.emplace_back([this, worker] { loop(worker); });
+  } catch (const std::system_error&) {  // the system gives no more threads
+    const std::size_t started = threads_.size() + 1;
+    end_threads();
+    throw Error(ErrorKind::memory, "only " + std::to_string(started) + " of " + std::to_string(count_) +
+                                       " workers could be started; lower run.workers.");
+  } catch (...) {
+    end_threads();
+    throw;
+  }
 }
 
 Workers::~Workers() {
+  end_threads();
+}
+
+void Workers::end_threads() {
   {
     const std::lock_guard lock(mutex_);
     stop_ = true;

@@ -47,6 +47,7 @@ class Workers {
 
  private:
   void loop(int worker);
+  void end_threads();
 
   [[nodiscard]] bool forked() const;
 

@@ -46,7 +46,9 @@ void Simulation::visit_state(Archive& archive, Self& s) {
     ar.value(well.place.centre.y);
     ar.value(well.place.equivalent_radius);
     ar.value(well.place.domain);
+    ar.require(well.place.domain > 0 && well.place.domain < n.domain_count());
     ar.value(well.control);
+    ar.require(well.control >= WellControl::pressure && well.control <= WellControl::rate);
     for (auto* value : {&well.target_pressure, &well.ramp_per_step, &well.set_rate, &well.rate,
                         &well.injected, &well.content, &well.taken})
       ar.value(*value);
@@ -62,16 +64,20 @@ void Simulation::visit_state(Archive& archive, Self& s) {
     }
     for (auto* values : {&n.pressure, &n.content, &n.stiffness}) ar.value((*values)[well.place.domain]);
   });
-  archive.list(s.cracks_, [](auto& ar, auto& crack) {
+  archive.require(s.wells_.size() == s.definition_.wells.size());
+  archive.list(s.cracks_, [&a](auto& ar, auto& crack) {
     ar.value(crack.bond);
+    ar.require(crack.bond >= 0 && crack.bond < a.bond_count());
     ar.value(crack.step);
     ar.value(crack.cycle);
     for (auto* value : {&crack.time, &crack.normal_force, &crack.shear_force, &crack.energy})
       ar.value(*value);
     ar.value(crack.mode);
+    ar.require(crack.mode == CrackMode::tension || crack.mode == CrackMode::shear);
   });
   // A model without temperature has the image, and the hash, that it had before there was any.
   if (s.heat_) HeatState::visit(archive, s.heat_->state);
+  archive.require(s.solver_->loose_contacts().fits(a.disc_count()));
 }
 
 template <class Archive, class Self>

@@ -137,6 +137,7 @@ class Boundary {
       ar.value(force.x);
       ar.value(force.y);
     });
+    archive.require(s.host_.size() == s.weight_.size());
   }
 
   bool walled_, wet_, servo_ = true;

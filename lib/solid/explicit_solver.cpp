@@ -2,8 +2,11 @@
 #include "solid/explicit_solver.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <new>
+#include <string>
 
 #include "core/error.hpp"
 #include "options/choices.hpp"
@@ -233,6 +236,16 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
   arrays_.stiffness = network_.stiffness.data();
   arrays_.undrained = undrained_ ? 1 : 0;
   const auto domain_blocks = arrays_.with_pressure != 0 ? plan_.domain_blocks : 0;
+  // A worker that finds no memory for its cracks may not leave the others waiting: it goes on to the end of the batch, and
+  // then the step fails.
+  std::atomic<bool> no_memory{false};
+  const auto watched = [&no_memory](auto&& part) {
+    try {
+      part();
+    } catch (const std::bad_alloc&) {
+      no_memory = true;
+    }
+  };
   const std::function<void(int)> task = [&](int worker) {
     const auto w = static_cast<std::size_t>(worker);
     double* scratch = scratch_[w].data();
@@ -240,7 +253,9 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
                domains = workers_.part(worker, domain_blocks, 1),
                tiles = workers_.part(worker, arrays_.tile_count, 1);
     for (std::int64_t cycle = total_cycles_; cycle < total_cycles_ + cycles; ++cycle) {
-      for (auto block = bonds.first; block < bonds.last; ++block) take_cross_block(block, cycle, found[w]);
+      watched([&] {
+        for (auto block = bonds.first; block < bonds.last; ++block) take_cross_block(block, cycle, found[w]);
+      });
       for (auto block = domains.first; block < domains.last; ++block) kernels_.cross_domains(arrays_, block);
       if (worker == 0 && boundary_.reacts()) {
         boundary_.cycle(assembly_, arrays_.step, options_.stepping_safety, arrays_.damping);
@@ -248,11 +263,14 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
       if (worker == 0 && !loose_.empty())
         loose_.cycle(assembly_, boundary_, arrays_.step, energies_.friction);
       workers_.barrier();
-      for (auto tile = tiles.first; tile < tiles.last; ++tile) take_tile(tile, cycle, scratch, found[w]);
+      watched([&] {
+        for (auto tile = tiles.first; tile < tiles.last; ++tile) take_tile(tile, cycle, scratch, found[w]);
+      });
       workers_.barrier();
     }
   };
   workers_.run(task);
+  if (no_memory) throw std::bad_alloc();
   total_cycles_ += cycles;
 }
 
@@ -264,11 +282,28 @@ double ExplicitSolver::force_ratio() const {
   const double least = 1e-12 * arrays_.contact_normal * assembly_.mean_radius;
   const double ratio = std::max(unbalanced / std::max(contact, least), boundary_.wall_imbalance());
   if (!std::isfinite(unbalanced) || !std::isfinite(contact)) {
-    throw Error(ErrorKind::diverged,
-                "a force is no longer a finite number after cycle " + std::to_string(total_cycles_) +
-                    " (eq. 11); lower stepping.safety, or check stiffnesses and stresses");
+    throw Error(ErrorKind::diverged, "a force is no longer a finite number after cycle " +
+                                         std::to_string(total_cycles_) + first_not_finite() +
+                                         "; lower stepping.safety, or check stiffnesses and stresses");
   }
   return ratio;
+}
+
+// Where to look, and by which equation it moves. Of several the one with the lowest number: by now its neighbours are off too.
+std::string ExplicitSolver::first_not_finite() const {
+  const auto& a = assembly_;
+  for (std::int64_t i = 0; i < a.disc_count(); ++i) {
+    for (const double v : {a.ux[i], a.uy[i], a.rotation[i], a.vx[i], a.vy[i], a.spin[i]}) {
+      if (std::isfinite(v)) continue;
+      return ", at disc " + std::to_string(i) + " near (" + std::to_string(a.x[i]) + ", " +
+             std::to_string(a.y[i]) + ") m (eq. 11)";
+    }
+  }
+  for (std::int64_t d = 0; d < network_.domain_count(); ++d) {
+    if (!std::isfinite(network_.pressure[d]))
+      return ", at the pressure of domain " + std::to_string(d) + " (eq. 8)";
+  }
+  return " (eq. 11)";
 }
 
 ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, CrackLog& log,

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "core/workers.hpp"
@@ -109,6 +110,7 @@ class ExplicitSolver {
   void stiffness(std::vector<double>& row_x, std::vector<double>& row_y,
                  std::vector<double>& row_rotation) const;
   [[nodiscard]] double force_ratio() const;
+  [[nodiscard]] std::string first_not_finite() const;
   void bind_arrays();
 
   Assembly& assembly_;

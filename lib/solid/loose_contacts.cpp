@@ -149,6 +149,20 @@ void LooseContacts::add_stiffness(const Assembly& a, std::vector<double>& row_x,
   }
 }
 
+bool LooseContacts::fits(std::int64_t discs) const {
+  const auto ascending = [discs](const std::vector<std::int32_t>& list) {
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      if (list[k] < 0 || list[k] >= discs || (k > 0 && list[k] <= list[k - 1])) return false;
+    }
+    return true;
+  };
+  for (const auto& pair : pairs_) {
+    if (pair.first < 0 || pair.second <= pair.first || pair.second >= discs) return false;
+  }
+  return ascending(discs_) && ascending(cracked_) && searched_x_.size() == cracked_.size() &&
+         searched_y_.size() == cracked_.size();
+}
+
 double LooseContacts::energy(const Assembly& a) const {
   double sum = 0.0;
   for (const auto& pair : pairs_) {

@@ -47,6 +47,8 @@ class LooseContacts {
   [[nodiscard]] bool empty() const { return pairs_.empty(); }
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
   [[nodiscard]] double energy(const Assembly& assembly) const;  // J/m, stored now
+  // Whether lists that were read can be those of so many discs: in range, in order, of matching lengths.
+  [[nodiscard]] bool fits(std::int64_t discs) const;
 
   template <class Archive>
   void visit_state(Archive& archive) {

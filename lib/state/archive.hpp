@@ -40,6 +40,7 @@ class Counter {
     size_ += sizeof(std::int64_t);
     for (const auto& element : values) item(*this, element);
   }
+  void require(bool /*sound*/) const {}
   [[nodiscard]] std::size_t size() const { return size_; }
   static constexpr bool loading = false;
 
@@ -81,6 +82,7 @@ class Saver {
     value(static_cast<std::int64_t>(values.size()));
     for (const auto& element : values) item(*this, element);
   }
+  void require(bool /*sound*/) const {}
   static constexpr bool loading = false;
 
  private:
@@ -99,7 +101,18 @@ class Loader {
   template <class Value>
   void value(Value& v) {
     static_assert(std::is_arithmetic_v<Value> || std::is_enum_v<Value>);
-    take(&v, sizeof v);
+    if constexpr (std::is_same_v<Value, bool>) {
+      unsigned char byte = 0;
+      take(&byte, 1);
+      require(byte <= 1);
+      v = byte == 1;
+    } else {
+      take(&v, sizeof v);
+    }
+  }
+  // What a number read must fulfil to be used as an index. A checksum protects against accidents, not against intent.
+  void require(bool sound) const {
+    if (!sound) refuse();
   }
   template <class Values>
   void array(Values& values) {
@@ -171,6 +184,7 @@ class Hasher {
     value(static_cast<std::int64_t>(values.size()));
     for (const auto& element : values) item(*this, element);
   }
+  void require(bool /*sound*/) const {}
   [[nodiscard]] std::uint64_t result() const { return hash_.value(); }
   static constexpr bool loading = false;
 

@@ -6,6 +6,7 @@
 
 #include "command/commands.hpp"
 #include "command/summary_text.hpp"
+#include "output/checkpoint.hpp"
 #include "output/safe_file.hpp"
 
 namespace hfrac::command {
@@ -18,6 +19,9 @@ ExitCode inform(const std::filesystem::path& folder) {
   try {
     const auto summary = nlohmann::json::parse(output::read_whole(file));
     fmt::print("{}\n{}", folder.string(), summary_text(summary));
+    if (const auto steps = output::CheckpointFolder(folder).steps(); !steps.empty())
+      fmt::print("  {:18} after step {}\n", steps.size() == 1 ? "checkpoint" : "checkpoints",
+                 steps.size() == 1 ? fmt::to_string(steps[0]) : fmt::format("{} and {}", steps[1], steps[0]));
     const auto& versions = summary.at("versions");
     fmt::print("  {:18} {}, VTK {}\n", "made by", versions.at("build").get<std::string>(),
                versions.at("vtk").get<std::string>());

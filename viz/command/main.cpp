@@ -29,6 +29,7 @@ int run_program(int argument_count, char** arguments) {
   program.require_subcommand(1);
   Action action;
   add_run(program, action);
+  add_resume(program, action);
   add_check(program, action);
   add_info(program, action);
   add_options(program, action);

@@ -10,7 +10,6 @@
 #include "output/safe_file.hpp"
 
 namespace hfrac::command {
-namespace {
 
 void print_result(const std::filesystem::path& folder, bool complete) {
   const auto summary = nlohmann::json::parse(output::read_whole(folder / "summary.json"));
@@ -23,6 +22,8 @@ void print_result(const std::filesystem::path& folder, bool complete) {
   fmt::print("  {:18} hfrac render {}\n", "pictures", folder.string());
 #endif
 }
+
+namespace {
 
 ExitCode run(const RunRequest& request) {
   const auto code = carry_out(request);
@@ -55,6 +56,16 @@ void add_run(CLI::App& program, Action& action) {
       ->check(CLI::NonNegativeNumber);
   command->add_option("--workers", request->workers, "Worker threads; results do not depend on it")
       ->check(CLI::Range(1, 256));
+  command
+      ->add_option("--checkpoint-every", request->checkpoint_every,
+                   "Seconds of wall time between checkpoints, for hfrac resume; 0: none by time")
+      ->check(CLI::Range(0.0, 1e9))
+      ->type_name("SECONDS");
+  command
+      ->add_option("--checkpoint-steps", request->checkpoint_steps,
+                   "Steps between checkpoints; 0: none by steps")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("STEPS");
   command->add_flag("--overwrite", request->overwrite, "Remove the files of an earlier run in DIR first");
 #ifdef HFRAC_WITH_RENDERER
   command->add_flag("--movie", request->movie, "Draw DIR/pictures/movie.mp4 while the run goes on");

@@ -5,38 +5,20 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-#include <cmath>
-#include <memory>
-#include <optional>
 #include <vector>
 
 #include "command/case_file.hpp"
 #include "command/interrupt.hpp"
 #include "command/progress_line.hpp"
-#include "command/step_loop.hpp"
+#include "command/run_to_end.hpp"
 #include "output/disc_file.hpp"
 #include "output/host_cells.hpp"
 #include "output/known_files.hpp"
 #include "output/run_folder.hpp"
 #include "output/safe_file.hpp"
-#ifdef HFRAC_WITH_RENDERER
-#include "command/movie_thread.hpp"
-#endif
 
 namespace hfrac::command {
 namespace {
-
-struct DestroySimulation {
-  void operator()(hfrac_sim* sim) const { hfrac_sim_destroy(&sim); }
-};
-using Simulation = std::unique_ptr<hfrac_sim, DestroySimulation>;
-
-int32_t show_setup(void* line, double fraction, const char* what) {
-  static_cast<ProgressLine*>(line)->show(
-      fmt::format("set-up {:3.0f} %  {}", fraction * 100.0, what ? what : ""));
-  return interrupted() ? 1 : 0;
-}
 
 void refuse_earlier_run(const RunRequest& request) {
   if (request.overwrite) return;
@@ -46,35 +28,6 @@ void refuse_earlier_run(const RunRequest& request) {
         "'{}' already holds {} file(s) of a run, e.g. {}; choose another folder or say --overwrite",
         request.folder.string(), files.size(), files.front().filename().string()));
 }
-
-/** Builds the model; no simulation if the user interrupted. */
-Simulation build(hfrac_sim_def definition, ProgressLine& line) {
-  definition.progress = show_setup;
-  definition.progress_user = &line;
-  hfrac_sim* sim = nullptr;
-  const int32_t status = hfrac_sim_create(&definition, &sim);
-  Simulation simulation(sim);
-  line.end();
-  if (status == HFRAC_STOPPED) return nullptr;
-  if (status == HFRAC_ERR_MODEL || status == HFRAC_ERR_ARGUMENT)
-    throw BadInput(output::error_text(status, nullptr));
-  output::require(status, nullptr);
-  return simulation;
-}
-
-void report_failure(const output::RunFolder& folder, const std::string& why) {
-  fmt::print(stderr, "hfrac: the run failed: {}\n", why);
-  fmt::print(stderr, "hfrac: {} complete snapshot(s) in '{}' stay readable\n", folder.snapshots(),
-             folder.path().string());
-}
-
-#ifdef HFRAC_WITH_RENDERER
-/** A run without its movie is still a good run. */
-void report_movie(const std::string& failure) {
-  if (!failure.empty())
-    fmt::print(stderr, "hfrac: the run is complete, but there is no movie: {}\n", failure);
-}
-#endif
 
 }  // namespace
 
@@ -86,13 +39,16 @@ ExitCode carry_out(const RunRequest& request) {
     throw BadInput(error.what());
   }
   auto definition = load_case(request.case_file, request.workers, discs);
+  if (request.checkpoint_every >= 0.0) definition.output_checkpoint_every = request.checkpoint_every;
+  if (request.checkpoint_steps >= 0) definition.output_checkpoint_steps = request.checkpoint_steps;
   refuse_earlier_run(request);
   output::FolderClaim claim(request.folder);
   catch_interrupts();
 
   ProgressLine line(request.quiet);
-  output::RunFolder folder(request.folder);
-  const auto sim = build(definition, line);
+  const output::RunTerms terms{request.steps, request.grid, request.movie};
+  output::RunFolder folder(request.folder, terms);
+  const auto sim = build_model(definition, line);
   if (!sim) {
     fmt::print(stderr, "hfrac: interrupted during the set-up; nothing was written\n");
     return kInterrupted;
@@ -106,36 +62,13 @@ ExitCode carry_out(const RunRequest& request) {
   definition.given_discs = nullptr;  // the model has its own copy
   definition.given_disc_count = 0;
 
-  try {
-    folder.open(sim.get());
-    claim.keep();
+  return run_to_end(sim.get(), folder, definition, terms, line, [&] {
+    // First the discs, without which the case alone would make another model.
     if (!discs.empty()) output::write_whole(request.folder / "given_discs.csv", output::discs_as_csv(discs));
     discs = {};
-#ifdef HFRAC_WITH_RENDERER
-    std::optional<MovieThread> movie;
-    if (request.movie) movie.emplace(request.folder);
-#endif
-    const auto why = take_steps(sim.get(), folder, definition, request.steps, line);
-    if (!request.grid.empty()) output::write_cells(sim.get(), std::llround(request.grid[0]), request.folder);
-    folder.finish(sim.get(), why.text);
-    line.end();
-#ifdef HFRAC_WITH_RENDERER
-    if (movie) report_movie(movie->finish());
-#endif
-    if (!why.interrupted) return kGood;
-    fmt::print(stderr, "hfrac: interrupted; everything up to the last whole step is in '{}'\n",
-               request.folder.string());
-    return kInterrupted;
-  } catch (const output::FileError& error) {
-    line.end();
-    folder.note_failure(sim.get(), error.what());
-    report_failure(folder, error.what());
-  } catch (const output::EngineError& error) {
-    line.end();
-    folder.finish_failed(sim.get(), error.what());
-    report_failure(folder, error.what());
-  }
-  return kRunFailed;
+    folder.open(sim.get());
+    claim.keep();
+  });
 }
 
 }  // namespace hfrac::command

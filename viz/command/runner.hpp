@@ -19,6 +19,8 @@ struct RunRequest {
   std::vector<double> grid;         ///< of a reservoir simulator (output/host_cells.hpp); empty: none
   int64_t steps = -1;               ///< steps to take; -1: as the case says
   int64_t workers = 0;              ///< 0: as the case says
+  double checkpoint_every = -1.0;   ///< [s] of wall time; -1: as the case says
+  int64_t checkpoint_steps = -1;    ///< -1: as the case says
   bool overwrite = false;
   bool quiet = false;
   bool movie = false;  ///< draw it while the run goes on
@@ -26,5 +28,8 @@ struct RunRequest {
 
 /** Runs it. Failures that leave something readable are told here; others are thrown. */
 ExitCode carry_out(const RunRequest& request);
+
+/** The short table of a run's result; if it is complete, also what is in the folder and what to do with it. */
+void print_result(const std::filesystem::path& folder, bool complete);
 
 }  // namespace hfrac::command

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <stdexcept>
 
 #include "command/interrupt.hpp"
 
@@ -32,14 +33,15 @@ Limits limits_of(const hfrac_sim_def& definition, int64_t steps) {
 /** The progress line, made from the state after the last step. */
 class StepReport {
  public:
-  StepReport(ProgressLine& line, Limits limits) : line_(line), limits_(limits), start_(Clock::now()) {}
+  StepReport(ProgressLine& line, Limits limits, const hfrac_sim_state& from)
+      : line_(line), limits_(limits), start_(Clock::now()), from_step_(from.step), from_time_(from.time) {}
 
   void after_step(hfrac_sim* sim) {
     const auto state = output::state_of(sim);
     const auto wells = output::wells_of(sim);
     step_start_ = Clock::now();
     const double elapsed = seconds_since(start_);
-    const double speed = elapsed > 0.0 ? static_cast<double>(state.step) / elapsed : 0.0;
+    const double speed = elapsed > 0.0 ? static_cast<double>(state.step - from_step_) / elapsed : 0.0;
     text_ = limits_.steps == kForever ? fmt::format("step {}", state.step)
                                       : fmt::format("step {}/{}", state.step, limits_.steps);
     text_ += fmt::format("  {:.6g} s  {} cracks", state.time, state.crack_count);
@@ -65,9 +67,9 @@ class StepReport {
   }
 
   double seconds_left(const hfrac_sim_state& state, double elapsed) const {
-    const double done = limits_.steps == kForever
-                            ? state.time / limits_.time
-                            : static_cast<double>(state.step) / static_cast<double>(limits_.steps);
+    const double done = limits_.steps == kForever ? (state.time - from_time_) / (limits_.time - from_time_)
+                                                  : static_cast<double>(state.step - from_step_) /
+                                                        static_cast<double>(limits_.steps - from_step_);
     return done > 0.0 ? elapsed * (1.0 - done) / done : 0.0;
   }
 
@@ -75,6 +77,8 @@ class StepReport {
   Limits limits_;
   Clock::time_point start_;
   Clock::time_point step_start_ = start_;
+  int64_t from_step_;  ///< where this process took over
+  double from_time_;   ///< [s]
   std::string text_ = "first step";
 };
 
@@ -82,6 +86,32 @@ int32_t while_stepping(void* report, double, const char*) {
   static_cast<StepReport*>(report)->within_step();
   return interrupted() ? 1 : 0;
 }
+
+/** When a checkpoint is due: so many seconds or so many steps after the last one, whichever comes first. */
+class CheckpointClock {
+ public:
+  CheckpointClock(const hfrac_sim_def& definition, int64_t step)
+      : seconds_(definition.output_checkpoint_every),
+        steps_(definition.output_checkpoint_steps),
+        last_step_(step),
+        last_time_(Clock::now()) {}
+
+  bool due(int64_t step) {
+    const std::chrono::duration<double> passed = Clock::now() - last_time_;
+    if ((seconds_ <= 0.0 || passed.count() < seconds_) && (steps_ <= 0 || step - last_step_ < steps_))
+      return false;
+    last_step_ = step;
+    last_time_ = Clock::now();
+    return true;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double seconds_;
+  int64_t steps_;
+  int64_t last_step_;
+  Clock::time_point last_time_;
+};
 
 /** Takes the callback out again however the loop is left. */
 class Callback {
@@ -99,13 +129,23 @@ class Callback {
 
 }  // namespace
 
+void save_checkpoint(hfrac_sim* sim, output::RunFolder& folder, ProgressLine& line) {
+  try {
+    folder.checkpoint(sim);
+  } catch (const std::runtime_error& error) {
+    line.end();
+    fmt::print(stderr, "hfrac: no checkpoint, the earlier ones stand: {}\n", error.what());
+  }
+}
+
 EndOfRun take_steps(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_def& definition, int64_t steps,
                     ProgressLine& line) {
   const auto limits = limits_of(definition, steps);
-  StepReport report(line, limits);
+  auto state = output::state_of(sim);
+  StepReport report(line, limits, state);
   const Callback callback(sim, report);
-
-  for (auto state = output::state_of(sim);;) {
+  CheckpointClock checkpoint(definition, state.step);
+  for (;;) {
     if (interrupted()) return {"interrupted", true};
     if (state.stop_reason == HFRAC_REASON_EXTENT)
       return {
@@ -122,6 +162,7 @@ EndOfRun take_steps(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_d
     if (state.step == before) return {"interrupted", true};
     folder.record_step(sim);
     if (state.step / definition.output_every != before / definition.output_every) folder.snapshot(sim);
+    if (checkpoint.due(state.step)) save_checkpoint(sim, folder, line);
     report.after_step(sim);
   }
 }

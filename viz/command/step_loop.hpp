@@ -17,7 +17,11 @@ struct EndOfRun {
   bool interrupted = false;
 };
 
-/** Steps `sim` to the end of the run and writes into `folder` on the way. `steps` >= 0 replaces the case's
+/** Writes a checkpoint. If that fails, the run goes on: it says so and nothing else is lost. */
+void save_checkpoint(hfrac_sim* sim, output::RunFolder& folder, ProgressLine& line);
+
+/** Steps `sim` to the end of the run and writes into `folder` on the way, checkpoints as
+ * the definition says included. `steps` >= 0 replaces the case's
  * length. */
 EndOfRun take_steps(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_def& definition, int64_t steps,
                     ProgressLine& line);

@@ -73,6 +73,14 @@ int64_t state_hash_of(const hfrac_sim* sim) {
   return hash;
 }
 
+std::string state_image(const hfrac_sim* sim) {
+  int64_t size = 0;
+  require(hfrac_state_size(sim, &size), sim);
+  std::string image(static_cast<size_t>(size), '\0');
+  require(hfrac_state_save(sim, image.data(), size, &size), sim);
+  return image;
+}
+
 std::vector<hfrac_well_state> wells_of(const hfrac_sim* sim) {
   int32_t count = 0;
   require(hfrac_well_count(sim, &count), sim);

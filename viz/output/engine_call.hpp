@@ -56,6 +56,8 @@ hfrac_setup_report setup_of(const hfrac_sim* sim);
 hfrac_balance balance_of(const hfrac_sim* sim);
 hfrac_solver_report solver_of(const hfrac_sim* sim);
 int64_t state_hash_of(const hfrac_sim* sim);
+/** The state as bytes that hfrac_state_restore takes. */
+std::string state_image(const hfrac_sim* sim);
 std::vector<hfrac_well_state> wells_of(const hfrac_sim* sim);
 
 /** The whole crack log; find the fractures first, so that each crack knows its own. */

@@ -2,10 +2,15 @@
 // Names are matched as a whole; anything else in the folder is left alone.
 #include "output/known_files.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <regex>
+#include <string>
 
 #include "output/safe_file.hpp"
 
@@ -32,6 +37,7 @@ std::vector<fs::path> files_of_a_run(const fs::path& folder) {
       R"((figure3|growth|growth_[1-5]|pressure|aperture|views)\.png|(history|rose|profile|events)\.(png|svg|pdf)|movie\.mp4)");
   std::vector<fs::path> files;
   collect(folder, data, files);
+  collect(folder / "checkpoints", std::regex(R"(\.?step_[0-9]{5,}\.checkpoint(\.tmp)?)"), files);
   collect(folder / "pictures", pictures, files);
   collect(folder / "pictures" / ".movie.mp4.pieces", std::regex(R"([0-9]+\.piece)"), files);
   std::sort(files.begin(), files.end());
@@ -40,6 +46,22 @@ std::vector<fs::path> files_of_a_run(const fs::path& folder) {
 
 void remove_files_of_a_run(const fs::path& folder) {
   for (const auto& file : files_of_a_run(folder)) {
+    std::error_code error;
+    fs::remove(file, error);
+    if (error) throw FileError(fmt::format("cannot remove '{}': {}", file.string(), error.message()));
+  }
+}
+
+void remove_later_files(const fs::path& folder, const std::vector<int64_t>& kept) {
+  static const std::regex snapshot(R"((?:discs|bonds|cracks|flow)_([0-9]{5,})\.vtu)"),
+      of_the_end(R"((fractures|cells)\.csv|(permeability|multipliers)\.grdecl|\..*\.tmp)");
+  for (const auto& file : files_of_a_run(folder)) {
+    const std::string name = file.filename().string();
+    std::smatch match;
+    const bool is_snapshot = std::regex_match(name, match, snapshot);
+    if (is_snapshot ? std::find(kept.begin(), kept.end(), std::stoll(match[1])) != kept.end()
+                    : !std::regex_match(name, of_the_end))
+      continue;
     std::error_code error;
     fs::remove(file, error);
     if (error) throw FileError(fmt::format("cannot remove '{}': {}", file.string(), error.message()));
@@ -59,9 +81,19 @@ FolderClaim::FolderClaim(const fs::path& folder) {
   const auto probe = folder / ".hfrac_probe";
   write_whole(probe, "");
   fs::remove(probe, error);
+  lock(folder);
+}
+
+// A lock on the folder itself leaves nothing behind. Where a file system knows no locks, there is none.
+void FolderClaim::lock(const fs::path& folder) {
+  lock_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ < 0 || ::flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  ::close(lock_);
+  throw FileError(fmt::format("another process is writing a run into '{}'", folder.string()));
 }
 
 FolderClaim::~FolderClaim() {
+  if (lock_ >= 0) ::close(lock_);
   std::error_code ignored;
   for (const auto& path : made_) fs::remove(path, ignored);  // removes a folder only if it is empty
 }

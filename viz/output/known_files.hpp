@@ -3,6 +3,7 @@
 // stranger's file.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <vector>
 
@@ -15,8 +16,12 @@ std::vector<std::filesystem::path> files_of_a_run(const std::filesystem::path& f
 /** Removes them. Throws FileError if one cannot be removed. */
 void remove_files_of_a_run(const std::filesystem::path& folder);
 
-/** Makes sure that `folder` exists and can be written to, before hours are spent; takes it back if not kept.
- */
+/** Removes snapshots of steps other than `kept` and what is only written at the end of a run: what a run that goes on
+ * from an earlier moment will write anew. Throws FileError. */
+void remove_later_files(const std::filesystem::path& folder, const std::vector<int64_t>& kept);
+
+/** Makes sure that `folder` exists and can be written to, before hours are spent, and that no other process writes a
+ * run into it meanwhile; takes it back if not kept. */
 class FolderClaim {
  public:
   explicit FolderClaim(const std::filesystem::path& folder);
@@ -26,6 +31,9 @@ class FolderClaim {
   void keep() { made_.clear(); }
 
  private:
+  void lock(const std::filesystem::path& folder);
+
+  int lock_ = -1;  ///< the folder, open and locked; the system frees it if we are killed
   std::vector<std::filesystem::path> made_;  ///< folders that did not exist before, the innermost first
 };
 

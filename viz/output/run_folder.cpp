@@ -3,25 +3,81 @@
 // summary.
 #include "output/run_folder.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
+#include "output/known_files.hpp"
 #include "output/safe_file.hpp"
 #include "output/tables.hpp"
 
 namespace hfrac::output {
 
-RunFolder::RunFolder(std::filesystem::path folder)
+RunFolder::RunFolder(std::filesystem::path folder, RunTerms terms)
     : folder_(std::move(folder)),
       start_(std::chrono::steady_clock::now()),
       discs_(folder_, "discs"),
       bonds_(folder_, "bonds"),
       cracks_(folder_, "cracks"),
-      flow_(folder_, "flow") {}
+      flow_(folder_, "flow") {
+  course_.terms = std::move(terms);
+}
 
 void RunFolder::open(hfrac_sim* sim) {
   write_whole(folder_ / "case.toml", case_text(definition_of(sim)));
   write_whole(folder_ / "history.csv", history_header(wells_of(sim).size()) + history_row(sim));
   snapshot(sim);
+  begun_ = true;
+}
+
+void RunFolder::go_on_from(hfrac_sim* sim, const Checkpoint& checkpoint) {
+  snapshots_ = checkpoint.snapshots;
+  std::vector<int64_t> steps;
+  for (const auto& entry : snapshots_) steps.push_back(entry.step);
+  // First the lists, so that none names what is taken away.
+  for (auto* series : {&discs_, &bonds_, &cracks_, &flow_}) series->go_on_from(snapshots_);
+  remove_later_files(folder_, steps);
+  cut_history(checkpoint.step);
+  CheckpointFolder(folder_).remove_after(checkpoint.step);
+  course_.snapshots = static_cast<int64_t>(snapshots_.size());
+  course_.steps_not_at_rest = checkpoint.steps_not_at_rest;
+  earlier_seconds_ = checkpoint.wall_seconds;
+  last_checkpoint_step_ = checkpoint.step;
+  const SnapshotFrame frame(sim);
+  write_whole(folder_ / "cracks.csv", crack_table(frame.cracks));
+  write_summary(frame);
+  begun_ = true;
+}
+
+// A kill inside a write may have left part of a line at the end.
+void RunFolder::cut_history(int64_t step) const {
+  const auto file = folder_ / "history.csv";
+  std::string text = read_whole(file);
+  size_t end = text.find('\n');
+  for (int64_t row = 0; row <= step && end != std::string::npos; ++row) {
+    const std::string begin = std::to_string(row) + ",";
+    if (text.compare(end + 1, begin.size(), begin) != 0) break;
+    end = text.find('\n', end + 1);
+    if (row < step || end == std::string::npos) continue;
+    text.resize(end + 1);
+    write_whole(file, text);
+    return;
+  }
+  throw FileError(fmt::format("'{}' lacks lines of steps 0 to {}, so the run cannot go on where it was",
+                              file.string(), step));
+}
+
+void RunFolder::checkpoint(hfrac_sim* sim) {
+  Checkpoint checkpoint;
+  checkpoint.step = state_of(sim).step;
+  if (checkpoint.step == last_checkpoint_step_) return;
+  checkpoint.snapshots = snapshots_;
+  checkpoint.steps_not_at_rest = course_.steps_not_at_rest;
+  checkpoint.wall_seconds = wall_seconds();
+  checkpoint.image = state_image(sim);
+  sync_file(folder_ / "history.csv");  // a checkpoint never is ahead of what it stands on
+  CheckpointFolder(folder_).write(checkpoint);
+  last_checkpoint_step_ = checkpoint.step;
 }
 
 void RunFolder::record_step(hfrac_sim* sim) {
@@ -44,6 +100,7 @@ void RunFolder::finish(hfrac_sim* sim, const std::string& why_ended) {
 }
 
 void RunFolder::finish_failed(hfrac_sim* sim, const std::string& why) noexcept {
+  if (!begun_) return;
   try {
     finish(sim, "failed: " + why);
   } catch (...) {
@@ -52,6 +109,7 @@ void RunFolder::finish_failed(hfrac_sim* sim, const std::string& why) noexcept {
 }
 
 void RunFolder::note_failure(hfrac_sim* sim, const std::string& why) noexcept {
+  if (!begun_) return;
   try {
     course_.ended = "failed: " + why;
     write_summary(SnapshotFrame(sim));
@@ -61,20 +119,24 @@ void RunFolder::note_failure(hfrac_sim* sim, const std::string& why) noexcept {
 
 void RunFolder::write_series(const SnapshotFrame& frame) {
   const int64_t step = frame.state.step;
-  if (step == last_snapshot_step_) return;
+  if (!snapshots_.empty() && step == snapshots_.back().step) return;
   const double time = frame.state.time;
   discs_.add(step, time, disc_vtu(frame));
   bonds_.add(step, time, bond_vtu(frame));
   flow_.add(step, time, flow_vtu(frame));
   cracks_.add(step, time, crack_vtu(frame));
   write_whole(folder_ / "cracks.csv", crack_table(frame.cracks));
-  last_snapshot_step_ = step;
+  snapshots_.push_back({step, time});
   ++course_.snapshots;
 }
 
-void RunFolder::write_summary(const SnapshotFrame& frame) {
+double RunFolder::wall_seconds() const {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-  course_.wall_seconds = elapsed.count();
+  return earlier_seconds_ + elapsed.count();
+}
+
+void RunFolder::write_summary(const SnapshotFrame& frame) {
+  course_.wall_seconds = wall_seconds();
   write_whole(folder_ / "summary.json", make_summary(frame, course_).dump(2) + "\n");
 }
 

@@ -6,12 +6,15 @@
 //   discs, bonds, cracks, flow: one NAME_STEP.vtu per snapshot and NAME.pvd, the series for ParaView
 //   history.csv      one line per step          cracks.csv      the crack log at the last snapshot
 //   fractures.csv    the fractures at the end   summary.json    everything in short
+//   checkpoints      what hfrac resume goes on from (checkpoint.hpp)
 #pragma once
 
 #include <chrono>
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "output/checkpoint.hpp"
 #include "output/series_file.hpp"
 #include "output/summary.hpp"
 
@@ -20,10 +23,17 @@ namespace hfrac::output {
 class RunFolder {
  public:
   /** Starts the clock; touches nothing. */
-  explicit RunFolder(std::filesystem::path folder);
+  explicit RunFolder(std::filesystem::path folder, RunTerms terms = {});
 
   /** Writes the case, the head of the history and the snapshot at the start. */
   void open(hfrac_sim* sim);
+
+  /** Instead of open(): goes on from a checkpoint that `sim` was restored from. What is in the folder of later steps is
+   * taken away. Throws FileError, also if something of an earlier step is not there. */
+  void go_on_from(hfrac_sim* sim, const Checkpoint& checkpoint);
+
+  /** Writes a checkpoint of now; call it after whole steps only. Throws FileError or EngineError. */
+  void checkpoint(hfrac_sim* sim);
 
   /** Adds the line of the step just taken to the history. */
   void record_step(hfrac_sim* sim);
@@ -37,7 +47,7 @@ class RunFolder {
   /** The engine failed: writes the state it still has, that before the step, and why. Never throws. */
   void finish_failed(hfrac_sim* sim, const std::string& why) noexcept;
 
-  /** A file could not be written: notes why in the summary, if that can be written. Never throws. */
+  /** A file could not be written: notes why in the summary, if that can be written and the run had begun. Never throws. */
   void note_failure(hfrac_sim* sim, const std::string& why) noexcept;
 
   int64_t snapshots() const { return course_.snapshots; }
@@ -46,12 +56,18 @@ class RunFolder {
  private:
   void write_series(const SnapshotFrame& frame);
   void write_summary(const SnapshotFrame& frame);
+  double wall_seconds() const;
+  void cut_history(int64_t step) const;
 
   std::filesystem::path folder_;
   std::chrono::steady_clock::time_point start_;
   SeriesFile discs_, bonds_, cracks_, flow_;
   RunCourse course_;
-  int64_t last_snapshot_step_ = -1;
+  std::vector<SnapshotEntry> snapshots_;
+  double earlier_seconds_ = 0.0;  ///< [s] wall time before this process took over
+  int64_t last_checkpoint_step_ = -1;
+  bool begun_ =
+      false;  ///< all that the start consists of is there; before, no summary may say there is a run
 };
 
 }  // namespace hfrac::output

@@ -10,8 +10,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 
 namespace hfrac::output {
 namespace {
@@ -19,8 +17,8 @@ namespace {
 /** An open file that closes itself; close() reports, the destructor does not. */
 class Descriptor {
  public:
-  Descriptor(const std::filesystem::path& file, int flags)
-      : number_(::open(file.c_str(), flags | O_CLOEXEC, 0666)) {}
+  Descriptor(const std::filesystem::path& file, int flags, bool follow_link = false)
+      : number_(::open(file.c_str(), flags | O_CLOEXEC | (follow_link ? 0 : O_NOFOLLOW), 0666)) {}
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   ~Descriptor() {
@@ -42,7 +40,8 @@ bool write_all(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
+    if (written == 0) errno = ENOSPC;  // a file system that takes nothing and names no reason
+    if (written <= 0) return false;
     bytes.remove_prefix(static_cast<size_t>(written));
   }
   return true;
@@ -50,6 +49,14 @@ bool write_all(int descriptor, std::string_view bytes) {
 
 [[noreturn]] void fail(const char* action, const std::filesystem::path& file, int error) {
   throw FileError(fmt::format("cannot {} '{}': {}", action, file.string(), std::strerror(error)));
+}
+
+/** The name of a new file is safe once its folder is synced. File systems that cannot do that say so; a disk that fails
+ * is no such case. */
+void sync_folder(const std::filesystem::path& folder) {
+  const Descriptor descriptor(folder.empty() ? "." : folder / "", O_RDONLY | O_DIRECTORY);
+  if (descriptor.is_open() && ::fsync(descriptor.number()) != 0 && (errno == EIO || errno == ENOSPC))
+    fail("sync", folder, errno);
 }
 
 }  // namespace
@@ -69,6 +76,7 @@ void write_whole(const std::filesystem::path& file, std::string_view bytes) {
     ::unlink(aside.c_str());
     fail("write", file, error);
   }
+  sync_folder(file.parent_path());
 }
 
 void append_whole(const std::filesystem::path& file, std::string_view lines) {
@@ -84,11 +92,29 @@ void append_whole(const std::filesystem::path& file, std::string_view lines) {
   if (!descriptor.close()) fail("add to", file, errno);
 }
 
+void sync_file(const std::filesystem::path& file) {
+  Descriptor descriptor(file, O_WRONLY | O_APPEND);
+  if (!descriptor.is_open() || ::fsync(descriptor.number()) != 0 || !descriptor.close())
+    fail("sync", file, errno);
+}
+
+void make_real_folder(const std::filesystem::path& folder) {
+  if (::mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST) fail("make folder", folder, errno);
+  const Descriptor descriptor(folder, O_RDONLY | O_DIRECTORY);
+  if (!descriptor.is_open()) fail("use as a folder", folder, errno);
+}
+
 std::string read_whole(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream content;
-  if (!stream || !(content << stream.rdbuf())) fail("read", file, errno);
-  return content.str();
+  const Descriptor descriptor(file, O_RDONLY, true);
+  if (!descriptor.is_open()) fail("read", file, errno);
+  std::string content;
+  for (char part[65536];;) {
+    const ssize_t got = ::read(descriptor.number(), part, sizeof part);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail("read", file, errno);
+    if (got == 0) return content;
+    content.append(part, static_cast<size_t>(got));
+  }
 }
 
 }  // namespace hfrac::output

@@ -14,7 +14,7 @@ SeriesFile::SeriesFile(std::filesystem::path folder, std::string name)
     : folder_(std::move(folder)), name_(std::move(name)) {}
 
 void SeriesFile::add(int64_t step, double time, const std::string& vtu) {
-  const std::string file = fmt::format("{}_{:05}.vtu", name_, step);
+  const std::string file = file_of(step);
   write_whole(folder_ / file, vtu);
   entries_.push_back({time, file});
   try {
@@ -23,6 +23,21 @@ void SeriesFile::add(int64_t step, double time, const std::string& vtu) {
     entries_.pop_back();
     throw;
   }
+}
+
+void SeriesFile::go_on_from(const std::vector<SnapshotEntry>& entries) {
+  entries_.clear();
+  for (const auto& entry : entries) {
+    const auto path = folder_ / file_of(entry.step);
+    if (!std::filesystem::is_regular_file(path))
+      throw FileError(fmt::format("'{}' is missing, so the run cannot go on where it was", path.string()));
+    entries_.push_back({entry.time, file_of(entry.step)});
+  }
+  write_whole(folder_ / (name_ + ".pvd"), list());
+}
+
+std::string SeriesFile::file_of(int64_t step) const {
+  return fmt::format("{}_{:05}.vtu", name_, step);
 }
 
 std::string SeriesFile::list() const {

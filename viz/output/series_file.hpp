@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "output/checkpoint.hpp"
+
 namespace hfrac::output {
 
 class SeriesFile {
@@ -17,6 +19,9 @@ class SeriesFile {
    * file that is not there, so ParaView may read it while the run goes on. */
   void add(int64_t step, double time, const std::string& vtu);
 
+  /** Goes on behind `entries`: replaces the list by theirs. Throws FileError if a file of theirs is not there. */
+  void go_on_from(const std::vector<SnapshotEntry>& entries);
+
   size_t size() const { return entries_.size(); }
 
  private:
@@ -24,6 +29,7 @@ class SeriesFile {
     double time;
     std::string file;
   };
+  std::string file_of(int64_t step) const;
   std::string list() const;
 
   std::filesystem::path folder_;

@@ -96,6 +96,12 @@ json planned_part(const hfrac_sim_def& definition) {
 
 }  // namespace
 
+RunTerms terms_of(const nlohmann::json& summary) {
+  const auto& request = summary.at("request");
+  return {request.at("steps").get<int64_t>(), request.at("grid").get<std::vector<double>>(),
+          request.at("movie").get<bool>()};
+}
+
 json make_summary(const SnapshotFrame& frame, const RunCourse& course) {
   const auto definition = definition_of(frame.sim);
   const auto longest = measure(frame.fractures);
@@ -109,6 +115,8 @@ json make_summary(const SnapshotFrame& frame, const RunCourse& course) {
   summary["wall_seconds"] = course.wall_seconds;
   summary["snapshots"] = course.snapshots;
   summary["steps_not_at_rest"] = course.steps_not_at_rest;
+  summary["request"] = {
+      {"steps", course.terms.steps}, {"grid", course.terms.grid}, {"movie", course.terms.movie}};
   summary["planned"] = planned_part(definition);
   summary["model"] = {{"width_m", definition.model_width}, {"height_m", definition.model_height}};
   summary["wells"] = json::array();

@@ -4,10 +4,18 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "output/snapshot_grids.hpp"
 
 namespace hfrac::output {
+
+/** What was asked for beside the case file; hfrac resume goes by it. */
+struct RunTerms {
+  int64_t steps = -1;        ///< steps to take; -1: as the case says
+  std::vector<double> grid;  ///< of a reservoir simulator (host_cells.hpp); empty: none
+  bool movie = false;        ///< drawn while the run goes on
+};
 
 /** How the run itself went, beside what the engine knows. */
 struct RunCourse {
@@ -15,7 +23,11 @@ struct RunCourse {
   double wall_seconds = 0.0;      ///< since the start of set-up
   int64_t snapshots = 0;          ///< complete ones
   int64_t steps_not_at_rest = 0;  ///< steps whose mechanics did not reach stepping.force_ratio
+  RunTerms terms;
 };
+
+/** The terms in a summary. Throws nlohmann::json::exception if there are none. */
+RunTerms terms_of(const nlohmann::json& summary);
 
 nlohmann::ordered_json make_summary(const SnapshotFrame& frame, const RunCourse& course);
 

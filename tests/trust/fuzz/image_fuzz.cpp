@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// State images that nobody saved: as they come, and real ones with changed bytes under a checksum that is right again, so that
+// what lies behind it is reached. Refused and nothing changed, or restored; then a step ends with a status, and going back
+// to the real image gives the real state.
+//
+// Input: first byte 0: the rest is an image. Otherwise it chooses the simulation, and the rest are changes of five bytes
+// each: place (3), kind and size (1), value (1).
+#include <hfrac/hfrac.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/hash.hpp"
+
+namespace {
+
+void demand(bool good) {
+  if (!good) std::abort();
+}
+
+struct Model {
+  hfrac_sim* sim = nullptr;
+  std::vector<std::uint8_t> image;
+  int64_t hash = 0;
+};
+
+int64_t hash_of(hfrac_sim* sim) {
+  int64_t hash = 0;
+  demand(hfrac_state_hash(sim, &hash) == HFRAC_OK);
+  return hash;
+}
+
+Model build(int64_t kind) {
+  hfrac_sim_def def;
+  demand(hfrac_sim_def_init(&def, sizeof def) == HFRAC_OK);
+  def.packing_disc_count = 60;
+  def.packing_residual = 1e-2;
+  def.model_reading = 1;
+  def.boundary_kind = kind == 1 ? 0 : 1;
+  def.stress_sigma_H = def.stress_sigma_h = kind == 1 ? 1e6 : 0.0;
+  def.stepping_max_cycles = 60;
+  def.stepping_flow_step = 1e-2;
+  def.solver_kind = kind == 2 ? 1 : 0;
+  def.well_count = 1;
+  def.wells[0].x = def.wells[0].y = 50.0;
+  def.wells[0].radius = 20.0;
+  def.wells[0].pressure = 80e6;
+  Model model;
+  demand(hfrac_sim_create(&def, &model.sim) == HFRAC_OK);
+  hfrac_step(model.sim, 2);
+  int64_t size = 0;
+  demand(hfrac_state_size(model.sim, &size) == HFRAC_OK);
+  model.image.resize(static_cast<std::size_t>(size));
+  demand(hfrac_state_save(model.sim, model.image.data(), size, &size) == HFRAC_OK);
+  model.hash = hash_of(model.sim);
+  return model;
+}
+
+constexpr std::size_t head = 40;  // magic 8, format 4, byte order 4, model 8, size 8, checksum 8
+
+// As lib/couple/state.cpp makes it.
+void seal(std::vector<std::uint8_t>& image) {
+  if (image.size() < head) return;
+  std::array<std::uint64_t, 5> words{};
+  std::memcpy(words.data(), image.data(), head);
+  hfrac::Hash hash;
+  hash.add(words[2]);
+  hash.add(words[3]);
+  std::uint32_t format = 0, byte_order = 0;
+  std::memcpy(&format, image.data() + 8, 4);
+  std::memcpy(&byte_order, image.data() + 12, 4);
+  hash.add((static_cast<std::uint64_t>(format) << 32U) | byte_order);
+  std::size_t k = head;
+  for (; k + 8 <= image.size(); k += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, image.data() + k, 8);
+    hash.add(word);
+  }
+  for (; k < image.size(); ++k) hash.add(static_cast<std::uint64_t>(image[k]));
+  const std::uint64_t sum = hash.value();
+  std::memcpy(image.data() + 32, &sum, 8);
+}
+
+void change(std::vector<std::uint8_t>& image, const std::uint8_t* edit) {
+  const std::size_t place = (edit[0] | (edit[1] << 8U) | (edit[2] << 16U)) % image.size();
+  const std::size_t room = image.size() - place;
+  const std::uint8_t value = edit[4];
+  const auto put = [&](auto number) {
+    std::memcpy(image.data() + place, &number, std::min(room, sizeof number));
+  };
+  switch (edit[3] % 6) {
+    case 0:
+      image[place] = value;
+      break;
+    case 1:
+      put(static_cast<std::int32_t>(static_cast<std::int8_t>(value)));
+      break;
+    case 2:
+      put(static_cast<std::int64_t>(static_cast<std::int8_t>(value)) << (value & 56U));
+      break;
+    case 3:
+      put(std::array{std::nan(""), std::numeric_limits<double>::infinity(), 1e300, -1e300, 0.0}[value % 5]);
+      break;
+    case 4:
+      put(std::ldexp(1.0, value - 128));
+      break;
+    default:
+      image.resize(std::max<std::size_t>(head, image.size() - value));
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const std::array<Model, 3> models = {build(0), build(1), build(2)};
+  if (size < 1) return 0;
+  const Model& model = models[data[0] % models.size()];
+  std::vector<std::uint8_t> image;
+  if (data[0] == 0) {
+    image.assign(data + 1, data + size);
+  } else {
+    image = model.image;
+    for (std::size_t k = 1; k + 5 <= size && k < 200; k += 5) change(image, data + k);
+    const std::uint64_t state = image.size() - head;
+    std::memcpy(image.data() + 24, &state, 8);
+    seal(image);
+  }
+  const int32_t status = hfrac_state_restore(model.sim, image.data(), static_cast<int64_t>(image.size()));
+  if (status < 0) {
+    demand(status == HFRAC_ERR_ARGUMENT);
+    demand(hash_of(model.sim) == model.hash);
+    return 0;
+  }
+  hfrac_step(model.sim, 1);
+  int64_t count = 0;
+  hfrac_fractures(model.sim, sizeof(hfrac_fracture), nullptr, 0, &count);
+  hfrac_balance balance{};
+  balance.struct_size = sizeof balance;
+  hfrac_get_balance(model.sim, &balance);
+  demand(hfrac_state_restore(model.sim, model.image.data(), static_cast<int64_t>(model.image.size())) ==
+         HFRAC_OK);
+  demand(hash_of(model.sim) == model.hash);
+  return 0;
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The cases whose results are promised bit for bit, and the number that stands for all of a result.
+#pragma once
+
+#include <hfrac/hfrac.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace golden {
+
+struct Case {
+  std::string name;
+  hfrac_sim_def def;
+  int64_t steps;
+};
+
+/** Both solvers, all stepping modes, all ways of the flow, both boundaries; each breaks bonds, but for the dry one. */
+std::vector<Case> cases();
+
+/** Builds and steps a case with so many workers and folds what a host can read of the end - places, bonds, pressures,
+ * apertures, cracks, balances - into one number. Throws std::runtime_error if a call fails. */
+std::uint64_t fingerprint(const Case& which, int64_t workers);
+
+}  // namespace golden

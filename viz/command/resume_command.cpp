@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// hfrac resume: goes on with a run that was killed, interrupted or failed, as if nothing had happened.
+//
+// The model is built anew from the folder's case.toml, which gives the same one bit for bit; the state comes from the newest
+// checkpoint that is whole; what the folder holds of later steps is taken away. Without a checkpoint the run starts from
+// its beginning again. All that is known to be needed is looked at before anything in the folder is changed.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "command/case_file.hpp"
+#include "command/commands.hpp"
+#include "command/interrupt.hpp"
+#include "command/run_to_end.hpp"
+#include "command/runner.hpp"
+#include "output/disc_file.hpp"
+#include "output/host_cells.hpp"
+#include "output/known_files.hpp"
+#include "output/safe_file.hpp"
+
+namespace hfrac::command {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ResumeRequest {
+  fs::path folder;
+  int64_t steps = -1;   ///< steps in all; -1: as the run was asked for
+  int64_t workers = 0;  ///< 0: as the run was asked for
+  bool quiet = false;
+};
+
+nlohmann::json summary_in(const fs::path& folder) {
+  const auto file = folder / "summary.json";
+  if (!fs::exists(file)) {
+    throw BadInput(
+        fmt::format("'{}' holds no run that had begun: there is no summary.json in it; start it with hfrac "
+                    "run",
+                    folder.string()));
+  }
+  try {
+    return nlohmann::json::parse(output::read_whole(file));
+  } catch (const nlohmann::json::exception& error) {
+    throw BadInput(fmt::format("'{}' is not a summary that hfrac wrote: {}", file.string(), error.what()));
+  }
+}
+
+/** Whether the run came to its end by itself. */
+bool is_complete(const std::string& ended) {
+  return ended != "running" && ended != "interrupted" && !ended.starts_with("failed");
+}
+
+void restore(hfrac_sim* sim, const output::Checkpoint& checkpoint, const fs::path& folder) {
+  const int32_t status =
+      hfrac_state_restore(sim, checkpoint.image.data(), static_cast<int64_t>(checkpoint.image.size()));
+  if (status == HFRAC_ERR_ARGUMENT) {
+    throw BadInput(fmt::format("the checkpoint after step {} does not belong to '{}': {}", checkpoint.step,
+                               (folder / "case.toml").string(), output::error_text(status, sim)));
+  }
+  output::require(status, sim);
+}
+
+ExitCode go_on(const ResumeRequest& request) {
+  const fs::path& folder = request.folder;
+  std::string ended;
+  output::RunTerms terms;
+  const auto summary = summary_in(folder);
+  try {
+    ended = summary.at("ended").get<std::string>();
+    terms = output::terms_of(summary);
+  } catch (const nlohmann::json::exception&) {
+    throw BadInput(
+        fmt::format("'{}' does not say what the run was asked for: it is of an older hfrac, or was changed",
+                    (folder / "summary.json").string()));
+  }
+  if (is_complete(ended) && request.steps < 0) {
+    if (!request.quiet) fmt::print("{}: the run is complete ({}); nothing to do\n", folder.string(), ended);
+    return kGood;
+  }
+  if (request.steps >= 0) terms.steps = request.steps;
+
+  std::vector<double> discs;
+  try {
+    if (fs::exists(folder / "given_discs.csv")) discs = output::read_discs(folder / "given_discs.csv");
+  } catch (const output::DiscFileError& error) {
+    throw BadInput(error.what());
+  }
+  auto definition = load_case((folder / "case.toml").string(), request.workers, discs);
+  const output::FolderClaim claim(folder);
+  catch_interrupts();
+  std::vector<std::string> damaged;
+  const auto checkpoint = output::CheckpointFolder(folder).newest(damaged);
+  for (const auto& text : damaged) fmt::print(stderr, "hfrac: {}\n", text);
+  if (!checkpoint && !request.quiet) fmt::print("no checkpoint: the run starts from its beginning again\n");
+  if (checkpoint && terms.steps >= 0 && checkpoint->step > terms.steps) {
+    throw BadInput(
+        fmt::format("--steps {} lies before the checkpoint after step {}; take the steps with hfrac run",
+                    terms.steps, checkpoint->step));
+  }
+
+  ProgressLine line(request.quiet);
+  output::RunFolder run(folder, terms);
+  const auto sim = build_model(definition, line);
+  if (!sim) {
+    fmt::print(stderr, "hfrac: interrupted during the set-up; nothing was changed\n");
+    return kInterrupted;
+  }
+  if (!terms.grid.empty()) output::lay_grid(sim.get(), terms.grid);
+  if (checkpoint) restore(sim.get(), *checkpoint, folder);
+  definition.given_discs = nullptr;  // the model has its own copy
+  definition.given_disc_count = 0;
+  const auto code = run_to_end(sim.get(), run, definition, terms, line, [&] {
+    if (checkpoint) {
+      run.go_on_from(sim.get(), *checkpoint);
+    } else {
+      run.open(sim.get());
+      output::remove_later_files(folder, {0});
+    }
+  });
+  if (!request.quiet) print_result(folder, code != kRunFailed);
+  return code;
+}
+
+}  // namespace
+
+void add_resume(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("resume", "Go on with a run that was killed, interrupted or failed");
+  auto request = std::make_shared<ResumeRequest>();
+  command->add_option("DIR", request->folder, "Run folder")->required();
+  command->add_option("--steps", request->steps, "Go on to this step, also beyond the end of a complete run")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--workers", request->workers, "Worker threads; results do not depend on it")
+      ->check(CLI::Range(1, 256));
+  command->add_flag("-q,--quiet", request->quiet, "Print nothing unless something goes wrong");
+  command->callback([request, &action] { action = [request] { return go_on(*request); }; });
+}
+
+}  // namespace hfrac::command

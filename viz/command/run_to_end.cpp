@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command/run_to_end.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "command/interrupt.hpp"
+#include "command/step_loop.hpp"
+#include "output/host_cells.hpp"
+#include "output/safe_file.hpp"
+#ifdef HFRAC_WITH_RENDERER
+#include "command/movie_thread.hpp"
+#endif
+
+namespace hfrac::command {
+namespace {
+
+int32_t show_setup(void* line, double fraction, const char* what) {
+  static_cast<ProgressLine*>(line)->show(
+      fmt::format("set-up {:3.0f} %  {}", fraction * 100.0, what ? what : ""));
+  return interrupted() ? 1 : 0;
+}
+
+ExitCode report_failure(const output::RunFolder& folder, const std::string& why) {
+  fmt::print(stderr, "hfrac: the run failed: {}\n", why);
+  fmt::print(stderr, "hfrac: {} complete snapshot(s) in '{}' stay readable\n", folder.snapshots(),
+             folder.path().string());
+  return kRunFailed;
+}
+
+#ifdef HFRAC_WITH_RENDERER
+/** A run without its movie is still a good run. */
+void report_movie(const std::string& failure) {
+  if (!failure.empty())
+    fmt::print(stderr, "hfrac: the run is complete, but there is no movie: {}\n", failure);
+}
+#endif
+
+ExitCode take_steps_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_def& definition,
+                           const output::RunTerms& terms, ProgressLine& line) {
+#ifdef HFRAC_WITH_RENDERER
+  std::optional<MovieThread> movie;
+  if (terms.movie) movie.emplace(folder.path());
+#endif
+  const auto why = take_steps(sim, folder, definition, terms.steps, line);
+  // Before the snapshot of the interruption, which an uninterrupted run would not have.
+  if (why.interrupted) save_checkpoint(sim, folder, line);
+  if (!terms.grid.empty()) output::write_cells(sim, std::llround(terms.grid[0]), folder.path());
+  folder.finish(sim, why.text);
+  line.end();
+#ifdef HFRAC_WITH_RENDERER
+  if (movie) report_movie(movie->finish());
+#endif
+  if (!why.interrupted) return kGood;
+  fmt::print(stderr,
+             "hfrac: interrupted; everything up to the last whole step is in '{0}'; hfrac resume {0}\n",
+             folder.path().string());
+  return kInterrupted;
+}
+
+}  // namespace
+
+Simulation build_model(hfrac_sim_def definition, ProgressLine& line) {
+  definition.progress = show_setup;
+  definition.progress_user = &line;
+  hfrac_sim* sim = nullptr;
+  const int32_t status = hfrac_sim_create(&definition, &sim);
+  Simulation simulation(sim);
+  line.end();
+  if (status == HFRAC_STOPPED) return nullptr;
+  if (status == HFRAC_ERR_MODEL || status == HFRAC_ERR_ARGUMENT)
+    throw BadInput(output::error_text(status, nullptr));
+  output::require(status, nullptr);
+  return simulation;
+}
+
+ExitCode run_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_def& definition,
+                    const output::RunTerms& terms, ProgressLine& line, const std::function<void()>& begin) {
+  try {
+    begin();
+    return take_steps_to_end(sim, folder, definition, terms, line);
+  } catch (const output::FileError& error) {
+    line.end();
+    folder.note_failure(sim, error.what());
+    return report_failure(folder, error.what());
+  } catch (const output::EngineError& error) {
+    line.end();
+    save_checkpoint(sim, folder, line);  // the engine is back at its last good step
+    folder.finish_failed(sim, error.what());
+    return report_failure(folder, error.what());
+  }
+}
+
+}  // namespace hfrac::command

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From a model in a folder that is opened, or taken up again, to the end of its run: what `hfrac run` and `hfrac resume` have
+// in common.
+#pragma once
+
+#include <hfrac/hfrac.h>
+
+#include <functional>
+#include <memory>
+
+#include "command/exit_code.hpp"
+#include "command/progress_line.hpp"
+#include "output/run_folder.hpp"
+
+namespace hfrac::command {
+
+struct DestroySimulation {
+  void operator()(hfrac_sim* sim) const { hfrac_sim_destroy(&sim); }
+};
+using Simulation = std::unique_ptr<hfrac_sim, DestroySimulation>;
+
+/** Builds the model; no simulation if the user interrupted. Throws BadInput or EngineError. */
+Simulation build_model(hfrac_sim_def definition, ProgressLine& line);
+
+/** Brings the folder to where `sim` is (`begin`), takes the steps, writes what there is to write, draws the movie if the
+ * terms say so, and tells how it went. */
+ExitCode run_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_def& definition,
+                    const output::RunTerms& terms, ProgressLine& line, const std::function<void()>& begin);
+
+}  // namespace hfrac::command
