@@ -111,7 +111,7 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_DISC_INTACT_BONDS = 6
   !> indices of the two discs
   integer(c_int32_t), parameter :: HFRAC_BOND_DISCS = 20
-  !> 0 intact, 1 broken in tension, 2 broken in shear
+  !> 0 intact, 1 broken in tension, 2 broken in shear, 3 never bonded
   integer(c_int32_t), parameter :: HFRAC_BOND_STATE = 21
   !> bond and contact together, per thickness, tension positive
   integer(c_int32_t), parameter :: HFRAC_BOND_NORMAL_FORCE = 22
@@ -345,6 +345,12 @@ module hfrac_c
     type(c_ptr) :: log_user = c_null_ptr
     !> enum hfrac_log_level, how much `log` hears. Default 3
     integer(c_int64_t) :: log_level = 0_c_int64_t
+    !> With given_discs, which of them are bonded: two indices into given_discs per bond, from 0, borrowed during
+    !> hfrac_sim_create; NULL: all that are near (bond.gap_tolerance). Discs that are near but not in the list touch
+    !> without a bond: their contact carries compression and friction, as after breakage, and is no crack.
+    type(c_ptr) :: given_bonds = c_null_ptr
+    !> bonds in given_bonds
+    integer(c_int64_t) :: given_bond_count = 0_c_int64_t
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.
@@ -1181,8 +1187,10 @@ module hfrac_c
     end function hfrac_grid_cells
     !> From the next step on, pressure [Pa, in the reading's sense] beyond the model's edge: every pipe there feels
     !> that of the nearest cell of which the model covers less than half (of all cells, if it covers more of each).
-    !> `count` values, one per cell (nx * ny); only those cells are looked at. What passes is `outflow` by cell and
-    !> `leaked_volume` in all. The stress on the edge does not change. Kept by the tries of an open step. Needs
+    !> `count` values, one per cell (nx * ny); only those cells are looked at. It stays as it is, absolute, whatever
+    !> hfrac_set_formation_pressure says later, until it is set anew or taken back: with count 0 (pressure may be
+    !> NULL) the rim feels the formation's pressure again. What passes is `outflow` by cell and `leaked_volume` in
+    !> all. The stress on the edge does not change. Part of the state; kept by the tries of an open step. Needs
     !> flow.outer "formation". Unstable since 0.1.
     function hfrac_set_rim_pressure(sim, pressure, count) bind(C, name="hfrac_set_rim_pressure")
       import
@@ -1316,8 +1324,9 @@ module hfrac_c
     end function hfrac_set_far_field
     !> From the next step on, another pressure [Pa, absolute, 0 to 1e10] in the pores outside the model, in both
     !> readings; the paper's other pressures stay net of fluid.formation_pressure as defined. Total far-field
-    !> stresses stay as they are; pores inside follow by flow. It is the same all around: what a host's grid said of
-    !> the rim no longer holds. Needs flow, and flow.outer formation. In the sound reading it must not exceed
+    !> stresses stay as they are; pores inside follow by flow. Where a host's grid has said what the rim feels
+    !> (hfrac_set_rim_pressure), that stays until the host takes it back; what lies beyond still changes then, and
+    !> the load on the edge with it. Needs flow, and flow.outer formation. In the sound reading it must not exceed
     !> sigma_h where the far field acts. Unstable since 0.1.
     function hfrac_set_formation_pressure(sim, pressure) bind(C, name="hfrac_set_formation_pressure")
       import

@@ -21,6 +21,7 @@ Options options_of(const hfrac_sim_def& def);
 WellOptions well_of(const hfrac_well_def& well);
 CaseDefinition case_of(const hfrac_sim_def& def);
 std::span<const double> given_discs_of(const hfrac_sim_def& def);
+std::span<const std::int64_t> given_bonds_of(const hfrac_sim_def& def);
 
 void put_options(const Options& options, hfrac_sim_def& def);
 void put_well(const WellOptions& from, hfrac_well_def& well);

@@ -38,6 +38,7 @@ void Simulation::visit_state(Archive& archive, Self& s) {
     archive.value(*value);
   archive.value(s.step_);
   archive.value(s.at_rest_);
+  archive.value(s.rim_is_hosts_);
   archive.value(s.flow_rounds_);
   s.boundary_->visit_state(archive);
   s.solver_->visit_state(archive);
@@ -116,7 +117,7 @@ struct ImageHeader {
   std::uint64_t model, size, checksum;  // the checksum is of the header before it and of the state
 };
 constexpr char image_magic[8] = {'h', 'f', 'r', 'a', 'c', 'i', 'm', 'g'};
-constexpr std::uint32_t image_format = 2, image_byte_order = 0x01020304;
+constexpr std::uint32_t image_format = 3, image_byte_order = 0x01020304;
 
 std::uint64_t checksum(const ImageHeader& header, std::span<const std::byte> bytes) {
   Hash hash;
@@ -158,6 +159,7 @@ std::uint64_t Simulation::model_fingerprint() const {
   hash.add(assembly_.tensile_per_radius);
   hash.add(assembly_.shear_per_radius);
   hash.add_all(network_.volume);
+  if (setup_.unbonded > 0) hash.add(bonds_given_);
   for (const auto& info : option_table()) {
     if (is_of_the_model(info.key)) hash.add(get_value(options(), info));
   }

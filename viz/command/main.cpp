@@ -30,6 +30,7 @@ int run_program(int argument_count, char** arguments) {
   Action action;
   add_run(program, action);
   add_check(program, action);
+  add_export(program, action);
   add_info(program, action);
   add_options(program, action);
   add_view(program, action);

@@ -80,12 +80,14 @@ void report_movie(const std::string& failure) {
 
 ExitCode carry_out(const RunRequest& request) {
   std::vector<double> discs;
+  std::vector<int64_t> bonds;
   try {
     if (!request.disc_file.empty()) discs = output::read_discs(request.disc_file);
+    if (!request.bond_file.empty()) bonds = output::read_bonds(request.bond_file);
   } catch (const output::DiscFileError& error) {
     throw BadInput(error.what());
   }
-  auto definition = load_case(request.case_file, request.workers, discs);
+  auto definition = load_case(request.case_file, request.workers, discs, bonds);
   refuse_earlier_run(request);
   output::FolderClaim claim(request.folder);
   catch_interrupts();
@@ -105,12 +107,16 @@ ExitCode carry_out(const RunRequest& request) {
   output::remove_files_of_a_run(request.folder);
   definition.given_discs = nullptr;  // the model has its own copy
   definition.given_disc_count = 0;
+  definition.given_bonds = nullptr;
+  definition.given_bond_count = 0;
 
   try {
     folder.open(sim.get());
     claim.keep();
     if (!discs.empty()) output::write_whole(request.folder / "given_discs.csv", output::discs_as_csv(discs));
+    if (!bonds.empty()) output::write_whole(request.folder / "given_bonds.csv", output::bonds_as_csv(bonds));
     discs = {};
+    bonds = {};
 #ifdef HFRAC_WITH_RENDERER
     std::optional<MovieThread> movie;
     if (request.movie) movie.emplace(request.folder);

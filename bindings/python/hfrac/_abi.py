@@ -122,7 +122,7 @@ class Field(enum.IntEnum):
     DISC_INTACT_BONDS = 6
     #: indices of the two discs
     BOND_DISCS = 20
-    #: 0 intact, 1 broken in tension, 2 broken in shear
+    #: 0 intact, 1 broken in tension, 2 broken in shear, 3 never bonded
     BOND_STATE = 21
     #: bond and contact together, per thickness, tension positive
     BOND_NORMAL_FORCE = 22
@@ -308,6 +308,8 @@ class hfrac_sim_def(ctypes.Structure):
         ("log", hfrac_log_fn),
         ("log_user", ctypes.c_void_p),
         ("log_level", ctypes.c_int64),
+        ("given_bonds", ctypes.c_void_p),
+        ("given_bond_count", ctypes.c_int64),
     ]
 
 
