@@ -19,6 +19,8 @@ target_compile_options(hfrac_flags INTERFACE
   -ffp-contract=off -fno-math-errno -fno-trapping-math
   -Wall -Wextra -Wpedantic -Wshadow -Wvla
   $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor -Woverloaded-virtual -Wextra-semi>)
+# Our own programs move with the interface; a host that wants unstable functions has to say so (hfrac/base.h).
+target_compile_definitions(hfrac_flags INTERFACE HFRAC_ENABLE_UNSTABLE)
 if(HFRAC_WERROR)
   target_compile_options(hfrac_flags INTERFACE -Werror)
 endif()

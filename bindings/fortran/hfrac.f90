@@ -143,6 +143,14 @@ contains
       full%values%given_disc_count = size(def%discs, 2, c_int64_t)
       if (size(def%discs) > 0) full%values%given_discs = c_loc(def%discs)
     end if
+    if (allocated(def%bonds)) then
+      if (size(def%bonds, 1) /= 2) then
+        call report_text(HFRAC_ERR_ARGUMENT, 'bonds must have the shape (2, m): two discs each, from 0.', stat, errmsg)
+        return
+      end if
+      full%values%given_bond_count = size(def%bonds, 2, c_int64_t)
+      if (size(def%bonds) > 0) full%values%given_bonds = c_loc(def%bonds)
+    end if
     if (associated(def%progress)) then
       holder%ask => def%progress
       full%values%progress = c_funloc(ask_host)
@@ -650,13 +658,20 @@ contains
     call report(status, self%handle, stat, errmsg)
   end subroutine cells
 
-  !> From the next step on, pressure [Pa] beyond the model's edge, shape (nx, ny).
+  !> From the next step on, pressure [Pa] beyond the model's edge, shape (nx, ny); it stays until it is set anew or, without
+  !> `pressure`, taken back: the formation's again.
   subroutine set_rim_pressure(self, pressure, stat, errmsg)
     class(hfrac_simulation), intent(inout) :: self
-    real(c_double), contiguous, intent(in) :: pressure(:, :)
+    real(c_double), contiguous, intent(in), optional :: pressure(:, :)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    call report(hfrac_set_rim_pressure(self%handle, pressure, size(pressure, kind=c_int64_t)), self%handle, stat, errmsg)
+    integer(c_int32_t) :: status
+    if (present(pressure)) then
+      status = hfrac_set_rim_pressure(self%handle, pressure, size(pressure, kind=c_int64_t))
+    else
+      status = hfrac_set_rim_pressure(self%handle, [real(c_double) ::], 0_c_int64_t)
+    end if
+    call report(status, self%handle, stat, errmsg)
   end subroutine set_rim_pressure
 
   !> At once, gives the rock's pores the host's pressure [Pa], shape (nx, ny); `added` gets the fluid [m2] each cell gave.

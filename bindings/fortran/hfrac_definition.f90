@@ -43,6 +43,8 @@ module hfrac_definition_module
     type(hfrac_sim_def) :: values
     !> Own packing: x, y, radius [m] of each disc as (3, n); not allocated: the engine packs.
     real(c_double), allocatable :: discs(:, :)
+    !> Which of them are bonded: two indices, from 0, per bond as (2, m); not allocated: all that are near.
+    integer(c_int64_t), allocatable :: bonds(:, :)
     !> Asked while the simulation is built.
     procedure(hfrac_progress), pointer, nopass :: progress => null()
     !> Told what happens while the simulation is built.

@@ -98,7 +98,7 @@ class Reader:
         ("opaque", r"typedef struct (\w+) \1;"),
         ("struct", r"typedef struct (\w+) \{(.*?)\} \1;"),
         ("callback", r"typedef int32_t \(\*(\w+)\)\((.*?)\);"),
-        ("function", r"HFRAC_API int32_t (\w+)\((.*?)\);"),
+        ("function", r"HFRAC_(?:UNSTABLE_)?API int32_t (\w+)\((.*?)\);"),
     ]
 
     def __init__(self):

@@ -206,7 +206,7 @@ std::int32_t hfrac_sim_def_write(const hfrac_sim_def* def, char* buffer, std::in
 std::int32_t hfrac_sim_def_check(const hfrac_sim_def* def) {
   return guarded([&] {
     const hfrac_sim_def full = read_def(def);
-    validate(case_of(full), given_discs_of(full));
+    validate(case_of(full), given_discs_of(full), given_bonds_of(full));
   });
 }
 

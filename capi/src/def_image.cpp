@@ -159,6 +159,21 @@ std::span<const double> given_discs_of(const hfrac_sim_def& def) {
   return {def.given_discs, static_cast<std::size_t>(3 * def.given_disc_count)};
 }
 
+std::span<const std::int64_t> given_bonds_of(const hfrac_sim_def& def) {
+  if ((def.given_bonds == nullptr) != (def.given_bond_count == 0)) {
+    throw Error(ErrorKind::argument,
+                "given_bonds and given_bond_count disagree: one is set, the other is not.");
+  }
+  // Contacts of discs in a plane are a planar graph: 3 n - 6 of them at most (Euler).
+  const std::int64_t most = 3 * static_cast<std::int64_t>(given_discs_of(def).size() / 3);
+  if (def.given_bond_count < 0 || def.given_bond_count > most) {
+    throw Error(ErrorKind::argument, "given_bond_count = " + std::to_string(def.given_bond_count) +
+                                         " is outside 0 to " + std::to_string(most) +
+                                         ", three per disc of given_discs.");
+  }
+  return {def.given_bonds, static_cast<std::size_t>(2 * def.given_bond_count)};
+}
+
 void put_case(const CaseDefinition& definition, hfrac_sim_def& def) {
   if (definition.wells.size() > HFRAC_MAX_WELLS) {
     throw Error(ErrorKind::argument,

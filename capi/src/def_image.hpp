@@ -23,6 +23,7 @@ JointOptions joint_of(const hfrac_joint_def& joint);
 ScheduleEntry entry_of(const hfrac_schedule_def& entry);
 CaseDefinition case_of(const hfrac_sim_def& def);
 std::span<const double> given_discs_of(const hfrac_sim_def& def);
+std::span<const std::int64_t> given_bonds_of(const hfrac_sim_def& def);
 
 void put_options(const Options& options, hfrac_sim_def& def);
 void put_well(const WellOptions& from, hfrac_well_def& well);

@@ -172,7 +172,7 @@ void write_indices(const Simulation& s, std::int32_t field, std::int32_t* to) {
       pairs(a.first, a.second);
       return;
     case HFRAC_BOND_STATE:
-      std::fill(to, to + a.bond_count(), 0);
+      for (std::int64_t e = 0; e < a.bond_count(); ++e) to[e] = a.intact[e] != 0 ? 0 : 3;
       for (const auto& crack : s.cracks()) to[crack.bond] = static_cast<std::int32_t>(crack.mode);
       return;
     case HFRAC_PIPE_DOMAINS:

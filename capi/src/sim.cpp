@@ -75,12 +75,12 @@ int32_t hfrac_sim_create(const hfrac_sim_def* def, hfrac_sim** sim) {
     Asker asker(*handle, full.progress, full.progress_user, 0.05);
     const char* stage = "";
     try {
-      handle->simulation = std::make_unique<Simulation>(case_of(full), given_discs_of(full),
-                                                        [&](double done, const char* what) {
-                                                          if (what != stage)
-                                                            tell(*handle, HFRAC_LOG_INFO, stage = what);
-                                                          return asker.stop(done, what);
-                                                        });
+      const auto progress = [&](double done, const char* what) {
+        if (what != stage) tell(*handle, HFRAC_LOG_INFO, stage = what);
+        return asker.stop(done, what);
+      };
+      handle->simulation =
+          std::make_unique<Simulation>(case_of(full), given_discs_of(full), progress, given_bonds_of(full));
     } catch (const Stopped&) {
       return HFRAC_STOPPED;
     } catch (const Error& error) {

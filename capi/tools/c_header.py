@@ -38,7 +38,7 @@ def code(path):
 
 def functions(headers=None):
     """Names of all declared functions, sorted."""
-    return sorted(name for path in headers or HEADERS for name in re.findall(r"^HFRAC_API\s[^(;]*?(\w+)\(", code(path), re.M))
+    return sorted(name for path in headers or HEADERS for name in re.findall(r"^HFRAC_(?:UNSTABLE_)?API\s[^(;]*?(\w+)\(", code(path), re.M))
 
 
 def structs(headers=None):

@@ -73,10 +73,10 @@ def library(cc, include, texts, folder, name):
     bodies = [
         f"int32_t {function}({parameters}) {{ return 0; }}"
         for text in texts.values()
-        for function, parameters in re.findall(r"^HFRAC_API int32_t (\w+)\(([^;]*)\);", text, re.M)
+        for function, parameters in re.findall(r"^HFRAC_(?:UNSTABLE_)?API int32_t (\w+)\(([^;]*)\);", text, re.M)
     ]
     source.write_text("\n".join(["#include <hfrac/hfrac.h>", *bodies, ""]))
-    subprocess.run([cc, "-std=c99", "-g", "-O0", "-shared", "-fPIC", f"-I{include}", source, "-o", made], check=True)
+    subprocess.run([cc, "-std=c99", "-g", "-O0", "-shared", "-fPIC", "-DHFRAC_ENABLE_UNSTABLE", f"-I{include}", source, "-o", made], check=True)
     return made
 
 

@@ -7,6 +7,7 @@
 //   leaked   through the rim's pipes, driven by the pressure the host sets beyond them
 //   host     put into (or out of) pores when the host sets their pressure
 // injected + host = stored + leaked holds to rounding whatever the host does.
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -90,13 +91,18 @@ void Simulation::set_cell_pressure(std::span<const double> pressure, std::span<d
 }
 
 void Simulation::set_rim_pressure(std::span<const double> pressure) {
-  require_cells(pressure.size(), 1, "pressure");
   if (!flow_ || OuterPores{options().flow_outer} == OuterPores::closed) {
     throw Error(
         ErrorKind::argument,
         "no fluid passes this model's rim; it takes flow.outer = \"formation\" and a flow.scheme other than "
         "\"off\".");
   }
+  if (pressure.empty()) {  // taken back: the same all around again
+    std::fill(network_.rim_excess.begin(), network_.rim_excess.end(), 0.0);
+    rim_is_hosts_ = false;
+    return;
+  }
+  require_cells(pressure.size(), 1, "pressure");
   const auto& cell = grid_->rim_cell();
   for (const auto c : cell) {
     const double p = pressure[static_cast<std::size_t>(c)];
@@ -108,6 +114,7 @@ void Simulation::set_rim_pressure(std::span<const double> pressure) {
   }
   for (std::size_t k = 0; k < cell.size(); ++k)
     network_.rim_excess[k] = pressure[static_cast<std::size_t>(cell[k])] - network_.pressure[0];
+  rim_is_hosts_ = true;
 }
 
 void Simulation::set_cell_stress(std::span<const double> stress) {

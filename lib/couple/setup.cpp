@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/hash.hpp"
 #include "couple/simulation.hpp"
 #include "flow/aperture.hpp"
 #include "geom/packing.hpp"
@@ -33,12 +34,12 @@ Packing take_given(std::span<const double> discs) {
 }  // namespace
 
 Simulation::Simulation(CaseDefinition definition, std::span<const double> given_discs,
-                       const Progress& progress)
+                       const Progress& progress, std::span<const std::int64_t> given_bonds)
     : definition_(std::move(definition)) {
-  validate(definition_, given_discs);
+  validate(definition_, given_discs, given_bonds);
   const auto start = std::chrono::steady_clock::now();
   workers_.reset(new Workers(static_cast<int>(options().run_workers)));
-  build(given_discs, progress);
+  build(given_discs, given_bonds, progress);
   equilibrate(progress);
   begin_books();
   formation_pressure_ = options().fluid_formation_pressure;
@@ -46,7 +47,8 @@ Simulation::Simulation(CaseDefinition definition, std::span<const double> given_
   setup_.setup_seconds = seconds_since(start);
 }
 
-void Simulation::build(std::span<const double> given_discs, const Progress& progress) {
+void Simulation::build(std::span<const double> given_discs, std::span<const std::int64_t> given_bonds,
+                       const Progress& progress) {
   const Options& o = options();
   const auto start = std::chrono::steady_clock::now();
   bool stop = false;
@@ -78,11 +80,16 @@ void Simulation::build(std::span<const double> given_discs, const Progress& prog
   if (progress && progress(0.5, "bonding")) throw Stopped{};
   std::vector<Hole> holes;
   for (const auto& well : definition_.wells) holes.push_back({{well.x, well.y}, well.radius});
-  ContactGraph graph = build_contact_graph(packing.x, packing.y, packing.radius, holes, o.bond_gap_tolerance);
+  ContactGraph graph =
+      build_contact_graph(packing.x, packing.y, packing.radius, holes, o.bond_gap_tolerance, given_bonds);
   packing = {};
   setup_.removed_in_wells = graph.removed_in_wells;
   setup_.removed_floaters = graph.removed_floaters;
   setup_.removed_crossings = graph.removed_crossings;
+  setup_.unbonded = std::count(graph.bonded.begin(), graph.bonded.end(), 0);
+  Hash bonded;
+  bonded.add_all(graph.bonded);
+  bonds_given_ = bonded.value();
   Faces faces = build_faces(graph);
 
   std::vector<std::int32_t> well_domains;

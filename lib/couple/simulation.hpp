@@ -46,6 +46,7 @@ struct Well {
 struct SetupReport {
   double packing_residual = 0.0, porosity = 0.0, coordination = 0.0, permeability = 0.0, force_ratio = 0.0;
   std::int64_t packed = 0, removed_in_wells = 0, removed_floaters = 0, removed_crossings = 0;
+  std::int64_t unbonded = 0;  // contacts that a host's list of bonds left out
   double packing_seconds = 0.0, setup_seconds = 0.0;
   std::int64_t cracks = 0;
 };
@@ -75,7 +76,10 @@ enum class StopReason : std::int32_t { target = 0, callback = 1, extent = 2, cra
 class Simulation {
  public:
   // Builds the model and brings it to rest under the far field. Throws Error; Stopped if progress asked for it.
-  Simulation(CaseDefinition definition, std::span<const double> given_discs, const Progress& progress);
+  // The host's own discs (x, y, radius each) instead of a packing, and which of them are bonded (two indices each; none: all
+  // that are near).
+  Simulation(CaseDefinition definition, std::span<const double> given_discs, const Progress& progress,
+             std::span<const std::int64_t> given_bonds = {});
 
   struct StepOutcome {
     bool stopped = false;  // the step was undone
@@ -154,7 +158,7 @@ class Simulation {
   // Pores beside no crack take the host's pressure at once, each the mean of its cells by area; `added` (empty or one per cell)
   // gets the fluid each cell thereby gave [m2]. Not while a step is open.
   void set_cell_pressure(std::span<const double> pressure, std::span<double> added);
-  // From the next step on, pressure beyond the model's rim by cell [Pa].
+  // From the next step on, pressure beyond the model's rim by cell [Pa]; empty: the formation's again.
   void set_rim_pressure(std::span<const double> pressure);
   // From the next step on, stress on top of the far field by cell [Pa; xx, yy, xy].
   void set_cell_stress(std::span<const double> stress);
@@ -174,7 +178,8 @@ class Simulation {
 
  private:
   // setup.cpp
-  void build(std::span<const double> given_discs, const Progress& progress);
+  void build(std::span<const double> given_discs, std::span<const std::int64_t> given_bonds,
+             const Progress& progress);
   [[nodiscard]] std::vector<double> initial_pressures() const;
   void equilibrate(const Progress& progress);
   void begin_books();
@@ -233,10 +238,12 @@ class Simulation {
   std::vector<Well> wells_;
   CrackLog cracks_;
   SetupReport setup_;
-  std::vector<double> source_;  // m2/s per domain, from wells at a rate
+  std::uint64_t bonds_given_ = 0;  // hash of which contacts are bonded
+  std::vector<double> source_;     // m2/s per domain, from wells at a rate
   double time_ = 0.0, force_ratio_ = 0.0, leaked_ = 0.0, tip_distance_ = 0.0, host_added_ = 0.0;
   std::int64_t step_ = 0;
   bool at_rest_ = true;
+  bool rim_is_hosts_ = false;  // a host's grid said what the rim feels
   int flow_rounds_ = 0;
   // mode coupled: length of the next part [s], largest stress over strength so far, pressures before the part and their rate
   double part_ = 0.0, excess_ = 0.0;

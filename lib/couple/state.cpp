@@ -38,6 +38,7 @@ void Simulation::visit_state(Archive& archive, Self& s) {
     archive.value(*value);
   archive.value(s.step_);
   archive.value(s.at_rest_);
+  archive.value(s.rim_is_hosts_);
   archive.value(s.flow_rounds_);
   s.boundary_->visit_state(archive);
   s.solver_->visit_state(archive);
@@ -180,6 +181,7 @@ std::uint64_t Simulation::model_fingerprint() const {
   for (const auto* values : {&assembly_.joint_tensile, &assembly_.joint_shear, &assembly_.joint_friction})
     hash.add_all(*values);
   hash.add_all(network_.volume);
+  if (setup_.unbonded > 0) hash.add(bonds_given_);
   for (const auto& info : option_table()) {
     const bool thermal = heat_ && std::string_view(info.key).starts_with("thermal.");
     if (thermal || is_of_the_model(info.key)) hash.add(get_value(options(), info));

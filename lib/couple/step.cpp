@@ -231,6 +231,7 @@ Simulation::StepOutcome Simulation::try_step(double duration, const std::functio
   // Wells, far field and what the host's grid says of the rim are the host's: what it set since the last try stays.
   const auto wells = wells_;
   const auto rim_excess = network_.rim_excess;
+  const bool rim_is_hosts = rim_is_hosts_;
   const auto host_load = boundary_->host_load();
   const double sigma_H = options().stress_sigma_H, sigma_h = options().stress_sigma_h;
   const double formation = formation_pressure_;
@@ -248,6 +249,7 @@ Simulation::StepOutcome Simulation::try_step(double duration, const std::functio
   definition_.options.stress_sigma_h = sigma_h;
   if (formation != formation_pressure_) put_formation_pressure(formation);
   network_.rim_excess = rim_excess;
+  rim_is_hosts_ = rim_is_hosts;
   boundary_->set_far_field(assembly_, sigma_H, sigma_h);
   return step_for(duration, interrupt);
 }
@@ -301,9 +303,11 @@ void Simulation::put_formation_pressure(double pressure) {
   const double outside = network_.reference_pressure + (pressure - o.fluid_formation_pressure);
   outside_work_ += network_.pressure[0] * (network_.volume_change[0] - start_outside_change_);
   start_outside_change_ = network_.volume_change[0];
+  // What a host's grid said of the rim is absolute and stays; the excess is over what lies beyond.
+  if (rim_is_hosts_)
+    for (double& excess : network_.rim_excess) excess += network_.pressure[0] - outside;
   network_.pressure[0] = outside;
   formation_pressure_ = pressure;
-  std::fill(network_.rim_excess.begin(), network_.rim_excess.end(), 0.0);  // the same all around again
   boundary_->set_outside_pressure(assembly_, network_, o.stress_sigma_H, o.stress_sigma_h);
 }
 

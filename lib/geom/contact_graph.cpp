@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "core/error.hpp"
 #include "geom/cell_grid.hpp"
@@ -14,6 +15,7 @@ namespace {
 struct Join {
   std::int32_t i, j;
   double gap;  // m
+  bool bonded = true;
 };
 
 // Only a host's own discs can be like this.
@@ -49,7 +51,36 @@ bool segments_cross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   return side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
 }
 
-// Removes the wider of each crossing pair; returns how many went.
+// Marks which near pairs a host's list bonds, and adds those of the list that are not near. `number`: of each disc given among
+// those kept, -1 if a well removed it.
+void apply_bonds(const Array<double>& x, const Array<double>& y, const Array<double>& radius,
+                 std::span<const std::int64_t> bonds, const std::vector<std::int32_t>& number,
+                 std::vector<Join>& joins) {
+  const auto before = [](const Join& a, const Join& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; };
+  std::vector<Join> listed;
+  listed.reserve(bonds.size() / 2);
+  for (std::size_t k = 0; k + 1 < bonds.size(); k += 2) {
+    auto i = number[static_cast<std::size_t>(bonds[k])], j = number[static_cast<std::size_t>(bonds[k + 1])];
+    if (i < 0 || j < 0) continue;
+    if (i > j) std::swap(i, j);
+    const double dx = x[j] - x[i], dy = y[j] - y[i];
+    listed.push_back({i, j, std::sqrt(dx * dx + dy * dy) - radius[i] - radius[j]});
+  }
+  std::sort(listed.begin(), listed.end(), before);
+  std::vector<Join> all;
+  all.reserve(std::max(joins.size(), listed.size()));
+  auto near = joins.begin();
+  for (const auto& bond : listed) {
+    for (; near != joins.end() && before(*near, bond); ++near)
+      all.push_back({near->i, near->j, near->gap, false});
+    if (near != joins.end() && !before(bond, *near)) ++near;
+    all.push_back(bond);
+  }
+  for (; near != joins.end(); ++near) all.push_back({near->i, near->j, near->gap, false});
+  joins.swap(all);
+}
+
+// Removes one of each crossing pair: that without a bond, otherwise the wider. Returns how many went.
 std::int64_t remove_crossings(const Array<double>& x, const Array<double>& y, double largest,
                               std::vector<Join>& joins) {
   Array<double> mx(joins.size()), my(joins.size());
@@ -57,15 +88,18 @@ std::int64_t remove_crossings(const Array<double>& x, const Array<double>& y, do
     mx[e] = 0.5 * (x[joins[e].i] + x[joins[e].j]);
     my[e] = 0.5 * (y[joins[e].i] + y[joins[e].j]);
   }
+  double reach = 2.2 * largest;  // two edges whose middles are farther apart than the longest cannot cross
+  for (const auto& join : joins) reach = std::max(reach, join.gap + 2.0 * largest);
   const CellGrid grid(mx, my, 2.0 * largest);
   std::vector<char> gone(joins.size(), 0);
   for (std::int32_t e = 0; e < static_cast<std::int32_t>(joins.size()); ++e) {
-    grid.near(mx[e], my[e], 2.2 * largest, [&](std::int32_t f) {
+    grid.near(mx[e], my[e], reach, [&](std::int32_t f) {
       if (f <= e || gone[e] || gone[f]) return;
       const Join &a = joins[e], &b = joins[f];
       if (a.i == b.i || a.i == b.j || a.j == b.i || a.j == b.j) return;
       if (segments_cross({x[a.i], y[a.i]}, {x[a.j], y[a.j]}, {x[b.i], y[b.i]}, {x[b.j], y[b.j]})) {
-        gone[a.gap > b.gap ? e : f] = 1;
+        const bool first_goes = a.bonded != b.bonded ? b.bonded : a.gap > b.gap;
+        gone[first_goes ? e : f] = 1;
       }
     });
   }
@@ -134,12 +168,14 @@ std::vector<char> discs_held(std::size_t n, const std::vector<Join>& joins) {
 }  // namespace
 
 ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y, const Array<double>& radius,
-                                 const std::vector<Hole>& holes, double gap_tolerance) {
+                                 const std::vector<Hole>& holes, double gap_tolerance,
+                                 std::span<const std::int64_t> bonds) {
   ContactGraph graph;
   const std::size_t n = x.size();
   graph.mean_radius = std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(n);
 
   Array<double> cx, cy, cr;
+  std::vector<std::int32_t> left(n, -1);  // number of each disc once the wells are cut
   for (auto* values : {&cx, &cy, &cr}) values->reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 centre{x[i], y[i]};
@@ -151,6 +187,7 @@ ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y,
       ++graph.removed_in_wells;
       continue;
     }
+    left[i] = static_cast<std::int32_t>(cx.size());
     cx.push_back(x[i]);
     cy.push_back(y[i]);
     cr.push_back(radius[i]);
@@ -160,6 +197,7 @@ ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y,
                 "fewer than 4 discs are left after cutting the wells; use more discs or smaller wells");
 
   auto joins = near_pairs(cx, cy, cr, gap_tolerance * graph.mean_radius);
+  if (!bonds.empty()) apply_bonds(cx, cy, cr, bonds, left, joins);
   graph.removed_crossings = remove_crossings(cx, cy, *std::max_element(cr.begin(), cr.end()), joins);
   const auto held = discs_held(cx.size(), joins);
 
@@ -177,7 +215,7 @@ ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y,
   const auto tile_of = [](std::int32_t disc) { return static_cast<std::size_t>(disc / discs_per_tile); };
   std::size_t kept = 0;
   for (const auto& join : joins) {
-    if (held[join.i] && held[join.j]) joins[kept++] = {number[join.i], number[join.j], join.gap};
+    if (held[join.i] && held[join.j]) joins[kept++] = {number[join.i], number[join.j], join.gap, join.bonded};
   }
   joins.resize(kept);
   graph.tile_first_edge.assign(
@@ -189,6 +227,7 @@ ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y,
     graph.tile_first_edge[t] += graph.tile_first_edge[t - 1];
   graph.first.resize(kept);
   graph.second.resize(kept);
+  graph.bonded.resize(kept);
   auto next_across = static_cast<std::size_t>(graph.tile_first_edge.back());
   std::size_t tile = 0;
   std::int64_t rank = 0;
@@ -205,6 +244,7 @@ ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y,
     }
     graph.first[at] = join.i;
     graph.second[at] = join.j;
+    graph.bonded[at] = join.bonded ? 1 : 0;
   }
   if (graph.x.size() < 4) {
     throw Error(ErrorKind::model,

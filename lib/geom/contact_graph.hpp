@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/array.hpp"
@@ -35,6 +36,7 @@ struct ContactGraph {
   Array<double> x, y, radius;       // m; discs kept, order of the packing
   std::vector<std::int32_t> first;  // disc i of each edge, first < second
   std::vector<std::int32_t> second;
+  std::vector<std::uint8_t> bonded;  // 1, or 0 where a host's list of bonds left a near pair out
   // Edges inside tile t: tile_first_edge[t] .. tile_first_edge[t + 1), interleaved (edge_at); then those across tiles,
   // sorted by (first, second).
   std::vector<std::int64_t> tile_first_edge;
@@ -42,8 +44,10 @@ struct ContactGraph {
   std::int64_t removed_in_wells = 0, removed_floaters = 0, removed_crossings = 0;
 };
 
-// Throws Error(model) if nothing coherent is left.
+// `bonds`: pairs of indices of discs that are bonded, near or not; none: all that are near. Near discs that a list leaves out
+// are edges without a bond. Throws Error(model) if nothing coherent is left.
 ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y, const Array<double>& radius,
-                                 const std::vector<Hole>& holes, double gap_tolerance);
+                                 const std::vector<Hole>& holes, double gap_tolerance,
+                                 std::span<const std::int64_t> bonds = {});
 
 }  // namespace hfrac

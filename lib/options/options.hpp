@@ -156,8 +156,9 @@ void check_ranges(const CaseDefinition& definition);
 
 // check_ranges, then what cannot be built though each value is fine: contradictory stresses, wells outside
 // the model or overlapping, holes smaller than the discs around them. Throws Error(model) with the fix.
-// `given_discs` are the host's own discs (x, y, radius each) instead of a packing.
-void validate(const CaseDefinition& definition, std::span<const double> given_discs = {});
+// `given_discs` are the host's own discs (x, y, radius each) instead of a packing, `given_bonds` which of them are bonded.
+void validate(const CaseDefinition& definition, std::span<const double> given_discs = {},
+              std::span<const std::int64_t> given_bonds = {});
 
 // Refuses, as Error(model) or Error(argument), what a well cannot be driven by.
 void check_schedule_entry(const std::string& name, const ScheduleEntry& entry, const Options& options);

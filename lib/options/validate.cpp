@@ -2,8 +2,10 @@
 // What cannot be built though each value is within its range. Every refusal says which values are at odds,
 // and what to change; a simulation that would run and mean nothing is worse than one that does not start.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "core/error.hpp"
 #include "options/choices.hpp"
@@ -63,6 +65,45 @@ Radii radii_of_given(std::span<const double> discs, const Options& o) {
   }
   radii.mean /= static_cast<double>(count);
   return radii;
+}
+
+// A host's own bonds: two indices of its discs each, every pair once, discs that can hold each other.
+void check_bonds(std::span<const std::int64_t> bonds, std::span<const double> discs) {
+  if (bonds.empty()) return;
+  const auto disc_count = static_cast<std::int64_t>(discs.size() / 3);
+  const std::size_t count = bonds.size() / 2;
+  if (disc_count == 0) {
+    refuse("given_bonds are bonds between given_discs, and there are none; give both, or neither.");
+  }
+  const auto name = [](std::size_t k) {
+    return "given_bonds[" + number_text(static_cast<std::int64_t>(k)) + "]";
+  };
+  std::vector<std::array<std::int64_t, 3>> pairs(count);  // smaller index, larger, number of the bond
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::int64_t i = bonds[2 * k], j = bonds[2 * k + 1];
+    for (const auto disc : {i, j}) {
+      if (disc >= 0 && disc < disc_count) continue;
+      refuse(name(k) + " names disc " + number_text(disc) + "; given_discs go from 0 to " +
+             number_text(disc_count - 1) + ".");
+    }
+    if (i == j) refuse(name(k) + " bonds disc " + number_text(i) + " to itself.");
+    const double* a = &discs[static_cast<std::size_t>(3 * i)];
+    const double* b = &discs[static_cast<std::size_t>(3 * j)];
+    const double gap = std::hypot(b[0] - a[0], b[1] - a[1]) - a[2] - b[2];
+    if (gap > std::min(a[2], b[2])) {
+      refuse(name(k) + " bonds discs " + number_text(i) + " and " + number_text(j) + ", which are " +
+             rounded_text(gap) + " m apart; at most the smaller one's radius, " +
+             rounded_text(std::min(a[2], b[2])) + " m, can be bridged.");
+    }
+    pairs[k] = {std::min(i, j), std::max(i, j), static_cast<std::int64_t>(k)};
+  }
+  std::sort(pairs.begin(), pairs.end());
+  for (std::size_t k = 1; k < count; ++k) {
+    if (pairs[k][0] != pairs[k - 1][0] || pairs[k][1] != pairs[k - 1][1]) continue;
+    refuse(name(static_cast<std::size_t>(pairs[k][2])) + " bonds discs " + number_text(pairs[k][0]) +
+           " and " + number_text(pairs[k][1]) + " again, after " +
+           name(static_cast<std::size_t>(pairs[k - 1][2])) + "; give every pair once.");
+  }
 }
 
 void check_packing(const Options& o, const Radii& radii) {
@@ -311,10 +352,12 @@ double expected_mean_radius(const Options& o) noexcept {
                    (static_cast<double>(o.packing_disc_count) * std::numbers::pi * mean_square_factor));
 }
 
-void validate(const CaseDefinition& definition, std::span<const double> given_discs) {
+void validate(const CaseDefinition& definition, std::span<const double> given_discs,
+              std::span<const std::int64_t> given_bonds) {
   check_ranges(definition);
   const Options& o = definition.options;
   const Radii radii = given_discs.empty() ? radii_of_packing(o) : radii_of_given(given_discs, o);
+  check_bonds(given_bonds, given_discs);
   check_packing(o, radii);
   check_stresses(o);
   check_material(o);

@@ -32,7 +32,7 @@ Assembly build_assembly(ContactGraph graph, const Options& options) {
   a.tensile_per_radius = 2.0 * options.bond_tensile_strength * a.strength_factor;
   a.shear_per_radius = 2.0 * options.bond_shear_strength * a.strength_factor;
   for (auto* values : {&a.dx, &a.dy, &a.length, &a.arm, &a.bond_radius}) values->resize(bonds);
-  a.intact.assign(bonds, 1);
+  a.intact.assign(graph.bonded.begin(), graph.bonded.end());
   a.slip.assign(bonds, 0.0);
   for (std::size_t e = 0; e < bonds; ++e) {
     const auto i = a.first[e], j = a.second[e];

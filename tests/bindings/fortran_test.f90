@@ -467,6 +467,9 @@ contains
     call expect(all(shape(added) == [3, 2]) .and. all(added(:, 2) > 0.0_real64), 'the upper row gives fluid')
     call expect(abs(balance%host_volume + sum(added) - host_volume(sim)) < 1e-12_real64, 'its sum is booked')
     call sim%set_rim_pressure(pressure)
+    call sim%set_rim_pressure(stat=stat)
+    call expect(stat == 0, 'rim pressure taken back')
+    call sim%set_rim_pressure(pressure)
     stress = 0.0_real64
     stress(1, :, :) = 1e6_real64
     call sim%set_cell_stress(stress)
@@ -510,8 +513,9 @@ contains
 
   subroutine own_discs()
     type(hfrac_definition) :: def
-    type(hfrac_simulation) :: sim, again
+    type(hfrac_simulation) :: sim, again, jointed
     real(real64), allocatable :: position(:, :), radius(:), there(:, :)
+    integer(c_int32_t), allocatable :: pairs(:, :), states(:)
     integer :: stat
     character(200) :: message
     call def%load(case_file)
@@ -527,7 +531,20 @@ contains
     if (stat /= 0) return
     call again%get('disc.position', there)
     call expect(size(there, 2) == size(radius), 'as many discs as given')
-    deallocate (def%discs)
+    call again%get('bond.discs', pairs)
+    def%bonds = int(pairs(:, 1:size(pairs, 2):2), int64)  ! every second bond is left out
+    call jointed%create(def, stat, message)
+    call expect(stat == 0, 'own bonds: '//message)
+    call jointed%get('bond.state', states)
+    call expect(count(states == 3) == size(pairs, 2)/2 .and. any(states == 0), 'bonds left out are contacts')
+    def%bonds(2, 1) = def%bonds(1, 1)
+    call jointed%create(def, stat, message)
+    call expect(stat == HFRAC_ERR_MODEL .and. index(message, 'to itself') > 0, 'a bond of one disc')
+    deallocate (def%bonds)
+    allocate (def%bonds(3, 1), source=0_int64)
+    call jointed%create(def, stat, message)
+    call expect(stat == HFRAC_ERR_ARGUMENT .and. index(message, '(2, m)') > 0, 'bonds of the wrong shape')
+    deallocate (def%bonds, def%discs)
     allocate (def%discs(2, 5), source=0.0_real64)
     call again%create(def, stat, message)
     call expect(stat == HFRAC_ERR_ARGUMENT .and. index(message, '(3, n)') > 0, 'discs of the wrong shape')

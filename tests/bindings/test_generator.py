@@ -25,6 +25,8 @@ enum hfrac_kind { HFRAC_KIND_A = 1, /**< a */ HFRAC_KIND_B = -2 };
 /** Does. */
 HFRAC_API int32_t hfrac_do(hfrac_sim *sim, const hfrac_pair *pair, double *buffer, int64_t capacity,
                            int64_t *count);
+/** Does more. Unstable since 0.1. */
+HFRAC_UNSTABLE_API int32_t hfrac_do_more(hfrac_sim *sim);
 """
 
 
@@ -44,6 +46,7 @@ class Subset(unittest.TestCase):
         self.assertEqual([(m.name, m.length, m.doc) for m in pair.members],
                          [("first", 0, "[m] first"), ("second", 3, "second"), ("name", 0, "Before.")])
         self.assertEqual(header.enums[0].values, [("HFRAC_KIND_A", 1, "a"), ("HFRAC_KIND_B", -2, "")])
+        self.assertEqual([f.name for f in header.functions], ["hfrac_do", "hfrac_do_more"])
         function = header.functions[0]
         self.assertEqual((function.name, function.doc), ("hfrac_do", "Does."))
         self.assertEqual(function.parameters[1].type, Type("hfrac_pair", const=True, stars=1))

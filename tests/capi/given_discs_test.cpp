@@ -139,6 +139,139 @@ TEST(GivenDiscs, OnTopOfEachOtherAreRefused) {
   expect_refused(random, "overlap");
 }
 
+// Which of them are bonded.
+
+std::vector<int64_t> bonds_of(const hfrac_sim* sim) {
+  std::vector<int64_t> bonds;
+  for (const auto index : indices(const_cast<hfrac_sim*>(sim), HFRAC_BOND_DISCS)) bonds.push_back(index);
+  return bonds;
+}
+
+hfrac_sim_def with_bonds(hfrac_sim_def def, const std::vector<int64_t>& bonds) {
+  def.given_bonds = bonds.data();
+  def.given_bond_count = static_cast<int64_t>(bonds.size() / 2);
+  return def;
+}
+
+// A rock without a well, so that every disc given keeps its index.
+hfrac_sim_def plain_rock(const std::vector<double>& discs) {
+  hfrac_sim_def def = with_discs(quiet_def(), discs);
+  def.well_count = 0;
+  return def;
+}
+
+TEST(GivenBonds, AllThatAreNearAreTheSameAsNone) {
+  const std::vector<double> discs = hexagonal(100.0, 100.0, 2.0);
+  const Sim near(plain_rock(discs));
+  const std::vector<int64_t> all = bonds_of(near);
+  std::vector<int64_t> turned;  // the other way round, last first
+  for (std::size_t k = all.size(); k > 0; --k) turned.push_back(all[k - 1]);
+  const Sim listed(with_bonds(plain_rock(discs), turned));
+  ASSERT_EQ(hfrac_step(near, 1), hfrac_step(listed, 1));
+  EXPECT_EQ(hash_of(near), hash_of(listed));
+}
+
+// A line of bonds left out is a joint: it carries the far field's compression and slides or opens where bonds would hold.
+TEST(GivenBonds, ThoseLeftOutAreContactsWithoutABond) {
+  const std::vector<double> discs = hexagonal(100.0, 100.0, 2.0);
+  const Sim whole(plain_rock(discs));
+  std::vector<int64_t> kept, left_out;
+  const std::vector<int64_t> all = bonds_of(whole);
+  for (std::size_t k = 0; k + 1 < all.size(); k += 2) {
+    const double y0 = discs[static_cast<std::size_t>(3 * all[k] + 1)];
+    const double y1 = discs[static_cast<std::size_t>(3 * all[k + 1] + 1)];
+    auto& to = (y0 < 50.0) == (y1 < 50.0) ? kept : left_out;
+    to.insert(to.end(), {all[k], all[k + 1]});
+  }
+  ASSERT_GT(left_out.size(), 20u);
+  const Sim jointed(with_bonds(plain_rock(discs), kept));
+  EXPECT_EQ(state_of(jointed).bond_count, state_of(whole).bond_count) << "contacts stay";
+  EXPECT_EQ(state_of(jointed).crack_count, state_of(whole).crack_count) << "no bond, no crack";
+  const auto state = indices(jointed, HFRAC_BOND_STATE);
+  const auto unbonded = std::count(state.begin(), state.end(), 3);
+  EXPECT_EQ(unbonded, static_cast<std::ptrdiff_t>(left_out.size() / 2));
+  const auto force = doubles(jointed, HFRAC_BOND_NORMAL_FORCE);
+  double pressed = 0.0;
+  for (std::size_t e = 0; e < force.size(); ++e) {
+    if (state[e] != 3) continue;
+    EXPECT_LE(force[e], 0.0) << "a contact does not pull";
+    pressed -= force[e];
+  }
+  EXPECT_GT(pressed, 0.0);
+  EXPECT_NE(hash_of(jointed), hash_of(whole));
+  // An image knows which rock it is of.
+  std::vector<unsigned char> image(1U << 24U);
+  int64_t size = 0;
+  ASSERT_EQ(hfrac_state_save(jointed, image.data(), static_cast<int64_t>(image.size()), &size), HFRAC_OK);
+  EXPECT_EQ(hfrac_state_restore(whole, image.data(), size), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_state_restore(jointed, image.data(), size), HFRAC_OK) << last_error(jointed);
+}
+
+TEST(GivenBonds, MayBridgeAGap) {
+  std::vector<double> discs = hexagonal(100.0, 100.0, 2.0);
+  for (std::size_t k = 2; k < discs.size(); k += 3) discs[k] = 1.5;  // a gap of 1 m between neighbours
+  const Sim touching(plain_rock(hexagonal(100.0, 100.0, 2.0)));
+  const Sim bridged(with_bonds(plain_rock(discs), bonds_of(touching)));
+  EXPECT_EQ(state_of(bridged).bond_count, state_of(touching).bond_count);
+  EXPECT_EQ(hfrac_step(bridged, 1), HFRAC_OK) << last_error(bridged);
+}
+
+TEST(GivenBonds, OfDiscsInAWellGoWithIt) {
+  const std::vector<double> discs = hexagonal(100.0, 100.0, 2.0);
+  const Sim whole(plain_rock(discs));
+  const std::vector<int64_t> bonds = bonds_of(whole);
+  const Sim near(with_discs(cracking_def(), discs)),
+      listed(with_bonds(with_discs(cracking_def(), discs), bonds));
+  EXPECT_GT(setup_of(listed).removed_in_wells, 0);
+  EXPECT_EQ(hash_of(listed), hash_of(near));
+}
+
+TEST(GivenBonds, ThatCannotBeAreRefused) {
+  const std::vector<double> discs = hexagonal(100.0, 100.0, 2.0);
+  const auto count = static_cast<int64_t>(discs.size() / 3);
+  const Sim whole(plain_rock(discs));
+  const std::vector<int64_t> good = bonds_of(whole);
+  const auto refused = [&](std::size_t at, int64_t value, const std::string& part) {
+    std::vector<int64_t> bonds = good;
+    bonds[at] = value;
+    const hfrac_sim_def def = with_bonds(plain_rock(discs), bonds);
+    hfrac_sim* sim = nullptr;
+    EXPECT_EQ(hfrac_sim_create(&def, &sim), HFRAC_ERR_MODEL);
+    EXPECT_EQ(sim, nullptr);
+    EXPECT_NE(last_error().find(part), std::string::npos) << last_error();
+    EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_ERR_MODEL);
+  };
+  for (const int64_t index : {int64_t{-1}, count, INT64_MAX, INT64_MIN})
+    refused(14, index, "given_bonds[7] names disc " + std::to_string(index));
+  refused(15, good[14], "to itself");
+  refused(15, good[14] + count / 2 < count ? good[14] + count / 2 : good[14] - count / 2, "apart");
+  std::vector<int64_t> twice = good;
+  twice[14] = good[1];
+  twice[15] = good[0];
+  const hfrac_sim_def def = with_bonds(plain_rock(discs), twice);
+  EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_ERR_MODEL);
+  EXPECT_NE(last_error().find("given_bonds[7]"), std::string::npos) << last_error();
+  EXPECT_NE(last_error().find("again, after given_bonds[0]"), std::string::npos) << last_error();
+}
+
+TEST(GivenBonds, AndTheirCountMustAgree) {
+  const std::vector<double> discs = hexagonal(100.0, 100.0, 2.0);
+  const std::vector<int64_t> bonds = {0, 1, 1, 2};
+  hfrac_sim* sim = nullptr;
+  for (const int64_t count : {int64_t{0}, int64_t{-1}, INT64_MAX, INT64_MIN, int64_t{1} << 40}) {
+    hfrac_sim_def def = with_bonds(plain_rock(discs), bonds);
+    def.given_bond_count = count;
+    EXPECT_EQ(hfrac_sim_create(&def, &sim), HFRAC_ERR_ARGUMENT) << count;
+    EXPECT_NE(last_error().find("given_bond_count"), std::string::npos) << last_error();
+  }
+  hfrac_sim_def def = with_bonds(plain_rock(discs), bonds);
+  def.given_bonds = nullptr;
+  EXPECT_EQ(hfrac_sim_create(&def, &sim), HFRAC_ERR_ARGUMENT);
+  def = with_bonds(quiet_def(), bonds);  // without discs of their own
+  EXPECT_EQ(hfrac_sim_create(&def, &sim), HFRAC_ERR_ARGUMENT);
+  EXPECT_NE(last_error().find("given_discs"), std::string::npos) << last_error();
+}
+
 TEST(GivenDiscs, AndTheirCountMustAgree) {
   const std::vector<double> discs = hexagonal(100.0, 100.0, 2.0);
   hfrac_sim* sim = nullptr;

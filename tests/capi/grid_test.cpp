@@ -149,7 +149,9 @@ TEST(Grid, RimPressureDrivesFlow) {
     ASSERT_EQ(hfrac_set_rim_pressure(sim, pressure, 2), HFRAC_OK) << last_error(sim);
     ASSERT_GE(hfrac_step(sim, 1), 0);
     ASSERT_GE(hfrac_step(plain, 1), 0);
-    EXPECT_EQ(hash_of(sim), hash_of(plain)) << "the formation's pressure outside changes nothing";
+    for (const int32_t field : {HFRAC_DISC_POSITION, HFRAC_DOMAIN_PRESSURE, HFRAC_PIPE_FLOW})
+      EXPECT_EQ(doubles(sim, field), doubles(plain, field))
+          << "the formation's pressure outside changes nothing";
     pressure[0] += 1e6;
     ASSERT_EQ(hfrac_set_rim_pressure(sim, pressure, 2), HFRAC_OK);
     ASSERT_GE(hfrac_step(sim, 20), 0);
@@ -160,6 +162,51 @@ TEST(Grid, RimPressureDrivesFlow) {
     EXPECT_NE(balance.leaked_volume, 0.0);
     EXPECT_LT(std::abs(balance.fluid_error), 1e-9 * std::abs(balance.stored_volume));
   }
+}
+
+// Two ways to say the same: what a host's grid says of the rim is absolute, whatever the formation's pressure is.
+TEST(Grid, ARimPressureStaysUntilTheHostTakesItBack) {
+  hfrac_sim_def def = quiet_def();
+  def.flow_permeability = 1e-12;
+  def.stepping_flow_step = 100.0;
+  const double p0 = def.fluid_formation_pressure, rim[2] = {p0 + 1e6, p0};
+  const auto grid = regular(2, 1, -50.0, -50.0, 100.0, 200.0);
+  Sim before(def), after(def), never(def);
+  for (const Sim* sim : {&before, &after, &never}) ASSERT_EQ(hfrac_set_grid(*sim, &grid), HFRAC_OK);
+  ASSERT_EQ(hfrac_set_rim_pressure(before, rim, 2), HFRAC_OK);
+  ASSERT_EQ(hfrac_set_formation_pressure(before, p0 + 2e6), HFRAC_OK) << last_error(before);
+  ASSERT_EQ(hfrac_set_formation_pressure(after, p0 + 2e6), HFRAC_OK);
+  ASSERT_EQ(hfrac_set_rim_pressure(after, rim, 2), HFRAC_OK);
+  ASSERT_EQ(hfrac_set_formation_pressure(never, p0 + 2e6), HFRAC_OK);
+  for (const Sim* sim : {&before, &after, &never}) ASSERT_GE(hfrac_step(*sim, 3), 0);
+  EXPECT_EQ(hash_of(before), hash_of(after));
+  EXPECT_NE(hash_of(before), hash_of(never));
+  const auto pressure = cells_of(before);
+  EXPECT_GT(pressure[0].pressure, pressure[1].pressure) << "the host's difference still drives flow";
+  // It is part of the state.
+  std::vector<unsigned char> image(1U << 22U);
+  int64_t size = 0;
+  ASSERT_EQ(hfrac_state_save(before, image.data(), static_cast<int64_t>(image.size()), &size), HFRAC_OK);
+  ASSERT_EQ(hfrac_state_restore(never, image.data(), size), HFRAC_OK) << last_error(never);
+  for (const Sim* sim : {&before, &never}) ASSERT_EQ(hfrac_set_formation_pressure(*sim, p0), HFRAC_OK);
+  for (const Sim* sim : {&before, &never}) ASSERT_GE(hfrac_step(*sim, 2), 0);
+  EXPECT_EQ(hash_of(before), hash_of(never));
+  // Kept by the tries of an open step, the formation's pressure set in between too.
+  ASSERT_EQ(hfrac_step_prepare(before), HFRAC_OK);
+  ASSERT_EQ(hfrac_set_formation_pressure(before, p0 + 1e6), HFRAC_OK);
+  ASSERT_GE(hfrac_step_do(before, 100.0), 0);
+  ASSERT_GE(hfrac_step_do(before, 100.0), 0);
+  ASSERT_EQ(hfrac_step_finalize(before), HFRAC_OK);
+  ASSERT_EQ(hfrac_set_formation_pressure(never, p0 + 1e6), HFRAC_OK);
+  ASSERT_GE(hfrac_step(never, 1), 0);
+  EXPECT_EQ(doubles(before, HFRAC_DOMAIN_PRESSURE), doubles(never, HFRAC_DOMAIN_PRESSURE));
+  // Taken back: the formation's again, now and from then on.
+  ASSERT_EQ(hfrac_set_rim_pressure(before, nullptr, 0), HFRAC_OK) << last_error(before);
+  for (const Sim* sim : {&before, &never}) ASSERT_EQ(hfrac_set_formation_pressure(*sim, p0), HFRAC_OK);
+  const double uniform[2] = {p0, p0};
+  ASSERT_EQ(hfrac_set_rim_pressure(never, uniform, 2), HFRAC_OK);
+  for (const Sim* sim : {&before, &never}) ASSERT_GE(hfrac_step(*sim, 1), 0);
+  EXPECT_EQ(doubles(before, HFRAC_DOMAIN_PRESSURE), doubles(never, HFRAC_DOMAIN_PRESSURE));
 }
 
 TEST(Grid, CellPressureIsBookedAsTheHosts) {
@@ -367,8 +414,8 @@ TEST(Grid, MisuseIsRefused) {
   double added[4];
   EXPECT_EQ(hfrac_set_cell_pressure(sim, values, 4, added, 3), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hfrac_set_cell_stress(sim, values, 4), HFRAC_ERR_ARGUMENT) << "three values a cell";
-  EXPECT_EQ(hfrac_write_grdecl(sim, "/nonexistent/folder/x.grdecl", 0, 0, 1, 0.0, 0.0), HFRAC_ERR_ARGUMENT);
-  EXPECT_EQ(hfrac_write_grdecl(sim, nullptr, 0, 0, 1, 0.0, 0.0), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_write_grdecl(sim, "/nonexistent/folder/x.grdecl", 0, 0, 1, 0.0, 0.0), HFRAC_ERR_FILE);
+  EXPECT_EQ(hfrac_write_grdecl(sim, nullptr, 0, 0, 1, 0.0, 0.0), HFRAC_ERR_FILE);
   EXPECT_EQ(hfrac_write_grdecl(sim, "/tmp/x", 0, 2, 1, 0.0, 0.0), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hfrac_write_grdecl(sim, "/tmp/x", 0, 0, 0, 0.0, 0.0), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hfrac_write_grdecl(sim, "/tmp/x", 0, 0, 1, 1.5, 0.0), HFRAC_ERR_ARGUMENT);

@@ -17,7 +17,8 @@ void require_good(int32_t status) {
 
 }  // namespace
 
-hfrac_sim_def load_case(const std::string& file, int64_t workers, const std::vector<double>& discs) {
+hfrac_sim_def load_case(const std::string& file, int64_t workers, const std::vector<double>& discs,
+                        const std::vector<int64_t>& bonds) {
   hfrac_sim_def definition{};
   require_good(hfrac_sim_def_init(&definition, static_cast<int32_t>(sizeof definition)));
   definition.run_workers = std::clamp<int64_t>(std::thread::hardware_concurrency(), 1, 4);
@@ -26,6 +27,10 @@ hfrac_sim_def load_case(const std::string& file, int64_t workers, const std::vec
   if (!discs.empty()) {
     definition.given_discs = discs.data();
     definition.given_disc_count = static_cast<int64_t>(discs.size() / 3);
+  }
+  if (!bonds.empty()) {
+    definition.given_bonds = bonds.data();
+    definition.given_bond_count = static_cast<int64_t>(bonds.size() / 2);
   }
   require_good(hfrac_sim_def_check(&definition));
   return definition;

@@ -15,6 +15,7 @@ using Action = std::function<ExitCode()>;
 void add_run(CLI::App& program, Action& action);
 void add_resume(CLI::App& program, Action& action);
 void add_check(CLI::App& program, Action& action);
+void add_export(CLI::App& program, Action& action);
 void add_info(CLI::App& program, Action& action);
 void add_lab(CLI::App& program, Action& action);
 void add_calibrate(CLI::App& program, Action& action);

@@ -80,12 +80,14 @@ ExitCode go_on(const ResumeRequest& request) {
   if (request.steps >= 0) terms.steps = request.steps;
 
   std::vector<double> discs;
+  std::vector<int64_t> bonds;
   try {
     if (fs::exists(folder / "given_discs.csv")) discs = output::read_discs(folder / "given_discs.csv");
+    if (fs::exists(folder / "given_bonds.csv")) bonds = output::read_bonds(folder / "given_bonds.csv");
   } catch (const output::DiscFileError& error) {
     throw BadInput(error.what());
   }
-  auto definition = load_case((folder / "case.toml").string(), request.workers, discs);
+  auto definition = load_case((folder / "case.toml").string(), request.workers, discs, bonds);
   const output::FolderClaim claim(folder);
   catch_interrupts();
   std::vector<std::string> damaged;
@@ -109,6 +111,8 @@ ExitCode go_on(const ResumeRequest& request) {
   if (checkpoint) restore(sim.get(), *checkpoint, folder);
   definition.given_discs = nullptr;  // the model has its own copy
   definition.given_disc_count = 0;
+  definition.given_bonds = nullptr;
+  definition.given_bond_count = 0;
   const auto code = run_to_end(sim.get(), run, definition, terms, line, [&] {
     if (checkpoint) {
       run.go_on_from(sim.get(), *checkpoint);

@@ -33,12 +33,14 @@ void refuse_earlier_run(const RunRequest& request) {
 
 ExitCode carry_out(const RunRequest& request) {
   std::vector<double> discs;
+  std::vector<int64_t> bonds;
   try {
     if (!request.disc_file.empty()) discs = output::read_discs(request.disc_file);
+    if (!request.bond_file.empty()) bonds = output::read_bonds(request.bond_file);
   } catch (const output::DiscFileError& error) {
     throw BadInput(error.what());
   }
-  auto definition = load_case(request.case_file, request.workers, discs);
+  auto definition = load_case(request.case_file, request.workers, discs, bonds);
   if (request.checkpoint_every >= 0.0) definition.output_checkpoint_every = request.checkpoint_every;
   if (request.checkpoint_steps >= 0) definition.output_checkpoint_steps = request.checkpoint_steps;
   refuse_earlier_run(request);
@@ -61,11 +63,15 @@ ExitCode carry_out(const RunRequest& request) {
   output::remove_files_of_a_run(request.folder);
   definition.given_discs = nullptr;  // the model has its own copy
   definition.given_disc_count = 0;
+  definition.given_bonds = nullptr;
+  definition.given_bond_count = 0;
 
   return run_to_end(sim.get(), folder, definition, terms, line, [&] {
     // First the discs, without which the case alone would make another model.
     if (!discs.empty()) output::write_whole(request.folder / "given_discs.csv", output::discs_as_csv(discs));
+    if (!bonds.empty()) output::write_whole(request.folder / "given_bonds.csv", output::bonds_as_csv(bonds));
     discs = {};
+    bonds = {};
     folder.open(sim.get());
     claim.keep();
   });

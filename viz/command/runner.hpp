@@ -16,6 +16,7 @@ struct RunRequest {
   std::string case_file;
   std::filesystem::path folder;
   std::filesystem::path disc_file;  ///< the user's own discs; empty: packed as the case says
+  std::filesystem::path bond_file;  ///< which of those discs are bonded; empty: all that are near
   std::vector<double> grid;         ///< of a reservoir simulator (output/host_cells.hpp); empty: none
   int64_t steps = -1;               ///< steps to take; -1: as the case says
   int64_t workers = 0;              ///< 0: as the case says

@@ -12,13 +12,16 @@
 #include <array>
 #include <charconv>
 #include <fstream>
+#include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace hfrac::output {
 namespace {
 
-constexpr std::array<std::string_view, 3> wanted{"x", "y", "radius"};
+constexpr std::array<std::string_view, 3> disc_columns{"x", "y", "radius"};
+constexpr std::array<std::string_view, 3> bond_columns{"disc_0", "disc_1", "state"};
 
 bool is_separator(char c) {
   return c == ',' || c == ';' || c == ' ' || c == '\t' || c == '\r';
@@ -47,39 +50,54 @@ bool is_name(std::string_view word, std::string_view name) {
   return word == name || (word.size() == name.size() + 2 && word.starts_with(name) && word.ends_with("_m"));
 }
 
-std::vector<double> read_csv(const std::filesystem::path& file) {
+/** Calls take(line number, words) for every line of values, each with the words of the columns `wanted`, in that order; those
+ * from `optional` on are empty if the file has no such column. */
+template <class Take>
+void read_columns(const std::filesystem::path& file, std::span<const std::string_view> wanted,
+                  size_t optional, Take take) {
   std::ifstream stream(file);
   if (!stream) throw DiscFileError(fmt::format("cannot read '{}'", file.string()));
-  std::vector<double> discs;
-  std::array<std::size_t, 3> column{};
-  bool named = false;
+  std::vector<size_t> column;
+  std::vector<std::string_view> row(wanted.size());
   std::string line;
   for (std::size_t number = 1; std::getline(stream, line); ++number) {
     const auto words = words_of(line);
     if (words.empty() || words.front().starts_with('#')) continue;
-    if (!named) {
-      for (std::size_t k = 0; k < 3; ++k) {
+    if (column.empty()) {
+      for (size_t k = 0; k < wanted.size(); ++k) {
         const auto at =
             std::find_if(words.begin(), words.end(), [&](auto word) { return is_name(word, wanted[k]); });
-        if (at == words.end())
-          throw DiscFileError(
-              fmt::format("{}:{}: no column {}; the first line names the columns x, y and radius",
-                          file.string(), number, wanted[k]));
-        column[k] = static_cast<std::size_t>(at - words.begin());
+        if (at == words.end() && k < optional)
+          throw DiscFileError(fmt::format("{}:{}: no column {}; the first line names the columns {}",
+                                          file.string(), number, wanted[k],
+                                          fmt::join(wanted.first(optional), ", ")));
+        column.push_back(static_cast<std::size_t>(at - words.begin()));
       }
-      named = true;
       continue;
     }
-    for (std::size_t k = 0; k < 3; ++k) {
-      double value = 0.0;
-      const auto word = column[k] < words.size() ? words[column[k]] : std::string_view{};
-      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-      if (error != std::errc{} || end != word.data() + word.size())
-        throw DiscFileError(fmt::format("{}:{}: {} is '{}', not a number", file.string(), number, wanted[k],
-                                        word.substr(0, 40)));
-      discs.push_back(value);
-    }
+    for (size_t k = 0; k < wanted.size(); ++k)
+      row[k] = column[k] < words.size() ? words[column[k]] : std::string_view{};
+    take(number, row);
   }
+}
+
+/** A number that is the whole word. */
+template <class Number>
+Number number_of(std::string_view word, const std::filesystem::path& file, size_t line,
+                 std::string_view column) {
+  Number value{};
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc{} || end != word.data() + word.size())
+    throw DiscFileError(fmt::format("{}:{}: {} is '{}', not a{} number", file.string(), line, column,
+                                    word.substr(0, 40), std::is_integral_v<Number> ? " whole" : ""));
+  return value;
+}
+
+std::vector<double> read_csv(const std::filesystem::path& file) {
+  std::vector<double> discs;
+  read_columns(file, disc_columns, disc_columns.size(), [&](size_t line, const auto& words) {
+    for (size_t k = 0; k < 3; ++k) discs.push_back(number_of<double>(words[k], file, line, disc_columns[k]));
+  });
   if (discs.empty()) throw DiscFileError(fmt::format("{}: no discs in it", file.string()));
   return discs;
 }
@@ -112,10 +130,27 @@ std::vector<double> read_discs(const std::filesystem::path& file) {
   return file.extension() == ".vtu" ? read_vtu(file) : read_csv(file);
 }
 
+std::vector<int64_t> read_bonds(const std::filesystem::path& file) {
+  std::vector<int64_t> bonds;
+  read_columns(file, bond_columns, 2, [&](size_t line, const auto& words) {
+    if (!words[2].empty() && number_of<int64_t>(words[2], file, line, bond_columns[2]) != 0) return;
+    for (size_t k = 0; k < 2; ++k) bonds.push_back(number_of<int64_t>(words[k], file, line, bond_columns[k]));
+  });
+  if (bonds.empty()) throw DiscFileError(fmt::format("{}: no bonds in it", file.string()));
+  return bonds;
+}
+
 std::string discs_as_csv(const std::vector<double>& discs) {
   std::string text = "x_m,y_m,radius_m\n";
   for (std::size_t k = 0; k + 2 < discs.size(); k += 3)
     text += fmt::format("{},{},{}\n", discs[k], discs[k + 1], discs[k + 2]);
+  return text;
+}
+
+std::string bonds_as_csv(const std::vector<int64_t>& bonds) {
+  std::string text = "disc_0,disc_1\n";
+  for (std::size_t k = 0; k + 1 < bonds.size(); k += 2)
+    text += fmt::format("{},{}\n", bonds[k], bonds[k + 1]);
   return text;
 }
 

@@ -96,6 +96,8 @@ void RunFolder::finish(hfrac_sim* sim, const std::string& why_ended) {
   const SnapshotFrame frame(sim);
   write_series(frame);
   write_whole(folder_ / "fractures.csv", fracture_table(frame.fractures));
+  const int32_t saved = hfrac_state_save_file(sim, (folder_ / "state.hfrac").c_str());
+  if (saved < 0) throw FileError(error_text(saved, sim));
   write_summary(frame);
 }
 

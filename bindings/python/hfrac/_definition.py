@@ -86,7 +86,8 @@ class Definition:
     out), radius, pressure, ramp_per_step, rate, control ("pressure", "ramp" or "rate"). Wells of a case file are
     changed in order, further ones are added. ``joints`` likewise: lines of weakness from x1, y1 to x2, y2 with
     tensile_factor, shear_factor, friction, state ("bonded" or "broken"). ``schedule``: entries of well, time, value,
-    control ("pressure" or "rate"). ``discs``: rows of x, y, radius [m], packed elsewhere.
+    control ("pressure" or "rate"). ``discs``: rows of x, y, radius [m], packed elsewhere; ``bonds``: pairs of their
+    indices, from 0, that are bonded, otherwise all that are near.
     """
 
     def __init__(
@@ -98,14 +99,16 @@ class Definition:
         schedule: Sequence[Mapping[str, Value]] = (),
         title: Optional[str] = None,
         discs: Optional[Iterable[Sequence[float]]] = None,
+        bonds: Optional[Iterable[Sequence[int]]] = None,
         **options: Any,
     ) -> None:
         self._struct = _abi.hfrac_sim_def()
-        self._discs: Any = None  # what the struct's pointer points to
+        self._discs: Any = None  # what the struct's pointers point to
+        self._bonds: Any = None
         call("hfrac_sim_def_init", ctypes.byref(self._struct), ctypes.sizeof(self._struct))
         if case is not None:
             self.load(case)
-        self.update(wells=wells, joints=joints, schedule=schedule, title=title, discs=discs, **options)
+        self.update(wells=wells, joints=joints, schedule=schedule, title=title, discs=discs, bonds=bonds, **options)
 
     def load(self, path: PathLike) -> None:
         """Reads a case file over what is set so far."""
@@ -119,6 +122,7 @@ class Definition:
         schedule: Sequence[Mapping[str, Value]] = (),
         title: Optional[str] = None,
         discs: Optional[Iterable[Sequence[float]]] = None,
+        bonds: Optional[Iterable[Sequence[int]]] = None,
         **options: Any,
     ) -> None:
         """Sets what the constructor takes, on top of what is set so far."""
@@ -136,12 +140,20 @@ class Definition:
             self.set("title", title)
         if discs is not None:
             self._give_discs(discs)
+        if bonds is not None:
+            self._give_bonds(bonds)
 
     def _give_discs(self, discs: Iterable[Sequence[float]]) -> None:
         values = array("d", (value for x, y, radius in discs for value in (x, y, radius)))
         self._discs = (ctypes.c_double * len(values)).from_buffer(values)
         self._struct.given_discs = ctypes.addressof(self._discs)
         self._struct.given_disc_count = len(values) // 3
+
+    def _give_bonds(self, bonds: Iterable[Sequence[int]]) -> None:
+        values = array("q", (int(index) for first, second in bonds for index in (first, second)))
+        self._bonds = (ctypes.c_int64 * len(values)).from_buffer(values)
+        self._struct.given_bonds = ctypes.addressof(self._bonds) if values else None
+        self._struct.given_bond_count = len(values) // 2
 
     def set(self, key: str, value: Value) -> None:
         """Sets one value by its key: "bond.tensile_strength", "well[0].pressure", "title"."""
@@ -230,6 +242,7 @@ class Definition:
         other = Definition()
         ctypes.pointer(other._struct)[0] = self._struct
         other._discs = self._discs
+        other._bonds = self._bonds
         return other
 
     def __repr__(self) -> str:

@@ -59,7 +59,7 @@ FIELDS: Tuple[FieldInfo, ...] = (
     ),
     FieldInfo(
         'bond.state', '1', 'int32', 1,
-        '0 intact, 1 broken in tension, 2 broken in shear',
+        '0 intact, 1 broken in tension, 2 broken in shear, 3 never bonded',
     ),
     FieldInfo(
         'bond.normal_force', 'N', 'double', 1,
@@ -176,7 +176,7 @@ class Bonds(FieldGroup):
 
     @property
     def state(self) -> Array:
-        """[1] 0 intact, 1 broken in tension, 2 broken in shear; shape (n,)"""
+        """[1] 0 intact, 1 broken in tension, 2 broken in shear, 3 never bonded; shape (n,)"""
         return self._simulation.field("bond.state")
 
     @property

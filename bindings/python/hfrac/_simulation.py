@@ -44,7 +44,7 @@ class _Handle:
 class Simulation:
     """A model, its state and its clock.
 
-    ``case`` is a case file or a Definition; wells, joints, schedule, title, discs and options are as for Definition and come on top.
+    ``case`` is a case file or a Definition; wells, joints, schedule, title, discs, bonds and options are as for Definition and come on top.
     ``progress(fraction, what)`` is called while the model is built and while it runs; a true result stops.
     ``log(level, message)`` is told what happens, from the start on.
 
@@ -61,6 +61,7 @@ class Simulation:
         schedule: Sequence[Mapping[str, Value]] = (),
         title: Optional[str] = None,
         discs: Optional[Iterable[Sequence[float]]] = None,
+        bonds: Optional[Iterable[Sequence[int]]] = None,
         progress: Optional[ProgressFunction] = None,
         log: Optional[LogFunction] = None,
         **options: Any,
@@ -69,7 +70,7 @@ class Simulation:
         self._lock = threading.RLock()
         self._progress = Progress(progress)
         definition = case.copy() if isinstance(case, Definition) else Definition(case)
-        definition.update(wells=wells, joints=joints, schedule=schedule, title=title, discs=discs, **options)
+        definition.update(wells=wells, joints=joints, schedule=schedule, title=title, discs=discs, bonds=bonds, **options)
         definition._struct.progress = self._progress.callback
         if log is not None:
             self._progress.log_function = log

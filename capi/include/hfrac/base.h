@@ -23,6 +23,21 @@
 #define HFRAC_API
 #endif
 
+/* Every function's comment ends with its mark. A stable function keeps its meaning until it is deprecated; an unstable one
+ * may change with any minor version, so a host says that it knows: it defines HFRAC_ENABLE_UNSTABLE before the first
+ * header of hfrac. Without, a call of one does not compile (GCC 12, clang), or names the fix when it is generated. */
+#if defined(HFRAC_ENABLE_UNSTABLE) || !defined(__has_attribute)
+#define HFRAC_UNSTABLE_API HFRAC_API
+#elif __has_attribute(unavailable)
+#define HFRAC_UNSTABLE_API \
+  HFRAC_API __attribute__((unavailable("unstable: define HFRAC_ENABLE_UNSTABLE before including hfrac/hfrac.h")))
+#elif __has_attribute(error)
+#define HFRAC_UNSTABLE_API \
+  HFRAC_API __attribute__((error("unstable: define HFRAC_ENABLE_UNSTABLE before including hfrac/hfrac.h")))
+#else
+#define HFRAC_UNSTABLE_API HFRAC_API
+#endif
+
 #define HFRAC_VERSION_MAJOR 0
 #define HFRAC_VERSION_MINOR 1
 #define HFRAC_VERSION_PATCH 0

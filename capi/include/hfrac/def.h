@@ -364,6 +364,11 @@ typedef struct hfrac_sim_def {
   double output_checkpoint_every;
   /** Steps between the checkpoints that hfrac resume goes on from; 0: none by steps. Default 0. */
   int64_t output_checkpoint_steps;
+  /** With given_discs, which of them are bonded: two indices into given_discs per bond, from 0, borrowed during
+   * hfrac_sim_create; NULL: all that are near (bond.gap_tolerance). Discs that are near but not in the list touch without a
+   * bond: their contact carries compression and friction, as after breakage, and is no crack. */
+  const int64_t *given_bonds;
+  int64_t given_bond_count;   /**< bonds in given_bonds */
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */
@@ -392,11 +397,11 @@ HFRAC_API int32_t hfrac_sim_def_set_str(hfrac_sim_def *def, const char *key, con
 HFRAC_API int32_t hfrac_sim_def_get_f64(const hfrac_sim_def *def, const char *key, double *value);
 /** Reads an integer option, a choice's index, or "well_count", "joint_count", "schedule_count"; a real one is refused, since it would lose its fraction.
  * Unstable since 0.1. */
-HFRAC_API int32_t hfrac_sim_def_get_i64(const hfrac_sim_def *def, const char *key, int64_t *value);
+HFRAC_UNSTABLE_API int32_t hfrac_sim_def_get_i64(const hfrac_sim_def *def, const char *key, int64_t *value);
 /** Reads any option as text: a choice's word, "title", numbers with all their digits, so that setting or loading the text
  * gives the value back bit for bit. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_sim_def_get_str(const hfrac_sim_def *def, const char *key, char *buffer, int32_t capacity,
-                                        int32_t *needed);
+HFRAC_UNSTABLE_API int32_t hfrac_sim_def_get_str(const hfrac_sim_def *def, const char *key, char *buffer,
+                                                 int32_t capacity, int32_t *needed);
 
 /** What the table says of one option. Texts point into the library and live as long as it is loaded. */
 typedef struct hfrac_option_info {
@@ -417,10 +422,10 @@ HFRAC_API int32_t hfrac_option_count(int32_t *count);
 HFRAC_API int32_t hfrac_option_at(int32_t index, hfrac_option_info *info);
 
 /** Number of values a well has. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_well_option_count(int32_t *count);
+HFRAC_UNSTABLE_API int32_t hfrac_well_option_count(int32_t *count);
 /** Entry `index` (from 0) of a well's values; its key is "radius" where the keyed functions take "well[0].radius".
  * Unstable since 0.1. */
-HFRAC_API int32_t hfrac_well_option_at(int32_t index, hfrac_option_info *info);
+HFRAC_UNSTABLE_API int32_t hfrac_well_option_at(int32_t index, hfrac_option_info *info);
 
 /** Number of values a joint has. Unstable since 0.1. */
 HFRAC_API int32_t hfrac_joint_option_count(int32_t *count);

@@ -30,7 +30,7 @@ extern "C" {
   X(HFRAC_DISC_INTACT_BONDS, 6, "disc.intact_bonds", "1", 0, 1, 1, "number of intact bonds")                       \
   X(HFRAC_DISC_TEMPERATURE, 7, "disc.temperature", "K", 0, 0, 1, "of the rock; thermal.rock_temperature without a temperature in the model") \
   X(HFRAC_BOND_DISCS, 20, "bond.discs", "1", 1, 1, 2, "indices of the two discs")                                  \
-  X(HFRAC_BOND_STATE, 21, "bond.state", "1", 1, 1, 1, "0 intact, 1 broken in tension, 2 broken in shear")          \
+  X(HFRAC_BOND_STATE, 21, "bond.state", "1", 1, 1, 1, "0 intact, 1 broken in tension, 2 broken in shear, 3 never bonded")          \
   X(HFRAC_BOND_NORMAL_FORCE, 22, "bond.normal_force", "N", 1, 0, 1, "bond and contact together, per thickness, tension positive") \
   X(HFRAC_BOND_SHEAR_FORCE, 23, "bond.shear_force", "N", 1, 0, 1, "bond and contact together, per thickness")      \
   X(HFRAC_BOND_MOMENT, 24, "bond.moment", "N m", 1, 0, 1, "bending moment of the bond, per thickness")             \

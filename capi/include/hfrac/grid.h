@@ -45,7 +45,7 @@ typedef struct hfrac_grid {
 /** Lays the host's grid over the model, in place of an earlier one. Valid at any time after creation; the grid is no part of
  * the state and stays over restore and reject. HFRAC_ERR_ARGUMENT: a cell without area or not convex. Costs about as much as
  * one flow step. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_set_grid(hfrac_sim *sim, const hfrac_grid *grid);
+HFRAC_UNSTABLE_API int32_t hfrac_set_grid(hfrac_sim *sim, const hfrac_grid *grid);
 
 /** How permeability is brought to the host's cells. */
 enum hfrac_upscaling {
@@ -73,28 +73,30 @@ typedef struct hfrac_cell {
  * `capacity` cells in the grid's order; *count is nx * ny. buffer NULL: only *count. The sum of `outflow` times the step's
  * duration is what hfrac_balance says has leaked in it. Dry models (flow.scheme "off") give 0 for what flows. Unstable since
  * 0.1. */
-HFRAC_API int32_t hfrac_grid_cells(hfrac_sim *sim, int32_t method, int32_t cell_size, hfrac_cell *buffer,
-                                   int64_t capacity, int64_t *count);
+HFRAC_UNSTABLE_API int32_t hfrac_grid_cells(hfrac_sim *sim, int32_t method, int32_t cell_size, hfrac_cell *buffer,
+                                            int64_t capacity, int64_t *count);
 
 /** From the next step on, pressure [Pa, in the reading's sense] beyond the model's edge: every pipe there feels that of the
  * nearest cell of which the model covers less than half (of all cells, if it covers more of each). `count` values, one per cell
- * (nx * ny); only those cells are looked at. What passes is `outflow` by cell and `leaked_volume` in all. The stress on the edge does
- * not change. Kept by the tries of an open step. Needs flow.outer "formation". Unstable since 0.1. */
-HFRAC_API int32_t hfrac_set_rim_pressure(hfrac_sim *sim, const double *pressure, int64_t count);
+ * (nx * ny); only those cells are looked at. It stays as it is, absolute, whatever hfrac_set_formation_pressure says later,
+ * until it is set anew or taken back: with count 0 (pressure may be NULL) the rim feels the formation's pressure again. What passes
+ * is `outflow` by cell and `leaked_volume` in all. The stress on the edge does not change. Part of the state; kept by the
+ * tries of an open step. Needs flow.outer "formation". Unstable since 0.1. */
+HFRAC_UNSTABLE_API int32_t hfrac_set_rim_pressure(hfrac_sim *sim, const double *pressure, int64_t count);
 
 /** At once, gives the rock's pores the host's pressure [Pa, in the reading's sense]: each the mean of the cells it lies in, by
  * area. Pores beside cracks, wells, and pores outside the grid keep theirs; the rock answers in the next step. `count`
  * values, one per cell. `added` (may be NULL; `capacity` at least count) gets the fluid [m2] that each cell gave, negative:
  * took; their sum goes to `host_volume` of hfrac_balance. HFRAC_ERR_ARGUMENT while a step is open. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_set_cell_pressure(hfrac_sim *sim, const double *pressure, int64_t count, double *added,
-                                          int64_t capacity);
+HFRAC_UNSTABLE_API int32_t hfrac_set_cell_pressure(hfrac_sim *sim, const double *pressure, int64_t count, double *added,
+                                                   int64_t capacity);
 
 /** From the next step on, stress [Pa, compression positive] on top of the far field: xx, yy, xy of every cell, shape (3, nx,
  * ny), `count` values in all. It acts as traction on the model's edge, by the cell each disc of the edge lies in or
  * is nearest to; inside, the model finds its own. What net force and moment the tractions have is taken out (a host balances
  * it by forces in the volume). Zeros take it away. Kept by the tries of an open step. Needs boundary.kind "stress". Unstable
  * since 0.1. */
-HFRAC_API int32_t hfrac_set_cell_stress(hfrac_sim *sim, const double *stress, int64_t count);
+HFRAC_UNSTABLE_API int32_t hfrac_set_cell_stress(hfrac_sim *sim, const double *stress, int64_t count);
 
 /** What an include file holds. Not both in one model: the cracks would count twice. */
 enum hfrac_grdecl_kind {
@@ -109,8 +111,8 @@ enum hfrac_grdecl_kind {
  * rock's values and multipliers of 1; rock the host gives no value for and no cell covers takes the mean of the covered cells.
  * The file appears whole or not at all (written aside, synced, renamed). HFRAC_ERR_FILE: it cannot be written.
  * Unstable since 0.1. */
-HFRAC_API int32_t hfrac_write_grdecl(hfrac_sim *sim, const char *path, int32_t method, int32_t kind, int64_t layers,
-                                     double porosity, double permeability);
+HFRAC_UNSTABLE_API int32_t hfrac_write_grdecl(hfrac_sim *sim, const char *path, int32_t method, int32_t kind,
+                                              int64_t layers, double porosity, double permeability);
 
 #ifdef __cplusplus
 }

@@ -52,10 +52,10 @@ HFRAC_API int32_t hfrac_set_progress(hfrac_sim *sim, hfrac_progress_fn progress,
 typedef int32_t (*hfrac_step_fn)(void *user, hfrac_sim *sim, int64_t step, double time);
 
 /** Sets the callback after every step; NULL removes it. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_set_on_step(hfrac_sim *sim, hfrac_step_fn on_step, void *user);
+HFRAC_UNSTABLE_API int32_t hfrac_set_on_step(hfrac_sim *sim, hfrac_step_fn on_step, void *user);
 
 /** Sets who is told what happens, up to `level` (enum hfrac_log_level); NULL removes it. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_set_log(hfrac_sim *sim, hfrac_log_fn log, void *user, int32_t level);
+HFRAC_UNSTABLE_API int32_t hfrac_set_log(hfrac_sim *sim, hfrac_log_fn log, void *user, int32_t level);
 
 /** How the simulation stands. Set struct_size before the call. */
 typedef struct hfrac_sim_state {
@@ -143,7 +143,7 @@ typedef struct hfrac_solver_report {
   int64_t rejected_divergence; /**< parts put back because no equilibrium was found */
 } hfrac_solver_report;
 /** What the quasi-static solver did since set-up. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_sim_get_solver(const hfrac_sim *sim, hfrac_solver_report *report);
+HFRAC_UNSTABLE_API int32_t hfrac_sim_get_solver(const hfrac_sim *sim, hfrac_solver_report *report);
 
 /** What limits a step binds. */
 enum hfrac_step_limit {
@@ -163,7 +163,7 @@ typedef struct hfrac_step_limits {
                                1e300; binds with flow.scheme explicit only */
 } hfrac_step_limits;
 /** How long a step could be now. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_get_step_limits(const hfrac_sim *sim, hfrac_step_limits *limits);
+HFRAC_UNSTABLE_API int32_t hfrac_get_step_limits(const hfrac_sim *sim, hfrac_step_limits *limits);
 
 /** One wall of a model with boundary.kind walls. Set struct_size before the call. */
 typedef struct hfrac_wall_state {
@@ -177,9 +177,9 @@ typedef struct hfrac_wall_state {
   int64_t disc_count;   /**< discs that can touch it */
 } hfrac_wall_state;
 /** Number of walls: 4 (left, right, lower, upper), or 0 with boundary.kind stress. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_wall_count(const hfrac_sim *sim, int32_t *count);
+HFRAC_UNSTABLE_API int32_t hfrac_wall_count(const hfrac_sim *sim, int32_t *count);
 /** Wall `index` (from 0) now. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_wall_get(const hfrac_sim *sim, int32_t index, hfrac_wall_state *state);
+HFRAC_UNSTABLE_API int32_t hfrac_wall_get(const hfrac_sim *sim, int32_t index, hfrac_wall_state *state);
 
 /** A number that is equal if and only if (up to collision) the state is equal, bit for bit. Stable since 0.1. */
 HFRAC_API int32_t hfrac_state_hash(const hfrac_sim *sim, int64_t *hash);

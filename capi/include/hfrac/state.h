@@ -37,10 +37,10 @@ HFRAC_API int32_t hfrac_state_restore(hfrac_sim *sim, const void *image, int64_t
 /** Saves an image as file `path`: beside it first (`path`.part), synced, then renamed. After a crash or a power cut there is
  * the old file or the new one; if it fails (HFRAC_ERR_FILE: no such folder, no rights, disk full) the old one is left and
  * nothing else. One writer per path at a time. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_state_save_file(const hfrac_sim *sim, const char *path);
+HFRAC_UNSTABLE_API int32_t hfrac_state_save_file(const hfrac_sim *sim, const char *path);
 /** Restores an image from a file. One that cannot be read, is cut, damaged, of another model, of another format or no image
  * at all is refused (HFRAC_ERR_FILE) and changes nothing. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_state_load_file(hfrac_sim *sim, const char *path);
+HFRAC_UNSTABLE_API int32_t hfrac_state_load_file(hfrac_sim *sim, const char *path);
 
 /** Opens a step: remembers the state. Stable since 0.1. */
 HFRAC_API int32_t hfrac_step_prepare(hfrac_sim *sim);
@@ -57,9 +57,10 @@ HFRAC_API int32_t hfrac_step_reject(hfrac_sim *sim);
 HFRAC_API int32_t hfrac_set_far_field(hfrac_sim *sim, double sigma_H, double sigma_h);
 /** From the next step on, another pressure [Pa, absolute, 0 to 1e10] in the pores outside the model, in both readings; the
  * paper's other pressures stay net of fluid.formation_pressure as defined. Total far-field stresses stay as they are; pores
- * inside follow by flow. It is the same all around: what a host's grid said of the rim no longer holds. Needs flow, and
- * flow.outer formation. In the sound reading it must not exceed sigma_h where the far field acts. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_set_formation_pressure(hfrac_sim *sim, double pressure);
+ * inside follow by flow. Where a host's grid has said what the rim feels (hfrac_set_rim_pressure), that stays until the host
+ * takes it back; what lies beyond still changes then, and the load on the edge with it. Needs flow, and flow.outer formation.
+ * In the sound reading it must not exceed sigma_h where the far field acts. Unstable since 0.1. */
+HFRAC_UNSTABLE_API int32_t hfrac_set_formation_pressure(hfrac_sim *sim, double pressure);
 
 #ifdef __cplusplus
 }

@@ -49,6 +49,7 @@ class Grid(unittest.TestCase):
             added = flat(grid.set_cell_pressure([[1e5, 1e5], [2e5, 2e5]]))
             self.assertAlmostEqual(sum(added), sim.balance.host_volume)
             self.assertGreater(added[2], added[0])
+            grid.set_rim_pressure(None)
             grid.set_rim_pressure([[1e5, 1e5], [2e5, 2e5]])
             grid.set_cell_stress([[[1e6, 0.0, 0.0]] * 2] * 2)
             self.assertGreaterEqual(sim.step(), 0)

@@ -160,9 +160,25 @@ class OwnDiscs(unittest.TestCase):
         with small(discs=rows, stepping_force_ratio=1e-2, wells=[{"radius": 5.0}]) as sim:
             self.assertEqual(sim.setup.packed_discs, len(rows))
 
+    def test_bonds_of_a_list(self):
+        with small() as packed:
+            rows = [(x, y, radius) for (x, y), radius in zip(packed.discs.position, packed.discs.radius)]
+        options = {"discs": rows, "stepping_force_ratio": 1e-2, "wells": [{"radius": 5.0}]}
+        with small(**options) as near:
+            self.assertEqual(near.state.disc_count, len(rows), "indices are those of the rows")
+            pairs = [tuple(pair) for pair in near.bonds.discs]
+            with small(bonds=pairs, **options) as listed:
+                self.assertEqual(listed.state_hash, near.state_hash)
+        with small(bonds=pairs[::2], **options) as jointed:
+            self.assertEqual(list(jointed.bonds.state).count(3), len(pairs) // 2)
+        with self.assertRaisesRegex(hfrac.Error, "to itself"):
+            small(bonds=[(1, 1)], **options)
+
     def test_wrong_shape(self):
         with self.assertRaises(ValueError):
             hfrac.Definition(discs=[(1.0, 2.0)])
+        with self.assertRaises(ValueError):
+            hfrac.Definition(bonds=[(1, 2, 3)])
 
 
 class Isolation(unittest.TestCase):
