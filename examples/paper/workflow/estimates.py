@@ -6,9 +6,9 @@ DRAWS = 2000
 
 
 def slope(x, y):
-    """Least-squares slope of y with x."""
+    """Least-squares slope of y with x; of each row if y has rows."""
     x = np.asarray(x, float) - np.mean(x)
-    return float(x @ (y - np.mean(y)) / (x @ x))
+    return np.asarray(y, float) @ x / (x @ x)
 
 
 def r_squared(x, y):
@@ -20,11 +20,10 @@ def r_squared(x, y):
 
 
 def interval(values, quantity):
-    """(5 %, 95 %) of quantity(mean over packings), packings drawn with replacement."""
+    """(5 %, 95 %) of quantity(mean over packings), packings drawn with replacement. `quantity` takes rows of means."""
     generator = np.random.Generator(np.random.PCG64(1))
     picks = generator.integers(0, len(values), (DRAWS, len(values)))
-    drawn = [quantity(values[pick].mean(axis=0)) for pick in picks]
-    return tuple(float(one) for one in np.quantile(drawn, (0.05, 0.95)))
+    return tuple(float(one) for one in np.quantile(quantity(values[picks].mean(axis=1)), (0.05, 0.95)))
 
 
 def ranks(values):
