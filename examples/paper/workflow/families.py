@@ -95,7 +95,7 @@ def family_names():
 
 
 def cases_of(family, name, settings):
-    """(series, x, seed, case) of each run of a family."""
+    """(series, x, seed, case) of each run of a family; series is a table of it."""
     base = {}
     for part in family["parts"]:
         base = merged(base, read(part))
@@ -112,25 +112,26 @@ def cases_of(family, name, settings):
         for value in values:
             varied = merged(case, nested(series["vary"], float(f"{value * series['scale']:.12g}")))
             for seed in family.get("seeds", settings["seeds"]):
-                yield series["name"], float(value), seed, merged(varied, {"model": {"seed": seed}})
+                yield series, float(value), seed, merged(varied, {"model": {"seed": seed}})
 
 
 def expand(which):
-    """({name: run}, [points]) of the set `which`, the most telling runs first."""
+    """({name: run}, [points]) of the set `which`. A run's priority is the first of the families' that share it."""
     settings = SETS[which]
     runs, points, known = {}, [], {}
-    names = family_names()
-    for name in sorted(names, key=lambda one: (read(one)["priority"], one)):
+    for name in sorted(family_names(), key=lambda one: (read(one)["priority"], one)):
         family = read(name)
         for series, x, seed, case in cases_of(family, name, settings):
             key = json.dumps(case, sort_keys=True)
+            priority = series.get("priority", family["priority"])
             if key not in known:
-                word = f"{name}-{series}-{x:g}-s{seed}".replace(" ", "")
+                word = f"{name}-{series['name']}-{x:g}-s{seed}".replace(" ", "")
                 known[key] = word
                 packing = f"{case['packing']['disc_count']}-{case['packing']['porosity']}-{seed}"
-                runs[word] = Run(word, packing, {"title": family["title"], **case}, family.get("pictures", False),
-                                 family["priority"])
-            points.append(Point(name, series, x, seed, known[key]))
+                runs[word] = Run(word, packing, {"title": family["title"], **case}, family.get("pictures", False), priority)
+            run = runs[known[key]]
+            runs[run.name] = dataclasses.replace(run, priority=min(priority, run.priority))
+            points.append(Point(name, series["name"], x, seed, run.name))
     return runs, points
 
 
