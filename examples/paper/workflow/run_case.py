@@ -28,10 +28,9 @@ def pressure_at(history, cracks):
     return next((row["well_pressure_Pa"] for row in history if row["crack_count"] - before >= cracks), None)
 
 
-def share_at(history, fraction):
-    """Cracks at this fraction of the steps planned or, in a run that ended before, at the end."""
-    step = fraction * history[-1]["step"]
-    return next(row["crack_count"] for row in history if row["step"] >= step)
+def cracks_at(history, step):
+    """Cracks after this step or, in a run that ended before, at its end."""
+    return [row["crack_count"] for row in history if row["step"] <= step][-1]
 
 
 def measured(folder):
@@ -55,8 +54,8 @@ def measured(folder):
         "cracks": state["crack_count"],
         "setup_cracks": state["setup_cracks"],
         "cracks_drawn": drawn,
-        "cracks_at_tenth": share_at(history, 0.1),
-        "cracks_at_four_fifths": share_at(history, 0.8),
+        "cracks_at_tenth": cracks_at(history, 0.1 * summary["planned"]["steps"]),
+        "cracks_at_four_fifths": cracks_at(history, 0.8 * summary["planned"]["steps"]),
         "length_m": longest["length_m"] if longest else 0.0,
         "extent_m": max((one["extent_m"] for one in fractures), default=0.0),
         "width_m": max((one["largest_aperture_m"] for one in fractures), default=0.0),
@@ -97,7 +96,7 @@ def main(which, name, out, packing=None):
         sys.exit(f"{name}: interrupted")
     try:
         result = {"status": "done", **measured(folder)} if done.returncode == 0 else None
-    except (OSError, KeyError, ValueError, StopIteration, IndexError) as error:
+    except (OSError, KeyError, ValueError, IndexError) as error:
         result = {"status": "broken", "error": f"unreadable: {error!r}"}
     if result is None:
         result = {"status": "broken", "error": (done.stderr.strip() or f"exit status {done.returncode}")[:400]}
