@@ -7,12 +7,13 @@ runs are not all there is drawn from those that are.
 import csv
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 
 # figure: (family, [(series in the family, name in the picture)] or all, {column of the picture: column measured}, title)
 LENGTHS = {"extent_m": "extent_m", "width_m": "width_m"}
-ONSET = {"initiation_pressure_MPa": "onset_MPa"}
+ONSET = {"initiation_pressure_Pa": "onset_MPa"}
 CHARTS = {
     "figure-05-end": (["figure-05"], {"crack_count": "cracks", "fracture_arms": "arms"}, "Figure 5: cracks by injection pressure"),
     "figure-07": (["figure-07"], ONSET, "Figure 7: initiation against horizontal stresses"),
@@ -26,11 +27,10 @@ CHARTS = {
     "sound-09": (["figure-09-sound"], ONSET, "Figure 9, sound reading"),
     "sound-12": (["figure-12-sound"], ONSET, "Figure 12, sound reading: initiation by permeability"),
 }
-AXES = {"figure-07": "effective_stress_MPa", "figure-08": "contact_stiffness_GN_per_m", "figure-09": "bond_strength_MPa",
-        "figure-10": "injection_pressure_MPa", "figure-11": "effective_stress_MPa", "figure-12": "permeability_mD",
-        "figure-05": "injection_pressure_MPa", "figure-07-sound": "total_stress_MPa",
-        "figure-08-sound": "contact_stiffness_GN_per_m", "figure-09-sound": "bond_strength_MPa",
-        "figure-12-sound": "permeability_mD"}
+# The axis of a family: its name with the SI unit, and that unit in the family's.
+STRESS, PRESSURE = ("effective_stress_Pa", 1e6), ("injection_pressure_Pa", 1e6)
+STIFFNESS, STRENGTH = ("contact_stiffness_N_per_m", 1e9), ("bond_strength_Pa", 1e6)
+AXES = {"05": PRESSURE, "07": STRESS, "08": STIFFNESS, "09": STRENGTH, "10": PRESSURE, "11": STRESS, "12": ("permeability_mD", 1)}
 
 
 def hfrac(*words):
@@ -40,19 +40,27 @@ def hfrac(*words):
     return done.returncode == 0
 
 
+def in_si(text, column):
+    return float(text) * 1e6 if text and column.endswith("_MPa") else text
+
+
 def chart(rows, tables, folder, name):
     wanted, columns, title = CHARTS[name]
     chosen = [row for row in rows if row["family"] in wanted and row["status"] == "done"]
     if not chosen:
         return
+    axis, unit = AXES[name.split("-")[1]]
+    if name.startswith("sound"):
+        axis = axis.replace("effective", "total")
     table = tables / f"{name}.csv"
     with open(table, "w", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["series", AXES[wanted[0]], *columns])
+        writer.writerow(["series", axis, *columns])
         for row in chosen:
-            series = row["series"] + (", falling strength" if row["family"].startswith("beyond") else "")
-            writer.writerow([series, row["x"], *(row[column] for column in columns.values())])
-    hfrac("plot", "--compare", table, "--title", title, "-o", folder / f"{name}.svg")
+            series = row["series"] + (" with falling strength" if row["family"].startswith("beyond") else "")
+            writer.writerow([series.replace("paper", "the paper's reading"), float(row["x"]) * unit,
+                             *(in_si(row[column], column) for column in columns.values())])
+    hfrac("plot", "--compare", table, "--title", title, "--width", 900, "-o", folder / f"{name}.png")
 
 
 def courses(rows, out, folder):
@@ -60,8 +68,8 @@ def courses(rows, out, folder):
     runs = [out / "runs" / row["run"] for row in rows if row["family"] == "figure-05" and row["status"] == "done"]
     runs = [run for run in runs if (run / "history.csv").exists()]
     if runs and hfrac("plot", "--compare", *runs, "--x", "step", "--y", "cracks", "--series", "well[0].pressure", "--title",
-                      "Figure 5: cracks over the sub-steps", "-o", out / "figure-05.svg"):
-        (out / "figure-05.svg").replace(folder / "figure-05.svg")
+                      "Figure 5: cracks over the sub-steps", "--width", 900, "-o", out / "figure-05.png"):
+        (out / "figure-05.png").replace(folder / "figure-05.png")
 
 
 def pictures(rows, out, folder):
@@ -71,9 +79,9 @@ def pictures(rows, out, folder):
         if row["status"] != "done" or not (run / "discs.pvd").exists():
             continue
         if row["family"] == "figure-03-04":
-            if hfrac("render", run, "--no-movie", "--width", 900, "-q"):
-                (run / "pictures/figure3.png").replace(folder / "figure-03.png")
-                (run / "pictures/growth.png").replace(folder / "figure-04.png")
+            if hfrac("render", run, "--no-movie", "--width", 800, "-q"):
+                shutil.copyfile(run / "pictures/figure3.png", folder / "figure-03.png")
+                shutil.copyfile(run / "pictures/growth.png", folder / "figure-04.png")
             hfrac("render", run, "--movie", folder / "figure-04.webp", "--width", 480, "-q")
         if row["family"] == "figure-06":
             name = f"figure-06-{float(row['x']):.0f}-MPa.png"
@@ -91,6 +99,9 @@ def main(out, folder):
         chart(rows, tables, folder, name)
     courses(rows, out, folder)
     pictures(rows, out, folder)
+    if shutil.which("pngquant"):  # 64 colours, as the other pictures of the documentation
+        for path in sorted(folder.glob("*.png")):
+            subprocess.run(["pngquant", "--force", "--strip", "--speed", "1", "--output", path, "64", path], check=False)
 
 
 if __name__ == "__main__":
