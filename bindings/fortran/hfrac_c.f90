@@ -21,6 +21,7 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_VERSION_MINOR = 1
   integer(c_int32_t), parameter :: HFRAC_VERSION_PATCH = 0
   integer(c_int32_t), parameter :: HFRAC_ABI_NUMBER = 0
+  integer(c_int32_t), parameter :: HFRAC_MACRO_COUNT = 6
 
   ! The one list of status codes. Values are never renumbered.
   !> good
@@ -67,6 +68,8 @@ module hfrac_c
   ! hfrac_def_limits.
   integer(c_int32_t), parameter :: HFRAC_MAX_WELLS = 8
   integer(c_int32_t), parameter :: HFRAC_TITLE_SIZE = 128
+  integer(c_int32_t), parameter :: HFRAC_MAX_JOINTS = 64
+  integer(c_int32_t), parameter :: HFRAC_MAX_SCHEDULE = 64
 
   ! How a well is driven.
   !> held at `pressure` from the first step
@@ -75,6 +78,12 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_WELL_RAMP = 1
   !> takes `rate`; its pressure follows
   integer(c_int32_t), parameter :: HFRAC_WELL_RATE = 2
+
+  ! Whether the bonds of a joint hold.
+  !> until their strength is reached
+  integer(c_int32_t), parameter :: HFRAC_JOINT_BONDED = 0
+  !> broken from the start, and counted as set-up cracks in shear
+  integer(c_int32_t), parameter :: HFRAC_JOINT_BROKEN = 1
 
   ! Why hfrac_advance returned.
   !> target time reached
@@ -109,9 +118,11 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_DISC_STRESS = 5
   !> number of intact bonds
   integer(c_int32_t), parameter :: HFRAC_DISC_INTACT_BONDS = 6
+  !> of the rock; thermal.rock_temperature without a temperature in the model
+  integer(c_int32_t), parameter :: HFRAC_DISC_TEMPERATURE = 7
   !> indices of the two discs
   integer(c_int32_t), parameter :: HFRAC_BOND_DISCS = 20
-  !> 0 intact, 1 broken in tension, 2 broken in shear
+  !> 0 intact, 1 broken in tension, 2 broken in shear, 3 never bonded
   integer(c_int32_t), parameter :: HFRAC_BOND_STATE = 21
   !> bond and contact together, per thickness, tension positive
   integer(c_int32_t), parameter :: HFRAC_BOND_NORMAL_FORCE = 22
@@ -135,6 +146,8 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_CENTRE = 62
   !> 0 rock, 1 well, 2 outside
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_KIND = 63
+  !> of the fluid; thermal.rock_temperature without a temperature in the model
+  integer(c_int32_t), parameter :: HFRAC_DOMAIN_TEMPERATURE = 66
   !> first corner of each domain in domain.corners; the next domain's is its end
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_OFFSET = 64
   !> disc indices around each domain, anticlockwise (outside: clockwise)
@@ -156,6 +169,47 @@ module hfrac_c
   !> MULTX, MULTY, MULTPV: how far the cracks raise transmissibilities and pore volume
   integer(c_int32_t), parameter :: HFRAC_GRDECL_MULT = 1
 
+  ! The tests. What each gives as `value` of its report stands in brackets.
+  !> square pressed by 1e-5: E in plane strain [Pa]; one linear solve where the rock is linear
+  integer(c_int32_t), parameter :: HFRAC_LAB_ELASTIC = 0
+  !> direct tension, height twice the width: strength [Pa]
+  integer(c_int32_t), parameter :: HFRAC_LAB_TENSION = 1
+  !> compression, height twice the width: UCS [Pa]
+  integer(c_int32_t), parameter :: HFRAC_LAB_UNIAXIAL = 2
+  !> the same under `confining` on the sides: axial stress at failure [Pa]
+  integer(c_int32_t), parameter :: HFRAC_LAB_BIAXIAL = 3
+  !> round disc pressed on two arcs of 30 degrees: indirect strength [Pa] (Hondros 1959)
+  integer(c_int32_t), parameter :: HFRAC_LAB_BRAZILIAN = 4
+  !> plate with a slit in the middle, dead tension: K_Ic [Pa m^0.5]
+  integer(c_int32_t), parameter :: HFRAC_LAB_CENTRE_CRACK = 5
+  !> plate slit from one side, dead tension: K_Ic [Pa m^0.5]
+  integer(c_int32_t), parameter :: HFRAC_LAB_NOTCH = 6
+  !> slit in the middle under fluid pressure: K_Ic [Pa m^0.5], and its opening
+  integer(c_int32_t), parameter :: HFRAC_LAB_PRESSURISED_CRACK = 7
+  !> of the unloaded network, mean of both directions [m2]
+  integer(c_int32_t), parameter :: HFRAC_LAB_PERMEABILITY = 8
+
+  ! How a test ended.
+  !> the specimen failed, as it should
+  integer(c_int32_t), parameter :: HFRAC_LAB_FAILED = 0
+  !> the load asked for was reached; the end of tests without failure
+  integer(c_int32_t), parameter :: HFRAC_LAB_LOAD_REACHED = 1
+  !> no equilibrium was found at the last load; values are those up to it
+  integer(c_int32_t), parameter :: HFRAC_LAB_NO_EQUILIBRIUM = 2
+  !> the progress callback asked for it; values are those up to then
+  integer(c_int32_t), parameter :: HFRAC_LAB_STOPPED = 3
+
+  ! Tables of a test. Each row has as many values as stand in brackets.
+  !> (7) load, stress [Pa], axial and lateral strain, largest stress over strength, tensile cracks, shear cracks.
+  !> The load is a strain between platens, else in units of 1 MPa
+  integer(c_int32_t), parameter :: HFRAC_LAB_CURVE = 0
+  !> (5) x, y, radius at bonding, displacement x, y [m]
+  integer(c_int32_t), parameter :: HFRAC_LAB_DISCS = 1
+  !> (5) x, y of one end, x, y of the other [m], enum hfrac_crack_mode; in order of breakage
+  integer(c_int32_t), parameter :: HFRAC_LAB_CRACKS = 2
+  !> (3) x from the slit's middle [m], opening [m], pressure it holds for [Pa]; pressurised crack only
+  integer(c_int32_t), parameter :: HFRAC_LAB_OPENING = 3
+
   !> One wellbore: a round hole cut into the packing.
   type, bind(C) :: hfrac_well_def
     !> [m] centre, origin at the model's lower left corner
@@ -173,6 +227,40 @@ module hfrac_c
     !> enum hfrac_well_control
     integer(c_int64_t) :: control = 0_c_int64_t
   end type hfrac_well_def
+
+  !> A straight line along which the rock is weaker or broken: it takes the bonds between discs whose centres lie on
+  !> different sides of it, with the line between them meeting it between its ends. Of joints that share a bond the
+  !> last counts. Set every member: zeros are not the defaults of the keys.
+  type, bind(C) :: hfrac_joint_def
+    !> [m] one end, origin at the model's lower left corner
+    real(c_double) :: x1 = 0.0_c_double
+    !> [m]
+    real(c_double) :: y1 = 0.0_c_double
+    !> [m] other end
+    real(c_double) :: x2 = 0.0_c_double
+    !> [m]
+    real(c_double) :: y2 = 0.0_c_double
+    !> [1] normal strength of its bonds over that of the rock
+    real(c_double) :: tensile_factor = 0.0_c_double
+    !> [1] shear strength of its bonds over that of the rock
+    real(c_double) :: shear_factor = 0.0_c_double
+    !> [1] coefficient of its contacts, negative: contact.friction
+    real(c_double) :: friction = 0.0_c_double
+    !> enum hfrac_joint_state
+    integer(c_int64_t) :: state = 0_c_int64_t
+  end type hfrac_joint_def
+
+  !> From `time` on, a well is driven otherwise. Entries of one well stand in order of time.
+  type, bind(C) :: hfrac_schedule_def
+    !> number of the well, from 0
+    integer(c_int64_t) :: well = 0_c_int64_t
+    !> [s] model time; steps end at it
+    real(c_double) :: time = 0.0_c_double
+    !> [Pa] with control pressure, [m2/s] with control rate
+    real(c_double) :: value = 0.0_c_double
+    !> HFRAC_WELL_PRESSURE or HFRAC_WELL_RATE of enum hfrac_well_control
+    integer(c_int64_t) :: control = 0_c_int64_t
+  end type hfrac_schedule_def
 
   !> The definition of a simulation. Fill with hfrac_sim_def_init first. Members are only ever appended, options
   !> too, so later ones stand at the end; capi/tools/def_struct.py writes them from the option table.
@@ -310,9 +398,10 @@ module hfrac_c
     type(c_funptr) :: progress = c_null_funptr
     !> handed to `progress`
     type(c_ptr) :: progress_user = c_null_ptr
-    !> 0: relaxed, 1: tiled, 2: growth. How discs are packed. relaxed: from a jittered lattice. growth: grown at
-    !> random places, knows of no lattice, takes longer. tiled: periodic bricks side by side, for more than some 100
-    !> 000 discs; disc_count is rounded to whole bricks and the frame of the bricks repeats. Default 0.
+    !> 0: relaxed, 1: tiled, 2: growth, 3: square. How discs are packed. relaxed: from a jittered lattice. growth:
+    !> grown at random places, knows of no lattice, takes longer. tiled: periodic bricks side by side, for more than
+    !> some 100 000 discs; disc_count is rounded to whole bricks and the frame of the bricks repeats. square: equal
+    !> discs in rows and columns, in which cracks and joints along them are smooth slits. Default 0.
     integer(c_int64_t) :: packing_method = 0_c_int64_t
     !> Discs in one brick of a tiled packing. Default 5000.
     integer(c_int64_t) :: packing_brick_discs = 0_c_int64_t
@@ -358,6 +447,107 @@ module hfrac_c
     real(c_double) :: initial_youngs_modulus = 0.0_c_double
     !> [1] State seepage: drained Poisson's ratio of the continuum in plane strain. Default 0.24.
     real(c_double) :: initial_poissons_ratio = 0.0_c_double
+    !> [Pa m^0.5] If positive, strengths follow from it and the size of the discs around each bond: sigma_c = K_Ic /
+    !> (coefficient sqrt(R)); bond.shear_strength keeps its ratio to bond.tensile_strength. 0: strengths as given.
+    !> Default 0.0.
+    real(c_double) :: bond_fracture_toughness = 0.0_c_double
+    !> [1] K_Ic over sigma_c sqrt(R) of the packing, for bond.fracture_toughness; 'hfrac lab centre-crack' measures
+    !> it. 0: what it measured on the default rock of contact.mode. Default 0.0.
+    real(c_double) :: bond_toughness_coefficient = 0.0_c_double
+    !> joints used of the array below, 0 to HFRAC_MAX_JOINTS
+    integer(c_int64_t) :: joint_count = 0_c_int64_t
+    !> lines of weakness
+    type(hfrac_joint_def) :: joints(64)
+    !> entries used of the array below, 0 to HFRAC_MAX_SCHEDULE
+    integer(c_int64_t) :: schedule_count = 0_c_int64_t
+    !> how wells are driven over time
+    type(hfrac_schedule_def) :: schedule(64)
+    !> [Pa s^n] Consistency K of a shear-thinning fluid: its rate of shear is tau / viscosity + (tau / K)^(1/n), so
+    !> fluid.viscosity is that at rest. 0: Newtonian, with fluid.viscosity. Default 0.0.
+    real(c_double) :: fluid_consistency = 0.0_c_double
+    !> [1] Index n of the power law; below 1 with fluid.consistency, 1 without. Default 1.0.
+    real(c_double) :: fluid_power_index = 0.0_c_double
+    !> 0: off, 1: uniform, 2: transport. Temperature. off: none. uniform: one temperature that a host may change.
+    !> transport: heat is conducted by the rock and carried by the fluid. Default 0.
+    integer(c_int64_t) :: thermal_mode = 0_c_int64_t
+    !> [K] Temperature of rock and fluid before injection; discs have their given radius at it (0 degrees C is
+    !> 273.15 K). Default 523.15.
+    real(c_double) :: thermal_rock_temperature = 0.0_c_double
+    !> [K] Temperature of the fluid injected into wells; a host may set each well's own. Default 293.15.
+    real(c_double) :: thermal_fluid_temperature = 0.0_c_double
+    !> [W/(m K)] Thermal conductivity of the rock with its fluid. Default 2.8.
+    real(c_double) :: thermal_conductivity = 0.0_c_double
+    !> [J/(kg K)] Specific heat of the disc material. Default 900.0.
+    real(c_double) :: thermal_specific_heat = 0.0_c_double
+    !> [J/(kg K)] Specific heat of the fluid. Default 4200.0.
+    real(c_double) :: thermal_fluid_specific_heat = 0.0_c_double
+    !> [kg/m3] Density of the fluid, for the heat it carries. Default 1000.0.
+    real(c_double) :: thermal_fluid_density = 0.0_c_double
+    !> [W/(m2 K)] Heat transfer between the fluid and the faces of discs. 0: faces have the fluid's temperature.
+    !> Default 0.0.
+    real(c_double) :: thermal_film_coefficient = 0.0_c_double
+    !> [1/K] Linear expansion of discs and bonds in the plane; for a rock in plane strain 1 + nu times the rock's
+    !> own (thermal strain of Timoshenko and Goodier). 0: temperature strains nothing. Default 0.0.
+    real(c_double) :: thermal_expansion = 0.0_c_double
+    !> 0: insulated, 1: held. Outermost discs: no heat passes them, or they keep their temperature. Default 0.
+    integer(c_int64_t) :: thermal_outer = 0_c_int64_t
+    !> 0: constant, 1: table. constant: stiffness, strength and friction as given. table: multiplied by the factors
+    !> below at each disc's temperature, linear in between; temperatures outside the table are refused. Default 0.
+    integer(c_int64_t) :: thermal_parameters = 0_c_int64_t
+    !> Rows of the table in use. Default 4.
+    integer(c_int64_t) :: thermal_table_rows = 0_c_int64_t
+    !> [K] Row 1 of the table (Table 3: 250 degrees C). Rows rise in temperature. Default 523.15.
+    real(c_double) :: thermal_temperature_1 = 0.0_c_double
+    !> [K] Row 2 (Table 3: 300 degrees C). Default 573.15.
+    real(c_double) :: thermal_temperature_2 = 0.0_c_double
+    !> [K] Row 3 (Table 3: 350 degrees C). Default 623.15.
+    real(c_double) :: thermal_temperature_3 = 0.0_c_double
+    !> [K] Row 4 (Table 3: 400 degrees C). Default 673.15.
+    real(c_double) :: thermal_temperature_4 = 0.0_c_double
+    !> [K] Row 5 (beyond Table 3; a row of your own). Default 773.15.
+    real(c_double) :: thermal_temperature_5 = 0.0_c_double
+    !> [1] Factor on contact and bond stiffnesses at temperature_1 (Table 3: 11.20e9 N/m over 11.20e9; bonds follow
+    !> the contacts by assumption). Default 1.0.
+    real(c_double) :: thermal_stiffness_1 = 0.0_c_double
+    !> [1] At temperature_2 (Table 3: 8.98e9 over 11.20e9). Default 0.8017857142857143.
+    real(c_double) :: thermal_stiffness_2 = 0.0_c_double
+    !> [1] At temperature_3 (Table 3: 7.21e9 over 11.20e9). Default 0.64375.
+    real(c_double) :: thermal_stiffness_3 = 0.0_c_double
+    !> [1] At temperature_4 (Table 3: 5.78e9 over 11.20e9). Default 0.5160714285714286.
+    real(c_double) :: thermal_stiffness_4 = 0.0_c_double
+    !> [1] At temperature_5. Default 0.5160714285714286.
+    real(c_double) :: thermal_stiffness_5 = 0.0_c_double
+    !> [1] Factor on bond strengths at temperature_1. The paper gives no strength by temperature: any value but 1 is
+    !> an assumption of yours. Default 1.0.
+    real(c_double) :: thermal_strength_1 = 0.0_c_double
+    !> [1] At temperature_2. Default 1.0.
+    real(c_double) :: thermal_strength_2 = 0.0_c_double
+    !> [1] At temperature_3. Default 1.0.
+    real(c_double) :: thermal_strength_3 = 0.0_c_double
+    !> [1] At temperature_4. Default 1.0.
+    real(c_double) :: thermal_strength_4 = 0.0_c_double
+    !> [1] At temperature_5. Default 1.0.
+    real(c_double) :: thermal_strength_5 = 0.0_c_double
+    !> [1] Factor on contact.friction at temperature_1 (Table 3: 0.22 over 0.22). Default 1.0.
+    real(c_double) :: thermal_friction_1 = 0.0_c_double
+    !> [1] At temperature_2 (Table 3: 0.22 over 0.22). Default 1.0.
+    real(c_double) :: thermal_friction_2 = 0.0_c_double
+    !> [1] At temperature_3 (Table 3: 0.23 over 0.22). Default 1.0454545454545454.
+    real(c_double) :: thermal_friction_3 = 0.0_c_double
+    !> [1] At temperature_4 (Table 3: 0.23 over 0.22). Default 1.0454545454545454.
+    real(c_double) :: thermal_friction_4 = 0.0_c_double
+    !> [1] At temperature_5. Default 1.0454545454545454.
+    real(c_double) :: thermal_friction_5 = 0.0_c_double
+    !> [s] Wall time between the checkpoints that hfrac resume goes on from; 0: none by time. Default 600.0.
+    real(c_double) :: output_checkpoint_every = 0.0_c_double
+    !> Steps between the checkpoints that hfrac resume goes on from; 0: none by steps. Default 0.
+    integer(c_int64_t) :: output_checkpoint_steps = 0_c_int64_t
+    !> With given_discs, which of them are bonded: two indices into given_discs per bond, from 0, borrowed during
+    !> hfrac_sim_create; NULL: all that are near (bond.gap_tolerance). Discs that are near but not in the list touch
+    !> without a bond: their contact carries compression and friction, as after breakage, and is no crack.
+    type(c_ptr) :: given_bonds = c_null_ptr
+    !> bonds in given_bonds
+    integer(c_int64_t) :: given_bond_count = 0_c_int64_t
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.
@@ -448,7 +638,8 @@ module hfrac_c
     integer(c_int64_t) :: removed_floaters = 0_c_int64_t
     !> near contacts not bonded because they cross another
     integer(c_int64_t) :: removed_crossings = 0_c_int64_t
-    !> strengths used over strengths given (bond.toughness_reference_radius)
+    !> strengths used, at the mean radius, over strengths given (bond.fracture_toughness and
+    !> bond.toughness_reference_radius)
     real(c_double) :: strength_factor = 0.0_c_double
     !> [m] r0 in use (eq. 7)
     real(c_double) :: zero_stress_aperture = 0.0_c_double
@@ -531,7 +722,7 @@ module hfrac_c
     integer(c_int32_t) :: struct_size = 32_c_int32_t
     !> enum hfrac_step_limit: what divides a step of stepping.flow_step most finely
     integer(c_int32_t) :: binding = 0_c_int32_t
-    !> [s] stepping.flow_step, what hfrac_step takes at a time
+    !> [s] what hfrac_step takes next: stepping.flow_step, or what is left to a schedule's next time
     real(c_double) :: flow_step = 0.0_c_double
     !> [s] of one mechanical cycle with real masses, stable step times stepping.safety; binds in mode dynamic only,
     !> since in the others the rock moves to rest in no time of its own
@@ -727,6 +918,165 @@ module hfrac_c
     integer(c_int64_t) :: crack_count = 0_c_int64_t
   end type hfrac_cell
 
+  !> Heat of rock and pores, wells excluded, counted from thermal.rock_temperature. Set struct_size before the call.
+  type, bind(C) :: hfrac_heat
+    !> sizeof(hfrac_heat) of the caller
+    integer(c_int32_t) :: struct_size = 80_c_int32_t
+    !> 0 off, 1 uniform, 2 transport
+    integer(c_int32_t) :: mode = 0_c_int32_t
+    !> [J/m] in rock and pores beyond that at set-up
+    real(c_double) :: stored = 0.0_c_double
+    !> [J/m] from wells since set-up: carried and through their walls
+    real(c_double) :: wells = 0.0_c_double
+    !> [J/m] carried in through the outer boundary
+    real(c_double) :: outside = 0.0_c_double
+    !> [J/m] from discs that are held
+    real(c_double) :: held = 0.0_c_double
+    !> [J/m] put in by the host: temperatures it set, fluid it put into pores
+    real(c_double) :: host = 0.0_c_double
+    !> [J/m] wells + outside + held + host - stored: rounding
+    real(c_double) :: error = 0.0_c_double
+    !> [J/m] elastic energy that changes of temperature put in; one of the works of hfrac_balance
+    real(c_double) :: thermal_work = 0.0_c_double
+    !> [K] coldest disc
+    real(c_double) :: lowest = 0.0_c_double
+    !> [K] warmest disc
+    real(c_double) :: highest = 0.0_c_double
+  end type hfrac_heat
+
+  !> Which test on which specimen. Fill with hfrac_lab_spec_init first.
+  type, bind(C) :: hfrac_lab_spec
+    !> sizeof(hfrac_lab_spec) of the caller, set by init
+    integer(c_int32_t) :: struct_size = 0_c_int32_t
+    !> enum hfrac_lab_test; default HFRAC_LAB_ELASTIC
+    integer(c_int32_t) :: test = 0_c_int32_t
+    !> discs packed, 100 to 2000000; default 2000
+    integer(c_int64_t) :: disc_count = 0_c_int64_t
+    !> of the packing; default 1
+    integer(c_int64_t) :: seed = 0_c_int64_t
+    !> [m] of the specimen; default 10. Sets the disc size, which K_Ic goes with
+    real(c_double) :: width = 0.0_c_double
+    !> [Pa] on the sides, HFRAC_LAB_BIAXIAL, compression positive; default 0
+    real(c_double) :: confining = 0.0_c_double
+    !> length of a slit over the width, 0.05 to 0.6; default 0.3
+    real(c_double) :: slit_share = 0.0_c_double
+  end type hfrac_lab_spec
+
+  !> What a test found; 0 where a test has no such thing. Set struct_size before the call.
+  type, bind(C) :: hfrac_lab_report
+    !> sizeof(hfrac_lab_report) of the caller
+    integer(c_int32_t) :: struct_size = 216_c_int32_t
+    !> enum hfrac_lab_end
+    integer(c_int32_t) :: end = 0_c_int32_t
+    !> what the test is for, see enum hfrac_lab_test
+    real(c_double) :: value = 0.0_c_double
+    !> [Pa] E in plane strain
+    real(c_double) :: modulus = 0.0_c_double
+    !> nu in plane strain
+    real(c_double) :: poisson = 0.0_c_double
+    !> [Pa] E', slope of the two-dimensional model
+    real(c_double) :: plane_modulus = 0.0_c_double
+    !> nu', likewise
+    real(c_double) :: plane_poisson = 0.0_c_double
+    !> [Pa] largest stress (or fluid pressure) borne
+    real(c_double) :: peak_stress = 0.0_c_double
+    !> axial strain there, extension positive
+    real(c_double) :: strain_at_peak = 0.0_c_double
+    !> [Pa] at the first broken bond
+    real(c_double) :: first_crack_stress = 0.0_c_double
+    !> [m] a: half the slit, or the depth of a notch, as cut between bonds
+    real(c_double) :: slit_half_length = 0.0_c_double
+    !> F of K = F sigma sqrt(pi a), or the Brazilian's sigma over P / D
+    real(c_double) :: geometry_factor = 0.0_c_double
+    !> K_Ic over sigma_c sqrt(mean radius)
+    real(c_double) :: toughness_coefficient = 0.0_c_double
+    !> [m2] along x
+    real(c_double) :: permeability_x = 0.0_c_double
+    !> [m2] along y
+    real(c_double) :: permeability_y = 0.0_c_double
+    !> [m] r0 in use (eq. 7)
+    real(c_double) :: zero_stress_aperture = 0.0_c_double
+    !> [m] of the discs packed
+    real(c_double) :: mean_radius = 0.0_c_double
+    !> bonds per disc times two
+    real(c_double) :: coordination = 0.0_c_double
+    !> largest mean unbalanced over mean contact force of all equilibria
+    real(c_double) :: force_ratio = 0.0_c_double
+    !> largest stress over strength less 1 at which a bond broke, up to the peak
+    real(c_double) :: worst_overshoot = 0.0_c_double
+    !> wall time of the packing
+    real(c_double) :: packing_seconds = 0.0_c_double
+    !> wall time of the test
+    real(c_double) :: test_seconds = 0.0_c_double
+    !> discs of the specimen
+    integer(c_int64_t) :: disc_count = 0_c_int64_t
+    !> bonds of the specimen
+    integer(c_int64_t) :: bond_count = 0_c_int64_t
+    !> bonds broken in tension
+    integer(c_int64_t) :: tensile_cracks = 0_c_int64_t
+    !> bonds broken in shear
+    integer(c_int64_t) :: shear_cracks = 0_c_int64_t
+    !> sparse factors computed
+    integer(c_int64_t) :: factor_count = 0_c_int64_t
+    !> equilibria that took the explicit solver
+    integer(c_int64_t) :: relaxation_count = 0_c_int64_t
+  end type hfrac_lab_report
+
+  !> What a rock is to have; NaN: not asked. Fill with hfrac_targets_init first.
+  type, bind(C) :: hfrac_targets
+    !> sizeof(hfrac_targets) of the caller, set by init
+    integer(c_int32_t) :: struct_size = 0_c_int32_t
+    !> nonzero: modulus and poisson are E' and nu'; default 0, plane strain
+    integer(c_int32_t) :: plane_slopes = 0_c_int32_t
+    !> [Pa]
+    real(c_double) :: modulus = 0.0_c_double
+    !> 1
+    real(c_double) :: poisson = 0.0_c_double
+    !> [Pa] UCS
+    real(c_double) :: compressive_strength = 0.0_c_double
+    !> [Pa] direct
+    real(c_double) :: tensile_strength = 0.0_c_double
+    !> [Pa m^0.5] K_Ic
+    real(c_double) :: toughness = 0.0_c_double
+    !> [m2]
+    real(c_double) :: permeability = 0.0_c_double
+    !> specimens a value is the mean of; default 4
+    integer(c_int64_t) :: packings = 0_c_int64_t
+    !> of elastic and permeability specimens; default 4000
+    integer(c_int64_t) :: disc_count = 0_c_int64_t
+    !> of the others; default 2000
+    integer(c_int64_t) :: strength_disc_count = 0_c_int64_t
+    !> of the first packing; default 1
+    integer(c_int64_t) :: seed = 0_c_int64_t
+  end type hfrac_targets
+
+  !> What a calibration came to. Arrays are in the order of hfrac_targets, NaN where not asked. Set struct_size
+  !> before the call.
+  type, bind(C) :: hfrac_calibration
+    !> sizeof(hfrac_calibration) of the caller
+    integer(c_int32_t) :: struct_size = 1256_c_int32_t
+    !> 1: all targets reached; 0: `text` says which not
+    integer(c_int32_t) :: reached = 0_c_int32_t
+    !> mean over as many packings again, not those calibrated on
+    real(c_double) :: achieved(6) = 0.0_c_double
+    !> standard deviation over them
+    real(c_double) :: spread(6) = 0.0_c_double
+    !> least that can be had with the other targets as they are; NaN: no bound known
+    real(c_double) :: lowest(6) = 0.0_c_double
+    !> most, likewise
+    real(c_double) :: highest(6) = 0.0_c_double
+    !> [m] r0 at the model's disc size, if permeability was asked
+    real(c_double) :: zero_stress_aperture = 0.0_c_double
+    !> K_Ic over sigma_c sqrt(R), if K_Ic was asked
+    real(c_double) :: toughness_coefficient = 0.0_c_double
+    !> wall time
+    real(c_double) :: seconds = 0.0_c_double
+    !> tests done
+    integer(c_int64_t) :: test_count = 0_c_int64_t
+    !> what could not be reached, and the nearest; empty if all was
+    character(kind=c_char) :: text(1024) = c_null_char
+  end type hfrac_calibration
+
   abstract interface
     !> Takes one message, a sentence without a line end, on the thread of the call it is about; `message` is valid
     !> during the call only. It may read from the simulation; calls that would change it return HFRAC_ERR_BUSY.
@@ -844,9 +1194,9 @@ module hfrac_c
       type(hfrac_sim_def), intent(in) :: def
       integer(c_int32_t) :: hfrac_sim_def_check
     end function hfrac_sim_def_check
-    !> Sets an option by its key, e.g. "bond.tensile_strength" or "well[0].pressure". The first value of the well
-    !> after the last one adds it; its centre is then the model's, as wide and high as it is at that moment. Stable
-    !> since 0.1.
+    !> Sets an option by its key, e.g. "bond.tensile_strength", "well[0].pressure", "joint[0].x1" or
+    !> "schedule[0].time". The first value of the well, joint or entry after the last one adds it; a well's centre
+    !> is then the model's, as wide and high as it is at that moment. Stable since 0.1.
     function hfrac_sim_def_set_f64(def, key, value) bind(C, name="hfrac_sim_def_set_f64")
       import
       type(hfrac_sim_def), intent(inout) :: def
@@ -878,8 +1228,8 @@ module hfrac_c
       real(c_double), intent(out) :: value
       integer(c_int32_t) :: hfrac_sim_def_get_f64
     end function hfrac_sim_def_get_f64
-    !> Reads an integer option, a choice's index, or "well_count"; a real one is refused, since it would lose its
-    !> fraction. Unstable since 0.1.
+    !> Reads an integer option, a choice's index, or "well_count", "joint_count", "schedule_count"; a real one is
+    !> refused, since it would lose its fraction. Unstable since 0.1.
     function hfrac_sim_def_get_i64(def, key, value) bind(C, name="hfrac_sim_def_get_i64")
       import
       type(hfrac_sim_def), intent(in) :: def
@@ -925,6 +1275,34 @@ module hfrac_c
       type(hfrac_option_info), intent(inout) :: info
       integer(c_int32_t) :: hfrac_well_option_at
     end function hfrac_well_option_at
+    !> Number of values a joint has. Unstable since 0.1.
+    function hfrac_joint_option_count(count) bind(C, name="hfrac_joint_option_count")
+      import
+      integer(c_int32_t), intent(out) :: count
+      integer(c_int32_t) :: hfrac_joint_option_count
+    end function hfrac_joint_option_count
+    !> Entry `index` (from 0) of a joint's values; its key is "x1" where the keyed functions take "joint[0].x1".
+    !> Unstable since 0.1.
+    function hfrac_joint_option_at(index, info) bind(C, name="hfrac_joint_option_at")
+      import
+      integer(c_int32_t), value :: index
+      type(hfrac_option_info), intent(inout) :: info
+      integer(c_int32_t) :: hfrac_joint_option_at
+    end function hfrac_joint_option_at
+    !> Number of values a schedule's entry has. Unstable since 0.1.
+    function hfrac_schedule_option_count(count) bind(C, name="hfrac_schedule_option_count")
+      import
+      integer(c_int32_t), intent(out) :: count
+      integer(c_int32_t) :: hfrac_schedule_option_count
+    end function hfrac_schedule_option_count
+    !> Entry `index` (from 0) of the values of a schedule's entry; its key is "time" where the keyed functions take
+    !> "schedule[0].time". Unstable since 0.1.
+    function hfrac_schedule_option_at(index, info) bind(C, name="hfrac_schedule_option_at")
+      import
+      integer(c_int32_t), value :: index
+      type(hfrac_option_info), intent(inout) :: info
+      integer(c_int32_t) :: hfrac_schedule_option_at
+    end function hfrac_schedule_option_at
     !> Builds a simulation. On failure *sim is NULL and hfrac_last_error(NULL, ...) says why. Stable since 0.1.
     function hfrac_sim_create(def, sim) bind(C, name="hfrac_sim_create")
       import
@@ -1091,6 +1469,23 @@ module hfrac_c
       real(c_double), value :: rate
       integer(c_int32_t) :: hfrac_well_set_rate
     end function hfrac_well_set_rate
+    !> Replaces a well's schedule: from model time time[k] [s] on, held at value[k] [Pa] (control[k]
+    !> HFRAC_WELL_PRESSURE) or taking value[k] [m2/s] (HFRAC_WELL_RATE). `count` entries in order of time, copied; 0
+    !> ends the schedule and leaves the well as it is driven. Of entries already past the last takes effect with the
+    !> next step. Steps of hfrac_step and hfrac_advance end at the times; a host that sets its own durations
+    !> (hfrac_step_do) gets what is due when its step begins. hfrac_well_set_pressure, _ramp and _rate end a well's
+    !> schedule. HFRAC_ERR_ARGUMENT or HFRAC_ERR_MODEL, and the old schedule stays, if times fall or repeat, or a
+    !> value is none a well can have. Unstable since 0.1.
+    function hfrac_well_set_schedule(sim, index, count, time, control, value) bind(C, name="hfrac_well_set_schedule")
+      import
+      type(c_ptr), value :: sim
+      integer(c_int32_t), value :: index
+      integer(c_int32_t), value :: count
+      real(c_double), intent(in) :: time(*)
+      integer(c_int32_t), intent(in) :: control(*)
+      real(c_double), intent(in) :: value(*)
+      integer(c_int32_t) :: hfrac_well_set_schedule
+    end function hfrac_well_set_schedule
     !> Describes field `field` of `sim`. Stable since 0.1.
     function hfrac_field_info(sim, field, desc) bind(C, name="hfrac_field_info")
       import
@@ -1194,8 +1589,10 @@ module hfrac_c
     end function hfrac_grid_cells
     !> From the next step on, pressure [Pa, in the reading's sense] beyond the model's edge: every pipe there feels
     !> that of the nearest cell of which the model covers less than half (of all cells, if it covers more of each).
-    !> `count` values, one per cell (nx * ny); only those cells are looked at. What passes is `outflow` by cell and
-    !> `leaked_volume` in all. The stress on the edge does not change. Kept by the tries of an open step. Needs
+    !> `count` values, one per cell (nx * ny); only those cells are looked at. It stays as it is, absolute, whatever
+    !> hfrac_set_formation_pressure says later, until it is set anew or taken back: with count 0 (pressure may be
+    !> NULL) the rim feels the formation's pressure again. What passes is `outflow` by cell and `leaked_volume` in
+    !> all. The stress on the edge does not change. Part of the state; kept by the tries of an open step. Needs
     !> flow.outer "formation". Unstable since 0.1.
     function hfrac_set_rim_pressure(sim, pressure, count) bind(C, name="hfrac_set_rim_pressure")
       import
@@ -1249,6 +1646,144 @@ module hfrac_c
       real(c_double), value :: permeability
       integer(c_int32_t) :: hfrac_write_grdecl
     end function hfrac_write_grdecl
+    !> Gives rock and fluid one temperature [K]. HFRAC_ERR_ARGUMENT: no temperature in this simulation, a step is
+    !> open, or the value lies outside the table of micro-parameters. Unstable since 0.1.
+    function hfrac_set_temperature(sim, temperature) bind(C, name="hfrac_set_temperature")
+      import
+      type(c_ptr), value :: sim
+      real(c_double), value :: temperature
+      integer(c_int32_t) :: hfrac_set_temperature
+    end function hfrac_set_temperature
+    !> Gives every disc its temperature [K], `count` values, one per disc; the fluid in a pore takes the mean of the
+    !> discs around it. What heat this takes goes to `host` of hfrac_get_heat. Needs mode "transport".
+    !> HFRAC_ERR_ARGUMENT as above; nothing changes then. Unstable since 0.1.
+    function hfrac_set_disc_temperature(sim, temperature, count) bind(C, name="hfrac_set_disc_temperature")
+      import
+      type(c_ptr), value :: sim
+      real(c_double), intent(in) :: temperature(*)
+      integer(c_int64_t), value :: count
+      integer(c_int32_t) :: hfrac_set_disc_temperature
+    end function hfrac_set_disc_temperature
+    !> The same by cell of the host's grid (hfrac_set_grid), `count` values [K], one per cell (nx * ny, i fastest):
+    !> a disc takes the temperature of the cell that held its centre at bonding, discs outside the grid keep theirs.
+    !> Unstable since 0.1.
+    function hfrac_set_cell_temperature(sim, temperature, count) bind(C, name="hfrac_set_cell_temperature")
+      import
+      type(c_ptr), value :: sim
+      real(c_double), intent(in) :: temperature(*)
+      integer(c_int64_t), value :: count
+      integer(c_int32_t) :: hfrac_set_cell_temperature
+    end function hfrac_set_cell_temperature
+    !> Temperature [K] of the rock by cell of the host's grid: mean of the discs with their centre in it, by heat
+    !> capacity; a cell without discs gives thermal.rock_temperature. Copies up to `capacity` values; *count is nx *
+    !> ny. buffer NULL: only *count. Unstable since 0.1.
+    function hfrac_get_cell_temperature(sim, buffer, capacity, count) bind(C, name="hfrac_get_cell_temperature")
+      import
+      type(c_ptr), value :: sim
+      type(c_ptr), value :: buffer
+      integer(c_int64_t), value :: capacity
+      integer(c_int64_t), intent(out) :: count
+      integer(c_int32_t) :: hfrac_get_cell_temperature
+    end function hfrac_get_cell_temperature
+    !> Which discs keep their temperature whatever flows: `count` values, one per disc, not 0: held; in place of
+    !> what was held before (thermal.outer "held" begins with the outermost discs). Part of the state. Needs mode
+    !> "transport". Unstable since 0.1.
+    function hfrac_hold_disc_temperature(sim, held, count) bind(C, name="hfrac_hold_disc_temperature")
+      import
+      type(c_ptr), value :: sim
+      integer(c_int32_t), intent(in) :: held(*)
+      integer(c_int64_t), value :: count
+      integer(c_int32_t) :: hfrac_hold_disc_temperature
+    end function hfrac_hold_disc_temperature
+    !> Temperature [K] of what well `index` injects, from the next step on; thermal.fluid_temperature at first. Kept
+    !> by the tries of an open step. Needs mode "transport". Unstable since 0.1.
+    function hfrac_well_set_temperature(sim, index, temperature) bind(C, name="hfrac_well_set_temperature")
+      import
+      type(c_ptr), value :: sim
+      integer(c_int32_t), value :: index
+      real(c_double), value :: temperature
+      integer(c_int32_t) :: hfrac_well_set_temperature
+    end function hfrac_well_set_temperature
+    !> Temperature [K] of the fluid in well `index`: that injected while it feeds the rock, else the mixture of what
+    !> flows in. thermal.rock_temperature before the first step. Unstable since 0.1.
+    function hfrac_well_get_temperature(sim, index, temperature) bind(C, name="hfrac_well_get_temperature")
+      import
+      type(c_ptr), value :: sim
+      integer(c_int32_t), value :: index
+      real(c_double), intent(out) :: temperature
+      integer(c_int32_t) :: hfrac_well_get_temperature
+    end function hfrac_well_get_temperature
+    !> The books of heat now. Unstable since 0.1.
+    function hfrac_get_heat(sim, heat) bind(C, name="hfrac_get_heat")
+      import
+      type(c_ptr), value :: sim
+      type(hfrac_heat), intent(inout) :: heat
+      integer(c_int32_t) :: hfrac_get_heat
+    end function hfrac_get_heat
+    !> Defaults into `spec`; `struct_size` is sizeof(hfrac_lab_spec) in the caller. Unstable since 0.1.
+    function hfrac_lab_spec_init(spec, struct_size) bind(C, name="hfrac_lab_spec_init")
+      import
+      type(hfrac_lab_spec), intent(inout) :: spec
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t) :: hfrac_lab_spec_init
+    end function hfrac_lab_spec_init
+    !> Does a test. `progress` (may be NULL) is called now and then with the share 0 and what is done; nonzero ends
+    !> the test, and HFRAC_STOPPED comes back with what there is. *lab is to be destroyed; on failure it is NULL.
+    !> HFRAC_ERR_ARGUMENT: the spec is out of range; HFRAC_ERR_MODEL: no specimen comes of it. Unstable since 0.1.
+    function hfrac_lab_run(def, spec, progress, user, lab) bind(C, name="hfrac_lab_run")
+      import
+      type(hfrac_sim_def), intent(in) :: def
+      type(hfrac_lab_spec), intent(in) :: spec
+      type(c_funptr), value :: progress
+      type(c_ptr), value :: user
+      type(c_ptr), intent(inout) :: lab
+      integer(c_int32_t) :: hfrac_lab_run
+    end function hfrac_lab_run
+    !> Frees a test and sets *lab to NULL; NULL and *lab == NULL are fine. Unstable since 0.1.
+    function hfrac_lab_destroy(lab) bind(C, name="hfrac_lab_destroy")
+      import
+      type(c_ptr), intent(inout) :: lab
+      integer(c_int32_t) :: hfrac_lab_destroy
+    end function hfrac_lab_destroy
+    !> What the test found. Unstable since 0.1.
+    function hfrac_lab_get_report(lab, report) bind(C, name="hfrac_lab_get_report")
+      import
+      type(c_ptr), value :: lab
+      type(hfrac_lab_report), intent(inout) :: report
+      integer(c_int32_t) :: hfrac_lab_get_report
+    end function hfrac_lab_get_report
+    !> Copies up to `capacity` values of a table (enum hfrac_lab_table), row by row; *count is how many there are.
+    !> buffer NULL: only *count. Unstable since 0.1.
+    function hfrac_lab_copy_f64(lab, table, buffer, capacity, count) bind(C, name="hfrac_lab_copy_f64")
+      import
+      type(c_ptr), value :: lab
+      integer(c_int32_t), value :: table
+      type(c_ptr), value :: buffer
+      integer(c_int64_t), value :: capacity
+      integer(c_int64_t), intent(out) :: count
+      integer(c_int32_t) :: hfrac_lab_copy_f64
+    end function hfrac_lab_copy_f64
+    !> Defaults into `targets`; `struct_size` is sizeof(hfrac_targets) in the caller. Unstable since 0.1.
+    function hfrac_targets_init(targets, struct_size) bind(C, name="hfrac_targets_init")
+      import
+      type(hfrac_targets), intent(inout) :: targets
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t) :: hfrac_targets_init
+    end function hfrac_targets_init
+    !> Finds micro-parameters that give `targets`, starting from those of `def`, and puts them into it: stiffnesses
+    !> of contacts and bonds (their share of each other kept), strengths, flow.permeability, and packing.disc_count
+    !> if both K_Ic and a strength are asked (the two together fix the disc size). Targets that cannot be had give
+    !> the nearest, reached 0 and HFRAC_OK. `progress` as in hfrac_lab_run; stopped, HFRAC_STOPPED comes back and
+    !> `def` is as it was. Unstable since 0.1.
+    function hfrac_calibrate(def, targets, progress, user, calibration) bind(C, name="hfrac_calibrate")
+      import
+      type(hfrac_sim_def), intent(inout) :: def
+      type(hfrac_targets), intent(in) :: targets
+      type(c_funptr), value :: progress
+      type(c_ptr), value :: user
+      type(hfrac_calibration), intent(inout) :: calibration
+      integer(c_int32_t) :: hfrac_calibrate
+    end function hfrac_calibrate
     !> Bytes an image needs now; it grows with the crack log. Stable since 0.1.
     function hfrac_state_size(sim, size) bind(C, name="hfrac_state_size")
       import
@@ -1329,8 +1864,9 @@ module hfrac_c
     end function hfrac_set_far_field
     !> From the next step on, another pressure [Pa, absolute, 0 to 1e10] in the pores outside the model, in both
     !> readings; the paper's other pressures stay net of fluid.formation_pressure as defined. Total far-field
-    !> stresses stay as they are; pores inside follow by flow. It is the same all around: what a host's grid said of
-    !> the rim no longer holds. Needs flow, and flow.outer formation. In the sound reading it must not exceed
+    !> stresses stay as they are; pores inside follow by flow. Where a host's grid has said what the rim feels
+    !> (hfrac_set_rim_pressure), that stays until the host takes it back; what lies beyond still changes then, and
+    !> the load on the edge with it. Needs flow, and flow.outer formation. In the sound reading it must not exceed
     !> sigma_h where the far field acts. Unstable since 0.1.
     function hfrac_set_formation_pressure(sim, pressure) bind(C, name="hfrac_set_formation_pressure")
       import

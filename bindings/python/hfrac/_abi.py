@@ -9,6 +9,7 @@ VERSION_MAJOR = 0
 VERSION_MINOR = 1
 VERSION_PATCH = 0
 ABI_VERSION = 0
+MACRO_COUNT = 6
 
 
 class Status(enum.IntEnum):
@@ -64,6 +65,8 @@ class DefLimits(enum.IntEnum):
 
     MAX_WELLS = 8
     TITLE_SIZE = 128
+    MAX_JOINTS = 64
+    MAX_SCHEDULE = 64
 
 
 class WellControl(enum.IntEnum):
@@ -75,6 +78,15 @@ class WellControl(enum.IntEnum):
     RAMP = 1
     #: takes `rate`; its pressure follows
     RATE = 2
+
+
+class JointState(enum.IntEnum):
+    """Whether the bonds of a joint hold."""
+
+    #: until their strength is reached
+    BONDED = 0
+    #: broken from the start, and counted as set-up cracks in shear
+    BROKEN = 1
 
 
 class StopReason(enum.IntEnum):
@@ -120,9 +132,11 @@ class Field(enum.IntEnum):
     DISC_STRESS = 5
     #: number of intact bonds
     DISC_INTACT_BONDS = 6
+    #: of the rock; thermal.rock_temperature without a temperature in the model
+    DISC_TEMPERATURE = 7
     #: indices of the two discs
     BOND_DISCS = 20
-    #: 0 intact, 1 broken in tension, 2 broken in shear
+    #: 0 intact, 1 broken in tension, 2 broken in shear, 3 never bonded
     BOND_STATE = 21
     #: bond and contact together, per thickness, tension positive
     BOND_NORMAL_FORCE = 22
@@ -146,6 +160,8 @@ class Field(enum.IntEnum):
     DOMAIN_CENTRE = 62
     #: 0 rock, 1 well, 2 outside
     DOMAIN_KIND = 63
+    #: of the fluid; thermal.rock_temperature without a temperature in the model
+    DOMAIN_TEMPERATURE = 66
     #: first corner of each domain in domain.corners; the next domain's is its end
     DOMAIN_OFFSET = 64
     #: disc indices around each domain, anticlockwise (outside: clockwise)
@@ -175,6 +191,56 @@ class GrdeclKind(enum.IntEnum):
     PERM = 0
     #: MULTX, MULTY, MULTPV: how far the cracks raise transmissibilities and pore volume
     MULT = 1
+
+
+class LabTest(enum.IntEnum):
+    """The tests. What each gives as `value` of its report stands in brackets."""
+
+    #: square pressed by 1e-5: E in plane strain [Pa]; one linear solve where the rock is linear
+    ELASTIC = 0
+    #: direct tension, height twice the width: strength [Pa]
+    TENSION = 1
+    #: compression, height twice the width: UCS [Pa]
+    UNIAXIAL = 2
+    #: the same under `confining` on the sides: axial stress at failure [Pa]
+    BIAXIAL = 3
+    #: round disc pressed on two arcs of 30 degrees: indirect strength [Pa] (Hondros 1959)
+    BRAZILIAN = 4
+    #: plate with a slit in the middle, dead tension: K_Ic [Pa m^0.5]
+    CENTRE_CRACK = 5
+    #: plate slit from one side, dead tension: K_Ic [Pa m^0.5]
+    NOTCH = 6
+    #: slit in the middle under fluid pressure: K_Ic [Pa m^0.5], and its opening
+    PRESSURISED_CRACK = 7
+    #: of the unloaded network, mean of both directions [m2]
+    PERMEABILITY = 8
+
+
+class LabEnd(enum.IntEnum):
+    """How a test ended."""
+
+    #: the specimen failed, as it should
+    FAILED = 0
+    #: the load asked for was reached; the end of tests without failure
+    LOAD_REACHED = 1
+    #: no equilibrium was found at the last load; values are those up to it
+    NO_EQUILIBRIUM = 2
+    #: the progress callback asked for it; values are those up to then
+    STOPPED = 3
+
+
+class LabTable(enum.IntEnum):
+    """Tables of a test. Each row has as many values as stand in brackets."""
+
+    #: (7) load, stress [Pa], axial and lateral strain, largest stress over strength, tensile cracks, shear
+    #: cracks. The load is a strain between platens, else in units of 1 MPa
+    CURVE = 0
+    #: (5) x, y, radius at bonding, displacement x, y [m]
+    DISCS = 1
+    #: (5) x, y of one end, x, y of the other [m], enum hfrac_crack_mode; in order of breakage
+    CRACKS = 2
+    #: (3) x from the slit's middle [m], opening [m], pressure it holds for [Pa]; pressurised crack only
+    OPENING = 3
 
 
 #: What each status code means.
@@ -228,6 +294,35 @@ class hfrac_well_def(ctypes.Structure):
         ("pressure", ctypes.c_double),
         ("ramp_per_step", ctypes.c_double),
         ("rate", ctypes.c_double),
+        ("control", ctypes.c_int64),
+    ]
+
+
+class hfrac_joint_def(ctypes.Structure):
+    """A straight line along which the rock is weaker or broken: it takes the bonds between discs whose centres lie
+    on different sides of it, with the line between them meeting it between its ends. Of joints that share a
+    bond the last counts. Set every member: zeros are not the defaults of the keys.
+    """
+
+    _fields_ = [
+        ("x1", ctypes.c_double),
+        ("y1", ctypes.c_double),
+        ("x2", ctypes.c_double),
+        ("y2", ctypes.c_double),
+        ("tensile_factor", ctypes.c_double),
+        ("shear_factor", ctypes.c_double),
+        ("friction", ctypes.c_double),
+        ("state", ctypes.c_int64),
+    ]
+
+
+class hfrac_schedule_def(ctypes.Structure):
+    """From `time` on, a well is driven otherwise. Entries of one well stand in order of time."""
+
+    _fields_ = [
+        ("well", ctypes.c_int64),
+        ("time", ctypes.c_double),
+        ("value", ctypes.c_double),
         ("control", ctypes.c_int64),
     ]
 
@@ -313,6 +408,50 @@ class hfrac_sim_def(ctypes.Structure):
         ("initial_seepage_time", ctypes.c_double),
         ("initial_youngs_modulus", ctypes.c_double),
         ("initial_poissons_ratio", ctypes.c_double),
+        ("bond_fracture_toughness", ctypes.c_double),
+        ("bond_toughness_coefficient", ctypes.c_double),
+        ("joint_count", ctypes.c_int64),
+        ("joints", hfrac_joint_def * 64),
+        ("schedule_count", ctypes.c_int64),
+        ("schedule", hfrac_schedule_def * 64),
+        ("fluid_consistency", ctypes.c_double),
+        ("fluid_power_index", ctypes.c_double),
+        ("thermal_mode", ctypes.c_int64),
+        ("thermal_rock_temperature", ctypes.c_double),
+        ("thermal_fluid_temperature", ctypes.c_double),
+        ("thermal_conductivity", ctypes.c_double),
+        ("thermal_specific_heat", ctypes.c_double),
+        ("thermal_fluid_specific_heat", ctypes.c_double),
+        ("thermal_fluid_density", ctypes.c_double),
+        ("thermal_film_coefficient", ctypes.c_double),
+        ("thermal_expansion", ctypes.c_double),
+        ("thermal_outer", ctypes.c_int64),
+        ("thermal_parameters", ctypes.c_int64),
+        ("thermal_table_rows", ctypes.c_int64),
+        ("thermal_temperature_1", ctypes.c_double),
+        ("thermal_temperature_2", ctypes.c_double),
+        ("thermal_temperature_3", ctypes.c_double),
+        ("thermal_temperature_4", ctypes.c_double),
+        ("thermal_temperature_5", ctypes.c_double),
+        ("thermal_stiffness_1", ctypes.c_double),
+        ("thermal_stiffness_2", ctypes.c_double),
+        ("thermal_stiffness_3", ctypes.c_double),
+        ("thermal_stiffness_4", ctypes.c_double),
+        ("thermal_stiffness_5", ctypes.c_double),
+        ("thermal_strength_1", ctypes.c_double),
+        ("thermal_strength_2", ctypes.c_double),
+        ("thermal_strength_3", ctypes.c_double),
+        ("thermal_strength_4", ctypes.c_double),
+        ("thermal_strength_5", ctypes.c_double),
+        ("thermal_friction_1", ctypes.c_double),
+        ("thermal_friction_2", ctypes.c_double),
+        ("thermal_friction_3", ctypes.c_double),
+        ("thermal_friction_4", ctypes.c_double),
+        ("thermal_friction_5", ctypes.c_double),
+        ("output_checkpoint_every", ctypes.c_double),
+        ("output_checkpoint_steps", ctypes.c_int64),
+        ("given_bonds", ctypes.c_void_p),
+        ("given_bond_count", ctypes.c_int64),
     ]
 
 
@@ -566,6 +705,114 @@ class hfrac_cell(ctypes.Structure):
     ]
 
 
+class hfrac_heat(ctypes.Structure):
+    """Heat of rock and pores, wells excluded, counted from thermal.rock_temperature. Set struct_size before the
+    call.
+    """
+
+    _fields_ = [
+        ("struct_size", ctypes.c_int32),
+        ("mode", ctypes.c_int32),
+        ("stored", ctypes.c_double),
+        ("wells", ctypes.c_double),
+        ("outside", ctypes.c_double),
+        ("held", ctypes.c_double),
+        ("host", ctypes.c_double),
+        ("error", ctypes.c_double),
+        ("thermal_work", ctypes.c_double),
+        ("lowest", ctypes.c_double),
+        ("highest", ctypes.c_double),
+    ]
+
+
+class hfrac_lab_spec(ctypes.Structure):
+    """Which test on which specimen. Fill with hfrac_lab_spec_init first."""
+
+    _fields_ = [
+        ("struct_size", ctypes.c_int32),
+        ("test", ctypes.c_int32),
+        ("disc_count", ctypes.c_int64),
+        ("seed", ctypes.c_int64),
+        ("width", ctypes.c_double),
+        ("confining", ctypes.c_double),
+        ("slit_share", ctypes.c_double),
+    ]
+
+
+class hfrac_lab_report(ctypes.Structure):
+    """What a test found; 0 where a test has no such thing. Set struct_size before the call."""
+
+    _fields_ = [
+        ("struct_size", ctypes.c_int32),
+        ("end", ctypes.c_int32),
+        ("value", ctypes.c_double),
+        ("modulus", ctypes.c_double),
+        ("poisson", ctypes.c_double),
+        ("plane_modulus", ctypes.c_double),
+        ("plane_poisson", ctypes.c_double),
+        ("peak_stress", ctypes.c_double),
+        ("strain_at_peak", ctypes.c_double),
+        ("first_crack_stress", ctypes.c_double),
+        ("slit_half_length", ctypes.c_double),
+        ("geometry_factor", ctypes.c_double),
+        ("toughness_coefficient", ctypes.c_double),
+        ("permeability_x", ctypes.c_double),
+        ("permeability_y", ctypes.c_double),
+        ("zero_stress_aperture", ctypes.c_double),
+        ("mean_radius", ctypes.c_double),
+        ("coordination", ctypes.c_double),
+        ("force_ratio", ctypes.c_double),
+        ("worst_overshoot", ctypes.c_double),
+        ("packing_seconds", ctypes.c_double),
+        ("test_seconds", ctypes.c_double),
+        ("disc_count", ctypes.c_int64),
+        ("bond_count", ctypes.c_int64),
+        ("tensile_cracks", ctypes.c_int64),
+        ("shear_cracks", ctypes.c_int64),
+        ("factor_count", ctypes.c_int64),
+        ("relaxation_count", ctypes.c_int64),
+    ]
+
+
+class hfrac_targets(ctypes.Structure):
+    """What a rock is to have; NaN: not asked. Fill with hfrac_targets_init first."""
+
+    _fields_ = [
+        ("struct_size", ctypes.c_int32),
+        ("plane_slopes", ctypes.c_int32),
+        ("modulus", ctypes.c_double),
+        ("poisson", ctypes.c_double),
+        ("compressive_strength", ctypes.c_double),
+        ("tensile_strength", ctypes.c_double),
+        ("toughness", ctypes.c_double),
+        ("permeability", ctypes.c_double),
+        ("packings", ctypes.c_int64),
+        ("disc_count", ctypes.c_int64),
+        ("strength_disc_count", ctypes.c_int64),
+        ("seed", ctypes.c_int64),
+    ]
+
+
+class hfrac_calibration(ctypes.Structure):
+    """What a calibration came to. Arrays are in the order of hfrac_targets, NaN where not asked. Set struct_size
+    before the call.
+    """
+
+    _fields_ = [
+        ("struct_size", ctypes.c_int32),
+        ("reached", ctypes.c_int32),
+        ("achieved", ctypes.c_double * 6),
+        ("spread", ctypes.c_double * 6),
+        ("lowest", ctypes.c_double * 6),
+        ("highest", ctypes.c_double * 6),
+        ("zero_stress_aperture", ctypes.c_double),
+        ("toughness_coefficient", ctypes.c_double),
+        ("seconds", ctypes.c_double),
+        ("test_count", ctypes.c_int64),
+        ("text", ctypes.c_char * 1024),
+    ]
+
+
 #: Argument types of every function; each returns an int32 status.
 SIGNATURES = {
     "hfrac_version": (
@@ -653,6 +900,20 @@ SIGNATURES = {
         ctypes.POINTER(ctypes.c_int32),
     ),
     "hfrac_well_option_at": (
+        ctypes.c_int32,
+        ctypes.POINTER(hfrac_option_info),
+    ),
+    "hfrac_joint_option_count": (
+        ctypes.POINTER(ctypes.c_int32),
+    ),
+    "hfrac_joint_option_at": (
+        ctypes.c_int32,
+        ctypes.POINTER(hfrac_option_info),
+    ),
+    "hfrac_schedule_option_count": (
+        ctypes.POINTER(ctypes.c_int32),
+    ),
+    "hfrac_schedule_option_at": (
         ctypes.c_int32,
         ctypes.POINTER(hfrac_option_info),
     ),
@@ -752,6 +1013,14 @@ SIGNATURES = {
         ctypes.c_int32,
         ctypes.c_double,
     ),
+    "hfrac_well_set_schedule": (
+        ctypes.c_void_p,
+        ctypes.c_int32,
+        ctypes.c_int32,
+        ctypes.POINTER(ctypes.c_double),
+        ctypes.POINTER(ctypes.c_int32),
+        ctypes.POINTER(ctypes.c_double),
+    ),
     "hfrac_field_info": (
         ctypes.c_void_p,
         ctypes.c_int32,
@@ -839,6 +1108,81 @@ SIGNATURES = {
         ctypes.c_int64,
         ctypes.c_double,
         ctypes.c_double,
+    ),
+    "hfrac_set_temperature": (
+        ctypes.c_void_p,
+        ctypes.c_double,
+    ),
+    "hfrac_set_disc_temperature": (
+        ctypes.c_void_p,
+        ctypes.POINTER(ctypes.c_double),
+        ctypes.c_int64,
+    ),
+    "hfrac_set_cell_temperature": (
+        ctypes.c_void_p,
+        ctypes.POINTER(ctypes.c_double),
+        ctypes.c_int64,
+    ),
+    "hfrac_get_cell_temperature": (
+        ctypes.c_void_p,
+        ctypes.c_void_p,
+        ctypes.c_int64,
+        ctypes.POINTER(ctypes.c_int64),
+    ),
+    "hfrac_hold_disc_temperature": (
+        ctypes.c_void_p,
+        ctypes.POINTER(ctypes.c_int32),
+        ctypes.c_int64,
+    ),
+    "hfrac_well_set_temperature": (
+        ctypes.c_void_p,
+        ctypes.c_int32,
+        ctypes.c_double,
+    ),
+    "hfrac_well_get_temperature": (
+        ctypes.c_void_p,
+        ctypes.c_int32,
+        ctypes.POINTER(ctypes.c_double),
+    ),
+    "hfrac_get_heat": (
+        ctypes.c_void_p,
+        ctypes.POINTER(hfrac_heat),
+    ),
+    "hfrac_lab_spec_init": (
+        ctypes.POINTER(hfrac_lab_spec),
+        ctypes.c_int32,
+    ),
+    "hfrac_lab_run": (
+        ctypes.POINTER(hfrac_sim_def),
+        ctypes.POINTER(hfrac_lab_spec),
+        hfrac_progress_fn,
+        ctypes.c_void_p,
+        ctypes.POINTER(ctypes.c_void_p),
+    ),
+    "hfrac_lab_destroy": (
+        ctypes.POINTER(ctypes.c_void_p),
+    ),
+    "hfrac_lab_get_report": (
+        ctypes.c_void_p,
+        ctypes.POINTER(hfrac_lab_report),
+    ),
+    "hfrac_lab_copy_f64": (
+        ctypes.c_void_p,
+        ctypes.c_int32,
+        ctypes.c_void_p,
+        ctypes.c_int64,
+        ctypes.POINTER(ctypes.c_int64),
+    ),
+    "hfrac_targets_init": (
+        ctypes.POINTER(hfrac_targets),
+        ctypes.c_int32,
+    ),
+    "hfrac_calibrate": (
+        ctypes.POINTER(hfrac_sim_def),
+        ctypes.POINTER(hfrac_targets),
+        hfrac_progress_fn,
+        ctypes.c_void_p,
+        ctypes.POINTER(hfrac_calibration),
     ),
     "hfrac_state_size": (
         ctypes.c_void_p,

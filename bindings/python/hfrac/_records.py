@@ -228,7 +228,7 @@ class StepLimits(NamedTuple):
 
     #: enum hfrac_step_limit: what divides a step of stepping.flow_step most finely
     binding: StepLimit
-    #: [s] stepping.flow_step, what hfrac_step takes at a time
+    #: [s] what hfrac_step takes next: stepping.flow_step, or what is left to a schedule's next time
     flow_step: float
     #: [s] of one mechanical cycle with real masses, stable step times stepping.safety; binds in mode dynamic
     #: only, since in the others the rock moves to rest in no time of its own
@@ -468,6 +468,47 @@ class Cell(NamedTuple):
             struct.pressure,
             struct.fracture_pressure,
             struct.crack_count,
+        )
+
+
+class Heat(NamedTuple):
+    """Heat of rock and pores, wells excluded, counted from thermal.rock_temperature."""
+
+    #: 0 off, 1 uniform, 2 transport
+    mode: int
+    #: [J/m] in rock and pores beyond that at set-up
+    stored: float
+    #: [J/m] from wells since set-up: carried and through their walls
+    wells: float
+    #: [J/m] carried in through the outer boundary
+    outside: float
+    #: [J/m] from discs that are held
+    held: float
+    #: [J/m] put in by the host: temperatures it set, fluid it put into pores
+    host: float
+    #: [J/m] wells + outside + held + host - stored: rounding
+    error: float
+    #: [J/m] elastic energy that changes of temperature put in; one of the works of hfrac_balance
+    thermal_work: float
+    #: [K] coldest disc
+    lowest: float
+    #: [K] warmest disc
+    highest: float
+
+    @classmethod
+    def of(cls, struct: _abi.hfrac_heat) -> "Heat":
+        """The struct's values."""
+        return cls(
+            struct.mode,
+            struct.stored,
+            struct.wells,
+            struct.outside,
+            struct.held,
+            struct.host,
+            struct.error,
+            struct.thermal_work,
+            struct.lowest,
+            struct.highest,
         )
 
 

@@ -360,6 +360,7 @@ typedef struct hfrac_sim_def {
   double thermal_friction_4;
   /** [1] At temperature_5. Default 1.0454545454545454. */
   double thermal_friction_5;
+
   /** [s] Wall time between the checkpoints that hfrac resume goes on from; 0: none by time. Default 600.0. */
   double output_checkpoint_every;
   /** Steps between the checkpoints that hfrac resume goes on from; 0: none by steps. Default 0. */
