@@ -43,7 +43,6 @@ Assembly build_assembly(ContactGraph graph, const Options& options) {
     a.bond_radius[e] = options.bond_radius_factor * std::min(a.radius[i], a.radius[j]);
   }
   if (options.bond_fracture_toughness > 0.0) apply_fracture_toughness(a, options);
-  combine_shares(a, options);
   return a;
 }
 
