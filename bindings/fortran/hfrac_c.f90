@@ -45,7 +45,7 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_ERR_DIVERGED = -7
   !> out of memory
   integer(c_int32_t), parameter :: HFRAC_ERR_MEMORY = -8
-  !> called from inside a callback of the same simulation
+  !> called from inside a callback of the same simulation, or while another thread is in it
   integer(c_int32_t), parameter :: HFRAC_ERR_BUSY = -9
   !> an earlier error left the simulation unusable; only last_error and destroy work
   integer(c_int32_t), parameter :: HFRAC_ERR_POISONED = -10
@@ -794,8 +794,8 @@ module hfrac_c
       integer(c_int32_t) :: hfrac_status_text
     end function hfrac_status_text
     !> The text of the last error of `sim`, with the value at fault, the allowed range and the fix. With sim NULL:
-    !> the last error on this thread of a call that had no simulation (options, create). Empty if there was none.
-    !> Stable since 0.1.
+    !> the last error on this thread of a call that had no simulation (options, create), or found another thread in
+    !> it (HFRAC_ERR_BUSY). Empty if there was none. Stable since 0.1.
     function hfrac_last_error(sim, buffer, capacity, needed) bind(C, name="hfrac_last_error")
       import
       type(c_ptr), value :: sim

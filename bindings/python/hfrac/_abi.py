@@ -36,7 +36,7 @@ class Status(enum.IntEnum):
     ERR_DIVERGED = -7
     #: out of memory
     ERR_MEMORY = -8
-    #: called from inside a callback of the same simulation
+    #: called from inside a callback of the same simulation, or while another thread is in it
     ERR_BUSY = -9
     #: an earlier error left the simulation unusable; only last_error and destroy work
     ERR_POISONED = -10
@@ -190,7 +190,7 @@ STATUS_TEXTS = {
     -6: 'the model cannot be built from these options',
     -7: 'the solution left the range of finite numbers; state as before the step',
     -8: 'out of memory',
-    -9: 'called from inside a callback of the same simulation',
+    -9: 'called from inside a callback of the same simulation, or while another thread is in it',
     -10: 'an earlier error left the simulation unusable; only last_error and destroy work',
     -11: 'a file cannot be written, cannot be read, or is not what it should be',
     -99: 'an error of the library itself; please report it',
