@@ -18,6 +18,7 @@ std::size_t cut_length(std::string_view text, std::size_t limit) {
 
 thread_local ErrorText thread_text;
 thread_local const FloatingPointGuard* innermost_guard = nullptr;
+thread_local const char thread_mark = 0;  // its address is the thread's
 
 }  // namespace
 
@@ -121,6 +122,21 @@ void require_condition(const HandleBase& handle, Access access) {
     throw Error(ErrorKind::busy,
                 "This call would change the simulation from inside its own callback; return from it first.");
   }
+}
+
+Occupancy::Occupancy(const HandleBase& handle) : handle_(&handle) {
+  const void* found = nullptr;
+  if (handle.occupant.compare_exchange_strong(found, &thread_mark, std::memory_order_acquire)) return;
+  handle_ = nullptr;
+  if (found == &thread_mark) return;
+  throw Error(ErrorKind::busy,
+              "Another thread is in a call of this simulation; one simulation belongs to one thread at a "
+              "time. Wait for "
+              "that call to return.");
+}
+
+Occupancy::~Occupancy() {
+  if (handle_ != nullptr) handle_->occupant.store(nullptr, std::memory_order_release);
 }
 
 void refuse_null(const char* name) {

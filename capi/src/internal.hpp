@@ -11,11 +11,13 @@
 // than ours.
 #pragma once
 
+#include <atomic>
 #include <cfenv>
 #include <cstdint>
 #include <cstring>
 #include <exception>
 #include <new>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -78,6 +80,21 @@ struct HandleBase {
   mutable bool in_callback = false;
   Listener listener;
   bool poisoned = false;
+  mutable std::atomic<const void*> occupant = nullptr;  // the thread that is in a call, as its own mark
+};
+
+// A thread in a call of a handle. A callback's calls are on the same thread and stay inside; another thread's are refused:
+// Error(busy).
+class Occupancy {
+ public:
+  explicit Occupancy(const HandleBase& handle);
+  ~Occupancy();
+  Occupancy(const Occupancy&) = delete;
+  Occupancy& operator=(const Occupancy&) = delete;
+  void give_up() { handle_ = nullptr; }  // the handle goes away
+
+ private:
+  const HandleBase* handle_;  // nullptr: entered from inside
 };
 
 // Status code of the exception being handled; its text goes to `text`. Only inside a catch block.
@@ -125,8 +142,10 @@ void require_condition(const HandleBase& handle, Access access);
 template <class Handle, class Function>
 std::int32_t guarded_sim(Handle* handle, Access access, Function&& function) noexcept {
   const FloatingPointGuard guard;
+  std::optional<Occupancy> inside;
   try {
     require_handle(handle);
+    inside.emplace(*handle);
   } catch (...) {
     return status_of_current_exception(thread_error());
   }

@@ -2,8 +2,11 @@
 // A simulation's life from C: create, step, ask how it stands, destroy.
 #include "hfrac/sim.h"
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <string>
 
 #include "couple/simulation.hpp"
@@ -20,6 +23,16 @@ using namespace hfrac::capi;
 
 hfrac_sim::hfrac_sim() = default;
 hfrac_sim::~hfrac_sim() = default;
+
+void* hfrac_sim::operator new(std::size_t size) {
+  void* const place = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (place == MAP_FAILED) throw std::bad_alloc();
+  return place;
+}
+
+void hfrac_sim::operator delete(void* place, std::size_t size) {
+  ::madvise(place, size, MADV_DONTNEED);
+}
 
 namespace {
 
@@ -98,11 +111,13 @@ int32_t hfrac_sim_destroy(hfrac_sim** sim) {
   return guarded([&] {
     if (sim == nullptr || *sim == nullptr) return;
     require_handle(*sim);
+    Occupancy inside(**sim);
     if ((*sim)->in_callback) {
       throw Error(
           ErrorKind::busy,
           "a simulation cannot be destroyed from inside its own callback; return nonzero to stop it first.");
     }
+    inside.give_up();
     delete *sim;
     *sim = nullptr;
   });

@@ -2,6 +2,7 @@
 // What is behind `hfrac_sim *`.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -17,6 +18,11 @@ class Simulation;
 struct hfrac_sim : hfrac::capi::HandleBase {
   hfrac_sim();
   ~hfrac_sim();  // in sim.cpp, where Simulation is complete
+
+  // A host may call with a handle it has destroyed. So a handle's address is never given out again and stays readable, with
+  // zeros and without memory behind it: a page or two of address space for every simulation that ever was.
+  static void* operator new(std::size_t size);
+  static void operator delete(void* place, std::size_t size);
 
   std::unique_ptr<hfrac::Simulation> simulation;
   hfrac_progress_fn progress = nullptr;

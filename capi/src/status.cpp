@@ -37,8 +37,13 @@ std::int32_t hfrac_last_error(const hfrac_sim* sim, char* buffer, std::int32_t c
   const FloatingPointGuard guard;
   ErrorText unused;
   try {
-    if (sim != nullptr) require_handle(sim);
-    copy_text(sim != nullptr ? sim->last_error.get() : thread_error().get(), buffer, capacity, needed);
+    if (sim == nullptr) {
+      copy_text(thread_error().get(), buffer, capacity, needed);
+      return HFRAC_OK;
+    }
+    require_handle(sim);
+    const Occupancy inside(*sim);
+    copy_text(sim->last_error.get(), buffer, capacity, needed);
     return HFRAC_OK;
   } catch (...) {
     return status_of_current_exception(unused);

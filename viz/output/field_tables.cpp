@@ -30,7 +30,13 @@ struct Column {
 std::string unit_suffix(std::string_view unit) {
   if (unit == "1") return {};
   std::string suffix = "_";
-  for (const char c : unit) suffix += c == '/' ? std::string("_per_") : std::string(1, c == ' ' ? '_' : c);
+  for (const char c : unit) {
+    if (c == '/') {
+      suffix.append("_per_");
+    } else {
+      suffix.push_back(c == ' ' ? '_' : c);
+    }
+  }
   return suffix;
 }
 
@@ -44,7 +50,7 @@ std::string component_name(const hfrac_field_desc& what, int32_t component) {
     return fmt::format("{}_{}", name.substr(0, name.size() - 1), component);  // disc_0, disc_1
   if (what.components == 3) return fmt::format("{}_{}{}", name, std::array{"xx", "yy", "xy"}[k], unit);
   const char* axis = std::array{"x", "y"}[k];
-  if (name == "position" || name == "centre") return axis + unit;
+  if (name == "position" || name == "centre") return fmt::format("{}{}", axis, unit);
   return fmt::format("{}_{}{}", name, axis, unit);
 }
 
@@ -66,7 +72,8 @@ std::vector<Column> columns_at(hfrac_sim* sim, std::initializer_list<Location> l
 std::string table(std::string_view item, const std::vector<Column>& columns) {
   std::string text(item);
   for (const auto& column : columns)
-    for (int32_t c = 0; c < column.what.components; ++c) text += "," + component_name(column.what, c);
+    for (int32_t c = 0; c < column.what.components; ++c)
+      fmt::format_to(std::back_inserter(text), ",{}", component_name(column.what, c));
   text += "\n";
   const int64_t count = columns.empty() ? 0 : columns.front().what.count;
   for (int64_t k = 0; k < count; ++k) {

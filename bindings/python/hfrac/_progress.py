@@ -9,7 +9,16 @@ import signal
 import threading
 from typing import Any, Callable, Iterator, Optional
 
+try:  # those of module signal turn numbers into enums and back, which costs more than the rest of a call
+    from _signal import getsignal as _handler_of
+    from _signal import signal as _set_handler
+except ImportError:  # not CPython
+    from signal import getsignal as _handler_of
+    from signal import signal as _set_handler
+
 from . import _abi
+
+_SIGINT = int(signal.SIGINT)
 
 #: Called with the share done, 0 to 1, and what is being done; a true result stops.
 ProgressFunction = Callable[[float, str], Optional[bool]]
@@ -74,14 +83,14 @@ class Progress:
         """Around a call that may take long: what the user's function raised, and Ctrl-C, come out here."""
         self._error, self._interrupted = None, False
         main = threading.current_thread() is threading.main_thread()
-        ours = main and signal.getsignal(signal.SIGINT) is signal.default_int_handler
+        ours = main and _handler_of(_SIGINT) is signal.default_int_handler
         if ours:
-            signal.signal(signal.SIGINT, self._note_interrupt)
+            _set_handler(_SIGINT, self._note_interrupt)
         try:
             yield
         finally:
             if ours:
-                signal.signal(signal.SIGINT, signal.default_int_handler)
+                _set_handler(_SIGINT, signal.default_int_handler)
             error, self._error = self._error, None
         if error is not None:
             raise error

@@ -6,7 +6,7 @@
  *   Results come back through pointers. After an error of kind ARGUMENT nothing has changed.
  * - The library never ends the process, prints, changes directory, locale or signal handlers, and keeps no
  *   process-wide state. Different simulations may be used from different threads at once; one simulation belongs
- *   to one thread at a time.
+ *   to one thread at a time: a call that finds another thread in it changes nothing and returns HFRAC_ERR_BUSY.
  * - SI units everywhere, unit thickness (1 m) out of the plane, compression positive for stress and pressure,
  *   tension positive for bond forces.
  * - Texts are copied into the caller's buffer: at most `capacity` bytes including the final 0, cut if too long;
@@ -23,8 +23,8 @@
 #define HFRAC_API
 #endif
 
-/* Every function's comment ends with its mark. A stable function keeps its meaning until it is deprecated; an unstable one
- * may change with any minor version, so a host says that it knows: it defines HFRAC_ENABLE_UNSTABLE before the first
+/* Every function's comment ends with its mark. A stable function keeps its meaning until it is deprecated; an unstable
+ * one may change with any minor version, so a host says that it knows: it defines HFRAC_ENABLE_UNSTABLE before the first
  * header of hfrac. Without, a call of one does not compile (GCC 12, clang), or names the fix when it is generated. */
 #if defined(HFRAC_ENABLE_UNSTABLE) || !defined(__has_attribute)
 #define HFRAC_UNSTABLE_API HFRAC_API
@@ -57,7 +57,7 @@
   X(HFRAC_ERR_MODEL, -6, "the model cannot be built from these options")                        \
   X(HFRAC_ERR_DIVERGED, -7, "the solution left the range of finite numbers; state as before the step") \
   X(HFRAC_ERR_MEMORY, -8, "out of memory")                                                      \
-  X(HFRAC_ERR_BUSY, -9, "called from inside a callback of the same simulation")                 \
+  X(HFRAC_ERR_BUSY, -9, "called from inside a callback of the same simulation, or while another thread is in it") \
   X(HFRAC_ERR_POISONED, -10, "an earlier error left the simulation unusable; only last_error and destroy work") \
   X(HFRAC_ERR_FILE, -11, "a file cannot be written, cannot be read, or is not what it should be") \
   X(HFRAC_ERR_INTERNAL, -99, "an error of the library itself; please report it")
@@ -99,7 +99,8 @@ HFRAC_API int32_t hfrac_build_info(char *buffer, int32_t capacity, int32_t *need
 HFRAC_API int32_t hfrac_status_text(int32_t status, char *buffer, int32_t capacity, int32_t *needed);
 
 /** The text of the last error of `sim`, with the value at fault, the allowed range and the fix. With sim NULL:
- * the last error on this thread of a call that had no simulation (options, create). Empty if there was none.
+ * the last error on this thread of a call that had no simulation (options, create), or found another thread in it
+ * (HFRAC_ERR_BUSY). Empty if there was none.
  * Stable since 0.1. */
 HFRAC_API int32_t hfrac_last_error(const hfrac_sim *sim, char *buffer, int32_t capacity, int32_t *needed);
 

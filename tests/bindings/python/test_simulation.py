@@ -171,7 +171,7 @@ class OwnDiscs(unittest.TestCase):
                 self.assertEqual(listed.state_hash, near.state_hash)
         with small(bonds=pairs[::2], **options) as jointed:
             self.assertEqual(list(jointed.bonds.state).count(3), len(pairs) // 2)
-        with self.assertRaisesRegex(hfrac.Error, "to itself"):
+        with self.assertRaisesRegex(hfrac.HfracError, "to itself"):
             small(bonds=[(1, 1)], **options)
 
     def test_wrong_shape(self):
