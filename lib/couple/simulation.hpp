@@ -191,6 +191,7 @@ class Simulation {
   void flow_step(double duration);
   void finish_step(double duration, std::size_t cracks_before);
   void require_finite() const;
+  void watch_energy() const;
   void put_formation_pressure(double pressure);
   void impose_well_pressure(Well& well, double pressure);
   void book_flow(double duration);

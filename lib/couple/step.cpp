@@ -20,6 +20,7 @@
 #include "couple/simulation.hpp"
 #include "flow/aperture.hpp"
 #include "options/choices.hpp"
+#include "options/number_text.hpp"
 
 namespace hfrac {
 
@@ -64,6 +65,7 @@ Simulation::StepOutcome Simulation::step_for(double duration, const std::functio
     solver_->search_contacts(cracks_);
     finish_step(duration, cracks_before);
     require_finite();
+    watch_energy();
   } catch (...) {
     load_state(before_step_);
     throw;
@@ -120,6 +122,32 @@ void Simulation::follow_schedules() {
   }
   // What pressures were heading for before says nothing any more.
   if (turned) std::fill(pressure_rate_.begin(), pressure_rate_.end(), 0.0);
+}
+
+// A time step too long for the model lets every cycle add energy that no work brought in. What is looked at closely is
+// only motion that is worth it: at rest there is none.
+void Simulation::watch_energy() const {
+  constexpr double noteworthy = 0.01;    // kinetic energy over all that was ever put in
+  constexpr double from_nowhere = 0.25;  // energy no work accounts for, likewise; in sound runs some 1e-3
+  const double kinetic = solver_->kinetic_energy();
+  const double load_work = boundary_->load_work(assembly_) - start_boundary_work_;
+  const double start = start_bond_energy_ + start_contact_energy_;
+  const double put_in = std::abs(solver_->energies().fluid) + std::abs(load_work) + start;
+  if (kinetic <= noteworthy * put_in) return;
+  const Balance b = balance();
+  const double excess = -b.energy_error;
+  if (excess <= from_nowhere * (std::abs(b.fluid_work) + std::abs(b.boundary_work) + start)) return;
+  std::size_t fastest = 0;
+  const auto speed = [this](std::size_t i) { return std::hypot(assembly_.vx[i], assembly_.vy[i]); };
+  for (std::size_t i = 1; i < assembly_.vx.size(); ++i) {
+    if (speed(i) > speed(fastest)) fastest = i;
+  }
+  throw Error(ErrorKind::diverged,
+              "the step after " + std::to_string(time_) + " s made " + number_text(excess) +
+                  " J/m of energy that no work accounts for (eq. 11, 12), fastest at disc " +
+                  std::to_string(fastest) + " near (" + std::to_string(assembly_.x[fastest]) + ", " +
+                  std::to_string(assembly_.y[fastest]) +
+                  ") m; lower stepping.safety, or a host's pressures and stresses");
 }
 
 void Simulation::drive_wells() {

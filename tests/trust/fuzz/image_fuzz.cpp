@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "core/hash.hpp"
+#include "../sealed_image.hpp"
 
 namespace {
 
@@ -62,31 +62,6 @@ Model build(int64_t kind) {
   return model;
 }
 
-constexpr std::size_t head = 40;  // magic 8, format 4, byte order 4, model 8, size 8, checksum 8
-
-// As lib/couple/state.cpp makes it.
-void seal(std::vector<std::uint8_t>& image) {
-  if (image.size() < head) return;
-  std::array<std::uint64_t, 5> words{};
-  std::memcpy(words.data(), image.data(), head);
-  hfrac::Hash hash;
-  hash.add(words[2]);
-  hash.add(words[3]);
-  std::uint32_t format = 0, byte_order = 0;
-  std::memcpy(&format, image.data() + 8, 4);
-  std::memcpy(&byte_order, image.data() + 12, 4);
-  hash.add((static_cast<std::uint64_t>(format) << 32U) | byte_order);
-  std::size_t k = head;
-  for (; k + 8 <= image.size(); k += 8) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, image.data() + k, 8);
-    hash.add(word);
-  }
-  for (; k < image.size(); ++k) hash.add(static_cast<std::uint64_t>(image[k]));
-  const std::uint64_t sum = hash.value();
-  std::memcpy(image.data() + 32, &sum, 8);
-}
-
 void change(std::vector<std::uint8_t>& image, const std::uint8_t* edit) {
   const std::size_t place = (edit[0] | (edit[1] << 8U) | (edit[2] << 16U)) % image.size();
   const std::size_t room = image.size() - place;
@@ -111,7 +86,7 @@ void change(std::vector<std::uint8_t>& image, const std::uint8_t* edit) {
       put(std::ldexp(1.0, value - 128));
       break;
     default:
-      image.resize(std::max<std::size_t>(head, image.size() - value));
+      image.resize(std::max(testing_trust::image_head, image.size() - value));
   }
 }
 
@@ -127,9 +102,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } else {
     image = model.image;
     for (std::size_t k = 1; k + 5 <= size && k < 200; k += 5) change(image, data + k);
-    const std::uint64_t state = image.size() - head;
-    std::memcpy(image.data() + 24, &state, 8);
-    seal(image);
+    testing_trust::seal(image);
   }
   const int32_t status = hfrac_state_restore(model.sim, image.data(), static_cast<int64_t>(image.size()));
   if (status < 0) {

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A long run through hfrac.h alone: does memory stay flat, do the books stay closed?
+//   hfrac_soak [--discs N] [--steps M] [--solver explicit|quasi-static] [--minutes T]
+// The well's pressure goes up and down, so that there is always something to do. Ten times on the way, and at the end, it
+// prints step, memory and books; exit status 1 if a bound is broken. After T minutes it ends early and says how far it came.
+//
+// Bounds: memory at the end at most 4 MB (and the cracks' own 1 kB each) above that after a tenth of the run; fluid missing at
+// most 1e-9 of what the model holds; energy missing at most 2 % of the largest of its entries.
+#include <hfrac/hfrac.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+namespace {
+
+hfrac_sim* sim = nullptr;
+
+void require(int32_t status) {
+  if (status >= 0) return;
+  char text[1024];
+  hfrac_last_error(sim, text, sizeof text, nullptr);
+  std::fprintf(stderr, "hfrac_soak: %s\n", text);
+  std::exit(1);
+}
+
+double resident_megabytes() {
+  long all = 0, resident = 0;
+  if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
+    if (std::fscanf(file, "%ld %ld", &all, &resident) != 2) resident = 0;
+    std::fclose(file);
+  }
+  return static_cast<double>(resident * ::sysconf(_SC_PAGESIZE)) / 1048576.0;
+}
+
+struct Look {
+  long long step, cracks;
+  double megabytes, fluid_share, energy_share;
+};
+
+Look look() {
+  hfrac_sim_state state{};
+  state.struct_size = sizeof state;
+  require(hfrac_sim_get_state(sim, &state));
+  hfrac_balance b{};
+  b.struct_size = sizeof b;
+  require(hfrac_get_balance(sim, &b));
+  const double energy = std::max({std::abs(b.fluid_work), std::abs(b.boundary_work), b.damping, b.fracture,
+                                  b.bond_elastic + b.contact_elastic});
+  return {static_cast<long long>(state.step), static_cast<long long>(state.crack_count), resident_megabytes(),
+          std::abs(b.fluid_error) / std::max(std::abs(b.stored_volume), 1e-3),
+          std::abs(b.energy_error) / energy};
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  long long discs = 500, steps = 2000;
+  double minutes = 1e9;
+  bool quasi_static = false;
+  for (int k = 1; k + 1 < count; k += 2) {
+    const std::string name = arguments[k];
+    if (name == "--discs") discs = std::atoll(arguments[k + 1]);
+    if (name == "--steps") steps = std::atoll(arguments[k + 1]);
+    if (name == "--minutes") minutes = std::atof(arguments[k + 1]);
+    if (name == "--solver") quasi_static = std::strcmp(arguments[k + 1], "quasi-static") == 0;
+  }
+  hfrac_sim_def def;
+  require(hfrac_sim_def_init(&def, sizeof def));
+  def.packing_disc_count = discs;
+  def.model_reading = 1;
+  def.boundary_kind = 1;
+  def.stress_sigma_H = def.stress_sigma_h = 0.0;
+  def.stepping_flow_step = 1e-3;
+  def.solver_kind = quasi_static ? 1 : 0;
+  def.well_count = 1;
+  def.wells[0].x = def.wells[0].y = 50.0;
+  def.wells[0].radius = 10.0;
+  def.wells[0].pressure = 30e6;
+  require(hfrac_sim_create(&def, &sim));
+
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  const long long part = std::max(1LL, steps / 10);
+  Look first{}, now{};
+  int bad = 0;
+  std::printf("%10s %8s %10s %14s %14s\n", "step", "cracks", "memory MB", "fluid missing", "energy missing");
+  for (long long step = 0; step < steps; ++step) {
+    // Between half and all of what the rock bears, a ramp of 25 steps up and 25 down.
+    const long long phase = step % 50;
+    const double share = static_cast<double>(phase < 25 ? phase : 50 - phase) / 25.0;
+    require(hfrac_well_set_pressure(sim, 0, 15e6 + 20e6 * share));
+    require(hfrac_step(sim, 1));
+    const double passed = std::chrono::duration<double>(Clock::now() - start).count() / 60.0;
+    const bool over = passed > minutes;
+    if ((step + 1) % part != 0 && step + 1 != steps && !over) continue;
+    now = look();
+    if (first.step == 0) first = now;
+    std::printf("%10lld %8lld %10.2f %14.2e %14.2e\n", now.step, now.cracks, now.megabytes, now.fluid_share,
+                now.energy_share);
+    std::fflush(stdout);
+    if (now.fluid_share > 1e-9 || now.energy_share > 0.02) bad = 1;
+    if (over) {
+      std::printf("time is up after %lld of %lld steps\n", now.step, steps);
+      break;
+    }
+  }
+  const double allowed = first.megabytes + 4.0 + 1e-3 * static_cast<double>(now.cracks - first.cracks);
+  if (now.megabytes > allowed) bad = 1;
+  std::printf("%lld discs, %s, %lld steps in %.1f min: memory %+.2f MB since a tenth of the run: %s\n", discs,
+              quasi_static ? "quasi-static" : "explicit", now.step,
+              std::chrono::duration<double>(Clock::now() - start).count() / 60.0,
+              now.megabytes - first.megabytes, bad != 0 ? "a bound is BROKEN" : "all bounds hold");
+  hfrac_sim_destroy(&sim);
+  return bad;
+}
