@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A definition written as a case file.
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "case_file.hpp"
 #include "options/number_text.hpp"
 
@@ -51,16 +55,18 @@ std::string value_text(const WellOptionInfo& info, const WellOptions& values) {
 std::string case_text(const CaseDefinition& definition) {
   check_ranges(definition);
   std::string text = "title = " + quoted(definition.title) + "\n";
-  std::string_view section;
+  // The table only grows at its end, so a section may come back in it; in TOML it stands once.
+  std::vector<std::pair<std::string, std::string>> sections;
   for (const auto& info : option_table()) {
     const std::string_view key = info.key;
     const auto dot = key.find('.');
-    if (key.substr(0, dot) != section) {
-      section = key.substr(0, dot);
-      text += "\n[" + std::string(section) + "]\n";
-    }
-    text += std::string(key.substr(dot + 1)) + " = " + value_text(info, definition.options) + "\n";
+    const std::string name(key.substr(0, dot));
+    auto section =
+        std::find_if(sections.begin(), sections.end(), [&](const auto& s) { return s.first == name; });
+    if (section == sections.end()) section = sections.insert(sections.end(), {name, ""});
+    section->second += std::string(key.substr(dot + 1)) + " = " + value_text(info, definition.options) + "\n";
   }
+  for (const auto& [name, lines] : sections) text += "\n[" + name + "]\n" + lines;
   for (const auto& well : definition.wells) {
     text += "\n[[well]]\n";
     for (const auto& info : well_option_table())
