@@ -100,7 +100,7 @@ class Calibrator {
     return targets_.plane_slopes ? r.plane_poisson : r.poisson;
   }
 
-  // The start's stiffnesses with k_s / k_n of contacts and bonds multiplied by `ratio` over their own, then all by `scale`.
+  // The start's stiffnesses, the bonds' k_s / k_n made `ratio` and the contacts' changed with it, then all by `scale`.
   Options with_stiffness(double ratio, double scale) const {
     Options o = result_.options;
     const double own = started_.bond_normal_stiffness > 0.0 && started_.bond_shear_stiffness > 0.0
