@@ -64,9 +64,17 @@ std::string case_text(const CaseDefinition& definition) {
     auto section =
         std::find_if(sections.begin(), sections.end(), [&](const auto& s) { return s.first == name; });
     if (section == sections.end()) section = sections.insert(sections.end(), {name, ""});
-    section->second += std::string(key.substr(dot + 1)) + " = " + value_text(info, definition.options) + "\n";
+    section->second += key.substr(dot + 1);
+    section->second += " = ";
+    section->second += value_text(info, definition.options);
+    section->second += "\n";
   }
-  for (const auto& [name, lines] : sections) text += "\n[" + name + "]\n" + lines;
+  for (const auto& [name, lines] : sections) {
+    text += "\n[";
+    text += name;
+    text += "]\n";
+    text += lines;
+  }
   for (const auto& well : definition.wells) {
     text += "\n[[well]]\n";
     for (const auto& info : well_option_table())
