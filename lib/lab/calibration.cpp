@@ -20,7 +20,6 @@ constexpr double width = 10.0;                          // m, of specimens; noth
 constexpr double least_ratio = 0.02, most_ratio = 5.0;  // k_s / k_n looked at
 constexpr double least_strengths = 0.25, most_strengths = 4.0;  // tau_c / sigma_c looked at
 constexpr double poisson_tolerance = 5e-4, ratio_tolerance = 0.02;
-constexpr double reached[macro_count] = {0.01, 0.01, 0.1, 0.1, 0.1, 0.01};  // relative; of nu absolute
 
 struct Stop {};
 
@@ -100,7 +99,7 @@ class Calibrator {
     return targets_.plane_slopes ? r.plane_poisson : r.poisson;
   }
 
-  // The start's stiffnesses with k_s / k_n of contacts and bonds multiplied by `ratio` over their own, then all by `scale`.
+  // The start's stiffnesses, the bonds' k_s / k_n made `ratio` and the contacts' changed with it, then all by `scale`.
   Options with_stiffness(double ratio, double scale) const {
     Options o = result_.options;
     const double own = started_.bond_normal_stiffness > 0.0 && started_.bond_shear_stiffness > 0.0
@@ -136,6 +135,7 @@ class Calibrator {
       result_.highest[m] = most;
       if (wanted > most || wanted < least) {
         ratio = wanted > most ? least_ratio : most_ratio;
+        result_.reachable[m] = false;
       } else {
         double at_low = most - wanted, at_high = least - wanted, now = 1.0;
         int side = 0;
@@ -184,8 +184,11 @@ class Calibrator {
       const double wanted = target(Macro::compressive) / target(Macro::tensile);
       const double least = measure(least_strengths), most = measure(most_strengths);
       double low = std::log(least_strengths), high = std::log(most_strengths);
+      const auto t = static_cast<std::size_t>(Macro::tensile),
+                 c = static_cast<std::size_t>(Macro::compressive);
       if (wanted <= least || wanted >= most) {
         ratio = wanted <= least ? least_strengths : most_strengths;
+        result_.reachable[t] = result_.reachable[c] = false;
       } else {
         for (double found = 0.0; std::abs(found / wanted - 1.0) > ratio_tolerance && high - low > 0.02;) {
           ratio = std::exp(0.5 * (low + high));
@@ -196,8 +199,6 @@ class Calibrator {
       measure(ratio);
       // Both off by the same factor, if both cannot be had.
       scale = std::sqrt(target(Macro::tensile) / tensile * target(Macro::compressive) / compressive);
-      const auto t = static_cast<std::size_t>(Macro::tensile),
-                 c = static_cast<std::size_t>(Macro::compressive);
       result_.lowest[c] = least * target(Macro::tensile);
       result_.highest[c] = most * target(Macro::tensile);
       result_.lowest[t] = target(Macro::compressive) / most;
@@ -230,6 +231,7 @@ class Calibrator {
     const double discs = static_cast<double>(o.packing_disc_count);
     result_.lowest[m] = at_radius * std::pow(discs / most_model_discs, 0.25);
     result_.highest[m] = at_radius * std::pow(discs / fewest_model_discs, 0.25);
+    result_.reachable[m] = count >= fewest_model_discs && count <= most_model_discs;
     result_.options.packing_disc_count =
         std::llround(std::clamp(count, fewest_model_discs, most_model_discs));
   }
@@ -240,14 +242,6 @@ class Calibrator {
       const auto k = static_cast<std::size_t>(m);
       result_.achieved[k] = mean.value;
       result_.spread[k] = mean.spread;
-      const double size = m == Macro::poisson ? 1.0 : std::abs(target(m));
-      const double room =
-          m == Macro::permeability
-              ? 0.05
-              : reached[k] + (mean.value > 0 ? 2.0 * mean.spread / size /
-                                                   std::sqrt(static_cast<double>(targets_.packings))
-                                             : 0.0);
-      result_.reachable[k] = std::abs(mean.value - target(m)) <= room * size;
       if (!result_.reachable[k]) explain(m);
     };
     if (asked(Macro::modulus) || asked(Macro::poisson)) {

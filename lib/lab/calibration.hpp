@@ -42,9 +42,9 @@ struct CalibrationResult {
   std::array<double, macro_count> achieved{},
       spread{};  // mean and standard deviation over other packings; NaN: not asked
   std::array<double, macro_count> lowest{}, highest{};  // what can be had, with the other targets as they are
-  std::array<bool, macro_count> reachable{};
-  double zero_stress_aperture = 0.0;   // m, r0 at the model's disc size
-  double toughness_coefficient = 0.0;  // K_Ic over sigma_c sqrt(R)
+  std::array<bool, macro_count> reachable{};            // false: a bound of the model was met
+  double zero_stress_aperture = 0.0;                    // m, r0 at the model's disc size
+  double toughness_coefficient = 0.0;                   // K_Ic over sigma_c sqrt(R)
   double seconds = 0.0;
   std::int64_t tests = 0;
   bool stopped = false;

@@ -38,6 +38,7 @@ LabResult test_crack(const Options& material, const LabSpec& spec, const Packing
   double load_now = 0.0;
   Loading loading;
   loading.first = 1e-3;
+  loading.dead = true;
   loading.apply = [&](double load) {
     load_now = load;
     if (fluid) {

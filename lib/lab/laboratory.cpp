@@ -19,8 +19,8 @@ namespace {
 
 constexpr double small_strain = 1e-5;
 constexpr double bearing_half_angle = 15.0 * std::numbers::pi / 180.0;  // Brazilian: half of each arc
-// Elastic energy of a specimen near its strength is enough to break every bond. When this share has broken at one load the test
-// is over: what would follow is dust.
+// Elastic energy of a specimen near its strength is enough to break every bond. When this share has broken at one load
+// the test is over: what would follow is dust.
 constexpr std::int64_t collapse = 50;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -105,14 +105,17 @@ LabResult test_strength(const Options& material, const Packing& packing, double 
   double start = 0.0;  // shortening at which the axial stress is the confining one
   if (confining > 0.0) {
     constexpr int stages = 10;
+    // At least the rock's own stiffness [Pa], so that each round leaves a part of what is missing and none overshoots.
+    const bool parallel = ContactMode{material.contact_mode} == ContactMode::parallel;
+    const double stiffness =
+        material.bond_normal_stiffness + (parallel ? material.contact_normal_stiffness : 0.0);
     for (int stage = 1; stage <= stages; ++stage) {
-      // The axial strain that keeps stresses equal is found as the load grows: stress per strain is the rock's own.
       s->load_sides(static_cast<double>(stage) / stages);
       for (int round = 0; round < 3; ++round) {
         s->lead_ends(-start * height);
         s->solve(1e300, interrupt);
         const double missing = confining * stage / stages + s->pull() / width;
-        start += missing * width * height / (material.bond_normal_stiffness * width * height);
+        start += missing / stiffness;
       }
     }
     s->lead_ends(-start * height);
@@ -154,7 +157,7 @@ LabResult test_brazilian(const Options& material, const Packing& packing, double
   return result;
 }
 
-// Along x, or along y by turning the packing. The aperture that gives the permeability asked for along x serves both ways.
+// Along x, and along y by turning the packing. The aperture that gives the permeability asked for along x serves both.
 LabResult test_permeability(Options material, const Packing& packing, double width) {
   LabResult result;
   LabReport& r = result.report;

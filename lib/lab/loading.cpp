@@ -75,7 +75,7 @@ LoadingResult load_to_failure(Specimen& specimen, const Loading& loading,
         loading.apply(load);
       }
       if (outcome.end == End::stopped) return cut_short();
-      if (outcome.end != End::rest) return ended(TestEnd::no_equilibrium);
+      if (outcome.end != End::rest) return ended(loading.dead ? TestEnd::failed : TestEnd::no_equilibrium);
       result.force_ratio = std::max(result.force_ratio, outcome.force_ratio);
       excess = specimen.largest_excess();
       record(excess);

@@ -168,7 +168,8 @@ EquilibriumSolver::Outcome Specimen::solve(double most_excess, const std::functi
   using End = EquilibriumSolver::End;
   auto outcome = equilibrium_->solve(0.0, {}, most_excess, log_, interrupt);
   factors_ += outcome.factors;
-  for (int attempt = 0; outcome.end == End::stuck && attempt < most_attempts; ++attempt) {
+  const bool held = !boundary_->grips().empty();
+  for (int attempt = 0; held && outcome.end == End::stuck && attempt < most_attempts; ++attempt) {
     ++relaxations_;
     const auto moved = mechanics_->relax(relaxed_ratio, most_cycles, log_, interrupt);
     if (moved.stopped) {

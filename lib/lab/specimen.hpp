@@ -58,9 +58,9 @@ class Specimen {
   void pressurise(double pressure);
   void make_unbreakable();
 
-  // Equilibrium at the loads as they stand. Bonds break unless the largest stress over strength is above most_excess. Where a
-  // disc has lost its hold and Newton's method finds no rest, the explicit solver lets it move to one, and bonds that break on
-  // the way are broken.
+  // Equilibrium at the loads as they stand. Bonds break unless the largest stress over strength is above most_excess. Between
+  // platens, where a disc has lost its hold and Newton's method finds no rest, the explicit solver lets it move to one, and bonds
+  // that break on the way are broken. Under dead load there may be no rest to find: that is failure.
   EquilibriumSolver::Outcome solve(double most_excess, const std::function<bool()>& interrupt = {});
 
   [[nodiscard]] Strain strain() const;

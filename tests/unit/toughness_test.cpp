@@ -39,6 +39,7 @@ TEST(FractureToughness, GoesWithTheDiscsAroundABond) {
   add(0.0, 16, 16, 0.5);
   add(16.0, 4, 4, 2.0);
   Options o = dry_options(272);
+  o.bond_gap_tolerance = 0.2;  // joins the two lattices
   o.bond_fracture_toughness = 50e6;
   const Model m(o, discs);
   const auto& a = m.assembly;

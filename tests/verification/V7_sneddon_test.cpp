@@ -23,8 +23,10 @@ struct Errors {
   double area, middle, profile;  // relative; the profile's is rms over its largest value
 };
 
+// Openings of all packings together, each over its own p, a and E'.
 Errors measure(int64_t discs, int packings) {
-  Errors mean{0.0, 0.0, 0.0};
+  constexpr int bins = 10;
+  double sum[bins] = {}, count[bins] = {};
   for (int64_t seed = 1; seed <= packings; ++seed) {
     hfrac_lab_spec spec = specimen(HFRAC_LAB_PRESSURISED_CRACK, discs, 100.0);
     spec.slit_share = 0.2;
@@ -34,37 +36,32 @@ Errors measure(int64_t discs, int packings) {
     const double modulus = Lab(linear_rock(), spec).report().plane_modulus;
     const double a = crack.report().slit_half_length;
     const auto rows = crack.table(HFRAC_LAB_OPENING);
-    constexpr int bins = 10;
-    double sum[bins] = {}, count[bins] = {};
     for (std::size_t k = 0; k + 3 <= rows.size(); k += 3) {
       const int bin = std::clamp(static_cast<int>((rows[k] / a + 1.0) * 0.5 * bins), 0, bins - 1);
-      sum[bin] += rows[k + 1];
+      sum[bin] += rows[k + 1] * modulus / (4.0 * rows[k + 2] * a);
       count[bin] += 1.0;
     }
-    const double p = rows[2], largest = 4.0 * p * a / modulus;
-    double area = 0.0, squares = 0.0, middle = 0.0;
-    for (int bin = 0; bin < bins; ++bin) {
-      const double low = -1.0 + 2.0 * bin / bins, high = low + 2.0 / bins;
-      const auto integral = [](double s) {
-        return 0.5 * (s * std::sqrt(std::max(0.0, 1.0 - s * s)) + std::asin(s));
-      };
-      const double analytic = largest * (integral(high) - integral(low)) / (high - low),
-                   measured = sum[bin] / count[bin];
-      area += measured * a * (high - low);
-      squares += (measured - analytic) * (measured - analytic) / bins;
-      if (bin == bins / 2 || bin == bins / 2 - 1) middle += 0.5 * measured / analytic;
-      if (packings == 1)
-        std::printf("    x/a %+.1f  opening %.4g um, analytic %.4g um\n", 0.5 * (low + high), 1e6 * measured,
-                    1e6 * analytic);
-    }
-    mean.area += (area / (2.0 * pi * p * a * a / modulus) - 1.0) / packings;
-    mean.middle += (middle - 1.0) / packings;
-    mean.profile += std::sqrt(squares) / largest / packings;
   }
-  std::printf("  %lld discs, %d packings: area %+.1f %%, middle %+.1f %%, profile rms %.1f %%\n",
-              static_cast<long long>(discs), packings, 100.0 * mean.area, 100.0 * mean.middle,
-              100.0 * mean.profile);
-  return mean;
+  Errors e{0.0, 0.0, 0.0};
+  std::printf("  %lld discs, %d packings; opening over 4 p a / E':\n", static_cast<long long>(discs),
+              packings);
+  for (int bin = 0; bin < bins; ++bin) {
+    const double low = -1.0 + 2.0 * bin / bins, high = low + 2.0 / bins;
+    const auto integral = [](double s) {
+      return 0.5 * (s * std::sqrt(std::max(0.0, 1.0 - s * s)) + std::asin(std::clamp(s, -1.0, 1.0)));
+    };
+    const double analytic = (integral(high) - integral(low)) / (high - low), measured = sum[bin] / count[bin];
+    std::printf("    x/a %+.1f to %+.1f: %.3f, formula %.3f\n", low, high, measured, analytic);
+    e.area += measured * (high - low) / (0.5 * pi);
+    e.profile += (measured - analytic) * (measured - analytic) / bins;
+    if (bin == bins / 2 || bin == bins / 2 - 1) e.middle += 0.5 * measured / analytic;
+  }
+  e.area -= 1.0;
+  e.middle -= 1.0;
+  e.profile = std::sqrt(e.profile);
+  std::printf("    area %+.1f %%, middle %+.1f %%, profile rms %.1f %% of its largest\n", 100.0 * e.area,
+              100.0 * e.middle, 100.0 * e.profile);
+  return e;
 }
 
 void hold(const Errors& e) {

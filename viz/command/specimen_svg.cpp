@@ -53,7 +53,7 @@ std::string specimen_svg(const std::vector<double>& discs, const std::vector<dou
   for (std::size_t k = 0; k + 5 <= cracks.size(); k += 5)
     fmt::format_to(out, "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>\n",
                    x(cracks[k]), y(cracks[k + 1]), x(cracks[k + 2]), y(cracks[k + 3]),
-                   cracks[k + 4] == HFRAC_CRACK_TENSION ? tension : shear);
+                   static_cast<int>(cracks[k + 4]) == HFRAC_CRACK_TENSION ? tension : shear);
   svg += "</g>\n</svg>\n";
   return svg;
 }
