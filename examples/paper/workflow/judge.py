@@ -80,6 +80,16 @@ ASSUMPTIONS = """
 """
 
 
+def by_family(data, names):
+    """How many of its runs each family lacks."""
+    parts = []
+    for family in sorted({one.family for one in data.expected}):
+        runs = {one.run for one in data.points(family)}
+        if runs & names:
+            parts.append(f"{family}: {len(runs & names)} of {len(runs)}")
+    return "; ".join(parts)
+
+
 def cell(text):
     return text.replace("|", "\\|").replace("\n", " ")
 
@@ -110,13 +120,11 @@ def page(which, data, limit, path):
             "",
         ]
     if lacking:
-        kinds = {kind: [run for run, status in lacking if status == kind] for kind in ("missing", "broken")}
-        for kind, names in kinds.items():
+        for kind in ("missing", "broken"):
+            names = {run for run, status in lacking if status == kind}
             if names:
                 lines += [
-                    f"**{len(names)} runs are {kind}**; no claim that rests on one is judged: "
-                    + ", ".join(f"`{name}`" for name in names[:12])
-                    + (", ..." if len(names) > 12 else "."),
+                    f"**{len(names)} runs are {kind}**; no claim that rests on one is judged. {by_family(data, names)}.",
                     "",
                 ]
     before = {row["run"]: int(row["setup_cracks"] or 0) for row in data.rows.values() if row["status"] == "done"}
