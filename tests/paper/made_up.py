@@ -9,15 +9,25 @@ def with_pressure(point):
     """Figure 5: nothing below 35 MPa, slow growth to 55, quick above."""
     p = point.x
     cracks = 0.0 if p < 35 else 0.5 * (min(p, 55) - 33) + 3.0 * max(p - 55, 0)
-    return {"cracks": cracks, "cracks_drawn": cracks, "cracks_at_four_fifths": cracks, "arms": 1 if p <= 55 else 3,
-            "cracks_at_tenth": cracks if p >= 60 else 0.3 * cracks}
+    return {
+        "cracks": cracks,
+        "cracks_drawn": cracks,
+        "cracks_at_four_fifths": cracks,
+        "arms": 1 if p <= 55 else 3,
+        "cracks_at_tenth": cracks if p >= 60 else 0.3 * cracks,
+    }
 
 
 def ramped(point):
     kind = point.family.removesuffix("-sound"), point.series
-    onset = {("figure-07", "sigma_h"): 30 + 2 * point.x, ("figure-07", "sigma_H"): 38.0,
-             ("figure-08", "normal"): 30 + point.x, ("figure-08", "tangential"): 35.0,
-             ("figure-09", "normal"): 0.8 * point.x, ("figure-09", "tangential"): 20 + 0.2 * point.x}
+    onset = {
+        ("figure-07", "sigma_h"): 30 + 2 * point.x,
+        ("figure-07", "sigma_H"): 38.0,
+        ("figure-08", "normal"): 30 + point.x,
+        ("figure-08", "tangential"): 35.0,
+        ("figure-09", "normal"): 0.8 * point.x,
+        ("figure-09", "tangential"): 20 + 0.2 * point.x,
+    }
     return {"onset_MPa": onset.get(kind, 40.0)}
 
 
@@ -43,7 +53,9 @@ def row_of(point):
         values.update(hot(point))
     # packings differ by some per cent, in order
     scatter = 1.0 + 0.01 * (point.seed - 3.5)
-    values = {key: value * scatter if key in ("onset_MPa", "extent_m", "width_m") else value for key, value in values.items()}
+    values = {
+        key: value * scatter if key in ("onset_MPa", "extent_m", "width_m") else value for key, value in values.items()
+    }
     row = dict.fromkeys(COLUMNS, "")
     row.update({key: f"{value:.10g}" for key, value in values.items()})
     row.update(family=point.family, series=point.series, x=point.x, seed=point.seed, run=point.run, status="done")

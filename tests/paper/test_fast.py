@@ -10,6 +10,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "examples/paper/workflow"))
 import families
+import judge  # noqa: F401  brings the claims
 from claims import CLAIMS
 from figures import CHARTS
 from measured import Measured
@@ -19,8 +20,12 @@ class Fast(unittest.TestCase):
     def test_from_cases_to_verdict(self):
         out = pathlib.Path(tempfile.mkdtemp(prefix="hfrac-paper-"))
         self.addCleanup(shutil.rmtree, out, ignore_errors=True)
-        done = subprocess.run([ROOT / "examples/paper/run", "--fast"], capture_output=True, text=True,
-                              env=dict(os.environ, HFRAC=os.environ["HFRAC_COMMAND"], HFRAC_PAPER_OUT=str(out)))
+        done = subprocess.run(
+            [ROOT / "examples/paper/run", "--fast"],
+            capture_output=True,
+            text=True,
+            env=dict(os.environ, HFRAC=os.environ["HFRAC_COMMAND"], HFRAC_PAPER_OUT=str(out)),
+        )
         self.assertEqual(done.returncode, 0, done.stderr[-3000:])
         data = Measured.read(out / "measured.csv", families.expand("fast")[1])
         self.assertEqual(data.lacking(), [])

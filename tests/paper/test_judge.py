@@ -1,5 +1,5 @@
-"""The judge of the paper's claims, on measurements nobody ran: it says yes to a rock that does all the paper says, no to one
-that does not, claim by claim, and nothing at all where runs are missing or broken."""
+"""The judge of the paper's claims, on measurements nobody ran: it says yes to a rock that does all the paper says, no
+to one that does not, claim by claim, and nothing at all where runs are missing or broken."""
 import contextlib
 import io
 import pathlib
@@ -100,7 +100,9 @@ class Judge(unittest.TestCase):
 
         found = verdicts(changed("figure-07-sound", falling, "sigma_h"))
         self.assertEqual(found["smaller_stress"], "holds only if not in the sound reading")
-        found = verdicts(changed("figure-10", lambda row, x: {"width_m": 0.1, "extent_m": 30 - abs(x - 60) / 5}, "400 C"))
+        found = verdicts(
+            changed("figure-10", lambda row, x: {"width_m": 0.1, "extent_m": 30 - abs(x - 60) / 5}, "400 C")
+        )
         self.assertTrue(found["optimum_moves"].startswith("holds only if strength falls"), found["optimum_moves"])
 
     def test_few_packings_decide_nothing(self):
@@ -131,7 +133,7 @@ class Estimates(unittest.TestCase):
         x = [0, 1, 2, 3, 4, 5]
         self.assertAlmostEqual(estimates.slope(x, [1 + 2 * one for one in x]), 2.0)
         self.assertAlmostEqual(estimates.r_squared(x, [1 + 2 * one for one in x]), 1.0)
-        self.assertAlmostEqual(estimates.spearman(x, [-one**3 for one in x]), -1.0)
+        self.assertAlmostEqual(estimates.spearman(x, [-(one**3) for one in x]), -1.0)
         self.assertAlmostEqual(estimates.spearman([1, 2, 3, 4], [1, 1, 2, 3]), 0.9486832980505138)  # as scipy.stats
         self.assertEqual(estimates.spearman(x, [7] * 6), 0.0)
         where, before, after = estimates.kink(x, [max(one - 3, 0) for one in x])

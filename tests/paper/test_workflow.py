@@ -1,5 +1,5 @@
-"""The workflow of the paper's experiments: the same numbers on a second run, no run lost in a kill, a failed run that stays
-one, and a cluster's scheduler. Environment: HFRAC_COMMAND, the program."""
+"""The workflow of the paper's experiments: the same numbers on a second run, no run lost in a kill, a failed run that
+stays one, and a cluster's scheduler. Environment: HFRAC_COMMAND, the program."""
 import json
 import os
 import pathlib
@@ -22,8 +22,12 @@ REPEATED = ["figure-05-paper-45-s1", "figure-09-tangential-27.5-s1", "figure-12-
 
 
 def one_run(name, folder, packing, program=HFRAC):
-    done = subprocess.run([sys.executable, "-B", WORKFLOW / "run_case.py", "fast", name, folder, *packing], capture_output=True,
-                          text=True, env=dict(os.environ, HFRAC=str(program)))
+    done = subprocess.run(
+        [sys.executable, "-B", WORKFLOW / "run_case.py", "fast", name, folder, *packing],
+        capture_output=True,
+        text=True,
+        env=dict(os.environ, HFRAC=str(program)),
+    )
     assert done.returncode == 0, done.stderr
     return folder
 
@@ -62,7 +66,9 @@ class Workflow(unittest.TestCase):
     @unittest.skipIf(shutil.which("snakemake", path="/usr/bin") is None, "snakemake is not installed")
     def test_a_killed_workflow_goes_on(self):
         command, options = set_of_runs(self.top, "--cores", "1")
-        going = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True, **options)
+        going = subprocess.Popen(
+            command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True, **options
+        )
         finished = []
         end = time.monotonic() + 240
         while len(finished) < 2 and time.monotonic() < end and going.poll() is None:

@@ -1,5 +1,6 @@
-"""The few tests the judge uses, on values[packing, x]. Intervals are 90 % bootstrap intervals over packings: packings are
-the sample, and nothing is assumed about how they scatter. The generator is seeded, so a verdict repeats to the digit."""
+"""The few tests the judge uses, on values[packing, x]. Intervals are 90 % bootstrap intervals over packings: packings
+are the sample, and nothing is assumed about how they scatter. The generator is seeded, so a verdict repeats to the
+digit."""
 import numpy as np
 
 DRAWS = 2000
@@ -41,8 +42,8 @@ def spearman(x, y):
 
 
 def kink(x, y):
-    """(x of the change, slope before, slope after) of the continuous line of two pieces that fits best, with at least two
-    points on either side."""
+    """(x of the change, slope before, slope after) of the continuous line of two pieces that fits best, with at
+    least two points on either side."""
     x, y = np.asarray(x, float), np.asarray(y, float)
     best = None
     for place in np.linspace(x[1], x[-2], 201):

@@ -1,7 +1,7 @@
 """Case families into runs: every value of every series of a family, times the packings, is one run with one case file.
 
-A family (examples/paper/families/*.toml) names the parts its cases are put together from, what it sets itself, and in each
-series one option that varies. Families whose cases come out equal share the run.
+A family (examples/paper/families/*.toml) names the parts its cases are put together from, what it sets itself, and in
+each series one option that varies. Families whose cases come out equal share the run.
 """
 import copy
 import dataclasses
@@ -128,7 +128,8 @@ def expand(which):
                 word = f"{name}-{series['name']}-{x:g}-s{seed}".replace(" ", "")
                 known[key] = word
                 packing = f"{case['packing']['disc_count']}-{case['packing']['porosity']}-{seed}"
-                runs[word] = Run(word, packing, {"title": family["title"], **case}, family.get("pictures", False), priority)
+                titled = {"title": family["title"], **case}
+                runs[word] = Run(word, packing, titled, family.get("pictures", False), priority)
             run = runs[known[key]]
             runs[run.name] = dataclasses.replace(run, priority=min(priority, run.priority))
             points.append(Point(name, series["name"], x, seed, run.name))

@@ -11,11 +11,15 @@ import shutil
 import subprocess
 import sys
 
-# figure: (family, [(series in the family, name in the picture)] or all, {column of the picture: column measured}, title)
+# name of the picture: (families, {column of the picture: column measured}, title)
 LENGTHS = {"extent_m": "extent_m", "width_m": "width_m"}
 ONSET = {"initiation_pressure_Pa": "onset_MPa"}
 CHARTS = {
-    "figure-05-end": (["figure-05"], {"crack_count": "cracks", "fracture_arms": "arms"}, "Figure 5: cracks by injection pressure"),
+    "figure-05-end": (
+        ["figure-05"],
+        {"crack_count": "cracks", "fracture_arms": "arms"},
+        "Figure 5: cracks by injection pressure",
+    ),
     "figure-07": (["figure-07"], ONSET, "Figure 7: initiation against horizontal stresses"),
     "figure-08": (["figure-08"], ONSET, "Figure 8: initiation against contact stiffness"),
     "figure-09": (["figure-09"], ONSET, "Figure 9: initiation against bond strength"),
@@ -30,7 +34,15 @@ CHARTS = {
 # The axis of a family: its name with the SI unit, and that unit in the family's.
 STRESS, PRESSURE = ("effective_stress_Pa", 1e6), ("injection_pressure_Pa", 1e6)
 STIFFNESS, STRENGTH = ("contact_stiffness_N_per_m", 1e9), ("bond_strength_Pa", 1e6)
-AXES = {"05": PRESSURE, "07": STRESS, "08": STIFFNESS, "09": STRENGTH, "10": PRESSURE, "11": STRESS, "12": ("permeability_mD", 1)}
+AXES = {
+    "05": PRESSURE,
+    "07": STRESS,
+    "08": STIFFNESS,
+    "09": STRENGTH,
+    "10": PRESSURE,
+    "11": STRESS,
+    "12": ("permeability_mD", 1),
+}
 
 
 def hfrac(*words):
@@ -58,8 +70,13 @@ def chart(rows, tables, folder, name):
         writer.writerow(["series", axis, *columns])
         for row in chosen:
             series = row["series"] + (" with falling strength" if row["family"].startswith("beyond") else "")
-            writer.writerow([series.replace("paper", "the paper's reading"), float(row["x"]) * unit,
-                             *(in_si(row[column], column) for column in columns.values())])
+            writer.writerow(
+                [
+                    series.replace("paper", "the paper's reading"),
+                    float(row["x"]) * unit,
+                    *(in_si(row[column], column) for column in columns.values()),
+                ]
+            )
     hfrac("plot", "--compare", table, "--title", title, "--width", 900, "-o", folder / f"{name}.png")
 
 
@@ -67,8 +84,23 @@ def courses(rows, out, folder):
     """Figure 5: cracks over the sub-steps."""
     runs = [out / "runs" / row["run"] for row in rows if row["family"] == "figure-05" and row["status"] == "done"]
     runs = [run for run in runs if (run / "history.csv").exists()]
-    if runs and hfrac("plot", "--compare", *runs, "--x", "step", "--y", "cracks", "--series", "well[0].pressure", "--title",
-                      "Figure 5: cracks over the sub-steps", "--width", 900, "-o", out / "figure-05.png"):
+    if runs and hfrac(
+        "plot",
+        "--compare",
+        *runs,
+        "--x",
+        "step",
+        "--y",
+        "cracks",
+        "--series",
+        "well[0].pressure",
+        "--title",
+        "Figure 5: cracks over the sub-steps",
+        "--width",
+        900,
+        "-o",
+        out / "figure-05.png",
+    ):
         (out / "figure-05.png").replace(folder / "figure-05.png")
 
 
@@ -101,7 +133,9 @@ def main(out, folder):
     pictures(rows, out, folder)
     if shutil.which("pngquant"):  # 64 colours, as the other pictures of the documentation
         for path in sorted(folder.glob("*.png")):
-            subprocess.run(["pngquant", "--force", "--strip", "--speed", "1", "--output", path, "64", path], check=False)
+            subprocess.run(
+                ["pngquant", "--force", "--strip", "--speed", "1", "--output", path, "64", path], check=False
+            )
 
 
 if __name__ == "__main__":

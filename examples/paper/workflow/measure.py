@@ -10,9 +10,32 @@ import sys
 
 import families
 
-COLUMNS = ["family", "series", "x", "seed", "run", "status", "onset_MPa", "breakdown_MPa", "cracks", "setup_cracks",
-           "cracks_drawn", "cracks_at_tenth", "cracks_at_four_fifths", "length_m", "extent_m", "width_m", "arms",
-           "azimuth_deg", "censored", "steps", "steps_not_at_rest", "fluid_error_m2", "state_hash", "error"]
+COLUMNS = [
+    "family",
+    "series",
+    "x",
+    "seed",
+    "run",
+    "status",
+    "onset_MPa",
+    "breakdown_MPa",
+    "cracks",
+    "setup_cracks",
+    "cracks_drawn",
+    "cracks_at_tenth",
+    "cracks_at_four_fifths",
+    "length_m",
+    "extent_m",
+    "width_m",
+    "arms",
+    "azimuth_deg",
+    "censored",
+    "steps",
+    "steps_not_at_rest",
+    "fluid_error_m2",
+    "state_hash",
+    "error",
+]
 
 
 def result_of(folder):
@@ -37,8 +60,14 @@ def main(which, out, table):
         for point in points:
             if point.run not in results:
                 results[point.run] = result_of(pathlib.Path(out) / "runs" / point.run)
-            row = {**results[point.run], "family": point.family, "series": point.series, "x": point.x,
-                   "seed": point.seed, "run": point.run}
+            row = {
+                **results[point.run],
+                "family": point.family,
+                "series": point.series,
+                "x": point.x,
+                "seed": point.seed,
+                "run": point.run,
+            }
             writer.writerow([cell(row.get(column)) for column in COLUMNS])
     count = {}
     for result in results.values():

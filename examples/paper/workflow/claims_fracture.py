@@ -1,0 +1,221 @@
+"""Section 5: how far and wide fractures get, by pressure, stress and permeability, at four temperatures (10 to 12)."""
+import numpy as np
+from claims import Answer, claim, listed, slope_of, span
+from estimates import interval, kink, largest_drop, slope, spearman
+
+STRENGTH_10 = (("strength falls with temperature (assumed table)", {"hot": "beyond-10-strength"}),)
+STRENGTH_11 = (("strength falls with temperature (assumed table)", {"hot": "beyond-11-strength"}),)
+
+
+def inner_maximum(table, drop):
+    place = int(np.argmax(table.means))
+    inner = 0 < place < len(table.x) - 1 and table.means[-1] <= (1.0 - drop) * table.means[place]
+    return bool(inner), float(table.x[place])
+
+
+def with_pressure(data, limit, quantity, digits):
+    drop = limit["figure-10"]["inner_drop"]
+    parts, good = [], []
+    for series in ("250 C", "300 C", "350 C", "400 C"):
+        table = data.table("figure-10", series, quantity)
+        inner, place = inner_maximum(table, drop)
+        good.append(inner)
+        parts.append(f"{series}: largest at {place:g} MPa ({listed(table, digits)} m)")
+    return Answer(
+        all(good),
+        "; ".join(parts),
+        f"at each temperature the largest mean is inside and the last lies ≥ {100 * drop:.0f} % below it",
+    )
+
+
+@claim(
+    "5.1, Figure 10a",
+    "Fracture length first grows with injection pressure, then falls.",
+    "At high pressure fluid is never short at a held pressure, so arms do not take from each other.",
+)
+def length_falls_again(data, limit):
+    return with_pressure(data, limit, "extent_m", 0)
+
+
+@claim(
+    "5.1, Figure 10b",
+    "Fracture width first grows with injection pressure, then falls.",
+    "Width is elastic opening under the pressure held in the well; more pressure opens more. The paper's own text also "
+    "says that width goes on rising slowly.",
+)
+def width_falls_again(data, limit):
+    return with_pressure(data, limit, "width_m", 3)
+
+
+def volume(data, family, series):
+    extent, width = (data.table(family, series, one) for one in ("extent_m", "width_m"))
+    return extent.x, extent.values * width.values
+
+
+@claim(
+    "5.1, Figure 10",
+    "The optimum of length times width lies at 60 MPa at 250 C and at 40 MPa at 400 C.",
+    "Table 3 changes stiffness only. Quasi-static breakage depends on pressure over strength, so stiffness alone "
+    "cannot move an optimum by a third.",
+    needs=STRENGTH_10,
+)
+def optimum_moves(data, limit, hot="figure-10"):
+    limit, best = limit["figure-10"], {}
+    for temperature, family in ((250, "figure-10"), (400, hot)):
+        x, values = volume(data, family, f"{temperature} C")
+        best[temperature] = float(x[int(np.argmax(values.mean(axis=0)))])
+    near = all(abs(best[t] - limit["optimum"][str(t)]) <= limit["optimum_within"] for t in best)
+    return Answer(
+        near and best[400] < best[250],
+        f"{best[250]:g} MPa at 250 C, {best[400]:g} MPa at 400 C",
+        f"60 and 40 MPa, each within {limit['optimum_within']}, and falling",
+    )
+
+
+@claim("5.2, Figure 11", "Fracture length and width fall with the smaller horizontal stress.")
+def falls_with_stress(data, limit):
+    parts, good = [], []
+    for series in ("250 C", "400 C"):
+        for quantity in ("extent_m", "width_m"):
+            table = data.table("figure-11", series, quantity)
+            rank = float(np.mean([spearman(table.x, row) for row in table.values]))
+            good.append(rank <= limit["figure-11"]["spearman"])
+            parts.append(f"{series} {quantity[:-2]} {rank:.2f}")
+    return Answer(all(good), "mean Spearman: " + ", ".join(parts), f"each ≤ {limit['figure-11']['spearman']}")
+
+
+@claim(
+    "5.2, Figure 11",
+    "At a key stress length and width drop suddenly.",
+    "Where the drop comes differs from packing to packing; in some there is none.",
+)
+def sudden_drop(data, limit):
+    limit = limit["figure-11"]
+    parts, good = [], []
+    for series in ("250 C", "400 C"):
+        extent = data.table("figure-11", series, "extent_m")
+        drops = [largest_drop(row, limit["from_cracks_m"]) for row in extent.values]
+        share = float(np.mean([drop >= limit["jump"] for _, drop in drops]))
+        good.append(share >= limit["jump_packings"])
+        parts.append(f"{series}: " + ", ".join(f"{100 * d:.0f} % after {extent.x[i]:g} MPa" for i, d in drops))
+    return Answer(
+        all(good),
+        "largest fall of extent by packing, " + "; ".join(parts),
+        f"≥ {100 * limit['jump']:.0f} % within one step in ≥ {100 * limit['jump_packings']:.0f} % of the packings",
+    )
+
+
+@claim(
+    "5.2, Figure 11",
+    "The key stress is lower in hotter rock (51 MPa at 250 C, 49 MPa at 400 C).",
+    "In Table 3 hotter rock is softer, not weaker. Absolute values hang on how the paper's stresses are read.",
+    needs=STRENGTH_11,
+)
+def key_stress_moves(data, limit, hot="figure-11"):
+    floor = limit["figure-11"]["from_cracks_m"]
+    cold_table = data.table("figure-11", "250 C", "extent_m")
+    hot_table = data.table(hot, "400 C", "extent_m")
+    places = [[table.x[largest_drop(row, floor)[0]] + 0.5 for row in table.values] for table in (cold_table, hot_table)]
+    change = (np.array(places[1]) - np.array(places[0]))[:, None]
+    sure = interval(change, lambda mean: mean[..., 0])
+    return Answer(
+        sure[1] < 0,
+        f"250 C {np.mean(places[0]):.1f} MPa, 400 C {np.mean(places[1]):.1f} MPa effective; change "
+        f"{change.mean():.1f} {span(sure, 1)}",
+        "change of the key stress, interval below 0",
+    )
+
+
+@claim(
+    "5.2, Figure 11",
+    "Beyond the key stress length falls more slowly than before it.",
+    "The mean over packings blurs the drop; a change of slope is then not certain.",
+)
+def slower_beyond(data, limit):
+    parts, good = [], []
+    for series in ("250 C", "400 C"):
+        extent = data.table("figure-11", series, "extent_m")
+        key, _ = largest_drop(extent.means, limit["figure-11"]["from_cracks_m"])
+        if not 1 <= key <= len(extent.x) - 3:
+            good.append(False)
+            parts.append(
+                f"{series}: the largest drop of the mean is after {extent.x[key]:g} MPa, at the end of the series"
+            )
+            continue
+        before, after = (
+            float(slope(extent.x[part], extent.means[part])) for part in (slice(0, key + 1), slice(key + 1, None))
+        )
+        good.append(before < 0 and abs(after) < abs(before))
+        parts.append(f"{series}: {before:.2f} m/MPa up to {extent.x[key]:g} MPa, {after:.2f} after the drop")
+    return Answer(
+        all(good), "; ".join(parts), "on both sides of the largest drop of the mean: falling before, flatter after"
+    )
+
+
+@claim(
+    "5.3, Figure 12",
+    "Fracture length and width grow with permeability.",
+    "Cracks fill through themselves; what seeps into rock of some millidarcy within the run is little.",
+)
+def grows_with_permeability(data, limit):
+    parts, good = [], []
+    for series in ("250 C", "400 C"):
+        for quantity in ("width_m", "cracks"):
+            table = data.table("figure-12", series, quantity)
+            rise, sure = slope_of(table)
+            good.append(sure[1] >= limit["figure-12"]["not_falling"])
+            parts.append(f"{series} {quantity.removesuffix('_m')} {rise:.3g} [{sure[0]:.2g}, {sure[1]:.2g}] per mD")
+    return Answer(all(good), "; ".join(parts), "no slope's interval lies below 0")
+
+
+@claim(
+    "5.3, Figure 12",
+    "The increase becomes steeper at about 5.8 mD.",
+    "Nothing in the equations changes at a permeability; leak-off grows in proportion to its root.",
+)
+def permeability_kink(data, limit):
+    limit = limit["figure-12"]
+    parts, good = [], []
+    for series in ("250 C", "400 C"):
+        for quantity in ("extent_m", "width_m"):
+            table = data.table("figure-12", series, quantity)
+            where, before, after = kink(table.x, table.means)
+            good.append(
+                abs(where - limit["kink"]) <= limit["kink_within"]
+                and before >= 0
+                and after > limit["kink_ratio"] * before
+            )
+            parts.append(f"{series} {quantity[:-2]}: {where:.1f} mD, {before:.2g} before, {after:.2g} m/mD after")
+    return Answer(
+        all(good),
+        "; ".join(parts),
+        f"change point {limit['kink']} ± {limit['kink_within']:g} mD, slope {limit['kink_ratio']}-fold after",
+    )
+
+
+@claim(
+    "5.3, Figure 12",
+    "The hotter the rock, the more permeability adds.",
+    "With no clear growth at any temperature there is no difference to see.",
+)
+def hotter_grows_more(data, limit):
+    parts, good = [], []
+    for quantity in ("extent_m", "width_m"):
+        cold, hot = (data.table("figure-12", series, quantity) for series in ("250 C", "400 C"))
+        more = interval(hot.values - cold.values, lambda mean: slope(cold.x, mean))
+        good.append(more[0] > 0)
+        parts.append(f"{quantity[:-2]}: 400 C less 250 C [{more[0]:.2g}, {more[1]:.2g}] m/mD")
+    return Answer(all(good), "; ".join(parts), "difference of slopes, interval above 0")
+
+
+@claim("4.3.2 and 7", "Fractures run along the larger horizontal stress.")
+def along_larger_stress(data, limit):
+    azimuth = data.table("figure-12", "250 C", "azimuth_deg", gaps=True).values
+    azimuth = np.nanmean(azimuth[~np.isnan(azimuth).all(axis=1)], axis=1)[:, None]
+    sure = interval(azimuth, lambda mean: mean[..., 0])
+    most = limit["figure-12"]["azimuth_deg"]
+    return Answer(
+        azimuth.mean() <= most,
+        f"longest fracture {azimuth.mean():.0f}° {span(sure, 0)} from the larger stress, " "under 7 and 0 MPa",
+        f"mean ≤ {most}°",
+    )
