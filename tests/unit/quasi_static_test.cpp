@@ -115,6 +115,33 @@ TEST(QuasiStaticParts, AreShortenedWhereBondsBreak) {
   EXPECT_LE(bore, (1.0 + definition.options.solver_strength_overshoot) * capacity);
 }
 
+// A residual that rounding does not allow: the step must fail, say when, where and what to do, and leave no trace.
+TEST_P(QuasiStatic, AStepThatCannotBeSolvedEndsAtTheLastGoodStateAndSaysWhereAndWhy) {
+  CaseDefinition definition = quasi_static(GetParam());
+  Simulation s(definition, {}, {});
+  s.step();
+  std::vector<std::byte> image(s.image_size());
+  s.write_image(image);
+  definition.options.solver_tolerance = 1e-17;
+  definition.options.solver_smallest_step = 1e-5;
+  Simulation strict(definition, {}, {});
+  strict.restore(image);
+  const auto before = strict.state_hash();
+  try {
+    strict.step();
+    FAIL() << "a tolerance below rounding was reached";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::diverged);
+    const std::string text = error.what();
+    for (const char* told : {"no equilibrium was found", " s", "unbalanced-force ratio stayed at", "near (",
+                             ") m", "the state before the step stands", "se "}) {
+      EXPECT_NE(text.find(told), std::string::npos) << told << ": " << text;
+    }
+  }
+  EXPECT_EQ(strict.state_hash(), before);
+  EXPECT_GT(strict.time(), 0.0);
+}
+
 TEST(QuasiStaticStressBoundary, StaysInPlace) {
   CaseDefinition definition = quasi_static(SteppingMode::substep);
   definition.options.model_reading = choice(Reading::sound);
