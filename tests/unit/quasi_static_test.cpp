@@ -115,21 +115,20 @@ TEST(QuasiStaticParts, AreShortenedWhereBondsBreak) {
   EXPECT_LE(bore, (1.0 + definition.options.solver_strength_overshoot) * capacity);
 }
 
-// A residual that rounding does not allow: the step must fail, say when, where and what to do, and leave no trace.
+// A pressure that no rock bears: the step must fail, say when, where and what to do, and leave no trace.
 TEST_P(QuasiStatic, AStepThatCannotBeSolvedEndsAtTheLastGoodStateAndSaysWhereAndWhy) {
   CaseDefinition definition = quasi_static(GetParam());
+  definition.options.packing_disc_count = 400;
+  definition.wells[0].radius = 12.0;
+  definition.options.solver_smallest_step = 2e-4;
+  definition.wells[0].pressure = 5e6;
   Simulation s(definition, {}, {});
   s.step();
-  std::vector<std::byte> image(s.image_size());
-  s.write_image(image);
-  definition.options.solver_tolerance = 1e-17;
-  definition.options.solver_smallest_step = 1e-5;
-  Simulation strict(definition, {}, {});
-  strict.restore(image);
-  const auto before = strict.state_hash();
+  s.set_well_pressure(0, 1e12);
+  const auto before = s.state_hash();
   try {
-    strict.step();
-    FAIL() << "a tolerance below rounding was reached";
+    s.step();
+    FAIL() << "equilibrium was found";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::diverged);
     const std::string text = error.what();
@@ -138,8 +137,8 @@ TEST_P(QuasiStatic, AStepThatCannotBeSolvedEndsAtTheLastGoodStateAndSaysWhereAnd
       EXPECT_NE(text.find(told), std::string::npos) << told << ": " << text;
     }
   }
-  EXPECT_EQ(strict.state_hash(), before);
-  EXPECT_GT(strict.time(), 0.0);
+  EXPECT_EQ(s.state_hash(), before);
+  EXPECT_GT(s.time(), 0.0);
 }
 
 TEST(QuasiStaticStressBoundary, StaysInPlace) {
