@@ -20,6 +20,10 @@ namespace {
 
 constexpr double longest_growth = 2.0, shortest_cut = 0.1;
 
+std::string place_text(Vec2 at) {
+  return "(" + rounded_text(at.x) + ", " + rounded_text(at.y) + ") m";
+}
+
 }  // namespace
 
 Simulation::StepOutcome Simulation::quasi_static_substep(double duration,
@@ -31,8 +35,10 @@ Simulation::StepOutcome Simulation::quasi_static_substep(double duration,
   if (rest.end != EquilibriumSolver::End::rest) {
     throw Error(ErrorKind::diverged, "no equilibrium was found after " + number_text(time_) +
                                          " s: the unbalanced-force ratio stayed at " +
-                                         number_text(rest.force_ratio) +
-                                         "; use a shorter stepping.flow_step or solver.kind = \"explicit\"");
+                                         rounded_text(rest.force_ratio) + ", farthest from rest near " +
+                                         place_text(rest.where) +
+                                         "; the state before the step stands. Use a shorter "
+                                         "stepping.flow_step or solver.kind = \"explicit\"");
   }
   count(rest);
   force_ratio_ = rest.force_ratio;
@@ -92,7 +98,8 @@ Simulation::StepOutcome Simulation::coupled_step(double duration, const std::fun
         throw Error(ErrorKind::diverged, "no equilibrium was found at " + number_text(time_ + done) +
                                              " s, not even for a part of " + number_text(part) +
                                              " s: the unbalanced-force ratio stayed at " +
-                                             number_text(outcome.force_ratio) +
+                                             rounded_text(outcome.force_ratio) +
+                                             ", farthest from rest near " + place_text(outcome.where) +
                                              "; the state before the step stands. Lower "
                                              "solver.smallest_step, or use solver.kind = \"explicit\"");
       }

@@ -269,6 +269,13 @@ void CoupledSystem::measure() {
                           std::max(mean * static_cast<double>(boundary_.walls()[w].discs.size()), least));
 }
 
+Vec2 CoupledSystem::worst_place() const {
+  Eigen::Index worst = 0;
+  residual_.head(3 * discs_ + domains_).cwiseAbs().maxCoeff(&worst);
+  if (worst >= 3 * discs_) return network_.centroid[static_cast<std::size_t>(worst - 3 * discs_)];
+  return assembly_.position(worst / 3);
+}
+
 void CoupledSystem::pair_product(const double* k, std::int32_t i, std::int32_t j, const Vector& x,
                                  Vector& y) const {
   const double q[4] = {x[3 * j] - x[3 * i], x[3 * j + 1] - x[3 * i + 1], x[3 * i + 2] / length_scale_,

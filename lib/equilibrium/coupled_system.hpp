@@ -44,6 +44,9 @@ class CoupledSystem {
   [[nodiscard]] double force_ratio() const { return force_ratio_; }
   [[nodiscard]] double pressure_error() const { return pressure_error_; }
 
+  // Where the equations are farthest from fulfilled: the place of that disc or domain [m].
+  [[nodiscard]] Vec2 worst_place() const;
+
   // y = tangent x at the last evaluation.
   void product(const Vector& x, Vector& y) const;
   // Displacements and pressures change by `share` of x.

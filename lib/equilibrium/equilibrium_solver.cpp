@@ -46,7 +46,10 @@ EquilibriumSolver::Outcome EquilibriumSolver::solve(double duration, const std::
   for (outcome.rounds = 1; outcome.rounds <= most_rounds; ++outcome.rounds) {
     const bool found = find_rest(outcome, interrupt);
     outcome.force_ratio = system_.force_ratio();
-    if (!found) return outcome;
+    if (!found) {
+      outcome.where = system_.worst_place();
+      return outcome;
+    }
     const double excess = find_exceeding();
     if (outcome.rounds == 1) outcome.excess = excess;
     if (outcome.rounds == 1 && excess > most_excess) {

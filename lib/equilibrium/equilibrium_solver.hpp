@@ -31,6 +31,7 @@ class EquilibriumSolver {
     int rounds = 0, newton = 0, krylov = 0, factors = 0;
     double force_ratio = 0.0;
     double excess = 0.0;  // largest stress over strength at the first equilibrium
+    Vec2 where;           // m: the place farthest from equilibrium, if it was not found
   };
   // `duration` [s] of flow with source[d] [m2/s], 0 for undrained equilibrium. If bonds are to break and the first
   // equilibrium exceeds a strength by more than the factor `most_excess`, the solve ends there (overshoot).

@@ -115,6 +115,32 @@ TEST(QuasiStaticParts, AreShortenedWhereBondsBreak) {
   EXPECT_LE(bore, (1.0 + definition.options.solver_strength_overshoot) * capacity);
 }
 
+// A pressure that no rock bears: the step must fail, say when, where and what to do, and leave no trace.
+TEST_P(QuasiStatic, AStepThatCannotBeSolvedEndsAtTheLastGoodStateAndSaysWhereAndWhy) {
+  CaseDefinition definition = quasi_static(GetParam());
+  definition.options.packing_disc_count = 400;
+  definition.wells[0].radius = 12.0;
+  definition.options.solver_smallest_step = 2e-4;
+  definition.wells[0].pressure = 5e6;
+  Simulation s(definition, {}, {});
+  s.step();
+  s.set_well_pressure(0, 1e12);
+  const auto before = s.state_hash();
+  try {
+    s.step();
+    FAIL() << "equilibrium was found";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::diverged);
+    const std::string text = error.what();
+    for (const char* told : {"no equilibrium was found", " s", "unbalanced-force ratio stayed at", "near (",
+                             ") m", "the state before the step stands", "se "}) {
+      EXPECT_NE(text.find(told), std::string::npos) << told << ": " << text;
+    }
+  }
+  EXPECT_EQ(s.state_hash(), before);
+  EXPECT_GT(s.time(), 0.0);
+}
+
 TEST(QuasiStaticStressBoundary, StaysInPlace) {
   CaseDefinition definition = quasi_static(SteppingMode::substep);
   definition.options.model_reading = choice(Reading::sound);
