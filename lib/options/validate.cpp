@@ -133,7 +133,8 @@ double row_value(const Options& o, const char* column, std::int64_t row) {
 
 void check_temperature(const Options& o) {
   const ThermalMode mode{o.thermal_mode};
-  if (mode == ThermalMode::off || ThermalParameters{o.thermal_parameters} == ThermalParameters::constant) return;
+  if (mode == ThermalMode::off || ThermalParameters{o.thermal_parameters} == ThermalParameters::constant)
+    return;
   for (std::int64_t row = 2; row <= o.thermal_table_rows; ++row) {
     const double before = row_value(o, "temperature", row - 1), here = row_value(o, "temperature", row);
     if (here > before) continue;
@@ -145,10 +146,11 @@ void check_temperature(const Options& o) {
                highest = row_value(o, "temperature", o.thermal_table_rows);
   const auto require_inside = [&](const char* key, double kelvin) {
     if (kelvin >= lowest && kelvin <= highest) return;
-    refuse(value_text(key, kelvin, "K") + " lies outside the table of micro-parameters, " + number_text(lowest) +
-           " to " + number_text(highest) +
-           " K; add a row (thermal.table_rows, thermal.temperature_1 to _5 and the factors beside them), or set "
-           "thermal.parameters = \"constant\".");
+    refuse(
+        value_text(key, kelvin, "K") + " lies outside the table of micro-parameters, " + number_text(lowest) +
+        " to " + number_text(highest) +
+        " K; add a row (thermal.table_rows, thermal.temperature_1 to _5 and the factors beside them), or set "
+        "thermal.parameters = \"constant\".");
   };
   require_inside("thermal.rock_temperature", o.thermal_rock_temperature);
   if (mode == ThermalMode::transport && FlowScheme{o.flow_scheme} != FlowScheme::off)

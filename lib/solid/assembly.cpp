@@ -75,7 +75,8 @@ BondView view_bond(const Assembly& a, const Options& o, std::int64_t e) {
             (a.arm[e] * a.rotation[i] + (length - a.arm[e]) * a.rotation[j]);
   const double bend = a.rotation[j] - a.rotation[i], intact = a.intact[e], r = a.bond_radius[e];
   const double share = a.thermal.stiffness_of(e);
-  const double bond_normal = o.bond_normal_stiffness * share, contact_shear = o.contact_shear_stiffness * share;
+  const double bond_normal = o.bond_normal_stiffness * share,
+               contact_shear = o.contact_shear_stiffness * share;
   const double bending_stiffness = bond_normal * r * r / 3.0;
   v.bond_normal = bond_normal * intact * v.gap;
   v.bond_shear = o.bond_shear_stiffness * share * intact * v.shear;

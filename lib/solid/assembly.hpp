@@ -52,7 +52,7 @@ struct Assembly {
   std::vector<std::int32_t> first, second;
   Array<double> dx, dy, length, arm, bond_radius;  // m
   Array<std::uint8_t> intact;
-  Array<double> slip;                         // m
+  Array<double> slip;  // m
   ThermalState thermal;
   std::vector<std::int64_t> tile_first_bond;  // one more than tiles
   double mean_radius = 0.0;                   // m

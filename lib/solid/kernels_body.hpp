@@ -113,7 +113,8 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
     const double slip = slip_[k];
     const double trial = contact_shear * share * (shear - slip);
     const double contact_s = trial > limit ? limit : (trial < -limit ? -limit : trial);
-    const double slipped = magnitude(trial) > limit ? shear - contact_s * (inverse_contact_shear / share) : slip;
+    const double slipped =
+        magnitude(trial) > limit ? shear - contact_s * (inverse_contact_shear / share) : slip;
     c.friction[k] = magnitude(contact_s * (slipped - slip));
     c.slip[k] = slipped;
 

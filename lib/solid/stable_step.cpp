@@ -21,7 +21,7 @@ void stiffness_rows(const Assembly& a, const Network& n, const Options& o, std::
   const double stiffest_n = parallel ? o.bond_normal_stiffness + o.contact_normal_stiffness
                                      : std::max(o.bond_normal_stiffness, o.contact_normal_stiffness);
   const double stiffest_s = parallel ? o.bond_shear_stiffness + o.contact_shear_stiffness
-                             : std::max(o.bond_shear_stiffness, o.contact_shear_stiffness);
+                                     : std::max(o.bond_shear_stiffness, o.contact_shear_stiffness);
   for (std::size_t e = 0; e < a.first.size(); ++e) {
     const double share = a.thermal.stiffness_of(static_cast<std::int64_t>(e)), kn = stiffest_n * share,
                  ks = stiffest_s * share;
