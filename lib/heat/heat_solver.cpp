@@ -34,6 +34,7 @@ HeatSolver::HeatSolver(const Assembly& a, const Network& n, const HeatNetwork& h
 
   const auto domain_node = [&](std::int32_t d) { return static_cast<int>(discs_) + d; };
   std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(nodes_ + 8 * nodes_);
   for (int node = 0; node < static_cast<int>(nodes_); ++node) entries.emplace_back(node, node, 1.0);
   const auto join = [&](int p, int q) {
     if (p == q) return;

@@ -4,6 +4,7 @@
 #include <hfrac/hfrac.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static int failures = 0;
