@@ -49,7 +49,8 @@ double polygon_area(const Assembly& a, const Network& n, std::int64_t d) {
   double twice = 0.0;
   for (auto k = begin; k < end; ++k) {
     const auto i = static_cast<std::size_t>(n.corner_disc[static_cast<std::size_t>(k)]),
-               j = static_cast<std::size_t>(n.corner_disc[static_cast<std::size_t>(k + 1 < end ? k + 1 : begin)]);
+               j = static_cast<std::size_t>(
+                   n.corner_disc[static_cast<std::size_t>(k + 1 < end ? k + 1 : begin)]);
     twice += a.x[i] * a.y[j] - a.x[j] * a.y[i];
   }
   return 0.5 * std::abs(twice);
@@ -153,7 +154,7 @@ HeatNetwork build_heat_network(const Assembly& a, const Network& n, const Option
     for (std::int64_t d = 1; d < n.domain_count(); ++d) {
       for (auto k = n.corner_start[static_cast<std::size_t>(d)];
            k < n.corner_start[static_cast<std::size_t>(d) + 1]; ++k)
-        h.face[static_cast<std::size_t>(k)] = sector(a, n, d, k);
+        h.face[static_cast<std::size_t>(k)] = 4.0 * sector(a, n, d, k);
     }
   }
   const double bare = Conductivity(a, n, h).measure();
@@ -165,9 +166,11 @@ HeatNetwork build_heat_network(const Assembly& a, const Network& n, const Option
   h.factor = o.thermal_conductivity / bare;
   for (auto& g : h.contact) g *= h.factor;
   for (std::size_t k = 0; k < h.face.size(); ++k) {
-    const double angle = h.face[k],
-                 film = o.thermal_film_coefficient * a.radius[static_cast<std::size_t>(n.corner_disc[k])];
-    h.face[k] = film > 0.0 ? angle / (1.0 / h.factor + 1.0 / film) : angle * h.factor;
+    if (h.face[k] == 0.0) continue;
+    const double inside = h.face[k] * h.factor,  // 4 f angle
+        film = o.thermal_film_coefficient * a.radius[static_cast<std::size_t>(n.corner_disc[k])] * 0.25 *
+               h.face[k];
+    h.face[k] = film > 0.0 ? 1.0 / (1.0 / inside + 1.0 / film) : inside;
   }
   return h;
 }

@@ -4,8 +4,9 @@
 // Discs are nodes, and in a wet model so are the domains, which stand for the fluid in them. Heat goes
 //   disc to disc      through the contact:    G = f b / L, b the distance of the pores on either side, L that of the centres:
 //                     two-point fluxes through the faces of the dual mesh (Eymard, Gallouet and Herbin 2000)
-//   disc to fluid     through the disc's face: H = f angle, the sector of the disc that looks into the pore: half a disc's
-//                     way R through the face R angle; with a film, 1 / H = 1 / (f angle) + 1 / (h R angle)
+//   disc to fluid     through the disc's face: H = 4 f angle, the sector of the disc that looks into the pore: a cylinder's mean
+//                     and face temperatures differ by q R / (4 lambda) once it warms evenly (Carslaw and Jaeger 1959, section
+//                     7.6); with a film, 1 / H = 1 / (4 f angle) + 1 / (h R angle)
 //   fluid to fluid    with the flow (heat_solver.hpp); it conducts nothing along the pipes
 // The one factor f is calibrated on the network at hand, so that rock and resting fluid together conduct as
 // thermal.conductivity says, as apertures are calibrated to a permeability. A thermal pipe network after Feng, Han, Li

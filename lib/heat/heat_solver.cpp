@@ -34,6 +34,7 @@ HeatSolver::HeatSolver(const Assembly& a, const Network& n, const HeatNetwork& h
 
   const auto domain_node = [&](std::int32_t d) { return static_cast<int>(discs_) + d; };
   std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(nodes_ + 8 * nodes_);
   for (int node = 0; node < static_cast<int>(nodes_); ++node) entries.emplace_back(node, node, 1.0);
   const auto join = [&](int p, int q) {
     if (p == q) return;
@@ -45,7 +46,8 @@ HeatSolver::HeatSolver(const Assembly& a, const Network& n, const HeatNetwork& h
     for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k)
       join(n.corner_disc[static_cast<std::size_t>(k)], domain_node(static_cast<std::int32_t>(d)));
   }
-  for (std::size_t e = 0; wet_ && e < n.left.size(); ++e) join(domain_node(n.left[e]), domain_node(n.right[e]));
+  for (std::size_t e = 0; wet_ && e < n.left.size(); ++e)
+    join(domain_node(n.left[e]), domain_node(n.right[e]));
   matrix_.resize(size, size);
   matrix_.setFromTriplets(entries.begin(), entries.end());
   matrix_.makeCompressed();
@@ -63,7 +65,8 @@ HeatSolver::HeatSolver(const Assembly& a, const Network& n, const HeatNetwork& h
   for (std::size_t e = 0; e < a.first.size(); ++e) both(bond_place_, a.first[e], a.second[e]);
   for (std::size_t d = 0; wet_ && d < n.kind.size(); ++d) {
     for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k)
-      both(face_place_, n.corner_disc[static_cast<std::size_t>(k)], domain_node(static_cast<std::int32_t>(d)));
+      both(face_place_, n.corner_disc[static_cast<std::size_t>(k)],
+           domain_node(static_cast<std::int32_t>(d)));
   }
   for (std::size_t e = 0; wet_ && e < n.left.size(); ++e)
     both(pipe_place_, domain_node(n.left[e]), domain_node(n.right[e]));
@@ -177,7 +180,8 @@ void HeatSolver::book(HeatState& s, double duration) const {
     in += duration * g * (t(p) - t(q));  // from p to q
   };
   for (std::size_t e = 0; e < heat_.contact.size(); ++e) {
-    const auto i = static_cast<std::size_t>(assembly_.first[e]), j = static_cast<std::size_t>(assembly_.second[e]);
+    const auto i = static_cast<std::size_t>(assembly_.first[e]),
+               j = static_cast<std::size_t>(assembly_.second[e]);
     if (fixed_[i] != 0 && fixed_[j] == 0) conduct(i, j, heat_.contact[e], s.from_held);
     if (fixed_[j] != 0 && fixed_[i] == 0) conduct(j, i, heat_.contact[e], s.from_held);
   }
@@ -191,7 +195,8 @@ void HeatSolver::book(HeatState& s, double duration) const {
     }
   }
   for (std::size_t e = 0; e < network_.left.size(); ++e) {
-    const auto l = static_cast<std::size_t>(network_.left[e]), r = static_cast<std::size_t>(network_.right[e]);
+    const auto l = static_cast<std::size_t>(network_.left[e]),
+               r = static_cast<std::size_t>(network_.right[e]);
     const bool rock_l = network_.kind[l] == DomainKind::rock, rock_r = network_.kind[r] == DomainKind::rock;
     if (rock_l == rock_r) continue;
     const double c = carried(e);

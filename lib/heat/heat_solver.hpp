@@ -11,9 +11,9 @@
 //   wells      that feed the rock have the injected temperature; others mix what flows in
 //   outside    fluid comes in at the temperature of the rock before injection
 //   held discs keep theirs
-// The matrix is diagonally dominant, so stabilised bi-conjugate gradients (van der Vorst 1992) with its diagonal find the
-// change of temperature in some ten iterations where a factorisation takes a hundred times as long. Should they fail, it is
-// factorised after all. The pattern is made once.
+// The matrix is diagonally dominant, so stabilised bi-conjugate gradients (van der Vorst 1992) with its diagonal soon find
+// the change of temperature, in less time than a factorisation. Should they fail, it is factorised after all. The pattern is
+// made once.
 #pragma once
 
 #include <Eigen/IterativeLinearSolvers>
@@ -30,7 +30,8 @@ namespace hfrac {
 
 class HeatSolver {
  public:
-  HeatSolver(const Assembly& assembly, const Network& network, const HeatNetwork& heat, const Options& options);
+  HeatSolver(const Assembly& assembly, const Network& network, const HeatNetwork& heat,
+             const Options& options);
 
   // Temperatures after `duration` [s] of the flow now in network.flow, which has already moved the contents. `well_domain`
   // are the wells' domains in the order of state.well.
@@ -52,8 +53,8 @@ class HeatSolver {
   const Assembly& assembly_;
   const Network& network_;
   const HeatNetwork& heat_;
-  double start_;            // K, at set-up
-  double carrier_;          // J/(m3 K): density times specific heat of the fluid
+  double start_;    // K, at set-up
+  double carrier_;  // J/(m3 K): density times specific heat of the fluid
   std::size_t discs_ = 0, nodes_ = 0;
   bool wet_;
   Matrix matrix_;
@@ -64,7 +65,7 @@ class HeatSolver {
   Eigen::SparseLU<Matrix, Eigen::AMDOrdering<int>> factor_;
   bool analysed_ = false;
   Eigen::VectorXd rhs_, temperature_, residual_, change_;
-  std::vector<char> fixed_;      // per node: keeps its temperature in this step
+  std::vector<char> fixed_;       // per node: keeps its temperature in this step
   std::vector<double> fixed_at_;  // K
   std::vector<double> net_;       // m2/s per domain, what flows in
 };

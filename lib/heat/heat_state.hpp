@@ -10,9 +10,9 @@
 namespace hfrac {
 
 struct HeatState {
-  Array<double> disc;        // K
-  Array<double> felt;        // K per disc: what growth and micro-parameters follow, that of the last equilibrium
-  Array<double> fluid;       // K per domain
+  Array<double> disc;   // K
+  Array<double> felt;   // K per disc: what growth and micro-parameters follow, that of the last equilibrium
+  Array<double> fluid;  // K per domain
   Array<std::uint8_t> held;  // per disc: 1 keeps its temperature
   std::vector<double> well;  // K per well: of what is injected
   // J/m since set-up, counted from the temperature at set-up: into rock and pores

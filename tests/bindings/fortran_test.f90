@@ -53,6 +53,7 @@ program fortran_test
   call progress()
   call going_back()
   call exchange()
+  call warm()
   call wrong_use()
   call own_discs()
   call two_at_once()
@@ -423,6 +424,38 @@ contains
     call straight%set_far_field(10e6_real64, 20e6_real64, stat)
     call expect(stat == HFRAC_ERR_ARGUMENT, 'sigma_h above sigma_H')
   end subroutine going_back
+
+  subroutine warm()
+    type(hfrac_definition) :: def
+    type(hfrac_simulation) :: sim
+    type(hfrac_heat) :: books
+    real(real64), allocatable :: discs(:), cells(:, :)
+    logical, allocatable :: held(:)
+    integer :: stat
+    call def%load(case_file)
+    call sim%create(def)
+    call sim%set_temperature(600.0_real64, stat)
+    call expect(stat == HFRAC_ERR_ARGUMENT, 'no temperature unless asked for')
+    call def%set('thermal.mode', 'transport')
+    call sim%create(def)
+    call sim%set_temperature(600.0_real64)
+    call sim%get('disc.temperature', discs)
+    call expect(all(discs == 600.0_real64), 'one temperature for all')
+    discs(1) = 610.0_real64
+    allocate (held(size(discs)), source=.false.)
+    held(1) = .true.
+    call sim%set_disc_temperature(discs)
+    call sim%hold_disc_temperature(held)
+    call sim%set_grid(2, 1, [0.0_real64, 0.0_real64], [50.0_real64, 100.0_real64])
+    call sim%set_cell_temperature(reshape([590.0_real64, 600.0_real64], [2, 1]))
+    call sim%set_well_temperature(0, 300.0_real64)
+    call sim%step(1)
+    call expect(sim%well_temperature(0) == 300.0_real64, 'the well is as cold as told')
+    call sim%cell_temperature(cells)
+    call expect(all(shape(cells) == [2, 1]) .and. cells(1, 1) < cells(2, 1), 'cells keep their order')
+    books = sim%heat()
+    call expect(books%wells < 0.0_real64 .and. abs(books%error) < 1e-6_real64*abs(books%host), 'the books of heat close')
+  end subroutine warm
 
   subroutine exchange()
     type(hfrac_definition) :: def

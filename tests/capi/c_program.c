@@ -364,6 +364,51 @@ static void rock_tests(void) {
   check(def.bond_normal_stiffness > 5.152e9 && found.test_count == 2, "stiffer rock takes stiffer bonds");
 }
 
+/* heat.h */
+static void warm(hfrac_sim_def* def) {
+  hfrac_sim* sim = NULL;
+  hfrac_heat heat;
+  hfrac_grid grid;
+  double cells[2] = {550.0, 560.0}, kelvin = 0.0;
+  double* discs;
+  int32_t* held;
+  int64_t count = 0, number;
+  def->thermal_mode = 2;
+  good(hfrac_sim_create(def, &sim), NULL, "create with a temperature");
+  if (sim == NULL) return;
+  good(hfrac_field_copy_f64(sim, HFRAC_DISC_TEMPERATURE, NULL, 0, &count), sim, "count of discs");
+  discs = malloc((size_t)count * sizeof *discs);
+  held = calloc((size_t)count, sizeof *held);
+  good(hfrac_field_copy_f64(sim, HFRAC_DISC_TEMPERATURE, discs, count, &count), sim, "disc.temperature");
+  discs[0] += 10.0;
+  held[0] = 1;
+  good(hfrac_set_temperature(sim, 540.0), sim, "set_temperature");
+  good(hfrac_set_disc_temperature(sim, discs, count), sim, "set_disc_temperature");
+  good(hfrac_hold_disc_temperature(sim, held, count), sim, "hold_disc_temperature");
+  memset(&grid, 0, sizeof grid);
+  grid.struct_size = (int32_t)sizeof grid;
+  grid.nx = 2;
+  grid.ny = 1;
+  grid.dx = 50.0;
+  grid.dy = 100.0;
+  good(hfrac_set_grid(sim, &grid), sim, "set_grid");
+  good(hfrac_set_cell_temperature(sim, cells, 2), sim, "set_cell_temperature");
+  good(hfrac_well_set_temperature(sim, 0, 300.0), sim, "well_set_temperature");
+  expect(hfrac_step(sim, 1) >= 0 ? HFRAC_OK : HFRAC_ERR_INTERNAL, HFRAC_OK, sim, "step");
+  good(hfrac_well_get_temperature(sim, 0, &kelvin), sim, "well_get_temperature");
+  check(kelvin == 300.0, "the well is as cold as told");
+  good(hfrac_get_cell_temperature(sim, cells, 2, &number), sim, "get_cell_temperature");
+  check(number == 2 && cells[0] < cells[1], "cells keep their order");
+  memset(&heat, 0, sizeof heat);
+  heat.struct_size = (int32_t)sizeof heat;
+  good(hfrac_get_heat(sim, &heat), sim, "get_heat");
+  check(heat.mode == 2 && heat.wells < 0.0 && fabs(heat.error) < 1e-6 * fabs(heat.host),
+        "the books of heat close");
+  free(discs);
+  free(held);
+  good(hfrac_sim_destroy(&sim), NULL, "destroy");
+}
+
 int main(void) {
   hfrac_sim_def def;
   hfrac_sim* sim = NULL;
@@ -381,6 +426,7 @@ int main(void) {
   }
   good(hfrac_sim_destroy(&sim), NULL, "destroy");
   check(sim == NULL, "the simulation is gone");
+  warm(&def);
   rock_tests();
   return failures == 0 ? 0 : 1;
 }

@@ -51,8 +51,8 @@ double conduct(int64_t discs, int64_t seed) {
   }
   front /= contacts;
   const double rho_c = heat / (80.0 * 100.0), kappa = def.thermal_conductivity / rho_c;
-  std::printf("  %lld discs: rho c %.4g J/(m3 K), kappa %.3e m2/s, front at %.2f m\n", static_cast<long long>(discs),
-              rho_c, kappa, front);
+  std::printf("  %lld discs: rho c %.4g J/(m3 K), kappa %.3e m2/s, front at %.2f m\n",
+              static_cast<long long>(discs), rho_c, kappa, front);
   Curve curve("V16-" + std::to_string(discs), "length_m,x_m,measured,analytic");
   double time = 0.0, worst = 0.0;
   for (const double length : {10.0, 20.0, 30.0}) {
@@ -83,12 +83,12 @@ double conduct(int64_t discs, int64_t seed) {
     }
     const double rms = std::sqrt(square / bins);
     worst = std::max(worst, rms);
-    std::printf("  t %.3e s, 2 sqrt(kappa t) = %.0f m: rms %.2f %% of the step over %d bins\n", time, length, 100.0 * rms,
-                bins);
+    std::printf("  t %.3e s, 2 sqrt(kappa t) = %.0f m: rms %.2f %% of the step over %d bins\n", time, length,
+                100.0 * rms, bins);
   }
   const hfrac_heat books = sim.heat();
-  std::printf("  heat: stored %.6g, from held discs %.6g, set %.6g, error %.1e J/m\n", books.stored, books.held, books.host,
-              books.error);
+  std::printf("  heat: stored %.6g, from held discs %.6g, set %.6g, error %.1e J/m\n", books.stored,
+              books.held, books.host, books.error);
   EXPECT_LT(std::abs(books.error), 1e-9 * std::abs(books.held));
   EXPECT_GT(std::abs(books.held), 0.1 * std::abs(books.host));
   return worst;

@@ -95,7 +95,8 @@ void in_fixed_walls(int32_t contact_mode, const char* what) {
   sim.check(hfrac_step(sim, 1));
   const auto given_way = strains(sim, from);
   const double strain = 0.5 * (given_way[0] + given_way[1]), stress = wall_stress(sim) - before;
-  std::printf("  the walls' contacts let the block grow by %.1f %% of alpha dT\n", 100.0 * strain / (alpha * rise));
+  std::printf("  the walls' contacts let the block grow by %.1f %% of alpha dT\n",
+              100.0 * strain / (alpha * rise));
   report(what, stress, rock.area * (alpha * rise - strain), 0.03);
   EXPECT_LT(std::abs(strain), 0.2 * alpha * rise);
   hfrac_balance books{};

@@ -45,8 +45,7 @@ std::string flow_vtu(const SnapshotFrame& frame) {
   data.push_back(floats("pressure_Pa", "Pa", pick(doubles(frame.sim, HFRAC_DOMAIN_PRESSURE), inside)));
   data.push_back(floats("volume_m2", "m2", pick(doubles(frame.sim, HFRAC_DOMAIN_VOLUME), inside)));
   if (frame.warm)
-    data.push_back(
-        floats("temperature_K", "K", pick(doubles(frame.sim, HFRAC_DOMAIN_TEMPERATURE), inside)));
+    data.push_back(floats("temperature_K", "K", pick(doubles(frame.sim, HFRAC_DOMAIN_TEMPERATURE), inside)));
   data.push_back(whole("domain_id", inside));
   data.push_back(whole("kind", pick(kind, inside)));
   return encode(grid, frame.state, frame.wells, frame.coding);
