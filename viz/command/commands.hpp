@@ -15,6 +15,7 @@ using Action = std::function<ExitCode()>;
 void add_run(CLI::App& program, Action& action);
 void add_check(CLI::App& program, Action& action);
 void add_info(CLI::App& program, Action& action);
+void add_catalogue(CLI::App& program, Action& action);
 void add_options(CLI::App& program, Action& action);
 void add_view(CLI::App& program, Action& action);
 void add_render(CLI::App& program, Action& action);

@@ -31,6 +31,7 @@ int run_program(int argument_count, char** arguments) {
   add_run(program, action);
   add_check(program, action);
   add_info(program, action);
+  add_catalogue(program, action);
   add_options(program, action);
   add_view(program, action);
 #ifdef HFRAC_WITH_RENDERER

@@ -40,6 +40,7 @@ void RunFolder::finish(hfrac_sim* sim, const std::string& why_ended) {
   const SnapshotFrame frame(sim);
   write_series(frame);
   write_whole(folder_ / "fractures.csv", fracture_table(frame.fractures));
+  write_whole(folder_ / "events.csv", event_table(events_of(frame.cracks, nullptr)));
   write_summary(frame);
 }
 
