@@ -46,7 +46,7 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_ERR_DIVERGED = -7
   !> out of memory
   integer(c_int32_t), parameter :: HFRAC_ERR_MEMORY = -8
-  !> called from inside a callback of the same simulation
+  !> called from inside a callback of the same simulation, or while another thread is in it
   integer(c_int32_t), parameter :: HFRAC_ERR_BUSY = -9
   !> an earlier error left the simulation unusable; only last_error and destroy work
   integer(c_int32_t), parameter :: HFRAC_ERR_POISONED = -10
@@ -834,6 +834,8 @@ module hfrac_c
     integer(c_int32_t) :: mode = 0_c_int32_t
     !> index of its fracture when last found
     integer(c_int32_t) :: fracture = 0_c_int32_t
+    !> [m] between the centres of its discs when they were bonded
+    real(c_double) :: distance = 0.0_c_double
   end type hfrac_crack
 
   !> One fracture.
@@ -865,6 +867,76 @@ module hfrac_c
     !> separate branches that start at its well; 1 if not connected to one
     integer(c_int64_t) :: arms = 0_c_int64_t
   end type hfrac_fracture
+
+  !> How cracks make events. Set struct_size; zeros elsewhere are the defaults.
+  type, bind(C) :: hfrac_catalogue_options
+    !> sizeof(hfrac_catalogue_options) of the caller
+    integer(c_int32_t) :: struct_size = 40_c_int32_t
+    !> 0
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t
+    !> [m] 0 or more; 0: twice the mean distance between the discs of the cracks
+    real(c_double) :: distance = 0.0_c_double
+    !> [s] 0 or more; 0: cracks of the same step only
+    real(c_double) :: time_window = 0.0_c_double
+    !> 0 or more mechanical cycles; 0: no limit within the time window
+    integer(c_int64_t) :: cycle_window = 0_c_int64_t
+    !> [m] of rock that the plane stands for; 0: 1 m
+    real(c_double) :: thickness = 0.0_c_double
+  end type hfrac_catalogue_options
+
+  !> One event.
+  type, bind(C) :: hfrac_event
+    !> from 0, in order of the first crack
+    integer(c_int64_t) :: index = 0_c_int64_t
+    !> id of that crack
+    integer(c_int64_t) :: first_crack = 0_c_int64_t
+    !> cracks in it
+    integer(c_int64_t) :: crack_count = 0_c_int64_t
+    !> of them in tension
+    integer(c_int64_t) :: tensile_cracks = 0_c_int64_t
+    !> mechanical cycle of its first break
+    integer(c_int64_t) :: first_cycle = 0_c_int64_t
+    !> and of its last
+    integer(c_int64_t) :: last_cycle = 0_c_int64_t
+    !> [s] of its first crack
+    real(c_double) :: time = 0.0_c_double
+    !> [m] mean place of its cracks
+    real(c_double) :: position(2) = 0.0_c_double
+    !> [N m] xx, yy, xy; outward positive
+    real(c_double) :: moment_tensor(3) = 0.0_c_double
+    !> [N m] sqrt(m_ij m_ij / 2) (Silver and Jordan 1982)
+    real(c_double) :: moment = 0.0_c_double
+    !> of the moment (Hanks and Kanamori 1979); NaN without one
+    real(c_double) :: magnitude = 0.0_c_double
+    !> [J] elastic energy of the broken bonds
+    real(c_double) :: energy = 0.0_c_double
+    !> 2/3 log10 energy - 2.9 (Choy and Boatwright 1995), an upper bound; NaN without energy
+    real(c_double) :: energy_magnitude = 0.0_c_double
+    !> -1 to 1 (Feignier and Young 1992, in the plane): 0.5 opens as one crack, 0 shears, below 0 closes
+    real(c_double) :: isotropic_share = 0.0_c_double
+    !> [m] summed over its cracks
+    real(c_double) :: length = 0.0_c_double
+    !> [m] from its position to the farthest of its cracks
+    real(c_double) :: radius = 0.0_c_double
+  end type hfrac_event
+
+  !> The law log10 N = a - b M of Gutenberg and Richter, N the events of magnitude M or more.
+  type, bind(C) :: hfrac_magnitude_law
+    !> sizeof(hfrac_magnitude_law) of the caller
+    integer(c_int32_t) :: struct_size = 48_c_int32_t
+    !> 0
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t
+    !> magnitude from which on events are counted
+    real(c_double) :: completeness = 0.0_c_double
+    !> log10 e / (mean magnitude - completeness) (Aki 1965); 0: fewer than two different magnitudes
+    real(c_double) :: b = 0.0_c_double
+    !> b / sqrt(count), its standard error (Aki 1965)
+    real(c_double) :: b_error = 0.0_c_double
+    !> log10 of the events from magnitude 0 on that the law gives
+    real(c_double) :: a = 0.0_c_double
+    !> events at or above completeness
+    integer(c_int64_t) :: count = 0_c_int64_t
+  end type hfrac_magnitude_law
 
   !> The host's areal grid. Set struct_size, and 0 what does not apply. Either regular cells (origin, dx, dy, angle)
   !> or `corners`; nx and ny always.
@@ -1151,8 +1223,8 @@ module hfrac_c
       integer(c_int32_t) :: hfrac_status_text
     end function hfrac_status_text
     !> The text of the last error of `sim`, with the value at fault, the allowed range and the fix. With sim NULL:
-    !> the last error on this thread of a call that had no simulation (options, create). Empty if there was none.
-    !> Stable since 0.1.
+    !> the last error on this thread of a call that had no simulation (options, create), or found another thread in
+    !> it (HFRAC_ERR_BUSY). Empty if there was none. Stable since 0.1.
     function hfrac_last_error(sim, buffer, capacity, needed) bind(C, name="hfrac_last_error")
       import
       type(c_ptr), value :: sim
@@ -1564,6 +1636,50 @@ module hfrac_c
       integer(c_int64_t), intent(out) :: count
       integer(c_int32_t) :: hfrac_fractures
     end function hfrac_fractures
+    !> The events of `crack_count` cracks, given in order of breakage. `crack_size` and `event_size` are the sizes
+    !> of the two structs in the caller. options NULL: the defaults. Copies up to `capacity` events; *count is how
+    !> many there are; buffer NULL: only *count. Needs no simulation; any thread. HFRAC_ERR_ARGUMENT: a value that
+    !> is not finite, or negative where it must not be. Unstable since 0.1.
+    function hfrac_find_events(cracks, crack_size, crack_count, options, event_size, buffer, capacity, count) &
+      bind(C, name="hfrac_find_events")
+      import
+      type(hfrac_crack), intent(in) :: cracks
+      integer(c_int32_t), value :: crack_size
+      integer(c_int64_t), value :: crack_count
+      type(hfrac_catalogue_options), intent(in) :: options
+      integer(c_int32_t), value :: event_size
+      type(c_ptr), value :: buffer
+      integer(c_int64_t), value :: capacity
+      integer(c_int64_t), intent(out) :: count
+      integer(c_int32_t) :: hfrac_find_events
+    end function hfrac_find_events
+    !> The index of the event that each crack belongs to, as hfrac_find_events numbers them: up to `capacity`
+    !> indices, in the order of the cracks, into `buffer`; *count is crack_count. Needs no simulation; any thread.
+    !> Unstable since 0.1.
+    function hfrac_find_event_of_cracks(cracks, crack_size, crack_count, options, buffer, capacity, count) bind(C, &
+      name="hfrac_find_event_of_cracks")
+      import
+      type(hfrac_crack), intent(in) :: cracks
+      integer(c_int32_t), value :: crack_size
+      integer(c_int64_t), value :: crack_count
+      type(hfrac_catalogue_options), intent(in) :: options
+      type(c_ptr), value :: buffer
+      integer(c_int64_t), value :: capacity
+      integer(c_int64_t), intent(out) :: count
+      integer(c_int32_t) :: hfrac_find_event_of_cracks
+    end function hfrac_find_event_of_cracks
+    !> The law of `magnitude_count` magnitudes; those that are not finite are left out. completeness NaN: the
+    !> fullest tenth of a magnitude (maximum curvature, Wiemer and Wyss 2000). Set law->struct_size. Needs no
+    !> simulation; any thread. Unstable since 0.1.
+    function hfrac_find_magnitude_law(magnitudes, magnitude_count, completeness, law) bind(C, &
+      name="hfrac_find_magnitude_law")
+      import
+      real(c_double), intent(in) :: magnitudes(*)
+      integer(c_int64_t), value :: magnitude_count
+      real(c_double), value :: completeness
+      type(hfrac_magnitude_law), intent(inout) :: law
+      integer(c_int32_t) :: hfrac_find_magnitude_law
+    end function hfrac_find_magnitude_law
     !> Lays the host's grid over the model, in place of an earlier one. Valid at any time after creation; the grid
     !> is no part of the state and stays over restore and reject. HFRAC_ERR_ARGUMENT: a cell without area or not
     !> convex. Costs about as much as one flow step. Unstable since 0.1.

@@ -8,6 +8,7 @@
 
 #include "couple/simulation.hpp"
 #include "internal.hpp"
+#include "items.hpp"
 #include "sim_handle.hpp"
 
 using namespace hfrac;
@@ -37,6 +38,7 @@ hfrac_crack describe(const Simulation& s, std::int64_t id) {
   c.energy = crack.energy;
   c.mode = static_cast<std::int32_t>(crack.mode);
   c.fracture = crack.fracture;
+  c.distance = s.assembly().length[static_cast<std::size_t>(crack.bond)];
   return c;
 }
 
@@ -56,23 +58,6 @@ hfrac_fracture describe(const Fracture& f, std::int64_t index) {
   c.well = f.well;
   c.arms = f.arms;
   return c;
-}
-
-// Items of an array of structs whose size in the caller may differ from ours: the common head is copied, the rest
-// of a larger one zeroed.
-template <class Struct>
-void put_item(Struct* buffer, std::int64_t index, std::int32_t size, const Struct& item) {
-  auto* to = reinterpret_cast<unsigned char*>(buffer) + index * size;
-  const auto common = std::min<std::size_t>(static_cast<std::size_t>(size), sizeof item);
-  std::memcpy(to, &item, common);
-  std::memset(to + common, 0, static_cast<std::size_t>(size) - common);
-}
-
-void require_item_size(std::int32_t size, const char* name) {
-  if (size < 8 || size > struct_size_limit) {
-    throw Error(ErrorKind::struct_size, std::string(name) + " = " + std::to_string(size) +
-                                            " cannot be a struct's size; give sizeof the struct.");
-  }
 }
 
 }  // namespace

@@ -317,6 +317,22 @@ contains
     call expect(all(all_cracks%mode >= HFRAC_CRACK_TENSION .and. all_cracks%mode <= HFRAC_CRACK_SHEAR), 'modes')
     call sim%fractures(fractures)
     call expect(sum(fractures%crack_count) <= state%crack_count .and. fractures(1)%length > 0.0_real64, 'fractures')
+    block
+      type(hfrac_catalogue_options) :: options
+      type(hfrac_event), target :: event
+      type(hfrac_magnitude_law) :: law
+      integer(c_int64_t), target :: event_of
+      integer(c_int64_t) :: found
+      integer(c_int32_t) :: crack_size
+      crack_size = int(storage_size(all_cracks(1)) / 8, c_int32_t)
+      stat = hfrac_find_events(all_cracks(1), crack_size, 1_c_int64_t, options, int(c_sizeof(event), c_int32_t), &
+        c_loc(event), 1_c_int64_t, found)
+      call expect(stat == HFRAC_OK .and. found == 1 .and. event%moment > 0.0_real64, 'one crack is an event')
+      stat = hfrac_find_event_of_cracks(all_cracks(1), crack_size, 1_c_int64_t, options, c_loc(event_of), 1_c_int64_t, found)
+      call expect(stat == HFRAC_OK .and. event_of == 0, 'its event')
+      stat = hfrac_find_magnitude_law([0.0_real64, 1.0_real64], 2_c_int64_t, 0.0_real64, law)
+      call expect(stat == HFRAC_OK .and. law%count == 2 .and. law%b > 0.0_real64, 'magnitudes have a law')
+    end block
     call sim%cracks(later, since=1000000_int64, stat=stat)
     call expect(stat == HFRAC_ERR_ARGUMENT .and. size(later) == 0, 'cursor past the end')
   end subroutine cracks_and_fractures

@@ -249,6 +249,25 @@ static void cracks(hfrac_sim* sim) {
   check(count > 0 && largest.length > 0.0 && largest.well == 0, "there is a fracture at the well");
 }
 
+/* catalogue.h */
+static void catalogue(hfrac_sim* sim) {
+  hfrac_crack first[2];
+  hfrac_event event;
+  hfrac_magnitude_law law;
+  int64_t count = 0, events = 0, event_of[2] = {-1, -1};
+  good(hfrac_cracks_since(sim, 0, (int32_t)sizeof first[0], first, 2, &count, NULL), sim, "cracks_since");
+  good(hfrac_find_events(first, (int32_t)sizeof first[0], count, NULL, (int32_t)sizeof event, &event, 1,
+                         &events),
+       NULL, "find_events");
+  check(events > 0 && event.moment > 0.0 && event.first_crack == 0, "the first crack is an event");
+  good(hfrac_find_event_of_cracks(first, (int32_t)sizeof first[0], count, NULL, event_of, 2, &count), NULL,
+       "find_event_of_cracks");
+  check(event_of[0] == 0, "cracks know their event");
+  law.struct_size = (int32_t)sizeof law;
+  good(hfrac_find_magnitude_law(&event.magnitude, 1, event.magnitude, &law), NULL, "find_magnitude_law");
+  check(law.count == 1 && law.b == 0.0, "one magnitude has no slope");
+}
+
 /* state.h */
 static void go_back(hfrac_sim* sim) {
   int64_t size = 0, written = 0, before = 0, after = 0;
@@ -420,6 +439,7 @@ int main(void) {
     drive_well(sim);
     fields(sim);
     cracks(sim);
+    catalogue(sim);
     go_back(sim);
     exchange(sim);
     walls(sim);

@@ -118,6 +118,19 @@ TEST_F(Charts, BadOptionsAreRefused) {
   EXPECT_EQ(hfrac_viz_chart_options_init(nullptr, 48), HFRAC_ERR_ARGUMENT);
 }
 
+TEST_F(Charts, CatalogueNeedsItsTable) {
+  write_run(folder(), run);
+  charts.charts = HFRAC_VIZ_CHART_CATALOGUE;
+  charts.formats = HFRAC_VIZ_PNG | HFRAC_VIZ_SVG | HFRAC_VIZ_PDF;
+  ASSERT_EQ(render_charts().status, HFRAC_OK);
+  for (const char* ending : {"png", "svg", "pdf"})
+    EXPECT_TRUE(std::filesystem::exists(chart(std::string("catalogue.") + ending))) << ending;
+  std::filesystem::remove_all(file("pictures"));
+  std::filesystem::remove(file("events.csv"));
+  ASSERT_EQ(render_charts().status, HFRAC_OK);
+  EXPECT_FALSE(std::filesystem::exists(chart("catalogue.png")));
+}
+
 TEST_F(Charts, ACallerCanStopThem) {
   write_run(folder(), run);
   const auto stop = [](void*, double, const char*) { return 1; };

@@ -33,6 +33,7 @@ int run_program(int argument_count, char** arguments) {
   add_check(program, action);
   add_export(program, action);
   add_info(program, action);
+  add_catalogue(program, action);
   add_options(program, action);
   add_view(program, action);
   add_lab(program, action);

@@ -12,7 +12,7 @@ namespace hfrac::output {
 std::string crack_table(const std::vector<hfrac_crack>& cracks) {
   std::string table =
       "crack_id,step,cycle,time_s,mode,bond_id,disc_0,disc_1,x_m,y_m,normal_x,normal_y,length_m,aperture_m,"
-      "normal_force_N,shear_force_N,energy_J_per_m,fracture\n";
+      "normal_force_N,shear_force_N,energy_J_per_m,fracture,distance_m\n";
   for (const auto& crack : cracks) {
     auto out = std::back_inserter(table);
     fmt::format_to(out, "{},{},{},{},{}", crack.id, crack.step, crack.cycle, crack.time,
@@ -21,7 +21,7 @@ std::string crack_table(const std::vector<hfrac_crack>& cracks) {
     fmt::format_to(out, ",{},{},{},{}", crack.position[0], crack.position[1], crack.normal[0],
                    crack.normal[1]);
     fmt::format_to(out, ",{},{},{},{}", crack.length, crack.aperture, crack.normal_force, crack.shear_force);
-    fmt::format_to(out, ",{},{}\n", crack.energy, crack.fracture);
+    fmt::format_to(out, ",{},{},{}\n", crack.energy, crack.fracture, crack.distance);
   }
   return table;
 }

@@ -32,9 +32,9 @@ void collect(const fs::path& folder, const std::regex& name, std::vector<fs::pat
 std::vector<fs::path> files_of_a_run(const fs::path& folder) {
   static const std::regex data(
       R"(\.?((discs|bonds|cracks|flow)(_[0-9]{5,}\.vtu|\.pvd)|)"
-      R"((history|cracks|fractures|cells|given_discs|given_bonds)\.csv|(permeability|multipliers)\.grdecl|summary\.json|case\.toml)(\.tmp)?|state\.hfrac(\.part)?|\.hfrac_probe|report\.html|paraview_state\.py)");
+      R"((history|cracks|fractures|events|cells|given_discs|given_bonds)\.csv|(permeability|multipliers)\.grdecl|summary\.json|case\.toml)(\.tmp)?|state\.hfrac(\.part)?|\.hfrac_probe|report\.html|paraview_state\.py)");
   static const std::regex pictures(
-      R"((figure3|growth|growth_[1-5]|pressure|aperture|views)\.png|(history|rose|profile|events)\.(png|svg|pdf)|movie\.mp4)");
+      R"((figure3|growth|growth_[1-5]|pressure|aperture|views)\.png|(history|rose|profile|events|catalogue)\.(png|svg|pdf)|movie\.mp4)");
   std::vector<fs::path> files;
   collect(folder, data, files);
   collect(folder / "checkpoints", std::regex(R"(\.?step_[0-9]{5,}\.checkpoint(\.tmp)?)"), files);

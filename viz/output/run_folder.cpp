@@ -96,6 +96,7 @@ void RunFolder::finish(hfrac_sim* sim, const std::string& why_ended) {
   const SnapshotFrame frame(sim);
   write_series(frame);
   write_whole(folder_ / "fractures.csv", fracture_table(frame.fractures));
+  write_whole(folder_ / "events.csv", event_table(events_of(frame.cracks, nullptr)));
   const int32_t saved = hfrac_state_save_file(sim, (folder_ / "state.hfrac").c_str());
   if (saved < 0) throw FileError(error_text(saved, sim));
   write_summary(frame);

@@ -3,6 +3,7 @@
 // doubles).
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,15 @@ std::string history_row(hfrac_sim* sim);
 
 /** cracks.csv: the whole crack log. */
 std::string crack_table(const std::vector<hfrac_crack>& cracks);
+
+/** The crack log of a run folder, read back. Throws FileError. */
+std::vector<hfrac_crack> read_crack_table(const std::filesystem::path& file);
+
+/** The seismic catalogue of a crack log; `options` NULL: the defaults. */
+std::vector<hfrac_event> events_of(const std::vector<hfrac_crack>& cracks,
+                                   const hfrac_catalogue_options* options);
+/** events.csv: that catalogue. */
+std::string event_table(const std::vector<hfrac_event>& events);
 
 /** fractures.csv: the fractures as they are now. */
 std::string fracture_table(const std::vector<hfrac_fracture>& fractures);

@@ -13,11 +13,14 @@
 namespace hfrac::viz {
 namespace {
 
-constexpr std::array<Chart, 4> all_charts = {
-    {{HFRAC_VIZ_CHART_HISTORY, "history", "The run against time", 1440, fill_history, false},
-     {HFRAC_VIZ_CHART_ROSE, "rose", "Directions of the cracks", 1180, fill_rose, true},
-     {HFRAC_VIZ_CHART_PROFILE, "profile", "Aperture along the fracture", 840, fill_profile, true},
-     {HFRAC_VIZ_CHART_EVENTS, "events", "Magnitudes of the cracks", 790, fill_events, true}}};
+constexpr std::array<Chart, 5> all_charts = {
+    {{HFRAC_VIZ_CHART_HISTORY, "history", "The run against time", 1440, fill_history, &ChartData::history},
+     {HFRAC_VIZ_CHART_ROSE, "rose", "Directions of the cracks", 1180, fill_rose, &ChartData::cracks},
+     {HFRAC_VIZ_CHART_PROFILE, "profile", "Aperture along the fracture", 840, fill_profile,
+      &ChartData::cracks},
+     {HFRAC_VIZ_CHART_EVENTS, "events", "Magnitudes of the cracks", 790, fill_events, &ChartData::cracks},
+     {HFRAC_VIZ_CHART_CATALOGUE, "catalogue", "Seismic catalogue", 1080, fill_catalogue,
+      &ChartData::events}}};
 
 hfrac_viz_chart_options defaults() {
   hfrac_viz_chart_options options{};
@@ -64,8 +67,7 @@ void render_charts(const std::filesystem::path& folder, const hfrac_viz_chart_op
   double done = 0;
   for (const Chart& chart : all_charts) {
     const bool wanted = (options.charts & chart.kind) != 0;
-    const TableFile& table = chart.needs_cracks ? data.cracks : data.history;
-    if (wanted && table.rows() > 0) {
+    if (wanted && (data.*chart.table).rows() > 0) {
       tell(done / all_charts.size(), chart.name);
       draw_chart(chart, data, window, options);
     }

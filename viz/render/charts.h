@@ -13,9 +13,13 @@ struct ChartData {
   const RunFolder* run = nullptr;
   TableFile history;
   TableFile cracks;
+  TableFile events;
 
   explicit ChartData(const RunFolder& folder)
-      : run(&folder), history(folder.path / "history.csv"), cracks(folder.path / "cracks.csv") {}
+      : run(&folder),
+        history(folder.path / "history.csv"),
+        cracks(folder.path / "cracks.csv"),
+        events(folder.path / "events.csv") {}
 };
 
 struct Chart {
@@ -24,13 +28,14 @@ struct Chart {
   const char* title;
   double height;  // of the page
   void (*fill)(ChartPage& page, const ChartData& data);
-  bool needs_cracks;
+  TableFile ChartData::*table;  // without lines in it there is no chart
 };
 
 void fill_history(ChartPage& page, const ChartData& data);
 void fill_rose(ChartPage& page, const ChartData& data);
 void fill_profile(ChartPage& page, const ChartData& data);
 void fill_events(ChartPage& page, const ChartData& data);
+void fill_catalogue(ChartPage& page, const ChartData& data);
 
 // The run's title and what the page shows, at the top.
 void put_heading(ChartPage& page, const RunFolder& run, const std::string& what);

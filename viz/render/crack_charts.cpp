@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <numeric>
 
 #include "charts.h"
+#include "frequency.h"
 
 namespace hfrac::viz {
 namespace {
@@ -126,35 +125,6 @@ double magnitude_of(double energy) {
   return 2.0 / 3.0 * std::log10(energy) - 2.9;
 }
 
-// The line log10 N = a - b M of Gutenberg and Richter.
-struct Frequency {
-  double from = 0;   // magnitude from which on the catalogue follows the line
-  double b = 0;      // its slope, 0: too few events to tell
-  double count = 0;  // of the events above `from`
-};
-
-// From the fullest tenth of a magnitude on (Wiemer and Wyss 2000: maximum curvature) by likelihood (Aki 1965).
-Frequency frequency_of(const std::vector<double>& sorted) {
-  constexpr double fewest = 10;
-  std::map<long, int> tenths;
-  for (const double magnitude : sorted) ++tenths[std::lround(std::floor(10 * magnitude))];
-  Frequency found;
-  int most = 0;
-  for (const auto& [tenth, count] : tenths) {
-    if (count <= most) continue;
-    most = count;
-    found.from = static_cast<double>(tenth) / 10;
-  }
-  double sum = 0;
-  for (const double magnitude : sorted) {
-    if (magnitude < found.from) continue;
-    sum += magnitude - found.from;
-    ++found.count;
-  }
-  if (found.count >= fewest && sum > 0) found.b = std::numbers::log10e * found.count / sum;
-  return found;
-}
-
 }  // namespace
 
 void fill_rose(ChartPage& page, const ChartData& data) {
@@ -233,13 +203,6 @@ void fill_events(ChartPage& page, const ChartData& data) {
     series.x.push_back(crack.time);
     series.y.push_back(magnitude);
   }
-  std::sort(magnitudes.begin(), magnitudes.end());
-  ChartSeries frequency{"", "", palette().water, {}, {}};
-  frequency.dots = true;
-  for (std::size_t i = 0; i < magnitudes.size(); ++i) {
-    frequency.x.push_back(magnitudes[i]);
-    frequency.y.push_back(static_cast<double>(magnitudes.size() - i));
-  }
   put_heading(page, *data.run,
               "Energy magnitudes of " + counted(static_cast<std::int64_t>(magnitudes.size()), "crack"));
   page.text(96, 128,
@@ -250,20 +213,9 @@ void fill_events(ChartPage& page, const ChartData& data) {
   for (ChartSeries& series : over_time) {
     if (!series.x.empty()) left.series.push_back(std::move(series));
   }
-  Panel right{"Cracks at least as strong", "magnitude", {frequency}, true, false};
   left.free_zero = true;
-  if (const Frequency line = frequency_of(magnitudes); line.b > 0) {
-    ChartSeries fit{"b = " + value_text(line.b) + " above M " + value_text(line.from) + " (Aki 1965)",
-                    "",
-                    palette().pull,
-                    {},
-                    {}};
-    fit.x = {line.from, line.from + std::log10(line.count) / line.b};
-    fit.y = {line.count, 1};
-    right.series.push_back(std::move(fit));
-  }
   page.panel({120, 250, 554, 420}, left);
-  page.panel({926, 250, 554, 420}, right);
+  page.panel({926, 250, 554, 420}, frequency_panel("Cracks at least as strong", std::move(magnitudes)));
 }
 
 }  // namespace hfrac::viz

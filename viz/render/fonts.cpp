@@ -15,11 +15,16 @@ bool readable(const char* path) {
 
 }  // namespace
 
-void set_font(vtkTextProperty* property, bool bold, double size, Colour colour) {
+std::string font_file(bool bold) {
   const char* file = bold && readable(HFRAC_VIZ_BOLD_FONT) ? HFRAC_VIZ_BOLD_FONT : HFRAC_VIZ_FONT;
-  if (readable(file)) {
+  return readable(file) ? file : "";
+}
+
+void set_font(vtkTextProperty* property, bool bold, double size, Colour colour) {
+  const std::string file = font_file(bold);
+  if (!file.empty()) {
     property->SetFontFamily(VTK_FONT_FILE);
-    property->SetFontFile(file);
+    property->SetFontFile(file.c_str());
     property->SetBold(0);
   } else {  // VTK's own, without Greek letters
     property->SetFontFamilyToArial();

@@ -4,9 +4,14 @@
 
 #include <vtkTextProperty.h>
 
+#include <string>
+
 #include "colour.h"
 
 namespace hfrac::viz {
+
+// The font's file; empty where there is none.
+std::string font_file(bool bold);
 
 // Makes a text property bold or not, `size` drawn pixels high, in a colour.
 void set_font(vtkTextProperty* property, bool bold, double size, Colour colour);

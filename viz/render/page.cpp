@@ -12,7 +12,7 @@
 
 #include "failure.h"
 #include "fonts.h"
-#include "page_svg.h"
+#include "vector_page.h"
 
 namespace hfrac::viz {
 namespace {
@@ -134,9 +134,16 @@ double Page::text_width(const std::string& content, const TextStyle& style) cons
   return static_cast<double>(bounds[1] - bounds[0] + 1) / factor_;
 }
 
+vtkSmartPointer<vtkActor> Page::overlay_shapes() const {
+  return shapes_.empty() ? nullptr : shapes_.actor(0.0);
+}
+
 std::string Page::svg(const std::string& title) const {
-  const vtkSmartPointer<vtkActor> overlay = shapes_.empty() ? nullptr : shapes_.actor(0.0);
-  return page_svg({width_, height_, factor_, title, views_, overlay, texts_});
+  return svg_page({this, title, views_, overlay_shapes(), texts_});
+}
+
+std::vector<std::uint8_t> Page::pdf(const std::string& title, int dots_per_inch) const {
+  return pdf_page({this, title, views_, overlay_shapes(), texts_}, dots_per_inch);
 }
 
 Image Page::draw() {

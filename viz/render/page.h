@@ -10,6 +10,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkTextProperty.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -88,10 +89,12 @@ class Page {
   double text_width(const std::string& content, const TextStyle& style) const;
 
   Image draw();
-  // The same as SVG, see page_svg.h.
+  // The same as vectors, see vector_page.h.
   std::string svg(const std::string& title) const;
+  std::vector<std::uint8_t> pdf(const std::string& title, int dots_per_inch) const;
 
  private:
+  vtkSmartPointer<vtkActor> overlay_shapes() const;
   vtkSmartPointer<vtkTextProperty> text_property(const TextStyle& style) const;
   Point place(double x, double y) const { return {x * factor_, (height_ - y) * factor_}; }
 

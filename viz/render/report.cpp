@@ -43,11 +43,12 @@ std::string movie(const std::filesystem::path& folder) {
 }
 
 std::string charts(const std::filesystem::path& folder) {
-  static constexpr std::array<Picture, 4> wanted = {
+  static constexpr std::array<Picture, 5> wanted = {
       {{"history", "Pressure, rate, cracks, fracture, fluid and energy against time."},
        {"profile", "Aperture of every crack against its distance from the well's wall."},
        {"rose", "Directions of the cracks, by length."},
-       {"events", "Magnitudes of the cracks, and how many are at least as strong."}}};
+       {"events", "Magnitudes of the cracks, and how many are at least as strong."},
+       {"catalogue", "Seismic events: cracks that broke together, their moments and magnitudes."}}};
   std::string text;
   for (const Picture& chart : wanted) {
     const std::string name = chart.file;

@@ -63,9 +63,9 @@ std::vector<ViewSpec> checked_names(const char* const* names, std::int32_t count
 
 void render_views(const std::filesystem::path& folder, const std::vector<ViewSpec>& specs,
                   const std::filesystem::path& target, const hfrac_viz_view_options& options) {
-  const bool drawing = target.extension() == ".svg";
-  if (!drawing && target.extension() != ".png") {
-    fail_argument("'" + target.string() + "' ends neither in .png nor in .svg");
+  const std::string ending = target.extension().string();
+  if (ending != ".png" && ending != ".svg" && ending != ".pdf") {
+    fail_argument("'" + target.string() + "' ends neither in .png, .svg nor .pdf");
   }
   const RunFolder run = open_run(folder);
   const PaletteScope paper(options.dark != 0 ? dark_palette() : light_palette());
@@ -74,13 +74,8 @@ void render_views(const std::filesystem::path& folder, const std::vector<ViewSpe
   const Studio studio{window, &run, {options.width, options.height}};
   const Extent extent = zoomed(run, scene, options);
   VtkMessages messages;
-  std::vector<std::uint8_t> content;
-  if (drawing) {
-    const std::string text = view_drawing(studio, scene, specs, extent);
-    content.assign(text.begin(), text.end());
-  } else {
-    content = png(view_picture(studio, scene, specs, extent), options.dots_per_inch);
-  }
+  const std::vector<std::uint8_t> content =
+      view_file(studio, scene, specs, extent, ending, options.dots_per_inch);
   const std::string errors = messages.take_errors();
   if (!errors.empty()) fail_drawing("drawing failed: " + errors);
   write_whole(target, content);

@@ -166,19 +166,22 @@ Extent zoomed(const RunFolder& run, const Scene& scene, const hfrac_viz_view_opt
   }
 }
 
-Image view_picture(const Studio& studio, const Scene& scene, const std::vector<ViewSpec>& views,
-                   const Extent& extent) {
-  Image image;
-  views_on_page(studio, scene, views, extent, [&](Page& page) { image = page.draw(); });
-  return image;
-}
-
-std::string view_drawing(const Studio& studio, const Scene& scene, const std::vector<ViewSpec>& views,
-                         const Extent& extent) {
-  std::string drawing;
+std::vector<std::uint8_t> view_file(const Studio& studio, const Scene& scene,
+                                    const std::vector<ViewSpec>& views, const Extent& extent,
+                                    const std::string& ending, int dots_per_inch) {
+  std::vector<std::uint8_t> content;
   const std::string title = studio.run->title.empty() ? "hfrac" : studio.run->title;
-  views_on_page(studio, scene, views, extent, [&](Page& page) { drawing = page.svg(title); });
-  return drawing;
+  views_on_page(studio, scene, views, extent, [&](Page& page) {
+    if (ending == ".svg") {
+      const std::string text = page.svg(title);
+      content.assign(text.begin(), text.end());
+    } else if (ending == ".pdf") {
+      content = page.pdf(title, dots_per_inch);
+    } else {
+      content = png(page.draw(), dots_per_inch);
+    }
+  });
+  return content;
 }
 
 }  // namespace hfrac::viz

@@ -16,10 +16,9 @@ namespace hfrac::viz {
 // the given box.
 Extent zoomed(const RunFolder& run, const Scene& scene, const hfrac_viz_view_options& options);
 
-Image view_picture(const Studio& studio, const Scene& scene, const std::vector<ViewSpec>& views,
-                   const Extent& extent);
-// The same as an SVG drawing.
-std::string view_drawing(const Studio& studio, const Scene& scene, const std::vector<ViewSpec>& views,
-                         const Extent& extent);
+// The same as the content of a file: PNG, SVG or PDF, as its ending says.
+std::vector<std::uint8_t> view_file(const Studio& studio, const Scene& scene,
+                                    const std::vector<ViewSpec>& views, const Extent& extent,
+                                    const std::string& ending, int dots_per_inch);
 
 }  // namespace hfrac::viz

@@ -20,6 +20,7 @@ from ._open_step import OpenStep
 from ._records import (
     Balance,
     Crack,
+    Event,
     Fracture,
     Heat,
     SetupReport,
@@ -53,7 +54,7 @@ from .errors import (
 
 __all__ = [
     "FIELDS", "Advance", "ArgumentError", "BadHandleError", "Balance", "Bonds", "BusyError", "CaseFileError", "Crack",
-    "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "FieldInfo", "FileError", "Fracture", "GrdeclKind", "Grid", "Heat", "HfracError",
+    "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "Event", "FieldInfo", "FileError", "Fracture", "GrdeclKind", "Grid", "Heat", "HfracError",
     "InternalError", "JointState", "LibraryError", "LogLevel", "ModelError", "OpenStep", "Option", "OutOfMemoryError", "Pipes", "PoisonedError",
     "SetupReport", "SimState", "Simulation", "SolverReport", "StaleViewError", "Status", "StepLimit",
     "StepLimits", "StopReason", "StoppedError", "StructSizeError", "UnknownKeyError", "Upscaling", "View", "WallState", "Well",

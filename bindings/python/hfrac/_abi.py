@@ -37,7 +37,7 @@ class Status(enum.IntEnum):
     ERR_DIVERGED = -7
     #: out of memory
     ERR_MEMORY = -8
-    #: called from inside a callback of the same simulation
+    #: called from inside a callback of the same simulation, or while another thread is in it
     ERR_BUSY = -9
     #: an earlier error left the simulation unusable; only last_error and destroy work
     ERR_POISONED = -10
@@ -256,7 +256,7 @@ STATUS_TEXTS = {
     -6: 'the model cannot be built from these options',
     -7: 'the solution left the range of finite numbers; state as before the step',
     -8: 'out of memory',
-    -9: 'called from inside a callback of the same simulation',
+    -9: 'called from inside a callback of the same simulation, or while another thread is in it',
     -10: 'an earlier error left the simulation unusable; only last_error and destroy work',
     -11: 'a file cannot be written, cannot be read, or is not what it should be',
     -99: 'an error of the library itself; please report it',
@@ -645,6 +645,7 @@ class hfrac_crack(ctypes.Structure):
         ("energy", ctypes.c_double),
         ("mode", ctypes.c_int32),
         ("fracture", ctypes.c_int32),
+        ("distance", ctypes.c_double),
     ]
 
 
@@ -665,6 +666,56 @@ class hfrac_fracture(ctypes.Structure):
         ("mean_pressure", ctypes.c_double),
         ("well", ctypes.c_int64),
         ("arms", ctypes.c_int64),
+    ]
+
+
+class hfrac_catalogue_options(ctypes.Structure):
+    """How cracks make events. Set struct_size; zeros elsewhere are the defaults."""
+
+    _fields_ = [
+        ("struct_size", ctypes.c_int32),
+        ("struct_pad", ctypes.c_int32),
+        ("distance", ctypes.c_double),
+        ("time_window", ctypes.c_double),
+        ("cycle_window", ctypes.c_int64),
+        ("thickness", ctypes.c_double),
+    ]
+
+
+class hfrac_event(ctypes.Structure):
+    """One event."""
+
+    _fields_ = [
+        ("index", ctypes.c_int64),
+        ("first_crack", ctypes.c_int64),
+        ("crack_count", ctypes.c_int64),
+        ("tensile_cracks", ctypes.c_int64),
+        ("first_cycle", ctypes.c_int64),
+        ("last_cycle", ctypes.c_int64),
+        ("time", ctypes.c_double),
+        ("position", ctypes.c_double * 2),
+        ("moment_tensor", ctypes.c_double * 3),
+        ("moment", ctypes.c_double),
+        ("magnitude", ctypes.c_double),
+        ("energy", ctypes.c_double),
+        ("energy_magnitude", ctypes.c_double),
+        ("isotropic_share", ctypes.c_double),
+        ("length", ctypes.c_double),
+        ("radius", ctypes.c_double),
+    ]
+
+
+class hfrac_magnitude_law(ctypes.Structure):
+    """The law log10 N = a - b M of Gutenberg and Richter, N the events of magnitude M or more."""
+
+    _fields_ = [
+        ("struct_size", ctypes.c_int32),
+        ("struct_pad", ctypes.c_int32),
+        ("completeness", ctypes.c_double),
+        ("b", ctypes.c_double),
+        ("b_error", ctypes.c_double),
+        ("a", ctypes.c_double),
+        ("count", ctypes.c_int64),
     ]
 
 
@@ -1070,6 +1121,31 @@ SIGNATURES = {
         ctypes.c_void_p,
         ctypes.c_int64,
         ctypes.POINTER(ctypes.c_int64),
+    ),
+    "hfrac_find_events": (
+        ctypes.POINTER(hfrac_crack),
+        ctypes.c_int32,
+        ctypes.c_int64,
+        ctypes.POINTER(hfrac_catalogue_options),
+        ctypes.c_int32,
+        ctypes.c_void_p,
+        ctypes.c_int64,
+        ctypes.POINTER(ctypes.c_int64),
+    ),
+    "hfrac_find_event_of_cracks": (
+        ctypes.POINTER(hfrac_crack),
+        ctypes.c_int32,
+        ctypes.c_int64,
+        ctypes.POINTER(hfrac_catalogue_options),
+        ctypes.c_void_p,
+        ctypes.c_int64,
+        ctypes.POINTER(ctypes.c_int64),
+    ),
+    "hfrac_find_magnitude_law": (
+        ctypes.POINTER(ctypes.c_double),
+        ctypes.c_int64,
+        ctypes.c_double,
+        ctypes.POINTER(hfrac_magnitude_law),
     ),
     "hfrac_set_grid": (
         ctypes.c_void_p,

@@ -351,6 +351,8 @@ class Crack(NamedTuple):
     mode: CrackMode
     #: index of its fracture when last found
     fracture: int
+    #: [m] between the centres of its discs when they were bonded
+    distance: float
 
     @classmethod
     def of(cls, struct: _abi.hfrac_crack) -> "Crack":
@@ -371,6 +373,7 @@ class Crack(NamedTuple):
             struct.energy,
             CrackMode(struct.mode),
             struct.fracture,
+            struct.distance,
         )
 
 
@@ -421,6 +424,114 @@ class Fracture(NamedTuple):
             struct.mean_pressure,
             struct.well,
             struct.arms,
+        )
+
+
+class CatalogueOptions(NamedTuple):
+    """How cracks make events."""
+
+    #: [m] 0 or more; 0: twice the mean distance between the discs of the cracks
+    distance: float
+    #: [s] 0 or more; 0: cracks of the same step only
+    time_window: float
+    #: 0 or more mechanical cycles; 0: no limit within the time window
+    cycle_window: int
+    #: [m] of rock that the plane stands for; 0: 1 m
+    thickness: float
+
+    @classmethod
+    def of(cls, struct: _abi.hfrac_catalogue_options) -> "CatalogueOptions":
+        """The struct's values."""
+        return cls(
+            struct.distance,
+            struct.time_window,
+            struct.cycle_window,
+            struct.thickness,
+        )
+
+
+class Event(NamedTuple):
+    """One event."""
+
+    #: from 0, in order of the first crack
+    index: int
+    #: id of that crack
+    first_crack: int
+    #: cracks in it
+    crack_count: int
+    #: of them in tension
+    tensile_cracks: int
+    #: mechanical cycle of its first break
+    first_cycle: int
+    #: and of its last
+    last_cycle: int
+    #: [s] of its first crack
+    time: float
+    #: [m] mean place of its cracks
+    position: Tuple[float, float]
+    #: [N m] xx, yy, xy; outward positive
+    moment_tensor: Tuple[float, float, float]
+    #: [N m] sqrt(m_ij m_ij / 2) (Silver and Jordan 1982)
+    moment: float
+    #: of the moment (Hanks and Kanamori 1979); NaN without one
+    magnitude: float
+    #: [J] elastic energy of the broken bonds
+    energy: float
+    #: 2/3 log10 energy - 2.9 (Choy and Boatwright 1995), an upper bound; NaN without energy
+    energy_magnitude: float
+    #: -1 to 1 (Feignier and Young 1992, in the plane): 0.5 opens as one crack, 0 shears, below 0 closes
+    isotropic_share: float
+    #: [m] summed over its cracks
+    length: float
+    #: [m] from its position to the farthest of its cracks
+    radius: float
+
+    @classmethod
+    def of(cls, struct: _abi.hfrac_event) -> "Event":
+        """The struct's values."""
+        return cls(
+            struct.index,
+            struct.first_crack,
+            struct.crack_count,
+            struct.tensile_cracks,
+            struct.first_cycle,
+            struct.last_cycle,
+            struct.time,
+            tuple(struct.position),
+            tuple(struct.moment_tensor),
+            struct.moment,
+            struct.magnitude,
+            struct.energy,
+            struct.energy_magnitude,
+            struct.isotropic_share,
+            struct.length,
+            struct.radius,
+        )
+
+
+class MagnitudeLaw(NamedTuple):
+    """The law log10 N = a - b M of Gutenberg and Richter, N the events of magnitude M or more."""
+
+    #: magnitude from which on events are counted
+    completeness: float
+    #: log10 e / (mean magnitude - completeness) (Aki 1965); 0: fewer than two different magnitudes
+    b: float
+    #: b / sqrt(count), its standard error (Aki 1965)
+    b_error: float
+    #: log10 of the events from magnitude 0 on that the law gives
+    a: float
+    #: events at or above completeness
+    count: int
+
+    @classmethod
+    def of(cls, struct: _abi.hfrac_magnitude_law) -> "MagnitudeLaw":
+        """The struct's values."""
+        return cls(
+            struct.completeness,
+            struct.b,
+            struct.b_error,
+            struct.a,
+            struct.count,
         )
 
 

@@ -13,7 +13,7 @@ from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Pipes
 from ._library import call, load
 from ._open_step import OpenStep
 from ._progress import LogFunction, Progress, ProgressFunction
-from ._records import Balance, Crack, Fracture, Heat, SetupReport, SimState, SolverReport, StepLimits, WallState
+from ._records import Balance, Crack, Event, Fracture, Heat, SetupReport, SimState, SolverReport, StepLimits, WallState
 from ._view import View
 from ._well import Well
 from .errors import BadHandleError, StoppedError, UnknownKeyError
@@ -334,6 +334,25 @@ class Simulation:
         records = (_abi.hfrac_fracture * count.value)()
         self._call("hfrac_fractures", size, ctypes.addressof(records), count.value, ctypes.byref(count))
         return [Fracture.of(struct) for struct in records]
+
+    def events(
+        self, distance: float = 0.0, time_window: float = 0.0, cycle_window: int = 0, thickness: float = 1.0
+    ) -> List[Event]:
+        """The seismic catalogue: cracks that broke together as events, see catalogue.h for method and units."""
+        count, size = ctypes.c_int64(), ctypes.sizeof(_abi.hfrac_crack)
+        self._call("hfrac_cracks_since", 0, size, None, 0, ctypes.byref(count), None)
+        cracks = (_abi.hfrac_crack * max(1, count.value))()
+        self._call("hfrac_cracks_since", 0, size, ctypes.addressof(cracks), count.value, ctypes.byref(count), None)
+        options = _abi.hfrac_catalogue_options(
+            struct_size=ctypes.sizeof(_abi.hfrac_catalogue_options),
+            distance=distance, time_window=time_window, cycle_window=cycle_window, thickness=thickness,
+        )
+        head = (cracks, size, count.value, ctypes.byref(options), ctypes.sizeof(_abi.hfrac_event))
+        found = ctypes.c_int64()
+        call("hfrac_find_events", *head, None, 0, ctypes.byref(found))
+        records = (_abi.hfrac_event * max(1, found.value))()
+        call("hfrac_find_events", *head, ctypes.addressof(records), found.value, ctypes.byref(found))
+        return [Event.of(struct) for struct in records[: found.value]]
 
     # Fields
 

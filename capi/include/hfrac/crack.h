@@ -33,6 +33,7 @@ typedef struct hfrac_crack {
   double energy;       /**< [J/m] elastic energy of the bond at failure */
   int32_t mode;        /**< enum hfrac_crack_mode */
   int32_t fracture;    /**< index of its fracture when last found */
+  double distance;     /**< [m] between the centres of its discs when they were bonded */
 } hfrac_crack;
 
 /** Cracks with id >= cursor, at most `capacity` of them; *next is the cursor for the next call. `crack_size` is

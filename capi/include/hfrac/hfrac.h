@@ -6,6 +6,7 @@
 #define HFRAC_H
 
 #include "base.h"
+#include "catalogue.h"
 #include "crack.h"
 #include "def.h"
 #include "field.h"

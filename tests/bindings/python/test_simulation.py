@@ -152,6 +152,17 @@ class Cracks(unittest.TestCase):
             self.assertGreater(largest.crack_count, 0)
             self.assertGreater(largest.largest_aperture, 0.0)
 
+    def test_events(self):
+        with small() as sim:
+            self.assertEqual(sim.events(), [])
+            sim.step(5)
+            events = sim.events()
+            self.assertEqual(sum(event.crack_count for event in events), len(sim.cracks))
+            self.assertTrue(all(event.moment > 0.0 for event in events))
+            self.assertEqual(len(sim.events(distance=1e-9)), len(sim.cracks))
+            with self.assertRaises(hfrac.ArgumentError):
+                sim.events(thickness=-1.0)
+
 
 class OwnDiscs(unittest.TestCase):
     def test_discs_packed_elsewhere(self):

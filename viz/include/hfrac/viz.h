@@ -116,7 +116,8 @@ enum hfrac_viz_chart {
   HFRAC_VIZ_CHART_PROFILE = 4, /**< profile: aperture against distance from the well's wall */
   HFRAC_VIZ_CHART_EVENTS = 8,  /**< events: energy magnitudes of the cracks (Choy and Boatwright 1995), how many are at
                                      least as strong, and their b value (Aki 1965) */
-  HFRAC_VIZ_CHART_ALL = 15     /**< all of them */
+  HFRAC_VIZ_CHART_CATALOGUE = 16, /**< catalogue: seismic events of events.csv: where, when, how strong, and their b value */
+  HFRAC_VIZ_CHART_ALL = 31     /**< all of them */
 };
 
 /** Kinds of files. Values may be added together for hfrac_viz_chart_options.formats. */
@@ -140,7 +141,7 @@ typedef struct hfrac_viz_chart_options {
 /** Defaults into `options`; `struct_size` is sizeof(hfrac_viz_chart_options) in the caller. Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_chart_options_init(hfrac_viz_chart_options *options, int32_t struct_size);
 
-/** Draws charts of history.csv and cracks.csv into run_dir/pictures/, which is made if missing. A chart whose table the
+/** Draws charts of history.csv, cracks.csv and events.csv into run_dir/pictures/, which is made if missing. A chart whose table the
  * run does not have (yet) is left out. options NULL: the defaults. progress may be NULL. Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_render_charts(const char *run_dir, const hfrac_viz_chart_options *options,
                                           hfrac_viz_progress_fn progress, void *user, char *error, int32_t capacity,
@@ -203,7 +204,7 @@ typedef struct hfrac_viz_view_options {
   int32_t snapshot;       /**< number of the snapshot (the N of discs_N.vtu), -1: the last; default -1 */
   int32_t width;          /**< [pixel] 320 to 8192; default 1600 */
   int32_t height;         /**< [pixel] 240 to 8192, or 0: as the shape of what is shown asks; default 0 */
-  int32_t dots_per_inch;  /**< noted in the PNG file for printing, 0: not; default 0 */
+  int32_t dots_per_inch;  /**< of a PNG or PDF file for printing, 0: not said (PDF: 96); default 0 */
   int32_t dark;           /**< nonzero: light on dark paper; default 0 */
   int32_t zoom;           /**< enum hfrac_viz_zoom; default HFRAC_VIZ_ZOOM_WHOLE */
   double left;            /**< [m] lower left corner of the box, for HFRAC_VIZ_ZOOM_BOX */
@@ -215,7 +216,7 @@ typedef struct hfrac_viz_view_options {
 /** Defaults into `options`; `struct_size` is sizeof(hfrac_viz_view_options) in the caller. Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_view_options_init(hfrac_viz_view_options *options, int32_t struct_size);
 
-/** Draws 1 to 9 views (values of enum hfrac_viz_view) of one snapshot side by side to the file `path`, .png or .svg.
+/** Draws 1 to 9 views (values of enum hfrac_viz_view) of one snapshot side by side to the file `path`: .png, .svg or .pdf.
  * options NULL: the defaults. Fails with HFRAC_VIZ_ERR_READ if the run has no data for one of them. Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_render_views(const char *run_dir, const int32_t *views, int32_t view_count,
                                          const char *path, const hfrac_viz_view_options *options, char *error,
@@ -223,7 +224,7 @@ HFRAC_API int32_t hfrac_viz_render_views(const char *run_dir, const int32_t *vie
 
 /** As hfrac_viz_render_views, by name: those that hfrac_viz_view_names lists, or any array of the snapshot's VTU files by
  * its own, "radius_m", "stress_Pa[1]" (its second component), "flow:volume_m2" (of that file, if several have the name).
- * Units come from the ends of names. `path` ends in .png, or in .svg for circles, lines and letters instead of pixels
+ * Units come from the ends of names. `path` ends in .png, or in .svg or .pdf for circles, lines and letters instead of pixels
  * (discs too many or too small to be told apart are a picture in it). Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_render_named_views(const char *run_dir, const char *const *names, int32_t name_count,
                                                const char *path, const hfrac_viz_view_options *options, char *error,

@@ -24,7 +24,7 @@ namespace {
 using json = nlohmann::ordered_json;
 
 constexpr std::array<const char*, 4> kSeries = {"discs", "bonds", "cracks", "flow"};
-constexpr std::array<const char*, 6> kTables = {"case.toml",     "history.csv",  "cracks.csv",
+constexpr std::array<const char*, 7> kTables = {"case.toml",     "history.csv",  "cracks.csv", "events.csv",
                                                 "fractures.csv", "summary.json", "report.html"};
 
 struct Snapshot {

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The seismic catalogue from C: cracks in, events out.
+#include "hfrac/catalogue.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "frac/catalogue.hpp"
+#include "internal.hpp"
+#include "items.hpp"
+
+using namespace hfrac;
+using namespace hfrac::capi;
+
+namespace {
+
+void require_at_least_zero(double value, const char* name) {
+  if (!std::isfinite(value) || value < 0.0) {
+    throw Error(ErrorKind::argument, std::string(name) + " = " + std::to_string(value) +
+                                         " must be finite and 0 or more; 0 takes the default.");
+  }
+}
+
+CatalogueRule rule_of(const hfrac_catalogue_options* options) {
+  CatalogueRule rule;
+  if (options == nullptr) return rule;
+  const auto given = read_struct(options, hfrac_catalogue_options{}, "hfrac_catalogue_options");
+  require_at_least_zero(given.distance, "distance");
+  require_at_least_zero(given.time_window, "time_window");
+  require_at_least_zero(static_cast<double>(given.cycle_window), "cycle_window");
+  require_at_least_zero(given.thickness, "thickness");
+  rule.distance = given.distance;
+  rule.time_window = given.time_window;
+  rule.cycle_window = given.cycle_window;
+  if (given.thickness > 0.0) rule.thickness = given.thickness;
+  return rule;
+}
+
+CatalogueCrack crack_of(const hfrac_crack& from, std::int64_t index) {
+  CatalogueCrack crack;
+  crack.position = {from.position[0], from.position[1]};
+  crack.normal = {from.normal[0], from.normal[1]};
+  crack.distance = from.distance;
+  crack.normal_force = from.normal_force;
+  crack.shear_force = from.shear_force;
+  crack.energy = from.energy;
+  crack.length = from.length;
+  crack.time = from.time;
+  crack.cycle = from.cycle;
+  crack.tensile = from.mode == HFRAC_CRACK_TENSION;
+  const double sum = crack.position.x + crack.position.y + crack.normal.x + crack.normal.y + crack.distance +
+                     crack.normal_force + crack.shear_force + crack.energy + crack.length + crack.time;
+  if (!std::isfinite(sum) || crack.distance < 0.0) {
+    throw Error(ErrorKind::argument, "cracks[" + std::to_string(index) +
+                                         "] holds a value that is not finite, or a negative distance between "
+                                         "its discs; give cracks as hfrac_cracks_since does.");
+  }
+  return crack;
+}
+
+hfrac_event describe(const SeismicEvent& from, std::int64_t index) {
+  hfrac_event to{};
+  to.index = index;
+  to.first_crack = from.first_crack;
+  to.crack_count = from.crack_count;
+  to.tensile_cracks = from.tensile_cracks;
+  to.first_cycle = from.first_cycle;
+  to.last_cycle = from.last_cycle;
+  to.time = from.time;
+  to.position[0] = from.position.x;
+  to.position[1] = from.position.y;
+  to.moment_tensor[0] = from.xx;
+  to.moment_tensor[1] = from.yy;
+  to.moment_tensor[2] = from.xy;
+  to.moment = from.moment;
+  to.magnitude = from.magnitude;
+  to.energy = from.energy;
+  to.energy_magnitude = from.energy_magnitude;
+  to.isotropic_share = from.isotropic_share;
+  to.length = from.length;
+  to.radius = from.radius;
+  return to;
+}
+
+void require_count(std::int64_t count, const char* name) {
+  if (count < 0) throw Error(ErrorKind::argument, std::string(name) + " is negative.");
+}
+
+std::vector<CatalogueCrack> cracks_of(const hfrac_crack* cracks, std::int32_t size, std::int64_t count) {
+  require_count(count, "crack_count");
+  if (count > 0) require_not_null(cracks, "cracks");
+  require_item_size(size, "crack_size");
+  if (size < static_cast<std::int32_t>(offsetof(hfrac_crack, distance) + sizeof(double))) {
+    throw Error(ErrorKind::struct_size, "crack_size = " + std::to_string(size) +
+                                            " is that of a hfrac_crack without `distance`; compile against a "
+                                            "header that has it.");
+  }
+  std::vector<CatalogueCrack> list;
+  list.reserve(static_cast<std::size_t>(count));
+  for (std::int64_t c = 0; c < count; ++c) list.push_back(crack_of(take_item(cracks, c, size), c));
+  return list;
+}
+
+}  // namespace
+
+int32_t hfrac_find_events(const hfrac_crack* cracks, int32_t crack_size, int64_t crack_count,
+                          const hfrac_catalogue_options* options, int32_t event_size, hfrac_event* buffer,
+                          int64_t capacity, int64_t* count) {
+  return guarded([&] {
+    require_not_null(count, "count");
+    require_item_size(event_size, "event_size");
+    std::vector<std::int64_t> event_of;
+    const std::vector<SeismicEvent> events =
+        find_events(cracks_of(cracks, crack_size, crack_count), rule_of(options), event_of);
+    *count = static_cast<std::int64_t>(events.size());
+    if (buffer == nullptr) return;
+    require_count(capacity, "capacity");
+    for (std::int64_t e = 0; e < std::min(capacity, *count); ++e)
+      put_item(buffer, e, event_size, describe(events[static_cast<std::size_t>(e)], e));
+  });
+}
+
+int32_t hfrac_find_event_of_cracks(const hfrac_crack* cracks, int32_t crack_size, int64_t crack_count,
+                                   const hfrac_catalogue_options* options, int64_t* buffer, int64_t capacity,
+                                   int64_t* count) {
+  return guarded([&] {
+    require_not_null(count, "count");
+    std::vector<std::int64_t> event_of;
+    find_events(cracks_of(cracks, crack_size, crack_count), rule_of(options), event_of);
+    *count = crack_count;
+    if (buffer == nullptr) return;
+    require_count(capacity, "capacity");
+    std::copy_n(event_of.begin(), std::min(capacity, crack_count), buffer);
+  });
+}
+
+int32_t hfrac_find_magnitude_law(const double* magnitudes, int64_t magnitude_count, double completeness,
+                                 hfrac_magnitude_law* law) {
+  return guarded([&] {
+    require_count(magnitude_count, "magnitude_count");
+    if (magnitude_count > 0) require_not_null(magnitudes, "magnitudes");
+    if (std::isinf(completeness)) {
+      throw Error(ErrorKind::argument,
+                  "completeness is infinite; give a magnitude, or NaN to have it found.");
+    }
+    const MagnitudeLaw found =
+        magnitude_law({magnitudes, static_cast<std::size_t>(magnitude_count)}, completeness);
+    hfrac_magnitude_law full{};
+    full.completeness = found.completeness;
+    full.b = found.b;
+    full.b_error = found.b_error;
+    full.a = found.a;
+    full.count = found.count;
+    write_struct(law, full, "hfrac_magnitude_law");
+  });
+}
