@@ -103,7 +103,7 @@ void write_files(const std::filesystem::path& folder, const hfrac_lab* lab, cons
       // A chart has one point for each load: the one before breakage.
       if (curve[k] == last) continue;
       last = curve[k];
-      fmt::format_to(std::back_inserter(chart), "packing {},{},{},{:.0f}\n", seed, curve[k + 2],
+      fmt::format_to(std::back_inserter(chart), "packing {},{},{},{:.0f}\n", seed, std::abs(curve[k + 2]),
                      curve[k + 1] * 1e-6, curve[k + 5] + curve[k + 6]);
     }
     output::write_whole(folder / fmt::format("{}_{}.csv", test, seed), text);
@@ -122,7 +122,7 @@ void write_files(const std::filesystem::path& folder, const hfrac_lab* lab, cons
 
 void draw_curves(const std::filesystem::path& folder, const std::string& test, const std::string& chart) {
   const auto file = folder / fmt::format("{}_curves.csv", test);
-  output::write_whole(file, "packing,axial strain (1),stress (MPa),broken bonds (1)\n" + chart);
+  output::write_whole(file, "packing,size of the axial strain (1),stress (MPa),broken bonds (1)\n" + chart);
 #ifdef HFRAC_WITH_RENDERER
   hfrac_viz_comparison_options options{};
   hfrac_viz_comparison_options_init(&options, sizeof options);
