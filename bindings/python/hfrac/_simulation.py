@@ -6,7 +6,7 @@ import threading
 import weakref
 from typing import Any, Callable, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
-from . import _abi, _arrays, _grid
+from . import _abi, _arrays, _grid, _picture
 from ._arrays import Array
 from ._definition import Definition, PathLike, Value
 from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Pipes
@@ -16,7 +16,7 @@ from ._progress import LogFunction, Progress, ProgressFunction
 from ._records import Balance, Crack, Event, Fracture, Heat, SetupReport, SimState, SolverReport, StepLimits, WallState
 from ._view import View
 from ._well import Well
-from .errors import BadHandleError, StoppedError, UnknownKeyError
+from .errors import BadHandleError, HfracError, StoppedError, UnknownKeyError
 
 #: Wall time [s] between two looks at progress and Ctrl-C.
 _LOOK_EVERY = 0.1
@@ -401,6 +401,21 @@ class Simulation:
         desc = _abi.hfrac_field_desc(struct_size=ctypes.sizeof(_abi.hfrac_field_desc))
         self._call("hfrac_field_info", field.value, ctypes.byref(desc))
         return _INFO[name], desc
+
+    def picture(self, *views: str, width: int = 1200) -> bytes:
+        """A PNG picture of the simulation as it is now, by the renderer, which must be installed: "discs" if no views are
+        named, or some of "discs", "aperture", "crack-time", "pressure", "displacement", "stress", "rotation", "forces",
+        "bonds" side by side (`hfrac render --help` lists all). `width` [pixel] 320 to 8192."""
+        return _picture.draw(self, views or ("discs",), width)
+
+    def _repr_png_(self) -> Optional[bytes]:
+        """For notebooks: the picture, where there is a renderer; otherwise the text of repr."""
+        if self._handle is None:
+            return None
+        try:
+            return self.picture(width=800)
+        except HfracError:
+            return None
 
     def __repr__(self) -> str:
         title = f" {self._title!r}" if getattr(self, "_title", "") else ""
