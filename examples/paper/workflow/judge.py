@@ -124,7 +124,8 @@ def page(which, data, limit, path):
             names = {run for run, status in lacking if status == kind}
             if names:
                 lines += [
-                    f"**{len(names)} runs are {kind}**; no claim that rests on one is judged. {by_family(data, names)}.",
+                    f"**{len(names)} runs are {kind}**; no claim that rests on one is judged. "
+                    f"{by_family(data, names)}.",
                     "",
                 ]
     before = {row["run"]: int(row["setup_cracks"] or 0) for row in data.rows.values() if row["status"] == "done"}
