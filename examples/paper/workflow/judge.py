@@ -110,7 +110,7 @@ def page(which, data, limit, path):
         f"each; measurements in `{path}`. Thresholds: `examples/paper/workflow/thresholds.toml`, set before the runs. "
         "Means ± standard deviations over packings; intervals are 90 % bootstrap intervals over packings.",
         "",
-        "Of {} claims: {}.".format(len(judged), ", ".join(f"{n} {word}" for word, n in sorted(count.items()))),
+        f"{len(judged)} claims. " + "; ".join(f"{word}: {n}" for word, n in sorted(count.items())) + ".",
         "",
     ]
     if len(seeds) < limit["packings"]["least"]:
