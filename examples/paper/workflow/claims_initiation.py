@@ -228,6 +228,6 @@ def tangential_strength(data, limit, family="figure-09"):
     share = limit["figure-09"]["tangential_share"]
     return Answer(
         0.0 <= rise <= share * reference,
-        f"slope {rise:.3f} {span(sure)} against {reference:.3f}; {listed(onset)} " "MPa",
-        f"slope not negative and ≤ {share} of the normal strength's, here {share * reference:.3f}",
+        f"slope {rise:.4f} {span(sure)} against {reference:.4f}; {listed(onset)} " "MPa",
+        f"slope not negative and ≤ {share} of the normal strength's, here {share * reference:.4f}",
     )

@@ -23,7 +23,11 @@ CHARTS = {
     "figure-07": (["figure-07"], ONSET, "Figure 7: initiation against horizontal stresses"),
     "figure-08": (["figure-08"], ONSET, "Figure 8: initiation against contact stiffness"),
     "figure-09": (["figure-09"], ONSET, "Figure 9: initiation against bond strength"),
-    "figure-10": (["figure-10", "beyond-10-strength"], LENGTHS, "Figure 10: length and width by injection pressure"),
+    "figure-10": (
+        ["figure-10", "beyond-10-strength", "beyond-10-supply"],
+        LENGTHS,
+        "Figure 10: length and width by injection pressure",
+    ),
     "figure-11": (["figure-11", "beyond-11-strength"], LENGTHS, "Figure 11: length and width by smaller stress"),
     "figure-12": (["figure-12"], LENGTHS, "Figure 12: length and width by permeability"),
     "sound-07": (["figure-07-sound"], ONSET, "Figure 7, sound reading"),
@@ -31,6 +35,7 @@ CHARTS = {
     "sound-09": (["figure-09-sound"], ONSET, "Figure 9, sound reading"),
     "sound-12": (["figure-12-sound"], ONSET, "Figure 12, sound reading: initiation by permeability"),
 }
+CHANGED = {"strength": " with falling strength", "supply": " with a tenth of the fluid"}
 # The axis of a family: its name with the SI unit, and that unit in the family's.
 STRESS, PRESSURE = ("effective_stress_Pa", 1e6), ("injection_pressure_Pa", 1e6)
 STIFFNESS, STRENGTH = ("contact_stiffness_N_per_m", 1e9), ("bond_strength_Pa", 1e6)
@@ -69,7 +74,7 @@ def chart(rows, tables, folder, name):
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(["series", axis, *columns])
         for row in chosen:
-            series = row["series"] + (" with falling strength" if row["family"].startswith("beyond") else "")
+            series = row["series"] + CHANGED.get(row["family"].split("-")[-1], "")
             writer.writerow(
                 [
                     series.replace("paper", "the paper's reading"),

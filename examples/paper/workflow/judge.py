@@ -110,7 +110,7 @@ def page(which, data, limit, path):
         f"each; measurements in `{path}`. Thresholds: `examples/paper/workflow/thresholds.toml`, set before the runs. "
         "Means ± standard deviations over packings; intervals are 90 % bootstrap intervals over packings.",
         "",
-        "Of {} claims: {}.".format(len(judged), ", ".join(f"{n} {word}" for word, n in sorted(count.items()))),
+        f"{len(judged)} claims. " + "; ".join(f"{word}: {n}" for word, n in sorted(count.items())) + ".",
         "",
     ]
     if len(seeds) < limit["packings"]["least"]:
@@ -124,7 +124,8 @@ def page(which, data, limit, path):
             names = {run for run, status in lacking if status == kind}
             if names:
                 lines += [
-                    f"**{len(names)} runs are {kind}**; no claim that rests on one is judged. {by_family(data, names)}.",
+                    f"**{len(names)} runs are {kind}**; no claim that rests on one is judged. "
+                    f"{by_family(data, names)}.",
                     "",
                 ]
     before = {row["run"]: int(row["setup_cracks"] or 0) for row in data.rows.values() if row["status"] == "done"}
