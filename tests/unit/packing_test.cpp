@@ -187,4 +187,26 @@ TEST(HilbertOrder, IsAPermutationThatKeepsNeighboursNear) {
   EXPECT_LT(way / 255.0, 1.1);  // a Hilbert curve steps from site to neighbouring site
 }
 
+// Rows and columns that touch, in the middle of a box that holds no whole number of rows.
+TEST(Packing, SquareIsAGridOfEqualDiscs) {
+  PackingOptions asked;
+  asked.width = 10.0;
+  asked.height = 9.0;
+  asked.count = 90;
+  asked.method = PackingMethod::square;
+  const Packing p = pack_discs(asked);
+  ASSERT_EQ(p.x.size(), 90U);
+  EXPECT_DOUBLE_EQ(p.mean_radius, 0.5);
+  for (std::size_t i = 0; i < p.x.size(); ++i) {
+    EXPECT_EQ(p.radius[i], 0.5);
+    EXPECT_NEAR(p.x[i] - 0.5, std::round(p.x[i] - 0.5), 1e-12);
+    EXPECT_NEAR(p.y[i] - 0.5, std::round(p.y[i] - 0.5), 1e-12);
+  }
+  asked.height = 9.6;
+  const Packing loose = pack_discs(asked);
+  const auto [low, high] = std::minmax_element(loose.y.begin(), loose.y.end());
+  EXPECT_NEAR(*low + *high, 9.6, 1e-12);
+  EXPECT_GE(*low, 0.5);
+}
+
 }  // namespace
