@@ -474,7 +474,7 @@ contains
     call expect(stat == 0, 'the include file is there')
     if (stat == 0) close (unit, status='delete')
     call sim%write_grdecl('/nonexistent/fortran_test.grdecl', stat=stat)
-    call expect(stat == HFRAC_ERR_ARGUMENT, 'no such folder')
+    call expect(stat == HFRAC_ERR_FILE, 'no such folder')
   end subroutine exchange
 
   real(real64) function host_volume(sim)
