@@ -5,8 +5,8 @@
 //   disc to disc      through the contact:    G = f b / L, b the distance of the pores on either side, L that of the centres:
 //                     two-point fluxes through the faces of the dual mesh (Eymard, Gallouet and Herbin 2000)
 //   disc to fluid     through the disc's face: H = 4 f angle, the sector of the disc that looks into the pore: a cylinder's mean
-//                     and face temperatures differ by q R / (4 lambda) once it warms evenly (Carslaw and Jaeger 1959, section
-//                     7.6); with a film, 1 / H = 1 / (4 f angle) + 1 / (h R angle)
+//                     and face temperatures differ by q R / (4 lambda) once it warms evenly (Carslaw and Jaeger 1959, chapter
+//                     7); with a film, 1 / H = 1 / (4 f angle) + 1 / (h R angle)
 //   fluid to fluid    with the flow (heat_solver.hpp); it conducts nothing along the pipes
 // The one factor f is calibrated on the network at hand, so that rock and resting fluid together conduct as
 // thermal.conductivity says, as apertures are calibrated to a permeability. A thermal pipe network after Feng, Han, Li

@@ -111,7 +111,7 @@ TEST_F(Fields, ThatAreNoneAreRefused) {
   int32_t index = 0;
   int64_t count = -1, epoch = -1;
   const void* data = nullptr;
-  for (const int32_t field : {-1, 7, 19, 26, 66, INT32_MAX, INT32_MIN}) {
+  for (const int32_t field : {-1, 15, 19, 35, 79, INT32_MAX, INT32_MIN}) {
     EXPECT_EQ(hfrac_field_info(sim, field, &desc), HFRAC_ERR_ARGUMENT) << field;
     EXPECT_EQ(last_error(sim).rfind("field " + std::to_string(field) + " is not", 0), 0u) << last_error(sim);
     EXPECT_EQ(hfrac_field_copy_f64(sim, field, &value, 1, &count), HFRAC_ERR_ARGUMENT) << field;

@@ -6,7 +6,7 @@
 //            free                 strain alpha dT, no stress
 //            hot circle in a      p = E' alpha dT / 2 (1 - a^2 / b^2), E' = E / (1 - nu^2): radial stress inside radius a of a free disc of
 //            cold block           radius b
-// Source     Timoshenko and Goodier, Theory of Elasticity, sections 150 to 152.
+// Source     Timoshenko and Goodier, Theory of Elasticity, chapter 13.
 // Set-up     2 000 discs, quasi-static, through hfrac.h. E and nu are measured on the same block: fits of displacement under two far
 //            fields (V2). (a) walls fixed, linear set, +50 K at alpha 1e-5; (b) the paper's set, where contact and bond
 //            together resist being squeezed; (c) the free block under a stress boundary; (d) discs within 15 m of the middle +50 K in
