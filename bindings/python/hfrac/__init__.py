@@ -12,6 +12,7 @@ SI units everywhere, unit thickness out of the plane, compression positive for s
 is there and not needed otherwise. One simulation serves one thread at a time; different ones run side by side.
 """
 from ._abi import CrackMode, GrdeclKind, LogLevel, Status, StepLimit, StopReason, Upscaling, WellControl
+from ._catalogue import magnitude_law
 from ._definition import Definition, Option, options, well_options
 from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Pipes
 from ._grid import Grid
@@ -22,6 +23,7 @@ from ._records import (
     Crack,
     Event,
     Fracture,
+    MagnitudeLaw,
     SetupReport,
     SimState,
     SolverReport,
@@ -54,8 +56,8 @@ from .errors import (
 __all__ = [
     "FIELDS", "Advance", "ArgumentError", "BadHandleError", "Balance", "Bonds", "BusyError", "CaseFileError", "Crack",
     "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "Event", "FieldInfo", "FileError", "Fracture", "GrdeclKind", "Grid", "HfracError",
-    "InternalError", "LibraryError", "LogLevel", "ModelError", "OpenStep", "Option", "OutOfMemoryError", "Pipes", "PoisonedError",
+    "InternalError", "LibraryError", "LogLevel", "MagnitudeLaw", "ModelError", "OpenStep", "Option", "OutOfMemoryError", "Pipes", "PoisonedError",
     "SetupReport", "SimState", "Simulation", "SolverReport", "StaleViewError", "Status", "StepLimit",
     "StepLimits", "StopReason", "StoppedError", "StructSizeError", "UnknownKeyError", "Upscaling", "View", "WallState", "Well",
-    "WellControl", "WellState", "build_info", "library_path", "options", "version", "well_options",
+    "WellControl", "WellState", "build_info", "library_path", "magnitude_law", "options", "version", "well_options",
 ]
