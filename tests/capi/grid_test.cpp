@@ -367,7 +367,7 @@ TEST(Grid, MisuseIsRefused) {
   double added[4];
   EXPECT_EQ(hfrac_set_cell_pressure(sim, values, 4, added, 3), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hfrac_set_cell_stress(sim, values, 4), HFRAC_ERR_ARGUMENT) << "three values a cell";
-  EXPECT_EQ(hfrac_write_grdecl(sim, "/nonexistent/folder/x.grdecl", 0, 0, 1, 0.0, 0.0), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_write_grdecl(sim, "/nonexistent/folder/x.grdecl", 0, 0, 1, 0.0, 0.0), HFRAC_ERR_FILE);
   EXPECT_EQ(hfrac_write_grdecl(sim, nullptr, 0, 0, 1, 0.0, 0.0), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hfrac_write_grdecl(sim, "/tmp/x", 0, 2, 1, 0.0, 0.0), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hfrac_write_grdecl(sim, "/tmp/x", 0, 0, 0, 0.0, 0.0), HFRAC_ERR_ARGUMENT);
