@@ -72,8 +72,8 @@ void add_couple(const CatalogueCrack& crack, double thickness, SeismicEvent& eve
   event.xy += 0.5 * arm * (force.x * n.y + force.y * n.x);
 }
 
-// Scalar moment: Silver and Jordan (1982), sqrt(m_ij m_ij / 2). Its magnitude: Hanks and Kanamori (1979),
-// 2/3 log10 M0 - 10.7 with M0 in dyn cm. Energy magnitude: Choy and Boatwright (1995). Isotropic share: Feignier and Young
+// Scalar moment: Silver and Jordan (1982), sqrt(m_ij m_ij / 2). Its magnitude: Hanks and Kanamori (1979), 2/3 log10
+// M0 - 10.7 with M0 in dyn cm. Energy magnitude: Choy and Boatwright (1995). Isotropic share: Feignier and Young
 // (1992), trace over the sum of trace and deviatoric eigenvalues, here in the plane.
 void rate_strength(SeismicEvent& event) {
   const double nothing = std::numeric_limits<double>::quiet_NaN();

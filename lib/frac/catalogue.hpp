@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The seismic catalogue: cracks that broke together as one event, how strong it was, and how strong events are spread.
 //
-// Clustering after Hazzard and Young (2000, Int. J. Rock Mech. Min. Sci. 37, 867-872; 2004, ibid. 41, 1365-1376): a crack's
-// source region reaches one disc diameter around it, and cracks whose regions overlap while they are active are one event.
-// Here: two cracks are linked if their middles are at most `distance` apart and they broke at most `time_window` and
-// `cycle_window` apart; linked cracks, over any number of links, are an event.
+// Clustering after Hazzard and Young (2000, Int. J. Rock Mech. Min. Sci. 37, 867-872; 2004, ibid. 41, 1365-1376): a
+// crack's source region reaches one disc diameter around it, and cracks whose regions overlap while they are active
+// are one event. Here: two cracks are linked if their middles are at most `distance` apart and they broke at most
+// `time_window` and `cycle_window` apart; linked cracks, over any number of links, are an event.
 //
-// Moment after Hazzard and Young (2002, Tectonophysics 356, 181-197): the sum of force change times lever arm. The forces
-// that change are those of the bonds that broke, and each falls to nothing. A bond that pulled disc 1 with -F and disc 0
-// with F acts, when gone, as the couple of the opposite forces at the two centres, d n apart:
+// Moment after Hazzard and Young (2002, Tectonophysics 356, 181-197): the sum of force change times lever arm. The
+// forces that change are those of the bonds that broke, and each falls to nothing. A bond that pulled disc 1 with -F
+// and disc 0 with F acts, when gone, as the couple of the opposite forces at the two centres, d n apart:
 //   m_ij = d/2 (F_i n_j + F_j n_i),   F = normal force n + shear force t,   t = n turned by +90 degrees.
 // (Its antisymmetric part is balanced by the moments on the discs.) What discs around the break shift afterwards, and
 // what contacts take over, is not in it.

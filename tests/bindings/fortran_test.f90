@@ -318,17 +318,18 @@ contains
     call sim%fractures(fractures)
     call expect(sum(fractures%crack_count) <= state%crack_count .and. fractures(1)%length > 0.0_real64, 'fractures')
     block
-      type(hfrac_catalogue_options) :: options
+      use, intrinsic :: iso_c_binding, only: c_loc, c_sizeof
+      type(hfrac_catalogue_options) :: rule
       type(hfrac_event), target :: event
       type(hfrac_magnitude_law) :: law
       integer(c_int64_t), target :: event_of
       integer(c_int64_t) :: found
       integer(c_int32_t) :: crack_size
       crack_size = int(storage_size(all_cracks(1)) / 8, c_int32_t)
-      stat = hfrac_find_events(all_cracks(1), crack_size, 1_c_int64_t, options, int(c_sizeof(event), c_int32_t), &
+      stat = hfrac_find_events(all_cracks(1), crack_size, 1_c_int64_t, rule, int(c_sizeof(event), c_int32_t), &
         c_loc(event), 1_c_int64_t, found)
       call expect(stat == HFRAC_OK .and. found == 1 .and. event%moment > 0.0_real64, 'one crack is an event')
-      stat = hfrac_find_event_of_cracks(all_cracks(1), crack_size, 1_c_int64_t, options, c_loc(event_of), 1_c_int64_t, found)
+      stat = hfrac_find_event_of_cracks(all_cracks(1), crack_size, 1_c_int64_t, rule, c_loc(event_of), 1_c_int64_t, found)
       call expect(stat == HFRAC_OK .and. event_of == 0, 'its event')
       stat = hfrac_find_magnitude_law([0.0_real64, 1.0_real64], 2_c_int64_t, 0.0_real64, law)
       call expect(stat == HFRAC_OK .and. law%count == 2 .and. law%b > 0.0_real64, 'magnitudes have a law')

@@ -52,6 +52,22 @@ class WholeRun(unittest.TestCase):
             self.assertTrue(all(math.isfinite(float(value)) for value in row.values()), row)
             self.assertEqual(int(row["tensile_cracks"]) + int(row["shear_cracks"]), int(row["crack_count"]))
 
+    def test_catalogue_is_made_anew_by_another_rule(self):
+        def events(folder):
+            with open(folder / "events.csv", newline="") as file:
+                return list(csv.DictReader(file))
+        copy = self.top / "catalogue"
+        shutil.copytree(self.folder, copy)
+        cracks = len((copy / "cracks.csv").read_text().splitlines()) - 1
+        self.assertEqual(sum(int(event["crack_count"]) for event in events(copy)), cracks)
+        done = hfrac("catalogue", copy)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual((copy / "events.csv").read_bytes(), (self.folder / "events.csv").read_bytes())
+        done = hfrac("catalogue", copy, "--distance", 1e-9)
+        self.assertIn(f"{cracks} of {cracks} cracks", done.stdout)
+        self.assertEqual(len(events(copy)), cracks)
+        self.assertEqual(hfrac("catalogue", self.top).returncode, 2)
+
     def test_own_discs_from_csv_and_vtu(self):
         """A run on the discs of another run's snapshot, then on the CSV it kept of them: the same, bit for bit."""
         case = self.top / "own.toml"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Views by name, as SVG and as PDF; and in the SVG, where letters say how long they are, that nothing on a page overlaps.
+// Views by name, as SVG and as PDF; and in the SVG, where letters say how long they are, that nothing on a page
+// overlaps.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

@@ -79,7 +79,7 @@ void put_axes(ChartPage& page, const Box& box, const Extent& extent) {
     page.text(box.left - 10, y + 7, tick.text, {20, palette().ink, false, Align::right});
   }
   page.text(box.left + box.width / 2, box.bottom() + 66, "x (m)", {22, palette().ink, false, Align::centre});
-  page.text(box.left - 78, box.top + box.height / 2, "y (m)",
+  page.text(box.left - 62, box.top + box.height / 2, "y (m)",
             {22, palette().ink, false, Align::centre, true});
   page.line({{box.left, box.top}, {box.left, box.bottom()}, {box.right(), box.bottom()}}, 1.6,
             palette().frame);
@@ -97,7 +97,7 @@ void put_map(ChartPage& page, const Box& box, const std::vector<LoggedEvent>& ev
                  box.bottom() - (place.y - extent.bottom) * scale};
   };
   for (const WellPlace& well : run.wells) {
-    page.dot(on_page({well.x, well.y}), std::max(4.0, well.radius * scale), palette().well);
+    put_ring(page, on_page({well.x, well.y}), std::max(4.0, well.radius * scale), 3.0, palette().well);
   }
   std::vector<std::size_t> order(events.size());
   std::iota(order.begin(), order.end(), 0);

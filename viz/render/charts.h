@@ -37,6 +37,9 @@ void fill_profile(ChartPage& page, const ChartData& data);
 void fill_events(ChartPage& page, const ChartData& data);
 void fill_catalogue(ChartPage& page, const ChartData& data);
 
+// A circle's line.
+void put_ring(ChartPage& page, Point centre, double radius, double thickness, Colour colour);
+
 // The run's title and what the page shows, at the top.
 void put_heading(ChartPage& page, const RunFolder& run, const std::string& what);
 

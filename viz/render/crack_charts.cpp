@@ -60,16 +60,6 @@ std::vector<Point> wedge(Point centre, double inner, double outer, double from, 
   return corners;
 }
 
-void put_ring(ChartPage& page, Point centre, double radius, Colour colour) {
-  constexpr int parts = 120;
-  std::vector<Point> ring;
-  for (int i = 0; i <= parts; ++i) {
-    const double angle = 2 * pi * i / parts;
-    ring.push_back({centre.x + radius * std::cos(angle), centre.y - radius * std::sin(angle)});
-  }
-  page.line(ring, 1.4, colour);
-}
-
 // The mean direction of the cracks, weighted by their lengths; lines have no sense, so angles are doubled.
 double mean_azimuth(const std::vector<LoggedCrack>& cracks) {
   double x = 0;
@@ -127,6 +117,16 @@ double magnitude_of(double energy) {
 
 }  // namespace
 
+void put_ring(ChartPage& page, Point centre, double radius, double thickness, Colour colour) {
+  constexpr int parts = 120;
+  std::vector<Point> ring;
+  for (int i = 0; i <= parts; ++i) {
+    const double angle = 2 * pi * i / parts;
+    ring.push_back({centre.x + radius * std::cos(angle), centre.y - radius * std::sin(angle)});
+  }
+  page.line(ring, thickness, colour);
+}
+
 void fill_rose(ChartPage& page, const ChartData& data) {
   constexpr int bins = 18;
   constexpr double radius = 440;
@@ -155,7 +155,7 @@ void fill_rose(ChartPage& page, const ChartData& data) {
   }
   for (const Tick& ring : rings) {
     if (ring.value <= 0) continue;
-    put_ring(page, centre, radius * ring.value / longest, palette().frame);
+    put_ring(page, centre, radius * ring.value / longest, 1.4, palette().frame);
   }
   put_names_right(page, 1180, 280, {{palette().water, "in tension"}, {palette().shear, "in shear"}});
   const std::array<std::string, 4> lines = {"Length of cracks per 10\xC2\xB0,",

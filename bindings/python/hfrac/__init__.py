@@ -12,6 +12,7 @@ SI units everywhere, unit thickness out of the plane, compression positive for s
 is there and not needed otherwise. One simulation serves one thread at a time; different ones run side by side.
 """
 from ._abi import CrackMode, GrdeclKind, JointState, LogLevel, Status, StepLimit, StopReason, Upscaling, WellControl
+from ._catalogue import magnitude_law
 from ._definition import Definition, Option, joint_options, options, schedule_options, well_options
 from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Pipes
 from ._grid import Grid
@@ -23,6 +24,7 @@ from ._records import (
     Event,
     Fracture,
     Heat,
+    MagnitudeLaw,
     SetupReport,
     SimState,
     SolverReport,
@@ -55,8 +57,8 @@ from .errors import (
 __all__ = [
     "FIELDS", "Advance", "ArgumentError", "BadHandleError", "Balance", "Bonds", "BusyError", "CaseFileError", "Crack",
     "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "Event", "FieldInfo", "FileError", "Fracture", "GrdeclKind", "Grid", "Heat", "HfracError",
-    "InternalError", "JointState", "LibraryError", "LogLevel", "ModelError", "OpenStep", "Option", "OutOfMemoryError", "Pipes", "PoisonedError",
+    "InternalError", "JointState", "LibraryError", "LogLevel", "MagnitudeLaw", "ModelError", "OpenStep", "Option", "OutOfMemoryError", "Pipes", "PoisonedError",
     "SetupReport", "SimState", "Simulation", "SolverReport", "StaleViewError", "Status", "StepLimit",
     "StepLimits", "StopReason", "StoppedError", "StructSizeError", "UnknownKeyError", "Upscaling", "View", "WallState", "Well",
-    "WellControl", "WellState", "build_info", "joint_options", "library_path", "options", "schedule_options", "version", "well_options",
+    "WellControl", "WellState", "build_info", "joint_options", "library_path", "magnitude_law", "options", "schedule_options", "version", "well_options",
 ]

@@ -8,6 +8,7 @@ from typing import Any, Callable, Iterable, List, Mapping, NamedTuple, Optional,
 
 from . import _abi, _arrays, _grid, _picture
 from ._arrays import Array
+from ._catalogue import Rule
 from ._definition import Definition, PathLike, Value
 from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Pipes
 from ._library import call, load
@@ -338,21 +339,22 @@ class Simulation:
     def events(
         self, distance: float = 0.0, time_window: float = 0.0, cycle_window: int = 0, thickness: float = 1.0
     ) -> List[Event]:
-        """The seismic catalogue: cracks that broke together as events, see catalogue.h for method and units."""
+        """The seismic catalogue: cracks that broke together as events. [m] between cracks of one event, 0: two mean disc
+        distances; [s] and mechanical cycles between them, 0: the same step, any number; [m] of rock in the plane."""
+        return Rule(distance, time_window, cycle_window, thickness).events(*self._crack_structs())
+
+    def event_of_cracks(
+        self, distance: float = 0.0, time_window: float = 0.0, cycle_window: int = 0, thickness: float = 1.0
+    ) -> List[int]:
+        """The index, in events() of the same arguments, of the event that each crack belongs to."""
+        return Rule(distance, time_window, cycle_window, thickness).event_of_cracks(*self._crack_structs())
+
+    def _crack_structs(self) -> Tuple[Any, int]:
         count, size = ctypes.c_int64(), ctypes.sizeof(_abi.hfrac_crack)
         self._call("hfrac_cracks_since", 0, size, None, 0, ctypes.byref(count), None)
         cracks = (_abi.hfrac_crack * max(1, count.value))()
         self._call("hfrac_cracks_since", 0, size, ctypes.addressof(cracks), count.value, ctypes.byref(count), None)
-        options = _abi.hfrac_catalogue_options(
-            struct_size=ctypes.sizeof(_abi.hfrac_catalogue_options),
-            distance=distance, time_window=time_window, cycle_window=cycle_window, thickness=thickness,
-        )
-        head = (cracks, size, count.value, ctypes.byref(options), ctypes.sizeof(_abi.hfrac_event))
-        found = ctypes.c_int64()
-        call("hfrac_find_events", *head, None, 0, ctypes.byref(found))
-        records = (_abi.hfrac_event * max(1, found.value))()
-        call("hfrac_find_events", *head, ctypes.addressof(records), found.value, ctypes.byref(found))
-        return [Event.of(struct) for struct in records[: found.value]]
+        return cracks, count.value
 
     # Fields
 

@@ -160,6 +160,11 @@ class Cracks(unittest.TestCase):
             self.assertEqual(sum(event.crack_count for event in events), len(sim.cracks))
             self.assertTrue(all(event.moment > 0.0 for event in events))
             self.assertEqual(len(sim.events(distance=1e-9)), len(sim.cracks))
+            owners = sim.event_of_cracks()
+            self.assertEqual([owners.count(event.index) for event in events], [event.crack_count for event in events])
+            law = hfrac.magnitude_law([event.magnitude for event in events], -9.0)
+            self.assertEqual(law.count, len(events))
+            self.assertGreater(law.b, 0.0)
             with self.assertRaises(hfrac.ArgumentError):
                 sim.events(thickness=-1.0)
 
