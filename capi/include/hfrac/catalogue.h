@@ -52,13 +52,13 @@ typedef struct hfrac_event {
  * structs in the caller. options NULL: the defaults. Copies up to `capacity` events; *count is how many there are; buffer NULL:
  * only *count. Needs no simulation; any thread. HFRAC_ERR_ARGUMENT: a value that is not finite, or negative where it must
  * not be. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_find_events(const hfrac_crack *cracks, int32_t crack_size, int64_t crack_count,
+HFRAC_UNSTABLE_API int32_t hfrac_find_events(const hfrac_crack *cracks, int32_t crack_size, int64_t crack_count,
                                     const hfrac_catalogue_options *options, int32_t event_size, hfrac_event *buffer,
                                     int64_t capacity, int64_t *count);
 
 /** The index of the event that each crack belongs to, as hfrac_find_events numbers them: up to `capacity` indices, in the
  * order of the cracks, into `buffer`; *count is crack_count. Needs no simulation; any thread. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_find_event_of_cracks(const hfrac_crack *cracks, int32_t crack_size, int64_t crack_count,
+HFRAC_UNSTABLE_API int32_t hfrac_find_event_of_cracks(const hfrac_crack *cracks, int32_t crack_size, int64_t crack_count,
                                              const hfrac_catalogue_options *options, int64_t *buffer, int64_t capacity,
                                              int64_t *count);
 
@@ -76,7 +76,7 @@ typedef struct hfrac_magnitude_law {
 /** The law of `magnitude_count` magnitudes; those that are not finite are left out. completeness NaN: the fullest tenth
  * of a magnitude (maximum curvature, Wiemer and Wyss 2000). Set law->struct_size. Needs no simulation; any thread.
  * Unstable since 0.1. */
-HFRAC_API int32_t hfrac_find_magnitude_law(const double *magnitudes, int64_t magnitude_count, double completeness,
+HFRAC_UNSTABLE_API int32_t hfrac_find_magnitude_law(const double *magnitudes, int64_t magnitude_count, double completeness,
                                            hfrac_magnitude_law *law);
 
 #ifdef __cplusplus

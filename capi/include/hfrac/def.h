@@ -429,14 +429,14 @@ HFRAC_UNSTABLE_API int32_t hfrac_well_option_count(int32_t *count);
 HFRAC_UNSTABLE_API int32_t hfrac_well_option_at(int32_t index, hfrac_option_info *info);
 
 /** Number of values a joint has. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_joint_option_count(int32_t *count);
+HFRAC_UNSTABLE_API int32_t hfrac_joint_option_count(int32_t *count);
 /** Entry `index` (from 0) of a joint's values; its key is "x1" where the keyed functions take "joint[0].x1". Unstable since 0.1. */
-HFRAC_API int32_t hfrac_joint_option_at(int32_t index, hfrac_option_info *info);
+HFRAC_UNSTABLE_API int32_t hfrac_joint_option_at(int32_t index, hfrac_option_info *info);
 /** Number of values a schedule's entry has. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_schedule_option_count(int32_t *count);
+HFRAC_UNSTABLE_API int32_t hfrac_schedule_option_count(int32_t *count);
 /** Entry `index` (from 0) of the values of a schedule's entry; its key is "time" where the keyed functions take
  * "schedule[0].time". Unstable since 0.1. */
-HFRAC_API int32_t hfrac_schedule_option_at(int32_t index, hfrac_option_info *info);
+HFRAC_UNSTABLE_API int32_t hfrac_schedule_option_at(int32_t index, hfrac_option_info *info);
 
 #ifdef __cplusplus
 }

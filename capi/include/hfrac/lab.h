@@ -45,7 +45,7 @@ typedef struct hfrac_lab_spec {
 } hfrac_lab_spec;
 
 /** Defaults into `spec`; `struct_size` is sizeof(hfrac_lab_spec) in the caller. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_lab_spec_init(hfrac_lab_spec *spec, int32_t struct_size);
+HFRAC_UNSTABLE_API int32_t hfrac_lab_spec_init(hfrac_lab_spec *spec, int32_t struct_size);
 
 /** How a test ended. */
 enum hfrac_lab_end {
@@ -93,14 +93,14 @@ typedef struct hfrac_lab hfrac_lab;
 /** Does a test. `progress` (may be NULL) is called now and then with the share 0 and what is done; nonzero ends the test, and
  * HFRAC_STOPPED comes back with what there is. *lab is to be destroyed; on failure it is NULL. HFRAC_ERR_ARGUMENT: the spec is
  * out of range; HFRAC_ERR_MODEL: no specimen comes of it. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_lab_run(const hfrac_sim_def *def, const hfrac_lab_spec *spec, hfrac_progress_fn progress, void *user,
+HFRAC_UNSTABLE_API int32_t hfrac_lab_run(const hfrac_sim_def *def, const hfrac_lab_spec *spec, hfrac_progress_fn progress, void *user,
                                 hfrac_lab **lab);
 
 /** Frees a test and sets *lab to NULL; NULL and *lab == NULL are fine. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_lab_destroy(hfrac_lab **lab);
+HFRAC_UNSTABLE_API int32_t hfrac_lab_destroy(hfrac_lab **lab);
 
 /** What the test found. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_lab_get_report(const hfrac_lab *lab, hfrac_lab_report *report);
+HFRAC_UNSTABLE_API int32_t hfrac_lab_get_report(const hfrac_lab *lab, hfrac_lab_report *report);
 
 /** Tables of a test. Each row has as many values as stand in brackets. */
 enum hfrac_lab_table {
@@ -113,7 +113,7 @@ enum hfrac_lab_table {
 
 /** Copies up to `capacity` values of a table (enum hfrac_lab_table), row by row; *count is how many there are. buffer NULL: only
  * *count. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_lab_copy_f64(const hfrac_lab *lab, int32_t table, double *buffer, int64_t capacity, int64_t *count);
+HFRAC_UNSTABLE_API int32_t hfrac_lab_copy_f64(const hfrac_lab *lab, int32_t table, double *buffer, int64_t capacity, int64_t *count);
 
 /** What a rock is to have; NaN: not asked. Fill with hfrac_targets_init first. */
 typedef struct hfrac_targets {
@@ -132,7 +132,7 @@ typedef struct hfrac_targets {
 } hfrac_targets;
 
 /** Defaults into `targets`; `struct_size` is sizeof(hfrac_targets) in the caller. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_targets_init(hfrac_targets *targets, int32_t struct_size);
+HFRAC_UNSTABLE_API int32_t hfrac_targets_init(hfrac_targets *targets, int32_t struct_size);
 
 /** Number of values of hfrac_targets, in its order: E, nu, UCS, tensile strength, K_Ic, permeability. */
 #define HFRAC_MACRO_COUNT 6
@@ -156,7 +156,7 @@ typedef struct hfrac_calibration {
  * bonds (their share of each other kept), strengths, flow.permeability, and packing.disc_count if both K_Ic and a strength are
  * asked (the two together fix the disc size). Targets that cannot be had give the nearest, reached 0 and HFRAC_OK.
  * `progress` as in hfrac_lab_run; stopped, HFRAC_STOPPED comes back and `def` is as it was. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_calibrate(hfrac_sim_def *def, const hfrac_targets *targets, hfrac_progress_fn progress, void *user,
+HFRAC_UNSTABLE_API int32_t hfrac_calibrate(hfrac_sim_def *def, const hfrac_targets *targets, hfrac_progress_fn progress, void *user,
                                   hfrac_calibration *calibration);
 
 #ifdef __cplusplus

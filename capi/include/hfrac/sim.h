@@ -213,7 +213,7 @@ HFRAC_API int32_t hfrac_well_set_rate(hfrac_sim *sim, int32_t index, double rate
  * times; a host that sets its own durations (hfrac_step_do) gets what is due when its step begins. hfrac_well_set_pressure,
  * _ramp and _rate end a well's schedule. HFRAC_ERR_ARGUMENT or HFRAC_ERR_MODEL, and the old schedule stays, if times fall or
  * repeat, or a value is none a well can have. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_well_set_schedule(hfrac_sim *sim, int32_t index, int32_t count, const double *time,
+HFRAC_UNSTABLE_API int32_t hfrac_well_set_schedule(hfrac_sim *sim, int32_t index, int32_t count, const double *time,
                                           const int32_t *control, const double *value);
 
 #ifdef __cplusplus
