@@ -64,8 +64,8 @@ def volume(data, family, series):
     "5.1, Figure 10",
     "The optimum of length times width lies at 60 MPa at 250 C and at 40 MPa at 400 C.",
     "Without a fall there is no optimum. Nor could Table 3 move one so far: quasi-static breakage depends on pressure "
-    "over strength, which it leaves alone, and its denser packing at 350 and 400 C cracks later. Falling strength moves the "
-    "whole curve to lower pressures, as the paper has it.",
+    "over strength, which it leaves alone, and its denser packing at 350 and 400 C cracks later. Falling strength "
+    "moves the whole curve to lower pressures, as the paper has it.",
     needs=STRENGTH_10,
 )
 def optimum_moves(data, limit, hot="figure-10"):
