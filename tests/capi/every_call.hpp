@@ -18,21 +18,34 @@
 
 namespace testing_capi {
 
+// With temperature, so that what sets one has a meaning.
+inline hfrac_sim_def warm_def() {
+  hfrac_sim_def def = quiet_def(200);
+  def.thermal_mode = 2;
+  return def;
+}
+
 // What the calls write to and read from; larger than any of them needs.
 struct Ground {
   hfrac_sim* sim = nullptr;
   hfrac_sim* made = nullptr;  // by hfrac_sim_create, or to be destroyed
-  hfrac_sim_def def = quiet_def(200);
+  hfrac_sim_def def = warm_def();
   std::vector<double> reals = std::vector<double>(1U << 17U, 30e6);
   std::vector<int32_t> numbers = std::vector<int32_t>(1U << 17U);
   std::vector<unsigned char> bytes = std::vector<unsigned char>(1U << 23U);
   char text[4096] = "";
   int32_t number = 0, other = 0, third = 0;
-  int64_t big = 0, next = 0;
+  int64_t big = 0, next = 0, discs = 0;
   double real = 0.0;
   const void* data = nullptr;
   std::string case_file, state_file, grdecl_file;
   std::vector<unsigned char> image;
+  std::vector<double> kelvins = std::vector<double>(1U << 17U, 550.0);
+  std::vector<hfrac_crack> cracks = std::vector<hfrac_crack>(64);
+  hfrac_lab* lab = nullptr;       // a finished test
+  hfrac_lab* lab_made = nullptr;  // by hfrac_lab_run, or to be destroyed
+  hfrac_lab_spec spec{};
+  hfrac_targets targets{};
   hfrac_grid grid{};
   const char* folderless = "/nonexistent/folder/x";
 
@@ -99,6 +112,9 @@ std::vector<Bad<T>> bad_values(std::vector<std::vector<unsigned char>>& kept) {
     return {{nullptr, Fault::handle},
             {copy, Fault::handle},
             {reinterpret_cast<T>(kept.back().data()), Fault::handle}};
+  } else if constexpr (std::is_same_v<Pointed, hfrac_lab>) {
+    kept.emplace_back(1U << 10U, 0xEE);
+    return {{nullptr, Fault::handle}, {reinterpret_cast<T>(kept.back().data()), Fault::handle}};
   } else if constexpr (std::is_pointer_v<T> && std::is_function_v<std::remove_pointer_t<T>>) {
     return {{nullptr, Fault::odd}};
   } else if constexpr (is_sized_struct<Pointed>) {

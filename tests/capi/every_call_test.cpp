@@ -39,12 +39,23 @@ class EveryCall : public testing::Test {
     g_.image.resize(static_cast<std::size_t>(size));
     ASSERT_EQ(hfrac_state_save(g_.sim, g_.image.data(), size, &size), HFRAC_OK);
     ASSERT_EQ(hfrac_state_save_file(g_.sim, g_.state_file.c_str()), HFRAC_OK) << last_error(g_.sim);
+    ASSERT_EQ(hfrac_field_copy_f64(g_.sim, HFRAC_DISC_RADIUS, nullptr, 0, &g_.discs), HFRAC_OK);
+    ASSERT_EQ(hfrac_lab_spec_init(&g_.spec, sizeof g_.spec), HFRAC_OK);
+    g_.spec.disc_count = 200;
+    ASSERT_EQ(hfrac_targets_init(&g_.targets, sizeof g_.targets), HFRAC_OK);
+    g_.targets.modulus = 14e9;
+    g_.targets.disc_count = 200;
+    g_.targets.packings = 1;
+    ASSERT_EQ(hfrac_lab_run(&g_.def, &g_.spec, nullptr, nullptr, &g_.lab), HFRAC_OK) << last_error();
+    good_spec_ = g_.spec;
+    good_targets_ = g_.targets;
     hash_ = hash_of(g_.sim);
     good_def_ = g_.def;
     begin();
   }
   void TearDown() override {
     EXPECT_EQ(hfrac_sim_destroy(&g_.sim), HFRAC_OK);
+    EXPECT_EQ(hfrac_lab_destroy(&g_.lab), HFRAC_OK);
     for (const auto& file : {g_.case_file, g_.state_file, g_.grdecl_file}) ::unlink(file.c_str());
   }
 
@@ -53,7 +64,10 @@ class EveryCall : public testing::Test {
     if (g_.made != nullptr) {
       EXPECT_EQ(hfrac_sim_destroy(&g_.made), HFRAC_OK);
     }
+    EXPECT_EQ(hfrac_lab_destroy(&g_.lab_made), HFRAC_OK);
     g_.def = good_def_;
+    g_.spec = good_spec_;
+    g_.targets = good_targets_;
     hfrac_step_reject(g_.sim);  // refused if none is open
     EXPECT_EQ(hfrac_set_progress(g_.sim, stop_at_once, nullptr, 0.0), HFRAC_OK);
     EXPECT_EQ(hfrac_set_log(g_.sim, nullptr, nullptr, 0), HFRAC_OK);
@@ -66,6 +80,8 @@ class EveryCall : public testing::Test {
 
   Ground g_;
   hfrac_sim_def good_def_ = quiet_def(200);
+  hfrac_lab_spec good_spec_{};
+  hfrac_targets good_targets_{};
   int64_t hash_ = 0;
 };
 
@@ -117,8 +133,10 @@ TEST_F(EveryCall, RefusesWhatIsNoArgument) {
       const bool null_alone = faults.size() == 1 && has(Fault::null);
       // The init function sets the size; of a model without walls there is none to describe.
       const bool bad_size =
-          has(Fault::size) && row.name != "hfrac_sim_def_init" && row.name != "hfrac_wall_get";
-      if (null_alone || has(Fault::handle) || bad_size || has(Fault::not_finite)) {
+          has(Fault::size) && row.name.find("_init") == std::string::npos && row.name != "hfrac_wall_get";
+      // NaN asks for the completeness of a catalogue to be found; options that are wanting are the defaults.
+      const bool not_finite = has(Fault::not_finite) && row.name != "hfrac_find_magnitude_law";
+      if (null_alone || has(Fault::handle) || bad_size || not_finite) {
         EXPECT_LT(status, 0) << row.name << " takes argument of kind " << static_cast<int>(faults[0]);
       }
       if (has(Fault::handle)) {
