@@ -158,6 +158,7 @@ class FortranWriter:
             for m in s.members:
                 y = f"{x}%{fortran_name(m.name)}"
                 lines.append(f"  print '(2x,a,2(1x,i0))', '{m.name}', &")
-                lines.append(f"    transfer(c_loc({y}), 0_c_intptr_t) - transfer(c_loc({x}), 0_c_intptr_t), &")
+                lines.append(f"    transfer(c_loc({y}), 0_c_intptr_t) - &")
+                lines.append(f"    transfer(c_loc({x}), 0_c_intptr_t), &")
                 lines.append(f"    storage_size({y}, c_size_t) / 8{f' * {m.length}' if m.length else ''}")
         return "\n".join([*lines, "end program layout", ""])

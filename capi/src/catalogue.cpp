@@ -24,6 +24,15 @@ void require_at_least_zero(double value, const char* name) {
   }
 }
 
+// So many items are in no host's memory; whoever says so has mixed up its arguments.
+void require_fits(std::int64_t count, std::size_t bytes_each, const char* name) {
+  const std::int64_t most = PTRDIFF_MAX / static_cast<std::int64_t>(bytes_each);
+  if (count <= most) return;
+  throw Error(ErrorKind::argument, std::string(name) + " = " + std::to_string(count) + " is above " +
+                                       std::to_string(most) +
+                                       ", more than memory can hold; give the number of items.");
+}
+
 CatalogueRule rule_of(const hfrac_catalogue_options* options) {
   CatalogueRule rule;
   if (options == nullptr) return rule;
@@ -93,6 +102,7 @@ std::vector<CatalogueCrack> cracks_of(const hfrac_crack* cracks, std::int32_t si
   require_count(count, "crack_count");
   if (count > 0) require_not_null(cracks, "cracks");
   require_item_size(size, "crack_size");
+  require_fits(count, static_cast<std::size_t>(size), "crack_count");
   if (size < static_cast<std::int32_t>(offsetof(hfrac_crack, distance) + sizeof(double))) {
     throw Error(ErrorKind::struct_size, "crack_size = " + std::to_string(size) +
                                             " is that of a hfrac_crack without `distance`; compile against a "
@@ -141,6 +151,7 @@ int32_t hfrac_find_magnitude_law(const double* magnitudes, int64_t magnitude_cou
                                  hfrac_magnitude_law* law) {
   return guarded([&] {
     require_count(magnitude_count, "magnitude_count");
+    require_fits(magnitude_count, sizeof(double), "magnitude_count");
     if (magnitude_count > 0) require_not_null(magnitudes, "magnitudes");
     if (std::isinf(completeness)) {
       throw Error(ErrorKind::argument,

@@ -51,7 +51,7 @@ std::vector<Row> without_a_simulation() {
           static_cast<int32_t>(sizeof(hfrac_crack)), int64_t{8},
           static_cast<const hfrac_catalogue_options*>(nullptr), static_cast<int32_t>(sizeof(hfrac_event)),
           g.several<hfrac_event>(), int64_t{8}, &g.big),
-      ROW(hfrac_find_event_of_cracks, reads, Optional({3, 5}), g.cracks.data(),
+      ROW(hfrac_find_event_of_cracks, reads, Optional({3, 4}), g.cracks.data(),
           static_cast<int32_t>(sizeof(hfrac_crack)), int64_t{8},
           static_cast<const hfrac_catalogue_options*>(nullptr), g.several<int64_t>(), int64_t{8}, &g.big),
       ROW(hfrac_find_magnitude_law, reads, Optional(), g.reals.data(), int64_t{8}, -2.0,
