@@ -16,14 +16,17 @@ from ._catalogue import magnitude_law
 from ._definition import Definition, Option, joint_options, options, schedule_options, well_options
 from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Pipes
 from ._grid import Grid
+from ._lab import LabResult, calibrate, lab
 from ._library import build_info, library_path, version
 from ._open_step import OpenStep
 from ._records import (
     Balance,
+    Calibration,
     Crack,
     Event,
     Fracture,
     Heat,
+    LabReport,
     MagnitudeLaw,
     SetupReport,
     SimState,
@@ -55,10 +58,10 @@ from .errors import (
 )
 
 __all__ = [
-    "FIELDS", "Advance", "ArgumentError", "BadHandleError", "Balance", "Bonds", "BusyError", "CaseFileError", "Crack",
+    "FIELDS", "Advance", "ArgumentError", "BadHandleError", "Balance", "Bonds", "BusyError", "Calibration", "CaseFileError", "Crack",
     "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "Event", "FieldInfo", "FileError", "Fracture", "GrdeclKind", "Grid", "Heat", "HfracError",
-    "InternalError", "JointState", "LibraryError", "LogLevel", "MagnitudeLaw", "ModelError", "OpenStep", "Option", "OutOfMemoryError", "Pipes", "PoisonedError",
+    "InternalError", "JointState", "LabReport", "LabResult", "LibraryError", "LogLevel", "MagnitudeLaw", "ModelError", "OpenStep", "Option", "OutOfMemoryError", "Pipes", "PoisonedError",
     "SetupReport", "SimState", "Simulation", "SolverReport", "StaleViewError", "Status", "StepLimit",
     "StepLimits", "StopReason", "StoppedError", "StructSizeError", "UnknownKeyError", "Upscaling", "View", "WallState", "Well",
-    "WellControl", "WellState", "build_info", "joint_options", "library_path", "magnitude_law", "options", "schedule_options", "version", "well_options",
+    "WellControl", "WellState", "build_info", "calibrate", "joint_options", "lab", "library_path", "magnitude_law", "options", "schedule_options", "version", "well_options",
 ]
