@@ -57,8 +57,8 @@ void add_view_options(CLI::App& command, ViewRequest& request) {
       "One picture of these views side by side, up to nine, instead of the usual pictures:\n" + view_help());
   view->delimiter(',')->expected(1, 9);
   const auto only_with_view = [view](CLI::Option* option) { option->needs(view); };
-  only_with_view(
-      command.add_option("-o,--output", request.target, "That picture, .png, .svg or .pdf")->capture_default_str());
+  only_with_view(command.add_option("-o,--output", request.target, "That picture, .png, .svg or .pdf")
+                     ->capture_default_str());
   only_with_view(command.add_option("--zoom", request.zoom,
                                     "whole, cracks, well, tip, or left,bottom,width,height in metres"));
   only_with_view(
