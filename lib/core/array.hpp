@@ -3,11 +3,17 @@
 // start of an array.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <new>
+#include <numbers>
 #include <vector>
 
 namespace hfrac {
+
+// Asks for pages of 2 MB under arrays that fill several: fewer address translations where a step streams through all of them
+// (docs/performance.md). A hint; nothing happens where the system knows no such pages.
+void advise_large_pages(void* array, std::size_t bytes) noexcept;
 
 template <class T>
 struct CacheLineAllocator {
@@ -17,7 +23,11 @@ struct CacheLineAllocator {
   template <class U>
   CacheLineAllocator(const CacheLineAllocator<U>& /*other*/) noexcept {
   }  // NOLINT: the standard wants it implicit
-  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
+  T* allocate(std::size_t n) {
+    T* p = static_cast<T*>(::operator new(n * sizeof(T), alignment));
+    advise_large_pages(p, n * sizeof(T));
+    return p;
+  }
   void deallocate(T* p, std::size_t /*n*/) noexcept { ::operator delete(p, alignment); }
   template <class U>
   bool operator==(const CacheLineAllocator<U>& /*other*/) const noexcept {
@@ -46,6 +56,11 @@ inline double dot(Vec2 a, Vec2 b) {
 }
 inline double cross(Vec2 a, Vec2 b) {
   return a.x * b.y - a.y * b.x;
+}
+// From `a` anticlockwise to `b`, 0 to 2 pi.
+inline double angle_between(Vec2 a, Vec2 b) {
+  const double angle = std::atan2(cross(a, b), dot(a, b));
+  return angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
 }
 
 }  // namespace hfrac

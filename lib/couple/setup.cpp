@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
@@ -73,7 +74,7 @@ void Simulation::build(std::span<const double> given_discs, std::span<const std:
   setup_.packing_residual = packing.residual;
   setup_.packed = static_cast<std::int64_t>(packing.x.size());
   double solid = 0.0;
-  for (const double r : packing.radius) solid += 3.14159265358979323846 * r * r;
+  for (const double r : packing.radius) solid += std::numbers::pi * r * r;
   setup_.porosity = 1.0 - solid / (o.model_width * o.model_height);
   setup_.packing_seconds = seconds_since(start);
 
@@ -111,7 +112,7 @@ void Simulation::build(std::span<const double> given_discs, std::span<const std:
     const auto& given = definition_.wells[w];
     Well well;
     well.place = {{given.x, given.y},
-                  std::sqrt(faces.polygon_area[well_domains[w]] / 3.14159265358979323846),
+                  std::sqrt(faces.polygon_area[well_domains[w]] / std::numbers::pi),
                   well_domains[w]};
     well.control = given.control;
     well.target_pressure = given.pressure;

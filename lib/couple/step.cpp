@@ -271,6 +271,8 @@ Simulation::StepOutcome Simulation::try_step(double duration, const std::functio
     wells_[w].target_pressure = wells[w].target_pressure;
     wells_[w].ramp_per_step = wells[w].ramp_per_step;
     wells_[w].set_rate = wells[w].set_rate;
+    // The same schedule goes on from where it was when the step was opened, a new one from its beginning.
+    if (wells_[w].schedule != wells[w].schedule) set_well_schedule(w, wells[w].schedule);
   }
   boundary_->put_host_load(host_load);
   definition_.options.stress_sigma_H = sigma_H;
@@ -340,23 +342,20 @@ void Simulation::put_formation_pressure(double pressure) {
 }
 
 void Simulation::set_well_pressure(std::size_t well, double pressure) {
-  wells_[well].schedule.clear();
-  wells_[well].next = 0;
+  set_well_schedule(well, {});
   wells_[well].control = WellControl::pressure;
   wells_[well].target_pressure = pressure;
 }
 
 void Simulation::set_well_ramp(std::size_t well, double pressure, double per_step) {
-  wells_[well].schedule.clear();
-  wells_[well].next = 0;
+  set_well_schedule(well, {});
   wells_[well].control = WellControl::ramp;
   wells_[well].target_pressure = pressure;
   wells_[well].ramp_per_step = per_step;
 }
 
 void Simulation::set_well_rate(std::size_t well, double rate) {
-  wells_[well].schedule.clear();
-  wells_[well].next = 0;
+  set_well_schedule(well, {});
   wells_[well].control = WellControl::rate;
   wells_[well].set_rate = rate;
 }

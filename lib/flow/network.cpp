@@ -48,8 +48,7 @@ Network build_network(Faces faces, const Assembly& a, const std::vector<std::int
     const auto begin = n.corner_start[d], end = n.corner_start[d + 1];
     double sectors = 0.0;
     for (auto k = begin; k < end; ++k) {
-      const auto before = k > begin ? k - 1 : end - 1, after = k + 1 < end ? k + 1 : begin;
-      const auto i = n.corner_disc[k], from = n.corner_disc[before], to = n.corner_disc[after];
+      const auto [i, from, to] = n.corner(static_cast<std::int64_t>(d), k);
       const Vec2 centre{a.x[i], a.y[i]};
       const Vec2 back = Vec2{a.x[from], a.y[from]} - centre, ahead = Vec2{a.x[to], a.y[to]} - centre;
       // Chord from the contact behind to the contact ahead; turned clockwise it is the force per pressure (eq. 10).
@@ -60,10 +59,7 @@ Network build_network(Faces faces, const Assembly& a, const std::vector<std::int
         n.corner_weight[2 * k] = chord.y;
         n.corner_weight[2 * k + 1] = -chord.x;
       }
-      double angle =
-          std::atan2(cross(ahead, back), dot(ahead, back));  // of the disc's sector inside the polygon
-      if (angle < 0.0) angle += 2.0 * 3.14159265358979323846;
-      sectors += 0.5 * a.radius[i] * a.radius[i] * angle;
+      sectors += 0.5 * a.radius[i] * a.radius[i] * angle_between(ahead, back);
     }
     n.volume[d] = std::max(faces.polygon_area[d] - sectors, smallest_pore * a.mean_radius * a.mean_radius);
   }

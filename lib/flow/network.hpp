@@ -52,6 +52,17 @@ struct Network {
     return conductance.empty() ? 0.0 : conductance[pipe];
   }
   [[nodiscard]] std::int64_t domain_count() const { return static_cast<std::int64_t>(kind.size()); }
+
+  // The disc at a domain's corner k (of corner_start), and those before and after it around the domain.
+  struct Corner {
+    std::int32_t disc, before, after;
+  };
+  [[nodiscard]] Corner corner(std::int64_t domain, std::int32_t k) const {
+    const auto begin = corner_start[static_cast<std::size_t>(domain)],
+               end = corner_start[static_cast<std::size_t>(domain) + 1];
+    const auto at = [this](std::int32_t place) { return corner_disc[static_cast<std::size_t>(place)]; };
+    return {at(k), at(k > begin ? k - 1 : end - 1), at(k + 1 < end ? k + 1 : begin)};
+  }
 };
 
 // `well_domain[k]` is the face of well k.

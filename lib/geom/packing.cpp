@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "core/error.hpp"
@@ -90,7 +91,7 @@ Array<double> spread_radii(const PackingOptions& options, std::int64_t count, do
   for (std::size_t i = 0; i < radius.size(); ++i) {
     radius[i] =
         1.0 + (options.radius_ratio - 1.0) * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-    solid += 3.14159265358979323846 * radius[i] * radius[i];
+    solid += std::numbers::pi * radius[i] * radius[i];
   }
   const double scale = std::sqrt((1.0 - options.porosity) * area / solid);
   for (double& r : radius) r *= scale;

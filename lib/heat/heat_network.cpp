@@ -29,29 +29,23 @@ double face_width(const Assembly& a, const Network& n, std::size_t e) {
   return width;
 }
 
+Vec2 centre_of(const Assembly& a, std::int32_t disc) {
+  return {a.x[disc], a.y[disc]};
+}
+
 // Angle of the disc's sector at a corner of a domain.
 double sector(const Assembly& a, const Network& n, std::int64_t d, std::int32_t k) {
-  const auto begin = n.corner_start[static_cast<std::size_t>(d)],
-             end = n.corner_start[static_cast<std::size_t>(d) + 1];
-  const auto at = [&](std::int32_t c) {
-    const auto i = static_cast<std::size_t>(n.corner_disc[static_cast<std::size_t>(c)]);
-    return Vec2{a.x[i], a.y[i]};
-  };
-  const Vec2 centre = at(k), back = at(k > begin ? k - 1 : end - 1) - centre,
-             ahead = at(k + 1 < end ? k + 1 : begin) - centre;
-  const double angle = std::atan2(cross(ahead, back), dot(ahead, back));
-  return angle < 0.0 ? angle + 2.0 * 3.14159265358979323846 : angle;
+  const auto [disc, before, after] = n.corner(d, k);
+  const Vec2 centre = centre_of(a, disc);
+  return angle_between(centre_of(a, after) - centre, centre_of(a, before) - centre);
 }
 
 double polygon_area(const Assembly& a, const Network& n, std::int64_t d) {
-  const auto begin = n.corner_start[static_cast<std::size_t>(d)],
-             end = n.corner_start[static_cast<std::size_t>(d) + 1];
   double twice = 0.0;
-  for (auto k = begin; k < end; ++k) {
-    const auto i = static_cast<std::size_t>(n.corner_disc[static_cast<std::size_t>(k)]),
-               j = static_cast<std::size_t>(
-                   n.corner_disc[static_cast<std::size_t>(k + 1 < end ? k + 1 : begin)]);
-    twice += a.x[i] * a.y[j] - a.x[j] * a.y[i];
+  for (auto k = n.corner_start[static_cast<std::size_t>(d)];
+       k < n.corner_start[static_cast<std::size_t>(d) + 1]; ++k) {
+    const auto corner = n.corner(d, k);
+    twice += cross(centre_of(a, corner.disc), centre_of(a, corner.after));
   }
   return 0.5 * std::abs(twice);
 }

@@ -87,6 +87,8 @@ struct ScheduleEntry {
   double time = 0.0;         // s
   double value = 0.0;        // Pa or m2/s
   std::int64_t control = 0;  // WellControl, pressure or rate
+
+  bool operator==(const ScheduleEntry&) const = default;
 };
 
 struct CaseDefinition {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "rock/biot_solver.hpp"
 
@@ -26,7 +27,7 @@ void seep(BiotSolver& rock, const SeepingWell& well, const BiotMaterial& materia
   if (well.duration == 0.0) return rock.load_steady();
   rock.load_undrained();
   // The first step is what diffuses through a tenth of the finest element; or all, if that is short.
-  const double element = 2.0 * 3.14159265358979323846 * well.radius / around;
+  const double element = 2.0 * std::numbers::pi * well.radius / around;
   double time = 0.0, step = std::min(well.duration, 0.01 * element * element / material.consolidation());
   while (time < well.duration * (1.0 - 1e-12)) {
     step = std::min(step, well.duration - time);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "core/array.hpp"
@@ -16,26 +17,26 @@
 
 namespace hfrac {
 
-// What temperature makes of discs and bonds (lib/heat). All arrays are empty in a model without temperature, and whoever asks
+// What temperature makes of the discs (lib/heat); a bond takes the mean of its two. All arrays are empty in a model without temperature, and whoever asks
 // then gets nothing grown and shares of 1.
 struct ThermalState {
-  // discs
-  Array<double> growth;           // m, of the radius since set-up
-  Array<double> stiffness_share;  // over the stiffness given
-  Array<double> friction_share;
-  // bonds
-  Array<double> gap;             // m, that the two discs' growth takes from the gap
-  Array<double> bond_stiffness;  // shares over the values given, mean of the two discs
-  Array<double> bond_strength, bond_friction;
+  Array<double> growth;                                           // m, of the discs' radii since set-up
+  Array<double> stiffness_share, strength_share, friction_share;  // per disc, over the values given
 
-  [[nodiscard]] bool empty() const { return gap.empty(); }
+  [[nodiscard]] bool empty() const { return growth.empty(); }
   [[nodiscard]] double growth_of(std::int64_t disc) const { return empty() ? 0.0 : growth[disc]; }
-  // Of two discs that were never bonded.
+  [[nodiscard]] double strain_of(std::int64_t disc, const Array<double>& radius) const {
+    return empty() ? 0.0 : growth[disc] / radius[disc];
+  }
+  // Of two discs, bonded or only touching: the mean of their shares.
+  [[nodiscard]] double pair_mean(const Array<double>& share, std::int64_t i, std::int64_t j) const {
+    return empty() ? 1.0 : 0.5 * (share[i] + share[j]);
+  }
   [[nodiscard]] double pair_stiffness(std::int64_t i, std::int64_t j) const {
-    return empty() ? 1.0 : 0.5 * (stiffness_share[i] + stiffness_share[j]);
+    return pair_mean(stiffness_share, i, j);
   }
   [[nodiscard]] double pair_friction(std::int64_t i, std::int64_t j) const {
-    return empty() ? 1.0 : 0.5 * (friction_share[i] + friction_share[j]);
+    return pair_mean(friction_share, i, j);
   }
 };
 
@@ -61,8 +62,7 @@ struct Assembly {
   Array<double> strength_scale;               // per bond, on top of the two above; empty: 1 (toughness.hpp)
 
   // of joints (joints.hpp); empty without
-  std::vector<Vec2> joint_normal;        // per bond: unit, towards its second disc; 0: of no joint
-  std::vector<std::int64_t> joint_bond;  // in order
+  std::vector<Vec2> joint_normal;  // per bond: unit, towards its second disc; 0: of no joint
   Array<double> joint_tensile, joint_shear,
       joint_friction;  // per bond: factors of the strengths, coefficient
 
@@ -71,7 +71,7 @@ struct Assembly {
   [[nodiscard]] Vec2 position(std::int64_t disc) const { return {x[disc] + ux[disc], y[disc] + uy[disc]}; }
   // Per metre thickness: kg, and kg m2 as of a cylinder about its axis.
   [[nodiscard]] double mass(std::int64_t disc) const {
-    return density * 3.14159265358979323846 * radius[disc] * radius[disc];
+    return density * std::numbers::pi * radius[disc] * radius[disc];
   }
   [[nodiscard]] double inertia(std::int64_t disc) const {
     return 0.5 * mass(disc) * radius[disc] * radius[disc];

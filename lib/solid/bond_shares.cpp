@@ -8,20 +8,22 @@ namespace hfrac {
 
 void combine_shares(Assembly& a, const Options& o) {
   const ThermalState& thermal = a.thermal;
-  if (thermal.empty() && a.strength_scale.empty() && a.joint_bond.empty()) return;
+  if (thermal.empty() && a.strength_scale.empty() && a.joint_tensile.empty()) return;
   BondShares& shares = a.shares;
   const std::size_t bonds = a.first.size();
   for (auto* values : {&shares.growth, &shares.stiffness, &shares.tensile, &shares.shear, &shares.friction})
     values->resize(bonds);
   for (std::size_t e = 0; e < bonds; ++e) {
-    shares.growth[e] = thermal.empty() ? 0.0 : thermal.gap[e];
-    shares.stiffness[e] = thermal.empty() ? 1.0 : thermal.bond_stiffness[e];
-    const double strength = (thermal.empty() ? 1.0 : thermal.bond_strength[e]) *
+    const std::int64_t i = a.first[e], j = a.second[e];
+    const double arm_j = a.length[e] - a.arm[e];
+    shares.growth[e] = thermal.strain_of(i, a.radius) * a.arm[e] + thermal.strain_of(j, a.radius) * arm_j;
+    shares.stiffness[e] = thermal.pair_mean(thermal.stiffness_share, i, j);
+    const double strength = thermal.pair_mean(thermal.strength_share, i, j) *
                             (a.strength_scale.empty() ? 1.0 : a.strength_scale[e]);
     shares.tensile[e] = strength * (a.joint_tensile.empty() ? 1.0 : a.joint_tensile[e]);
     shares.shear[e] = strength * (a.joint_shear.empty() ? 1.0 : a.joint_shear[e]);
     shares.friction[e] = (a.joint_friction.empty() ? o.contact_friction : a.joint_friction[e]) *
-                         (thermal.empty() ? 1.0 : thermal.bond_friction[e]);
+                         thermal.pair_mean(thermal.friction_share, i, j);
   }
 }
 

@@ -19,8 +19,7 @@ Boundary::Boundary(const Assembly& a, const Network& n, const Options& o)
     edge_.erase(std::unique(edge_.begin(), edge_.end()), edge_.end());
     for (auto* values : {&pore_, &weight_, &host_, &load_on_}) values->assign(edge_.size(), Vec2{});
     for (auto k = begin; k < end; ++k) {
-      const auto i = n.corner_disc[k], from = n.corner_disc[k > begin ? k - 1 : end - 1],
-                 to = n.corner_disc[k + 1 < end ? k + 1 : begin];
+      const auto [i, from, to] = n.corner(0, k);
       const std::size_t at = place_of(i);
       // Half of the edge behind and half of the one ahead, turned inward.
       weight_[at] = weight_[at] + 0.5 * Vec2{a.y[to] - a.y[from], a.x[from] - a.x[to]};
@@ -119,8 +118,7 @@ void Boundary::set_host_stress(Assembly& a, const Network& n, std::span<const do
   const auto discs = static_cast<double>(end - begin);
   Vec2 force{}, centre{};
   for (auto k = begin; k < end; ++k) {
-    const auto i = n.corner_disc[k], from = n.corner_disc[k > begin ? k - 1 : end - 1],
-               to = n.corner_disc[k + 1 < end ? k + 1 : begin];
+    const auto [i, from, to] = n.corner(0, k);
     const Vec2 inward{0.5 * (a.y[to] - a.y[from]), -0.5 * (a.x[to] - a.x[from])};  // times length
     const auto* s = stress.data() + 3 * static_cast<std::size_t>(k - begin);
     const Vec2 push{s[0] * inward.x + s[2] * inward.y, s[2] * inward.x + s[1] * inward.y};

@@ -29,7 +29,6 @@ void apply_joints(Assembly& a, const std::vector<JointOptions>& joints, const Op
       if (crosses(joint, first, second)) of = &joint;
     }
     if (of == nullptr) continue;
-    a.joint_bond.push_back(e);
     const Vec2 along{of->x2 - of->x1, of->y2 - of->y1};
     const double length = std::sqrt(dot(along, along));
     const Vec2 normal{-along.y / length, along.x / length};

@@ -23,6 +23,40 @@ std::vector<std::int32_t> discs_with_broken_bonds(const Assembly& a, const Crack
   return discs;
 }
 
+// The few discs beside cracks are sorted into cells; all others only ask whether one of those is near, which needs neither
+// memory nor, away from the cracks, more than a look at their bounding box.
+std::vector<LooseContacts::Pair> pairs_near_cracks(const Assembly& a,
+                                                   const std::vector<std::int32_t>& cracked) {
+  const double largest = *std::max_element(a.radius.begin(), a.radius.end()),
+               reach = search_gap * a.mean_radius;
+  std::vector<double> x, y;
+  for (const auto i : cracked) {
+    const Vec2 p = a.position(i);
+    x.push_back(p.x);
+    y.push_back(p.y);
+  }
+  const double cell = 2.0 * largest + reach;
+  const CellGrid grid(x, y, cell);
+  const auto [left, right] = std::minmax_element(x.begin(), x.end());
+  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  std::vector<LooseContacts::Pair> found;
+  for (std::int64_t d = 0; d < a.disc_count(); ++d) {
+    const Vec2 p = a.position(d);
+    if (p.x < *left - cell || p.x > *right + cell || p.y < *low - cell || p.y > *high + cell) continue;
+    const auto j = static_cast<std::int32_t>(d);
+    grid.near(p.x, p.y, cell, [&](std::int32_t k) {
+      const auto i = cracked[static_cast<std::size_t>(k)];
+      if (i == j) return;
+      const double touch = a.radius[i] + a.radius[j];
+      const auto at = static_cast<std::size_t>(k);
+      if (std::hypot(p.x - x[at], p.y - y[at]) - touch > reach || a.bond_between(i, j) >= 0) return;
+      const double at_bonding = std::hypot(a.x[j] - a.x[i], a.y[j] - a.y[i]) - touch;
+      found.push_back({std::min(i, j), std::max(i, j), std::min(0.0, at_bonding)});
+    });
+  }
+  return found;
+}
+
 }  // namespace
 
 bool LooseContacts::search(Assembly& a, const Boundary& boundary, const CrackLog& cracks) {
@@ -44,24 +78,7 @@ bool LooseContacts::search(Assembly& a, const Boundary& boundary, const CrackLog
     searched_x_.push_back(a.ux[i]);
     searched_y_.push_back(a.uy[i]);
   }
-  Array<double> x(a.x.size()), y(a.x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    x[i] = a.x[i] + a.ux[i];
-    y[i] = a.y[i] + a.uy[i];
-  }
-  const double largest = *std::max_element(a.radius.begin(), a.radius.end()),
-               reach = search_gap * a.mean_radius;
-  const CellGrid grid(x, y, 2.0 * largest + reach);
-  std::vector<Pair> found;
-  for (const auto i : cracked_) {
-    grid.near(x[i], y[i], a.radius[i] + largest + reach, [&](std::int32_t j) {
-      if (i == j) return;
-      const double touch = a.radius[i] + a.radius[j];
-      if (std::hypot(x[j] - x[i], y[j] - y[i]) - touch > reach || a.bond_between(i, j) >= 0) return;
-      const double at_bonding = std::hypot(a.x[j] - a.x[i], a.y[j] - a.y[i]) - touch;
-      found.push_back({std::min(i, j), std::max(i, j), std::min(0.0, at_bonding)});
-    });
-  }
+  std::vector<Pair> found = pairs_near_cracks(a, cracked_);
   const auto before = [](const Pair& p, const Pair& q) {
     return p.first != q.first ? p.first < q.first : p.second < q.second;
   };

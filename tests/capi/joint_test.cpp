@@ -162,6 +162,32 @@ TEST(Schedule, StepsEndAtItsTimes) {
   EXPECT_EQ(well_of(sim).pressure, 28e6);
 }
 
+TEST(Schedule, OfAnOpenStepIsWhatTheHostSaidLast) {
+  hfrac_sim_def def = quiet_def();
+  def.schedule_count = 1;
+  def.schedule[0] = {0, 0.0, 1e-3, HFRAC_WELL_RATE};
+  const Sim sim(def);
+  ASSERT_EQ(hfrac_step_prepare(sim), HFRAC_OK);
+  ASSERT_GE(hfrac_step_do(sim, 1.0), HFRAC_OK);
+  const auto once = hash_of(sim);
+  ASSERT_GE(hfrac_step_do(sim, 1.0), HFRAC_OK);
+  EXPECT_EQ(hash_of(sim), once) << "a second try went another way";
+  // Another schedule: the next try follows it.
+  const double time[] = {0.0}, value[] = {2e-3};
+  const int32_t control[] = {HFRAC_WELL_RATE};
+  ASSERT_EQ(hfrac_well_set_schedule(sim, 0, 1, time, control, value), HFRAC_OK);
+  ASSERT_GE(hfrac_step_do(sim, 1.0), HFRAC_OK);
+  EXPECT_NEAR(well_of(sim).injected_volume, 2e-3, 1e-15);
+  // A pressure ends it, for this try and for the steps that follow.
+  ASSERT_EQ(hfrac_well_set_pressure(sim, 0, 28e6), HFRAC_OK);
+  ASSERT_GE(hfrac_step_do(sim, 1.0), HFRAC_OK);
+  EXPECT_EQ(well_of(sim).pressure, 28e6);
+  ASSERT_EQ(hfrac_step_accept(sim), HFRAC_OK);
+  ASSERT_GE(hfrac_step(sim, 1), HFRAC_OK);
+  EXPECT_EQ(well_of(sim).control, HFRAC_WELL_PRESSURE);
+  EXPECT_EQ(well_of(sim).pressure, 28e6);
+}
+
 TEST(Schedule, IsPartOfTheState) {
   hfrac_sim_def def = quiet_def();
   const Sim sim(def), other(def);
