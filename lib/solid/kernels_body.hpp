@@ -268,6 +268,24 @@ double tile_domains(const KernelArrays& a, const Tile& t, const Quad* motion, Qu
   return work;
 }
 
+// Asks for what the chunk of bonds from e on will read. A dozen arrays at once are more than processors look ahead for.
+inline void fetch_bonds(const KernelArrays& a, int64_t e) {
+  constexpr int64_t line = 8;
+  for (int64_t k = e; k < e + chunk; k += line) {
+    __builtin_prefetch(a.dx + k);
+    __builtin_prefetch(a.dy + k);
+    __builtin_prefetch(a.length + k);
+    __builtin_prefetch(a.arm + k);
+    __builtin_prefetch(a.bond_radius + k);
+    __builtin_prefetch(a.slip + k, 1);
+  }
+  for (int64_t k = e; k < e + chunk; k += 2 * line) {
+    __builtin_prefetch(a.first + k);
+    __builtin_prefetch(a.second + k);
+  }
+  __builtin_prefetch(a.intact + e);
+}
+
 void tile_forces(const KernelArrays& a, int64_t tile, double* scratch) {
   const Tile& t = a.tiles[tile];
   const int64_t discs = t.last_disc - t.first_disc;
@@ -284,6 +302,7 @@ void tile_forces(const KernelArrays& a, int64_t tile, double* scratch) {
   BondSums sums;
   for (int64_t e = t.first_bond; e < t.last_bond; e += chunk) {
     const int64_t n = e + chunk < t.last_bond ? chunk : t.last_bond - e;
+    fetch_bonds(a, e + chunk);
     pick_up(a.first + e, a.second + e, t.first_disc, motion, n, c);
     bond_law(a, e, n, c);
     keep_slip(a, e, n, c);
@@ -305,6 +324,21 @@ void pick_up_anywhere(const KernelArrays& a, int64_t e, int64_t n, Chunk& c) {
   }
 }
 
+// The same for bonds across tiles, whose discs and letter boxes are anywhere.
+inline void fetch_cross(const KernelArrays& a, int64_t begin, int64_t end) {
+  for (int64_t e = begin; e < end; ++e) {
+    const int32_t discs[] = {a.first[e], a.second[e]};
+    for (const int32_t disc : discs) {
+      __builtin_prefetch(a.ux + disc);
+      __builtin_prefetch(a.uy + disc);
+      __builtin_prefetch(a.rotation + disc);
+    }
+    const int32_t* place = a.bond_mail + 2 * (e - a.first_cross_bond);
+    __builtin_prefetch(a.mail + place[0], 1);
+    __builtin_prefetch(a.mail + place[1], 1);
+  }
+}
+
 void cross_bonds(const KernelArrays& a, int64_t block) {
   const int64_t begin = a.first_cross_bond + block * cross_block;
   const int64_t end = begin + cross_block < a.bond_count ? begin + cross_block : a.bond_count;
@@ -312,6 +346,7 @@ void cross_bonds(const KernelArrays& a, int64_t block) {
   BondSums sums;
   for (int64_t e = begin; e < end; e += chunk) {
     const int64_t n = e + chunk < end ? chunk : end - e;
+    fetch_cross(a, e + n, e + n + chunk < end ? e + n + chunk : end);
     pick_up_anywhere(a, e, n, c);
     bond_law(a, e, n, c);
     keep_slip(a, e, n, c);

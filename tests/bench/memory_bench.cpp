@@ -5,7 +5,7 @@
 //
 // The paper's rock around a well in tiled bricks, real time, a millisecond a step. Prints
 //
-//     hfrac-memory N kind bytes_per_disc | seconds of set-up, of a step, peak
+//     hfrac-memory N kind bytes_per_disc bond_updates_per_s | seconds of set-up, of a step, peak
 //
 // bytes_per_disc: the process's peak less that of a process that has done nothing yet, over the discs.
 #include <sys/resource.h>
@@ -70,13 +70,15 @@ void measure(std::int64_t count, bool coupled, int steps, int workers) {
   const double stepped = (now() - at) / std::max(1, steps),
                cpu_stepped = (processor_seconds() - cpu_at) / std::max(1, steps);
   const double bytes = peak_bytes() - empty;
+  // Bonds a second over whole steps: on an irregular packing, with all that belongs to a step.
+  const double cycles = std::ceil(1e-3 / s.solver().step()),
+               rate = static_cast<double>(s.assembly().bond_count()) * cycles / std::max(1e-9, stepped);
   std::printf(
-      "hfrac-memory %lld %s %.0f | set-up %.1f s (processor %.1f s), step of %.0f cycles %.2f s (processor "
-      "%.2f s), "
-      "%lld bonds, %lld domains, %zu cracks, peak %.0f MB\n",
+      "hfrac-memory %lld %s %.0f %.4g | set-up %.1f s (processor %.1f s), step of %.0f cycles %.2f s "
+      "(processor %.2f s), %lld bonds, %lld domains, %zu cracks, peak %.0f MB\n",
       static_cast<long long>(s.assembly().disc_count()), coupled ? "coupled" : "dry",
-      bytes / static_cast<double>(s.assembly().disc_count()), built, cpu_built,
-      std::ceil(1e-3 / s.solver().step()), stepped, cpu_stepped,
+      bytes / static_cast<double>(s.assembly().disc_count()), rate, built, cpu_built, cycles, stepped,
+      cpu_stepped,
       static_cast<long long>(s.assembly().bond_count()), static_cast<long long>(s.network().domain_count()),
       s.cracks().size(), bytes / 1e6);
 }

@@ -182,7 +182,7 @@ TEST(Schedule, OfAnOpenStepIsWhatTheHostSaidLast) {
   ASSERT_EQ(hfrac_well_set_pressure(sim, 0, 28e6), HFRAC_OK);
   ASSERT_GE(hfrac_step_do(sim, 1.0), HFRAC_OK);
   EXPECT_EQ(well_of(sim).pressure, 28e6);
-  ASSERT_EQ(hfrac_step_accept(sim), HFRAC_OK);
+  ASSERT_EQ(hfrac_step_finalize(sim), HFRAC_OK);
   ASSERT_GE(hfrac_step(sim, 1), HFRAC_OK);
   EXPECT_EQ(well_of(sim).control, HFRAC_WELL_PRESSURE);
   EXPECT_EQ(well_of(sim).pressure, 28e6);
