@@ -510,7 +510,11 @@ contains
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     integer(c_int32_t) :: count
-    count = int(min(size(time), size(control), size(value)), c_int32_t)
+    if (size(control) /= size(time) .or. size(value) /= size(time)) then
+      call report_text(HFRAC_ERR_ARGUMENT, 'time, control and value must be of one size.', stat, errmsg)
+      return
+    end if
+    count = size(time, kind=c_int32_t)
     call report(hfrac_well_set_schedule(self%handle, int(index, c_int32_t), count, time, control, value), &
                 self%handle, stat, errmsg)
   end subroutine set_well_schedule

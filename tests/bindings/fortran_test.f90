@@ -256,6 +256,8 @@ contains
     call sim%step(3)
     call sim%wells(list)
     call expect(list(1)%control == HFRAC_WELL_PRESSURE .and. list(1)%pressure == 4e6_real64, 'the schedule is followed')
+    call sim%set_well_schedule(0, [0.1_real64, 0.2_real64], [HFRAC_WELL_RATE], [0.0_real64], stat, message)
+    call expect(stat == HFRAC_ERR_ARGUMENT .and. index(message, 'one size') > 0, 'a schedule with a hole: '//message)
     call sim%set_well_rate(3, 1.0_real64, stat, message)
     call expect(stat == HFRAC_ERR_ARGUMENT .and. index(message, 'well 3') == 1, 'no such well: '//message)
   end subroutine wells

@@ -58,10 +58,12 @@ from .errors import (
 )
 
 __all__ = [
-    "FIELDS", "Advance", "ArgumentError", "BadHandleError", "Balance", "Bonds", "BusyError", "Calibration", "CaseFileError", "Crack",
-    "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "Event", "FieldInfo", "FileError", "Fracture", "GrdeclKind", "Grid", "Heat", "HfracError",
-    "InternalError", "JointState", "LabReport", "LabResult", "LibraryError", "LogLevel", "MagnitudeLaw", "ModelError", "OpenStep", "Option", "OutOfMemoryError", "Pipes", "PoisonedError",
-    "SetupReport", "SimState", "Simulation", "SolverReport", "StaleViewError", "Status", "StepLimit",
-    "StepLimits", "StopReason", "StoppedError", "StructSizeError", "UnknownKeyError", "Upscaling", "View", "WallState", "Well",
-    "WellControl", "WellState", "build_info", "calibrate", "joint_options", "lab", "library_path", "magnitude_law", "options", "schedule_options", "version", "well_options",
+    "FIELDS", "Advance", "ArgumentError", "BadHandleError", "Balance", "Bonds", "BusyError", "Calibration",
+    "CaseFileError", "Crack", "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "Event", "FieldInfo",
+    "FileError", "Fracture", "GrdeclKind", "Grid", "Heat", "HfracError", "InternalError", "JointState", "LabReport",
+    "LabResult", "LibraryError", "LogLevel", "MagnitudeLaw", "ModelError", "OpenStep", "Option", "OutOfMemoryError",
+    "Pipes", "PoisonedError", "SetupReport", "SimState", "Simulation", "SolverReport", "StaleViewError", "Status",
+    "StepLimit", "StepLimits", "StopReason", "StoppedError", "StructSizeError", "UnknownKeyError", "Upscaling", "View",
+    "WallState", "Well", "WellControl", "WellState", "build_info", "calibrate", "joint_options", "lab", "library_path",
+    "magnitude_law", "options", "schedule_options", "version", "well_options",
 ]

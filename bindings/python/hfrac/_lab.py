@@ -50,7 +50,11 @@ def lab(
     definition.update(**options)
     spec = _abi.hfrac_lab_spec()
     call("hfrac_lab_spec_init", ctypes.byref(spec), ctypes.sizeof(spec))
-    spec.test = _abi.LabTest[test.upper()]
+    try:
+        spec.test = _abi.LabTest[test.upper()]
+    except KeyError:
+        names = ", ".join(each.name.lower() for each in _abi.LabTest)
+        raise ValueError(f"there is no laboratory test {test!r}; the tests are {names}") from None
     given = {"disc_count": disc_count, "seed": seed, "width": width, "confining": confining, "slit_share": slit_share}
     for name, value in given.items():
         if value is not None:
@@ -77,8 +81,9 @@ def calibrate(
     definition = case.copy() if isinstance(case, Definition) else Definition(case)
     wanted = _abi.hfrac_targets()
     call("hfrac_targets_init", ctypes.byref(wanted), ctypes.sizeof(wanted))
+    known = {name for name, *_ in wanted._fields_} - {"struct_size"}
     for name, value in targets.items():
-        if name == "struct_size" or not hasattr(wanted, name):
+        if name not in known:
             raise TypeError(f"calibrate() has no target {name!r}")
         setattr(wanted, name, value)
     found = _abi.hfrac_calibration(struct_size=ctypes.sizeof(_abi.hfrac_calibration))

@@ -45,7 +45,8 @@ class _Handle:
 class Simulation:
     """A model, its state and its clock.
 
-    ``case`` is a case file or a Definition; wells, joints, schedule, title, discs, bonds and options are as for Definition and come on top.
+    ``case`` is a case file or a Definition; wells, joints, schedule, title, discs, bonds and
+    options are as for Definition and come on top.
     ``progress(fraction, what)`` is called while the model is built and while it runs; a true result stops.
     ``log(level, message)`` is told what happens, from the start on.
 

@@ -25,7 +25,7 @@ class Laboratory(unittest.TestCase):
         self.assertEqual(result.report.end.name, "STOPPED")
 
     def test_refuses(self):
-        with self.assertRaises(KeyError):
+        with self.assertRaisesRegex(ValueError, "'wishing'.*elastic, tension"):
             hfrac.lab("wishing")
         with self.assertRaisesRegex(hfrac.ArgumentError, "discs = 3"):
             hfrac.lab("elastic", disc_count=3)
