@@ -19,7 +19,9 @@ constexpr std::int32_t largest_to_factorise = 60000;  // domains; beyond, conjug
 constexpr std::int32_t most_measured = 250000;
 
 // Conductivity of the domains whose centroid lies in the band [low, high] of x, over the model's height.
-double band_permeability(const Network& n, const Assembly& a, double low, double high, double viscosity) {
+// `pressure`: as measure_permeability says.
+double band_permeability(const Network& n, const Assembly& a, double low, double high, double viscosity,
+                         std::vector<double>* pressure) {
   const double edge = 2.0 * a.mean_radius;
   const auto domains = static_cast<std::size_t>(n.domain_count());
   std::vector<std::int32_t> unknown(domains, -1);
@@ -80,11 +82,18 @@ double band_permeability(const Network& n, const Assembly& a, double low, double
     p = solver.solve(rhs);
   } else {
     const auto span = std::max(high - low, 1e-300);
+    std::vector<double> fresh;
+    std::vector<double>& start = pressure != nullptr ? *pressure : fresh;
+    start.resize(domains, -1.0);
     for (std::size_t d = 1; d < domains; ++d) {
-      if (unknown[d] >= 0) p[unknown[d]] = std::clamp((high - n.centroid[d].x) / span, 0.0, 1.0);
+      if (unknown[d] < 0) continue;
+      p[unknown[d]] = start[d] >= 0.0 ? start[d] : std::clamp((high - n.centroid[d].x) / span, 0.0, 1.0);
     }
     ConjugateGradient solver;
     if (!solver.factorise(matrix) || solver.solve(matrix, rhs, p, 1e-8, 20000) < 0) return 0.0;
+    for (std::size_t d = 1; d < domains; ++d) {
+      if (unknown[d] >= 0) start[d] = p[unknown[d]];
+    }
   }
 
   // Flow through the inlet and the distance between the mean positions of inlet and outlet domains that take part.
@@ -148,7 +157,7 @@ void update_apertures(Network& n, const Assembly& a, const Options& o) {
 }
 
 double measure_permeability(const Network& n, const Assembly& a, const std::vector<WellOptions>& wells,
-                            double viscosity) {
+                            double viscosity, std::vector<double>* pressure) {
   const auto [x_low, x_high] = std::minmax_element(a.x.begin(), a.x.end());
   double left_end = *x_high, right_begin = *x_low;
   for (const auto& well : wells) {
@@ -158,7 +167,7 @@ double measure_permeability(const Network& n, const Assembly& a, const std::vect
   double sum = 0.0, weight = 0.0;
   const auto add = [&](double low, double high) {
     if (high - low < 12.0 * a.mean_radius) return;
-    const double k = band_permeability(n, a, low, high, viscosity);
+    const double k = band_permeability(n, a, low, high, viscosity, pressure);
     if (k <= 0.0) return;
     sum += (high - low) * k;
     weight += high - low;
@@ -174,7 +183,9 @@ double measure_permeability(const Network& n, const Assembly& a, const std::vect
 }
 
 void calibrate_aperture(Network& n, const Assembly& a, const Options& o,
-                        const std::vector<WellOptions>& wells) {
+                        const std::vector<WellOptions>& wells, std::vector<double>* pressure) {
+  std::vector<double> own;
+  if (pressure == nullptr) pressure = &own;
   if (o.flow_zero_stress_aperture > 0.0) {
     n.zero_stress_aperture = o.flow_zero_stress_aperture;
     update_apertures(n, a, o);
@@ -184,7 +195,7 @@ void calibrate_aperture(Network& n, const Assembly& a, const Options& o,
   n.zero_stress_aperture = std::cbrt(o.flow_permeability * a.mean_radius / 0.032);
   for (int round = 0; round < 4; ++round) {
     update_apertures(n, a, o);
-    const double k = measure_permeability(n, a, wells, o.fluid_viscosity);
+    const double k = measure_permeability(n, a, wells, o.fluid_viscosity, pressure);
     if (k <= 0.0 || o.flow_permeability <= 0.0) return;
     const double factor = std::cbrt(o.flow_permeability / k);
     n.zero_stress_aperture *= factor;

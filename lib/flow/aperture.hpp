@@ -24,12 +24,15 @@ ApertureResponse aperture_response(const Options& options, double zero_stress_ap
 void update_apertures(Network& network, const Assembly& assembly, const Options& options);
 
 // Permeability of the network as it stands, k = q eta L / dp [m2]: a steady solve between two bands of domains across the part
-// of the model left of the wells and, likewise, right of them; their mean.
+// of the model left of the wells and, likewise, right of them; their mean. A large network is solved by iteration, from
+// `pressure` on if it is given and not empty; it gets what was found, by domain, over the pressure imposed [1].
 double measure_permeability(const Network& network, const Assembly& assembly,
-                            const std::vector<WellOptions>& wells, double viscosity);
+                            const std::vector<WellOptions>& wells, double viscosity,
+                            std::vector<double>* pressure = nullptr);
 
 // Sets zero_stress_aperture so that the network has flow.permeability now (or takes flow.zero_stress_aperture as given).
+// `pressure` as above: for a measurement that follows.
 void calibrate_aperture(Network& network, const Assembly& assembly, const Options& options,
-                        const std::vector<WellOptions>& wells);
+                        const std::vector<WellOptions>& wells, std::vector<double>* pressure = nullptr);
 
 }  // namespace hfrac
