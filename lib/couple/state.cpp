@@ -103,7 +103,13 @@ void Simulation::write_state(std::span<std::byte> state, bool whole) const {
 }
 
 void Simulation::save_state(std::vector<std::byte>& state, bool whole) const {
-  state.resize(state_size(whole));
+  const std::size_t size = state_size(whole);
+  if (state.capacity() < size) {
+    // Not both at once; and room for the cracks to come.
+    state = {};
+    state.reserve(size + size / 64);
+  }
+  state.resize(size);
   write_state(state, whole);
 }
 
