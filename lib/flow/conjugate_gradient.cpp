@@ -82,34 +82,36 @@ void ConjugateGradient::precondition(const Matrix& lower, const Eigen::VectorXd&
   }
 }
 
-int ConjugateGradient::solve(const Matrix& lower, const Eigen::VectorXd& rhs, Eigen::VectorXd& x,
-                             double tolerance, int most) {
+int ConjugateGradient::solve(const Matrix& lower, Eigen::VectorXd& rhs, Eigen::VectorXd& x, double tolerance,
+                             int most) {
   const auto n = lower.cols();
-  for (auto* v : {&r_, &z_, &p_, &q_}) v->resize(n);
+  for (auto* v : {&z_, &p_}) v->resize(n);
   const auto size = [&](const Eigen::VectorXd& v) {
     double sum = 0.0;
     for (Eigen::Index k = 0; k < n; ++k) sum += v[k] * v[k] / lower.valuePtr()[lower.outerIndexPtr()[k]];
     return std::sqrt(sum);
   };
   const double target = tolerance * size(rhs);
-  multiply(lower, x, r_);
-  r_ = rhs - r_;
+  Eigen::VectorXd& r = rhs;
+  multiply(lower, x, z_);
+  r -= z_;
   double product = 0.0;
   for (int iteration = 0; iteration <= most; ++iteration) {
-    if (size(r_) <= target) return iteration;
-    precondition(lower, r_, z_);
-    const double next = r_.dot(z_);
+    if (size(r) <= target) return iteration;
+    precondition(lower, r, z_);
+    const double next = r.dot(z_);
     if (iteration == 0) {
       p_ = z_;
     } else {
       p_ = z_ + (next / product) * p_;
     }
     product = next;
-    multiply(lower, p_, q_);
-    const double step = product / p_.dot(q_);
+    Eigen::VectorXd& q = z_;  // whose job is done
+    multiply(lower, p_, q);
+    const double step = product / p_.dot(q);
     if (!std::isfinite(step)) return -1;
     x += step * p_;
-    r_ -= step * q_;
+    r -= step * q;
   }
   return -1;
 }

@@ -21,8 +21,8 @@ class ConjugateGradient {
   [[nodiscard]] bool factorise(const Matrix& lower);
 
   // Improves x until the residual, scaled by the diagonal, is below `tolerance` of the right-hand side's. Returns the
-  // iterations it took, or -1 if `most` were not enough.
-  int solve(const Matrix& lower, const Eigen::VectorXd& rhs, Eigen::VectorXd& x, double tolerance, int most);
+  // iterations it took, or -1 if `most` were not enough. Leaves the residual in `rhs`.
+  int solve(const Matrix& lower, Eigen::VectorXd& rhs, Eigen::VectorXd& x, double tolerance, int most);
 
  private:
   void multiply(const Matrix& lower, const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
@@ -30,7 +30,7 @@ class ConjugateGradient {
 
   Eigen::VectorXd
       values_;  // of L D' L^T, on the matrix's pattern: D' on the diagonal, columns of L below, unit diagonal
-  Eigen::VectorXd r_, z_, p_, q_;
+  Eigen::VectorXd z_, p_;
 };
 
 }  // namespace hfrac

@@ -38,7 +38,6 @@ double rim_flow(const Network& n, std::size_t k) {
 FlowSolver::FlowSolver(const Network& n, const Options& options)
     : explicit_(FlowScheme{options.flow_scheme} == FlowScheme::explicit_scheme), law_(options) {
   const auto domains = static_cast<Eigen::Index>(n.domain_count());
-  full_.resize(static_cast<std::size_t>(domains));
   cavitated_.assign(static_cast<std::size_t>(domains), 0);
   const FlowMatrixSolver wanted{options.flow_solver};
   iterative_ = wanted == FlowMatrixSolver::iterative ||
@@ -83,16 +82,14 @@ FlowSolver::FlowSolver(const Network& n, const Options& options)
     const auto* end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column + 1];
     return static_cast<std::int32_t>(std::lower_bound(begin, end, row) - matrix_.innerIndexPtr());
   };
-  diagonal_.reserve(static_cast<std::size_t>(domains));
   off_diagonal_.reserve(n.left.size());
-  for (std::int32_t d = 0; d < domains; ++d) diagonal_.push_back(place(d, d));
   for (std::size_t e = 0; e < n.left.size(); ++e) {
     off_diagonal_.push_back(joins(e) ? place(std::max(n.left[e], n.right[e]), std::min(n.left[e], n.right[e]))
                                      : -1);
   }
 }
 
-void FlowSolver::solve_pressures(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
+void FlowSolver::solve_pressures(Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
   const bool factorised = iterative_ ? conjugate_gradient_.factorise(matrix_)
                                      : (factor_.factorize(matrix_), factor_.info() == Eigen::Success);
   if (!factorised)
@@ -114,9 +111,10 @@ int FlowSolver::advance(Network& n, double step, const std::vector<double>& sour
 int FlowSolver::advance_implicit(Network& n, double step, const std::vector<double>& source) {
   const auto domains = static_cast<std::size_t>(n.domain_count());
   for (std::size_t d = 0; d < domains; ++d) {
-    full_[d] = n.stiffness[d] > 0.0 ? full_pressure(n, d) : n.pressure[d];
     cavitated_[d] =
-        n.stiffness[d] > 0.0 && n.pressure[d] <= n.floor_pressure && full_[d] < n.floor_pressure ? 1 : 0;
+        n.stiffness[d] > 0.0 && n.pressure[d] <= n.floor_pressure && full_pressure(n, d) < n.floor_pressure
+            ? 1
+            : 0;
   }
   if (law_.thins()) {
     at_rest_.resize(n.left.size());
@@ -177,14 +175,15 @@ int FlowSolver::solve_step(Network& n, double step, const std::vector<double>& s
   bool changed = true;
   for (; changed && round < most_rounds; ++round) {
     double* value = matrix_.valuePtr();
+    const int* diagonal = matrix_.outerIndexPtr();  // each column begins with it
     std::fill(value, value + matrix_.nonZeros(), 0.0);
     for (std::size_t d = 0; d < domains; ++d) {
       const auto row = static_cast<Eigen::Index>(d);
       if (solved(d)) {
-        value[diagonal_[d]] = 1.0 / n.stiffness[d];
-        rhs[row] = full_[d] / n.stiffness[d] + (source.empty() ? 0.0 : step * source[d]);
+        value[diagonal[d]] = 1.0 / n.stiffness[d];
+        rhs[row] = full_pressure(n, d) / n.stiffness[d] + (source.empty() ? 0.0 : step * source[d]);
       } else {
-        value[diagonal_[d]] = unit;
+        value[diagonal[d]] = unit;
         rhs[row] = unit * (n.stiffness[d] > 0.0 ? n.floor_pressure : n.pressure[d]);
       }
     }
@@ -193,8 +192,8 @@ int FlowSolver::solve_step(Network& n, double step, const std::vector<double>& s
       const double c = step * n.conductance[e];
       if (l == r || c == 0.0) continue;
       const bool solve_l = solved(l), solve_r = solved(r);
-      if (solve_l) value[diagonal_[l]] += c;
-      if (solve_r) value[diagonal_[r]] += c;
+      if (solve_l) value[diagonal[l]] += c;
+      if (solve_r) value[diagonal[r]] += c;
       if (solve_l && solve_r) {
         value[off_diagonal_[e]] -= c;
       } else if (solve_l) {
@@ -224,7 +223,7 @@ int FlowSolver::solve_step(Network& n, double step, const std::vector<double>& s
     for (std::size_t d = 0; d < domains; ++d) {
       if (n.stiffness[d] <= 0.0) continue;
       const double gain = fill_[d] + (source.empty() ? 0.0 : step * source[d]);
-      const bool at_floor = cavitated_[d] ? full_[d] + n.stiffness[d] * gain <= n.floor_pressure
+      const bool at_floor = cavitated_[d] ? full_pressure(n, d) + n.stiffness[d] * gain <= n.floor_pressure
                                           : p[static_cast<Eigen::Index>(d)] < n.floor_pressure - slack;
       if (at_floor != (cavitated_[d] != 0)) {
         cavitated_[d] = at_floor ? 1 : 0;

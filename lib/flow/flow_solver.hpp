@@ -40,20 +40,18 @@ class FlowSolver {
   int advance_explicit(Network& network, double step, const std::vector<double>& source);
 
   using Matrix = Eigen::SparseMatrix<double>;
-  // Pressures of the system as it stands in matrix_ into p.
-  void solve_pressures(const Eigen::VectorXd& rhs, Eigen::VectorXd& p);
+  // Pressures of the system as it stands in matrix_ into p; uses rhs up.
+  void solve_pressures(Eigen::VectorXd& rhs, Eigen::VectorXd& p);
 
   bool explicit_, iterative_;
   FluidLaw law_;
   std::vector<double> at_rest_, thinning_;  // per pipe, of a fluid that thins
   double imposed_weight_ = 1.0;
-  Matrix matrix_;  // lower triangle, pattern of all domains
-  std::vector<std::int32_t> diagonal_,
-      off_diagonal_;  // places in the value array: per domain, per pipe (-1: none)
+  Matrix matrix_;                           // lower triangle, pattern of all domains
+  std::vector<std::int32_t> off_diagonal_;  // per pipe, its place in the value array (-1: none)
   Eigen::SimplicialLDLT<Matrix, Eigen::Lower> factor_;
   ConjugateGradient conjugate_gradient_;
   Eigen::VectorXd rhs_, pressure_;
-  std::vector<double> full_;  // Pa, pressure the content would have without the floor
   std::vector<double> fill_;  // m2, content gained in the step
   std::vector<char> cavitated_;
 };
