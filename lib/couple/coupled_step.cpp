@@ -33,11 +33,12 @@ Simulation::StepOutcome Simulation::quasi_static_substep(double duration,
   const auto rest = equilibrium_->solve(0.0, {}, std::numeric_limits<double>::infinity(), cracks_, interrupt);
   if (rest.end == EquilibriumSolver::End::stopped) return {true, at_rest_};
   if (rest.end != EquilibriumSolver::End::rest) {
+    require_finite();
     throw Error(ErrorKind::diverged, "no equilibrium was found after " + number_text(time_) +
                                          " s: the unbalanced-force ratio stayed at " +
                                          rounded_text(rest.force_ratio) + ", farthest from rest near " +
                                          place_text(rest.where) +
-                                         "; the state before the step stands. Use a shorter "
+                                         " (eq. 11, 12); the state before the step stands. Use a shorter "
                                          "stepping.flow_step or solver.kind = \"explicit\"");
   }
   count(rest);
@@ -95,12 +96,13 @@ Simulation::StepOutcome Simulation::coupled_step(double duration, const std::fun
     const bool broke = cracks_.size() > cracks_at;
     if (outcome.end != End::rest || (error > 3.0 * o.solver_pressure_change && !shortest)) {
       if (shortest) {
+        require_finite();
         throw Error(ErrorKind::diverged, "no equilibrium was found at " + number_text(time_ + done) +
                                              " s, not even for a part of " + number_text(part) +
                                              " s: the unbalanced-force ratio stayed at " +
                                              rounded_text(outcome.force_ratio) +
                                              ", farthest from rest near " + place_text(outcome.where) +
-                                             "; the state before the step stands. Lower "
+                                             " (eq. 8, 11, 12); the state before the step stands. Lower "
                                              "solver.smallest_step, or use solver.kind = \"explicit\"");
       }
       double cut = 0.25;
