@@ -21,7 +21,9 @@ namespace {
 constexpr double longest_growth = 2.0, shortest_cut = 0.1;
 
 std::string place_text(Vec2 at) {
-  return "(" + rounded_text(at.x) + ", " + rounded_text(at.y) + ") m";
+  std::string text = "(";
+  text += rounded_text(at.x) + ", " + rounded_text(at.y) + ") m";
+  return text;
 }
 
 }  // namespace

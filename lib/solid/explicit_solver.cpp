@@ -284,7 +284,8 @@ double ExplicitSolver::force_ratio() const {
   if (!std::isfinite(unbalanced) || !std::isfinite(contact)) {
     const std::string where = first_not_finite();
     throw Error(ErrorKind::diverged, "a force is no longer a finite number after cycle " +
-                                         std::to_string(total_cycles_) + (where.empty() ? " (eq. 11)" : where) +
+                                         std::to_string(total_cycles_) +
+                                         (where.empty() ? " (eq. 11)" : where) +
                                          "; lower stepping.safety, or check stiffnesses and stresses");
   }
   return ratio;

@@ -16,7 +16,8 @@ TEST(Workers, MeetAtTheBarrierWhateverTheirNumber) {
     Workers workers(count);
     ASSERT_EQ(workers.count(), count);
     constexpr int rounds = 200;
-    std::vector<int> written(static_cast<std::size_t>(count), 0);  // plain numbers: the barrier alone orders them
+    std::vector<int> written(static_cast<std::size_t>(count),
+                             0);  // plain numbers: the barrier alone orders them
     std::atomic<int> wrong{0};
     for (int region = 0; region < 3; ++region) {
       workers.run([&](int worker) {

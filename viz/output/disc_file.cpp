@@ -105,7 +105,9 @@ std::vector<double> read_vtu(const std::filesystem::path& file) {
   try {
     const viz::GridFile grid({file});
     const auto arrays = grid.array_names("PointData");
-    const auto has = [&](const char* name) { return std::find(arrays.begin(), arrays.end(), name) != arrays.end(); };
+    const auto has = [&](const char* name) {
+      return std::find(arrays.begin(), arrays.end(), name) != arrays.end();
+    };
     const char* radius_name = has("radius_m") ? "radius_m" : "radius";
     if (grid.point_count() == 0) throw DiscFileError(fmt::format("{}: no points in it", file.string()));
     if (!has(radius_name))

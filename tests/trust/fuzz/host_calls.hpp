@@ -47,16 +47,26 @@ inline int32_t cell_call(hfrac_sim* sim, int kind, std::uint8_t argument, double
   if (argument % 11 == 0) cells = -1;
   const double* from = argument % 13 == 0 ? nullptr : values.data();
   switch (kind) {
-    case 0: return hfrac_set_rim_pressure(sim, from, cells);
-    case 1: return hfrac_set_cell_pressure(sim, from, cells, argument % 2 == 0 ? nullptr : values.data(), 256);
-    case 2: return hfrac_set_cell_stress(sim, from, argument % 5 == 0 ? cells : 3 * cells);
-    case 3: return hfrac_set_temperature(sim, values[0]);
-    case 4: return hfrac_set_disc_temperature(sim, from, discs);
-    case 5: return hfrac_set_cell_temperature(sim, from, cells);
-    case 6: return hfrac_get_cell_temperature(sim, values.data(), argument % 4 == 0 ? 2 : 256, &count);
-    case 7: return hfrac_hold_disc_temperature(sim, argument % 13 == 0 ? nullptr : flags.data(), discs);
-    case 8: return hfrac_well_set_temperature(sim, argument % 3 - 1, values[0]);
-    default: return hfrac_well_get_temperature(sim, argument % 3 - 1, values.data());
+    case 0:
+      return hfrac_set_rim_pressure(sim, from, cells);
+    case 1:
+      return hfrac_set_cell_pressure(sim, from, cells, argument % 2 == 0 ? nullptr : values.data(), 256);
+    case 2:
+      return hfrac_set_cell_stress(sim, from, argument % 5 == 0 ? cells : 3 * cells);
+    case 3:
+      return hfrac_set_temperature(sim, values[0]);
+    case 4:
+      return hfrac_set_disc_temperature(sim, from, discs);
+    case 5:
+      return hfrac_set_cell_temperature(sim, from, cells);
+    case 6:
+      return hfrac_get_cell_temperature(sim, values.data(), argument % 4 == 0 ? 2 : 256, &count);
+    case 7:
+      return hfrac_hold_disc_temperature(sim, argument % 13 == 0 ? nullptr : flags.data(), discs);
+    case 8:
+      return hfrac_well_set_temperature(sim, argument % 3 - 1, values[0]);
+    default:
+      return hfrac_well_get_temperature(sim, argument % 3 - 1, values.data());
   }
 }
 
@@ -64,7 +74,8 @@ template <class Struct, class Call>
 int32_t get(std::uint8_t argument, const Call& call) {
   Struct into{};
   // A host of another version may have less of a struct, and one that forgot its size none.
-  into.struct_size = argument % 4 == 3 ? argument % static_cast<int32_t>(sizeof into) : static_cast<int32_t>(sizeof into);
+  into.struct_size =
+      argument % 4 == 3 ? argument % static_cast<int32_t>(sizeof into) : static_cast<int32_t>(sizeof into);
   return call(&into);
 }
 
@@ -88,7 +99,8 @@ inline int32_t catalogue_call(std::uint8_t argument, double value) {
   int64_t count = argument % 8 == 0 ? -1 : argument % 7, found = 0;
   const auto* rule = argument % 2 == 0 ? &options : nullptr;
   hfrac_find_event_of_cracks(cracks.data(), sizeof(hfrac_crack), count, rule, of.data(), 6, &found);
-  return hfrac_find_events(cracks.data(), sizeof(hfrac_crack), count, rule, sizeof(hfrac_event), events.data(), 6, &found);
+  return hfrac_find_events(cracks.data(), sizeof(hfrac_crack), count, rule, sizeof(hfrac_event),
+                           events.data(), 6, &found);
 }
 
 inline int32_t host_call(hfrac_sim* sim, hfrac_sim_def& def, int kind, std::uint8_t argument, double value) {
@@ -108,7 +120,8 @@ inline int32_t host_call(hfrac_sim* sim, hfrac_sim_def& def, int kind, std::uint
     case 13: {
       const std::array<double, 4> magnitudes = {value, -1.0, -2.0 + argument, -2.5};
       return get<hfrac_magnitude_law>(argument, [&](auto* to) {
-        return hfrac_find_magnitude_law(magnitudes.data(), argument % 6 - 1 > 4 ? 4 : argument % 6 - 1, value, to);
+        return hfrac_find_magnitude_law(magnitudes.data(), argument % 6 - 1 > 4 ? 4 : argument % 6 - 1, value,
+                                        to);
       });
     }
     case 14: {
@@ -125,16 +138,19 @@ inline int32_t host_call(hfrac_sim* sim, hfrac_sim_def& def, int kind, std::uint
       return get<hfrac_step_limits>(argument, [&](auto* to) { return hfrac_get_step_limits(sim, to); });
     case 18:
       hfrac_wall_count(sim, &number_of);
-      return get<hfrac_wall_state>(argument, [&](auto* to) { return hfrac_wall_get(sim, argument % 6 - 1, to); });
+      return get<hfrac_wall_state>(argument,
+                                   [&](auto* to) { return hfrac_wall_get(sim, argument % 6 - 1, to); });
     case 19:
       hfrac_well_count(sim, &number_of);
-      return get<hfrac_well_state>(argument, [&](auto* to) { return hfrac_well_get(sim, argument % 3 - 1, to); });
+      return get<hfrac_well_state>(argument,
+                                   [&](auto* to) { return hfrac_well_get(sim, argument % 3 - 1, to); });
     case 20:
       return hfrac_set_on_step(sim, argument % 2 == 0 ? ignore_step : nullptr, nullptr);
     case 21:
       return hfrac_set_log(sim, argument % 2 == 0 ? ignore_message : nullptr, nullptr, argument % 7 - 1);
     case 22:
-      return get<hfrac_sim_def>(static_cast<std::uint8_t>(argument % 3), [&](auto* to) { return hfrac_sim_definition(sim, to); });
+      return get<hfrac_sim_def>(static_cast<std::uint8_t>(argument % 3),
+                                [&](auto* to) { return hfrac_sim_definition(sim, to); });
     case 23: {
       hfrac_lab* lab = nullptr;
       hfrac_lab_spec spec{};
@@ -155,7 +171,8 @@ inline int32_t host_call(hfrac_sim* sim, hfrac_sim_def& def, int kind, std::uint
     case 26:
       return hfrac_field_find(argument % 2 == 0 ? "disc.radius" : "disc", &number_of);
     case 27:
-      return get<hfrac_option_info>(argument, [&](auto* to) { return hfrac_option_at(argument * 3 - 1, to); });
+      return get<hfrac_option_info>(argument,
+                                    [&](auto* to) { return hfrac_option_at(argument * 3 - 1, to); });
     case 28:
       return hfrac_write_grdecl(sim, "/dev/full/none", argument % 4, argument % 3, argument % 3, value, 0.0);
     case 29: {
