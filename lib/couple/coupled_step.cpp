@@ -35,7 +35,6 @@ Simulation::StepOutcome Simulation::quasi_static_substep(double duration,
   const auto rest = equilibrium_->solve(0.0, {}, std::numeric_limits<double>::infinity(), cracks_, interrupt);
   if (rest.end == EquilibriumSolver::End::stopped) return {true, at_rest_};
   if (rest.end != EquilibriumSolver::End::rest) {
-    require_finite();
     throw Error(ErrorKind::diverged, "no equilibrium was found after " + number_text(time_) +
                                          " s: the unbalanced-force ratio stayed at " +
                                          rounded_text(rest.force_ratio) + ", farthest from rest near " +
@@ -98,7 +97,6 @@ Simulation::StepOutcome Simulation::coupled_step(double duration, const std::fun
     const bool broke = cracks_.size() > cracks_at;
     if (outcome.end != End::rest || (error > 3.0 * o.solver_pressure_change && !shortest)) {
       if (shortest) {
-        require_finite();
         throw Error(ErrorKind::diverged, "no equilibrium was found at " + number_text(time_ + done) +
                                              " s, not even for a part of " + number_text(part) +
                                              " s: the unbalanced-force ratio stayed at " +

@@ -5,6 +5,7 @@
 // (visit_state). Only if something is wrong is it asked what, and where.
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "core/error.hpp"
 #include "couple/simulation.hpp"
@@ -23,38 +24,38 @@ std::int64_t first_bad(const Array<double>& values) {
 }  // namespace
 
 void Simulation::require_finite() const {
-  if (is_finite()) return;
-  const auto fail = [this](const std::string& what) {
-    throw Error(ErrorKind::diverged, what + " after " + std::to_string(time_) +
-                                         " s; use a shorter stepping.flow_step, or smaller loads and rates");
-  };
+  if (const std::string what = not_finite(); !what.empty()) throw Error(ErrorKind::diverged, what);
+}
+
+std::string Simulation::not_finite() const {
+  if (is_finite()) return {};
+  const std::string end =
+      " after " + std::to_string(time_) +
+      " s; use a shorter stepping.flow_step or a lower stepping.safety, or smaller loads and rates";
   if (const std::string where = solver_->first_not_finite(); !where.empty())
-    fail("a number is no longer finite" + where);
+    return "a number is no longer finite" + where + end;
   struct Named {
     const Array<double>& values;
     const char* what;
     const char* equation;
   };
-  for (const auto& [values, what, equation] : {
-           Named{network_.content, "what is held by domain ", " (eq. 8)"},
-           Named{network_.volume_change, "the volume of domain ", " (eq. 8)"},
-           Named{network_.aperture, "the aperture of pipe ", " (eq. 7)"},
-           Named{network_.conductance, "the conductance of pipe ", " (eq. 6)"},
-           Named{network_.flow, "the flow in pipe ", " (eq. 6)"},
-           Named{assembly_.slip, "the slip of bond ", " (eq. 18)"},
-       }) {
-    if (const auto bad = first_bad(values); bad >= 0)
-      fail(what + std::to_string(bad) + " is no longer finite" + equation);
-  }
+  std::vector<Named> all = {
+      {network_.content, "what is held by domain ", " (eq. 8)"},
+      {network_.volume_change, "the volume of domain ", " (eq. 8)"},
+      {network_.aperture, "the aperture of pipe ", " (eq. 7)"},
+      {network_.conductance, "the conductance of pipe ", " (eq. 6)"},
+      {network_.flow, "the flow in pipe ", " (eq. 6)"},
+      {assembly_.slip, "the slip of bond ", " (eq. 18)"},
+  };
   if (heat_) {
-    for (const auto& [values, what, equation] :
-         {Named{heat_->state.disc, "the temperature of disc ", " (conduction of heat)"},
-          Named{heat_->state.fluid, "the temperature of domain ", " (heat carried by the fluid)"}}) {
-      if (const auto bad = first_bad(values); bad >= 0)
-        fail(what + std::to_string(bad) + " is no longer finite" + equation);
-    }
+    all.push_back({heat_->state.disc, "the temperature of disc ", " (conduction of heat)"});
+    all.push_back({heat_->state.fluid, "the temperature of domain ", " (heat carried by the fluid)"});
   }
-  fail("the balances left the range of finite numbers");
+  for (const auto& [values, what, equation] : all) {
+    if (const auto bad = first_bad(values); bad >= 0)
+      return what + std::to_string(bad) + " is no longer finite" + equation + end;
+  }
+  return "the balances left the range of finite numbers" + end;
 }
 
 }  // namespace hfrac

@@ -190,7 +190,9 @@ class Simulation {
   void drive_wells();
   void flow_step(double duration);
   void finish_step(double duration, std::size_t cracks_before);
-  void require_finite() const;  // finite.cpp
+  // finite.cpp
+  [[nodiscard]] std::string not_finite() const;  // what is not, and where, in words; empty: everything is
+  void require_finite() const;
   void watch_energy() const;
   void put_formation_pressure(double pressure);
   void impose_well_pressure(Well& well, double pressure);

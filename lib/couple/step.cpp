@@ -66,6 +66,12 @@ Simulation::StepOutcome Simulation::step_for(double duration, const std::functio
     finish_step(duration, cracks_before);
     require_finite();
     watch_energy();
+  } catch (const Error& error) {
+    // A solver that could not go on may not know which number kept it from it.
+    const std::string what = error.kind() == ErrorKind::diverged ? not_finite() : std::string();
+    load_state(before_step_);
+    if (!what.empty()) throw Error(ErrorKind::diverged, what);
+    throw;
   } catch (...) {
     load_state(before_step_);
     throw;
