@@ -27,6 +27,9 @@ constexpr const char* keys[] = {"model.width",    "packing.disc_count",
                                 "run.workers",    "thermal.mode",
                                 "thermal.outer",  "joint[0].x1"};
 
+constexpr const char* words[] = {"walls",    "quasi-static", "transport", "coupled",
+                                 "explicit", "dynamic",      "uniform"};
+
 // Instead of a packing, which would take most of the time.
 std::vector<double> lattice() {
   std::vector<double> discs;
@@ -90,7 +93,7 @@ void call(Host& host, std::uint8_t what, std::uint8_t pick) {
       break;
     case 4:
       status = hfrac_sim_def_set_str(&host.def, keys[argument % std::size(keys)],
-                                     argument % 2 == 0 ? "walls" : "quasi-static");
+                                     words[argument / std::size(keys) % std::size(words)]);
       break;
     case 5:
       status = hfrac_sim_def_check(&host.def);
