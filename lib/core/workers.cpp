@@ -56,7 +56,7 @@ void Workers::end_threads() {
 }
 
 // Waits until a number is no longer `old`. With a core for every worker what is waited for comes soon, and a few thousand
-// spins (some tens of microseconds) are all it takes. With fewer, spinning keeps it from coming: the core goes to
+// spins (tens to hundreds of microseconds) are all it takes. With fewer, spinning keeps it from coming: the core goes to
 // the next worker at once. Whoever waits longer sleeps, so that on a busy machine the core goes to whom is waited for.
 template <class Number>
 void Workers::wait_while(const std::atomic<Number>& number, Number old) const {
