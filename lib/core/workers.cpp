@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/workers.hpp"
 
+#include <sched.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,22 +13,21 @@
 namespace hfrac {
 namespace {
 
-// Waits until a number is no longer `old`: a few thousand spins (some tens of microseconds), which is all it takes when
-// every worker has a core; then asleep, so that on a busy machine the core goes to whom is waited for.
-template <class Number>
-void wait_while(const std::atomic<Number>& number, Number old) {
-  for (int spins = 0; spins < 4000; ++spins) {
-    if (number.load(std::memory_order_acquire) != old) return;
-#if defined(__x86_64__)
-    __builtin_ia32_pause();
+constexpr int most_spins = 4000, most_yields = 20;
+
+// Cores this process may use, which can be fewer than the machine has (taskset, a scheduler's cpuset).
+int usable_cores() {
+#if defined(__linux__)
+  cpu_set_t set;
+  if (::sched_getaffinity(0, sizeof set, &set) == 0) return CPU_COUNT(&set);
 #endif
-  }
-  while (number.load(std::memory_order_acquire) == old) number.wait(old, std::memory_order_acquire);
+  return static_cast<int>(std::thread::hardware_concurrency());
 }
 
 }  // namespace
 
-Workers::Workers(int count) : count_(std::max(1, count)), process_(::getpid()) {
+Workers::Workers(int count)
+    : count_(std::max(1, count)), crowded_(count_ > usable_cores()), process_(::getpid()) {
   try {
     threads_.reserve(static_cast<std::size_t>(count_ - 1));
     for (int worker = 1; worker < count_; ++worker) threads_.emplace_back([this, worker] { loop(worker); });
@@ -53,6 +53,24 @@ void Workers::end_threads() {
   }
   wake_.notify_all();
   for (auto& thread : threads_) thread.join();
+}
+
+// Waits until a number is no longer `old`. With a core for every worker what is waited for comes soon, and a few thousand
+// spins (tens to hundreds of microseconds) are all it takes. With fewer, spinning keeps it from coming: the core goes to
+// the next worker at once. Whoever waits longer sleeps, so that on a busy machine the core goes to whom is waited for.
+template <class Number>
+void Workers::wait_while(const std::atomic<Number>& number, Number old) const {
+  for (int spins = crowded_ ? 0 : most_spins; spins > 0; --spins) {
+    if (number.load(std::memory_order_acquire) != old) return;
+#if defined(__x86_64__)
+    __builtin_ia32_pause();
+#endif
+  }
+  for (int yields = 0; yields < most_yields; ++yields) {
+    if (number.load(std::memory_order_acquire) != old) return;
+    std::this_thread::yield();
+  }
+  while (number.load(std::memory_order_acquire) == old) number.wait(old, std::memory_order_acquire);
 }
 
 bool Workers::forked() const {

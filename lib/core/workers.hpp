@@ -3,7 +3,7 @@
 //
 // A time step is a handful of short passes over arrays, so threads that sleep between passes would spend the step
 // waking up. Here a whole batch of cycles runs inside one parallel region, and the workers meet at a barrier that
-// spins for a moment before it sleeps. Which worker does which part is fixed by index ranges, and no worker adds into
+// spins for a moment before it sleeps; where there are more workers than cores, it gives the core away at once. Which worker does which part is fixed by index ranges, and no worker adds into
 // what another one adds into, so results do not depend on how many there are.
 #pragma once
 
@@ -50,8 +50,11 @@ class Workers {
   void end_threads();
 
   [[nodiscard]] bool forked() const;
+  template <class Number>
+  void wait_while(const std::atomic<Number>& number, Number old) const;
 
   int count_;
+  bool crowded_;          // more workers than cores
   std::int64_t process_;  // that made the threads
   std::vector<std::thread> threads_;
   std::mutex mutex_;

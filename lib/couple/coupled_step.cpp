@@ -21,7 +21,9 @@ namespace {
 constexpr double longest_growth = 2.0, shortest_cut = 0.1;
 
 std::string place_text(Vec2 at) {
-  return "(" + rounded_text(at.x) + ", " + rounded_text(at.y) + ") m";
+  std::string text = "(";
+  text += rounded_text(at.x) + ", " + rounded_text(at.y) + ") m";
+  return text;
 }
 
 }  // namespace
@@ -37,7 +39,7 @@ Simulation::StepOutcome Simulation::quasi_static_substep(double duration,
                                          " s: the unbalanced-force ratio stayed at " +
                                          rounded_text(rest.force_ratio) + ", farthest from rest near " +
                                          place_text(rest.where) +
-                                         "; the state before the step stands. Use a shorter "
+                                         " (eq. 11, 12); the state before the step stands. Use a shorter "
                                          "stepping.flow_step or solver.kind = \"explicit\"");
   }
   count(rest);
@@ -100,7 +102,7 @@ Simulation::StepOutcome Simulation::coupled_step(double duration, const std::fun
                                              " s: the unbalanced-force ratio stayed at " +
                                              rounded_text(outcome.force_ratio) +
                                              ", farthest from rest near " + place_text(outcome.where) +
-                                             "; the state before the step stands. Lower "
+                                             " (eq. 8, 11, 12); the state before the step stands. Lower "
                                              "solver.smallest_step, or use solver.kind = \"explicit\"");
       }
       double cut = 0.25;

@@ -190,6 +190,8 @@ class Simulation {
   void drive_wells();
   void flow_step(double duration);
   void finish_step(double duration, std::size_t cracks_before);
+  // finite.cpp
+  [[nodiscard]] std::string not_finite() const;  // what is not, and where, in words; empty: everything is
   void require_finite() const;
   void watch_energy() const;
   void put_formation_pressure(double pressure);
@@ -206,6 +208,7 @@ class Simulation {
   static void visit_state(Archive& archive, Self& self);  // what a step or the host may change
   template <class Archive, class Self>
   static void visit_start(Archive& archive, Self& self);  // what is fixed after set-up
+  [[nodiscard]] bool is_finite() const;
   [[nodiscard]] std::size_t state_size(bool whole) const;
   void write_state(std::span<std::byte> state, bool whole) const;
   void save_state(std::vector<std::byte>& state, bool whole = false) const;

@@ -89,6 +89,12 @@ void Simulation::visit_start(Archive& archive, Self& s) {
     archive.value(*value);
 }
 
+bool Simulation::is_finite() const {
+  FiniteCheck check;
+  visit_state(check, *this);
+  return check.finite();
+}
+
 std::size_t Simulation::state_size(bool whole) const {
   Counter counter;
   visit_state(counter, *this);
@@ -240,6 +246,9 @@ void Simulation::restore(std::span<const std::byte> image) {
   save_state(before, true);
   try {
     load_state(state, true);
+    FiniteCheck start;  // where the books begin; what else is not finite the next step finds
+    visit_start(start, *this);
+    if (!start.finite()) refuse("it holds a number that is not finite.");
   } catch (...) {
     load_state(before, true);
     throw;

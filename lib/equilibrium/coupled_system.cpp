@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "flow/aperture.hpp"
 #include "options/choices.hpp"
@@ -270,8 +271,13 @@ void CoupledSystem::measure() {
 }
 
 Vec2 CoupledSystem::worst_place() const {
-  Eigen::Index worst = 0;
-  residual_.head(3 * discs_ + domains_).cwiseAbs().maxCoeff(&worst);
+  Eigen::Index worst = 0;  // or the first that is no number at all
+  const auto size = [this](Eigen::Index k) {
+    return std::isfinite(residual_[k]) ? std::abs(residual_[k]) : std::numeric_limits<double>::infinity();
+  };
+  for (Eigen::Index k = 1; k < 3 * discs_ + domains_; ++k) {
+    if (size(k) > size(worst)) worst = k;
+  }
   if (worst >= 3 * discs_) return network_.centroid[static_cast<std::size_t>(worst - 3 * discs_)];
   return assembly_.position(worst / 3);
 }

@@ -282,8 +282,10 @@ double ExplicitSolver::force_ratio() const {
   const double least = 1e-12 * arrays_.contact_normal * assembly_.mean_radius;
   const double ratio = std::max(unbalanced / std::max(contact, least), boundary_.wall_imbalance());
   if (!std::isfinite(unbalanced) || !std::isfinite(contact)) {
+    const std::string where = first_not_finite();
     throw Error(ErrorKind::diverged, "a force is no longer a finite number after cycle " +
-                                         std::to_string(total_cycles_) + first_not_finite() +
+                                         std::to_string(total_cycles_) +
+                                         (where.empty() ? " (eq. 11)" : where) +
                                          "; lower stepping.safety, or check stiffnesses and stresses");
   }
   return ratio;
@@ -303,7 +305,7 @@ std::string ExplicitSolver::first_not_finite() const {
     if (!std::isfinite(network_.pressure[d]))
       return ", at the pressure of domain " + std::to_string(d) + " (eq. 8)";
   }
-  return " (eq. 11)";
+  return {};
 }
 
 ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, CrackLog& log,

@@ -91,6 +91,9 @@ class ExplicitSolver {
   }
   const KernelArrays& arrays() const { return arrays_; }
 
+  // Where a number of discs or pores is not finite, and by which equation it moves: ", at disc 7 near ..."; empty: nowhere.
+  [[nodiscard]] std::string first_not_finite() const;
+
  private:
   template <class Archive, class Self>
   static void visit(Archive& archive, Self& s) {
@@ -110,7 +113,6 @@ class ExplicitSolver {
   void stiffness(std::vector<double>& row_x, std::vector<double>& row_y,
                  std::vector<double>& row_rotation) const;
   [[nodiscard]] double force_ratio() const;
-  [[nodiscard]] std::string first_not_finite() const;
   void bind_arrays();
 
   Assembly& assembly_;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -158,6 +159,37 @@ class Loader {
     from_ = from_.subspan(size);
   }
   std::span<const std::byte> from_;
+};
+
+// Whether every number it is shown is finite.
+class FiniteCheck {
+ public:
+  template <class Value>
+  void value(const Value& v) {
+    if constexpr (std::is_floating_point_v<Value>) finite_ = finite_ && std::isfinite(v);
+  }
+  template <class Values>
+  void array(const Values& values) {
+    if constexpr (std::is_floating_point_v<std::decay_t<decltype(values[0])>>) {
+      bool all = true;
+      for (const auto v : values) all &= std::isfinite(v);
+      finite_ = finite_ && all;
+    }
+  }
+  template <class Values>
+  void mostly_zero(const Values& values) {
+    array(values);
+  }
+  template <class Values, class Item>
+  void list(const Values& values, Item&& item) {
+    for (const auto& element : values) item(*this, element);
+  }
+  void require(bool /*sound*/) const {}
+  [[nodiscard]] bool finite() const { return finite_; }
+  static constexpr bool loading = false;
+
+ private:
+  bool finite_ = true;
 };
 
 // Hashes what it is shown.

@@ -99,6 +99,27 @@ class FailingRun(unittest.TestCase):
         self.assertTrue(all(len(entries(disk / "run", series)) >= 1 for series in SERIES))
         check_whole(self, disk / "run")
 
+    def test_a_limit_on_memory(self):
+        """As under `ulimit -v`: a model that does not fit is refused in words, whatever the limit; never a crash."""
+        case = self.bad_case("[packing]\ndisc_count = 20000\nresidual = 0.1\n[stepping]\nforce_ratio = 0.1\nmax_cycles = 20\n")
+
+        def limited(megabytes, *arguments):
+            allowed = megabytes << 20
+            return hfrac(*arguments, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (allowed, allowed)))
+
+        low, high = 16, 8192  # the least that the program itself needs
+        while high - low > 4:
+            middle = (low + high) // 2
+            low, high = (low, middle) if limited(middle, "check", case).returncode == 0 else (middle, high)
+        refused = 0
+        for more in (4, 8, 16, 24, 32, 48, 64):
+            done = limited(high + more, "run", case, "-o", self.folder, "-q", "--steps", 0, "--overwrite")
+            self.assertIn(done.returncode, (0, 1), f"{high} + {more} MB: {done.stderr}")
+            if done.returncode == 1:
+                self.assertRegex(done.stderr, "memory|workers could be started")
+                refused += 1
+        self.assertGreater(refused, 0, "no limit was low enough to say anything")
+
     def start_long_run(self):
         """A run that has taken a few steps and goes on."""
         process = subprocess.Popen([COMMAND, "run", CASE, "-o", self.folder, "--steps", str(MANY), "--quiet"],

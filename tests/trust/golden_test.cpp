@@ -35,27 +35,9 @@ TEST_P(Golden, SameBitsOnAnyNumberOfWorkers) {
                                               "say so in the change and write the file "
                                            << "anew: build/bin/hfrac_golden > tests/trust/golden.txt";
 #endif
-  for (const int64_t workers : {2, 3})
+  for (const int64_t workers : {2, 3, 8})
     EXPECT_EQ(golden::fingerprint(which, workers), alone) << workers << " workers";
 }
-
-// More workers than cores mostly wait for each other: minutes.
-class GoldenLong : public testing::TestWithParam<golden::Case> {};
-
-TEST_P(GoldenLong, SameBitsOnEightWorkers) {
-  EXPECT_EQ(golden::fingerprint(GetParam(), 8), golden::fingerprint(GetParam(), 1));
-}
-
-// One of each solver is quick enough for every run.
-TEST(GoldenEight, SameBitsOnEightWorkers) {
-  for (const auto& which : golden::cases()) {
-    if (std::string(which.name) != "dynamic" && std::string(which.name) != "quasi_static_coupled") continue;
-    EXPECT_EQ(golden::fingerprint(which, 8), golden::fingerprint(which, 1)) << which.name;
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Cases, GoldenLong, testing::ValuesIn(golden::cases()),
-                         [](const auto& which) { return which.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(Cases, Golden, testing::ValuesIn(golden::cases()),
                          [](const auto& which) { return which.param.name; });

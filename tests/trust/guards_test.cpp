@@ -53,6 +53,66 @@ TEST(Guards, ANumberThatIsNotFiniteStopsAtThatStepAndNamesTheDisc) {
   }
 }
 
+// A NaN or an infinity in any number of the state: the image is refused, or the step stops and is undone, or the number was
+// found anew and all that a host can read is finite.
+TEST(Guards, NothingNotFiniteGoesOnUnseen) {
+  enum Kind { substep, dynamic, quasi_static, coupled, warm };
+  for (const int kind : {substep, dynamic, quasi_static, coupled, warm}) {
+    hfrac_sim_def def = cracking_def(60);
+    def.wells[0].radius = 20.0;
+    def.stepping_max_cycles = 200;
+    def.stepping_flow_step = kind == dynamic ? 1e-3 : 1e-2;
+    def.stepping_mode = kind == dynamic ? 1 : (kind == coupled ? 2 : 0);
+    def.solver_kind = kind == quasi_static || kind == coupled ? 1 : 0;
+    def.thermal_mode = kind == warm ? 2 : 0;
+    if (kind == substep)
+      def.stress_sigma_H = def.stress_sigma_h = 5e6;  // so that the books begin with something
+    const Sim sim(def);
+    ASSERT_GE(hfrac_step(sim, 2), 0) << last_error(sim);
+    const auto good = image_of(sim);
+    int stopped = 0, refused = 0;
+    // Byte by byte, since some members are single bytes and numbers begin anywhere.
+    for (std::size_t place = image_head, turn = 0; place + 8 <= good.size(); ++place, ++turn) {
+      double value = 0.0;
+      std::memcpy(&value, good.data() + place, 8);
+      if (!(std::abs(value) > 1e-30 && std::abs(value) < 1e15))
+        continue;  // zero, or no real number begins here
+      value = turn % 2 == 0 ? std::nan("") : std::numeric_limits<double>::infinity();
+      auto image = good;
+      std::memcpy(image.data() + place, &value, 8);
+      testing_trust::seal(image);
+      const int32_t restored = hfrac_state_restore(sim, image.data(), static_cast<int64_t>(image.size()));
+      ASSERT_TRUE(restored == HFRAC_OK || restored == HFRAC_ERR_ARGUMENT) << kind << " " << place;
+      if (restored != HFRAC_OK) {
+        ++refused;
+        continue;
+      }
+      const int64_t before = hash_of(sim);
+      const int32_t status = hfrac_step(sim, 1);
+      if (status < 0) {
+        ++stopped;
+        ASSERT_EQ(status, HFRAC_ERR_DIVERGED) << kind << " " << place << ": " << last_error(sim);
+        ASSERT_EQ(hash_of(sim), before) << kind << " " << place;
+        ASSERT_NE(last_error(sim).find("; "), std::string::npos) << "no hint: " << last_error(sim);
+      } else {
+        for (const int32_t field : {HFRAC_DISC_POSITION, HFRAC_DISC_DISPLACEMENT, HFRAC_DISC_VELOCITY,
+                                    HFRAC_DOMAIN_PRESSURE, HFRAC_PIPE_APERTURE, HFRAC_PIPE_FLOW}) {
+          for (const double number : doubles(sim, field))
+            ASSERT_TRUE(std::isfinite(number)) << kind << " " << place;
+        }
+        const auto balance = balance_of(sim);
+        ASSERT_TRUE(std::isfinite(balance.energy_error) && std::isfinite(balance.fluid_error))
+            << kind << " " << place;
+      }
+      ASSERT_EQ(hfrac_state_restore(sim, good.data(), static_cast<int64_t>(good.size())), HFRAC_OK);
+    }
+    EXPECT_GT(stopped, 20) << kind;
+    if (kind == substep) {
+      EXPECT_GT(refused, 5) << kind;
+    }
+  }
+}
+
 // What an unstable step would do: motion that no work brought in.
 TEST(Guards, EnergyFromNowhereIsCaughtInItsStep) {
   hfrac_sim_def def = quiet_def(300);

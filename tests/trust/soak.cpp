@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A long run through hfrac.h alone: does memory stay flat, do the books stay closed?
-//   hfrac_soak [--discs N] [--steps M] [--solver explicit|quasi-static] [--minutes T]
+//   hfrac_soak [--discs N] [--steps M] [--solver explicit|quasi-static] [--mode substep|dynamic|coupled] [--minutes T]
 // The well's pressure goes up and down, so that there is always something to do. Ten times on the way, and at the end, it
 // prints step, memory and books; exit status 1 if a bound is broken. After T minutes it ends early and says how far it came.
+// Steps are 1 ms: of flow between one rest and the next (substep), of motion (dynamic), of both together (coupled).
 //
 // Bounds: memory at the end at most 4 MB (and the cracks' own 1 kB each) above that after a tenth of the run; fluid missing at
 // most 1e-9 of what the model holds; energy missing at most 2 % of the largest of its entries.
@@ -63,11 +64,13 @@ int main(int count, char** arguments) {
   long long discs = 500, steps = 2000;
   double minutes = 1e9;
   bool quasi_static = false;
+  std::string mode = "substep";
   for (int k = 1; k + 1 < count; k += 2) {
     const std::string name = arguments[k];
     if (name == "--discs") discs = std::atoll(arguments[k + 1]);
     if (name == "--steps") steps = std::atoll(arguments[k + 1]);
     if (name == "--minutes") minutes = std::atof(arguments[k + 1]);
+    if (name == "--mode") mode = arguments[k + 1];
     if (name == "--solver") quasi_static = std::strcmp(arguments[k + 1], "quasi-static") == 0;
   }
   hfrac_sim_def def;
@@ -78,6 +81,7 @@ int main(int count, char** arguments) {
   def.stress_sigma_H = def.stress_sigma_h = 0.0;
   def.stepping_flow_step = 1e-3;
   def.solver_kind = quasi_static ? 1 : 0;
+  require(hfrac_sim_def_set_str(&def, "stepping.mode", mode.c_str()));
   def.well_count = 1;
   def.wells[0].x = def.wells[0].y = 50.0;
   def.wells[0].radius = 10.0;
@@ -112,8 +116,16 @@ int main(int count, char** arguments) {
   }
   const double allowed = first.megabytes + 4.0 + 1e-3 * static_cast<double>(now.cracks - first.cracks);
   if (now.megabytes > allowed) bad = 1;
-  std::printf("%lld discs, %s, %lld steps in %.1f min: memory %+.2f MB since a tenth of the run: %s\n", discs,
-              quasi_static ? "quasi-static" : "explicit", now.step,
+  hfrac_solver_report work{};
+  work.struct_size = sizeof work;
+  require(hfrac_sim_get_solver(sim, &work));
+  if (quasi_static) {
+    std::printf("%lld factors, %lld Newton and %lld Krylov iterations\n",
+                static_cast<long long>(work.factors), static_cast<long long>(work.newton_iterations),
+                static_cast<long long>(work.linear_iterations));
+  }
+  std::printf("%lld discs, %s (%s), %lld steps in %.1f min: memory %+.2f MB since a tenth of the run: %s\n",
+              discs, quasi_static ? "quasi-static" : "explicit", mode.c_str(), now.step,
               std::chrono::duration<double>(Clock::now() - start).count() / 60.0,
               now.megabytes - first.megabytes, bad != 0 ? "a bound is BROKEN" : "all bounds hold");
   hfrac_sim_destroy(&sim);

@@ -2,11 +2,6 @@
 #include "output/disc_file.hpp"
 
 #include <fmt/format.h>
-#include <vtkDataArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +11,9 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+
+#include "render/failure.h"
+#include "render/grid_file.h"
 
 namespace hfrac::output {
 namespace {
@@ -102,26 +100,28 @@ std::vector<double> read_csv(const std::filesystem::path& file) {
   return discs;
 }
 
+// With the renderer's careful reading, since VTK's own ends the process on some damaged files.
 std::vector<double> read_vtu(const std::filesystem::path& file) {
-  if (!std::ifstream(file)) throw DiscFileError(fmt::format("cannot read '{}'", file.string()));
-  const vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  vtkUnstructuredGrid* grid = reader->GetOutput();
-  const vtkIdType count = grid != nullptr ? grid->GetNumberOfPoints() : 0;
-  if (count == 0) throw DiscFileError(fmt::format("{}: no points in it", file.string()));
-  vtkDataArray* radius = grid->GetPointData()->GetArray("radius_m");
-  if (radius == nullptr) radius = grid->GetPointData()->GetArray("radius");
-  if (radius == nullptr)
-    throw DiscFileError(fmt::format("{}: no point array radius or radius_m", file.string()));
-  std::vector<double> discs;
-  discs.reserve(3 * static_cast<std::size_t>(count));
-  for (vtkIdType i = 0; i < count; ++i) {
-    double at[3];
-    grid->GetPoint(i, at);
-    discs.insert(discs.end(), {at[0], at[1], radius->GetComponent(i, 0)});
+  try {
+    const viz::GridFile grid({file});
+    const auto arrays = grid.array_names("PointData");
+    const auto has = [&](const char* name) {
+      return std::find(arrays.begin(), arrays.end(), name) != arrays.end();
+    };
+    const char* radius_name = has("radius_m") ? "radius_m" : "radius";
+    if (grid.point_count() == 0) throw DiscFileError(fmt::format("{}: no points in it", file.string()));
+    if (!has(radius_name))
+      throw DiscFileError(fmt::format("{}: no point array radius or radius_m", file.string()));
+    const auto centres = grid.points();
+    const auto radii = grid.point_array(radius_name);
+    std::vector<double> discs;
+    discs.reserve(3 * centres.size());
+    for (std::size_t i = 0; i < centres.size(); ++i)
+      discs.insert(discs.end(), {centres[i].x, centres[i].y, radii[i]});
+    return discs;
+  } catch (const viz::Failure& failure) {
+    throw DiscFileError(failure.what());
   }
-  return discs;
 }
 
 }  // namespace

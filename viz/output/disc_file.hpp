@@ -5,7 +5,7 @@
 // y_m, radius_m) [m], in any order; others are skipped, as are empty lines and those that begin with #.
 // Bonds: columns disc_0 and disc_1, indices from 0 in the order of the discs; lines whose column state, if there is one, is
 // not 0 (broken) are left out.
-// VTU: points, and a point array radius or radius_m.
+// VTU: points, and a point array radius or radius_m; one piece, its numbers ascii, binary or appended raw.
 #pragma once
 
 #include <cstdint>

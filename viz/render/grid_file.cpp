@@ -44,6 +44,9 @@ GridFile::GridFile(const SeriesFile& file) : file_(file), root_(read_xml(file.pa
     damaged("its compressor " + compressor + " is unknown");
   piece_ = grid_->child("Piece");
   if (piece_ == nullptr) damaged("it holds no Piece");
+  const auto is_piece = [](const auto& element) { return element->name == "Piece"; };
+  if (std::count_if(grid_->children.begin(), grid_->children.end(), is_piece) > 1)
+    damaged("it is in several pieces; save it as one");
   point_count_ = count_attribute(*piece_, "NumberOfPoints");
   cell_count_ = count_attribute(*piece_, "NumberOfCells");
 }

@@ -8,23 +8,14 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <limits>
 #include <vector>
+
+#include "host_calls.hpp"
 
 namespace {
 
-void demand(bool good) {
-  if (!good) std::abort();
-}
-
-// Numbers a host may come up with.
-double number(std::uint8_t pick) {
-  static constexpr std::array<double, 12> odd = {0.0, -0.0, 1.0,  -1.0, 1e-300, 1e300,
-                                                 1e6, 60e6, 0.01, 1e-3, 50.0,   30e6};
-  if (pick >= 250)
-    return pick % 2 == 0 ? std::numeric_limits<double>::quiet_NaN() : std::numeric_limits<double>::infinity();
-  return odd[pick % odd.size()];
-}
+using fuzz::demand;
+using fuzz::number;
 
 constexpr const char* keys[] = {"model.width",    "packing.disc_count",
                                 "stress.sigma_H", "well[0].pressure",
@@ -33,7 +24,11 @@ constexpr const char* keys[] = {"model.width",    "packing.disc_count",
                                 "well[99].x",     "",
                                 "stepping.mode",  "solver.kind",
                                 "flow.scheme",    "boundary.kind",
-                                "run.workers"};
+                                "run.workers",    "thermal.mode",
+                                "thermal.outer",  "joint[0].x1"};
+
+constexpr const char* words[] = {"walls",    "quasi-static", "transport", "coupled",
+                                 "explicit", "dynamic",      "uniform"};
 
 // Instead of a packing, which would take most of the time.
 std::vector<double> lattice() {
@@ -76,7 +71,8 @@ void call(Host& host, std::uint8_t what, std::uint8_t pick) {
   int32_t status = HFRAC_OK;
   int64_t count = 0, next = 0;
   char text[40];
-  switch (what % 30) {
+  const int kind = what % 60;
+  switch (kind) {
     case 0:
       if (sim != nullptr || host.built > 3) break;
       ++host.built;
@@ -97,7 +93,7 @@ void call(Host& host, std::uint8_t what, std::uint8_t pick) {
       break;
     case 4:
       status = hfrac_sim_def_set_str(&host.def, keys[argument % std::size(keys)],
-                                     argument % 2 == 0 ? "walls" : "quasi-static");
+                                     words[argument / std::size(keys) % std::size(words)]);
       break;
     case 5:
       status = hfrac_sim_def_check(&host.def);
@@ -204,9 +200,11 @@ void call(Host& host, std::uint8_t what, std::uint8_t pick) {
     case 28:
       status = hfrac_status_text(static_cast<int8_t>(pick), text, sizeof text, nullptr);
       break;
-    default:
+    case 29:
       status = hfrac_sim_def_get_str(&host.def, keys[argument % std::size(keys)], text, sizeof text, nullptr);
       break;
+    default:
+      status = fuzz::host_call(sim, host.def, kind - 30, argument, number(what));
   }
   demand(status != HFRAC_ERR_INTERNAL);
   demand(status == HFRAC_ERR_INTERNAL || (status >= HFRAC_ERR_FILE && status <= HFRAC_NOT_AT_REST));

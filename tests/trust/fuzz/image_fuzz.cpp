@@ -3,8 +3,8 @@
 // what lies behind it is reached. Refused and nothing changed, or restored; then a step ends with a status, and going back
 // to the real image gives the real state.
 //
-// Input: first byte 0: the rest is an image. Otherwise it chooses the simulation, and the rest are changes of five bytes
-// each: place (3), kind and size (1), value (1).
+// Input: first byte 0: the rest is an image. Otherwise it chooses the simulation (from 240 on the one with a temperature and a
+// schedule), and the rest are changes of five bytes each: place (3), kind and size (1), value (1).
 #include <hfrac/hfrac.h>
 
 #include <array>
@@ -51,6 +51,11 @@ Model build(int64_t kind) {
   def.wells[0].x = def.wells[0].y = 50.0;
   def.wells[0].radius = 20.0;
   def.wells[0].pressure = 80e6;
+  if (kind == 3) {
+    def.thermal_mode = 2;
+    def.schedule[0] = {0, 0.05, 1e-3, HFRAC_WELL_RATE};
+    def.schedule_count = 1;
+  }
   Model model;
   demand(hfrac_sim_create(&def, &model.sim) == HFRAC_OK);
   hfrac_step(model.sim, 2);
@@ -92,7 +97,7 @@ void change(std::vector<std::uint8_t>& image, const std::uint8_t* edit) {
 
 // Built once and destroyed at exit, so that nothing of them counts as lost.
 struct Models {
-  std::array<Model, 3> all = {build(0), build(1), build(2)};
+  std::array<Model, 4> all = {build(0), build(1), build(2), build(3)};
   ~Models() {
     for (auto& model : all) hfrac_sim_destroy(&model.sim);
   }
@@ -104,7 +109,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const Models built;
   const auto& models = built.all;
   if (size < 1) return 0;
-  const Model& model = models[data[0] % models.size()];
+  const Model& model = models[data[0] >= 240 ? 3 : data[0] % 3];
   std::vector<std::uint8_t> image;
   if (data[0] == 0) {
     image.assign(data + 1, data + size);
