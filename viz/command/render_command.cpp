@@ -23,6 +23,8 @@ struct RenderRequest {
   std::string movie;   ///< only this file, .mp4 or .webp
   bool no_movie = false;
   bool follow = false;  ///< the run goes on: the movie first, until it is over
+  bool svg = false;
+  bool pdf = false;
   bool quiet = false;
   ViewRequest view;  ///< of one picture instead of all
 };
@@ -58,11 +60,17 @@ hfrac_viz_options options_of(const RenderRequest& request) {
   options.dark = request.paper.dark ? 1 : 0;
   options.dots_per_inch = request.paper.dots_per_inch();
   options.movie_follow = request.follow ? 1 : 0;
+  if (request.svg) options.formats |= HFRAC_VIZ_SVG;
+  if (request.pdf) options.formats |= HFRAC_VIZ_PDF;
   if (request.no_movie || request.follow) options.pictures &= ~static_cast<int32_t>(HFRAC_VIZ_MOVIE);
   return options;
 }
 
 ExitCode render(const RenderRequest& request) {
+  if ((request.svg || request.pdf) && !(request.view.names.empty() && request.movie.empty()))
+    throw BadInput(
+        "--svg and --pdf are for the usual pictures; of one picture the ending of its name says which kind "
+        "of file");
   if (!request.view.names.empty()) {
     draw_views(request.folder, request.view, request.paper, request.height);
     if (!request.quiet) fmt::print("{}\n", request.view.target);
@@ -114,6 +122,8 @@ void add_render(CLI::App& program, Action& action) {
       ->add_flag("--follow", request->follow,
                  "The run goes on: make the movie meanwhile, and the pictures when it is over")
       ->excludes(no_movie);
+  command->add_flag("--svg", request->svg, "SVG files of the pictures too");
+  command->add_flag("--pdf", request->pdf, "PDF files of the pictures too");
   command->add_flag("-q,--quiet", request->quiet, "Print nothing unless something goes wrong");
   add_view_options(*command, request->view);
   command->callback([request, &action] { action = [request] { return render(*request); }; });

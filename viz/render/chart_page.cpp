@@ -6,14 +6,13 @@
 #include <vtkPDFExporter.h>
 #include <vtkSVGExporter.h>
 #include <vtkTextRenderer.h>
-#include <vtkUnsignedCharArray.h>
+#include <vtkTransform2D.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "chart_panel.h"
-#include "failure.h"
 #include "fonts.h"
 #include "shape_item.h"
 
@@ -178,21 +177,22 @@ void ChartPage::put_names(const Box& box, const Panel& panel) {
 }
 
 void ChartPage::render() {
-  actor_->GetScene()->AddItem(shapes_);  // over the charts
+  if (shapes_->GetScene() == nullptr) actor_->GetScene()->AddItem(shapes_);  // last: over the charts
   window_->SetDPI(text_resolution);
   window_->Render();
 }
 
 Image ChartPage::draw(int factor) {
-  render();
   const int* size = window_->GetSize();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  const int read = window_->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 1, pixels, 0);
-  if (read == VTK_ERROR || pixels->GetNumberOfValues() != static_cast<vtkIdType>(size[0]) * size[1] * 3 ||
-      size[0] % factor != 0) {
-    fail_drawing("the chart cannot be read back from the off-screen window");
-  }
-  return reduced(pixels->GetPointer(0), size[0] / factor, size[1] / factor, factor);
+  vtkNew<vtkTransform2D> moved;
+  actor_->GetScene()->SetTransform(moved);
+  Image image = drawn_in_bands(window_, size[0] / factor, size[1] / factor, factor, [&](const PageBand& band) {
+    moved->Identity();
+    moved->Translate(0.0, -static_cast<double>(band.bottom) * factor);
+    render();
+  });
+  actor_->GetScene()->SetTransform(nullptr);
+  return image;
 }
 
 void ChartPage::write_svg(const std::filesystem::path& path, const std::string& title) {

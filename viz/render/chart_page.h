@@ -12,6 +12,7 @@
 #include <vtkSmartPointer.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,11 +44,12 @@ struct ChartSeries {
 struct Panel {
   std::string title;
   std::string x_label;
-  std::vector<ChartSeries> series;  // at most one unit per axis
-  bool logarithmic = false;         // the left axis
-  bool whole_numbers = false;       // the left axis counts
-  bool free_zero = false;           // the left axis need not show zero
-  std::string unit = {};            // beside the title, if the series do not tell
+  std::vector<ChartSeries> series;   // at most one unit per axis
+  bool logarithmic = false;          // the left axis
+  bool whole_numbers = false;        // the left axis counts
+  bool free_zero = false;            // the left axis need not show zero
+  std::string unit = {};             // beside the title, if the series do not tell
+  std::optional<Extent> shown = {};  // what the axes end at, as it stands; otherwise as the series ask
 };
 
 class ChartPage {

@@ -130,6 +130,10 @@ void add_unseen_plot(vtkChartXY* chart, const Range& x, const Range& y, int corn
 }  // namespace
 
 PanelRanges ranges_of(const Panel& panel) {
+  if (panel.shown) {
+    const Extent& shown = *panel.shown;
+    return {{shown.left, shown.left + shown.width}, {shown.bottom, shown.bottom + shown.height}, {}, false};
+  }
   Span x;
   Span left;
   Span right;
