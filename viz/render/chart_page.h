@@ -8,6 +8,7 @@
 
 #include <vtkChartXY.h>
 #include <vtkContextActor.h>
+#include <vtkContextTransform.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
@@ -25,6 +26,7 @@ namespace hfrac::viz {
 
 class ShapeItem;
 struct PanelRanges;
+struct PanelTicks;
 
 // A line of a panel: points, and how they are joined.
 struct ChartSeries {
@@ -78,6 +80,7 @@ class ChartPage {
 
  private:
   void put_spread(const Box& box, const Panel& panel, const ChartSeries& series, const PanelRanges& ranges);
+  void put_grid(const Box& box, const PanelRanges& ranges, const PanelTicks& ticks);
   void put_curves(const Box& box, const Panel& panel, const PanelRanges& ranges);
   void put_names(const Box& box, const Panel& panel);
   void render();
@@ -87,6 +90,7 @@ class ChartPage {
   double pixels_;
   vtkSmartPointer<vtkRenderer> renderer_;
   vtkSmartPointer<vtkContextActor> actor_;
+  vtkSmartPointer<vtkContextTransform> sheet_;  // holds the charts and, over them, the shapes
   vtkSmartPointer<ShapeItem> shapes_;
 
   std::vector<Point> placed(const std::vector<Point>& points) const;
