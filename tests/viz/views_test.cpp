@@ -111,6 +111,7 @@ TEST_F(Views, CracksAreWhereTheyAreInEveryView) {
         const double distance = std::abs(x - run.well_x());
         if (distance < run.well_radius || distance > run.half_length) continue;
         const Pixel colour = crack++ % 5 == 4 ? shear : tension;
+        if (distance < run.well_radius + run.spacing()) continue;  // the well's ring lies over it
         const int column = view.x(x);
         const int row = view.y(run.well_y());
         EXPECT_TRUE(alike(after.at(column, row), colour))

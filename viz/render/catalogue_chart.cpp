@@ -44,7 +44,7 @@ std::size_t kind_of(const LoggedEvent& event) {
 }
 
 Colour colour_of(std::size_t kind) {
-  return std::array<Colour, 3>{palette().water, palette().shear, palette().push}[kind];
+  return std::array<Colour, 3>{palette().water, palette().shear, palette().pull}[kind];
 }
 
 // The square around all events and wells, a little larger.
