@@ -4,10 +4,10 @@
 #include <hfrac/viz.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 
 #include "command/commands.hpp"
+#include "command/drawing.hpp"
 #include "command/interrupt.hpp"
 #include "command/paper.hpp"
 #include "command/progress_line.hpp"
@@ -28,12 +28,6 @@ struct RenderRequest {
   bool quiet = false;
   ViewRequest view;  ///< of one picture instead of all
 };
-
-int32_t show_drawing(void* line, double fraction, const char* what) {
-  static_cast<ProgressLine*>(line)->show(
-      fmt::format("drawing {:3.0f} %  {}", fraction * 100.0, what ? what : ""));
-  return interrupted() ? 1 : 0;
-}
 
 /** Where the movie alone goes, empty: nowhere. */
 std::string movie_file(const RenderRequest& request) {
@@ -80,23 +74,21 @@ ExitCode render(const RenderRequest& request) {
   const std::string movie = movie_file(request);
   catch_interrupts();
   ProgressLine line(request.quiet);
-  std::array<char, 2048> error{};
-  const auto capacity = static_cast<int32_t>(error.size());
+  DrawingError error;
   const char* folder = request.folder.c_str();
   int32_t status = HFRAC_OK;
   if (!movie.empty())
-    status = hfrac_viz_render_movie(folder, movie.c_str(), &options, show_drawing, &line, error.data(),
-                                    capacity, nullptr);
+    status = hfrac_viz_render_movie(folder, movie.c_str(), &options, show_drawing, &line, error.text.data(),
+                                    error.capacity(), nullptr);
   if (request.movie.empty() && status == HFRAC_OK)
-    status = hfrac_viz_render_run(folder, &options, show_drawing, &line, error.data(), capacity, nullptr);
+    status = hfrac_viz_render_run(folder, &options, show_drawing, &line, error.text.data(), error.capacity(),
+                                  nullptr);
   line.end();
-  if (status == HFRAC_STOPPED) {
+  if (drawing_stopped(status, error)) {
     fmt::print(stderr,
                "hfrac: interrupted; the pictures finished so far stay, a movie goes on there next time\n");
     return kInterrupted;
   }
-  if (status == HFRAC_VIZ_ERR_READ || status == HFRAC_ERR_ARGUMENT) throw BadInput(error.data());
-  if (status < 0) throw std::runtime_error(error.data());
   if (request.quiet) return kGood;
   if (request.movie.empty())
     fmt::print("pictures are in {}/pictures\n", request.folder);

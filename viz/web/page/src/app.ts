@@ -71,7 +71,8 @@ export class App {
     }
     const follow = find<HTMLInputElement>('follow');
     if (!old || another || !old.snapshots.length) {
-      follow.checked = index.running;
+      // The first snapshot may be there before the summary, which says that the run goes on.
+      follow.checked = index.running || !index.summary;
       if (this.moments.many()) this.layers.leaveOutPores();
     }
     const toEnd = !this.moments.now || (follow.checked && grown);
