@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A page drawn band by band, each several times too large and reduced. The window's buffers take 28 bytes per drawn
+// A page drawn band by band, each several times too large and reduced. The window's buffers take over 30 bytes per drawn
 // pixel; for a whole page at once the system takes longer to hand out that memory than the picture to draw.
 #pragma once
 

@@ -2,8 +2,8 @@
 /** @file
  * Pictures and a movie of a run, without a display.
  *
- * The renderer reads a run folder from disk (finished, or still being written) and needs nothing of the engine: it
- * is a library of its own, libhfrac_viz. What it reads: discs.pvd, bonds.pvd, cracks.pvd and flow.pvd with their
+ * The renderer reads a run folder from disk (finished, or still being written) and makes no simulation: it is a library of
+ * its own, libhfrac_viz, which asks libhfrac for one statistic, the law of magnitudes. What it reads: discs.pvd, bonds.pvd, cracks.pvd and flow.pvd with their
  * VTU files, summary.json (title, reading, model, wells), history.csv and cracks.csv (charts). Only the discs are
  * required.
  *
