@@ -13,9 +13,9 @@
 
 #include "disc_detail.h"
 #include "hfrac/viz.h"
-#include "image.h"
 #include "offscreen_window.h"
 #include "page.h"
+#include "png_file.h"
 #include "synthetic_run.h"
 #include "whole_file.h"
 
@@ -73,12 +73,13 @@ BENCHMARK(overview)
     ->Arg(1'000'000)
     ->Arg(3'600'000)
     ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
 
 void close_up(benchmark::State& state) {
   draw(state, 0.05);
 }
-BENCHMARK(close_up)->Arg(3'600'000)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(close_up)->Arg(3'600'000)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
 
 // A run folder of about so many discs, made once per process.
 const std::filesystem::path& folder_of(std::int64_t discs, int snapshots) {
@@ -111,7 +112,12 @@ void from_files(benchmark::State& state) {
   }
   note_memory(state);
 }
-BENCHMARK(from_files)->Arg(10'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(from_files)
+    ->Arg(10'000)
+    ->Arg(1'000'000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
 
 void movie_of_60_frames(benchmark::State& state) {
   const std::filesystem::path& folder = folder_of(state.range(0), 60);
@@ -129,7 +135,12 @@ void movie_of_60_frames(benchmark::State& state) {
   }
   note_memory(state);
 }
-BENCHMARK(movie_of_60_frames)->Arg(10'000)->Iterations(1)->Unit(benchmark::kSecond)->UseRealTime();
+BENCHMARK(movie_of_60_frames)
+    ->Arg(10'000)
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
 
 }  // namespace
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Views by name, as SVG and as PDF; and in the SVG, where letters say how long they are, that nothing on a page
-// overlaps.
-#include <algorithm>
+// Views by name and pictures, as SVG and as PDF.
 #include <cmath>
-#include <cstdlib>
 #include <regex>
 #include <vector>
 
@@ -33,90 +30,6 @@ int count_of(const std::string& text, const std::string& what) {
   int count = 0;
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
   return count;
-}
-
-// Where something is on the page.
-struct Place {
-  double left, right, top, bottom;
-  std::string what;
-  bool overlaps(const Place& other) const {
-    return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
-  }
-};
-
-// Lines of text: as long as the layout says, from the baseline to the top of digits.
-std::vector<Place> letters_of(const std::string& svg) {
-  const std::regex pattern(
-      "<text x=\"([^\"]*)\" y=\"([^\"]*)\" font-size=\"([^\"]*)\" "
-      "textLength=\"([^\"]*)\"([^>]*)>([^<]*)</text>");
-  std::vector<Place> found;
-  for (std::sregex_iterator one(svg.begin(), svg.end(), pattern), end; one != end; ++one) {
-    const double x = std::stod((*one)[1]);
-    const double y = std::stod((*one)[2]);
-    const double size = std::stod((*one)[3]);
-    const double length = std::stod((*one)[4]);
-    const std::string style = (*one)[5];
-    const double before = holds(style, "middle") ? length / 2 : holds(style, "\"end\"") ? length : 0;
-    if (holds(style, "rotate")) {
-      found.push_back({x - 0.7 * size, x, y - (length - before), y + before, (*one)[6]});
-    } else {
-      found.push_back({x - before, x + length - before, y - 0.7 * size, y, (*one)[6]});
-    }
-  }
-  return found;
-}
-
-// What letters must not run over: the views, and the shapes around them (frames, ticks, scales, signs).
-std::vector<Place> shapes_of(const std::string& svg) {
-  std::vector<Place> found;
-  const std::regex view(
-      "<clipPath id=\"([^\"]*)\"><rect x=\"([^\"]*)\" y=\"([^\"]*)\" width=\"([^\"]*)\" height=\"([^\"]*)\"");
-  for (std::sregex_iterator one(svg.begin(), svg.end(), view), end; one != end; ++one) {
-    const double left = std::stod((*one)[2]);
-    const double top = std::stod((*one)[3]);
-    found.push_back({left, left + std::stod((*one)[4]), top, top + std::stod((*one)[5]), (*one)[1]});
-  }
-  const std::size_t from = svg.rfind("</g>");
-  const std::size_t to = svg.find("<text", from);
-  const char* at = svg.c_str() + from;
-  const char* const stop = svg.c_str() + to;
-  for (; at < stop; ++at) {
-    if (*at == 'M' && at[-1] != '"' && at[-1] != 'Z') continue;
-    if (*at != 'M' && *at != 'L') continue;
-    char* next = nullptr;
-    const double x = std::strtod(at + 1, &next);
-    if (next == at + 1) continue;
-    const double y = std::strtod(next, &next);
-    if (*at == 'M') found.push_back({x, x, y, y, "a shape"});
-    Place& shape = found.back();
-    shape = {std::min(shape.left, x), std::max(shape.right, x), std::min(shape.top, y),
-             std::max(shape.bottom, y), shape.what};
-  }
-  return found;
-}
-
-void expect_no_overlap(const std::string& svg, double width, double height, const std::string& what) {
-  const std::vector<Place> letters = letters_of(svg);
-  const std::vector<Place> shapes = shapes_of(svg);
-  EXPECT_GT(letters.size(), 5U) << what;
-  EXPECT_GT(shapes.size(), 10U) << what;
-  for (std::size_t i = 0; i < letters.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      EXPECT_FALSE(letters[i].overlaps(letters[k]))
-          << what << ": '" << letters[i].what << "' on '" << letters[k].what << "'";
-    }
-    for (const Place& shape : shapes) {
-      EXPECT_FALSE(letters[i].overlaps(shape)) << what << ": '" << letters[i].what << "' on " << shape.what
-                                               << " at " << shape.left << ", " << shape.top;
-    }
-  }
-  for (const auto* places : {&letters, &shapes}) {
-    for (const Place& place : *places) {
-      const bool inside = place.left >= 0 && place.right <= width && place.top >= 0 && place.bottom <= height;
-      EXPECT_TRUE(inside) << what << ": '" << place.what << "' leaves the page at " << place.left << " to "
-                          << place.right << ", " << place.top << " to " << place.bottom;
-    }
-  }
 }
 
 TEST_F(Drawing, CirclesPathsAndLettersInsteadOfPixels) {
@@ -157,6 +70,37 @@ TEST_F(Drawing, PdfHasThePageInInchesAndRealLetters) {
   EXPECT_EQ(draw({"discs"}, "v.eps").status, HFRAC_ERR_ARGUMENT);
 }
 
+TEST_F(Drawing, PicturesOfTheRunInEveryFormat) {
+  write_run(folder(), run);
+  options.pictures = HFRAC_VIZ_ALL & ~HFRAC_VIZ_MOVIE;
+  options.formats = HFRAC_VIZ_SVG | HFRAC_VIZ_PDF;
+  options.width = 900;
+  options.dots_per_inch = 300;
+  ASSERT_EQ(render_run().status, HFRAC_OK);
+  for (const char* name : {"figure3", "growth_1", "growth_3", "growth", "pressure", "aperture"}) {
+    const std::string stem = file("pictures") / name;
+    EXPECT_FALSE(std::filesystem::exists(stem + ".png")) << name;
+    EXPECT_TRUE(holds(file_text(stem + ".svg"), ">wellbore</text>") || holds(name, "aperture")) << name;
+    const std::string pdf = file_text(stem + ".pdf");
+    EXPECT_TRUE(std::regex_search(pdf, std::regex("/MediaBox \\[ ?0 0 216 "))) << name;  // 3 inches
+    EXPECT_FALSE(holds(pdf, "/Subtype /Image")) << name;
+  }
+  const std::string last = file_text(file("pictures") / "growth_3.svg");
+  EXPECT_TRUE(holds(last, ">crack, shear</text>"));
+  EXPECT_TRUE(holds(last, "#0c0c10")) << "no crack is drawn";
+}
+
+TEST_F(Drawing, AFrameOfTheMovieIsAPictureToo) {
+  write_run(folder(), run);
+  ASSERT_EQ(render_picture(HFRAC_VIZ_MOVIE, file("frame.svg")).status, HFRAC_OK);
+  const std::string last = file_text(file("frame.svg"));
+  EXPECT_TRUE(holds(last, ">cracks</text>"));
+  options.snapshot = 0;
+  ASSERT_EQ(render_picture(HFRAC_VIZ_MOVIE, file("frame.svg")).status, HFRAC_OK);
+  const std::string first = file_text(file("frame.svg"));
+  EXPECT_LT(first.size(), last.size());  // its curves are shorter
+}
+
 TEST_F(Drawing, DiscsBelowAPixelAreAPictureInTheDrawing) {
   run.columns = 900;
   run.snapshots = 1;
@@ -169,39 +113,6 @@ TEST_F(Drawing, DiscsBelowAPixelAreAPictureInTheDrawing) {
   EXPECT_EQ(count_of(svg, "<circle "), 0);
   ASSERT_EQ(draw({"discs"}, "v.pdf").status, HFRAC_OK);
   EXPECT_TRUE(holds(file_text(file("v.pdf")), "/Subtype /Image"));
-}
-
-TEST_F(Drawing, NothingOverlapsAtAnyShapeAndZoom) {
-  write_run(folder(), run);
-  const std::vector<std::vector<const char*>> pages = {{"discs"},
-                                                       {"forces"},
-                                                       {"pressure"},
-                                                       {"stress"},
-                                                       {"aperture"},
-                                                       {"crack-time"},
-                                                       {"displacement", "stress-xy"},
-                                                       {"discs", "bonds", "forces", "pressure"}};
-  const std::vector<std::pair<std::int32_t, std::int32_t>> shapes = {{1600, 0},  {1920, 1080}, {900, 1200},
-                                                                     {640, 480}, {500, 400},   {3000, 3000}};
-  for (const auto& names : pages) {
-    for (const auto& [width, height] : shapes) {
-      for (const std::int32_t zoom : {HFRAC_VIZ_ZOOM_WHOLE, HFRAC_VIZ_ZOOM_TIP}) {
-        views.width = width;
-        views.height = height;
-        views.zoom = zoom;
-        views.dark = width == 640 ? 1 : 0;
-        const Result result = draw(names, "v.svg");
-        ASSERT_EQ(result.status, HFRAC_OK) << result.text;
-        const std::string svg = file_text(file("v.svg"));
-        std::smatch size;
-        ASSERT_TRUE(std::regex_search(svg, size, std::regex("viewBox=\"0 0 ([0-9]+) ([0-9]+)\"")));
-        expect_no_overlap(svg, std::stod(size[1]), std::stod(size[2]),
-                          std::string(names[0]) + " " + std::to_string(names.size()) + " at " +
-                              std::to_string(width) + " x " + std::to_string(height) + ", zoom " +
-                              std::to_string(zoom));
-      }
-    }
-  }
 }
 
 TEST_F(Drawing, AnyArrayIsAViewWithItsUnit) {

@@ -79,7 +79,12 @@ TEST_F(Errors, Arguments) {
             HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hfrac_viz_options_init(nullptr, 48), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hfrac_viz_snapshot_count(folder().c_str(), nullptr, nullptr, 0, nullptr), HFRAC_ERR_ARGUMENT);
-  EXPECT_EQ(render_picture(HFRAC_VIZ_MOVIE, file("picture.png")).status, HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(render_picture(HFRAC_VIZ_STAGE | HFRAC_VIZ_GROWTH, file("picture.png")).status,
+            HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(render_picture(HFRAC_VIZ_STAGE, file("picture.jpg")).status, HFRAC_ERR_ARGUMENT);
+  options.formats = 8;
+  EXPECT_EQ(render_run().status, HFRAC_ERR_ARGUMENT);
+  hfrac_viz_options_init(&options, sizeof options);
   options.width = 100000;
   const Result result = render_picture(HFRAC_VIZ_STAGE, file("picture.png"));
   EXPECT_EQ(result.status, HFRAC_ERR_ARGUMENT);

@@ -102,6 +102,11 @@ class References : public VizTest {
     hfrac_viz_chart_options_init(&charts, sizeof charts);
     options.width = views.width = charts.width = 480;
   }
+  // Before write_run: everything there is to draw.
+  void with_everything() {
+    run.with_temperature = true;
+    write_run(folder(), run);
+  }
   std::filesystem::path picture_of(std::int32_t kind) {
     EXPECT_EQ(render_picture(kind, file("p.png")).status, HFRAC_OK);
     return file("p.png");
@@ -136,16 +141,21 @@ class References : public VizTest {
 
 TEST_F(References, Pictures) {
   write_run(folder(), run);
+  compare(picture_of(HFRAC_VIZ_MODEL), "figure3");
   compare(picture_of(HFRAC_VIZ_STAGE), "stage");
   compare(picture_of(HFRAC_VIZ_GROWTH), "growth");
   compare(picture_of(HFRAC_VIZ_PRESSURE), "pressure");
   compare(picture_of(HFRAC_VIZ_APERTURE), "aperture");
+  compare(picture_of(HFRAC_VIZ_MOVIE), "frame");
+  options.dark = 1;
+  compare(picture_of(HFRAC_VIZ_GROWTH), "dark-growth");
 }
 
 TEST_F(References, Views) {
-  write_run(folder(), run);
+  with_everything();
   compare(views_of({"forces", "stress", "displacement", "bonds"}), "views");
   views.dark = 1;
+  compare(views_of({"temperature", "stress", "pressure", "forces"}), "dark-views");
   views.zoom = HFRAC_VIZ_ZOOM_TIP;
   compare(views_of({"crack-time"}), "dark-tip");
 }
@@ -154,7 +164,11 @@ TEST_F(References, Charts) {
   write_run(folder(), run);
   compare(chart_of(HFRAC_VIZ_CHART_HISTORY, "history"), "history");
   compare(chart_of(HFRAC_VIZ_CHART_ROSE, "rose"), "rose");
+  compare(chart_of(HFRAC_VIZ_CHART_PROFILE, "profile"), "profile");
   compare(chart_of(HFRAC_VIZ_CHART_EVENTS, "events"), "events");
+  compare(chart_of(HFRAC_VIZ_CHART_CATALOGUE, "catalogue"), "catalogue");
+  charts.dark = 1;
+  compare(chart_of(HFRAC_VIZ_CHART_CATALOGUE, "catalogue"), "dark-catalogue");
 }
 
 // The measure itself: what must not pass does not, what may differ does.

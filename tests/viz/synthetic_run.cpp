@@ -111,6 +111,10 @@ void write_discs(const fs::path& folder, int snapshot, const SyntheticRun& run, 
     return std::array<double, 3>{mean, mean, 0.0};
   });
   add_array(grid->GetPointData(), "rotation_rad", count, [](vtkIdType) { return 0.0; });
+  if (run.with_temperature) {
+    add_array(grid->GetPointData(), "temperature_K", count,
+              [&](vtkIdType i) { return run.temperature_at(x(i), lattice.centres->GetPoint(i)[1]); });
+  }
   write_grid(folder, "discs", snapshot, run, grid);
 }
 
@@ -230,6 +234,11 @@ void write_flow(const fs::path& folder, int snapshot, const SyntheticRun& run, L
 
 double SyntheticRun::half_length_at(int snapshot) const {
   return well_radius + (half_length - well_radius) * share(*this, snapshot);
+}
+
+double SyntheticRun::temperature_at(double x, double y) const {
+  const double distance = std::hypot(x - well_x(), y - well_y());
+  return 373.15 - 80.0 * std::exp(-(distance - well_radius) / well_radius);
 }
 
 void write_run(const fs::path& folder, const SyntheticRun& run) {

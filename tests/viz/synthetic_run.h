@@ -18,12 +18,15 @@ struct SyntheticRun {
   std::string title = "Synthetic run: a crack from a hole";
   bool with_flow = true;
   bool with_tables = true;  // history.csv and cracks.csv
+  bool with_temperature = false;
 
   double spacing() const { return width / columns; }
   double well_x() const { return width / 2; }
   double well_y() const { return height / 2; }
   // [m] of the crack at a snapshot
   double half_length_at(int snapshot) const;
+  // [K] hot rock, cold at the well
+  double temperature_at(double x, double y) const;
 };
 
 void write_run(const std::filesystem::path& folder, const SyntheticRun& run);

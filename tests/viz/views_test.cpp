@@ -2,6 +2,8 @@
 // Views of quantities, and parts of the model, for a run known in closed form.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <vector>
 
@@ -60,6 +62,66 @@ TEST_F(Views, StressIsRedWherePressedAndBlueWherePulled) {
   EXPECT_TRUE(bluish(drawn.at(view.x(10.25), view.y(9.75))));
   EXPECT_GT(drawn.share(view.x(1), view.y(11), view.x(4), view.y(8), reddish), 0.6);
   EXPECT_GT(drawn.share(view.x(8), view.y(11), view.x(11), view.y(8), bluish), 0.6);
+}
+
+TEST_F(Views, TemperatureIsDarkAtTheWellAndLightFarAway) {
+  run.with_temperature = true;
+  write_run(folder(), run);
+  const Result result = render_views({HFRAC_VIZ_VIEW_TEMPERATURE});
+  ASSERT_EQ(result.status, HFRAC_OK) << result.text;
+  const Picture drawn = picture();
+  const FramedView view = find_view(drawn, run.width, run.height);
+  const auto brightness = [&](double x, double y) {
+    const Pixel pixel = drawn.at(view.x(x), view.y(y));
+    return pixel.red + pixel.green + pixel.blue;
+  };
+  const double disc = 0.25;  // the middle of one: the lattice's spacing is half a metre
+  EXPECT_LT(brightness(6 + disc, 7.5 + disc), 330);
+  EXPECT_GT(brightness(1 + disc, 11 + disc), 520);
+  EXPECT_GT(brightness(6 + disc, 9 + disc), brightness(6 + disc, 7.5 + disc));
+}
+
+// Every view that shows cracks by mode, on light and on dark paper: the colour of its mode in the middle of each crack,
+// and another one there before it broke.
+TEST_F(Views, CracksAreWhereTheyAreInEveryView) {
+  run.with_temperature = true;
+  write_run(folder(), run);
+  ASSERT_EQ(render_views({HFRAC_VIZ_VIEW_DISCS}).status, HFRAC_OK);
+  const FramedView view = find_view(picture(), run.width, run.height);  // the same in all of them
+  const auto alike = [](Pixel a, Pixel b) {
+    return std::abs(a.red - b.red) < 60 && std::abs(a.green - b.green) < 60 && std::abs(a.blue - b.blue) < 60;
+  };
+  for (const std::int32_t kind :
+       {HFRAC_VIZ_VIEW_DISCS, HFRAC_VIZ_VIEW_FORCES, HFRAC_VIZ_VIEW_PRESSURE, HFRAC_VIZ_VIEW_DISPLACEMENT,
+        HFRAC_VIZ_VIEW_STRESS, HFRAC_VIZ_VIEW_STRESS_XX, HFRAC_VIZ_VIEW_STRESS_XY, HFRAC_VIZ_VIEW_ROTATION,
+        HFRAC_VIZ_VIEW_TEMPERATURE, HFRAC_VIZ_VIEW_BONDS}) {
+    for (const std::int32_t dark : {0, 1}) {
+      const Pixel tension = dark == 0 ? Pixel{12, 12, 16} : Pixel{255, 255, 250};
+      const Pixel shear = dark == 0 ? Pixel{200, 20, 140} : Pixel{255, 92, 200};
+      views.dark = dark;
+      views.snapshot = -1;
+      ASSERT_EQ(render_views({kind}).status, HFRAC_OK) << kind;
+      const Picture after = picture();
+      views.snapshot = 0;
+      ASSERT_EQ(render_views({kind}).status, HFRAC_OK) << kind;
+      const Picture before = picture();
+      int crack = 0;
+      for (int i = 0; i < run.columns; ++i) {
+        const double x = (i + 0.5) * run.spacing();
+        const double distance = std::abs(x - run.well_x());
+        if (distance < run.well_radius || distance > run.half_length) continue;
+        const Pixel colour = crack++ % 5 == 4 ? shear : tension;
+        if (distance < run.well_radius + run.spacing()) continue;  // the well's ring lies over it
+        const int column = view.x(x);
+        const int row = view.y(run.well_y());
+        EXPECT_TRUE(alike(after.at(column, row), colour))
+            << "view " << kind << ", dark " << dark << ", x " << x;
+        EXPECT_FALSE(alike(before.at(column, row), colour))
+            << "view " << kind << ", dark " << dark << ", x " << x;
+      }
+      EXPECT_GT(crack, 8);
+    }
+  }
 }
 
 TEST_F(Views, ForcesAreBlueInRowsAndOrangeInColumns) {

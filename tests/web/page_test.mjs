@@ -7,6 +7,8 @@ import { createRequire } from 'node:module';
 import os from 'node:os';
 import path from 'node:path';
 
+import { cropped, decoded } from './png.mjs';
+
 const { HFRAC_COMMAND, HFRAC_CHROMIUM, HFRAC_CASE, HFRAC_WEB } = process.env;
 if (!fs.existsSync(path.join(HFRAC_WEB, 'page', 'fetched.json'))) {
   console.log('page_test: playwright-core is not there (web.packages), so the page is not tested in a browser');
@@ -47,9 +49,12 @@ const browser = await chromium.launchPersistentContext(path.join(scratch, 'profi
     '--disable-component-update', '--disable-sync', '--disable-dev-shm-usage', '--use-gl=angle',
     '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
 });
+// The page asks for news every second or every four: here its timers are ten times as fast, so that nothing is waited for.
+await browser.addInitScript(() => {
+  const usual = window.setTimeout;
+  window.setTimeout = (work, milliseconds, ...rest) => usual(work, (milliseconds ?? 0) / 10, ...rest);
+});
 const page = browser.pages()[0];
-const bench = await browser.newPage(); // decodes pictures
-await page.bringToFront();
 const complaints = [];
 page.on('console', (message) => ['error', 'warning'].includes(message.type()) && complaints.push(message.text()));
 page.on('pageerror', (error) => complaints.push(String(error)));
@@ -58,28 +63,14 @@ page.on('request', (request) => {
   if (!['data:', 'blob:'].includes(protocol) && hostname !== '127.0.0.1') complaints.push(`asked ${request.url()}`);
 });
 
-/** A picture as { width, height, data } with four bytes a pixel. */
-async function decoded(png) {
-  const picture = await bench.evaluate(async (base64) => {
-    const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());
-    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
-    const pen = canvas.getContext('2d');
-    pen.drawImage(bitmap, 0, 0);
-    const data = pen.getImageData(0, 0, bitmap.width, bitmap.height).data;
-    let text = '';
-    for (let i = 0; i < data.length; i += 32768) text += String.fromCharCode(...data.subarray(i, i + 32768));
-    return { width: bitmap.width, height: bitmap.height, data: btoa(text) };
-  }, Buffer.from(png).toString('base64'));
-  return { ...picture, data: Buffer.from(picture.data, 'base64') };
-}
 const pixel = ({ width, data }, x, y) => [...data.subarray(4 * (Math.round(y) * width + Math.round(x)), 4 * (Math.round(y) * width + Math.round(x)) + 3)];
 const stage = page.locator('#stage');
 const settle = () => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+/** The stage as it is; the whole page is kept under that name. */
 async function picture(name) {
   await settle();
-  const png = await stage.screenshot();
-  if (name) await page.screenshot({ path: path.join(screens, `${name}.png`) });
-  return decoded(png);
+  const png = await page.screenshot(name ? { path: path.join(screens, `${name}.png`) } : {});
+  return cropped(decoded(png), await stage.boundingBox());
 }
 const shown = (step) => page.waitForFunction((wanted) => document.body.dataset.shown === wanted, String(step), { timeout: 30000 });
 /** Where a place of the model is on the stage [pixel]. */
@@ -121,6 +112,7 @@ async function saved(click) {
 const tests = [];
 const test = (name, body) => tests.push([name, body]);
 const cracks = table(path.join(run, 'cracks.csv'));
+const liveSteps = 10; // of the run that is made meanwhile
 const lastStep = Number(table(path.join(run, 'history.csv')).at(-1).step);
 let whole; // picture of the last moment
 let server;
@@ -259,7 +251,7 @@ test('saves the picture, the tables and the VTU files', async () => {
   await picture('downloads');
   const png = await saved(() => page.locator('#save-picture').click());
   assert.equal(png.name, `run_${lastStep}.png`);
-  const image = await decoded(png.bytes);
+  const image = decoded(png.bytes);
   assert.ok(image.width > 500 && isDark(pixel(image, ...(await onStage(Number(cracks[0].x_m), Number(cracks[0].y_m))))) !== undefined);
   assert.ok((await cracksInInk(image, cracks.filter(({ mode }) => mode === 'tension'))) > 0.9, 'the saved picture shows no cracks');
   fs.writeFileSync(path.join(screens, 'saved.png'), png.bytes);
@@ -347,10 +339,10 @@ test('shows a run made while it is watched', async () => {
   server = await view(live);
   await page.goto(server.address);
   complaints.length = 0;
-  const running = start('run', HFRAC_CASE, '-o', live, '--quiet');
+  const running = start('run', HFRAC_CASE, '-o', live, '--steps', String(liveSteps), '--quiet');
   await page.waitForFunction(() => document.querySelector('#status').textContent === 'finished', null, { timeout: 90000 });
   assert.equal(await ended(running), 0);
-  await shown(lastStep);
+  await shown(liveSteps);
   await picture('live');
   assert.deepEqual(complaints, []);
 });
@@ -361,7 +353,7 @@ test('says what is wrong with a damaged file, and goes on', async () => {
   const text = fs.readFileSync(file);
   fs.writeFileSync(file, text.subarray(0, text.length / 2));
   await page.reload();
-  await shown(lastStep);
+  await shown(liveSteps);
   await page.locator('#slider').fill('0');
   await page.waitForSelector('#notice:has-text("discs_00000.vtu")');
   await picture('damaged');

@@ -74,7 +74,10 @@ ExitCode calibrate(CalibrateRequest request) {
   auto found = output::sized<hfrac_calibration>();
   const int32_t status = hfrac_calibrate(&definition, &request.targets, show, &line, &found);
   line.end();
-  if (status == HFRAC_STOPPED) return kInterrupted;
+  if (status == HFRAC_STOPPED) {
+    fmt::print(stderr, "hfrac: interrupted; nothing was found yet\n");
+    return kInterrupted;
+  }
   if (status == HFRAC_ERR_ARGUMENT || status == HFRAC_ERR_MODEL)
     throw BadInput(output::error_text(status, nullptr));
   output::require(status, nullptr);

@@ -14,6 +14,7 @@
 #include "output/safe_file.hpp"
 #include "output/tables.hpp"
 #ifdef HFRAC_WITH_RENDERER
+#include "command/drawing.hpp"
 #include "command/paper.hpp"
 #endif
 
@@ -72,11 +73,10 @@ void draw(const CatalogueRequest& request) {
   options.dark = request.paper.dark ? 1 : 0;
   if (request.svg) options.formats |= HFRAC_VIZ_SVG;
   if (request.pdf) options.formats |= HFRAC_VIZ_PDF;
-  std::array<char, 2048> error{};
+  DrawingError error;
   const int32_t status = hfrac_viz_render_charts(request.folder.c_str(), &options, nullptr, nullptr,
-                                                 error.data(), static_cast<int32_t>(error.size()), nullptr);
-  if (status == HFRAC_VIZ_ERR_READ || status == HFRAC_ERR_ARGUMENT) throw BadInput(error.data());
-  if (status < 0) throw std::runtime_error(error.data());
+                                                 error.text.data(), error.capacity(), nullptr);
+  drawing_stopped(status, error);
 }
 #endif
 

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 #include <hfrac/viz.h>
 
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
 
+#include "command/drawing.hpp"
 #include "command/run_quantities.hpp"
 #include "output/safe_file.hpp"
 
@@ -101,12 +101,10 @@ void draw_comparison(const CompareRequest& request, const Paper& paper) {
   options.dots_per_inch = paper.dots_per_inch();
   options.dark = paper.dark ? 1 : 0;
   options.title = request.title.empty() ? nullptr : request.title.c_str();
-  std::array<char, 2048> error{};
-  const int32_t status =
-      hfrac_viz_render_comparison(table.c_str(), request.target.c_str(), &options, error.data(),
-                                  static_cast<int32_t>(error.size()), nullptr);
-  if (status == HFRAC_VIZ_ERR_READ || status == HFRAC_ERR_ARGUMENT) throw BadInput(error.data());
-  if (status < 0) throw std::runtime_error(error.data());
+  DrawingError error;
+  drawing_stopped(hfrac_viz_render_comparison(table.c_str(), request.target.c_str(), &options,
+                                              error.text.data(), error.capacity(), nullptr),
+                  error);
 }
 
 }  // namespace hfrac::command

@@ -163,7 +163,11 @@ ExitCode lab(LabRequest request) {
     fmt::print("{}", describe(report, request.spec.test, request.spec.seed, request.time));
     if (!request.folder.empty())
       write_files(request.folder, one.get(), request.test, request.spec.seed, chart);
-    if (status == HFRAC_STOPPED) return kInterrupted;
+    if (status == HFRAC_STOPPED) {
+      fmt::print(stderr, "hfrac: interrupted in the test of seed {}; what it says is of an unfinished test\n",
+                 request.spec.seed);
+      return kInterrupted;
+    }
     sum += report.value;
     squares += report.value * report.value;
   }

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 #include <hfrac/viz.h>
 
-#include <array>
-
 #include "command/commands.hpp"
 #include "command/compare.hpp"
+#include "command/drawing.hpp"
 #include "command/interrupt.hpp"
 #include "command/paper.hpp"
 #include "command/progress_line.hpp"
@@ -22,12 +21,6 @@ struct PlotRequest {
   bool quiet = false;
   CompareRequest compare;
 };
-
-int32_t show_drawing(void* line, double fraction, const char* what) {
-  static_cast<ProgressLine*>(line)->show(
-      fmt::format("drawing {:3.0f} %  {}", fraction * 100.0, what ? what : ""));
-  return interrupted() ? 1 : 0;
-}
 
 ExitCode compare(const PlotRequest& request) {
   if (request.svg || request.pdf)
@@ -50,16 +43,14 @@ ExitCode plot(const PlotRequest& request) {
 
   catch_interrupts();
   ProgressLine line(request.quiet);
-  std::array<char, 2048> error{};
+  DrawingError error;
   const int32_t status = hfrac_viz_render_charts(request.folder.c_str(), &options, show_drawing, &line,
-                                                 error.data(), static_cast<int32_t>(error.size()), nullptr);
+                                                 error.text.data(), error.capacity(), nullptr);
   line.end();
-  if (status == HFRAC_STOPPED) {
+  if (drawing_stopped(status, error)) {
     fmt::print(stderr, "hfrac: interrupted; the charts finished so far stay\n");
     return kInterrupted;
   }
-  if (status == HFRAC_VIZ_ERR_READ || status == HFRAC_ERR_ARGUMENT) throw BadInput(error.data());
-  if (status < 0) throw std::runtime_error(error.data());
   if (!request.quiet) fmt::print("charts are in {}/pictures\n", request.folder);
   return kGood;
 }

@@ -4,10 +4,10 @@
 #include <hfrac/viz.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 
 #include "command/commands.hpp"
+#include "command/drawing.hpp"
 #include "command/interrupt.hpp"
 #include "command/paper.hpp"
 #include "command/progress_line.hpp"
@@ -23,15 +23,11 @@ struct RenderRequest {
   std::string movie;   ///< only this file, .mp4 or .webp
   bool no_movie = false;
   bool follow = false;  ///< the run goes on: the movie first, until it is over
+  bool svg = false;
+  bool pdf = false;
   bool quiet = false;
   ViewRequest view;  ///< of one picture instead of all
 };
-
-int32_t show_drawing(void* line, double fraction, const char* what) {
-  static_cast<ProgressLine*>(line)->show(
-      fmt::format("drawing {:3.0f} %  {}", fraction * 100.0, what ? what : ""));
-  return interrupted() ? 1 : 0;
-}
 
 /** Where the movie alone goes, empty: nowhere. */
 std::string movie_file(const RenderRequest& request) {
@@ -58,11 +54,17 @@ hfrac_viz_options options_of(const RenderRequest& request) {
   options.dark = request.paper.dark ? 1 : 0;
   options.dots_per_inch = request.paper.dots_per_inch();
   options.movie_follow = request.follow ? 1 : 0;
+  if (request.svg) options.formats |= HFRAC_VIZ_SVG;
+  if (request.pdf) options.formats |= HFRAC_VIZ_PDF;
   if (request.no_movie || request.follow) options.pictures &= ~static_cast<int32_t>(HFRAC_VIZ_MOVIE);
   return options;
 }
 
 ExitCode render(const RenderRequest& request) {
+  if ((request.svg || request.pdf) && !(request.view.names.empty() && request.movie.empty()))
+    throw BadInput(
+        "--svg and --pdf are for the usual pictures; of one picture the ending of its name says which kind "
+        "of file");
   if (!request.view.names.empty()) {
     draw_views(request.folder, request.view, request.paper, request.height);
     if (!request.quiet) fmt::print("{}\n", request.view.target);
@@ -72,23 +74,21 @@ ExitCode render(const RenderRequest& request) {
   const std::string movie = movie_file(request);
   catch_interrupts();
   ProgressLine line(request.quiet);
-  std::array<char, 2048> error{};
-  const auto capacity = static_cast<int32_t>(error.size());
+  DrawingError error;
   const char* folder = request.folder.c_str();
   int32_t status = HFRAC_OK;
   if (!movie.empty())
-    status = hfrac_viz_render_movie(folder, movie.c_str(), &options, show_drawing, &line, error.data(),
-                                    capacity, nullptr);
+    status = hfrac_viz_render_movie(folder, movie.c_str(), &options, show_drawing, &line, error.text.data(),
+                                    error.capacity(), nullptr);
   if (request.movie.empty() && status == HFRAC_OK)
-    status = hfrac_viz_render_run(folder, &options, show_drawing, &line, error.data(), capacity, nullptr);
+    status = hfrac_viz_render_run(folder, &options, show_drawing, &line, error.text.data(), error.capacity(),
+                                  nullptr);
   line.end();
-  if (status == HFRAC_STOPPED) {
+  if (drawing_stopped(status, error)) {
     fmt::print(stderr,
                "hfrac: interrupted; the pictures finished so far stay, a movie goes on there next time\n");
     return kInterrupted;
   }
-  if (status == HFRAC_VIZ_ERR_READ || status == HFRAC_ERR_ARGUMENT) throw BadInput(error.data());
-  if (status < 0) throw std::runtime_error(error.data());
   if (request.quiet) return kGood;
   if (request.movie.empty())
     fmt::print("pictures are in {}/pictures\n", request.folder);
@@ -114,6 +114,8 @@ void add_render(CLI::App& program, Action& action) {
       ->add_flag("--follow", request->follow,
                  "The run goes on: make the movie meanwhile, and the pictures when it is over")
       ->excludes(no_movie);
+  command->add_flag("--svg", request->svg, "SVG files of the pictures too");
+  command->add_flag("--pdf", request->pdf, "PDF files of the pictures too");
   command->add_flag("-q,--quiet", request->quiet, "Print nothing unless something goes wrong");
   add_view_options(*command, request->view);
   command->callback([request, &action] { action = [request] { return render(*request); }; });

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "command/commands.hpp"
+#include "command/drawing.hpp"
 #include "command/interrupt.hpp"
 #include "command/progress_line.hpp"
 
@@ -25,12 +26,6 @@ struct ReportRequest {
   bool quiet = false;
 };
 
-int32_t show_drawing(void* line, double fraction, const char* what) {
-  static_cast<ProgressLine*>(line)->show(
-      fmt::format("drawing {:3.0f} %  {}", fraction * 100.0, what ? what : ""));
-  return interrupted() ? 1 : 0;
-}
-
 bool older_than_data(const std::string& folder, const char* picture) {
   std::error_code error;
   const auto data = fs::last_write_time(fs::path(folder) / "discs.pvd", error);
@@ -47,11 +42,11 @@ void draw_around_cracks(const ReportRequest& request) {
   const std::array<int32_t, 4> views = {HFRAC_VIZ_VIEW_FORCES, HFRAC_VIZ_VIEW_STRESS,
                                         HFRAC_VIZ_VIEW_DISPLACEMENT, HFRAC_VIZ_VIEW_CRACK_TIME};
   const auto target = (fs::path(request.folder) / "pictures" / "views.png").string();
-  std::array<char, 2048> error{};
-  const int32_t status = hfrac_viz_render_views(request.folder.c_str(), views.data(),
-                                                static_cast<int32_t>(views.size()), target.c_str(), &options,
-                                                error.data(), static_cast<int32_t>(error.size()), nullptr);
-  if (status < 0 && status != HFRAC_VIZ_ERR_READ) throw std::runtime_error(error.data());
+  DrawingError error;
+  const int32_t status =
+      hfrac_viz_render_views(request.folder.c_str(), views.data(), static_cast<int32_t>(views.size()),
+                             target.c_str(), &options, error.text.data(), error.capacity(), nullptr);
+  if (status != HFRAC_VIZ_ERR_READ) drawing_stopped(status, error);
 }
 
 /** The pictures that are missing, or older than the last snapshot. */
@@ -73,18 +68,10 @@ int32_t wanted_pictures(const ReportRequest& request) {
   return wanted;
 }
 
-/** Throws for a negative status; true if the user stopped it. */
-bool stopped(int32_t status, const char* error) {
-  if (status == HFRAC_VIZ_ERR_READ || status == HFRAC_ERR_ARGUMENT) throw BadInput(error);
-  if (status < 0) throw std::runtime_error(error);
-  return status == HFRAC_STOPPED;
-}
-
 ExitCode report(const ReportRequest& request) {
   catch_interrupts();
   ProgressLine line(request.quiet);
-  std::array<char, 2048> error{};
-  const auto capacity = static_cast<int32_t>(error.size());
+  DrawingError error;
   hfrac_viz_options pictures{};
   hfrac_viz_options_init(&pictures, sizeof pictures);
   pictures.width = request.width;
@@ -95,10 +82,12 @@ ExitCode report(const ReportRequest& request) {
   const char* folder = request.folder.c_str();
   const bool interrupt =
       (pictures.pictures != 0 &&
-       stopped(hfrac_viz_render_run(folder, &pictures, show_drawing, &line, error.data(), capacity, nullptr),
-               error.data())) ||
-      stopped(hfrac_viz_render_charts(folder, &charts, show_drawing, &line, error.data(), capacity, nullptr),
-              error.data());
+       drawing_stopped(hfrac_viz_render_run(folder, &pictures, show_drawing, &line, error.text.data(),
+                                            error.capacity(), nullptr),
+                       error)) ||
+      drawing_stopped(hfrac_viz_render_charts(folder, &charts, show_drawing, &line, error.text.data(),
+                                              error.capacity(), nullptr),
+                      error);
   if (!interrupt && (request.fresh || older_than_data(request.folder, "views.png")))
     draw_around_cracks(request);
   line.end();
@@ -108,7 +97,8 @@ ExitCode report(const ReportRequest& request) {
   }
   const std::string target =
       request.target.empty() ? (fs::path(request.folder) / "report.html").string() : request.target;
-  stopped(hfrac_viz_write_report(folder, target.c_str(), error.data(), capacity, nullptr), error.data());
+  drawing_stopped(
+      hfrac_viz_write_report(folder, target.c_str(), error.text.data(), error.capacity(), nullptr), error);
   if (!request.quiet) fmt::print("{}\n", target);
   return kGood;
 }

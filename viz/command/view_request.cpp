@@ -7,6 +7,7 @@
 #include <array>
 #include <map>
 
+#include "command/drawing.hpp"
 #include "command/exit_code.hpp"
 
 namespace hfrac::command {
@@ -77,12 +78,11 @@ void draw_views(const std::string& folder, const ViewRequest& request, const Pap
   set_zoom(request.zoom, options);
   std::vector<const char*> views;
   for (const std::string& name : request.names) views.push_back(name.c_str());
-  std::array<char, 2048> error{};
+  DrawingError error;
   const int32_t status = hfrac_viz_render_named_views(
       folder.c_str(), views.data(), static_cast<int32_t>(views.size()), request.target.c_str(), &options,
-      error.data(), static_cast<int32_t>(error.size()), nullptr);
-  if (status == HFRAC_VIZ_ERR_READ || status == HFRAC_ERR_ARGUMENT) throw BadInput(error.data());
-  if (status < 0) throw std::runtime_error(error.data());
+      error.text.data(), error.capacity(), nullptr);
+  drawing_stopped(status, error);
 }
 
 }  // namespace hfrac::command

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
+#include "bounds.h"
 #include "charts.h"
-#include "frequency.h"
+#include "magnitudes.h"
 
 namespace hfrac::viz {
 namespace {
@@ -44,45 +44,28 @@ std::size_t kind_of(const LoggedEvent& event) {
 }
 
 Colour colour_of(std::size_t kind) {
-  return std::array<Colour, 3>{palette().water, palette().shear, palette().push}[kind];
+  return std::array<Colour, 3>{palette().water, palette().shear, palette().pull}[kind];
 }
 
 // The square around all events and wells, a little larger.
 Extent extent_of(const std::vector<LoggedEvent>& events, const RunFolder& run) {
-  double left = INFINITY;
-  double right = -INFINITY;
-  double bottom = INFINITY;
-  double top = -INFINITY;
-  const auto include = [&](double x, double y, double radius) {
-    left = std::min(left, x - radius);
-    right = std::max(right, x + radius);
-    bottom = std::min(bottom, y - radius);
-    top = std::max(top, y + radius);
-  };
-  for (const LoggedEvent& event : events) include(event.place.x, event.place.y, 0);
-  for (const WellPlace& well : run.wells) include(well.x, well.y, well.radius);
-  if (!(right >= left)) return {0, 0, 1, 1};
-  const double side = std::max({1.16 * (right - left), 1.16 * (top - bottom), 1e-6});
-  return {(left + right - side) / 2, (bottom + top - side) / 2, side, side};
+  Bounds bounds;
+  for (const LoggedEvent& event : events) bounds.include(event.place);
+  for (const WellPlace& well : run.wells) bounds.include({well.x, well.y}, well.radius);
+  if (bounds.empty()) return {0, 0, 1, 1};
+  const double side = std::max({1.16 * bounds.width(), 1.16 * bounds.height(), 1e-6});
+  return {bounds.middle().x - side / 2, bounds.middle().y - side / 2, side, side};
 }
 
-void put_axes(ChartPage& page, const Box& box, const Extent& extent) {
-  const TextStyle style{20, palette().ink, false, Align::centre};
-  for (const Tick& tick : round_ticks(extent.left, extent.left + extent.width, 5)) {
-    const double x = box.left + box.width * (tick.value - extent.left) / extent.width;
-    page.line({{x, box.top}, {x, box.bottom()}}, 1.2, palette().grid);
-    page.text(x, box.bottom() + 30, tick.text, style);
+// A series without points for each kind there is: its name stands above the panel.
+std::vector<ChartSeries> names_of_kinds(const std::vector<LoggedEvent>& events) {
+  std::vector<ChartSeries> names;
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    const bool there = std::any_of(events.begin(), events.end(),
+                                   [&](const LoggedEvent& event) { return kind_of(event) == kind; });
+    if (there) names.push_back({kinds[kind], "", colour_of(kind), {}, {}});
   }
-  for (const Tick& tick : round_ticks(extent.bottom, extent.bottom + extent.height, 5)) {
-    const double y = box.bottom() - box.height * (tick.value - extent.bottom) / extent.height;
-    page.line({{box.left, y}, {box.right(), y}}, 1.2, palette().grid);
-    page.text(box.left - 10, y + 7, tick.text, {20, palette().ink, false, Align::right});
-  }
-  page.text(box.left + box.width / 2, box.bottom() + 66, "x (m)", {22, palette().ink, false, Align::centre});
-  page.text(box.left - 62, box.top + box.height / 2, "y (m)",
-            {22, palette().ink, false, Align::centre, true});
-  page.line({{box.left, box.top}, {box.left, box.bottom()}, {box.right(), box.bottom()}}, 1.6,
-            palette().frame);
+  return names;
 }
 
 // Areas as moments; the smallest can still be seen.
@@ -90,7 +73,10 @@ void put_map(ChartPage& page, const Box& box, const std::vector<LoggedEvent>& ev
   constexpr double largest_radius = 34;
   constexpr double smallest_radius = 2.5;
   const Extent extent = extent_of(events, run);
-  put_axes(page, box, extent);
+  Panel panel{"Where; areas as moments", "x (m)", names_of_kinds(events), false, false};
+  panel.unit = "y (m)";
+  panel.shown = extent;
+  page.panel(box, panel);
   const double scale = box.width / extent.width;
   const auto on_page = [&](Point place) {
     return Point{box.left + (place.x - extent.left) * scale,
@@ -111,20 +97,14 @@ void put_map(ChartPage& page, const Box& box, const std::vector<LoggedEvent>& ev
   }
 }
 
-Panel course_of(const std::vector<LoggedEvent>& events) {
-  Panel panel{"Magnitude against time", "time (s)", {}, false, false};
-  panel.free_zero = true;
-  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
-    ChartSeries series{"", "", colour_of(kind), {}, {}};
-    series.dots = true;
-    for (const LoggedEvent& event : events) {
-      if (kind_of(event) != kind) continue;
-      series.x.push_back(event.time);
-      series.y.push_back(event.magnitude);
-    }
-    if (!series.x.empty()) panel.series.push_back(std::move(series));
+std::vector<ChartSeries> course_of(const std::vector<LoggedEvent>& events) {
+  std::vector<ChartSeries> series;
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) series.push_back({"", "", colour_of(kind), {}, {}});
+  for (const LoggedEvent& event : events) {
+    series[kind_of(event)].x.push_back(event.time);
+    series[kind_of(event)].y.push_back(event.magnitude);
   }
-  return panel;
+  return series;
 }
 
 }  // namespace
@@ -137,18 +117,8 @@ void fill_catalogue(ChartPage& page, const ChartData& data) {
             "Cracks that broke together (Hazzard and Young 2000). Moment: force drop of their bonds times "
             "lever arm.",
             {18, palette().faint_ink});
-  page.text(130, 205, "Where; areas as moments", {26, palette().ink, true});
-  double left = 130;
-  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
-    const bool there = std::any_of(events.begin(), events.end(),
-                                   [&](const LoggedEvent& event) { return kind_of(event) == kind; });
-    if (!there) continue;
-    page.dot({left + 8, 235}, 8, colour_of(kind));
-    page.text(left + 26, 242, kinds[kind], {20, palette().ink});
-    left += 60 + page.text_width(kinds[kind], {20, palette().ink});
-  }
   put_map(page, {130, 270, 690, 690}, events, *data.run);
-  page.panel({970, 270, 550, 250}, course_of(events));
+  page.panel({970, 270, 550, 250}, course_panel(course_of(events)));
   std::vector<double> magnitudes;
   for (const LoggedEvent& event : events) magnitudes.push_back(event.magnitude);
   page.panel({970, 710, 550, 250}, frequency_panel("Events at least as strong", std::move(magnitudes)));

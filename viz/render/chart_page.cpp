@@ -6,14 +6,12 @@
 #include <vtkPDFExporter.h>
 #include <vtkSVGExporter.h>
 #include <vtkTextRenderer.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "chart_panel.h"
-#include "failure.h"
 #include "fonts.h"
 #include "shape_item.h"
 
@@ -30,6 +28,7 @@ ChartPage::ChartPage(OffscreenWindow* window, double page_height, double pixels)
       pixels_(pixels),
       renderer_(vtkSmartPointer<vtkRenderer>::New()),
       actor_(vtkSmartPointer<vtkContextActor>::New()),
+      sheet_(vtkSmartPointer<vtkContextTransform>::New()),
       shapes_(vtkSmartPointer<ShapeItem>::New()) {
   window_->SetNumberOfLayers(1);
   window_->SetSize(static_cast<int>(std::lround(width * pixels)),
@@ -38,6 +37,7 @@ ChartPage::ChartPage(OffscreenWindow* window, double page_height, double pixels)
   renderer_->SetBackground(paper.red / 255.0, paper.green / 255.0, paper.blue / 255.0);
   renderer_->AddActor(actor_);
   actor_->GetScene()->SetRenderer(renderer_);
+  actor_->GetScene()->AddItem(sheet_);
   window_->AddRenderer(renderer_);
 }
 
@@ -97,9 +97,27 @@ void ChartPage::panel(const Box& box, const Panel& panel) {
   const Box drawn = {box.left * pixels_, (height_ - box.bottom()) * pixels_, box.width * pixels_,
                      box.height * pixels_};
   const PanelRanges ranges = ranges_of(panel);
-  actor_->GetScene()->AddItem(make_chart(drawn, panel, ranges, pixels_));
+  const PanelTicks ticks = ticks_of(panel, ranges, box.width, box.height);
+  sheet_->AddItem(make_chart(drawn, ranges, ticks, pixels_));
+  put_grid(box, ranges, ticks);
   put_curves(box, panel, ranges);
   put_names(box, panel);
+}
+
+// Faint lines at the ticks, but where an axis is.
+void ChartPage::put_grid(const Box& box, const PanelRanges& ranges, const PanelTicks& ticks) {
+  constexpr double thickness = 1.2;
+  const auto apart = [](double share) { return share > 1e-3 && share < 1 + 1e-9; };
+  for (const Tick& tick : ticks.x) {
+    const double x = box.left + box.width * ranges.x.share(tick.value);
+    if (apart(ranges.x.share(tick.value)))
+      line({{x, box.bottom() - 1}, {x, box.top}}, thickness, palette().grid);
+  }
+  for (const Tick& tick : ticks.left) {
+    const double y = box.bottom() - box.height * ranges.left.share(tick.value);
+    if (apart(ranges.left.share(tick.value)))
+      line({{box.left + 1, y}, {box.right(), y}}, thickness, palette().grid);
+  }
 }
 
 // Error bars, or the band they would make, below the curve itself.
@@ -178,21 +196,21 @@ void ChartPage::put_names(const Box& box, const Panel& panel) {
 }
 
 void ChartPage::render() {
-  actor_->GetScene()->AddItem(shapes_);  // over the charts
+  if (shapes_->GetScene() == nullptr) sheet_->AddItem(shapes_);  // last: over the charts
   window_->SetDPI(text_resolution);
   window_->Render();
 }
 
 Image ChartPage::draw(int factor) {
-  render();
   const int* size = window_->GetSize();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  const int read = window_->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 1, pixels, 0);
-  if (read == VTK_ERROR || pixels->GetNumberOfValues() != static_cast<vtkIdType>(size[0]) * size[1] * 3 ||
-      size[0] % factor != 0) {
-    fail_drawing("the chart cannot be read back from the off-screen window");
-  }
-  return reduced(pixels->GetPointer(0), size[0] / factor, size[1] / factor, factor);
+  Image image =
+      drawn_in_bands(window_, size[0] / factor, size[1] / factor, factor, [&](const PageBand& band) {
+        sheet_->Identity();
+        sheet_->Translate(0.0F, static_cast<float>(-band.bottom * factor));
+        render();
+      });
+  sheet_->Identity();
+  return image;
 }
 
 void ChartPage::write_svg(const std::filesystem::path& path, const std::string& title) {

@@ -8,10 +8,12 @@
 
 #include <vtkChartXY.h>
 #include <vtkContextActor.h>
+#include <vtkContextTransform.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,7 @@ namespace hfrac::viz {
 
 class ShapeItem;
 struct PanelRanges;
+struct PanelTicks;
 
 // A line of a panel: points, and how they are joined.
 struct ChartSeries {
@@ -43,11 +46,12 @@ struct ChartSeries {
 struct Panel {
   std::string title;
   std::string x_label;
-  std::vector<ChartSeries> series;  // at most one unit per axis
-  bool logarithmic = false;         // the left axis
-  bool whole_numbers = false;       // the left axis counts
-  bool free_zero = false;           // the left axis need not show zero
-  std::string unit = {};            // beside the title, if the series do not tell
+  std::vector<ChartSeries> series;   // at most one unit per axis
+  bool logarithmic = false;          // the left axis
+  bool whole_numbers = false;        // the left axis counts
+  bool free_zero = false;            // the left axis need not show zero
+  std::string unit = {};             // beside the title, if the series do not tell
+  std::optional<Extent> shown = {};  // what the axes end at, as it stands; otherwise as the series ask
 };
 
 class ChartPage {
@@ -76,6 +80,7 @@ class ChartPage {
 
  private:
   void put_spread(const Box& box, const Panel& panel, const ChartSeries& series, const PanelRanges& ranges);
+  void put_grid(const Box& box, const PanelRanges& ranges, const PanelTicks& ticks);
   void put_curves(const Box& box, const Panel& panel, const PanelRanges& ranges);
   void put_names(const Box& box, const Panel& panel);
   void render();
@@ -85,6 +90,7 @@ class ChartPage {
   double pixels_;
   vtkSmartPointer<vtkRenderer> renderer_;
   vtkSmartPointer<vtkContextActor> actor_;
+  vtkSmartPointer<vtkContextTransform> sheet_;  // holds the charts and, over them, the shapes
   vtkSmartPointer<ShapeItem> shapes_;
 
   std::vector<Point> placed(const std::vector<Point>& points) const;

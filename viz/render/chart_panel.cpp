@@ -58,7 +58,7 @@ std::vector<Tick> ticks_of(const Range& range, double room, bool logarithmic, bo
   return ticks;
 }
 
-void set_axis(vtkAxis* axis, const Range& range, const std::vector<Tick>& ticks, double unit, bool grid) {
+void set_axis(vtkAxis* axis, const Range& range, const std::vector<Tick>& ticks, double unit) {
   axis->SetVisible(true);
   axis->SetBehavior(vtkAxis::FIXED);
   axis->SetRange(range.lowest, range.highest);
@@ -75,8 +75,7 @@ void set_axis(vtkAxis* axis, const Range& range, const std::vector<Tick>& ticks,
   axis->SetTickLength(static_cast<float>(6 * unit));
   axis->SetMargins(static_cast<int>(12 * unit), static_cast<int>(10 * unit));
   paint(axis->GetPen(), palette().frame, 1.6 * unit);
-  axis->SetGridVisible(grid);
-  paint(axis->GetGridPen(), palette().grid, 1.2 * unit);
+  axis->SetGridVisible(false);
 }
 
 void hide_axis(vtkAxis* axis) {
@@ -130,6 +129,10 @@ void add_unseen_plot(vtkChartXY* chart, const Range& x, const Range& y, int corn
 }  // namespace
 
 PanelRanges ranges_of(const Panel& panel) {
+  if (panel.shown) {
+    const Extent& shown = *panel.shown;
+    return {{shown.left, shown.left + shown.width}, {shown.bottom, shown.bottom + shown.height}, {}, false};
+  }
   Span x;
   Span left;
   Span right;
@@ -151,6 +154,15 @@ PanelRanges ranges_of(const Panel& panel) {
           with_room(right, 0.06, true), !right.empty()};
 }
 
+PanelTicks ticks_of(const Panel& panel, const PanelRanges& ranges, double width, double height) {
+  const double rows = height / 60;
+  PanelTicks ticks{ticks_of(ranges.x, width / 130, false, false),
+                   ticks_of(ranges.left, rows, panel.logarithmic, panel.whole_numbers),
+                   {}};
+  if (ranges.has_right) ticks.right = ticks_of(ranges.right, rows, false, false);
+  return ticks;
+}
+
 std::vector<Point> curve_of(const Panel& panel, const ChartSeries& series, const PanelRanges& ranges) {
   const Range& range = series.right ? ranges.right : ranges.left;
   std::vector<Point> points;
@@ -165,7 +177,7 @@ std::vector<Point> curve_of(const Panel& panel, const ChartSeries& series, const
   return series.dots ? points : thinned(points);
 }
 
-vtkSmartPointer<vtkChartXY> make_chart(const Box& box, const Panel& panel, const PanelRanges& ranges,
+vtkSmartPointer<vtkChartXY> make_chart(const Box& box, const PanelRanges& ranges, const PanelTicks& ticks,
                                        double unit) {
   auto chart = vtkSmartPointer<vtkChartXY>::New();
   chart->SetAutoSize(false);
@@ -174,18 +186,14 @@ vtkSmartPointer<vtkChartXY> make_chart(const Box& box, const Panel& panel, const
                           static_cast<float>(box.width), static_cast<float>(box.height)));
   chart->SetShowLegend(false);
   chart->SetRenderEmpty(true);
-  const double rows = box.height / (60 * unit);
-  set_axis(chart->GetAxis(vtkAxis::BOTTOM), ranges.x,
-           ticks_of(ranges.x, box.width / (130 * unit), false, false), unit, true);
-  set_axis(chart->GetAxis(vtkAxis::LEFT), ranges.left,
-           ticks_of(ranges.left, rows, panel.logarithmic, panel.whole_numbers), unit, true);
+  set_axis(chart->GetAxis(vtkAxis::BOTTOM), ranges.x, ticks.x, unit);
+  set_axis(chart->GetAxis(vtkAxis::LEFT), ranges.left, ticks.left, unit);
   add_unseen_plot(chart, ranges.x, ranges.left, 0);
   hide_axis(chart->GetAxis(vtkAxis::TOP));
   hide_axis(chart->GetAxis(vtkAxis::RIGHT));
   if (ranges.has_right) {
     add_unseen_plot(chart, ranges.x, ranges.right, 1);
-    set_axis(chart->GetAxis(vtkAxis::RIGHT), ranges.right, ticks_of(ranges.right, rows, false, false), unit,
-             false);
+    set_axis(chart->GetAxis(vtkAxis::RIGHT), ranges.right, ticks.right, unit);
   }
   return chart;
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One VTK chart's axes, set up in the house style: no box, a faint grid, round ticks.
+// One VTK chart's axes, set up in the house style: no box, round ticks.
 //
-// The curves themselves are drawn as lines of the page: VTK scales the pen of a plot together with its axes
-// when it writes SVG or PDF, which turns a curve into a blot.
+// Curves and grid are drawn as lines of the page: VTK scales the pen of a plot together with its axes when it
+// writes SVG or PDF, which turns a curve into a blot, and cuts the grid off at a place that does not move with the chart
+// when the page is drawn in bands.
 #pragma once
 
 #include <vtkChartXY.h>
@@ -29,9 +30,18 @@ struct PanelRanges {
 };
 PanelRanges ranges_of(const Panel& panel);
 
+// Values on the axes with their texts.
+struct PanelTicks {
+  std::vector<Tick> x;
+  std::vector<Tick> left;
+  std::vector<Tick> right;
+};
+// `width`, `height`: of the plot in units of the page.
+PanelTicks ticks_of(const Panel& panel, const PanelRanges& ranges, double width, double height);
+
 // `box`: of the plot itself, in drawn pixels, `top` counted up from the page's lower edge. `unit`: drawn
 // pixels of a unit of the page.
-vtkSmartPointer<vtkChartXY> make_chart(const Box& box, const Panel& panel, const PanelRanges& ranges,
+vtkSmartPointer<vtkChartXY> make_chart(const Box& box, const PanelRanges& ranges, const PanelTicks& ticks,
                                        double unit);
 
 // The points of a series as shares of the plot's width and height; what cannot be shown is left out, a

@@ -40,6 +40,8 @@ void fill_catalogue(ChartPage& page, const ChartData& data);
 // A circle's line.
 void put_ring(ChartPage& page, Point centre, double radius, double thickness, Colour colour);
 
+// Two lines at the top; the second may be empty.
+void put_heading(ChartPage& page, const std::string& title, const std::string& second_line);
 // The run's title and what the page shows, at the top.
 void put_heading(ChartPage& page, const RunFolder& run, const std::string& what);
 

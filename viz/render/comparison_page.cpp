@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "charts.h"
 #include "comparison.h"
 #include "quantity.h"
 
@@ -177,8 +178,7 @@ double comparison_height(const Comparison& comparison) {
 
 void fill_comparison(ChartPage& page, const Comparison& comparison, const ComparisonTexts& texts) {
   const std::string heading = texts.title.empty() ? "Runs compared" : texts.title;
-  page.text(96, 56, heading, {32, palette().ink, true});
-  page.text(96, 92, how_drawn(comparison), {22, palette().faint_ink});
+  put_heading(page, heading, how_drawn(comparison));
   put_legend(page, comparison);
   const Grid grid = grid_of(comparison.panels.size());
   const double top = panels_top(comparison);

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "charts.h"
-#include "frequency.h"
+#include "magnitudes.h"
 
 namespace hfrac::viz {
 namespace {
@@ -192,14 +192,13 @@ void fill_profile(ChartPage& page, const ChartData& data) {
 
 void fill_events(ChartPage& page, const ChartData& data) {
   std::vector<double> magnitudes;
-  std::array<ChartSeries, 2> over_time = {
-      {{"in tension", "", palette().water, {}, {}}, {"in shear", "", palette().shear, {}, {}}}};
+  std::vector<ChartSeries> over_time = {{"in tension", "", palette().water, {}, {}},
+                                        {"in shear", "", palette().shear, {}, {}}};
   for (const LoggedCrack& crack : logged_cracks(data.cracks)) {
     if (!(crack.energy > 0)) continue;
     const double magnitude = magnitude_of(crack.energy);
     magnitudes.push_back(magnitude);
     ChartSeries& series = over_time[crack.shear ? 1 : 0];
-    series.dots = true;
     series.x.push_back(crack.time);
     series.y.push_back(magnitude);
   }
@@ -209,12 +208,7 @@ void fill_events(ChartPage& page, const ChartData& data) {
             "M = 2/3 log10 E \xE2\x88\x92 2.9 (Choy and Boatwright 1995), E: elastic energy of the broken "
             "bond in J, at a thickness of 1 m. An upper bound.",
             {18, palette().faint_ink});
-  Panel left{"Magnitude against time", "time (s)", {}, false, false};
-  for (ChartSeries& series : over_time) {
-    if (!series.x.empty()) left.series.push_back(std::move(series));
-  }
-  left.free_zero = true;
-  page.panel({120, 250, 554, 420}, left);
+  page.panel({120, 250, 554, 420}, course_panel(std::move(over_time)));
   page.panel({926, 250, 554, 420}, frequency_panel("Cracks at least as strong", std::move(magnitudes)));
 }
 

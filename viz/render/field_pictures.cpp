@@ -39,7 +39,7 @@ Scene load_scene(const RunFolder& run, const HistoryPoint& point, bool with_bond
   return scene;
 }
 
-Image pressure_picture(const Studio& studio, const Scene& scene) {
+void pressure_picture(const Studio& studio, const Scene& scene, const PageSink& sink) {
   if (scene.flow.domains.empty())
     fail_reading("snapshot " + std::to_string(scene.point.number) + " has no flow data");
   Sheet sheet(studio, whole_model(*studio.run, scene.discs));
@@ -67,10 +67,10 @@ Image pressure_picture(const Studio& studio, const Scene& scene) {
               {{Sign::band, palette().tension, {}, "crack, tension"},
                {Sign::band, palette().shear, {}, "crack, shear"},
                {Sign::line, palette().well, {}, "wellbore"}});
-  return sheet.page.draw();
+  sink(sheet.page);
 }
 
-Image aperture_picture(const Studio& studio, const Scene& scene) {
+void aperture_picture(const Studio& studio, const Scene& scene, const PageSink& sink) {
   Sheet sheet(studio, around_cracks(*studio.run, scene));
   double widest = 0;
   for (const Crack& crack : scene.cracks.cracks) widest = std::max(widest, crack.aperture);
@@ -97,7 +97,7 @@ Image aperture_picture(const Studio& studio, const Scene& scene) {
   draw_legend(sheet.page, unit, sheet.column_left, sheet.column_bottom - legend_height,
               {{Sign::disc, palette().quiet_disc, palette().quiet_disc_rim, "disc"},
                {Sign::hole, palette().well, {}, "wellbore"}});
-  return sheet.page.draw();
+  sink(sheet.page);
 }
 
 }  // namespace hfrac::viz

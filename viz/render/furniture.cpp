@@ -15,24 +15,10 @@ constexpr double rise = 0.36;  // of the em: from a text's baseline to the middl
 
 }  // namespace
 
-std::string fitted(const Page& page, const std::string& content, const TextStyle& style, double width) {
-  if (page.text_width(content, style) <= width) return content;
-  std::string cut = content;
-  while (!cut.empty()) {
-    // One whole UTF-8 letter less.
-    while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xC0) == 0x80) cut.pop_back();
-    if (!cut.empty()) cut.pop_back();
-    if (page.text_width(cut + "...", style) <= width) break;
-  }
-  return cut + "...";
-}
-
 void draw_title(Page& page, double unit, double left, const std::string& title,
                 const std::string& second_line) {
-  TextStyle style{34 * unit, palette().ink, true};
   const double room = page.width() - left - 30 * unit;
-  // A long title is set smaller first and cut only then.
-  style.size *= std::clamp(room / std::max(1.0, page.text_width(title, style)), 0.7, 1.0);
+  TextStyle style = title_style(page, title, {34 * unit, palette().ink, true}, room);
   page.text(left, 56 * unit, fitted(page, title, style, room), style);
   style = {25 * unit, palette().faint_ink};
   page.text(left, 94 * unit, fitted(page, second_line, style, room), style);

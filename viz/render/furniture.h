@@ -8,12 +8,10 @@
 #include <vector>
 
 #include "colour.h"
+#include "fitted_text.h"
 #include "page.h"
 
 namespace hfrac::viz {
-
-// The text, cut and ended by "..." if it is wider than `width` pixels.
-std::string fitted(const Page& page, const std::string& content, const TextStyle& style, double width);
 
 // Two lines at the top left; the second may be empty.
 void draw_title(Page& page, double unit, double left, const std::string& title,

@@ -117,7 +117,7 @@ void add_growth_layers(const View& view, const Page& page, const RunFolder& run,
   }
 }
 
-Image model_picture(const Studio& studio, const Scene& scene) {
+void model_picture(const Studio& studio, const Scene& scene, const PageSink& sink) {
   Sheet sheet(studio, whole_model(*studio.run, scene.discs));
   const double radius_pixels = mean_radius(scene.discs) / sheet.view.metres_per_pixel;
   sheet.view.renderer->AddActor(well_layer(scene.flow, studio.run->wells, 2 * sheet.view.metres_per_pixel));
@@ -139,10 +139,10 @@ Image model_picture(const Studio& studio, const Scene& scene) {
   const double below = draw_legend(sheet.page, sheet.unit, sheet.column_left, sheet.column_top, entries);
   draw_scale_bar(sheet.page, sheet.unit, sheet.column_left, below + 50 * sheet.unit, 0.8 * sheet.column_width,
                  sheet.view.metres_per_pixel);
-  return sheet.page.draw();
+  sink(sheet.page);
 }
 
-Image stage_picture(const Studio& studio, const Scene& scene) {
+void stage_picture(const Studio& studio, const Scene& scene, const PageSink& sink) {
   constexpr double column_needs = 980;  // legend, scale bar and notes below each other
   Sheet sheet(studio, whole_model(*studio.run, scene.discs), {1600, 300, column_needs, false});
   add_growth_layers(sheet.view, sheet.page, *studio.run, scene, sheet.metres(1));
@@ -156,10 +156,10 @@ Image stage_picture(const Studio& studio, const Scene& scene) {
                          0.8 * sheet.column_width, sheet.view.metres_per_pixel);
   draw_notes(sheet.page, sheet.unit, sheet.column_left, below + 40 * sheet.unit,
              moment_notes(*studio.run, scene.point));
-  return sheet.page.draw();
+  sink(sheet.page);
 }
 
-Image growth_picture(const Studio& studio, const std::vector<Scene>& scenes) {
+void growth_picture(const Studio& studio, const std::vector<Scene>& scenes, const PageSink& sink) {
   if (scenes.empty()) fail_reading("the run has no snapshots");
   const Extent extent = whole_model(*studio.run, scenes.front().discs);
   const GrowthGrid grid(studio, extent);
@@ -188,7 +188,7 @@ Image growth_picture(const Studio& studio, const std::vector<Scene>& scenes) {
   const double left = last.left + 20 * unit;
   const double below = draw_legend(page, unit, left, last.top, growth_legend(bonds));
   draw_scale_bar(page, unit, left, below + 40 * unit, 0.5 * last.width, metres_per_pixel);
-  return page.draw();
+  sink(page);
 }
 
 }  // namespace hfrac::viz

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "charts.h"
+#include "fitted_text.h"
 
 namespace hfrac::viz {
 namespace {
@@ -136,9 +137,16 @@ Panel energy_panel(const Plotter& plot) {
 
 }  // namespace
 
+void put_heading(ChartPage& page, const std::string& title, const std::string& second_line) {
+  constexpr double room = ChartPage::width - 2 * 96;
+  const TextStyle style = title_style(page, title, {32, palette().ink, true}, room);
+  page.text(96, 56, fitted(page, title, style, room), style);
+  const TextStyle faint{23, palette().faint_ink};
+  page.text(96, 92, fitted(page, second_line, faint, room), faint);
+}
+
 void put_heading(ChartPage& page, const RunFolder& run, const std::string& what) {
-  page.text(96, 56, run.title.empty() ? what : run.title, {32, palette().ink, true});
-  if (!run.title.empty()) page.text(96, 92, what, {23, palette().faint_ink});
+  put_heading(page, run.title.empty() ? what : run.title, run.title.empty() ? "" : what);
 }
 
 void fill_history(ChartPage& page, const ChartData& data) {

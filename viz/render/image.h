@@ -17,12 +17,8 @@ struct Image {
   const std::uint8_t* row(int y) const { return rgb.data() + static_cast<std::size_t>(y) * width * 3; }
 };
 
-// From pixels drawn `factor` times too large in both directions, rows from the bottom up: every pixel is the
+// From pixels drawn `factor` (1, 2 or 3) times too large in both directions, rows from the bottom up: every pixel is the
 // mean of factor x factor drawn ones, which smooths every edge alike, discs and text included.
 Image reduced(const std::uint8_t* bottom_up_rgb, int width, int height, int factor);
-
-// The picture as a PNG file's content, compression level 1 (twice as fast as the usual, a third larger).
-// dots_per_inch: how large it is on paper, 0: not said.
-std::vector<std::uint8_t> png(const Image& image, int dots_per_inch = 0);
 
 }  // namespace hfrac::viz

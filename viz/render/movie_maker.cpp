@@ -115,7 +115,9 @@ class MovieMaker {
   Image frame(int index, const MovieCurves& curves) const {
     VtkMessages messages;
     const Studio studio{window_, &run_, {format_.width, format_.height}};
-    Image image = movie_frame(studio, load_scene(run_, history_[index], false, false), curves);
+    Image image;
+    movie_frame(studio, load_scene(run_, history_[index], false, false), curves,
+                [&](Page& page) { image = page.draw(); });
     const std::string errors = messages.take_errors();
     if (!errors.empty()) fail_drawing("drawing failed: " + errors);
     return image;

@@ -71,7 +71,7 @@ PictureSize movie_size(const Studio& studio, const Discs& discs) {
   return {studio.size.width, sheet_height(studio, whole_model(*studio.run, discs), movie_shape)};
 }
 
-Image movie_frame(const Studio& studio, const Scene& scene, const MovieCurves& curves) {
+void movie_frame(const Studio& studio, const Scene& scene, const MovieCurves& curves, const PageSink& sink) {
   Sheet sheet(studio, whole_model(*studio.run, scene.discs), movie_shape);
   add_growth_layers(sheet.view, sheet.page, *studio.run, scene, sheet.metres(1));
   draw_sheet_title(sheet, *studio.run, "Fracture growth");
@@ -136,7 +136,7 @@ Image movie_frame(const Studio& studio, const Scene& scene, const MovieCurves& c
     draw_curve(sheet.page, unit, box, shown[i], i + 1 == shown.size() ? time.label() : "");
     top += height + gap;
   }
-  return sheet.page.draw();
+  sink(sheet.page);
 }
 
 }  // namespace hfrac::viz

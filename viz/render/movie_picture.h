@@ -25,6 +25,6 @@ MovieCurves movie_curves(const RunFolder& run, const std::vector<HistoryPoint>& 
 // Size of the frames; `studio` needs no window.
 PictureSize movie_size(const Studio& studio, const Discs& discs);
 
-Image movie_frame(const Studio& studio, const Scene& scene, const MovieCurves& curves);
+void movie_frame(const Studio& studio, const Scene& scene, const MovieCurves& curves, const PageSink& sink);
 
 }  // namespace hfrac::viz

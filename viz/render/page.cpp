@@ -3,14 +3,13 @@
 
 #include <vtkCamera.h>
 #include <vtkNew.h>
+#include <vtkStdString.h>
 #include <vtkTextActor.h>
 #include <vtkTextRenderer.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "failure.h"
 #include "fonts.h"
 #include "vector_page.h"
 
@@ -42,12 +41,10 @@ Page::Page(OffscreenWindow* window, int width, int height)
       width_(width),
       height_(height),
       factor_(2 * std::max(width, height) <= largest_drawn ? 2 : 1) {
-  window_->SetSize(width * factor_, height * factor_);
   window_->SetNumberOfLayers(2);
   overlay_ = vtkSmartPointer<vtkRenderer>::New();
   overlay_->SetLayer(1);
   overlay_->InteractiveOff();
-  look_down(overlay_, width * factor_ / 2.0, height * factor_ / 2.0, height * factor_);
   // A sheet of paper below everything: views cover only their boxes.
   auto sheet = vtkSmartPointer<vtkRenderer>::New();
   set_paper(sheet);
@@ -69,9 +66,6 @@ View Page::view(const Box& room, const Extent& extent) {
               std::round(extent.height / view.metres_per_pixel)};
   view.renderer = vtkSmartPointer<vtkRenderer>::New();
   set_paper(view.renderer);
-  view.renderer->SetViewport(view.box.left / width_, 1.0 - view.box.bottom() / height_,
-                             view.box.right() / width_, 1.0 - view.box.top / height_);
-  look_down(view.renderer, extent.left + extent.width / 2, extent.bottom + extent.height / 2, extent.height);
   window_->AddRenderer(view.renderer);
   renderers_.push_back(view.renderer);
   views_.push_back(view);
@@ -119,7 +113,7 @@ void Page::text(double x, double y, const std::string& content, const TextStyle&
   // VTK places the line's box, which reaches below the baseline by the letters' descent.
   const double descent = 0.236 * style.size;
   const Point at = style.upwards ? place(x + descent, y) : place(x, y + descent);
-  actor->SetPosition(at.x, at.y);
+  letters_.push_back({actor, at});
   overlay_->AddActor2D(actor);
 }
 
@@ -146,20 +140,32 @@ std::vector<std::uint8_t> Page::pdf(const std::string& title, int dots_per_inch)
   return pdf_page({this, title, views_, overlay_shapes(), texts_}, dots_per_inch);
 }
 
+// The part of a view between two heights of the page, as if it were all of it.
+void Page::show_part(const View& view, const PageBand& band) const {
+  const double below = height_ - view.box.bottom();
+  const double from = std::max(below, static_cast<double>(band.bottom));
+  const double to = std::min(below + view.box.height, static_cast<double>(band.bottom + band.rows));
+  view.renderer->SetDraw(to > from ? 1 : 0);
+  if (!(to > from)) return;
+  view.renderer->SetViewport(view.box.left / width_, (from - band.bottom) / band.rows,
+                             view.box.right() / width_, (to - band.bottom) / band.rows);
+  const double metres = view.extent.height / view.box.height;  // per pixel
+  look_down(view.renderer, view.extent.left + view.extent.width / 2,
+            view.extent.bottom + ((from + to) / 2 - below) * metres, (to - from) * metres);
+}
+
 Image Page::draw() {
   if (!shapes_.empty()) overlay_->AddActor(shapes_.actor(0.0));
   window_->AddRenderer(overlay_);
   window_->SetDPI(text_resolution);
-  window_->Render();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  const int drawn_width = width_ * factor_;
-  const int drawn_height = height_ * factor_;
-  const int read = window_->GetPixelData(0, 0, drawn_width - 1, drawn_height - 1, 1, pixels, 0);
-  if (read == VTK_ERROR ||
-      pixels->GetNumberOfValues() != static_cast<vtkIdType>(drawn_width) * drawn_height * 3) {
-    fail_drawing("the picture cannot be read back from the off-screen window");
-  }
-  return reduced(pixels->GetPointer(0), width_, height_, factor_);
+  return drawn_in_bands(window_, width_, height_, factor_, [this](const PageBand& band) {
+    for (const View& view : views_) show_part(view, band);
+    const double bottom = static_cast<double>(band.bottom) * factor_;
+    const double rows = static_cast<double>(band.rows) * factor_;
+    look_down(overlay_, width_ * factor_ / 2.0, bottom + rows / 2, rows);
+    for (const Letters& one : letters_) one.actor->SetPosition(one.at.x, one.at.y - bottom);
+    window_->Render();
+  });
 }
 
 }  // namespace hfrac::viz

@@ -8,12 +8,14 @@
 
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "bands.h"
 #include "image.h"
 #include "mesh.h"
 #include "offscreen_window.h"
@@ -94,6 +96,13 @@ class Page {
   std::vector<std::uint8_t> pdf(const std::string& title, int dots_per_inch) const;
 
  private:
+  // A text as VTK draws it; `at` in drawn pixels of the page.
+  struct Letters {
+    vtkSmartPointer<vtkTextActor> actor;
+    Point at;
+  };
+
+  void show_part(const View& view, const PageBand& band) const;
   vtkSmartPointer<vtkActor> overlay_shapes() const;
   vtkSmartPointer<vtkTextProperty> text_property(const TextStyle& style) const;
   Point place(double x, double y) const { return {x * factor_, (height_ - y) * factor_}; }
@@ -106,6 +115,7 @@ class Page {
   std::vector<vtkSmartPointer<vtkRenderer>> renderers_;
   std::vector<View> views_;
   std::vector<PageText> texts_;
+  std::vector<Letters> letters_;
   vtkSmartPointer<vtkRenderer> overlay_;
 };
 

@@ -6,6 +6,8 @@
 #include <sstream>
 
 #include "failure.h"
+#include "page_content.h"
+#include "png_file.h"
 #include "svg_text.h"
 #include "vtk_messages.h"
 #include "whole_file.h"
@@ -54,7 +56,7 @@ Image page_image(const PageContent& content, OffscreenWindow* window, int width)
 
 void write_page(const std::filesystem::path& target, const PageContent& content, OffscreenWindow* window,
                 const PagePixels& pixels) {
-  const std::string ending = target.extension().string();
+  const std::string ending = picture_ending(target);
   if (ending == ".png") {
     write_whole(target, png(page_image(content, window, pixels.width), pixels.dots_per_inch));
   } else if (ending == ".svg") {
@@ -64,14 +66,12 @@ void write_page(const std::filesystem::path& target, const PageContent& content,
       page.write_svg(path, content.title);
       mend(path);
     });
-  } else if (ending == ".pdf") {
+  } else {
     export_whole(target, [&](const std::filesystem::path& path) {
       ChartPage page(window, content.height, 1.0);
       content.fill(page);
       page.write_pdf(path, content.title);
     });
-  } else {
-    fail_argument("'" + target.string() + "' ends neither in .png, .svg nor .pdf");
   }
 }
 

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pictures themselves: which layers, what around them, where on the page.
+// The pictures themselves: which layers, what around them, where on the page. What becomes of the page, pixels or a
+// vector file, is the caller's.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "history.h"
-#include "image.h"
 #include "offscreen_window.h"
+#include "page.h"
 #include "run_folder.h"
 
 namespace hfrac::viz {
+
+// Gets the finished page, which is gone after it.
+using PageSink = std::function<void(Page&)>;
 
 struct PictureSize {
   int width = 1600;  // [pixel]
@@ -38,11 +43,11 @@ std::string moment_text(const HistoryPoint& point);
 
 Scene load_scene(const RunFolder& run, const HistoryPoint& point, bool with_bonds, bool with_flow);
 
-Image model_picture(const Studio& studio, const Scene& scene);
-Image stage_picture(const Studio& studio, const Scene& scene);
-Image growth_picture(const Studio& studio, const std::vector<Scene>& scenes);
+void model_picture(const Studio& studio, const Scene& scene, const PageSink& sink);
+void stage_picture(const Studio& studio, const Scene& scene, const PageSink& sink);
+void growth_picture(const Studio& studio, const std::vector<Scene>& scenes, const PageSink& sink);
 // Throws Failure(HFRAC_VIZ_ERR_READ) if the scene has no domains.
-Image pressure_picture(const Studio& studio, const Scene& scene);
-Image aperture_picture(const Studio& studio, const Scene& scene);
+void pressure_picture(const Studio& studio, const Scene& scene, const PageSink& sink);
+void aperture_picture(const Studio& studio, const Scene& scene, const PageSink& sink);
 
 }  // namespace hfrac::viz

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "render_run.h"
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
+#include <functional>
+#include <string>
+#include <vector>
 
 #include "colour.h"
 #include "failure.h"
 #include "history.h"
 #include "movie_maker.h"
+#include "movie_picture.h"
+#include "page_content.h"
 #include "paraview_script.h"
 #include "pictures.h"
 #include "vtk_messages.h"
@@ -20,65 +22,81 @@ namespace {
 // Everything drawing needs, alive for one call.
 struct Workshop {
   Workshop(const std::filesystem::path& folder, const hfrac_viz_options& wanted)
-      : options(wanted), run(open_run(folder)), history(read_history(run)), window(make_offscreen_window()) {}
+      : options(wanted), run(open_run(folder)), window(make_offscreen_window()) {}
 
-  Studio studio(int width, int height) const { return {window, &run, {width, height}}; }
-  Studio studio() const { return studio(options.width, options.height); }
+  Studio studio() const { return {window, &run, {options.width, options.height}}; }
+  std::string title() const { return run.title.empty() ? "hfrac" : run.title; }
 
-  // The history's point of the snapshot asked for; `fallback` if none was.
-  const HistoryPoint& chosen(const HistoryPoint& fallback) const {
-    if (options.snapshot < 0) return fallback;
-    for (const HistoryPoint& point : history) {
-      if (point.number == options.snapshot) return point;
-    }
-    fail_argument("the run has no snapshot " + std::to_string(options.snapshot));
+  // The snapshot asked for, or if none was, the first or the last.
+  HistoryPoint first_or_chosen() const {
+    return history_point(run, options.snapshot < 0 ? run.discs.begin()->first : options.snapshot);
   }
+  HistoryPoint last_or_chosen() const { return history_point(run, options.snapshot); }
 
   hfrac_viz_options options;
   RunFolder run;
-  std::vector<HistoryPoint> history;
   vtkSmartPointer<OffscreenWindow> window;
 };
 
 std::vector<Scene> stage_scenes(const Workshop& shop) {
   std::vector<Scene> scenes;
-  for (const int stage : growth_stages(shop.history)) {
-    scenes.push_back(load_scene(shop.run, shop.history[stage], true, true));
+  const std::vector<HistoryPoint> history = read_history(shop.run);
+  for (const int stage : growth_stages(history)) {
+    scenes.push_back(load_scene(shop.run, history[stage], true, true));
   }
   return scenes;
 }
 
-// Draws one picture; what VTK complains about meanwhile makes it fail.
-template <class Draw>
-Image drawn(const Draw& draw) {
-  VtkMessages messages;
-  Image image = draw();
-  const std::string errors = messages.take_errors();
-  if (!errors.empty()) fail_drawing("drawing failed: " + errors);
-  return image;
+// The movie's picture of one snapshot, with the curves and axes it has there.
+void frame_picture(const Workshop& shop, const PageSink& sink) {
+  const MovieCurves curves = movie_curves(shop.run, read_history(shop.run), false);
+  movie_frame(shop.studio(), load_scene(shop.run, shop.last_or_chosen(), false, false), curves, sink);
 }
 
-Image single_picture(const Workshop& shop, int picture) {
-  const HistoryPoint& last = shop.chosen(shop.history.back());
+void single_picture(const Workshop& shop, int picture, const PageSink& sink) {
+  const auto scene = [&](const HistoryPoint& point, bool with_bonds) {
+    return load_scene(shop.run, point, with_bonds, true);
+  };
   switch (picture) {
     case HFRAC_VIZ_MODEL:
-      return model_picture(shop.studio(),
-                           load_scene(shop.run, shop.chosen(shop.history.front()), true, true));
+      return model_picture(shop.studio(), scene(shop.first_or_chosen(), true), sink);
     case HFRAC_VIZ_STAGE:
-      return stage_picture(shop.studio(), load_scene(shop.run, last, true, true));
+      return stage_picture(shop.studio(), scene(shop.last_or_chosen(), true), sink);
     case HFRAC_VIZ_GROWTH:
-      return growth_picture(shop.studio(), stage_scenes(shop));
+      return growth_picture(shop.studio(), stage_scenes(shop), sink);
     case HFRAC_VIZ_PRESSURE:
-      return pressure_picture(shop.studio(), load_scene(shop.run, last, false, true));
+      return pressure_picture(shop.studio(), scene(shop.last_or_chosen(), false), sink);
     case HFRAC_VIZ_APERTURE:
-      return aperture_picture(shop.studio(), load_scene(shop.run, last, false, true));
+      return aperture_picture(shop.studio(), scene(shop.last_or_chosen(), false), sink);
+    case HFRAC_VIZ_MOVIE:
+      return frame_picture(shop, sink);
     default:
       fail_argument("no such picture: " + std::to_string(picture));
   }
 }
 
-void save(const std::filesystem::path& target, int dots_per_inch, const Image& image) {
-  write_whole(target, png(image, dots_per_inch));
+using Draw = std::function<void(const PageSink& sink)>;
+
+// One drawing into a file per ending; what VTK complains about meanwhile makes it fail.
+void save(const Workshop& shop, const std::filesystem::path& stem, const std::vector<std::string>& endings,
+          const Draw& draw) {
+  std::vector<std::vector<std::uint8_t>> contents;
+  VtkMessages messages;
+  draw([&](Page& page) {
+    for (const std::string& ending : endings)
+      contents.push_back(page_content(page, ending, shop.title(), shop.options.dots_per_inch));
+  });
+  const std::string errors = messages.take_errors();
+  if (!errors.empty()) fail_drawing("drawing failed: " + errors);
+  for (std::size_t i = 0; i < endings.size(); ++i) write_whole(stem.string() + endings[i], contents[i]);
+}
+
+std::vector<std::string> endings_of(int formats) {
+  std::vector<std::string> endings;
+  if ((formats & HFRAC_VIZ_PNG) != 0) endings.emplace_back(".png");
+  if ((formats & HFRAC_VIZ_SVG) != 0) endings.emplace_back(".svg");
+  if ((formats & HFRAC_VIZ_PDF) != 0) endings.emplace_back(".pdf");
+  return endings;
 }
 
 void write_script(const RunFolder& run) {
@@ -95,9 +113,12 @@ void tell(const Progress& progress, double fraction, const std::string& what) {
 
 void render_picture(const std::filesystem::path& folder, int picture, const std::filesystem::path& target,
                     const hfrac_viz_options& options) {
+  const std::string ending = picture_ending(target);
   const PaletteScope paper(options.dark != 0 ? dark_palette() : light_palette());
   const Workshop shop(folder, options);
-  save(target, options.dots_per_inch, drawn([&] { return single_picture(shop, picture); }));
+  std::filesystem::path stem = target;
+  save(shop, stem.replace_extension(), {ending},
+       [&](const PageSink& sink) { single_picture(shop, picture, sink); });
 }
 
 void render_movie(const std::filesystem::path& folder, const std::filesystem::path& target,
@@ -109,37 +130,36 @@ void render_movie(const std::filesystem::path& folder, const std::filesystem::pa
 void render_run(const std::filesystem::path& folder, const hfrac_viz_options& options,
                 const Progress& progress) {
   constexpr double pictures_share = 0.3;  // of the time, the movie takes the rest
+  constexpr double most_pictures = 9;
   tell(progress, 0.0, "reading");
   const PaletteScope paper(options.dark != 0 ? dark_palette() : light_palette());
   const Workshop shop(folder, options);
+  const std::vector<std::string> endings = endings_of(options.formats);
   const std::filesystem::path target = folder / "pictures";
   make_folder(target);
   write_script(shop.run);
-  const bool movie = (options.pictures & HFRAC_VIZ_MOVIE) != 0;
+  const auto wanted = [&](int pictures) { return (options.pictures & pictures) != 0; };
+  const bool movie = wanted(HFRAC_VIZ_MOVIE);
   int done = 0;
-  const auto picture = [&](const char* name, const auto& draw) {
-    tell(progress, (movie ? pictures_share : 1.0) * done++ / 9.0, name);
-    save(target / name, options.dots_per_inch, drawn(draw));
+  const auto picture = [&](const std::string& name, const Draw& draw) {
+    tell(progress, (movie ? pictures_share : 1.0) * done++ / most_pictures, name);
+    save(shop, target / name, endings, draw);
   };
-  if ((options.pictures & HFRAC_VIZ_MODEL) != 0) {
-    picture("figure3.png", [&] { return single_picture(shop, HFRAC_VIZ_MODEL); });
-  }
-  if ((options.pictures & (HFRAC_VIZ_STAGE | HFRAC_VIZ_GROWTH)) != 0) {
+  const auto single = [&](const char* name, int kind) {
+    picture(name, [&](const PageSink& sink) { single_picture(shop, kind, sink); });
+  };
+  if (wanted(HFRAC_VIZ_MODEL)) single("figure3", HFRAC_VIZ_MODEL);
+  if (wanted(HFRAC_VIZ_STAGE | HFRAC_VIZ_GROWTH)) {
     const std::vector<Scene> scenes = stage_scenes(shop);
-    for (std::size_t i = 0; i < scenes.size() && (options.pictures & HFRAC_VIZ_STAGE) != 0; ++i) {
-      const std::string name = "growth_" + std::to_string(i + 1) + ".png";
-      picture(name.c_str(), [&] { return stage_picture(shop.studio(), scenes[i]); });
+    for (std::size_t i = 0; i < scenes.size() && wanted(HFRAC_VIZ_STAGE); ++i) {
+      picture("growth_" + std::to_string(i + 1),
+              [&](const PageSink& sink) { stage_picture(shop.studio(), scenes[i], sink); });
     }
-    if ((options.pictures & HFRAC_VIZ_GROWTH) != 0) {
-      picture("growth.png", [&] { return growth_picture(shop.studio(), scenes); });
-    }
+    if (wanted(HFRAC_VIZ_GROWTH))
+      picture("growth", [&](const PageSink& sink) { growth_picture(shop.studio(), scenes, sink); });
   }
-  if ((options.pictures & HFRAC_VIZ_PRESSURE) != 0 && !shop.run.flow.empty()) {
-    picture("pressure.png", [&] { return single_picture(shop, HFRAC_VIZ_PRESSURE); });
-  }
-  if ((options.pictures & HFRAC_VIZ_APERTURE) != 0) {
-    picture("aperture.png", [&] { return single_picture(shop, HFRAC_VIZ_APERTURE); });
-  }
+  if (wanted(HFRAC_VIZ_PRESSURE) && !shop.run.flow.empty()) single("pressure", HFRAC_VIZ_PRESSURE);
+  if (wanted(HFRAC_VIZ_APERTURE)) single("aperture", HFRAC_VIZ_APERTURE);
   if (movie) {
     make_movie(folder, target / "movie.mp4", options, [&](double fraction, const std::string& what) {
       return progress && progress(pictures_share + (1 - pictures_share) * fraction, what);

@@ -25,6 +25,7 @@ figure img, figure video, figure svg { display: block; width: 100%; height: auto
 table { border-collapse: collapse; margin-top: 0.8rem; font-variant-numeric: tabular-nums; }
 th, td { text-align: left; padding: 0.35rem 1.5rem 0.35rem 0; border-bottom: 1px solid var(--grid);
   white-space: nowrap; }
+td:not(.number) { white-space: normal; overflow-wrap: anywhere; }
 th { font-weight: 500; color: var(--faint); }
 td.number, th.number { text-align: right; padding-right: 1.1rem; }
 th.number { white-space: normal; vertical-align: bottom; }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bounds.h"
+
 namespace hfrac::viz {
 namespace {
 
@@ -43,19 +45,10 @@ Box room_of(const Studio& studio, const Page& page, const Extent& extent, const 
 Extent whole_model(const RunFolder& run, const Discs& discs) {
   Extent extent{0, 0, run.model_width, run.model_height};
   if (!(run.model_width > 0) || !(run.model_height > 0)) {
-    double left = 0;
-    double right = 1;
-    double bottom = 0;
-    double top = 1;
-    bool first = true;
-    for (const Disc& disc : discs.discs) {
-      left = first ? disc.centre.x - disc.radius : std::min(left, disc.centre.x - disc.radius);
-      right = first ? disc.centre.x + disc.radius : std::max(right, disc.centre.x + disc.radius);
-      bottom = first ? disc.centre.y - disc.radius : std::min(bottom, disc.centre.y - disc.radius);
-      top = first ? disc.centre.y + disc.radius : std::max(top, disc.centre.y + disc.radius);
-      first = false;
-    }
-    extent = {left, bottom, std::max(right - left, 1e-9), std::max(top - bottom, 1e-9)};
+    Bounds bounds;
+    for (const Disc& disc : discs.discs) bounds.include(disc.centre, disc.radius);
+    if (bounds.empty()) bounds = {0, 1, 0, 1};
+    extent = {bounds.left, bounds.bottom, std::max(bounds.width(), 1e-9), std::max(bounds.height(), 1e-9)};
   }
   const double margin = 0.012 * std::max(extent.width, extent.height);
   return {extent.left - margin, extent.bottom - margin, extent.width + 2 * margin,
@@ -65,29 +58,19 @@ Extent whole_model(const RunFolder& run, const Discs& discs) {
 Extent around_cracks(const RunFolder& run, const Scene& scene) {
   const Extent model = whole_model(run, scene.discs);
   if (scene.cracks.cracks.empty()) return model;
-  double left = INFINITY;
-  double right = -INFINITY;
-  double bottom = INFINITY;
-  double top = -INFINITY;
-  const auto include = [&](double x, double y, double radius) {
-    left = std::min(left, x - radius);
-    right = std::max(right, x + radius);
-    bottom = std::min(bottom, y - radius);
-    top = std::max(top, y + radius);
-  };
+  Bounds bounds;
   for (const Crack& crack : scene.cracks.cracks) {
-    include(crack.line.from.x, crack.line.from.y, 0);
-    include(crack.line.to.x, crack.line.to.y, 0);
+    bounds.include(crack.line.from);
+    bounds.include(crack.line.to);
   }
-  for (const WellPlace& well : run.wells) include(well.x, well.y, well.radius);
-  const double radius = mean_radius(scene.discs);
-  const double size = std::max({right - left, top - bottom, 20 * radius});
+  for (const WellPlace& well : run.wells) bounds.include({well.x, well.y}, well.radius);
+  const double size = std::max({bounds.width(), bounds.height(), 20 * mean_radius(scene.discs)});
   // Never flatter than 3 to 4, so that a straight fracture does not make a strip of a picture.
-  const double width = std::min(model.width, std::max(1.16 * (right - left), 0.9 * size));
-  const double height = std::min(model.height, std::max(1.16 * (top - bottom), 0.7 * size));
-  const double x = std::clamp((left + right - width) / 2, model.left, model.left + model.width - width);
-  const double y =
-      std::clamp((bottom + top - height) / 2, model.bottom, model.bottom + model.height - height);
+  const double width = std::min(model.width, std::max(1.16 * bounds.width(), 0.9 * size));
+  const double height = std::min(model.height, std::max(1.16 * bounds.height(), 0.7 * size));
+  const Point middle = bounds.middle();
+  const double x = std::clamp(middle.x - width / 2, model.left, model.left + model.width - width);
+  const double y = std::clamp(middle.y - height / 2, model.bottom, model.bottom + model.height - height);
   return {x, y, width, height};
 }
 

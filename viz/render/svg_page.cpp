@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "html.h"
+#include "png_file.h"
 #include "svg_text.h"
 #include "vector_canvas.h"
 #include "vector_page.h"

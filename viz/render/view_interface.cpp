@@ -7,6 +7,7 @@
 #include "guarded_call.h"
 #include "hfrac/viz.h"
 #include "option_struct.h"
+#include "page_content.h"
 #include "view_layers.h"
 #include "view_page.h"
 #include "vtk_messages.h"
@@ -63,10 +64,7 @@ std::vector<ViewSpec> checked_names(const char* const* names, std::int32_t count
 
 void render_views(const std::filesystem::path& folder, const std::vector<ViewSpec>& specs,
                   const std::filesystem::path& target, const hfrac_viz_view_options& options) {
-  const std::string ending = target.extension().string();
-  if (ending != ".png" && ending != ".svg" && ending != ".pdf") {
-    fail_argument("'" + target.string() + "' ends neither in .png, .svg nor .pdf");
-  }
+  const std::string ending = picture_ending(target);
   const RunFolder run = open_run(folder);
   const PaletteScope paper(options.dark != 0 ? dark_palette() : light_palette());
   const auto window = make_offscreen_window();

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "failure.h"
 #include "number_text.h"
+#include "page_content.h"
 #include "sheet.h"
 #include "view_layers.h"
 
@@ -61,10 +61,8 @@ void draw_key(Page& page, double unit, const Box& column, const Key& key) {
   draw_colour_bar(page, unit, bar, *key.map, key.lowest, key.highest, key.label, key.second_label);
 }
 
-using Finish = std::function<void(Page&)>;
-
 void single(const Studio& studio, const Scene& scene, const ViewSpec& spec, const Extent& extent,
-            const Finish& finish) {
+            const PageSink& sink) {
   Sheet sheet(studio, extent);
   const Key key =
       add_view_layers(sheet.view, *studio.run, scene, spec, {sheet.metres(1), sheet.drawn_pixel()});
@@ -77,7 +75,7 @@ void single(const Studio& studio, const Scene& scene, const ViewSpec& spec, cons
       key);
   draw_scale_bar(sheet.page, sheet.unit, sheet.column_left, bar_top, 0.8 * sheet.column_width,
                  sheet.view.metres_per_pixel);
-  finish(sheet.page);
+  sink(sheet.page);
 }
 
 // Where the views of a page are.
@@ -119,9 +117,9 @@ struct Places {
 };
 
 void views_on_page(const Studio& studio, const Scene& scene, const std::vector<ViewSpec>& specs,
-                   const Extent& extent, const Finish& finish) {
+                   const Extent& extent, const PageSink& sink) {
   if (specs.size() == 1) {
-    single(studio, scene, specs.front(), extent, finish);
+    single(studio, scene, specs.front(), extent, sink);
     return;
   }
   const Places places(studio, static_cast<int>(specs.size()), extent);
@@ -145,7 +143,7 @@ void views_on_page(const Studio& studio, const Scene& scene, const std::vector<V
              key);
     draw_scale_bar(page, 0.88 * unit, left, bar_top, 0.7 * Places::key_width * unit, view.metres_per_pixel);
   }
-  finish(page);
+  sink(page);
 }
 
 }  // namespace
@@ -171,16 +169,8 @@ std::vector<std::uint8_t> view_file(const Studio& studio, const Scene& scene,
                                     const std::string& ending, int dots_per_inch) {
   std::vector<std::uint8_t> content;
   const std::string title = studio.run->title.empty() ? "hfrac" : studio.run->title;
-  views_on_page(studio, scene, views, extent, [&](Page& page) {
-    if (ending == ".svg") {
-      const std::string text = page.svg(title);
-      content.assign(text.begin(), text.end());
-    } else if (ending == ".pdf") {
-      content = page.pdf(title, dots_per_inch);
-    } else {
-      content = png(page.draw(), dots_per_inch);
-    }
-  });
+  views_on_page(studio, scene, views, extent,
+                [&](Page& page) { content = page_content(page, ending, title, dots_per_inch); });
   return content;
 }
 

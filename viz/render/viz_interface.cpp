@@ -26,6 +26,7 @@ hfrac_viz_options defaults() {
   options.movie_width = 1280;
   options.movie_seconds = 12;
   options.snapshot = -1;
+  options.formats = HFRAC_VIZ_PNG;
   return options;
 }
 
@@ -38,6 +39,7 @@ hfrac_viz_options checked(const hfrac_viz_options* options) {
   check_range("movie_height", own.movie_height, 240, 4096, true);
   check_range("movie_seconds", own.movie_seconds, 1, 600);
   check_range("dots_per_inch", own.dots_per_inch, 36, 2400, true);
+  check_range("formats", own.formats, 1, HFRAC_VIZ_PNG | HFRAC_VIZ_SVG | HFRAC_VIZ_PDF);
   if (own.movie_width % 2 != 0 || own.movie_height % 2 != 0)
     fail_argument("a movie's width and height must be even");
   return own;

@@ -2,8 +2,8 @@
 /** @file
  * Pictures and a movie of a run, without a display.
  *
- * The renderer reads a run folder from disk (finished, or still being written) and needs nothing of the engine: it
- * is a library of its own, libhfrac_viz. What it reads: discs.pvd, bonds.pvd, cracks.pvd and flow.pvd with their
+ * The renderer reads a run folder from disk (finished, or still being written) and makes no simulation: it is a library of
+ * its own, libhfrac_viz, which asks libhfrac for one statistic, the law of magnitudes. What it reads: discs.pvd, bonds.pvd, cracks.pvd and flow.pvd with their
  * VTU files, summary.json (title, reading, model, wells), history.csv and cracks.csv (charts). Only the discs are
  * required.
  *
@@ -44,6 +44,13 @@ enum hfrac_viz_picture {
   HFRAC_VIZ_ALL = 63       /**< all of them */
 };
 
+/** Kinds of files. Values may be added together for the members `formats`. */
+enum hfrac_viz_format {
+  HFRAC_VIZ_PNG = 1, /**< pixels */
+  HFRAC_VIZ_SVG = 2, /**< lines, in charts with letters as outlines, in other pictures as text */
+  HFRAC_VIZ_PDF = 4  /**< lines, standard fonts */
+};
+
 /** How to draw. Fill with hfrac_viz_options_init first; members are only ever appended. */
 typedef struct hfrac_viz_options {
   int32_t struct_size;    /**< sizeof(hfrac_viz_options) of the caller, set by init */
@@ -60,6 +67,7 @@ typedef struct hfrac_viz_options {
   int32_t dots_per_inch;  /**< noted in the PNG files for printing, 0: not; default 0 */
   int32_t movie_follow;   /**< nonzero: while summary.json says that the run goes on, the movie follows it, a piece of ten
                                snapshots at a time, and is done when the run is over. MP4 only; default 0 */
+  int32_t formats;        /**< of the pictures hfrac_viz_render_run draws, sum of enum hfrac_viz_format; default HFRAC_VIZ_PNG */
 } hfrac_viz_options;
 
 /** Called with the share done in [0, 1] and what is being drawn. Nonzero return stops (HFRAC_STOPPED); files already
@@ -76,8 +84,9 @@ HFRAC_API int32_t hfrac_viz_render_run(const char *run_dir, const hfrac_viz_opti
                                        hfrac_viz_progress_fn progress, void *user, char *error, int32_t capacity,
                                        int32_t *needed);
 
-/** Draws one picture, a single value of enum hfrac_viz_picture except the movie, to the PNG file `path`.
- * HFRAC_VIZ_STAGE draws options->snapshot. Stable since 0.1. */
+/** Draws one picture, a single value of enum hfrac_viz_picture, to the file `path`: .png, or .svg or .pdf for circles, lines
+ * and letters instead of pixels (discs too many or too small to be told apart are a picture in it). HFRAC_VIZ_STAGE draws
+ * options->snapshot; HFRAC_VIZ_MOVIE draws the movie's frame of it as a picture, options->width wide. Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_render_picture(const char *run_dir, int32_t picture, const char *path,
                                            const hfrac_viz_options *options, char *error, int32_t capacity,
                                            int32_t *needed);
@@ -118,13 +127,6 @@ enum hfrac_viz_chart {
                                      least as strong, and their b value (Aki 1965) */
   HFRAC_VIZ_CHART_CATALOGUE = 16, /**< catalogue: seismic events of events.csv: where, when, how strong, and their b value */
   HFRAC_VIZ_CHART_ALL = 31     /**< all of them */
-};
-
-/** Kinds of files. Values may be added together for hfrac_viz_chart_options.formats. */
-enum hfrac_viz_format {
-  HFRAC_VIZ_PNG = 1, /**< pixels */
-  HFRAC_VIZ_SVG = 2, /**< lines, letters as outlines: looks the same everywhere */
-  HFRAC_VIZ_PDF = 4  /**< lines, standard fonts */
 };
 
 /** How to draw charts. Fill with hfrac_viz_chart_options_init first; members are only ever appended. */

@@ -48,3 +48,22 @@ export function listDownloads(index: RunIndex, snapshot: Snapshot | undefined, s
     ...group('Drawn by hfrac', pictures.map(({ name, bytes }) => link(name, bytesText(bytes)))),
   );
 }
+
+/** The button Download and its sheet, which `fill` fills whenever it opens. */
+export function listenToDownloads(fill: () => void): void {
+  const button = find('download');
+  const sheet = find('downloads');
+  const open = (on: boolean) => {
+    sheet.hidden = !on;
+    button.setAttribute('aria-expanded', String(on));
+  };
+  button.addEventListener('click', () => {
+    fill();
+    open(sheet.hidden);
+  });
+  document.addEventListener('pointerdown', (event) => {
+    if (!(event.target as Element).closest('.menu')) open(false);
+  });
+  sheet.addEventListener('click', () => open(false));
+  sheet.addEventListener('keydown', (event) => event.key === 'Escape' && open(false));
+}

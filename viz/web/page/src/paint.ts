@@ -50,11 +50,7 @@ export class Painter {
 
   constructor(private scene: Scene) {}
 
-  /** Ranges held are forgotten, so that the next picture sets them. */
-  release(): void {
-    this.held.clear();
-  }
-
+  /** Another run: ranges that were held, and all that is known. */
   forget(): void {
     this.held.clear();
     this.cached.clear();
