@@ -22,12 +22,12 @@ TRIED_KEY = (
     (LOWER[0][0], {"family": "beyond-11-pressure", "hot": "beyond-11-pressure"}),
 )
 TRIED_12 = (
-    ("twelve days in place of three hours, 3 packings", {"family": "beyond-12-slow", "hot": "beyond-12-slow"}),
+    ("twelve days in place of three hours", {"family": "beyond-12-slow", "hot": "beyond-12-slow"}),
     (
-        "twelve days, and permeability grows where bonds are stretched, 3 packings",
+        "twelve days, and permeability grows where bonds are stretched",
         {"family": "beyond-12-opening", "hot": "beyond-12-opening"},
     ),
-    (WEAKER + ", 3 packings of it", {"hot": "beyond-12-strength"}),
+    (WEAKER + "", {"hot": "beyond-12-strength"}),
 )
 
 
@@ -153,7 +153,11 @@ def key_stress_moves(data, limit, family="figure-11", hot="figure-11"):
     floor = limit["figure-11"]["from_cracks_m"]
     cold_table = data.table(family, "250 C", "extent_m")
     hot_table = data.table(hot, "400 C", "extent_m")
-    places = [[table.x[largest_drop(row, floor)[0]] + 0.5 for row in table.values] for table in (cold_table, hot_table)]
+    packings = min(len(cold_table.values), len(hot_table.values))  # the first ones, the same in both
+    places = [
+        [table.x[largest_drop(row, floor)[0]] + 0.5 for row in table.values[:packings]]
+        for table in (cold_table, hot_table)
+    ]
     change = (np.array(places[1]) - np.array(places[0]))[:, None]
     sure = interval(change, lambda mean: mean[..., 0])
     return Answer(

@@ -112,6 +112,8 @@ def page(which, data, limit, path):
         f"each; measurements in `{path}`. Thresholds: `examples/paper/workflow/thresholds.toml`, set before the runs. "
         "Means ± standard deviations over packings; intervals are 90 % bootstrap intervals over packings.",
         "",
+        "Changes of the physics, tried for claims that fail, have 3 packings (`examples/paper/families/beyond-*.toml`).",
+        "",
         f"{len(judged)} claims. " + "; ".join(f"{word}: {n}" for word, n in sorted(count.items())) + ".",
         "",
     ]
