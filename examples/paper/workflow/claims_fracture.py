@@ -6,16 +6,14 @@ from estimates import interval, kink, largest_drop, slope, spearman
 # Changes of the physics tried, and the families that have them. "As much fluid": the run ends when its fractures hold what
 # those at 45 MPa hold.
 WEAKER = "strength falls with temperature (assumed table)"
-SHARED = "as much fluid for every pressure"
 TRIED_10 = (
     ("a tenth of the fluid a sub-step, 250 C alone", {"family": "beyond-10-supply", "temperatures": ("250 C",)}),
-    (SHARED + ", 250 and 400 C", {"family": "beyond-10-volume", "temperatures": ("250 C", "400 C")}),
+    (
+        "as much fluid for every pressure, 250 C alone",
+        {"family": "beyond-10-volume", "temperatures": ("250 C",)},
+    ),
 )
-TRIED_OPTIMUM = (
-    (WEAKER, {"hot": "beyond-10-strength"}),
-    (SHARED, {"cold": "beyond-10-volume", "hot": "beyond-10-volume"}),
-    (SHARED + ", and " + WEAKER, {"cold": "beyond-10-volume", "hot": "beyond-10-volume-strength"}),
-)
+TRIED_OPTIMUM = ((WEAKER, {"hot": "beyond-10-strength"}),)
 LOWER = (("injection held at 50 MPa in place of 60", {"family": "beyond-11-pressure"}),)
 TRIED_KEY = (
     (WEAKER, {"hot": "beyond-11-strength"}),
@@ -58,7 +56,9 @@ def with_pressure(data, limit, quantity, digits, family, temperatures):
 @claim(
     "5.1, Figure 10a",
     "Fracture length first grows with injection pressure, then falls.",
-    "At high pressure fluid is never short at a held pressure, so arms do not take from each other.",
+    "At a held pressure arms do not take fluid from each other, and they hinder each other little: n arms of one length "
+    "under one pressure feel 2 sqrt(n - 1) / n of what a single crack feels (Westmann 1964), 0.87 with 4 arms and 0.75 with "
+    "6, less than the pressure gains.",
     needs=TRIED_10,
 )
 def length_falls_again(data, limit, family="figure-10", temperatures=TEMPERATURES):

@@ -14,7 +14,7 @@ TRIED_05 = (
     ("stresses of 7 and 0 MPa", {"family": "beyond-05-stress"}),
 )
 TENTH_05 = (("a tenth of the fluid a sub-step", {"family": "beyond-10-supply", "series": "250 C"}),)
-TRIED_09 = (("28 and 21 MPa effective, as with a formation pressure of 28 MPa", {"family": "beyond-09-stress"}),)
+TRIED_09 = (("equal stresses, 24 and 24 MPa effective in place of 31 and 24", {"family": "beyond-09-stress"}),)
 
 
 @claim("4.3.1, Figure 5", "Below the initiation pressure nothing cracks.")
