@@ -31,7 +31,7 @@ CHARTS = {
     "sound-09": (["figure-09-sound"], ONSET, "Figure 9, sound reading"),
     "sound-12": (["figure-12-sound"], ONSET, "Figure 12, sound reading: initiation by permeability"),
     "beyond-05": (
-        ["figure-05", "beyond-05-steps", "beyond-05-supply", "beyond-05-stress", "beyond-05-coupled"],
+        ["figure-05", "beyond-05-steps", "beyond-05-supply", "beyond-05-stress"],
         {"crack_count": "cracks", "cracks_after_a_tenth": "cracks_at_tenth"},
         "Figure 5 with changed physics",
     ),
@@ -53,7 +53,6 @@ CHANGED = {
     "beyond-05-steps": ", 500 sub-steps",
     "beyond-05-supply": ", cracks filled at once",
     "beyond-05-stress": ", stresses 7 and 0 MPa",
-    "beyond-05-coupled": ", true time",
     "beyond-09-stress": ", stresses 24 and 24 MPa",
     "beyond-10-supply": ", a tenth of the fluid",
     "beyond-10-strength": ", falling strength",
