@@ -118,7 +118,8 @@ class Judge(unittest.TestCase):
             verdict, _, _, why = judge.verdict_of(claim, Measured(rows, POINTS), LIMIT)
             self.assertEqual(why.count("Tried: "), len(claim.needs) - helps)
             self.assertEqual(why.count("With this change it holds: "), int(helps))
-            self.assertTrue(verdict.startswith("holds only if as much fluid" if helps else "does not hold"), verdict)
+            expected = "holds only if every pressure has as much fluid" if helps else "does not hold"
+            self.assertEqual(verdict.split(",")[0], expected)
 
     def test_a_set_without_changed_physics_says_so(self):
         points = families.expand("fast")[1]

@@ -3,8 +3,8 @@
 
 usage: compare.py TABLE.csv AGAIN.csv
 
-Exit status 0 if every run of both is done and has the same numbers. A run that is missing or broken in either is a difference:
-nothing was compared there.
+Exit status 0 if every run of both is done and has the same numbers. A run that is missing or broken in either is a
+difference: nothing was compared there.
 """
 import csv
 import sys
@@ -42,7 +42,8 @@ def main(first, second):
         print(f"{name}: {what}")
     if len(found) > 20:
         print(f"... and {len(found) - 20} more")
-    print(f"{len(tables[0])} points, {len(found)} differ; {'the same to the last bit' if not found else 'NOT the same'}")
+    verdict = "the same to the last bit" if not found else "NOT the same"
+    print(f"{len(tables[0])} points, {len(found)} differ; {verdict}")
     return 1 if found or not tables[0] else 0
 
 

@@ -2,7 +2,8 @@
 
 A family (examples/paper/families/*.toml) names the parts its cases are put together from, what it sets itself, and in
 each series one option that varies. Families whose cases come out equal share the run. A family may name its packings
-(seeds), the sets it belongs to (sets, all otherwise), and end its runs at an area of open fractures (until_fracture_area).
+(seeds), the sets it belongs to (sets, all otherwise), and end its runs at an area of open fractures
+(until_fracture_area).
 """
 import copy
 import dataclasses
@@ -19,8 +20,8 @@ SEEDS = (1, 2, 3, 4, 5, 6)
 SETS = {
     "full": {"seeds": SEEDS},
     "fast": {"seeds": SEEDS[:2], "thin": "all"},
-    # A finer picture of the same rock: strengths at constant toughness (V8), everything else as it was. Half the packings,
-    # and of the series that are judged by a slope three values: what it is asked is whether means move with resolution.
+    # A finer picture of the same rock: strengths at constant toughness (V8), everything else as it was. Half the
+    # packings, and three values of each series that is judged by a slope: it is asked whether means move with resolution.
     "fine": {
         "seeds": SEEDS[:3],
         "thin": "slopes",

@@ -75,8 +75,8 @@ ASSUMPTIONS = """
   (`figure-09.toml`).
 - Temperature is Table 3 and nothing else: stiffness, friction, porosity; the bond's stiffness in proportion
   (`table-3.toml`).
-- Beyond the paper only, each in a family `beyond-*.toml` that says what it changes; among them strength falling to 0.667 at
-  400 °C (`strength-by-temperature.toml`).
+- Beyond the paper only, each in a family `beyond-*.toml` that says what it changes; among them strength falling to
+  0.667 at 400 °C (`strength-by-temperature.toml`).
 - Length is the extent of the longest fracture with the hole, width its largest opening. A run ends when a tip comes
   near the boundary; such lengths are lower bounds.
 """
@@ -112,16 +112,17 @@ def page(which, data, limit, path):
         f"each; measurements in `{path}`. Thresholds: `examples/paper/workflow/thresholds.toml`, set before the runs. "
         "Means ± standard deviations over packings; intervals are 90 % bootstrap intervals over packings.",
         "",
-        "Changes of the physics, tried for claims that fail, have 3 packings (`examples/paper/families/beyond-*.toml`).",
+        "Changes of the physics, tried for claims that fail, have 3 packings "
+        "(`examples/paper/families/beyond-*.toml`); so \"holds only if\" says what can help, not how surely.",
         "",
         f"{len(judged)} claims. " + "; ".join(f"{word}: {n}" for word, n in sorted(count.items())) + ".",
         "",
     ]
     if which == "fine":
         lines += [
-            "The set of the [verdict](paper-reproduction.md) with 10 000 discs in place of 2 000, strengths at constant "
-            "toughness, half the packings, and three values of each series of Figures 7 to 9. It asks whether what holds there "
-            "is the rock's or the discs'; the verdict is the other page's.",
+            "The set of the [verdict](paper-reproduction.md) with 10 000 discs in place of 2 000, strengths at "
+            "constant toughness, half the packings, and three values of each series of Figures 7 to 9. It asks "
+            "whether what holds there is the rock's or the discs'; the verdict is the other page's.",
             "",
         ]
     elif len(seeds) < limit["packings"]["least"]:

@@ -2,8 +2,8 @@
 """One run: writes its case file, calls hfrac and leaves result.json. usage: run_case.py SET NAME OUT [PACKING]
 
 NAME is a run, or packing:COUNT-POROSITY-SEED. A run that hfrac ends with an error leaves a result that says so, and the
-verdict shows it; only what is wrong outside the run (no program, no disk) ends this script with an error. What a run cost
-stands beside its result, in cost.json, since results repeat to the bit and times do not.
+verdict shows it; only what is wrong outside the run (no program, no disk) ends this script with an error. What a run
+cost stands beside its result, in cost.json, since results repeat to the bit and times do not.
 """
 import csv
 import json
