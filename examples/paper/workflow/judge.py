@@ -112,12 +112,15 @@ def page(which, data, limit, path):
         f"each; measurements in `{path}`. Thresholds: `examples/paper/workflow/thresholds.toml`, set before the runs. "
         "Means ± standard deviations over packings; intervals are 90 % bootstrap intervals over packings.",
         "",
-        "Changes of the physics, tried for claims that fail, have 3 packings "
-        "(`examples/paper/families/beyond-*.toml`); so \"holds only if\" says what can help, not how surely.",
-        "",
         f"{len(judged)} claims. " + "; ".join(f"{word}: {n}" for word, n in sorted(count.items())) + ".",
         "",
     ]
+    if which == "full":
+        lines += [
+            "Changes of the physics, tried for claims that fail, have 3 packings "
+            "(`examples/paper/families/beyond-*.toml`); so \"holds only if\" says what can help, not how surely.",
+            "",
+        ]
     if which == "fine":
         lines += [
             "The set of the [verdict](paper-reproduction.md) with 10 000 discs in place of 2 000, strengths at "
