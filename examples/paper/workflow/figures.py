@@ -48,20 +48,20 @@ CHARTS = {
         "Figure 12 with changed physics",
     ),
 }
-# What the legend adds to the series of a family whose physics is changed.
+# What the legend adds to the series of a family whose physics is changed. No commas: names stand in a table.
 CHANGED = {
-    "beyond-05-steps": ", 500 sub-steps",
-    "beyond-05-supply": ", cracks filled at once",
-    "beyond-05-stress": ", stresses 7 and 0 MPa",
-    "beyond-09-stress": ", stresses 24 and 24 MPa",
-    "beyond-10-supply": ", a tenth of the fluid",
-    "beyond-10-strength": ", falling strength",
-    "beyond-10-volume": ", as much fluid",
-    "beyond-11-pressure": ", 50 MPa held",
-    "beyond-11-strength": ", falling strength, 60 MPa held",
-    "beyond-12-slow": ", twelve days",
-    "beyond-12-opening": ", twelve days, opening",
-    "beyond-12-strength": ", falling strength",
+    "beyond-05-steps": " (500 sub-steps)",
+    "beyond-05-supply": " (cracks filled at once)",
+    "beyond-05-stress": " (stresses 7 and 0 MPa)",
+    "beyond-09-stress": " (stresses 24 and 24 MPa)",
+    "beyond-10-supply": " (a tenth of the fluid)",
+    "beyond-10-strength": " (falling strength)",
+    "beyond-10-volume": " (as much fluid)",
+    "beyond-11-pressure": " (50 MPa held)",
+    "beyond-11-strength": " (falling strength; 60 MPa held)",
+    "beyond-12-slow": " (twelve days)",
+    "beyond-12-opening": " (twelve days; opening)",
+    "beyond-12-strength": " (falling strength)",
 }
 # The axis of a family: its name with the SI unit, and that unit in the family's.
 STRESS, PRESSURE = ("effective_stress_Pa", 1e6), ("injection_pressure_Pa", 1e6)
