@@ -21,10 +21,6 @@ TRIED_KEY = (
 )
 TRIED_12 = (
     ("injection lasts twelve days, not three hours", {"family": "beyond-12-slow", "hot": "beyond-12-slow"}),
-    (
-        "injection lasts twelve days, and permeability grows where bonds are stretched",
-        {"family": "beyond-12-opening", "hot": "beyond-12-opening"},
-    ),
     (WEAKER + "", {"hot": "beyond-12-strength"}),
 )
 

@@ -102,7 +102,7 @@ def sudden_above_upper(data, limit, family="figure-05"):
     "The behaviour changes at 55 MPa.",
     "Without stresses the number of cracks rises steadily from the first on; nothing singles out an upper pressure. "
     "Where stresses differ, one direction is easy and the others need more pressure.",
-    needs=(TRIED_05[2], TRIED_05[1], *TENTH_05),
+    needs=(TRIED_05[2], *TENTH_05),
 )
 def upper_pressure(data, limit, family="figure-05", series="paper"):
     cracks = data.table(family, series, "cracks")

@@ -43,7 +43,7 @@ CHARTS = {
     ),
     "beyond-11": (["beyond-11-pressure", "beyond-11-strength"], LENGTHS, "Figure 11 with changed physics"),
     "beyond-12": (
-        ["beyond-12-slow", "beyond-12-opening", "beyond-12-strength"],
+        ["beyond-12-slow", "beyond-12-strength"],
         LENGTHS,
         "Figure 12 with changed physics",
     ),
@@ -60,7 +60,6 @@ CHANGED = {
     "beyond-11-pressure": " (50 MPa held)",
     "beyond-11-strength": " (falling strength; 60 MPa held)",
     "beyond-12-slow": " (twelve days)",
-    "beyond-12-opening": " (twelve days; opening)",
     "beyond-12-strength": " (falling strength)",
 }
 # The axis of a family: its name with the SI unit, and that unit in the family's.
