@@ -118,7 +118,7 @@ def page(which, data, limit, path):
     if which == "full":
         lines += [
             "Changes of the physics, tried for claims that fail, have 3 packings "
-            "(`examples/paper/families/beyond-*.toml`); so \"holds only if\" says what can help, not how surely.",
+            '(`examples/paper/families/beyond-*.toml`); so "holds only if" says what can help, not how surely.',
             "",
         ]
     if which == "fine":
