@@ -156,7 +156,7 @@ class Measuring(unittest.TestCase):
 
 
 class Comparing(unittest.TestCase):
-    def compared(self, change):
+    def compared(self, change, *which):
         """(exit status, what was said) of a table against itself with one row changed."""
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
@@ -173,7 +173,7 @@ class Comparing(unittest.TestCase):
                     writer.writerows(rows)
             said = io.StringIO()
             with contextlib.redirect_stdout(said):
-                status = compare.main(folder / "first.csv", folder / "second.csv")
+                status = compare.main(folder / "first.csv", folder / "second.csv", *which)
             return status, said.getvalue()
 
     def test_equal_tables_are_equal(self):
@@ -190,6 +190,12 @@ class Comparing(unittest.TestCase):
         for status in ("missing", "broken"):
             self.assertEqual(self.compared(lambda rows, status=status: rows[7].update(status=status))[0], 1)
         self.assertEqual(self.compared(lambda rows: rows.pop())[0], 1)
+
+    def test_points_in_common_are_asked_for(self):
+        status, said = self.compared(lambda rows: rows.pop(), "common")
+        self.assertEqual(status, 0)
+        self.assertTrue(said.startswith(f"{len(families.expand('fast')[1]) - 1} points, 0 differ"), said)
+        self.assertEqual(self.compared(lambda rows: rows.clear(), "common")[0], 1)  # nothing was compared
 
 
 class Estimates(unittest.TestCase):

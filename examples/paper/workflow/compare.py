@@ -1,8 +1,9 @@
 #!/usr/bin/python3 -B
 """Two tables of measurements, run by run, to the last digit; state hashes are among what is compared.
 
-usage: compare.py TABLE.csv AGAIN.csv
+usage: compare.py TABLE.csv AGAIN.csv [common]
 
+With `common` only points that both tables have are compared: the fast set's runs are runs of the full set, too.
 Exit status 0 if every run of both is done and has the same numbers. A run that is missing or broken in either is a
 difference: nothing was compared there.
 """
@@ -35,8 +36,10 @@ def differences(first, second):
     return found
 
 
-def main(first, second):
+def main(first, second, which="all"):
     tables = rows_of(first), rows_of(second)
+    if which == "common":
+        tables = tuple({point: one[point] for point in tables[0].keys() & tables[1].keys()} for one in tables)
     found = differences(*tables)
     for name, what in found[:20]:
         print(f"{name}: {what}")
