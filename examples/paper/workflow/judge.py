@@ -33,17 +33,17 @@ def verdict_of(claim, data, limit):
     answer, gap = answer_of(claim, data, limit)
     if answer is None:
         return "not judged", gap, "", ""
-    notes = []
+    notes, other_reading = [], ""
     for where, keywords in claim.against:
         other, gap = answer_of(claim, data, limit, **keywords)
         if other is None:
             notes.append(f"In {where}: not judged, {gap}.")
-        else:
-            notes.append(f"In {where}: {'holds' if other.holds else 'does not hold'}; {other.figure}.")
-            if answer.holds and not other.holds:
-                return f"holds only if not in {where}", answer.figure, answer.test, " ".join(notes)
-            if other.holds and not answer.holds:
-                return f"holds only if in {where}", answer.figure, answer.test, " ".join(notes)
+            continue
+        notes.append(f"In {where}: {'holds' if other.holds else 'does not hold'}; {other.figure}.")
+        if answer.holds and not other.holds:
+            return f"holds only if not in {where}", answer.figure, answer.test, " ".join(notes)
+        if other.holds and not answer.holds:
+            other_reading = f"in {where}"
     if answer.holds:
         return "holds", answer.figure, answer.test, " ".join(notes)
     tried = [(condition, *answer_of(claim, data, limit, **keywords)) for condition, keywords in claim.needs]
@@ -56,7 +56,8 @@ def verdict_of(claim, data, limit):
             notes.append(f"Tried: {condition}. {other.figure}; it does not make the claim hold.")
     why = " ".join(one for one in [claim.why_not, *notes] if one)
     helping = [condition for condition, other, _ in tried if other is not None and other.holds]
-    return f"holds only if {helping[0]}" if helping else "does not hold", answer.figure, answer.test, why
+    conditions = [one for one in [other_reading, *helping] if one]
+    return f"holds only if {conditions[0]}" if conditions else "does not hold", answer.figure, answer.test, why
 
 
 ASSUMPTIONS = """
