@@ -1,6 +1,7 @@
 """The judge of the paper's claims, on measurements nobody ran: it says yes to a rock that does all the paper says, no
 to one that does not, claim by claim, and nothing at all where runs are missing or broken."""
 import contextlib
+import csv
 import io
 import pathlib
 import sys
@@ -11,6 +12,7 @@ import unittest
 WORKFLOW = pathlib.Path(__file__).resolve().parents[2] / "examples/paper/workflow"
 sys.path.insert(0, str(WORKFLOW))
 import claims
+import compare
 import estimates
 import families
 import judge
@@ -105,6 +107,31 @@ class Judge(unittest.TestCase):
         )
         self.assertTrue(found["optimum_moves"].startswith("holds only if strength falls"), found["optimum_moves"])
 
+    def test_every_change_tried_is_on_record(self):
+        """Changes that do not help stand beside the one that does, each with its figures."""
+        claim = next(one for one in claims.CLAIMS if one.name == "length_falls_again")
+        for helps in (True, False):
+            rows = obedient(POINTS)
+            for row in rows:
+                if row["family"] in ("figure-10", "beyond-10-supply") or not helps and "10" in row["family"]:
+                    row["extent_m"] = row["x"]
+            verdict, _, _, why = judge.verdict_of(claim, Measured(rows, POINTS), LIMIT)
+            self.assertEqual(why.count("Tried: "), len(claim.needs) - helps)
+            self.assertEqual(why.count("With this change it holds: "), int(helps))
+            expected = "holds only if every pressure has as much fluid" if helps else "does not hold"
+            self.assertEqual(verdict.split(",")[0], expected)
+
+    def test_a_set_without_changed_physics_says_so(self):
+        points = families.expand("fast")[1]
+        rows = obedient(points)
+        for row in rows:
+            if row["family"] == "figure-05":
+                row["cracks_at_tenth"] = "0"
+        claim = next(one for one in claims.CLAIMS if one.name == "sudden_above_upper")
+        verdict, _, _, why = judge.verdict_of(claim, Measured(rows, points), LIMIT)
+        self.assertEqual(verdict, "does not hold")
+        self.assertEqual(why.count("is no part of this set"), len(claim.needs))
+
     def test_few_packings_decide_nothing(self):
         points = families.expand("fast")[1]
         self.assertIn("no sample", judge.page("fast", Measured(obedient(points), points), LIMIT, "table"))
@@ -126,6 +153,49 @@ class Measuring(unittest.TestCase):
             self.assertEqual(text.count("\n"), len(points) + 1)
             self.assertEqual(dict(data.lacking())[first], "broken")
             self.assertEqual(len(data.lacking()), len({point.run for point in points}))
+
+
+class Comparing(unittest.TestCase):
+    def compared(self, change, *which):
+        """(exit status, what was said) of a table against itself with one row changed."""
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            points = families.expand("fast")[1]
+            for turn, name in enumerate(("first.csv", "second.csv")):
+                rows = obedient(points)
+                for row in rows:
+                    row["state_hash"] = "f51f2b0806401eec"
+                if turn == 1:
+                    change(rows)
+                with open(folder / name, "w", newline="") as file:
+                    writer = csv.DictWriter(file, measure.COLUMNS)
+                    writer.writeheader()
+                    writer.writerows(rows)
+            said = io.StringIO()
+            with contextlib.redirect_stdout(said):
+                status = compare.main(folder / "first.csv", folder / "second.csv", *which)
+            return status, said.getvalue()
+
+    def test_equal_tables_are_equal(self):
+        status, said = self.compared(lambda rows: None)
+        self.assertEqual(status, 0)
+        self.assertIn("0 differ", said)
+
+    def test_one_bit_of_one_state_is_seen(self):
+        status, said = self.compared(lambda rows: rows[7].update(state_hash="f51f2b0806401eed"))
+        self.assertEqual(status, 1)
+        self.assertIn("state_hash f51f2b0806401eec and f51f2b0806401eed", said)
+
+    def test_a_run_that_is_not_there_was_not_compared(self):
+        for status in ("missing", "broken"):
+            self.assertEqual(self.compared(lambda rows, status=status: rows[7].update(status=status))[0], 1)
+        self.assertEqual(self.compared(lambda rows: rows.pop())[0], 1)
+
+    def test_points_in_common_are_asked_for(self):
+        status, said = self.compared(lambda rows: rows.pop(), "common")
+        self.assertEqual(status, 0)
+        self.assertTrue(said.startswith(f"{len(families.expand('fast')[1]) - 1} points, 0 differ"), said)
+        self.assertEqual(self.compared(lambda rows: rows.clear(), "common")[0], 1)  # nothing was compared
 
 
 class Estimates(unittest.TestCase):
@@ -153,7 +223,8 @@ class Families(unittest.TestCase):
 
     def test_six_packings_and_one_change_a_series(self):
         for name in families.family_names():
-            if "seeds" in families.read(name):
+            if "seeds" in families.read(name):  # pictures of one packing; some changes of the physics, which say so
+                self.assertTrue(name.startswith("beyond") or families.read(name).get("pictures"), name)
                 continue
             for series in families.read(name)["series"]:
                 points = [one for one in POINTS if (one.family, one.series) == (name, series["name"])]

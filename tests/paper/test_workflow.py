@@ -15,15 +15,16 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 WORKFLOW = ROOT / "examples/paper/workflow"
 sys.path.insert(0, str(WORKFLOW))
 import families
+import run_case
 
 HFRAC = os.environ["HFRAC_COMMAND"]
 RUNS = families.expand("fast")[0]
 REPEATED = ["figure-05-paper-45-s1", "figure-09-tangential-27.5-s1", "figure-12-sound-250C-2-s1"]
 
 
-def one_run(name, folder, packing, program=HFRAC):
+def one_run(name, folder, packing, program=HFRAC, which="fast"):
     done = subprocess.run(
-        [sys.executable, "-B", WORKFLOW / "run_case.py", "fast", name, folder, *packing],
+        [sys.executable, "-B", WORKFLOW / "run_case.py", which, name, folder, *packing],
         capture_output=True,
         text=True,
         env=dict(os.environ, HFRAC=str(program)),
@@ -62,6 +63,19 @@ class Workflow(unittest.TestCase):
         result = json.loads((folder / "result.json").read_text())
         self.assertEqual(result["status"], "broken")
         self.assertIn("no-discs.vtu", result["error"])
+
+    def test_a_run_ends_at_the_area_asked_for(self):
+        """Runs with as much fluid for every pressure: the first step after which the fractures are open that far."""
+        name = "beyond-10-volume-250C-80-s1"
+        run = families.expand("full")[0][name]
+        discs = [one_run(f"packing:{run.packing}", self.top / "packing", [], which="full") / "discs_00000.vtu"]
+        folder = one_run(name, self.top / "run", discs, which="full")
+        result = json.loads((folder / "result.json").read_text())
+        areas = [row["fracture_volume_m2"] for row in run_case.numbers(folder / "history.csv")]
+        self.assertLess(result["steps"], run.case["stepping"]["substeps"])
+        self.assertEqual(len(areas), result["steps"] + 1)
+        self.assertGreaterEqual(areas[-1], run.until)
+        self.assertLess(max(areas[:-1]), run.until)
 
     @unittest.skipIf(shutil.which("snakemake", path="/usr/bin") is None, "snakemake is not installed")
     def test_a_killed_workflow_goes_on(self):

@@ -3,11 +3,26 @@ import numpy as np
 from claims import Answer, claim, listed, slope_of, span
 from estimates import interval, kink, largest_drop, slope, spearman
 
-STRENGTH_10 = (("strength falls with temperature (assumed table)", {"hot": "beyond-10-strength"}),)
-SHORT_10 = (
-    ("a tenth of the fluid a sub-step, 250 C alone", {"family": "beyond-10-supply", "temperatures": ("250 C",)}),
+# Changes of the physics tried, and the families that have them. "As much fluid": the run ends when its fractures hold
+# what those at 45 MPa hold.
+WEAKER = "strength falls with temperature (assumed table)"
+TRIED_10 = (
+    ("a sub-step brings a tenth of the fluid, 250 C alone", {"family": "beyond-10-supply", "temperatures": ("250 C",)}),
+    (
+        "every pressure has as much fluid, 250 C alone",
+        {"family": "beyond-10-volume", "temperatures": ("250 C",)},
+    ),
 )
-STRENGTH_11 = (("strength falls with temperature (assumed table)", {"hot": "beyond-11-strength"}),)
+TRIED_OPTIMUM = ((WEAKER, {"hot": "beyond-10-strength"}),)
+LOWER = (("injection is held at 50 MPa, not 60", {"family": "beyond-11-pressure"}),)
+TRIED_KEY = (
+    (WEAKER, {"hot": "beyond-11-strength"}),
+    (LOWER[0][0], {"family": "beyond-11-pressure", "hot": "beyond-11-pressure"}),
+)
+TRIED_12 = (
+    ("injection lasts twelve days, not three hours", {"family": "beyond-12-slow", "hot": "beyond-12-slow"}),
+    (WEAKER + "", {"hot": "beyond-12-strength"}),
+)
 
 
 def inner_maximum(table, drop):
@@ -37,8 +52,10 @@ def with_pressure(data, limit, quantity, digits, family, temperatures):
 @claim(
     "5.1, Figure 10a",
     "Fracture length first grows with injection pressure, then falls.",
-    "At high pressure fluid is never short at a held pressure, so arms do not take from each other.",
-    needs=SHORT_10,
+    "At a held pressure arms do not take fluid from each other, and they hinder each other little: n arms of one "
+    "length under one pressure feel 2 sqrt(n - 1) / n of what a single crack feels (Westmann 1964), 0.87 with 4 arms "
+    "and 0.75 with 6, less than the pressure gains.",
+    needs=TRIED_10,
 )
 def length_falls_again(data, limit, family="figure-10", temperatures=TEMPERATURES):
     return with_pressure(data, limit, "extent_m", 0, family, temperatures)
@@ -49,7 +66,7 @@ def length_falls_again(data, limit, family="figure-10", temperatures=TEMPERATURE
     "Fracture width first grows with injection pressure, then falls.",
     "Width is elastic opening under the pressure held in the well; more pressure opens more. The paper's own text also "
     "says that width goes on rising slowly.",
-    needs=SHORT_10,
+    needs=TRIED_10,
 )
 def width_falls_again(data, limit, family="figure-10", temperatures=TEMPERATURES):
     return with_pressure(data, limit, "width_m", 3, family, temperatures)
@@ -66,11 +83,11 @@ def volume(data, family, series):
     "Without a fall there is no optimum. Nor could Table 3 move one so far: quasi-static breakage depends on pressure "
     "over strength, which it leaves alone, and its denser packing at 350 and 400 C cracks later. Falling strength "
     "moves the whole curve to lower pressures, as the paper has it.",
-    needs=STRENGTH_10,
+    needs=TRIED_OPTIMUM,
 )
-def optimum_moves(data, limit, hot="figure-10"):
+def optimum_moves(data, limit, cold="figure-10", hot="figure-10"):
     limit, best, early = limit["figure-10"], {}, {}
-    for temperature, family in ((250, "figure-10"), (400, hot)):
+    for temperature, family in ((250, cold), (400, hot)):
         x, values = volume(data, family, f"{temperature} C")
         best[temperature] = float(x[int(np.argmax(values.mean(axis=0)))])
         early[temperature] = data.table(family, f"{temperature} C", "extent_m").at(40).mean()
@@ -83,12 +100,17 @@ def optimum_moves(data, limit, hot="figure-10"):
     )
 
 
-@claim("5.2, Figure 11", "Fracture length and width fall with the smaller horizontal stress.")
-def falls_with_stress(data, limit):
+@claim(
+    "5.2, Figure 11",
+    "Fracture length and width fall with the smaller horizontal stress.",
+    "At 60 MPa the fracture of most 250 C packings is long under every stress of the series.",
+    needs=LOWER,
+)
+def falls_with_stress(data, limit, family="figure-11"):
     parts, good = [], []
     for series in ("250 C", "400 C"):
         for quantity in ("extent_m", "width_m"):
-            table = data.table("figure-11", series, quantity)
+            table = data.table(family, series, quantity)
             rank = float(np.mean([spearman(table.x, row) for row in table.values]))
             good.append(rank <= limit["figure-11"]["spearman"])
             parts.append(f"{series} {quantity[:-2]} {rank:.2f}")
@@ -99,12 +121,13 @@ def falls_with_stress(data, limit):
     "5.2, Figure 11",
     "At a key stress length and width drop suddenly.",
     "Where the drop comes differs from packing to packing; in some there is none.",
+    needs=LOWER,
 )
-def sudden_drop(data, limit):
+def sudden_drop(data, limit, family="figure-11"):
     limit = limit["figure-11"]
     parts, good = [], []
     for series in ("250 C", "400 C"):
-        extent = data.table("figure-11", series, "extent_m")
+        extent = data.table(family, series, "extent_m")
         drops = [largest_drop(row, limit["from_cracks_m"]) for row in extent.values]
         share = float(np.mean([drop >= limit["jump"] for _, drop in drops]))
         good.append(share >= limit["jump_packings"])
@@ -119,14 +142,19 @@ def sudden_drop(data, limit):
 @claim(
     "5.2, Figure 11",
     "The key stress is lower in hotter rock (51 MPa at 250 C, 49 MPa at 400 C).",
-    "In Table 3 hotter rock is softer, not weaker. Absolute values hang on how the paper's stresses are read.",
-    needs=STRENGTH_11,
+    "At 60 MPa many packings have no drop within the series, and what falls most is noise. Absolute values hang on how "
+    "the paper's stresses are read.",
+    needs=TRIED_KEY,
 )
-def key_stress_moves(data, limit, hot="figure-11"):
+def key_stress_moves(data, limit, family="figure-11", hot="figure-11"):
     floor = limit["figure-11"]["from_cracks_m"]
-    cold_table = data.table("figure-11", "250 C", "extent_m")
+    cold_table = data.table(family, "250 C", "extent_m")
     hot_table = data.table(hot, "400 C", "extent_m")
-    places = [[table.x[largest_drop(row, floor)[0]] + 0.5 for row in table.values] for table in (cold_table, hot_table)]
+    packings = min(len(cold_table.values), len(hot_table.values))  # the first ones, the same in both
+    places = [
+        [table.x[largest_drop(row, floor)[0]] + 0.5 for row in table.values[:packings]]
+        for table in (cold_table, hot_table)
+    ]
     change = (np.array(places[1]) - np.array(places[0]))[:, None]
     sure = interval(change, lambda mean: mean[..., 0])
     return Answer(
@@ -140,12 +168,13 @@ def key_stress_moves(data, limit, hot="figure-11"):
 @claim(
     "5.2, Figure 11",
     "Beyond the key stress length falls more slowly than before it.",
-    "The mean over packings blurs the drop; a change of slope is then not certain.",
+    "At 60 MPa the drop of the 250 C rock lies at the end of the series or beyond it.",
+    needs=LOWER,
 )
-def slower_beyond(data, limit):
+def slower_beyond(data, limit, family="figure-11"):
     parts, good = [], []
     for series in ("250 C", "400 C"):
-        extent = data.table("figure-11", series, "extent_m")
+        extent = data.table(family, series, "extent_m")
         key, _ = largest_drop(extent.means, limit["figure-11"]["from_cracks_m"])
         if not 1 <= key <= len(extent.x) - 3:
             good.append(False)
@@ -167,12 +196,13 @@ def slower_beyond(data, limit):
     "5.3, Figure 12",
     "Fracture length and width grow with permeability.",
     "Cracks fill through themselves; what seeps into rock of some millidarcy within the run is little.",
+    needs=TRIED_12,
 )
-def grows_with_permeability(data, limit):
+def grows_with_permeability(data, limit, family="figure-12", hot="figure-12"):
     parts, good = [], []
-    for series in ("250 C", "400 C"):
+    for where, series in ((family, "250 C"), (hot, "400 C")):
         for quantity in ("width_m", "cracks"):
-            table = data.table("figure-12", series, quantity)
+            table = data.table(where, series, quantity)
             rise, sure = slope_of(table)
             good.append(sure[1] >= limit["figure-12"]["not_falling"])
             parts.append(f"{series} {quantity.removesuffix('_m')} {rise:.3g} [{sure[0]:.2g}, {sure[1]:.2g}] per mD")
@@ -183,13 +213,14 @@ def grows_with_permeability(data, limit):
     "5.3, Figure 12",
     "The increase becomes steeper at about 5.8 mD.",
     "Nothing in the equations changes at a permeability; leak-off grows in proportion to its root.",
+    needs=TRIED_12,
 )
-def permeability_kink(data, limit):
+def permeability_kink(data, limit, family="figure-12", hot="figure-12"):
     limit = limit["figure-12"]
     parts, good = [], []
-    for series in ("250 C", "400 C"):
+    for source, series in ((family, "250 C"), (hot, "400 C")):
         for quantity in ("extent_m", "width_m"):
-            table = data.table("figure-12", series, quantity)
+            table = data.table(source, series, quantity)
             where, before, after = kink(table.x, table.means)
             good.append(
                 abs(where - limit["kink"]) <= limit["kink_within"]
@@ -208,12 +239,15 @@ def permeability_kink(data, limit):
     "5.3, Figure 12",
     "The hotter the rock, the more permeability adds.",
     "With no clear growth at any temperature there is no difference to see.",
+    needs=TRIED_12,
 )
-def hotter_grows_more(data, limit):
+def hotter_grows_more(data, limit, family="figure-12", hot="figure-12"):
     parts, good = [], []
     for quantity in ("extent_m", "width_m"):
-        cold, hot = (data.table("figure-12", series, quantity) for series in ("250 C", "400 C"))
-        more = interval(hot.values - cold.values, lambda mean: slope(cold.x, mean))
+        cold = data.table(family, "250 C", quantity)
+        warm = data.table(hot, "400 C", quantity)
+        packings = min(len(cold.values), len(warm.values))  # the first ones, the same in both
+        more = interval(warm.values[:packings] - cold.values[:packings], lambda mean: slope(cold.x, mean))
         good.append(more[0] > 0)
         parts.append(f"{quantity[:-2]}: 400 C less 250 C [{more[0]:.2g}, {more[1]:.2g}] m/mD")
     return Answer(all(good), "; ".join(parts), "difference of slopes, interval above 0")

@@ -23,19 +23,45 @@ CHARTS = {
     "figure-07": (["figure-07"], ONSET, "Figure 7: initiation against horizontal stresses"),
     "figure-08": (["figure-08"], ONSET, "Figure 8: initiation against contact stiffness"),
     "figure-09": (["figure-09"], ONSET, "Figure 9: initiation against bond strength"),
-    "figure-10": (
-        ["figure-10", "beyond-10-strength", "beyond-10-supply"],
-        LENGTHS,
-        "Figure 10: length and width by injection pressure",
-    ),
-    "figure-11": (["figure-11", "beyond-11-strength"], LENGTHS, "Figure 11: length and width by smaller stress"),
+    "figure-10": (["figure-10"], LENGTHS, "Figure 10: length and width by injection pressure"),
+    "figure-11": (["figure-11"], LENGTHS, "Figure 11: length and width by smaller stress"),
     "figure-12": (["figure-12"], LENGTHS, "Figure 12: length and width by permeability"),
     "sound-07": (["figure-07-sound"], ONSET, "Figure 7, sound reading"),
     "sound-08": (["figure-08-sound"], ONSET, "Figure 8, sound reading"),
     "sound-09": (["figure-09-sound"], ONSET, "Figure 9, sound reading"),
     "sound-12": (["figure-12-sound"], ONSET, "Figure 12, sound reading: initiation by permeability"),
+    "beyond-05": (
+        ["figure-05", "beyond-05-steps", "beyond-05-supply", "beyond-05-stress"],
+        {"crack_count": "cracks", "cracks_after_a_tenth": "cracks_at_tenth"},
+        "Figure 5 with changed physics",
+    ),
+    "beyond-09": (["figure-09", "beyond-09-stress"], ONSET, "Figure 9 with changed stresses"),
+    "beyond-10": (
+        ["beyond-10-supply", "beyond-10-strength", "beyond-10-volume"],
+        LENGTHS,
+        "Figure 10 with changed physics",
+    ),
+    "beyond-11": (["beyond-11-pressure", "beyond-11-strength"], LENGTHS, "Figure 11 with changed physics"),
+    "beyond-12": (
+        ["beyond-12-slow", "beyond-12-strength"],
+        LENGTHS,
+        "Figure 12 with changed physics",
+    ),
 }
-CHANGED = {"strength": " with falling strength", "supply": " with a tenth of the fluid"}
+# What the legend adds to the series of a family whose physics is changed. No commas: names stand in a table.
+CHANGED = {
+    "beyond-05-steps": " (500 sub-steps)",
+    "beyond-05-supply": " (cracks filled at once)",
+    "beyond-05-stress": " (stresses 7 and 0 MPa)",
+    "beyond-09-stress": " (stresses 24 and 24 MPa)",
+    "beyond-10-supply": " (a tenth of the fluid)",
+    "beyond-10-strength": " (falling strength)",
+    "beyond-10-volume": " (as much fluid)",
+    "beyond-11-pressure": " (50 MPa held)",
+    "beyond-11-strength": " (falling strength; 60 MPa held)",
+    "beyond-12-slow": " (twelve days)",
+    "beyond-12-strength": " (falling strength)",
+}
 # The axis of a family: its name with the SI unit, and that unit in the family's.
 STRESS, PRESSURE = ("effective_stress_Pa", 1e6), ("injection_pressure_Pa", 1e6)
 STIFFNESS, STRENGTH = ("contact_stiffness_N_per_m", 1e9), ("bond_strength_Pa", 1e6)
@@ -64,8 +90,9 @@ def in_si(text, column):
 def chart(rows, tables, folder, name):
     wanted, columns, title = CHARTS[name]
     chosen = [row for row in rows if row["family"] in wanted and row["status"] == "done"]
-    if not chosen:
-        return
+    kind = name.split("-")[0].replace("sound", "figure")
+    if not any(row["family"].startswith(kind) for row in chosen):
+        return  # a picture of changed physics wants more than what it is compared with
     axis, unit = AXES[name.split("-")[1]]
     if name.startswith("sound"):
         axis = axis.replace("effective", "total")
@@ -74,10 +101,10 @@ def chart(rows, tables, folder, name):
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(["series", axis, *columns])
         for row in chosen:
-            series = row["series"] + CHANGED.get(row["family"].split("-")[-1], "")
+            series = row["series"].replace("paper", "held pressure") + CHANGED.get(row["family"], "")
             writer.writerow(
                 [
-                    series.replace("paper", "the paper's reading"),
+                    series,
                     float(row["x"]) * unit,
                     *(in_si(row[column], column) for column in columns.values()),
                 ]
@@ -109,19 +136,27 @@ def courses(rows, out, folder):
         (out / "figure-05.png").replace(folder / "figure-05.png")
 
 
+def stages(run, folder, pressure):
+    """Figures 3 and 4 at the paper's pressure, and Figure 4 moving at that and a higher one."""
+    if pressure != "45":
+        hfrac("render", run, "--movie", folder / f"figure-04-{pressure}-MPa.webp", "--width", 360, "-q")
+        return
+    if hfrac("render", run, "--no-movie", "--width", 800, "-q"):
+        shutil.copyfile(run / "pictures/figure3.png", folder / "figure-03.png")
+        shutil.copyfile(run / "pictures/growth.png", folder / "figure-04.png")
+    hfrac("render", run, "--movie", folder / "figure-04.webp", "--width", 480, "-q")
+
+
 def pictures(rows, out, folder):
-    """Figures 3, 4 and 6: the model, five stages, four pressures; Figure 4 moving."""
+    """Figures 3, 4 and 6: the model, five stages, four pressures."""
     for row in rows:
-        run = out / "runs" / row["run"]
+        run, pressure = out / "runs" / row["run"], f"{float(row['x']):.0f}"
         if row["status"] != "done" or not (run / "discs.pvd").exists():
             continue
         if row["family"] == "figure-03-04":
-            if hfrac("render", run, "--no-movie", "--width", 800, "-q"):
-                shutil.copyfile(run / "pictures/figure3.png", folder / "figure-03.png")
-                shutil.copyfile(run / "pictures/growth.png", folder / "figure-04.png")
-            hfrac("render", run, "--movie", folder / "figure-04.webp", "--width", 480, "-q")
+            stages(run, folder, pressure)
         if row["family"] == "figure-06":
-            name = f"figure-06-{float(row['x']):.0f}-MPa.png"
+            name = f"figure-06-{pressure}-MPa.png"
             hfrac("render", run, "--view", "bonds", "--width", 480, "-q", "-o", folder / name)
 
 

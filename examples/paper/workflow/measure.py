@@ -47,6 +47,14 @@ def result_of(folder):
         return {"status": "broken", "error": repr(error)}
 
 
+def cost_of(folder):
+    """Processor time of a run, s; 0 where it is not known."""
+    try:
+        return json.loads((folder / "cost.json").read_text())["processor_s"]
+    except (OSError, ValueError, KeyError):
+        return 0.0
+
+
 def cell(value):
     return "" if value is None else f"{value:.10g}" if isinstance(value, float) else " ".join(str(value).split())
 
@@ -72,7 +80,9 @@ def main(which, out, table):
     count = {}
     for result in results.values():
         count[result["status"]] = count.get(result["status"], 0) + 1
-    print(f"{table}: {len(points)} points, {len(results)} runs, " + ", ".join(f"{n} {s}" for s, n in count.items()))
+    cost = sum(cost_of(pathlib.Path(out) / "runs" / name) for name in results)
+    states = ", ".join(f"{n} {s}" for s, n in count.items())
+    print(f"{table}: {len(points)} points, {len(results)} runs, {states}; {cost:.0f} s of processor time")
 
 
 if __name__ == "__main__":

@@ -61,7 +61,7 @@ class Measured:
         """`gaps`: a finished run may have no such value, as one without cracks has no direction; NaN there."""
         points = self.points(family, series)
         if not points:
-            raise Incomplete(f"{family} has no series {series}")
+            raise Incomplete(f"{family}, {series}, is no part of this set")
         lacking = [self.row(point)["status"] for point in points if self.row(point)["status"] != "done"]
         if lacking:
             kinds = ", ".join(f"{lacking.count(kind)} {kind}" for kind in sorted(set(lacking)))

@@ -2,13 +2,15 @@
 """One run: writes its case file, calls hfrac and leaves result.json. usage: run_case.py SET NAME OUT [PACKING]
 
 NAME is a run, or packing:COUNT-POROSITY-SEED. A run that hfrac ends with an error leaves a result that says so, and the
-verdict shows it; only what is wrong outside the run (no program, no disk) ends this script with an error.
+verdict shows it; only what is wrong outside the run (no program, no disk) ends this script with an error. What a run
+cost stands beside its result, in cost.json, since results repeat to the bit and times do not.
 """
 import csv
 import json
 import math
 import os
 import pathlib
+import resource
 import subprocess
 import sys
 
@@ -83,6 +85,12 @@ def write_whole(path, text):
     aside.replace(path)
 
 
+def step_of_area(folder, area):
+    """The first step after which the fractures are open over this area [m2] together; None if they never were."""
+    history = numbers(folder / "history.csv")
+    return next((int(row["step"]) for row in history if row["fracture_volume_m2"] >= area), None)
+
+
 def main(which, name, out, packing=None):
     folder = pathlib.Path(out)
     if name.startswith("packing:"):
@@ -92,6 +100,10 @@ def main(which, name, out, packing=None):
         return
     run = families.expand(which)[0][name]
     done = hfrac(run.case, folder, "--discs", packing)
+    if done.returncode == 0 and run.until is not None:
+        last = step_of_area(folder, run.until)
+        if last is not None:  # the same run once more, to the bit, up to there
+            done = hfrac(run.case, folder, "--discs", packing, "--steps", last)
     if done.returncode in (130, -2, -15):
         sys.exit(f"{name}: interrupted")
     try:
@@ -104,6 +116,8 @@ def main(which, name, out, packing=None):
         for path in folder.iterdir():
             if path.suffix in SUFFIXES:
                 path.unlink()
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    write_whole(folder / "cost.json", json.dumps({"processor_s": round(used.ru_utime + used.ru_stime, 3)}) + "\n")
     write_whole(folder / "result.json", json.dumps({"run": name, **result}, indent=1) + "\n")
 
 
