@@ -12,7 +12,7 @@ namespace {
 // Mean azimuth [degrees] of the packings' fractures.
 double grow(int packings) {
   verification::Curves curves("V10", "Direction of the fracture against sigma_H; six packings",
-                              "packing (1),azimuth (degrees)");
+                              "packing,azimuth (degrees)");
   constexpr double degree = 57.29577951308232;
   double sum = 0.0;
   for (int seed = 1; seed <= packings; ++seed) {

@@ -9,7 +9,7 @@
 //            Mean displacement over |y - 50 m| < 20 m in columns of 4 m round x = 10 m and 34 m; a straight line through
 //            it over 6 ms behind the front gives the velocity and when the front came. Nothing has come from other sides by then.
 // Tolerance  Speed 2 % (physics.md), velocity behind the front 3 %, both as means over three packings;
-//            4 and 6 % for one of 2 000 discs. Energy: error of the balance over the work done, below 1e-2 with
+//            4 and 10 % for one of 2 000 discs. Energy: error of the balance over the work done, below 1e-2 with
 //            velocities half a cycle apart from forces; 1e-6 with both at one time is ExplicitSolver.KeepsEnergyWithoutDamping.
 #include <gtest/gtest.h>
 
@@ -123,7 +123,7 @@ void run(int64_t discs, int packings, double speed_tolerance, double velocity_to
 }
 
 TEST(V13WaveSmoke, RunsAtTheSpeedOfSoundThroughFewDiscs) {
-  run(2000, 1, 0.04, 0.06);
+  run(2000, 1, 0.04, 0.10);
 }
 
 TEST(V13Wave, RunsAtTheSpeedOfSound) {

@@ -22,7 +22,7 @@ void close_books(const char* name, const hfrac_sim_def& def) {
   hfrac_balance balance{};
   balance.struct_size = sizeof balance;
   Curves curves("V14", "Fluid by the quasi-static solver in mode coupled: injected; stored and leaked",
-                "step (1),volume (m2 per m)");
+                "step,volume (m2 per m)");
   for (int step = 1; step <= 10; ++step) {
     rock.step(1);
     rock.balance(&balance);

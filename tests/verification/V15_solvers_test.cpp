@@ -97,7 +97,7 @@ TEST(V15Solvers, GiveTheSameInitiationPressure) {
     std::printf("  packing %d: explicit %.2f MPa, quasi-static %.2f MPa, explicit flow %.2f MPa\n",
                 static_cast<int>(seed), 1e-6 * explicit_solver, 1e-6 * quasi_static, 1e-6 * explicit_flow);
     verification::Curves curves("V15", "Pressure of the first crack by three ways of solving",
-                                "packing (1),net well pressure (MPa)");
+                                "packing,net well pressure (MPa)");
     curves.point("explicit", {static_cast<double>(seed), 1e-6 * explicit_solver});
     curves.point("quasi-static", {static_cast<double>(seed), 1e-6 * quasi_static});
     curves.point("explicit flow", {static_cast<double>(seed), 1e-6 * explicit_flow});

@@ -149,7 +149,7 @@ Outcome carry(std::int64_t discs, double peclet) {
   }
   Curves curves("V17-" + std::to_string(static_cast<int>(peclet)),
                 "Heat carried by a fluid: cooling over that at x = 0 when v t = 30 m",
-                "x (m),share of the step (1)");
+                "x (m),share of the step");
   const std::string with = std::to_string(discs) + " discs";
   for (const auto& bin : bins) curves.point(with, {bin.at, bin.measured});
   curves.line("Ogata and Banks for " + with, 0.0, 70.0,

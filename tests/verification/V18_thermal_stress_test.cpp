@@ -141,17 +141,28 @@ TEST(V18ThermalStress, HotCircleInAColdBlock) {
   const auto stress = sim.values(HFRAC_DISC_STRESS), radius = sim.values(HFRAC_DISC_RADIUS);
   Curves curves("V18", "Stress about a hot circle of 15 m, 50 K warmer",
                 "distance from the middle (m),stress (MPa)");
+  constexpr double ring_width = 2.0;  // m, of the figure's means
+  std::array<std::array<double, 3>, 25> rings{};
   double inside = 0.0, weight = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     const double mean = 0.5 * (stress[3 * i] + stress[3 * i + 1]), w = radius[i] * radius[i];
     const double cx = (position[2 * i] - 50.0) / distance[i], cy = (position[2 * i + 1] - 50.0) / distance[i];
     const double radial =
         stress[3 * i] * cx * cx + stress[3 * i + 1] * cy * cy + 2.0 * stress[3 * i + 2] * cx * cy;
-    curves.point("radial", {distance[i], 1e-6 * radial});
-    curves.point("around", {distance[i], 1e-6 * (2.0 * mean - radial)});
+    const auto ring = static_cast<std::size_t>(distance[i] / ring_width);
+    if (ring < rings.size()) {
+      rings[ring][0] += 1e-6 * w * radial;
+      rings[ring][1] += 1e-6 * w * (2.0 * mean - radial);
+      rings[ring][2] += w;
+    }
     if (distance[i] >= 10.0) continue;
     inside += w * mean;
     weight += w;
+  }
+  for (std::size_t k = 0; k < rings.size(); ++k) {
+    const double middle = (static_cast<double>(k) + 0.5) * ring_width;
+    curves.point("radial", {middle, rings[k][0] / rings[k][2]});
+    curves.point("around", {middle, rings[k][1] / rings[k][2]});
   }
   const double b = 100.0 / std::sqrt(pi);
   std::printf("  E' %.4g Pa\n", rock.plane);

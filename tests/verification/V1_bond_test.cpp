@@ -134,7 +134,7 @@ TEST(V1BondSmoke, TensionAndBendingTogether) {
   verification::Curves curves("V1", "What a bond of 0.5 m bears in tension and bending together",
                               "normal force (MN),bending moment (MN m)");
   for (int k = 0; k <= 10; ++k) {
-    const double pulled = 1e-7 * k, turned = 1e-6 * (10 - k) / 10.0;
+    const double pulled = 2e-7 * k, turned = 3e-7 * (10 - k);
     const auto at = TwoDiscs().fail({pulled, 0.0, -turned * large_radius, turned * small_radius});
     curves.point("model", {1e-6 * at.bond.bond_normal, 1e-6 * at.bond.bond_moment});
   }

@@ -153,9 +153,8 @@ std::pair<double, double> compare(const char* what, CrackedBlock& block, int axi
   std::printf("  %-34s k%s  solve %10.3e m2  flow/solve %6.3f  Oda/solve %8.3f  solve/plates %6.3f\n", what,
               axis == 0 ? "xx" : "yy", reference, by_flow / reference, by_oda / reference,
               plates > 0.0 ? (reference - rock_permeability) / plates : 0.0);
-  Curves curves("V20",
-                "Permeability of a cell over that of a flow solve: cases in the order of the page's table",
-                "case (1),over the flow solve (1)");
+  Curves curves("V20", "Permeability of a cell over that of a flow solve, case by case",
+                "case,over the flow solve");
   static double number = 0.0;
   number += 1.0;
   curves.point("rule flow", {number, by_flow / reference});

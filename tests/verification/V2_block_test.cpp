@@ -108,7 +108,7 @@ Elastic mean_over_packings(int64_t discs, int64_t packings, const Set& set, int6
     mean.arriving += one.arriving / static_cast<double>(packings);
     if (&set == &linear_set)
       Curves("V2", "Modulus and Poisson's ratio of a block against the number of discs; linear set",
-             "discs (1),slope E' (GPa),slope nu' (1)")
+             "discs,slope E' (GPa),slope nu'")
           .point("packings", {static_cast<double>(discs), one.modulus / 1e9, one.poisson});
     least = std::min(least, one.modulus);
     most = std::max(most, one.modulus);

@@ -109,7 +109,7 @@ std::vector<double> round_rock(int64_t seed) {
 // Hoop stress all round in narrow rings, for the figure.
 struct Profile {
   static constexpr double width = 0.25;  // r / a
-  std::array<double, 24> measured{}, weight{};
+  std::array<double, 18> measured{}, weight{};
   double outer = 0.0;  // b / a
 };
 
@@ -197,7 +197,7 @@ void around_a_hole(int packings, double far, double near) {
   }
   if (packings > 1) {
     Curves curves("V3", "Hoop stress around a hole under 20 MPa on all sides",
-                  "r over a (1),hoop stress over the load (1)");
+                  "r over a,hoop stress over the load");
     for (std::size_t k = 0; k < even.measured.size(); ++k) {
       if (even.weight[k] == 0.0) continue;
       curves.point("discs", {1.0 + (static_cast<double>(k) + 0.5) * Profile::width,

@@ -129,7 +129,7 @@ TEST(V6ContinuumSmoke, ColumnConsolidatesAsTerzaghiSays) {
   Clock clock(rock, 1e-6 * scale);
   verification::Curves curves("V6-terzaghi",
                               "Terzaghi's column: pressure over the first at T = 0.01 and 0.1 and 0.5",
-                              "depth over height (1),pressure over the first (1)");
+                              "depth over height,pressure over the first");
   for (const double time : {0.001, 0.01, 0.1, 0.5, 1.0}) {
     clock.go(time * scale);
     double worst = 0.0;
@@ -179,7 +179,7 @@ TEST(V6Continuum, PlateConsolidatesAsMandelSays) {
     double peak = 0.0, analytic_peak = 0.0;
     verification::Curves curves("V6-mandel",
                                 "Mandel's plate: pressure in its middle over the first (the Cryer effect)",
-                                "T (1),pressure over the first (1)");
+                                "T,pressure over the first");
     if (elements == 40) {
       curves.line("formula", 0.002, 0.5,
                   [&](double t) { return std::vector<double>{analytic.pressure(0.0, t) / at_once}; });
@@ -399,7 +399,7 @@ double consolidate(int64_t discs) {
     peak = std::max(peak, middle / middle_volume);
     verification::Curves curves("V6-discs",
                                 "A square of discs drained at its rim: pressure in the middle over the first",
-                                "T (1),pressure over the first (1)");
+                                "T,pressure over the first");
     curves.point(std::to_string(discs) + " discs", {time, middle / middle_volume});
     curves.point("continuum for " + std::to_string(discs), {time, at(continuum, lines, 3.0, 3.0) / at_once});
     std::printf(

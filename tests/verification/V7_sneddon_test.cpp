@@ -37,7 +37,7 @@ hfrac::Options linear_material() {
 }
 
 Curves figure() {
-  return {"V7", "A slit of 20 m held open by fluid", "x over a (1),opening over 4 p a / E' (1)"};
+  return {"V7", "A slit of 20 m held open by fluid", "x over a,opening over 4 p a / E'"};
 }
 
 // Openings of all packings together, each over its own p, a and E'.
