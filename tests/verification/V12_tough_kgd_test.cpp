@@ -172,7 +172,7 @@ TEST(V12ToughKgd, GrowsAsTheToughnessSays) {
 }
 
 TEST(V12ToughKgdLong, FinerSheetsAndAWiderOne) {
-  hold(grow(60, 80.0, 1e6, "radius 0.67 m"));
+  hold(grow(50, 80.0, 1e6, "radius 0.8 m"));
   hold(grow(80, 160.0, 1e6, "radius 1 m and twice as wide"));
 }
 

@@ -2,7 +2,7 @@
 // What the verification cases share: simulations made and read through hfrac.h as a user would, linear fits, elasticity of a
 // block, the line each case prints for every figure it checks, and the curves behind the pictures.
 //
-// Variants. Test suites ...Smoke take a second or two each, those without an ending seconds, those ...Long minutes:
+// Variants. Test suites ...Smoke take seconds at most, those without an ending some more, those ...Long minutes:
 // `hfrac verify V7 --smoke` runs the first, `hfrac verify V7` all but the last, `hfrac verify V7 --full` everything.
 #pragma once
 

@@ -53,12 +53,11 @@ std::string quoted(const std::string& text) {
   return safe + "'";
 }
 
-/** V7Sneddon.Width belongs to V7. */
+/** V7Sneddon.Width belongs to V7; a case without a number is called by its suite. */
 std::string case_of(const std::string& test) {
-  std::size_t end = test.find('V') == std::string::npos ? 0 : test.find('V') + 1;
-  const std::size_t begin = end == 0 ? 0 : end - 1;
-  while (end < test.size() && std::isdigit(static_cast<unsigned char>(test[end])) != 0) ++end;
-  return test.substr(begin, end - begin);
+  static const std::regex number("(^|/)(V[0-9]+).*");
+  std::smatch part;
+  return std::regex_match(test, part, number) ? part[2].str() : test.substr(0, test.find('.'));
 }
 
 std::string filter_of(const VerifyRequest& request) {
@@ -101,11 +100,11 @@ void draw(const std::filesystem::path& folder, const std::map<std::string, std::
 }
 
 void print_table(const std::map<std::string, CaseRecord>& records) {
-  fmt::print("\n  {:6} {:>7} {:>16} {:>7} {:>7} {:>8}  {}\n", "case", "figures", "error/tolerance", "passed",
+  fmt::print("\n  {:12} {:>7} {:>16} {:>7} {:>7} {:>8}  {}\n", "case", "figures", "error/tolerance", "passed",
              "failed", "skipped", "verdict");
   for (const auto& [name, r] : records) {
-    fmt::print("  {:6} {:>7} {:>16.2f} {:>7} {:>7} {:>8}  {}\n", name, r.figures, r.worst, r.passed, r.failed,
-               r.skipped, r.failed > 0 ? "FAILED" : (r.passed > 0 ? "good" : "not run"));
+    fmt::print("  {:12} {:>7} {:>16.2f} {:>7} {:>7} {:>8}  {}\n", name, r.figures, r.worst, r.passed,
+               r.failed, r.skipped, r.failed > 0 ? "FAILED" : (r.passed > 0 ? "good" : "not run"));
   }
 }
 
