@@ -55,18 +55,9 @@ void Simulation::build(std::span<const double> given_discs, std::span<const std:
   bool stop = false;
   Packing packing;
   if (given_discs.empty()) {
-    PackingOptions p;
-    p.width = o.model_width;
-    p.height = o.model_height;
-    p.count = o.packing_disc_count;
-    p.radius_ratio = o.packing_radius_ratio;
-    p.porosity = o.packing_porosity;
-    p.residual = o.packing_residual;
-    p.seed = static_cast<std::uint64_t>(o.model_seed);
-    p.method = PackingMethod{o.packing_method};
-    p.brick = o.packing_brick_discs;
-    packing = pack_discs(
-        p, [&](double done) { return stop = progress && progress(0.5 * done, "packing the discs"); });
+    packing = pack_discs(packing_options(o), [&](double done) {
+      return stop = progress && progress(0.5 * done, "packing the discs");
+    });
     if (stop) throw Stopped{};
   } else {
     packing = take_given(given_discs);

@@ -38,6 +38,9 @@ class EquilibriumSolver {
   Outcome solve(double duration, const std::vector<double>& source, double most_excess, CrackLog& log,
                 const std::function<bool()>& interrupt = {});
 
+  // Looks for intact bonds beyond their strength. Returns the largest stress over strength of all.
+  double find_exceeding();
+
   // A step begins: what it does follows from the state alone, so no factor outlives the step before. Without that, a run
   // gone on with after a restore would differ in the last digits.
   void begin_step();
@@ -48,8 +51,6 @@ class EquilibriumSolver {
     double excess;  // stress over strength, at least 1
     std::int64_t bond;
   };
-  // Intact bonds beyond their strength, into exceeding_. Returns the largest stress over strength of all.
-  double find_exceeding();
   void keep_round();
   void break_farthest(CrackLog& log);
 

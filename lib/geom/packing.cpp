@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "geom/hilbert.hpp"
 #include "geom/relaxation.hpp"
+#include "options/options.hpp"
 
 namespace hfrac {
 namespace {
@@ -141,6 +142,20 @@ Packing pack_square(const PackingOptions& o) {
 }
 
 }  // namespace
+
+PackingOptions packing_options(const Options& options) {
+  PackingOptions p;
+  p.width = options.model_width;
+  p.height = options.model_height;
+  p.count = options.packing_disc_count;
+  p.radius_ratio = options.packing_radius_ratio;
+  p.porosity = options.packing_porosity;
+  p.residual = options.packing_residual;
+  p.seed = static_cast<std::uint64_t>(options.model_seed);
+  p.method = PackingMethod{options.packing_method};
+  p.brick = options.packing_brick_discs;
+  return p;
+}
 
 Packing pack_discs(const PackingOptions& options, const std::function<bool(double)>& progress) {
   if (options.method == PackingMethod::tiled) {

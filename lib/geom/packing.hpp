@@ -23,6 +23,8 @@
 
 namespace hfrac {
 
+struct Options;
+
 struct PackingOptions {
   double width = 100.0;        // m
   double height = 100.0;       // m
@@ -34,6 +36,9 @@ struct PackingOptions {
   PackingMethod method = PackingMethod::relaxed;
   std::int64_t brick = 5000;  // discs in a brick (tiled)
 };
+
+// What the options of a model say of its packing.
+PackingOptions packing_options(const Options& options);
 
 struct Packing {
   Array<double> x, y, radius;  // m; numbered along a Hilbert curve

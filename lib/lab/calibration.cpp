@@ -85,18 +85,28 @@ class Calibrator {
                                            number_text(seed) + "; use other stiffnesses to start from");
     return report;
   }
+  // Of the k-th packing calibrated on, or of the k-th of those that what is achieved is measured on.
+  [[nodiscard]] std::int64_t seed_of(std::int64_t k, bool other) const {
+    return targets_.seed + k + (other ? targets_.packings : 0);
+  }
   template <class Value>
   Mean over_packings(LabTest which, const Options& material, const Value& value, bool other = false) {
     std::vector<double> values;
     for (std::int64_t k = 0; k < targets_.packings; ++k)
-      values.push_back(value(test(which, material, targets_.seed + k + (other ? targets_.packings : 0))));
+      values.push_back(value(test(which, material, seed_of(k, other))));
     return mean_of(values);
   }
-  [[nodiscard]] double modulus_of(const LabReport& r) const {
-    return targets_.plane_slopes ? r.plane_modulus : r.modulus;
-  }
-  [[nodiscard]] double poisson_of(const LabReport& r) const {
-    return targets_.plane_slopes ? r.plane_poisson : r.poisson;
+  struct Elasticity {
+    Mean modulus, poisson;
+  };
+  Elasticity elasticity(const Options& material, bool other) {
+    std::vector<double> moduli, ratios;
+    for (std::int64_t k = 0; k < targets_.packings; ++k) {
+      const LabReport r = test(LabTest::elastic, material, seed_of(k, other));
+      moduli.push_back(targets_.plane_slopes ? r.plane_modulus : r.modulus);
+      ratios.push_back(targets_.plane_slopes ? r.plane_poisson : r.poisson);
+    }
+    return {mean_of(moduli), mean_of(ratios)};
   }
 
   // The start's stiffnesses, the bonds' k_s / k_n made `ratio` and the contacts' changed with it, then all by `scale`.
@@ -116,15 +126,9 @@ class Calibrator {
     double ratio = started_.bond_shear_stiffness / std::max(started_.bond_normal_stiffness, 1e-300);
     double modulus = 0.0;
     const auto measure = [&](double at) {
-      std::vector<double> moduli, ratios;
-      const Options o = with_stiffness(at, 1.0);
-      for (std::int64_t k = 0; k < targets_.packings; ++k) {
-        const LabReport r = test(LabTest::elastic, o, targets_.seed + k);
-        moduli.push_back(modulus_of(r));
-        ratios.push_back(poisson_of(r));
-      }
-      modulus = mean_of(moduli).value;
-      return mean_of(ratios).value;
+      const Elasticity found = elasticity(with_stiffness(at, 1.0), false);
+      modulus = found.modulus.value;
+      return found.poisson.value;
     };
     if (asked(Macro::poisson)) {
       const auto m = static_cast<std::size_t>(Macro::poisson);
@@ -245,14 +249,9 @@ class Calibrator {
       if (!result_.reachable[k]) explain(m);
     };
     if (asked(Macro::modulus) || asked(Macro::poisson)) {
-      std::vector<double> moduli, ratios;
-      for (std::int64_t k = 0; k < targets_.packings; ++k) {
-        const LabReport r = test(LabTest::elastic, o, targets_.seed + targets_.packings + k);
-        moduli.push_back(modulus_of(r));
-        ratios.push_back(poisson_of(r));
-      }
-      if (asked(Macro::modulus)) put(Macro::modulus, mean_of(moduli));
-      if (asked(Macro::poisson)) put(Macro::poisson, mean_of(ratios));
+      const Elasticity found = elasticity(o, true);
+      if (asked(Macro::modulus)) put(Macro::modulus, found.modulus);
+      if (asked(Macro::poisson)) put(Macro::poisson, found.poisson);
     }
     const auto value = [](const LabReport& r) { return r.value; };
     if (asked(Macro::compressive)) put(Macro::compressive, over_packings(LabTest::uniaxial, o, value, true));

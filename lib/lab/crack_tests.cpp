@@ -53,27 +53,21 @@ LabResult test_crack(const Options& material, const LabSpec& spec, const Packing
       notch ? (1.0 - spec.slit_share) * spec.width : 0.5 * (1.0 - spec.slit_share) * spec.width;
   loading.runaway = std::max<std::int64_t>(
       6, static_cast<std::int64_t>(ligament / (6.0 * s->assembly().mean_radius)) * (notch ? 1 : 2));
-  LoadingResult loaded = load_to_failure(*s, loading, interrupt);
+  take_loading(result, load_to_failure(*s, loading, interrupt));
 
   LabReport& r = result.report;
   const Vec2 tips = s->tips();
   r.slit_half_length = notch ? tips.y : 0.5 * (tips.y - tips.x);
   const double share = (notch ? 1.0 : 2.0) * r.slit_half_length / spec.width;
   r.geometry_factor = crack_geometry_factor(spec.test, share);
-  r.peak_stress = loaded.peak;
-  r.first_crack_stress = loaded.first_crack;
-  r.force_ratio = loaded.force_ratio;
-  r.worst_overshoot = loaded.worst_overshoot;
-  r.end = loaded.end;
-  r.value = r.geometry_factor * loaded.peak * std::sqrt(pi * r.slit_half_length);
+  r.value = r.geometry_factor * r.peak_stress * std::sqrt(pi * r.slit_half_length);
   const auto& a = s->assembly();
   const double strength = 0.5 * a.tensile_per_radius;
   r.toughness_coefficient = r.value / (strength * std::sqrt(a.mean_radius));
-  result.curve = std::move(loaded.curve);
   if (fluid) {
     // Opening of the slit as cut: a fresh specimen, far from failure.
     Specimen fresh(packing, material, shape);
-    result.opening_pressure = 0.01 * loaded.peak;
+    result.opening_pressure = 0.01 * r.peak_stress;
     fresh.pressurise(result.opening_pressure);
     fresh.solve(1e300, interrupt);
     result.opening = fresh.opening();

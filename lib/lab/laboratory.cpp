@@ -35,7 +35,7 @@ void check(const LabSpec& spec) {
            number_text(static_cast<std::int64_t>(lab_test_count - 1)) + " (enum hfrac_lab_test).");
   }
   if (spec.discs < 100 || spec.discs > 2000000)
-    refuse("discs = " + number_text(spec.discs) + " is out of range; give 100 to 2000000.");
+    refuse("disc_count = " + number_text(spec.discs) + " is out of range; give 100 to 2000000.");
   if (spec.seed < 0) refuse("seed = " + number_text(spec.seed) + " is negative; give 0 or more.");
   if (!(spec.width > 0.0) || !(spec.width <= 1e6))
     refuse("width = " + number_text(spec.width) + " m is out of range; give a positive width up to 1e6 m.");
@@ -65,17 +65,6 @@ void describe(LabReport& r, const Specimen& s) {
   r.shear_cracks = s.cracks_in(CrackMode::shear);
   r.factors = s.factors();
   r.relaxations = s.relaxations();
-}
-
-void take(LabResult& result, LoadingResult&& loaded) {
-  LabReport& r = result.report;
-  r.peak_stress = loaded.peak;
-  r.strain_at_peak = loaded.strain_at_peak;
-  r.first_crack_stress = loaded.first_crack;
-  r.force_ratio = loaded.force_ratio;
-  r.worst_overshoot = loaded.worst_overshoot;
-  r.end = loaded.end;
-  result.curve = std::move(loaded.curve);
 }
 
 LabResult test_elastic(const Options& material, const Packing& packing, double width) {
@@ -126,7 +115,7 @@ LabResult test_strength(const Options& material, const Packing& packing, double 
   loading.stress = [&] { return way * s->pull() / width; };
   loading.runaway = s->assembly().bond_count() / collapse;
   loading.end_share = end_share;
-  take(result, load_to_failure(*s, loading, interrupt));
+  take_loading(result, load_to_failure(*s, loading, interrupt));
   const auto& first = result.curve.empty() ? CurvePoint{} : result.curve.front();
   if (confining == 0.0 && !result.curve.empty())
     put_elastic(result.report, way * first.stress, {first.axial, first.lateral});
@@ -150,7 +139,7 @@ LabResult test_brazilian(const Options& material, const Packing& packing, double
   loading.stress = [&] { return -s->pull() * hondros; };
   loading.runaway = s->assembly().bond_count() / collapse;
   loading.end_share = end_share;
-  take(result, load_to_failure(*s, loading, interrupt));
+  take_loading(result, load_to_failure(*s, loading, interrupt));
   result.report.value = result.report.peak_stress;
   result.report.geometry_factor = hondros * width;
   result.specimen = std::move(s);
@@ -180,6 +169,17 @@ LabResult test_permeability(Options material, const Packing& packing, double wid
 
 }  // namespace
 
+void take_loading(LabResult& result, LoadingResult&& loaded) {
+  LabReport& r = result.report;
+  r.peak_stress = loaded.peak;
+  r.strain_at_peak = loaded.strain_at_peak;
+  r.first_crack_stress = loaded.first_crack;
+  r.force_ratio = loaded.force_ratio;
+  r.worst_overshoot = loaded.worst_overshoot;
+  r.end = loaded.end;
+  result.curve = std::move(loaded.curve);
+}
+
 double specimen_aspect(LabTest test) {
   switch (test) {
     case LabTest::tension:
@@ -196,15 +196,10 @@ double specimen_aspect(LabTest test) {
 
 Packing pack_specimen(const Options& material, LabTest test, double width, std::int64_t discs,
                       std::int64_t seed, const std::function<bool(double)>& progress) {
-  PackingOptions p;
+  PackingOptions p = packing_options(material);
   p.width = width;
   p.height = specimen_aspect(test) * width;
   p.count = discs;
-  p.radius_ratio = material.packing_radius_ratio;
-  p.porosity = material.packing_porosity;
-  p.residual = material.packing_residual;
-  p.method = PackingMethod{material.packing_method};
-  p.brick = material.packing_brick_discs;
   p.seed = static_cast<std::uint64_t>(seed);
   return pack_discs(p, progress);
 }

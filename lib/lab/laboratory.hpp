@@ -78,6 +78,9 @@ struct LabResult {
   std::unique_ptr<Specimen> specimen;  // as the test left it; none for permeability
 };
 
+// What a loading came to, into a test's report and curve.
+void take_loading(LabResult& result, LoadingResult&& loaded);
+
 // Height over width of a test's specimen.
 double specimen_aspect(LabTest test);
 // Discs for a specimen. The same seed, number and shape give the same packing whatever the micro-parameters.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "core/plane_fit.hpp"
 #include "geom/faces.hpp"
 #include "options/choices.hpp"
 
@@ -190,44 +191,18 @@ EquilibriumSolver::Outcome Specimen::solve(double most_excess, const std::functi
 
 Strain Specimen::strain() const {
   const auto& a = assembly_;
-  double n = 0.0, mx = 0.0, my = 0.0, mu = 0.0, mv = 0.0;
-  double xx = 0.0, xy = 0.0, yy = 0.0, xu = 0.0, yu = 0.0, xv = 0.0, yv = 0.0;
+  PlaneFit along_x, along_y;
   for (std::int64_t i = 0; i < a.disc_count(); ++i) {
     const double x = a.x[i] - 0.5 * shape_.width, y = a.y[i] - 0.5 * shape_.height;
     if (std::abs(x) > gauge * shape_.width || std::abs(y) > gauge * shape_.height) continue;
-    const double u = a.ux[i], v = a.uy[i];
-    n += 1.0;
-    mx += x;
-    my += y;
-    mu += u;
-    mv += v;
-    xx += x * x;
-    xy += x * y;
-    yy += y * y;
-    xu += x * u;
-    yu += y * u;
-    xv += x * v;
-    yv += y * v;
+    along_x.add(x, y, a.ux[i]);
+    along_y.add(x, y, a.uy[i]);
   }
-  xx -= mx * mx / n;
-  xy -= mx * my / n;
-  yy -= my * my / n;
-  xu -= mx * mu / n;
-  yu -= my * mu / n;
-  xv -= mx * mv / n;
-  yv -= my * mv / n;
-  const double determinant = xx * yy - xy * xy;
-  return {(yv * xx - xv * xy) / determinant, (xu * yy - yu * xy) / determinant};
+  return {along_y.plane().by_y, along_x.plane().by_x};
 }
 
 double Specimen::largest_excess() const {
-  double largest = 0.0;
-  for (std::int64_t e = 0; e < assembly_.bond_count(); ++e) {
-    if (assembly_.intact[static_cast<std::size_t>(e)] == 0) continue;
-    const BondView bond = view_bond(assembly_, options_, e);
-    largest = std::max({largest, bond.tensile_excess, bond.shear_excess});
-  }
-  return largest;
+  return equilibrium_->find_exceeding();
 }
 
 std::vector<Vec2> Specimen::opening() const {

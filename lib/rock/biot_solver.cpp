@@ -301,10 +301,6 @@ double BiotSolver::steady_outflow(RockSide side) const {
   return sum;
 }
 
-double BiotSolver::content() const {
-  return stored().sum();
-}
-
 BiotSolver::Sample BiotSolver::sample(std::size_t element, double s, double t) const {
   const auto& nodes = mesh_.element[element];
   const ElementPoint point = at_point(mesh_, nodes, s, t);

@@ -56,8 +56,6 @@ class BiotSolver {
   [[nodiscard]] double pressure(std::int32_t corner) const;  // at the corner of an element [Pa]
   // Fluid that leaves through a drained side in the steady state, per unit thickness [m2/s].
   [[nodiscard]] double steady_outflow(RockSide side) const;
-  // Fluid taken up since the unloaded state, per unit thickness [m2].
-  [[nodiscard]] double content() const;
 
   // Inside element e at reference coordinates -1..1.
   struct Sample {

@@ -42,20 +42,6 @@ inline Discs square_lattice(int columns, int rows, double radius) {
   return discs;
 }
 
-inline PackingOptions packing_options(const Options& o) {
-  PackingOptions p;
-  p.width = o.model_width;
-  p.height = o.model_height;
-  p.count = o.packing_disc_count;
-  p.radius_ratio = o.packing_radius_ratio;
-  p.porosity = o.packing_porosity;
-  p.residual = o.packing_residual;
-  p.seed = static_cast<std::uint64_t>(o.model_seed);
-  p.method = PackingMethod{o.packing_method};
-  p.brick = o.packing_brick_discs;
-  return p;
-}
-
 inline Discs packed(const Options& o) {
   const Packing packing = pack_discs(packing_options(o));
   return {packing.x, packing.y, packing.radius};

@@ -8,7 +8,8 @@
 //            at rest under sigma_H alone, as in V2. Then sigma_H is put on at once: from left and right a front runs inward.
 //            Mean displacement over |y - 50 m| < 20 m in columns of 4 m round x = 10 m and 34 m; a straight line through
 //            it over 6 ms behind the front gives the velocity and when the front came. Nothing has come from other sides by then.
-// Tolerance  Speed 2 % (physics.md), velocity behind the front 3 %, both as means over three packings. Energy: error of the balance over the work done, below 1e-2 with
+// Tolerance  Speed 2 % (physics.md), velocity behind the front 3 %, both as means over three packings;
+//            4 and 10 % for one of 2 000 discs. Energy: error of the balance over the work done, below 1e-2 with
 //            velocities half a cycle apart from forces; 1e-6 with both at one time is ExplicitSolver.KeepsEnergyWithoutDamping.
 #include <gtest/gtest.h>
 
@@ -39,24 +40,6 @@ hfrac_sim_def rock(int64_t discs, int64_t seed) {
   return def;
 }
 
-// E' and nu' of the plane model.
-std::pair<double, double> elasticity(hfrac_sim_def def) {
-  const auto before = Simulation(def).values(HFRAC_DISC_POSITION);
-  def.stress_sigma_H = push;
-  const auto after = Simulation(def).values(HFRAC_DISC_POSITION);
-  std::vector<double> x, y, ux, uy;
-  std::vector<char> use;
-  for (std::size_t i = 0; i < before.size(); i += 2) {
-    x.push_back(before[i]);
-    y.push_back(before[i + 1]);
-    ux.push_back(after[i] - before[i]);
-    uy.push_back(after[i + 1] - before[i + 1]);
-    use.push_back(std::abs(x.back() - 50.0) < 35.0 && std::abs(y.back() - 50.0) < 35.0 ? 1 : 0);
-  }
-  const double along = -fit_plane(x, y, ux, use).b, across = fit_plane(x, y, uy, use).c;
-  return {push / along, across / along};
-}
-
 // Mean displacement along x round x = `middle`.
 double column(const std::vector<double>& place, const std::vector<double>& displacement, double middle) {
   double sum = 0.0;
@@ -71,37 +54,32 @@ double column(const std::vector<double>& place, const std::vector<double>& displ
 
 // Behind the front the column moves as velocity (t - arrival): both by least squares over 6 ms, from 1 ms after the time
 // expected. The ringing of the discs behind a sharp front averages out.
-struct Line {
+struct Front {
   double arrival, velocity;
 };
-Line front(Simulation& wave, const std::vector<double>& place, const std::vector<double>& start,
-           double middle, double speed) {
+Front front(Simulation& wave, const std::vector<double>& place, const std::vector<double>& start,
+            double middle, double speed, Curves* curves) {
   const double begin = middle / speed + 1e-3, end = begin + 6e-3;
-  double n = 0.0, t = 0.0, u = 0.0, tt = 0.0, tu = 0.0;
+  std::vector<double> times, ways;
   for (double now = wave.state().time; now < end; now = wave.state().time) {
     wave.step_for(tick);
     if (now < begin) continue;
-    const double time = wave.state().time;
-    const double moved =
-        column(place, wave.values(HFRAC_DISC_DISPLACEMENT), middle) - column(place, start, middle);
-    n += 1.0;
-    t += time;
-    u += moved;
-    tt += time * time;
-    tu += time * moved;
+    times.push_back(wave.state().time);
+    ways.push_back(column(place, wave.values(HFRAC_DISC_DISPLACEMENT), middle) -
+                   column(place, start, middle));
+    if (curves != nullptr)
+      curves->point("x = " + std::to_string(static_cast<int>(middle)) + " m",
+                    {1e3 * times.back(), 1e3 * ways.back()});
   }
-  const double velocity = (n * tu - t * u) / (n * tt - t * t);
-  return {(t - u / velocity) / n, velocity};
+  const auto line = fit_line(times, ways);
+  return {-line.offset / line.slope, line.slope};
 }
 
-}  // namespace
-
-TEST(V13Wave, RunsAtTheSpeedOfSound) {
+void run(int64_t discs, int packings, double speed_tolerance, double velocity_tolerance) {
   double speeds = 0.0, velocities = 0.0;
-  constexpr int packings = 3;
   for (int64_t seed = 1; seed <= packings; ++seed) {
-    hfrac_sim_def def = rock(8000, seed);
-    const auto [modulus, poisson] = elasticity(def);
+    hfrac_sim_def def = rock(discs, seed);
+    const auto [modulus, poisson] = elasticity(def, push);
     def.stepping_mode = 1;
     def.stepping_damping = 0.0;
     def.stepping_flow_step = tick;
@@ -112,7 +90,18 @@ TEST(V13Wave, RunsAtTheSpeedOfSound) {
     const auto start = wave.values(HFRAC_DISC_DISPLACEMENT);
     wave.set_far_field(push, 0.0);
     constexpr double from = 10.0, to = 34.0;
-    const Line first = front(wave, place, start, from, speed), second = front(wave, place, start, to, speed);
+    Curves drawn("V13", "A front passing two places: displacement after the far field was put on",
+                 "time (ms),displacement along x (mm)");
+    Curves* const curves = discs == 8000 && seed == 1 ? &drawn : nullptr;
+    const Front first = front(wave, place, start, from, speed, curves),
+                second = front(wave, place, start, to, speed, curves);
+    if (curves != nullptr) {
+      for (const double x : {from, to}) {
+        curves->line("formula at " + std::to_string(static_cast<int>(x)) + " m", 1e3 * x / speed,
+                     1e3 * x / speed + 7.0,
+                     [&](double t) { return std::vector<double>{behind * (t - 1e3 * x / speed)}; });
+      }
+    }
     const double measured = (to - from) / (second.arrival - first.arrival);
     const double plateau = 0.5 * (first.velocity + second.velocity);
     hfrac_balance balance{};
@@ -129,6 +118,16 @@ TEST(V13Wave, RunsAtTheSpeedOfSound) {
     speeds += measured / speed / packings;
     velocities += plateau / behind / packings;
   }
-  report("speed over the formula's, mean over packings", speeds, 1.0, 0.02);
-  report("velocity over the formula's, mean over packings", velocities, 1.0, 0.03);
+  report("speed over the formula's, mean over packings", speeds, 1.0, speed_tolerance);
+  report("velocity over the formula's, mean over packings", velocities, 1.0, velocity_tolerance);
 }
+
+TEST(V13WaveSmoke, RunsAtTheSpeedOfSoundThroughFewDiscs) {
+  run(2000, 1, 0.04, 0.10);
+}
+
+TEST(V13Wave, RunsAtTheSpeedOfSound) {
+  run(8000, 3, 0.02, 0.03);
+}
+
+}  // namespace

@@ -97,13 +97,13 @@ class TwoDiscs {
   ContactGraph graph_;
 };
 
-TEST(V1Bond, Tension) {
+TEST(V1BondSmoke, Tension) {
   const auto failure = TwoDiscs().fail({1e-5, 0.0, 0.0, 0.0});
   verification::report("tension: F at failure, N", failure.bond.bond_normal, 42.5e6 * area, tolerance);
   EXPECT_EQ(failure.mode, CrackMode::tension);
 }
 
-TEST(V1Bond, Shear) {
+TEST(V1BondSmoke, Shear) {
   // Both discs turned alike: the contact slides, the bond does not bend.
   const auto failure = TwoDiscs().fail({0.0, 0.0, -1e-5, -1e-5});
   verification::report("shear by turning: F at failure, N", failure.bond.bond_shear, 30e6 * area, tolerance);
@@ -115,7 +115,7 @@ TEST(V1Bond, Shear) {
   EXPECT_EQ(across.mode, CrackMode::shear);
 }
 
-TEST(V1Bond, Bending) {
+TEST(V1BondSmoke, Bending) {
   // Turned against each other as gears are: the contact does not slide.
   const auto failure = TwoDiscs().fail({0.0, 0.0, -1e-4 * large_radius, 1e-4 * small_radius});
   verification::report("bending: M at failure, N m", failure.bond.bond_moment,
@@ -124,16 +124,26 @@ TEST(V1Bond, Bending) {
   EXPECT_NEAR(failure.bond.bond_shear, 0.0, 1.0);
 }
 
-TEST(V1Bond, TensionAndBendingTogether) {
+TEST(V1BondSmoke, TensionAndBendingTogether) {
   const auto failure = TwoDiscs().fail({4e-7, 0.0, -1e-6 * large_radius, 1e-6 * small_radius});
   const double stress =
       failure.bond.bond_normal / area + failure.bond.bond_moment * small_radius / second_moment;
   verification::report("tension and bending: F/A + M R/I, Pa", stress, 42.5e6, tolerance);
   EXPECT_GT(failure.bond.bond_normal / area, 0.1 * 42.5e6);
   EXPECT_LT(failure.bond.bond_normal / area, 0.9 * 42.5e6);
+  verification::Curves curves("V1", "What a bond of 0.5 m bears in tension and bending together",
+                              "normal force (MN),bending moment (MN m)");
+  for (int k = 0; k <= 10; ++k) {
+    const double pulled = 2e-7 * k, turned = 3e-7 * (10 - k);
+    const auto at = TwoDiscs().fail({pulled, 0.0, -turned * large_radius, turned * small_radius});
+    curves.point("model", {1e-6 * at.bond.bond_normal, 1e-6 * at.bond.bond_moment});
+  }
+  curves.line("F/A + M R/I = sigma_c", 0.0, 42.5 * area, [](double force) {
+    return std::vector<double>{(42.5 - force / area) * second_moment / small_radius};
+  });
 }
 
-TEST(V1Bond, CompressionDoesNotBreak) {
+TEST(V1BondSmoke, CompressionDoesNotBreak) {
   // eq. 21's |F_n| would break a bond in compression (physics.md 1.3).
   const auto failure = TwoDiscs().fail({-1e-3, 0.0, 0.0, 0.0});
   EXPECT_EQ(failure.bond.bond_normal, 0.0);  // no failure was found

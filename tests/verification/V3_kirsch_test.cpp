@@ -30,7 +30,6 @@ using namespace verification;
 constexpr double centre = 50.0;        // m
 constexpr double outer_radius = 48.0;  // m
 constexpr double hole_radius = 7.5;    // m, nominal
-constexpr int packings = 4;
 
 hfrac_sim_def rock(int64_t seed) {
   hfrac_sim_def def = new_def();
@@ -107,7 +106,14 @@ std::vector<double> round_rock(int64_t seed) {
   return given;
 }
 
-void add_packing(int64_t seed, const std::vector<double>& given, LoadCase& load) {
+// Hoop stress all round in narrow rings, for the figure.
+struct Profile {
+  static constexpr double width = 0.25;  // r / a
+  std::array<double, 18> measured{}, weight{};
+  double outer = 0.0;  // b / a
+};
+
+void add_packing(int64_t seed, const std::vector<double>& given, LoadCase& load, Profile& profile) {
   hfrac_sim_def def = rock(seed);
   def.given_discs = given.data();
   def.given_disc_count = static_cast<int64_t>(given.size() / 3);
@@ -122,6 +128,7 @@ void add_packing(int64_t seed, const std::vector<double>& given, LoadCase& load)
              stress = s.values(HFRAC_DISC_STRESS);
   const double a = s.well(0).equivalent_radius, b = outline_radius(s, x);
   const Ring ring(a, b, load.larger, load.smaller), endless(a, 1e4 * a, load.larger, load.smaller);
+  profile.outer = b / a;
   const double half_trace = 0.5 * (load.larger + load.smaller) * b * b / (b * b - a * a);
 
   for (std::size_t i = 0; i < radius.size(); ++i) {
@@ -130,6 +137,11 @@ void add_packing(int64_t seed, const std::vector<double>& given, LoadCase& load)
     const double c = dx / r, sine = dy / r, cell = radius[i] * radius[i];
     const double hoop =
         stress[3 * i] * sine * sine + stress[3 * i + 1] * c * c - 2.0 * stress[3 * i + 2] * sine * c;
+    const auto ring_number = static_cast<std::size_t>((r / a - 1.0) / Profile::width);
+    if (r > a && ring_number < profile.measured.size()) {
+      profile.measured[ring_number] += cell * hoop;
+      profile.weight[ring_number] += cell;
+    }
     for (Zone& zone : load.zones) {
       if (r < zone.from * a || r >= zone.to * a) continue;
       if (zone.sector == 1 && std::abs(c) > 0.5) continue;
@@ -169,7 +181,7 @@ void print(const Zone& zone, const LoadCase& load) {
       100.0 * error_of(zone, load));
 }
 
-TEST(V3Kirsch, HoopStressAroundAHole) {
+void around_a_hole(int packings, double far, double near) {
   LoadCase hydrostatic{20e6, 20e6, {}}, uniaxial{20e6, 0.0, {}};
   for (int sector = 0; sector < 3; ++sector) {
     for (const auto& [from, to] : {std::pair{1.0, 1.3}, {1.3, 1.7}, {1.7, 2.5}, {2.5, 3.5}, {3.5, 5.0}}) {
@@ -177,9 +189,24 @@ TEST(V3Kirsch, HoopStressAroundAHole) {
       if (sector == 0) hydrostatic.zones.push_back({from, to, sector});
     }
   }
+  Profile even, along_x;
   for (int seed = 1; seed <= packings; ++seed) {
     const std::vector<double> given = round_rock(seed);
-    for (LoadCase* load : {&hydrostatic, &uniaxial}) add_packing(seed, given, *load);
+    add_packing(seed, given, hydrostatic, even);
+    add_packing(seed, given, uniaxial, along_x);
+  }
+  if (packings > 1) {
+    Curves curves("V3", "Hoop stress around a hole under 20 MPa on all sides",
+                  "r over a,hoop stress over the load");
+    for (std::size_t k = 0; k < even.measured.size(); ++k) {
+      if (even.weight[k] == 0.0) continue;
+      curves.point("discs", {1.0 + (static_cast<double>(k) + 0.5) * Profile::width,
+                             even.measured[k] / even.weight[k] / 20e6});
+    }
+    const Ring ring(1.0, even.outer, 1.0, 1.0), endless(1.0, 1e4, 1.0, 1.0);
+    curves.line("ring", 1.0, 5.5, [&](double r) { return std::vector<double>{ring.hoop(r, 0.0)}; });
+    curves.line("Kirsch: plate without end", 1.0, 5.5,
+                [&](double r) { return std::vector<double>{endless.hoop(r, 0.0)}; });
   }
   for (const LoadCase* load : {&hydrostatic, &uniaxial}) {
     std::printf(
@@ -191,13 +218,22 @@ TEST(V3Kirsch, HoopStressAroundAHole) {
       print(zone, *load);
       const double error = error_of(zone, *load);
       if (zone.from >= 1.7) {
-        EXPECT_LT(std::abs(error), 0.02)
+        EXPECT_LT(std::abs(error), far)
             << "r/a " << zone.from << " to " << zone.to << " sector " << zone.sector;
       } else if (zone.from >= 1.3) {
-        EXPECT_LT(std::abs(error), 0.08) << "sector " << zone.sector;
+        EXPECT_LT(std::abs(error), near) << "sector " << zone.sector;
       }
     }
   }
+}
+
+// One packing scatters more than the mean of four: twice the tolerance.
+TEST(V3KirschSmoke, HoopStressOfOnePacking) {
+  around_a_hole(1, 0.04, 0.16);
+}
+
+TEST(V3Kirsch, HoopStressAroundAHole) {
+  around_a_hole(4, 0.02, 0.08);
 }
 
 }  // namespace

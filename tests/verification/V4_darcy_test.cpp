@@ -26,8 +26,27 @@ using namespace verification;
 
 constexpr double darcy_permeability = 5.527e-15, viscosity = 0.3;
 
+// Means over rings of the same width in ln r.
+void draw(Curves& curves, const std::string& series, const std::vector<double>& log_radius,
+          const std::vector<double>& pressure, double inner) {
+  constexpr double width = 0.08;
+  std::vector<double> sum(64, 0.0), count(64, 0.0);
+  for (std::size_t k = 0; k < pressure.size(); ++k) {
+    const auto bin = static_cast<std::size_t>(log_radius[k] / width);
+    sum[bin] += pressure[k];
+    count[bin] += 1.0;
+  }
+  for (std::size_t bin = 0; bin < sum.size(); ++bin) {
+    if (count[bin] == 0.0) continue;
+    curves.point(series,
+                 {inner * std::exp((static_cast<double>(bin) + 0.5) * width), 1e-3 * sum[bin] / count[bin]});
+  }
+}
+
 TEST(V4Darcy, RadialFlow) {
   constexpr int packings = 3;
+  Curves curves("V4", "Steady radial flow: pressure against the distance from the well",
+                "distance from the well's middle (m),net pressure (kPa)");
   double mean_ratio = 0.0, mean_square = 0.0;
   for (int seed = 1; seed <= packings; ++seed) {
     hfrac_sim_def def = new_def();
@@ -46,34 +65,33 @@ TEST(V4Darcy, RadialFlow) {
     s.step(20);
     const double flow = s.well(0).rate, inner = 1.5 * s.well(0).equivalent_radius, outer = 40.0;
     const auto centre = s.values(HFRAC_DOMAIN_CENTRE), pressure = s.values(HFRAC_DOMAIN_PRESSURE);
-    // Pressure against ln r: the line of least squares gives k, what is left of it the rms.
-    std::vector<double> log_radius, other, value;
-    std::vector<char> use;
+    // Pressure against ln r: the line of least squares gives k; rms against the formula's slope.
+    std::vector<double> log_radius, value;
     for (std::size_t d = 1; d < pressure.size(); ++d) {
       const double r = std::hypot(centre[2 * d] - 50.0, centre[2 * d + 1] - 50.0);
-      log_radius.push_back(std::log(std::max(r, 1e-3) / inner));
-      other.push_back(
-          std::sin(17.0 * static_cast<double>(d)));  // the fit is of a plane: a second axis without meaning
+      if (r <= inner || r >= outer) continue;
+      log_radius.push_back(std::log(r / inner));
       value.push_back(pressure[d]);
-      use.push_back(r > inner && r < outer ? 1 : 0);
     }
-    const Plane line = fit_plane(log_radius, other, value, use);
-    const double measured = -flow * viscosity / (2.0 * pi * line.b), drop = -line.b * std::log(outer / inner);
+    const Line line = fit_line(log_radius, value);
+    const double measured = -flow * viscosity / (2.0 * pi * line.slope),
+                 drop = -line.slope * std::log(outer / inner);
     const double analytic_slope = -flow * viscosity / (2.0 * pi * darcy_permeability);
-    double square = 0.0, count = 0.0, level = 0.0;
-    for (std::size_t k = 0; k < value.size(); ++k) {
-      if (use[k] == 0) continue;
-      level += value[k] - analytic_slope * log_radius[k];
-      count += 1.0;
-    }
-    level /= count;
-    for (std::size_t k = 0; k < value.size(); ++k) {
-      if (use[k] == 0) continue;
+    const auto count = static_cast<double>(value.size());
+    double square = 0.0, level = 0.0;
+    for (std::size_t k = 0; k < value.size(); ++k)
+      level += (value[k] - analytic_slope * log_radius[k]) / count;
+    for (std::size_t k = 0; k < value.size(); ++k)
       square += std::pow((value[k] - level - analytic_slope * log_radius[k]) / drop, 2) / count;
-    }
     std::printf("  packing %d: flow %.4e m2/s, k %.4e m2 (%+.1f %%), pressure rms %.2f %% of the drop\n",
                 seed, flow, measured, 100.0 * (measured / darcy_permeability - 1.0),
                 100.0 * std::sqrt(square));
+    draw(curves, "packing " + std::to_string(seed), log_radius, value, inner);
+    if (seed == 1) {
+      curves.line("formula", inner, outer, [&](double r) {
+        return std::vector<double>{1e-3 * (level + analytic_slope * std::log(r / inner))};
+      });
+    }
     mean_ratio += measured / darcy_permeability / packings;
     mean_square += square / packings;
   }
@@ -82,7 +100,7 @@ TEST(V4Darcy, RadialFlow) {
   EXPECT_LT(std::sqrt(mean_square), 0.03);
 }
 
-TEST(V4Darcy, LinearFlow) {
+TEST(V4DarcySmoke, LinearFlow) {
   RigidNetwork rock(4000, 1);
   rock.calibrate(darcy_permeability);
   constexpr double low = 15.0, high = 85.0, drop = 1e5;
@@ -93,23 +111,17 @@ TEST(V4Darcy, LinearFlow) {
   FlowSolver flow(rock.network(), rock.options());
   for (int step = 0; step < 2; ++step) flow.advance(rock.network(), 1e12, {});
   const double through = rock.flow_across(0.5 * (low + high));
-  std::vector<double> x, y, p;
-  std::vector<char> use;
-  for (std::int64_t d = 1; d < rock.network().domain_count(); ++d) {
-    x.push_back(rock.network().centroid[d].x);
-    y.push_back(rock.network().centroid[d].y);
-    p.push_back(rock.network().pressure[d]);
-    use.push_back(x.back() > low && x.back() < high ? 1 : 0);
-  }
-  const Plane plane = fit_plane(x, y, p, use);
-  report("linear: flow over k H dp / (eta L)",
-         through * viscosity / (-plane.b * rock.height() * darcy_permeability), 1.0, 0.03);
+  PlaneFit fit;
   double square = 0.0, count = 0.0;
-  for (std::size_t k = 0; k < p.size(); ++k) {
-    if (use[k] == 0) continue;
-    square += std::pow((p[k] - drop * (high - x[k]) / (high - low)) / drop, 2);
+  for (std::int64_t d = 1; d < rock.network().domain_count(); ++d) {
+    const auto at = rock.network().centroid[d];
+    if (at.x <= low || at.x >= high) continue;
+    fit.add(at.x, at.y, rock.network().pressure[d]);
+    square += std::pow((rock.network().pressure[d] - drop * (high - at.x) / (high - low)) / drop, 2);
     count += 1.0;
   }
+  report("linear: flow over k H dp / (eta L)",
+         through * viscosity / (-fit.plane().by_x * rock.height() * darcy_permeability), 1.0, 0.03);
   const double rms = std::sqrt(square / count);
   std::printf("  linear: pressure rms %.2f %% of the drop, tolerance 3 %%\n", 100.0 * rms);
   EXPECT_LT(rms, 0.03);

@@ -111,7 +111,7 @@ class Mandel {
 
 }  // namespace
 
-TEST(V6Continuum, ColumnConsolidatesAsTerzaghiSays) {
+TEST(V6ContinuumSmoke, ColumnConsolidatesAsTerzaghiSays) {
   const BiotMaterial m = sandstone();
   const double height = 10.0, nu_u = m.undrained_poissons_ratio();
   BiotSolver rock(rectangle_mesh({0.0, 1.0}, mirrored(graded(height, 40, 1.5))), m,
@@ -127,11 +127,24 @@ TEST(V6Continuum, ColumnConsolidatesAsTerzaghiSays) {
   const double settled_at_once = -rock.displacement(head).y;
   const double scale = height * height / m.consolidation();
   Clock clock(rock, 1e-6 * scale);
+  verification::Curves curves("V6-terzaghi",
+                              "Terzaghi's column: pressure over the first at T = 0.01 and 0.1 and 0.5",
+                              "depth over height,pressure over the first");
   for (const double time : {0.001, 0.01, 0.1, 0.5, 1.0}) {
     clock.go(time * scale);
     double worst = 0.0;
+    const bool drawn = time > 0.005 && time < 0.9;
+    char name[32];
+    std::snprintf(name, sizeof name, "T = %g", time);
+    if (drawn) {
+      curves.line(std::string("formula: ") + name, 0.0, 1.0,
+                  [&](double depth) { return std::vector<double>{terzaghi(depth, time)}; });
+    }
+    int number = 0;
     for (const auto& element : rock.mesh().element) {
       const double depth = 1.0 - rock.mesh().node[static_cast<std::size_t>(element[0])].y / height;
+      if (drawn && number++ % 3 == 0)
+        curves.point(std::string("continuum: ") + name, {depth, rock.pressure(element[0]) / start});
       worst = std::max(worst, std::abs(rock.pressure(element[0]) / start - terzaghi(depth, time)));
     }
     std::printf("  Terzaghi: T = %-5g  worst error of the pressure %.3f %% of p0, tolerance 0.5 %%\n", time,
@@ -164,6 +177,13 @@ TEST(V6Continuum, PlateConsolidatesAsMandelSays) {
     const double scale = half * half / m.consolidation();
     Clock clock(rock, 1e-6 * scale);
     double peak = 0.0, analytic_peak = 0.0;
+    verification::Curves curves("V6-mandel",
+                                "Mandel's plate: pressure in its middle over the first (the Cryer effect)",
+                                "T,pressure over the first");
+    if (elements == 40) {
+      curves.line("formula", 0.002, 0.5,
+                  [&](double t) { return std::vector<double>{analytic.pressure(0.0, t) / at_once}; });
+    }
     for (const double time :
          {0.001, 0.003, 0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08, 0.1, 0.2, 0.5, 1.0}) {
       clock.go(time * scale);
@@ -176,6 +196,8 @@ TEST(V6Continuum, PlateConsolidatesAsMandelSays) {
       worst /= at_once;
       peak = std::max(peak, rock.pressure(middle) / load);
       analytic_peak = std::max(analytic_peak, analytic.pressure(0.0, time));
+      if (elements == 40 && time <= 0.5)
+        curves.point("continuum with 40 elements", {time, rock.pressure(middle) / load / at_once});
       std::printf(
           "  Mandel, %d elements: T = %-5g  worst error of the pressure %.3f %% of the first, tolerance 0.5 "
           "%%\n",
@@ -276,25 +298,9 @@ void measure_elasticity(const hfrac_sim_def& wet, BiotMaterial& m) {
   def.flow_scheme = 2;
   def.solver_kind = 0;
   def.stepping_mode = 0;
-  def.stress_sigma_H = def.stress_sigma_h = 0.0;
-  const auto before = verification::Simulation(def).values(HFRAC_DISC_POSITION);
-  def.stress_sigma_H = 20e6;
-  verification::Simulation loaded(def);
-  const auto after = loaded.values(HFRAC_DISC_POSITION);
-  std::vector<double> x, y, ux, uy;
-  std::vector<char> use;
-  for (std::size_t i = 0; i < before.size(); i += 2) {
-    x.push_back(before[i]);
-    y.push_back(before[i + 1]);
-    ux.push_back(after[i] - before[i]);
-    uy.push_back(after[i + 1] - before[i + 1]);
-    use.push_back(std::abs(x.back() - 50.0) < 35.0 && std::abs(y.back() - 50.0) < 35.0 ? 1 : 0);
-  }
-  const double along = -verification::fit_plane(x, y, ux, use).b,
-               across = verification::fit_plane(x, y, uy, use).c;
-  const double plane = across / along;
-  m.poissons_ratio = plane / (1.0 + plane);
-  m.youngs_modulus = 20e6 / along * (1.0 - m.poissons_ratio * m.poissons_ratio);
+  const auto measured = verification::elasticity(def, 20e6);
+  m.poissons_ratio = measured.plane_strain_poisson();
+  m.youngs_modulus = measured.plane_strain_modulus();
 }
 
 // Mean of a quantity over squares of 10 m, by volume.
@@ -391,6 +397,11 @@ double consolidate(int64_t discs) {
       middle_volume += volume[d];
     }
     peak = std::max(peak, middle / middle_volume);
+    verification::Curves curves("V6-discs",
+                                "A square of discs drained at its rim: pressure in the middle over the first",
+                                "T,pressure over the first");
+    curves.point(std::to_string(discs) + " discs", {time, middle / middle_volume});
+    curves.point("continuum for " + std::to_string(discs), {time, at(continuum, lines, 3.0, 3.0) / at_once});
     std::printf(
         "  %lld discs: T = %-4g  middle %.4f of the first pressure, continuum %.4f; rms over squares %.2f "
         "%%, tolerance 3 %%\n",

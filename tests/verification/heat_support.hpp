@@ -1,34 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the cases of heat share: a simulation in a host's hands, bins, and the curves behind the pictures.
+// What the cases of heat share: a simulation in a host's hands, and a warm block.
 #pragma once
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "support.hpp"
 
 namespace verification {
-
-// With the environment variable HFRAC_CURVES a folder, a case writes what it compares there (docs/verification/draw-heat).
-class Curve {
- public:
-  Curve(const std::string& name, const std::string& columns) {
-    const char* folder = std::getenv("HFRAC_CURVES");
-    if (folder == nullptr) return;
-    file_.open(std::string(folder) + "/" + name + ".csv");
-    file_ << columns << '\n';
-  }
-  void row(const std::vector<double>& values) {
-    for (std::size_t k = 0; k < values.size(); ++k) file_ << (k > 0 ? "," : "") << values[k];
-    file_ << '\n';
-  }
-
- private:
-  std::ofstream file_;
-};
 
 class HostedSimulation {
  public:

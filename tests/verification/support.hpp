@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the verification cases share: simulations made and read through hfrac.h as a user would, linear fits,
-// and the line each case prints for every figure it checks.
+// What the verification cases share: simulations made and read through hfrac.h as a user would, linear fits, elasticity of a
+// block, the line each case prints for every figure it checks, and the curves behind the pictures.
+//
+// Variants. Test suites ...Smoke take seconds at most, those without an ending some more, those ...Long minutes:
+// `hfrac verify V7 --smoke` runs the first, `hfrac verify V7` all but the last, `hfrac verify V7 --full` everything.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,9 +12,14 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "core/plane_fit.hpp"
 
 namespace verification {
 
@@ -86,37 +94,118 @@ class Simulation {
   hfrac_sim* sim_ = nullptr;
 };
 
-// value = a + b x + c y by least squares, over the points whose `use` is not 0.
-struct Plane {
-  double a, b, c;
+// Slope and offset of the line of least squares.
+struct Line {
+  double slope, offset;
 };
-inline Plane fit_plane(const std::vector<double>& x, const std::vector<double>& y,
-                       const std::vector<double>& value, const std::vector<char>& use) {
-  double n = 0.0, mx = 0.0, my = 0.0, mv = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (use[i] == 0) continue;
-    n += 1.0;
-    mx += x[i];
-    my += y[i];
-    mv += value[i];
+inline Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {
+  double mx = 0.0, my = 0.0, xx = 0.0, xy = 0.0;
+  const auto n = static_cast<double>(x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    mx += x[k] / n;
+    my += y[k] / n;
   }
-  mx /= n;
-  my /= n;
-  mv /= n;
-  double xx = 0.0, xy = 0.0, yy = 0.0, xv = 0.0, yv = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (use[i] == 0) continue;
-    const double dx = x[i] - mx, dy = y[i] - my, dv = value[i] - mv;
-    xx += dx * dx;
-    xy += dx * dy;
-    yy += dy * dy;
-    xv += dx * dv;
-    yv += dy * dv;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    xx += (x[k] - mx) * (x[k] - mx);
+    xy += (x[k] - mx) * (y[k] - my);
   }
-  const double determinant = xx * yy - xy * xy, b = (xv * yy - yv * xy) / determinant,
-               c = (yv * xx - xv * xy) / determinant;
-  return {mv - b * mx - c * my, b, c};
+  return {xy / xx, my - xy / xx * mx};
 }
+
+// b - a.
+inline std::vector<double> moved(const std::vector<double>& a, std::vector<double> b) {
+  for (std::size_t k = 0; k < b.size(); ++k) b[k] -= a[k];
+  return b;
+}
+
+// Strains along x and y, extension positive, of the inner 70 % of either side of a block of 100 m: slopes of the displacement
+// (x, y of each disc) at the places (likewise).
+inline std::array<double, 2> inner_strain(const std::vector<double>& place,
+                                          const std::vector<double>& displacement) {
+  hfrac::PlaneFit along, across;
+  for (std::size_t i = 0; i < place.size(); i += 2) {
+    const double x = place[i], y = place[i + 1];
+    if (std::abs(x - 50.0) >= 35.0 || std::abs(y - 50.0) >= 35.0) continue;
+    along.add(x, y, displacement[i]);
+    across.add(x, y, displacement[i + 1]);
+  }
+  return {along.plane().by_x, across.plane().by_y};
+}
+
+// E' and nu' of the two-dimensional model: what the block of `def` (100 m, without a well) does under `stress` along x. Read
+// as plane strain of a three-dimensional rock, nu = nu' / (1 + nu') and E = E' (1 - nu^2) (Timoshenko and Goodier).
+struct Elasticity {
+  double modulus, poisson;  // Pa, 1: E', nu'
+  [[nodiscard]] double plane_strain_poisson() const { return poisson / (1.0 + poisson); }
+  [[nodiscard]] double plane_strain_modulus() const {
+    return modulus * (1.0 - plane_strain_poisson() * plane_strain_poisson());
+  }
+};
+inline Elasticity elasticity(hfrac_sim_def def, double stress) {
+  def.stress_sigma_H = def.stress_sigma_h = 0.0;
+  const auto before = Simulation(def).values(HFRAC_DISC_POSITION);
+  def.stress_sigma_H = stress;
+  const auto strain = inner_strain(before, moved(before, Simulation(def).values(HFRAC_DISC_POSITION)));
+  return {-stress / strain[0], -strain[1] / strain[0]};
+}
+
+// Table 1's rock in the paper's reading, between walls without stress, a well of 8.5 m in the middle: 2 000 discs.
+inline hfrac_sim_def paper_rock(int64_t seed) {
+  hfrac_sim_def def = new_def();
+  def.model_seed = seed;
+  def.model_reading = 1;
+  def.boundary_kind = 1;
+  def.packing_disc_count = 2000;
+  def.stress_sigma_H = def.stress_sigma_h = 0.0;
+  def.stepping_flow_step = 1e-3;
+  def.well_count = 1;
+  def.wells[0].x = def.wells[0].y = 50.0;
+  def.wells[0].radius = 8.5;
+  return def;
+}
+
+// The curves behind a page's figure. With the environment variable HFRAC_CURVES a folder, they are written there as a table
+// that `hfrac plot --compare` draws: columns are the series' name, x and up to six quantities, names with their units.
+// `hfrac verify V5 --pictures DIR` sets the variable and draws; the line printed here tells it what there is. Tests of one
+// run that name the same figure add to it.
+class Curves {
+ public:
+  Curves(const std::string& figure, const std::string& title, const std::string& columns) {
+    const char* folder = std::getenv("HFRAC_CURVES");
+    if (folder == nullptr) return;
+    static std::set<std::string> begun;
+    const bool first = begun.insert(figure).second;
+    file_.open(std::string(folder) + "/" + figure + ".csv", first ? std::ios::out : std::ios::app);
+    file_.precision(9);
+    if (!first) return;
+    file_ << "series," << columns << '\n';
+    std::printf("  curves %s.csv: %s\n", figure.c_str(), title.c_str());
+  }
+  // A row; NaN leaves a quantity out.
+  void point(const std::string& series, const std::vector<double>& values) {
+    if (!file_.is_open()) return;
+    file_ << series;
+    for (const double value : values) {
+      file_ << ',';
+      if (!std::isnan(value)) file_ << value;
+    }
+    file_ << '\n';
+  }
+  // A formula as a smooth line: more points than are drawn one by one. Each row is x and what `values(x)` gives.
+  template <class Values>
+  void line(const std::string& series, double from, double to, const Values& values) {
+    constexpr int pieces = 80;
+    for (int k = 0; k <= pieces; ++k) {
+      const double x = from + (to - from) * k / pieces;
+      std::vector<double> row{x};
+      for (const double value : values(x)) row.push_back(value);
+      point(series, row);
+    }
+  }
+
+ private:
+  std::ofstream file_;
+};
 
 // One line of the case's record: what, measured, analytic, error, tolerance (both relative to the analytic
 // value).

@@ -27,7 +27,7 @@ class Laboratory(unittest.TestCase):
     def test_refuses(self):
         with self.assertRaisesRegex(ValueError, "'wishing'.*elastic, tension"):
             hfrac.lab("wishing")
-        with self.assertRaisesRegex(hfrac.ArgumentError, "discs = 3"):
+        with self.assertRaisesRegex(hfrac.ArgumentError, "disc_count = 3"):
             hfrac.lab("elastic", disc_count=3)
         with self.assertRaisesRegex(TypeError, "colour"):
             hfrac.calibrate(colour=1.0)
