@@ -135,7 +135,8 @@ class References : public VizTest {
     if (alike(found)) return;
     const auto kept = std::filesystem::temp_directory_path() / ("hfrac-unlike-" + name + ".png");
     std::filesystem::copy_file(drawn, kept, std::filesystem::copy_options::overwrite_existing);
-    ADD_FAILURE() << name << ": mean " << found.mean << ", worst " << found.worst << " in CIELAB; see " << kept;
+    ADD_FAILURE() << name << ": mean " << found.mean << ", worst " << found.worst << " in CIELAB; see "
+                  << kept;
   }
 
   hfrac_viz_view_options views;
