@@ -171,9 +171,8 @@ TEST(V12ToughKgd, GrowsAsTheToughnessSays) {
   hold(grow(40, 80.0, 1e6, "radius 1 m"));
 }
 
-TEST(V12ToughKgdLong, FinerSheetsAndAWiderOne) {
-  hold(grow(50, 80.0, 1e6, "radius 0.8 m"));
-  hold(grow(80, 160.0, 1e6, "radius 1 m and twice as wide"));
+TEST(V12ToughKgdLong, AFinerSheet) {
+  hold(grow(36, 56.0, 1e6, "radius 0.78 m in 56 m"));
 }
 
 // Pores ahead of the tip are stretched, and nothing is there to fill them: they pull the tip shut with up to the confining stress.

@@ -132,7 +132,11 @@ class References : public VizTest {
     }
     ASSERT_TRUE(std::filesystem::exists(reference)) << reference;
     const Distance found = distance(read_picture(drawn), read_picture(reference));
-    EXPECT_TRUE(alike(found)) << name << ": mean " << found.mean << ", worst " << found.worst << " in CIELAB";
+    if (alike(found)) return;
+    const auto kept = std::filesystem::temp_directory_path() / ("hfrac-unlike-" + name + ".png");
+    std::filesystem::copy_file(drawn, kept, std::filesystem::copy_options::overwrite_existing);
+    ADD_FAILURE() << name << ": mean " << found.mean << ", worst " << found.worst << " in CIELAB; see "
+                  << kept;
   }
 
   hfrac_viz_view_options views;
