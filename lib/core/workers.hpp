@@ -3,8 +3,9 @@
 //
 // A time step is a handful of short passes over arrays, so threads that sleep between passes would spend the step
 // waking up. Here a whole batch of cycles runs inside one parallel region, and the workers meet at a barrier that
-// spins for a moment before it sleeps; where there are more workers than cores, it gives the core away at once. Which worker does which part is fixed by index ranges, and no worker adds into
-// what another one adds into, so results do not depend on how many there are.
+// spins for a moment before it sleeps; where there are more workers than cores, it gives the core away at once.
+// Which worker does which part is fixed by index ranges, and no worker adds into what another one adds into, so
+// results do not depend on how many there are.
 #pragma once
 
 #include <atomic>

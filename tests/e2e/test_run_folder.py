@@ -114,13 +114,14 @@ class WholeRun(unittest.TestCase):
     def test_damaged_grids_of_discs_are_refused(self):
         grid = self.top / "grid.vtu"
         whole = sorted(self.folder.glob("discs_*.vtu"))[-1].read_bytes()
-        for text, word in ((whole[:len(whole) // 2], b"cannot be read"), (whole.replace(b'"radius_m"', b'"radius_q"'), b"no point array"),
-                           (whole.replace(b'NumberOfPoints="', b'NumberOfPoints="9'), b"wrong length"), (b"", b"cannot be read")):
+        for text, word in ((whole[:len(whole) // 2], "cannot be read"), (b"", "cannot be read"),
+                           (whole.replace(b'"radius_m"', b'"radius_q"'), "no point array"),
+                           (whole.replace(b'NumberOfPoints="', b'NumberOfPoints="9'), "wrong length")):
             self.assertNotEqual(text, whole)
             grid.write_bytes(text)
             done = hfrac("run", CASE, "-o", self.top / "never", "--discs", grid)
             self.assertEqual(done.returncode, 2, done.stderr)
-            self.assertIn(word.decode(), done.stderr)
+            self.assertIn(word, done.stderr)
 
     def test_fluid_is_conserved(self):
         last = history(self.folder)[-1]

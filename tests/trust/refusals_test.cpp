@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <string>
@@ -117,6 +119,39 @@ TEST(Refusals, AnImageWithSomethingAddedIsNotTaken) {
   EXPECT_EQ(hfrac_state_restore(sim, image.data(), static_cast<int64_t>(image.size())), HFRAC_ERR_ARGUMENT);
   EXPECT_NE(last_error(sim).find("longer"), std::string::npos) << last_error(sim);
   EXPECT_EQ(hash_of(sim), before);
+}
+
+TEST(Refusals, AScheduleThatIsNoneIsNamed) {
+  for (const auto& [entry, words] :
+       {std::pair{"time = 1.0\nspeed = 2.0\n", "not a known key"},
+        std::pair{"time = 1.0\n", "neither pressure nor rate"}, std::pair{"rate = 1.0\n", "has no time"}}) {
+    std::string file = (std::getenv("TMPDIR") != nullptr ? std::getenv("TMPDIR") : std::string("/tmp")) +
+                       "/hfrac_refusal_XXXXXX";
+    const int descriptor = ::mkstemp(file.data());
+    ASSERT_GE(descriptor, 0);
+    const std::string text =
+        std::string("[[well]]\nradius = 3.0\npressure = 1e6\n[[well.schedule]]\n") + entry;
+    ASSERT_EQ(::write(descriptor, text.data(), text.size()), static_cast<::ssize_t>(text.size()));
+    ::close(descriptor);
+    hfrac_sim_def def = new_def();
+    EXPECT_LT(hfrac_sim_def_load(&def, file.c_str()), 0) << entry;
+    EXPECT_NE(last_error().find(words), std::string::npos) << last_error();
+    ::unlink(file.c_str());
+  }
+}
+
+// A well that has seeped before the treatment: pressures lie between the formation's and the well's, and fall outward.
+TEST(OddModels, AWellThatSeepedStartsInBetween) {
+  hfrac_sim_def def = quiet_def(200);
+  set(def, "initial.state", "seepage");
+  def.initial_well_pressure = def.wells[0].pressure = 5e6;
+  const Sim sim(def);
+  const auto pressure = doubles(sim, HFRAC_DOMAIN_PRESSURE);
+  const auto [least, most] = std::minmax_element(pressure.begin(), pressure.end());
+  EXPECT_LE(*most, std::max(5e6, def.fluid_formation_pressure) * (1.0 + 1e-9));
+  EXPECT_GE(*least, std::min(5e6, def.fluid_formation_pressure) * (1.0 - 1e-9));
+  EXPECT_GT(*most - *least, 1e6);
+  ASSERT_GE(hfrac_step(sim, 1), 0) << last_error(sim);
 }
 
 // A quasi-static model whose walls are driven by the far field, and whose pores nothing leaves.
