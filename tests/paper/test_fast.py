@@ -45,7 +45,7 @@ class Fast(unittest.TestCase):
             "figure-04.webp",
             "figure-04-60-MPa.webp",
             "figure-05.png",
-            *(f"figure-06-{pressure}-MPa.png" for pressure in (30, 40, 50, 60)),
+            *(f"figure-06-{pressure}-MPa.png" for pressure in (30, 60)),
         ):
             self.assertTrue((out / "figures" / name).stat().st_size > 1000, name)
 

@@ -101,6 +101,21 @@ class Workflow(unittest.TestCase):
         self.assertEqual(planned | finished, set(RUNS))
 
     @unittest.skipIf(shutil.which("snakemake", path="/usr/bin") is None, "snakemake is not installed")
+    def test_a_second_time_runs_all_again_beside_the_first(self):
+        command, options = set_of_runs(self.top / "set", "--cores", "1", "--again", "--dry-run")
+        refused = subprocess.run(command, capture_output=True, **options)
+        self.assertNotEqual(refused.returncode, 0)
+        self.assertIn("nothing to compare with", refused.stderr)
+        (self.top / "set").mkdir()
+        (self.top / "set/measured.csv").write_text("family,series,x,seed,run,status\n")
+        plan = subprocess.run(command, capture_output=True, **options)
+        self.assertEqual(plan.returncode, 0, plan.stderr)
+        text = plan.stdout + plan.stderr
+        for name in RUNS:
+            self.assertIn(f"set-again/runs/{name}/result.json", text)
+        self.assertNotIn("rule judge", text)
+
+    @unittest.skipIf(shutil.which("snakemake", path="/usr/bin") is None, "snakemake is not installed")
     def test_a_cluster_gets_a_job_a_run(self):
         command, options = set_of_runs(self.top, "--dry-run", "--profile", WORKFLOW / "slurm")
         plan = subprocess.run(command, capture_output=True, **options)

@@ -30,7 +30,8 @@ def differences(first, second):
         if states != {"done"}:
             found.append((name, f"{one['status']} and {other['status']}"))
             continue
-        columns = [key for key in {**one, **other} if one.get(key) != other.get(key)]
+        # "run" is the name of a folder, which says which family came first to a run that several share
+        columns = [key for key in {**one, **other} if key != "run" and one.get(key) != other.get(key)]
         if columns:
             found.append((name, ", ".join(f"{key} {one.get(key)} and {other.get(key)}" for key in columns)))
     return found

@@ -35,7 +35,7 @@ CHARTS = {
         {"crack_count": "cracks", "cracks_after_a_tenth": "cracks_at_tenth"},
         "Figure 5 with changed physics",
     ),
-    "beyond-09": (["figure-09", "beyond-09-stress"], ONSET, "Figure 9 with changed stresses"),
+    "beyond-09": (["figure-09", "beyond-09-lower", "beyond-09-stress"], ONSET, "Figure 9 with changed stresses"),
     "beyond-10": (
         ["beyond-10-supply", "beyond-10-strength", "beyond-10-volume"],
         LENGTHS,
@@ -53,6 +53,7 @@ CHANGED = {
     "beyond-05-steps": " (500 sub-steps)",
     "beyond-05-supply": " (cracks filled at once)",
     "beyond-05-stress": " (stresses 7 and 0 MPa)",
+    "beyond-09-lower": " (stresses 28 and 21 MPa)",
     "beyond-09-stress": " (stresses 24 and 24 MPa)",
     "beyond-10-supply": " (a tenth of the fluid)",
     "beyond-10-strength": " (falling strength)",
