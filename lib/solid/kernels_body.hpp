@@ -324,21 +324,6 @@ void pick_up_anywhere(const KernelArrays& a, int64_t e, int64_t n, Chunk& c) {
   }
 }
 
-// The same for bonds across tiles, whose discs and letter boxes are anywhere.
-inline void fetch_cross(const KernelArrays& a, int64_t begin, int64_t end) {
-  for (int64_t e = begin; e < end; ++e) {
-    const int32_t discs[] = {a.first[e], a.second[e]};
-    for (const int32_t disc : discs) {
-      __builtin_prefetch(a.ux + disc);
-      __builtin_prefetch(a.uy + disc);
-      __builtin_prefetch(a.rotation + disc);
-    }
-    const int32_t* place = a.bond_mail + 2 * (e - a.first_cross_bond);
-    __builtin_prefetch(a.mail + place[0], 1);
-    __builtin_prefetch(a.mail + place[1], 1);
-  }
-}
-
 void cross_bonds(const KernelArrays& a, int64_t block) {
   const int64_t begin = a.first_cross_bond + block * cross_block;
   const int64_t end = begin + cross_block < a.bond_count ? begin + cross_block : a.bond_count;
@@ -346,7 +331,6 @@ void cross_bonds(const KernelArrays& a, int64_t block) {
   BondSums sums;
   for (int64_t e = begin; e < end; e += chunk) {
     const int64_t n = e + chunk < end ? chunk : end - e;
-    fetch_cross(a, e + n, e + n + chunk < end ? e + n + chunk : end);
     pick_up_anywhere(a, e, n, c);
     bond_law(a, e, n, c);
     keep_slip(a, e, n, c);
