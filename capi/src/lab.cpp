@@ -226,6 +226,7 @@ int32_t hfrac_calibrate(hfrac_sim_def* def, const hfrac_targets* targets, hfrac_
     wanted.strength_discs = t.strength_disc_count;
     wanted.seed = t.seed;
     require_not_null(calibration, "calibration");
+    require_struct_size(calibration->struct_size, "hfrac_calibration");  // not after minutes of work
     Patience patience(progress, user, "calibrating");
     const CalibrationResult found =
         calibrate(definition, wanted, [&](std::int64_t /*tests*/) { return patience.stop(); });

@@ -78,9 +78,8 @@ void measure(std::int64_t count, bool coupled, int steps, int workers) {
       "(processor %.2f s), %lld bonds, %lld domains, %zu cracks, peak %.0f MB\n",
       static_cast<long long>(s.assembly().disc_count()), coupled ? "coupled" : "dry",
       bytes / static_cast<double>(s.assembly().disc_count()), rate, built, cpu_built, cycles, stepped,
-      cpu_stepped,
-      static_cast<long long>(s.assembly().bond_count()), static_cast<long long>(s.network().domain_count()),
-      s.cracks().size(), bytes / 1e6);
+      cpu_stepped, static_cast<long long>(s.assembly().bond_count()),
+      static_cast<long long>(s.network().domain_count()), s.cracks().size(), bytes / 1e6);
 }
 
 }  // namespace
