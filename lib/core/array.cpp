@@ -15,11 +15,10 @@ void advise_large_pages([[maybe_unused]] void* array, [[maybe_unused]] std::size
 #ifdef __linux__
   constexpr std::size_t worthwhile = std::size_t{4} << 20;
   if (bytes < worthwhile) return;
-  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-  const auto begin = (reinterpret_cast<std::uintptr_t>(array) + page - 1) / page * page,
-             end = (reinterpret_cast<std::uintptr_t>(array) + bytes) / page * page;
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(array) % page) % page;
   const int error = errno;  // the host's
-  madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+  madvise(static_cast<char*>(array) + before, (bytes - before) / page * page, MADV_HUGEPAGE);
   errno = error;
 #endif
 }
