@@ -21,7 +21,7 @@ namespace {
 constexpr double longest_growth = 2.0, shortest_cut = 0.1;
 
 std::string place_text(Vec2 at) {
-  std::string text = "(";
+  std::string text = "(";  // in two steps: GCC 12 takes a literal plus a temporary for an overlap
   text += rounded_text(at.x) + ", " + rounded_text(at.y) + ") m";
   return text;
 }

@@ -203,9 +203,9 @@ void Simulation::begin_books() {
   }
   if (wet) {
     std::vector<double> pressure;
-    calibrate_aperture(network_, assembly_, o, definition_.wells, &pressure);
+    calibrate_aperture(network_, assembly_, o, definition_.wells, pressure);
     setup_.permeability =
-        measure_permeability(network_, assembly_, definition_.wells, o.fluid_viscosity, &pressure);
+        measure_permeability(network_, assembly_, definition_.wells, o.fluid_viscosity, pressure);
     pressure = {};
     const double uniform = uniform_gradient_permeability(assembly_, network_, o.fluid_viscosity);
     if (uniform > 0.0 && setup_.permeability > 0.0) oda_matrix_ = setup_.permeability / uniform;

@@ -21,7 +21,7 @@ constexpr std::int32_t most_measured = 250000;
 // Conductivity of the domains whose centroid lies in the band [low, high] of x, over the model's height.
 // `pressure`: as measure_permeability says.
 double band_permeability(const Network& n, const Assembly& a, double low, double high, double viscosity,
-                         std::vector<double>* pressure) {
+                         std::vector<double>& pressure) {
   const double edge = 2.0 * a.mean_radius;
   const auto domains = static_cast<std::size_t>(n.domain_count());
   std::vector<std::int32_t> unknown(domains, -1);
@@ -82,17 +82,16 @@ double band_permeability(const Network& n, const Assembly& a, double low, double
     p = solver.solve(rhs);
   } else {
     const auto span = std::max(high - low, 1e-300);
-    std::vector<double> fresh;
-    std::vector<double>& start = pressure != nullptr ? *pressure : fresh;
-    start.resize(domains, -1.0);
+    pressure.resize(domains, -1.0);  // below 0: not known
     for (std::size_t d = 1; d < domains; ++d) {
       if (unknown[d] < 0) continue;
-      p[unknown[d]] = start[d] >= 0.0 ? start[d] : std::clamp((high - n.centroid[d].x) / span, 0.0, 1.0);
+      p[unknown[d]] =
+          pressure[d] >= 0.0 ? pressure[d] : std::clamp((high - n.centroid[d].x) / span, 0.0, 1.0);
     }
     ConjugateGradient solver;
     if (!solver.factorise(matrix) || solver.solve(matrix, rhs, p, 1e-8, 20000) < 0) return 0.0;
     for (std::size_t d = 1; d < domains; ++d) {
-      if (unknown[d] >= 0) start[d] = p[unknown[d]];
+      if (unknown[d] >= 0) pressure[d] = p[unknown[d]];
     }
   }
 
@@ -157,7 +156,7 @@ void update_apertures(Network& n, const Assembly& a, const Options& o) {
 }
 
 double measure_permeability(const Network& n, const Assembly& a, const std::vector<WellOptions>& wells,
-                            double viscosity, std::vector<double>* pressure) {
+                            double viscosity, std::vector<double>& pressure) {
   const auto [x_low, x_high] = std::minmax_element(a.x.begin(), a.x.end());
   double left_end = *x_high, right_begin = *x_low;
   for (const auto& well : wells) {
@@ -183,9 +182,7 @@ double measure_permeability(const Network& n, const Assembly& a, const std::vect
 }
 
 void calibrate_aperture(Network& n, const Assembly& a, const Options& o,
-                        const std::vector<WellOptions>& wells, std::vector<double>* pressure) {
-  std::vector<double> own;
-  if (pressure == nullptr) pressure = &own;
+                        const std::vector<WellOptions>& wells, std::vector<double>& pressure) {
   if (o.flow_zero_stress_aperture > 0.0) {
     n.zero_stress_aperture = o.flow_zero_stress_aperture;
     update_apertures(n, a, o);

@@ -25,14 +25,14 @@ void update_apertures(Network& network, const Assembly& assembly, const Options&
 
 // Permeability of the network as it stands, k = q eta L / dp [m2]: a steady solve between two bands of domains across the part
 // of the model left of the wells and, likewise, right of them; their mean. A large network is solved by iteration, from
-// `pressure` on if it is given and not empty; it gets what was found, by domain, over the pressure imposed [1].
+// `pressure` on if it is not empty; it gets what was found, by domain, over the pressure imposed [1].
 double measure_permeability(const Network& network, const Assembly& assembly,
                             const std::vector<WellOptions>& wells, double viscosity,
-                            std::vector<double>* pressure = nullptr);
+                            std::vector<double>& pressure);
 
 // Sets zero_stress_aperture so that the network has flow.permeability now (or takes flow.zero_stress_aperture as given).
 // `pressure` as above: for a measurement that follows.
 void calibrate_aperture(Network& network, const Assembly& assembly, const Options& options,
-                        const std::vector<WellOptions>& wells, std::vector<double>* pressure = nullptr);
+                        const std::vector<WellOptions>& wells, std::vector<double>& pressure);
 
 }  // namespace hfrac

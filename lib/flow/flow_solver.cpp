@@ -93,10 +93,10 @@ void FlowSolver::solve_pressures(Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
   const bool factorised = iterative_ ? conjugate_gradient_.factorise(matrix_)
                                      : (factor_.factorize(matrix_), factor_.info() == Eigen::Success);
   if (!factorised)
-    throw Error(ErrorKind::diverged,
-                "the flow matrix cannot be factorised (eq. 6, 8): an aperture, a volume or their ratio left "
-                "the range "
-                "of finite numbers; use a shorter stepping.flow_step or a smaller flow.aperture_limit");
+    throw Error(
+        ErrorKind::diverged,
+        "the flow matrix cannot be factorised (eq. 6, 8): an aperture, a volume or their ratio left "
+        "the range of finite numbers; use a shorter stepping.flow_step or a smaller flow.aperture_limit");
   if (!iterative_) {
     p = factor_.solve(rhs);
   } else if (conjugate_gradient_.solve(matrix_, rhs, p, iterative_tolerance, most_iterations) < 0) {

@@ -156,8 +156,9 @@ LabResult test_permeability(Options material, const Packing& packing, double wid
     if (turned) discs.x.swap(discs.y);
     Specimen s(discs, material, SpecimenShape{.width = width, .height = width, .wet = true});
     Network& n = s.network();
-    calibrate_aperture(n, s.assembly(), s.options(), {});
-    const double k = measure_permeability(n, s.assembly(), {}, material.fluid_viscosity);
+    std::vector<double> pressure;
+    calibrate_aperture(n, s.assembly(), s.options(), {}, pressure);
+    const double k = measure_permeability(n, s.assembly(), {}, material.fluid_viscosity, pressure);
     (turned ? r.permeability_y : r.permeability_x) = k;
     r.zero_stress_aperture = material.flow_zero_stress_aperture = n.zero_stress_aperture;
     describe(r, s);

@@ -17,8 +17,8 @@
 
 namespace hfrac {
 
-// What temperature makes of the discs (lib/heat); a bond takes the mean of its two. All arrays are empty in a model without temperature, and whoever asks
-// then gets nothing grown and shares of 1.
+// What temperature makes of the discs (lib/heat); a pair of them, bonded or only touching, takes the mean of its two. All
+// arrays are empty in a model without temperature, and whoever asks then gets nothing grown and shares of 1.
 struct ThermalState {
   Array<double> growth;                                           // m, of the discs' radii since set-up
   Array<double> stiffness_share, strength_share, friction_share;  // per disc, over the values given
@@ -28,15 +28,19 @@ struct ThermalState {
   [[nodiscard]] double strain_of(std::int64_t disc, const Array<double>& radius) const {
     return empty() ? 0.0 : growth[disc] / radius[disc];
   }
-  // Of two discs, bonded or only touching: the mean of their shares.
-  [[nodiscard]] double pair_mean(const Array<double>& share, std::int64_t i, std::int64_t j) const {
-    return empty() ? 1.0 : 0.5 * (share[i] + share[j]);
-  }
   [[nodiscard]] double pair_stiffness(std::int64_t i, std::int64_t j) const {
     return pair_mean(stiffness_share, i, j);
   }
   [[nodiscard]] double pair_friction(std::int64_t i, std::int64_t j) const {
     return pair_mean(friction_share, i, j);
+  }
+  [[nodiscard]] double pair_strength(std::int64_t i, std::int64_t j) const {
+    return pair_mean(strength_share, i, j);
+  }
+
+ private:
+  [[nodiscard]] double pair_mean(const Array<double>& share, std::int64_t i, std::int64_t j) const {
+    return empty() ? 1.0 : 0.5 * (share[i] + share[j]);
   }
 };
 

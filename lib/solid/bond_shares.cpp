@@ -17,13 +17,13 @@ void combine_shares(Assembly& a, const Options& o) {
     const std::int64_t i = a.first[e], j = a.second[e];
     const double arm_j = a.length[e] - a.arm[e];
     shares.growth[e] = thermal.strain_of(i, a.radius) * a.arm[e] + thermal.strain_of(j, a.radius) * arm_j;
-    shares.stiffness[e] = thermal.pair_mean(thermal.stiffness_share, i, j);
-    const double strength = thermal.pair_mean(thermal.strength_share, i, j) *
-                            (a.strength_scale.empty() ? 1.0 : a.strength_scale[e]);
+    shares.stiffness[e] = thermal.pair_stiffness(i, j);
+    const double strength =
+        thermal.pair_strength(i, j) * (a.strength_scale.empty() ? 1.0 : a.strength_scale[e]);
     shares.tensile[e] = strength * (a.joint_tensile.empty() ? 1.0 : a.joint_tensile[e]);
     shares.shear[e] = strength * (a.joint_shear.empty() ? 1.0 : a.joint_shear[e]);
-    shares.friction[e] = (a.joint_friction.empty() ? o.contact_friction : a.joint_friction[e]) *
-                         thermal.pair_mean(thermal.friction_share, i, j);
+    shares.friction[e] =
+        (a.joint_friction.empty() ? o.contact_friction : a.joint_friction[e]) * thermal.pair_friction(i, j);
   }
 }
 

@@ -91,7 +91,8 @@ void build(std::int64_t count, PackingMethod method) {
   for (std::int64_t d = 1; d < network.domain_count(); ++d)
     network.stiffness[d] = d == well ? 0.0 : o.fluid_bulk_modulus / network.volume[d];
   const WellOptions hole{50.0, 50.0, 8.5, 0.0, 0.0, 0.0, WellControl::pressure};
-  calibrate_aperture(network, assembly, o, {hole});
+  std::vector<double> pressure;
+  calibrate_aperture(network, assembly, o, {hole}, pressure);
   stages.done("aperture calibration");
   FlowSolver flow(network, o);
   stages.done("flow matrix");

@@ -9,8 +9,9 @@
 //            Mean displacement over |y - 50 m| < 20 m in columns of 4 m round x = 10 m and 34 m; a straight line through
 //            it over 6 ms behind the front gives the velocity and when the front came. Nothing has come from other sides by then.
 // Tolerance  Speed 2 % (physics.md), velocity behind the front 3 %, both as means over three packings;
-//            4 and 10 % for one of 2 000 discs. Energy: error of the balance over the work done, below 1e-2 with
-//            velocities half a cycle apart from forces; 1e-6 with both at one time is ExplicitSolver.KeepsEnergyWithoutDamping.
+//            speed 4 % for one of 2 000 discs, whose velocity is printed and not judged. Energy: error of the balance over
+//            the work done, below 1e-2 with velocities half a cycle apart from forces; 1e-6 with both at one time is
+//            ExplicitSolver.KeepsEnergyWithoutDamping.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -75,7 +76,7 @@ Front front(Simulation& wave, const std::vector<double>& place, const std::vecto
   return {-line.offset / line.slope, line.slope};
 }
 
-void run(int64_t discs, int packings, double speed_tolerance, double velocity_tolerance) {
+void run(int64_t discs, int packings, double speed_tolerance) {
   double speeds = 0.0, velocities = 0.0;
   for (int64_t seed = 1; seed <= packings; ++seed) {
     hfrac_sim_def def = rock(discs, seed);
@@ -119,15 +120,19 @@ void run(int64_t discs, int packings, double speed_tolerance, double velocity_to
     velocities += plateau / behind / packings;
   }
   report("speed over the formula's, mean over packings", speeds, 1.0, speed_tolerance);
-  report("velocity over the formula's, mean over packings", velocities, 1.0, velocity_tolerance);
+  if (packings == 1) {
+    std::printf("  velocity over the formula's %.3f, not judged in one packing\n", velocities);
+  } else {
+    report("velocity over the formula's, mean over packings", velocities, 1.0, 0.03);
+  }
 }
 
 TEST(V13WaveSmoke, RunsAtTheSpeedOfSoundThroughFewDiscs) {
-  run(2000, 1, 0.04, 0.10);
+  run(2000, 1, 0.04);
 }
 
 TEST(V13Wave, RunsAtTheSpeedOfSound) {
-  run(8000, 3, 0.02, 0.03);
+  run(8000, 3, 0.02);
 }
 
 }  // namespace

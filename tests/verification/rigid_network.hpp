@@ -24,7 +24,8 @@ class RigidNetwork {
 
   void calibrate(double permeability) {
     model_.options.flow_permeability = permeability;
-    calibrate_aperture(network(), model_.assembly, model_.options, {});
+    std::vector<double> pressure;  // the measurement's own
+    calibrate_aperture(network(), model_.assembly, model_.options, {}, pressure);
     for (std::size_t e = 0; e < network().left.size(); ++e) {
       if (network().left[e] == 0 || network().right[e] == 0) network().conductance[e] = 0.0;
     }
