@@ -32,8 +32,8 @@ constexpr std::array<Quantity, HFRAC_MACRO_COUNT> quantities = {{{"E", "GPa", 1e
                                                                  {"K_Ic", "MPa m^0.5", 1e-6},
                                                                  {"permeability", "mD", 1.0 / 9.869233e-16}}};
 
-int32_t show(void* line, double /*share*/, const char* what) {
-  static_cast<ProgressLine*>(line)->show(what);
+int32_t show(void* parts, double /*share*/, const char* what) {
+  static_cast<PartsOfWork*>(parts)->show(what);
   return interrupted() ? 1 : 0;
 }
 
@@ -71,8 +71,9 @@ ExitCode calibrate(CalibrateRequest request) {
   request.targets.plane_slopes = request.slopes ? 1 : 0;
   catch_interrupts();
   ProgressLine line(request.quiet);
+  PartsOfWork parts(line, "", 1);  // how many tests it takes is not known beforehand
   auto found = output::sized<hfrac_calibration>();
-  const int32_t status = hfrac_calibrate(&definition, &request.targets, show, &line, &found);
+  const int32_t status = hfrac_calibrate(&definition, &request.targets, show, &parts, &found);
   line.end();
   if (status == HFRAC_STOPPED) {
     fmt::print(stderr, "hfrac: interrupted; nothing was found yet\n");

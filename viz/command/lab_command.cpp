@@ -58,8 +58,8 @@ std::vector<double> table(const hfrac_lab* lab, int32_t which) {
   return values;
 }
 
-int32_t show(void* line, double /*share*/, const char* what) {
-  static_cast<ProgressLine*>(line)->show(what);
+int32_t show(void* parts, double /*share*/, const char* what) {
+  static_cast<PartsOfWork*>(parts)->show(what);
   return interrupted() ? 1 : 0;
 }
 
@@ -148,11 +148,13 @@ ExitCode lab(LabRequest request) {
   double sum = 0.0, squares = 0.0;
   std::string chart;
   const int64_t first = request.spec.seed;
+  ProgressLine line(request.quiet);
+  PartsOfWork parts(line, "packing", request.packings);
   for (int64_t k = 0; k < request.packings; ++k) {
     request.spec.seed = first + k;
-    ProgressLine line(request.quiet);
+    parts.begin(k);
     hfrac_lab* raw = nullptr;
-    const int32_t status = hfrac_lab_run(&definition, &request.spec, show, &line, &raw);
+    const int32_t status = hfrac_lab_run(&definition, &request.spec, show, &parts, &raw);
     const Lab one(raw);
     line.end();
     if (status == HFRAC_ERR_ARGUMENT || status == HFRAC_ERR_MODEL)

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <utility>
 
 namespace hfrac::command {
 namespace {
@@ -57,6 +58,23 @@ std::string readable_duration(double seconds) {
   if (seconds < 100.0) return fmt::format("{:.0f} s", seconds);
   if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
   return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+PartsOfWork::PartsOfWork(ProgressLine& line, std::string part_name, int64_t whole)
+    : line_(line), part_name_(std::move(part_name)), whole_(whole) {}
+
+void PartsOfWork::show(const char* what) {
+  if (!line_.due()) return;
+  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  std::string text = what;
+  if (whole_ > 1) text += fmt::format(", {} {} of {}", part_name_, part_ + 1, whole_);
+  text += fmt::format(", {} so far", readable_duration(seconds));
+  // What a part takes is known once one is done; the one under way counts as half done.
+  if (part_ > 0) {
+    const auto done = static_cast<double>(part_) + 0.5, all = static_cast<double>(whole_);
+    text += fmt::format(", about {} left", readable_duration(seconds / done * (all - done)));
+  }
+  line_.show_now(text);
 }
 
 }  // namespace hfrac::command

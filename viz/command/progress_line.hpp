@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 
 namespace hfrac::command {
@@ -33,5 +34,21 @@ class ProgressLine {
 
 /** "12 s", "3 min", "2.5 h". */
 std::string readable_duration(double seconds);
+
+/** Work of `whole` parts of about the same length: "packing 2 of 6, 40 s so far, about 3 min left". */
+class PartsOfWork {
+ public:
+  PartsOfWork(ProgressLine& line, std::string part_name, int64_t whole);
+  /** Begins part `part`, counted from 0. */
+  void begin(int64_t part) { part_ = part; }
+  void show(const char* what);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  ProgressLine& line_;
+  std::string part_name_;
+  int64_t whole_, part_ = 0;
+  Clock::time_point start_ = Clock::now();
+};
 
 }  // namespace hfrac::command
