@@ -66,9 +66,33 @@ void add_contact(Components& c, const ContactLaw& law, double squeeze, double tr
   }
 }
 
+// A smooth joint's contact: linear in q but for the kinks of its law.
+BondResponse respond_smooth(const Assembly& a, const Options& o, const SmoothContact& contact) {
+  const SmoothAnswer s = answer(a, o, contact);
+  const Vec2 n = contact.normal;
+  const double opens[4] = {n.x, n.y, contact.opens_by_first, contact.opens_by_second},
+               slides[4] = {-n.y, n.x, contact.slides_by_first, contact.slides_by_second};
+  BondResponse r{};
+  r.gap = s.opening;
+  r.normal = s.normal;
+  r.shear = s.shear;
+  r.normal_stiffness = s.normal_stiffness;
+  r.direction = n;
+  for (int row = 0; row < 4; ++row) {
+    r.force[row] = s.normal * opens[row] + s.shear * slides[row];
+    for (int column = 0; column < 4; ++column) {
+      r.tangent[4 * row + column] =
+          s.normal_stiffness * opens[row] * opens[column] +
+          slides[row] * (s.shear_stiffness * slides[column] + s.shear_by_opening * opens[column]);
+    }
+  }
+  return r;
+}
+
 }  // namespace
 
 BondResponse respond(const Assembly& a, const Options& o, std::int64_t e) {
+  if (const SmoothContact* contact = a.smooth.of(e)) return respond_smooth(a, o, *contact);
   const auto i = a.first[e], j = a.second[e];
   const Vec2 du{a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, d0{a.dx[e], a.dy[e]}, d = d0 + du;
   const double now = std::sqrt(dot(d, d)), length = a.length[e];
