@@ -12,8 +12,8 @@
 namespace hfrac {
 namespace {
 
-constexpr double longest_piece = 2.0;    // mean radii to either side: beyond, the joint runs through a hole
-constexpr double smallest_piece = 0.01;  // mean radii: where two contacts lie at one place
+constexpr double widest_gap = 4.0;       // mean radii between contacts: beyond, the joint runs through a hole
+constexpr double smallest_piece = 0.01;  // mean radii
 
 bool crosses(Vec2 from, Vec2 to, Vec2 p, Vec2 q) {
   const Vec2 along = to - from, bond = q - p;
@@ -24,6 +24,80 @@ bool crosses(Vec2 from, Vec2 to, Vec2 p, Vec2 q) {
 
 Vec2 turned(Vec2 v) {
   return {-v.y, v.x};
+}
+
+// A bond and where it meets a joint; the discs on the joint's left and right, and their feet on it. All along the joint [m].
+struct Crossing {
+  std::int64_t bond;
+  double at;
+  std::int32_t disc[2];
+  double foot[2];
+};
+Crossing crossing_of(const Assembly& a, std::int64_t e, Vec2 from, Vec2 along) {
+  Crossing c{};
+  const Vec2 p{a.x[a.first[e]], a.y[a.first[e]]}, bond{a.dx[e], a.dy[e]};
+  c.bond = e;
+  c.at = dot(p + (cross(from - p, along) / cross(bond, along)) * bond - from, along);
+  const bool first_left = cross(along, p - from) > 0.0;
+  c.disc[0] = first_left ? a.first[e] : a.second[e];
+  c.disc[1] = first_left ? a.second[e] : a.first[e];
+  for (int side = 0; side < 2; ++side)
+    c.foot[side] = dot(Vec2{a.x[c.disc[side]], a.y[c.disc[side]]} - from, along);
+  return c;
+}
+
+struct Piece {
+  std::int64_t bond;
+  double begin, end;
+};
+// Shares the joint out. Going along it, from one contact to the next the disc on one side changes, or on both: there ends the
+// first disc's face, between its foot and the next one's as their radii are. Faces that would begin before they end are
+// cut at their mean. At its ends the joint reaches as far as both discs' faces. So each disc is pressed about evenly around its foot, whatever way its contacts look.
+std::vector<Piece> pieces_of(const Assembly& a, std::vector<Crossing>& met, double length) {
+  std::sort(met.begin(), met.end(), [](const Crossing& p, const Crossing& q) {
+    return p.at != q.at ? p.at < q.at : p.bond < q.bond;
+  });
+  const auto rim = [&](const Crossing& c, int side, double way) {
+    return c.foot[side] + way * a.radius[c.disc[side]];
+  };
+  std::vector<Piece> pieces;
+  for (std::size_t first = 0; first < met.size();) {
+    std::size_t last = first;
+    while (last + 1 < met.size() && met[last + 1].at - met[last].at <= widest_gap * a.mean_radius) ++last;
+    struct Cut {
+      double at, count;
+    };
+    std::vector<Cut> cuts;  // each of one or several contacts' ends
+    for (std::size_t m = first; m < last; ++m) {
+      double sum = 0.0, count = 0.0;
+      for (int side = 0; side < 2; ++side) {
+        const auto d = met[m].disc[side], next = met[m + 1].disc[side];
+        if (d == next) continue;
+        sum += met[m].foot[side] +
+               (met[m + 1].foot[side] - met[m].foot[side]) * a.radius[d] / (a.radius[d] + a.radius[next]);
+        count += 1.0;
+      }
+      cuts.push_back({count > 0.0 ? sum / count : 0.5 * (met[m].at + met[m + 1].at), 1.0});
+      while (cuts.size() > 1 && cuts[cuts.size() - 2].at > cuts.back().at) {
+        const Cut late = cuts.back();
+        cuts.pop_back();
+        Cut& early = cuts.back();
+        early.at = (early.at * early.count + late.at * late.count) / (early.count + late.count);
+        early.count += late.count;
+      }
+    }
+    std::vector<double> ends;
+    for (const auto& cut : cuts) ends.insert(ends.end(), static_cast<std::size_t>(cut.count), cut.at);
+    double begin = std::clamp(std::max(rim(met[first], 0, -1.0), rim(met[first], 1, -1.0)), 0.0, length);
+    const double stop = std::clamp(std::min(rim(met[last], 0, 1.0), rim(met[last], 1, 1.0)), begin, length);
+    for (std::size_t m = first; m <= last; ++m) {
+      const double end = m < last ? std::clamp(ends[m - first], begin, stop) : stop;
+      pieces.push_back({met[m].bond, begin, end});
+      begin = end;
+    }
+    first = last + 1;
+  }
+  return pieces;
 }
 
 // The motion of the faces at a contact, less what the discs grew by temperature.
@@ -79,21 +153,15 @@ void begin_smooth_joints(Assembly& a, const std::vector<JointOptions>& joints,
     smooth.lines.push_back({from, to});
     const double length = std::sqrt(dot(to - from, to - from));
     const Vec2 along = (1.0 / length) * (to - from);
-    std::vector<std::pair<double, std::int64_t>> met;  // m along the joint
+    std::vector<Crossing> met;
     for (std::int64_t e = 0; e < a.bond_count(); ++e) {
-      if (joint_of[static_cast<std::size_t>(e)] != static_cast<std::int32_t>(k)) continue;
-      const Vec2 p{a.x[a.first[e]], a.y[a.first[e]]}, bond{a.dx[e], a.dy[e]};
-      const double share = cross(from - p, along) / cross(bond, along);
-      met.emplace_back(dot(p + share * bond - from, along), e);
+      if (joint_of[static_cast<std::size_t>(e)] == static_cast<std::int32_t>(k))
+        met.push_back(crossing_of(a, e, from, along));
     }
-    std::sort(met.begin(), met.end());
-    for (std::size_t m = 0; m < met.size(); ++m) {
-      const auto [at, e] = met[m];
-      const double reach = longest_piece * a.mean_radius;
-      const double begin = std::max(m > 0 ? 0.5 * (met[m - 1].first + at) : 0.0, at - reach),
-                   end = std::min(m + 1 < met.size() ? 0.5 * (at + met[m + 1].first) : length, at + reach);
+    for (const auto& piece : pieces_of(a, met, length)) {
+      const std::int64_t e = piece.bond;
       const auto i = a.first[e], j = a.second[e];
-      const Vec2 place = from + at * along;
+      const Vec2 place = from + 0.5 * (piece.begin + piece.end) * along;
       SmoothContact c{};
       c.bond = e;
       c.joint = static_cast<std::int64_t>(k);
@@ -104,7 +172,7 @@ void begin_smooth_joints(Assembly& a, const std::vector<JointOptions>& joints,
       c.opens_by_second = dot(c.normal, turned(c.second_arm));
       c.slides_by_first = -dot(turned(c.normal), turned(c.first_arm));
       c.slides_by_second = dot(turned(c.normal), turned(c.second_arm));
-      c.area = std::max(end - begin, smallest_piece * a.mean_radius);
+      c.area = std::max(piece.end - piece.begin, smallest_piece * a.mean_radius);
       c.holds = a.intact[e] != 0;
       smooth.contacts.push_back(c);
     }

@@ -9,8 +9,9 @@
 //   holds     F_n = k_n A U_n, F_s = k_s A U_s;   breaks at F_n >= T A (tension) or |F_s| >= c A + mu max(0, -F_n) (shear)
 //   broken    N = k_n A max(0, -U_n), S = k_s A (U_s - slip), |S| <= mu N; no dilation
 //   forces    on i: F_n n + F_s t, on j the opposite; moments r x force
-// The contact lies where the line of the two centres crosses the joint, and A is its piece of the joint: up to half way to the
-// next contact on either side. So pieces add up to the joint, and k_n, k_s, T and c are per area, free of disc size.
+// There is one contact per bond that the joint crosses. A is its piece of the joint and it lies in the middle of that; pieces add up
+// to the joint, so k_n, k_s, T and c are per area, free of disc size, and they are cut where the faces of the discs end, so that
+// pressure on the joint hardly turns the discs (where the lines of the two centres meet the joint it would break their bonds).
 // Both discs see the joint as it was at bonding: planes do not turn with the rock, and the pairs across it stay the ones of the
 // set-up. Slides up to a mean radius are within that (farthest_slide, Simulation refuses more).
 //
