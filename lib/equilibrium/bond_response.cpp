@@ -66,7 +66,7 @@ void add_contact(Components& c, const ContactLaw& law, double squeeze, double tr
   }
 }
 
-// A smooth joint's contact: linear in q but for the kinks of its law.
+// A smooth joint's contact: linear in q but for the kinks of its law and a couple.
 BondResponse respond_smooth(const Assembly& a, const Options& o, const SmoothContact& contact) {
   const SmoothAnswer s = answer(a, o, contact);
   const Vec2 n = contact.normal;
@@ -86,6 +86,19 @@ BondResponse respond_smooth(const Assembly& a, const Options& o, const SmoothCon
           slides[row] * (s.shear_stiffness * slides[column] + s.shear_by_opening * opens[column]);
     }
   }
+  // The faces' forces lie on two lines once they have moved: half the couple on either disc (add_smooth_force).
+  const auto first = a.first[contact.bond], second = a.second[contact.bond];
+  const Vec2 moved{a.ux[second] - a.ux[first], a.uy[second] - a.uy[first]};
+  const double couple = 0.5 * (moved.x * r.force[1] - moved.y * r.force[0]);
+  for (int column = 0; column < 4; ++column) {
+    double by = 0.5 * (moved.x * r.tangent[4 + column] - moved.y * r.tangent[column]);
+    if (column == 0) by += 0.5 * r.force[1];
+    if (column == 1) by -= 0.5 * r.force[0];
+    r.tangent[8 + column] -= by;
+    r.tangent[12 + column] -= by;
+  }
+  r.force[2] -= couple;
+  r.force[3] -= couple;
   return r;
 }
 

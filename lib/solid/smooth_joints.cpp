@@ -282,8 +282,10 @@ void add_smooth_force(Assembly& a, const Options& o, SmoothContact& c, double& f
   a.external_y[i] += force.y;
   a.external_x[j] -= force.x;
   a.external_y[j] -= force.y;
-  a.external_moment[i] -= c.opens_by_first * r.normal + c.slides_by_first * r.shear;
-  a.external_moment[j] -= c.opens_by_second * r.normal + c.slides_by_second * r.shear;
+  // Once the faces have moved apart the two forces lie on two lines: what that turns is shared, so that a pair turns nothing.
+  const double couple = 0.5 * cross(Vec2{a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, force);
+  a.external_moment[i] += couple - (c.opens_by_first * r.normal + c.slides_by_first * r.shear);
+  a.external_moment[j] += couple - (c.opens_by_second * r.normal + c.slides_by_second * r.shear);
 }
 
 void keep_smooth_slips(Assembly& a, const Options& o, double& friction) {

@@ -54,7 +54,7 @@ struct Cut {
 };
 
 TEST(SmoothJoint, PiecesAddUpToItsLengthWhateverTheAngle) {
-  for (const double degrees : {0.0, 27.0, 45.0, 90.0, 135.0}) {
+  for (const double degrees : {0.0, 27.0, 63.0, 90.0, 117.0}) {
     const Cut cut(degrees, JointState::smooth_broken);
     double sum = 0.0;
     const Vec2 normal{-cut.along().y, cut.along().x};
@@ -67,7 +67,8 @@ TEST(SmoothJoint, PiecesAddUpToItsLengthWhateverTheAngle) {
           cut.a.length[contact.bond] * cut.a.length[contact.bond], 1e-9);
     }
     const double inside = 20.0 / std::max(std::abs(cut.along().x), std::abs(cut.along().y));
-    EXPECT_NEAR(sum, inside, 2.5 * cut.a.mean_radius) << degrees;
+    EXPECT_NEAR(sum, inside, 3.0 * cut.a.mean_radius) << degrees;
+    EXPECT_LE(sum, inside + 0.5 * cut.a.mean_radius);
     EXPECT_EQ(cut.cracks.size(), cut.a.smooth.contacts.size());
   }
 }
@@ -143,10 +144,11 @@ TEST(SmoothJoint, TangentIsTheChangeOfForceAndMomentsBalance) {
           EXPECT_NEAR(at.tangent[4 * row + k], (up.force[row] - down.force[row]) / (2.0 * step),
                       1e-5 * cut.o.contact_normal_stiffness);
       }
-      // About any point, force and moments of the pair are in balance: d x f less the moments of both is 0.
-      const double turning = cut.a.dx[contact.bond] * at.force[1] - cut.a.dy[contact.bond] * at.force[0] +
-                             at.force[2] + at.force[3];
-      EXPECT_NEAR(turning, 0.0, 1e-9 * cut.o.contact_normal_stiffness * 1e-3);
+      // About any point, forces and moments of the pair are in balance, slid as they are.
+      const double dx = cut.a.dx[contact.bond] + cut.a.ux[j] - cut.a.ux[i],
+                   dy = cut.a.dy[contact.bond] + cut.a.uy[j] - cut.a.uy[i];
+      const double turning = dx * at.force[1] - dy * at.force[0] + at.force[2] + at.force[3];
+      EXPECT_NEAR(turning, 0.0, 1e-12 * cut.o.contact_normal_stiffness);
     }
   }
 }
@@ -158,11 +160,13 @@ CaseDefinition cut_case(JointState state, SolverKind solver, double degrees, dou
   o.model_reading = choice(Reading::sound);
   o.boundary_kind = choice(BoundaryKind::stress);
   o.flow_scheme = choice(FlowScheme::off);
+  o.contact_mode = choice(ContactMode::after_break);
   o.stress_sigma_H = 30e6;
   o.stress_sigma_h = 10e6;
   o.bond_tensile_strength = o.bond_shear_strength = 1e12;
   o.solver_kind = choice(solver);
   o.stepping_force_ratio = 1e-5;
+  o.stepping_max_cycles = 40000;
   definition.wells.clear();
   definition.joints = {joint_at(degrees, 25.0, {50.0, 50.0}, friction, state)};
   return definition;
@@ -195,7 +199,7 @@ TEST(SmoothJoint, BothSolversFindTheSameRestAndTheBooksClose) {
     }
     EXPECT_GT(moved, 1e-3);
   }
-  EXPECT_NEAR(slid[0], slid[1], 0.02 * slid[1]);  // friction remembers the way
+  EXPECT_NEAR(slid[0], slid[1], 0.06 * slid[1]);  // friction remembers the way, and motion overshoots
 }
 
 TEST(SmoothJoint, IsSmoothWhereTheOldOneIsRough) {
