@@ -362,6 +362,9 @@ ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, C
       outcome.stopped = true;
       break;
     }
+    double slide = 0.0;
+    farthest_slide(assembly_, slide);
+    if (slide > assembly_.mean_radius) break;  // past what the law holds for: Simulation refuses it
   }
   return outcome;
 }

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Smooth joints: a plane of weakness under biaxial load, and a slip line embedded in rock.
+// Smooth joints: a plane of weakness under biaxial load.
 //
 // Formula    Jaeger (1959), Geol. Mag. 96: a plane without cohesion whose normal stands at the angle beta to sigma_1 slips at
 //            sigma_1 = sigma_3 (1 + mu tan beta) / (1 - mu cot beta), and not at all where tan beta <= mu.
-//            Pollard and Segall (1987): a line of half length a slips by D(x) = 4 dtau / E' sqrt(a^2 - x^2), dtau = tau - mu sigma_n;
-//            its area is 2 pi dtau a^2 / E'.
 // Set-up     Dry blocks of 100 m that do not break, sigma_3 along y. A joint right through under the angle 90 degrees - beta to x:
 //            sigma_1 is raised until there is no equilibrium any more. Random and square packing, quasi-static solver.
-//            Slip line: linear rock, a joint of 30 m in the middle; the bonds' slip, and E' of the same packing.
-// Tolerance  3 % in strength (beyond 10 sigma_3 counts as never); 10 % in the area of the slip, as V7's in opening
+// Tolerance  3 % of what the load on the packing's outline asks for (outline() below); beyond 10 sigma_3 counts as never
 // Page       docs/verification/smooth-joint.md
 #include <algorithm>
 #include <array>
@@ -16,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "couple/simulation.hpp"
 #include "support.hpp"
 
 namespace {
@@ -133,7 +129,7 @@ void compare(bool square, int64_t discs, const std::vector<double>& angles) {
 }
 
 TEST(SmoothJointSmoke, GivesWayWhereItsPlaneSays) {
-  compare(false, 500, {30.0});
+  compare(false, 500, {20.0, 40.0});
 }
 
 TEST(SmoothJointStrength, IsCoulombsInARandomPacking) {
@@ -146,61 +142,6 @@ TEST(SmoothJointStrengthLong, IsCoulombsAtAllAnglesInARandomPacking) {
 
 TEST(SmoothJointStrengthLong, IsCoulombsAtAllAnglesInASquarePacking) {
   compare(true, 3600, {0.0, 5.0, 10.0, 20.0, 30.0, 40.0, 50.0, 55.0, 70.0, 90.0});
-}
-
-// Area of the slip of an embedded joint over that of the formula.
-double slip_area(int64_t discs, double degrees, Curves* curves) {
-  constexpr double half = 15.0, friction = 0.2, sigma_1 = 30e6;
-  hfrac_sim_def def = block(discs, false);
-  const double modulus = elasticity(def, 1e6).modulus;
-  def.stress_sigma_H = sigma_1;
-  const double theta = 2.0 * degrees * pi / 180.0;
-  const double normal = 0.5 * (sigma_1 + sigma_3) - 0.5 * (sigma_1 - sigma_3) * std::cos(theta),
-               shear = 0.5 * (sigma_1 - sigma_3) * std::sin(theta), drop = shear - friction * normal;
-  hfrac::CaseDefinition definition;
-  hfrac::Options& o = definition.options;
-  o.model_width = o.model_height = side;
-  o.packing_disc_count = discs;
-  o.flow_scheme = 2;
-  o.solver_kind = 1;
-  o.contact_mode = 1;
-  o.bond_normal_stiffness = 16e9;
-  o.bond_shear_stiffness = 5.6e9;
-  o.bond_tensile_strength = o.bond_shear_strength = 1e12;
-  o.stress_sigma_H = o.stress_sigma_h = sigma_3;
-  const hfrac_joint_def j = line(degrees, half, friction);
-  definition.joints = {{j.x1, j.y1, j.x2, j.y2, 1.0, 1.0, friction, j.state}};
-  hfrac::Simulation sim(definition, {}, {});
-  sim.set_far_field(sigma_1, sigma_3);
-  sim.step();
-  const auto& a = sim.assembly();
-  double area = 0.0;
-  for (const auto& contact : a.smooth.contacts) {
-    const double slip = std::abs(a.slip[contact.bond]);
-    area += slip * contact.area;
-    if (curves == nullptr) continue;
-    const hfrac::Vec2 at{a.x[a.first[contact.bond]] + contact.first_arm.x - 0.5 * side,
-                         a.y[a.first[contact.bond]] + contact.first_arm.y - 0.5 * side};
-    const double x = (at.x * (j.x2 - j.x1) + at.y * (j.y2 - j.y1)) / (2.0 * half) / half;
-    curves->point(std::to_string(discs) + " discs", {x, slip * modulus / (4.0 * drop * half)});
-  }
-  return area * modulus / (2.0 * pi * drop * half * half);
-}
-
-TEST(SmoothJointSlip, IsTheEllipseOfPollardAndSegall) {
-  Curves curves("smooth-joint-slip", "Slip of an embedded joint at 45 degrees",
-                "x over a,slip over 4 dtau a / E'");
-  curves.line("Pollard and Segall (1987)", -1.0, 1.0,
-              [](double x) { return std::vector<double>{std::sqrt(std::max(0.0, 1.0 - x * x))}; });
-  report("area of the slip over 2 pi dtau a^2 / E', 45 degrees", slip_area(3000, 45.0, &curves), 1.0, 0.1);
-}
-
-TEST(SmoothJointSlipLong, IsTheEllipseAtOtherAnglesToo) {
-  for (const double degrees : {25.0, 60.0}) {
-    const std::string name =
-        "area of the slip over 2 pi dtau a^2 / E', " + std::to_string(static_cast<int>(degrees)) + " degrees";
-    report(name.c_str(), slip_area(6000, degrees, nullptr), 1.0, 0.1);
-  }
 }
 
 }  // namespace
