@@ -84,6 +84,10 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_JOINT_BONDED = 0
   !> broken from the start, and counted as set-up cracks in shear
   integer(c_int32_t), parameter :: HFRAC_JOINT_BROKEN = 1
+  !> bonded, and smooth whatever the packing: contacts look along the joint's normal
+  integer(c_int32_t), parameter :: HFRAC_JOINT_SMOOTH_BONDED = 2
+  !> broken and smooth
+  integer(c_int32_t), parameter :: HFRAC_JOINT_SMOOTH_BROKEN = 3
 
   ! Why hfrac_advance returned.
   !> target time reached
@@ -548,6 +552,12 @@ module hfrac_c
     type(c_ptr) :: given_bonds = c_null_ptr
     !> bonds in given_bonds
     integer(c_int64_t) :: given_bond_count = 0_c_int64_t
+    !> [Pa/m] Normal stiffness of smooth joints, per area. 0: contact.normal_stiffness over the mean disc diameter.
+    !> Default 0.0.
+    real(c_double) :: smooth_joint_normal_stiffness = 0.0_c_double
+    !> [Pa/m] Shear stiffness of smooth joints, per area. 0: contact.shear_stiffness over the mean disc diameter.
+    !> Default 0.0.
+    real(c_double) :: smooth_joint_shear_stiffness = 0.0_c_double
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.

@@ -41,7 +41,9 @@ constexpr std::int32_t def_version = 1;
 #undef F64
 #undef CHOICE
 static_assert(static_cast<int>(JointState::bonded) == HFRAC_JOINT_BONDED &&
-              static_cast<int>(JointState::broken) == HFRAC_JOINT_BROKEN);
+              static_cast<int>(JointState::broken) == HFRAC_JOINT_BROKEN &&
+              static_cast<int>(JointState::smooth_bonded) == HFRAC_JOINT_SMOOTH_BONDED &&
+              static_cast<int>(JointState::smooth_broken) == HFRAC_JOINT_SMOOTH_BROKEN);
 
 static_assert(static_cast<int>(WellControl::pressure) == HFRAC_WELL_PRESSURE &&
               static_cast<int>(WellControl::ramp) == HFRAC_WELL_RAMP &&

@@ -26,8 +26,8 @@ void write_stress(const Simulation& s, double* to) {
     const Vec2 tangent{-bond.normal.y, bond.normal.x};
     const Vec2 on_first = bond.normal_force() * bond.normal + bond.shear_force() * tangent;
     const auto i = static_cast<std::size_t>(a.first[e]), j = static_cast<std::size_t>(a.second[e]);
-    add(i, on_first, a.arm[e] * bond.normal);
-    add(j, -1.0 * on_first, (a.arm[e] - a.length[e]) * bond.normal);
+    add(i, on_first, bond.first_arm);
+    add(j, -1.0 * on_first, bond.second_arm);
   }
   for (const auto& wall : s.boundary().walls()) {
     for (const auto i : wall.discs) {

@@ -176,6 +176,7 @@ void Simulation::equilibrate(const Progress& progress) {
         });
     if (stop) throw Stopped{};
   }
+  require_joints_in_reach();
   setup_.force_ratio = force_ratio_ = outcome.force_ratio;
   setup_.cracks = static_cast<std::int64_t>(cracks_.size());
   at_rest_ = outcome.at_rest;

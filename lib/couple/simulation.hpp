@@ -194,6 +194,7 @@ class Simulation {
   [[nodiscard]] std::string not_finite() const;  // what is not, and where, in words; empty: everything is
   void require_finite() const;
   void watch_energy() const;
+  void require_joints_in_reach() const;
   void put_formation_pressure(double pressure);
   void impose_well_pressure(Well& well, double pressure);
   void book_flow(double duration);

@@ -192,6 +192,12 @@ std::uint64_t Simulation::model_fingerprint() const {
   hash.add_all(assembly_.strength_scale);
   for (const auto* values : {&assembly_.joint_tensile, &assembly_.joint_shear, &assembly_.joint_friction})
     hash.add_all(*values);
+  for (const auto& contact : assembly_.smooth.contacts) {
+    for (const double value :
+         {static_cast<double>(contact.bond), contact.normal.x, contact.normal.y, contact.area,
+          assembly_.smooth.normal_stiffness, assembly_.smooth.shear_stiffness})
+      hash.add(value);
+  }
   hash.add_all(network_.volume);
   if (setup_.unbonded > 0) hash.add(bonds_given_);
   for (const auto& info : option_table()) {

@@ -40,6 +40,7 @@ Simulation::StepOutcome Simulation::step_for(double duration, const std::functio
         return {true, at_rest_};
       }
       require_finite();
+      require_joints_in_reach();
       // What the works did beyond what is stored went into motion that damping would have ended.
       solver_->energies().damping += balance().energy_error;
       return outcome;
@@ -65,6 +66,7 @@ Simulation::StepOutcome Simulation::step_for(double duration, const std::functio
     solver_->search_contacts(cracks_);
     finish_step(duration, cracks_before);
     require_finite();
+    require_joints_in_reach();
     watch_energy();
   } catch (const Error& error) {
     // A solver that could not go on may not know which number kept it from it.
@@ -136,6 +138,21 @@ void Simulation::watch_energy() const {
                   std::to_string(fastest) + " near (" + std::to_string(assembly_.x[fastest]) + ", " +
                   std::to_string(assembly_.y[fastest]) +
                   ") m; lower stepping.safety, or a host's pressures and stresses");
+}
+
+// The smooth-joint law keeps the pairs of discs of the set-up; past about a radius others face each other.
+void Simulation::require_joints_in_reach() const {
+  double slide = 0.0;
+  const SmoothContact* contact = farthest_slide(assembly_, slide);
+  if (contact == nullptr || slide <= assembly_.mean_radius) return;
+  const Vec2 at = assembly_.position(assembly_.first[contact->bond]) + contact->first_arm;
+  throw Error(
+      ErrorKind::diverged,
+      "joint[" + std::to_string(contact->joint) + "] slid by " + rounded_text(slide) + " m near (" +
+          rounded_text(at.x) + ", " + rounded_text(at.y) + ") m, farther than the mean disc radius of " +
+          rounded_text(assembly_.mean_radius) +
+          " m: a smooth joint keeps the pairs of discs that faced each other at first; load it less, hold "
+          "it by friction, strength or its length, or set its state to \"broken\"");
 }
 
 void Simulation::drive_wells() {

@@ -66,9 +66,46 @@ void add_contact(Components& c, const ContactLaw& law, double squeeze, double tr
   }
 }
 
+// A smooth joint's contact: linear in q but for the kinks of its law and a couple.
+BondResponse respond_smooth(const Assembly& a, const Options& o, const SmoothContact& contact) {
+  const SmoothAnswer s = answer(a, o, contact);
+  const Vec2 n = contact.normal;
+  const double opens[4] = {n.x, n.y, contact.opens_by_first, contact.opens_by_second},
+               slides[4] = {-n.y, n.x, contact.slides_by_first, contact.slides_by_second};
+  BondResponse r{};
+  r.gap = s.opening;
+  r.normal = s.normal;
+  r.shear = s.shear;
+  r.normal_stiffness = s.normal_stiffness;
+  r.direction = n;
+  for (int row = 0; row < 4; ++row) {
+    r.force[row] = s.normal * opens[row] + s.shear * slides[row];
+    for (int column = 0; column < 4; ++column) {
+      r.tangent[4 * row + column] =
+          s.normal_stiffness * opens[row] * opens[column] +
+          slides[row] * (s.shear_stiffness * slides[column] + s.shear_by_opening * opens[column]);
+    }
+  }
+  // The faces' forces lie on two lines once they have moved: half the couple on either disc (add_smooth_force).
+  const auto first = a.first[contact.bond], second = a.second[contact.bond];
+  const Vec2 moved{a.ux[second] - a.ux[first], a.uy[second] - a.uy[first]};
+  const double couple = 0.5 * (moved.x * r.force[1] - moved.y * r.force[0]);
+  for (int column = 0; column < 4; ++column) {
+    double by = 0.5 * (moved.x * r.tangent[4 + column] - moved.y * r.tangent[column]);
+    if (column == 0) by += 0.5 * r.force[1];
+    if (column == 1) by -= 0.5 * r.force[0];
+    r.tangent[8 + column] -= by;
+    r.tangent[12 + column] -= by;
+  }
+  r.force[2] -= couple;
+  r.force[3] -= couple;
+  return r;
+}
+
 }  // namespace
 
 BondResponse respond(const Assembly& a, const Options& o, std::int64_t e) {
+  if (const SmoothContact* contact = a.smooth.of(e)) return respond_smooth(a, o, *contact);
   const auto i = a.first[e], j = a.second[e];
   const Vec2 du{a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, d0{a.dx[e], a.dy[e]}, d = d0 + du;
   const double now = std::sqrt(dot(d, d)), length = a.length[e];

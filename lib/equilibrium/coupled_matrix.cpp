@@ -92,6 +92,14 @@ void CoupledSystem::each_entry(const Emit& emit) const {
       emit(at(r), 3 * disc, on_r * sign * x);
       emit(at(r), 3 * disc + 1, on_r * sign * y);
     }
+    const SmoothContact* smooth = a.smooth.of(static_cast<std::int64_t>(e));
+    if (smooth == nullptr) continue;
+    const double change = aperture_change_[e] / length_scale_ / length_scale_;
+    for (const auto& [disc, turn] : {std::pair{a.first[e], change * smooth->opens_by_first},
+                                     std::pair{a.second[e], change * smooth->opens_by_second}}) {
+      emit(at(l), 3 * disc + 2, -on_l * turn);
+      emit(at(r), 3 * disc + 2, on_r * turn);
+    }
   }
 }
 

@@ -360,17 +360,25 @@ void CoupledSystem::product(const Vector& x, Vector& y) const {
   for (std::size_t e = 0; e < bonds_.size(); ++e) {
     const auto l = n.left[e], r = n.right[e];
     if (n.conductance[e] == 0.0) continue;
-    const auto i = a.first[e], j = a.second[e];
-    const double opened = aperture_change_[e] == 0.0
-                              ? 0.0
-                              : aperture_change_[e] * (opening_way_[e].x * (x[3 * j] - x[3 * i]) +
-                                                       opening_way_[e].y * (x[3 * j + 1] - x[3 * i + 1]));
+    const double opened = aperture_change_[e] == 0.0 ? 0.0 : aperture_change_[e] * opens(e, x);
     const double moved =
         (duration_ * slope_[e] * pressure_scale_ * (x[pressure_at(l)] - x[pressure_at(r)]) + opened) /
         length_scale_;
     if (at_floor_[static_cast<std::size_t>(l)] == 0) y[pressure_at(l)] -= moved;
     if (at_floor_[static_cast<std::size_t>(r)] == 0) y[pressure_at(r)] += moved;
   }
+}
+
+// What x adds to the opening that a pipe's aperture goes by [m].
+double CoupledSystem::opens(std::size_t e, const Vector& x) const {
+  const auto i = assembly_.first[e], j = assembly_.second[e];
+  double opening =
+      opening_way_[e].x * (x[3 * j] - x[3 * i]) + opening_way_[e].y * (x[3 * j + 1] - x[3 * i + 1]);
+  if (const SmoothContact* smooth = assembly_.smooth.of(static_cast<std::int64_t>(e))) {
+    opening +=
+        (smooth->opens_by_first * x[3 * i + 2] + smooth->opens_by_second * x[3 * j + 2]) / length_scale_;
+  }
+  return opening;
 }
 
 void CoupledSystem::limit(Vector& x, double longest) const {
@@ -386,14 +394,12 @@ double CoupledSystem::share_for_apertures(const Vector& x, double growth) const 
   if (!wet_ || duration_ <= 0.0) return 1.0;
   double share = 1.0;
   for (std::size_t e = 0; e < bonds_.size(); ++e) {
-    const auto i = assembly_.first[e], j = assembly_.second[e];
     if (assembly_.intact[e] > 0.0 || network_.conductance[e] == 0.0) continue;
     const double aperture = network_.aperture[e];
     if (aperture >= options_.flow_aperture_limit) continue;
-    const double opens =
-        opening_way_[e].x * (x[3 * j] - x[3 * i]) + opening_way_[e].y * (x[3 * j + 1] - x[3 * i + 1]);
+    const double more = opens(e, x);
     const double room = std::max(0.0, opening_[e]) + (growth - 1.0) * aperture - opening_[e];
-    if (opens > room) share = std::min(share, room / opens);
+    if (more > room) share = std::min(share, room / more);
   }
   return share;
 }

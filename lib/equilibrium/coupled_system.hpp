@@ -102,6 +102,7 @@ class CoupledSystem {
   [[nodiscard]] double drop(std::size_t pipe) const {
     return network_.pressure[network_.left[pipe]] - network_.pressure[network_.right[pipe]] + rim_drop_[pipe];
   }
+  [[nodiscard]] double opens(std::size_t bond, const Vector& x) const;
   void evaluate_walls();
   void find_fragments();
   void evaluate_pipes();

@@ -139,6 +139,10 @@ static_assert(choice_index(well_rows[6].choices, "ramp") == static_cast<std::int
 
 static_assert(choice_index(joint_rows[7].choices, "broken") ==
                   static_cast<std::int64_t>(JointState::broken) &&
+              choice_index(joint_rows[7].choices, "smooth-bonded") ==
+                  static_cast<std::int64_t>(JointState::smooth_bonded) &&
+              choice_index(joint_rows[7].choices, "smooth-broken") ==
+                  static_cast<std::int64_t>(JointState::smooth_broken) &&
               choice_index(schedule_rows[3].choices, "rate") == static_cast<std::int64_t>(WellControl::rate));
 
 template <class Table>

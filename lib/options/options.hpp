@@ -73,7 +73,13 @@ struct WellOptions {
 };
 
 // A line along which the rock is weaker or broken (solid/joints.hpp).
-enum class JointState : std::int64_t { bonded = 0, broken = 1 };
+enum class JointState : std::int64_t { bonded = 0, broken = 1, smooth_bonded = 2, smooth_broken = 3 };
+constexpr bool is_broken(JointState state) {
+  return state == JointState::broken || state == JointState::smooth_broken;
+}
+constexpr bool is_smooth(JointState state) {
+  return state == JointState::smooth_bonded || state == JointState::smooth_broken;
+}
 struct JointOptions {
   double x1 = 0.0, y1 = 0.0, x2 = 0.0, y2 = 0.0;    // m
   double tensile_factor = 1.0, shear_factor = 1.0;  // of the rock's strengths

@@ -66,12 +66,15 @@ std::int64_t Assembly::bond_between(std::int32_t i, std::int32_t j) const {
 }
 
 BondView view_bond(const Assembly& a, const Options& o, std::int64_t e) {
+  if (const SmoothContact* contact = a.smooth.of(e)) return view_smooth(a, o, *contact);
   const auto i = a.first[e], j = a.second[e];
   const Vec2 du{a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, d0{a.dx[e], a.dy[e]}, d = d0 + du;
   const double now = std::sqrt(dot(d, d)), length = a.length[e];
   BondView v{};
   v.gap = (2.0 * dot(d0, du) + dot(du, du)) / (now + length) - a.shares.growth_of(e);
   v.normal = (1.0 / now) * d;
+  v.first_arm = a.arm[e] * v.normal;
+  v.second_arm = (a.arm[e] - length) * v.normal;
   const double sine = cross(d0, du) / now, s2 = sine * sine / (length * length);
   v.shear = sine * (1.0 + s2 * (1.0 / 6.0 + s2 * (3.0 / 40.0 + s2 * (15.0 / 336.0)))) -
             (a.arm[e] * a.rotation[i] + (length - a.arm[e]) * a.rotation[j]);

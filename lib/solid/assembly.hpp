@@ -6,6 +6,7 @@
 // always (contact.mode = parallel) or once the bond broke (after-break). The law stands in kernels_body.hpp.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <numbers>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "geom/contact_graph.hpp"
 #include "options/options.hpp"
 #include "solid/bond_shares.hpp"
+#include "solid/smooth_joints.hpp"
 
 namespace hfrac {
 
@@ -69,6 +71,7 @@ struct Assembly {
   std::vector<Vec2> joint_normal;  // per bond: unit, towards its second disc; 0: of no joint
   Array<double> joint_tensile, joint_shear,
       joint_friction;  // per bond: factors of the strengths, coefficient
+  SmoothJoints smooth;
 
   [[nodiscard]] std::int64_t disc_count() const { return static_cast<std::int64_t>(x.size()); }
   [[nodiscard]] std::int64_t bond_count() const { return static_cast<std::int64_t>(first.size()); }
@@ -89,6 +92,9 @@ struct Assembly {
   // Opening of the broken joint a bond belongs to, across the joint [m]; 0 if closed or of no joint.
   [[nodiscard]] double joint_opening(std::int64_t bond) const {
     if (joint_normal.empty() || intact[bond] != 0) return 0.0;
+    if (const SmoothContact* contact = smooth.of(bond)) {
+      return std::max(0.0, smooth_opening(*this, *contact));
+    }
     const auto i = first[bond], j = second[bond];
     const double opening = dot({ux[j] - ux[i], uy[j] - uy[i]}, joint_normal[static_cast<std::size_t>(bond)]);
     return opening > 0.0 ? opening : 0.0;
@@ -107,7 +113,9 @@ Assembly build_assembly(ContactGraph graph, const Options& options);
 struct BondView {
   double gap;             // m, positive: open
   double shear;           // m, relative shear displacement
-  Vec2 normal;            // from first to second disc, now
+  Vec2 normal;            // from first to second disc, now; of a smooth joint: its own
+  Vec2 first_arm;         // m, from the first disc's centre to the contact
+  Vec2 second_arm;        // m, from the second disc's
   double bond_normal;     // N, tension positive
   double bond_shear;      // N
   double bond_moment;     // N m

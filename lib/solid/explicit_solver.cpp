@@ -131,6 +131,7 @@ void ExplicitSolver::stiffness(std::vector<double>& row_x, std::vector<double>& 
   stiffness_rows(assembly_, network_, options_, row_x, row_y, row_rotation);
   boundary_.add_stiffness(row_x, row_y);
   loose_.add_stiffness(assembly_, row_x, row_y, row_rotation);
+  add_smooth_stiffness(assembly_, row_x, row_y, row_rotation);
 }
 
 void ExplicitSolver::refresh_stiffness() {
@@ -192,13 +193,18 @@ void ExplicitSolver::break_bond(const BondView& bond, std::int64_t e, std::int64
   crack.released = bond.bond_energy + bond.contact_energy;
   crack.mode = bond.tensile_excess >= bond.shear_excess ? CrackMode::tension : CrackMode::shear;
   found.push_back(crack);
-  assembly_.intact[e] = 0;
+  if (SmoothContact* contact = assembly_.smooth.of(e)) {
+    contact->holds = false;
+  } else {
+    assembly_.intact[e] = 0;
+  }
   // In mode after-break a contact takes over where discs were pressed together.
   found.back().released -= view_bond(assembly_, options_, e).contact_energy;
 }
 
 void ExplicitSolver::break_bond(std::int64_t bond, CrackLog& log) {
   break_bond(view_bond(assembly_, options_, bond), bond, total_cycles_, log);
+  assembly_.smooth.write_state(assembly_.intact, assembly_.slip);
   energies_.fracture += log.back().released;
 }
 
@@ -206,12 +212,24 @@ void ExplicitSolver::break_bond(std::int64_t bond, CrackLog& log) {
 bool ExplicitSolver::break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, CrackLog& found) {
   const std::size_t before = found.size();
   for (std::int64_t e = first; e < last; ++e) {
-    if (assembly_.intact[e] == 0) continue;
+    if (assembly_.intact[e] == 0 || assembly_.smooth.of(e) != nullptr) continue;
     const BondView bond = view_bond(assembly_, options_, e);
     if (bond.tensile_excess < 1.0 && bond.shear_excess < 1.0) continue;
     break_bond(bond, e, cycle, found);
   }
   return found.size() > before;
+}
+
+// Those of smooth joints: which break, and the forces of all on top of the other external ones.
+void ExplicitSolver::take_smooth_joints(std::int64_t cycle, CrackLog& found) {
+  for (auto& contact : assembly_.smooth.contacts) {
+    if (contact.holds) {
+      const BondView bond = view_smooth(assembly_, options_, contact);
+      if (bond.tensile_excess >= 1.0 || bond.shear_excess >= 1.0)
+        break_bond(bond, contact.bond, cycle, found);
+    }
+    add_smooth_force(assembly_, options_, contact, energies_.friction);
+  }
 }
 
 // After breakage the forces are computed again, as those of what is left.
@@ -260,8 +278,11 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
       if (worker == 0 && boundary_.reacts()) {
         boundary_.cycle(assembly_, arrays_.step, options_.stepping_safety, arrays_.damping);
       }
+      const bool smooth = worker == 0 && !assembly_.smooth.empty();
+      if (smooth) release_smooth(assembly_, boundary_);
       if (worker == 0 && !loose_.empty())
         loose_.cycle(assembly_, boundary_, arrays_.step, energies_.friction);
+      if (smooth) watched([&] { take_smooth_joints(cycle, found[w]); });
       workers_.barrier();
       watched([&] {
         for (auto tile = tiles.first; tile < tiles.last; ++tile) take_tile(tile, cycle, scratch, found[w]);
@@ -270,6 +291,7 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
     }
   };
   workers_.run(task);
+  assembly_.smooth.write_state(assembly_.intact, assembly_.slip);
   if (no_memory) throw std::bad_alloc();
   total_cycles_ += cycles;
 }
@@ -340,6 +362,9 @@ ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, C
       outcome.stopped = true;
       break;
     }
+    double slide = 0.0;
+    farthest_slide(assembly_, slide);
+    if (slide > assembly_.mean_radius) break;  // past what the law holds for: Simulation refuses it
   }
   return outcome;
 }
@@ -370,6 +395,7 @@ void ExplicitSolver::evaluate() {
     kernels_.tile_forces(arrays_, tile, scratch_[0].data());
   energies_.friction += take_work(bond_sums_);
   energies_.fluid += take_work(domain_sums_);
+  keep_smooth_slips(assembly_, options_, energies_.friction);
 }
 
 void ExplicitSolver::search_contacts(const CrackLog& cracks) {
@@ -380,6 +406,7 @@ void ExplicitSolver::after_restore() {
   // What a failed step had summed up so far is void.
   for (auto* sums : {&bond_sums_, &disc_sums_, &domain_sums_})
     std::fill(sums->begin(), sums->end(), TileSums{});
+  assembly_.smooth.read_state(assembly_.intact, assembly_.slip);
   refresh_stiffness();
 }
 

@@ -104,6 +104,7 @@ class ExplicitSolver {
   }
 
   void batch(std::int64_t cycles, std::vector<CrackLog>& found);
+  void take_smooth_joints(std::int64_t cycle, CrackLog& found);
   void take_cross_block(std::int64_t block, std::int64_t cycle, CrackLog& found);
   void take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, CrackLog& found);
   void break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, CrackLog& found);

@@ -2,19 +2,11 @@
 #include "solid/joints.hpp"
 
 #include <cmath>
+#include <cstdint>
+
+#include "solid/smooth_joints.hpp"
 
 namespace hfrac {
-namespace {
-
-bool crosses(const JointOptions& joint, Vec2 p, Vec2 q) {
-  const Vec2 from{joint.x1, joint.y1}, along = Vec2{joint.x2, joint.y2} - from, bond = q - p;
-  const auto apart = [](double a, double b) { return (a > 0.0) != (b > 0.0); };
-  return apart(cross(along, p - from), cross(along, q - from)) &&
-         apart(cross(bond, from - p), cross(bond, from + along - p));
-}
-
-}  // namespace
-
 void apply_joints(Assembly& a, const std::vector<JointOptions>& joints, const Options& o, CrackLog& log) {
   if (joints.empty()) return;
   const auto bonds = static_cast<std::size_t>(a.bond_count());
@@ -22,6 +14,7 @@ void apply_joints(Assembly& a, const std::vector<JointOptions>& joints, const Op
   a.joint_shear.assign(bonds, 1.0);
   a.joint_friction.assign(bonds, o.contact_friction);
   a.joint_normal.assign(bonds, {});
+  std::vector<std::int32_t> joint_of(bonds, -1);
   for (std::int64_t e = 0; e < a.bond_count(); ++e) {
     const JointOptions* of = nullptr;
     const Vec2 first{a.x[a.first[e]], a.y[a.first[e]]}, second{a.x[a.second[e]], a.y[a.second[e]]};
@@ -29,6 +22,7 @@ void apply_joints(Assembly& a, const std::vector<JointOptions>& joints, const Op
       if (crosses(joint, first, second)) of = &joint;
     }
     if (of == nullptr) continue;
+    joint_of[static_cast<std::size_t>(e)] = static_cast<std::int32_t>(of - joints.data());
     const Vec2 along{of->x2 - of->x1, of->y2 - of->y1};
     const double length = std::sqrt(dot(along, along));
     const Vec2 normal{-along.y / length, along.x / length};
@@ -37,13 +31,14 @@ void apply_joints(Assembly& a, const std::vector<JointOptions>& joints, const Op
     a.joint_tensile[e] = of->tensile_factor;
     a.joint_shear[e] = of->shear_factor;
     if (of->friction >= 0.0) a.joint_friction[e] = of->friction;
-    if (JointState{of->state} != JointState::broken) continue;
+    if (!is_broken(JointState{of->state})) continue;
     a.intact[e] = 0;
     Crack crack;
     crack.bond = e;
     crack.mode = CrackMode::shear;
     log.push_back(crack);
   }
+  begin_smooth_joints(a, joints, joint_of, o);
   combine_shares(a, o);
 }
 

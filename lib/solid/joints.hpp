@@ -7,6 +7,7 @@
 // degrees away from its normal, so that it slides with more resistance than its coefficient of friction says, and opens as it
 // slides. On a square grid of discs (packing.method "square") a joint along a row is smooth. Fluid is spared that roughness: the
 // pipes of a broken joint are as wide as the joint opens across its line, though a contact that lies along it may be pressed.
+// Joints whose state says so are smooth in any packing and at any angle (smooth_joints.hpp).
 //
 // Bonds of a broken joint stand in the crack log as cracks of the set-up, in shear and without energy.
 #pragma once

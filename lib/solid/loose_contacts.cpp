@@ -50,6 +50,8 @@ std::vector<LooseContacts::Pair> pairs_near_cracks(const Assembly& a,
       const double touch = a.radius[i] + a.radius[j];
       const auto at = static_cast<std::size_t>(k);
       if (std::hypot(p.x - x[at], p.y - y[at]) - touch > reach || a.bond_between(i, j) >= 0) return;
+      // Across a smooth joint its own contacts bear everything.
+      if (a.smooth.separate({a.x[i], a.y[i]}, {a.x[j], a.y[j]})) return;
       const double at_bonding = std::hypot(a.x[j] - a.x[i], a.y[j] - a.y[i]) - touch;
       found.push_back({std::min(i, j), std::max(i, j), std::min(0.0, at_bonding)});
     });

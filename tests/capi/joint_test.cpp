@@ -47,6 +47,16 @@ TEST(Joints, AreSetAndReadByKey) {
   ASSERT_EQ(hfrac_sim_def_set_str(&def, "joint[0].state", "broken"), HFRAC_OK);
   ASSERT_EQ(hfrac_sim_def_set_f64(&def, "schedule[0].time", 5.0), HFRAC_OK);
   EXPECT_EQ(def.joints[0].tensile_factor, 1.0);  // the keys' default
+  for (const auto& [word, state] : {std::pair{"smooth-bonded", HFRAC_JOINT_SMOOTH_BONDED},
+                                    std::pair{"smooth-broken", HFRAC_JOINT_SMOOTH_BROKEN}}) {
+    ASSERT_EQ(hfrac_sim_def_set_str(&def, "joint[0].state", word), HFRAC_OK) << last_error();
+    EXPECT_EQ(def.joints[0].state, state);
+  }
+  EXPECT_EQ(hfrac_sim_def_set_str(&def, "joint[0].state", "smooth"), HFRAC_ERR_ARGUMENT);
+  EXPECT_NE(last_error().find("smooth-bonded"), std::string::npos) << last_error();
+  ASSERT_EQ(hfrac_sim_def_set_f64(&def, "smooth_joint.normal_stiffness", 1e10), HFRAC_OK) << last_error();
+  EXPECT_EQ(def.smooth_joint_normal_stiffness, 1e10);
+  ASSERT_EQ(hfrac_sim_def_set_str(&def, "joint[0].state", "broken"), HFRAC_OK);
   int64_t integer = -1;
   ASSERT_EQ(hfrac_sim_def_get_i64(&def, "joint_count", &integer), HFRAC_OK);
   EXPECT_EQ(integer, 1);
@@ -121,6 +131,14 @@ TEST(Joints, BreakWhereTheRockWouldHold) {
     ASSERT_GE(hfrac_step(weak, 1), HFRAC_OK) << last_error();
     EXPECT_GT(state_of(weak).crack_count, 2);
     for (const auto& crack : cracks_of(weak)) EXPECT_NEAR(crack.position[1], 50.0, 4.0);
+    def.joints[0].state = HFRAC_JOINT_SMOOTH_BONDED;
+    const Sim smooth(def);
+    ASSERT_GE(hfrac_step(smooth, 1), HFRAC_OK) << last_error();
+    EXPECT_GT(state_of(smooth).crack_count, 2);
+    for (const auto& crack : cracks_of(smooth)) {  // drawn along the joint
+      EXPECT_NEAR(crack.position[1], 50.0, 4.0);
+      EXPECT_NEAR(std::abs(crack.normal[1]), 1.0, 1e-12);
+    }
     def.joints[0].state = HFRAC_JOINT_BROKEN;
     const Sim broken(def);
     EXPECT_GT(state_of(broken).setup_cracks, 5);

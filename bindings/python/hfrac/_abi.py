@@ -87,6 +87,10 @@ class JointState(enum.IntEnum):
     BONDED = 0
     #: broken from the start, and counted as set-up cracks in shear
     BROKEN = 1
+    #: bonded, and smooth whatever the packing: contacts look along the joint's normal
+    SMOOTH_BONDED = 2
+    #: broken and smooth
+    SMOOTH_BROKEN = 3
 
 
 class StopReason(enum.IntEnum):
@@ -452,6 +456,8 @@ class hfrac_sim_def(ctypes.Structure):
         ("output_checkpoint_steps", ctypes.c_int64),
         ("given_bonds", ctypes.c_void_p),
         ("given_bond_count", ctypes.c_int64),
+        ("smooth_joint_normal_stiffness", ctypes.c_double),
+        ("smooth_joint_shear_stiffness", ctypes.c_double),
     ]
 
 

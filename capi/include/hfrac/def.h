@@ -37,8 +37,10 @@ typedef struct hfrac_well_def {
 
 /** Whether the bonds of a joint hold. */
 enum hfrac_joint_state {
-  HFRAC_JOINT_BONDED = 0, /**< until their strength is reached */
-  HFRAC_JOINT_BROKEN = 1  /**< broken from the start, and counted as set-up cracks in shear */
+  HFRAC_JOINT_BONDED = 0,        /**< until their strength is reached */
+  HFRAC_JOINT_BROKEN = 1,        /**< broken from the start, and counted as set-up cracks in shear */
+  HFRAC_JOINT_SMOOTH_BONDED = 2, /**< bonded, and smooth whatever the packing: contacts look along the joint's normal */
+  HFRAC_JOINT_SMOOTH_BROKEN = 3  /**< broken and smooth */
 };
 
 /** A straight line along which the rock is weaker or broken: it takes the bonds between discs whose centres lie on different
@@ -370,6 +372,13 @@ typedef struct hfrac_sim_def {
    * bond: their contact carries compression and friction, as after breakage, and is no crack. */
   const int64_t *given_bonds;
   int64_t given_bond_count;   /**< bonds in given_bonds */
+
+  /** [Pa/m] Normal stiffness of smooth joints, per area. 0: contact.normal_stiffness over the mean disc
+   * diameter. Default 0.0. */
+  double smooth_joint_normal_stiffness;
+  /** [Pa/m] Shear stiffness of smooth joints, per area. 0: contact.shear_stiffness over the mean disc
+   * diameter. Default 0.0. */
+  double smooth_joint_shear_stiffness;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Smooth joints: planes along which discs slide past each other, whatever the packing.
+//
+// A joint of weakened contacts is as rough as the packing, since each contact looks along the line of its two discs. In the
+// smooth-joint law (Pierce, Cundall, Potyondy and Mas Ivars 2007; Mas Ivars et al. 2011) a contact that the joint crosses looks
+// along the joint's own normal n instead, with t = n turned by 90 degrees:
+//   opening   U_n = U.n,   slide  U_s = U.t,   U = u_j + theta_j x r_j - u_i - theta_i x r_i
+//             the displacement of the two faces at the contact; r from a disc's centre to it
+//   holds     F_n = k_n A U_n, F_s = k_s A U_s;   breaks at F_n >= T A (tension) or |F_s| >= c A + mu max(0, -F_n) (shear)
+//   broken    N = k_n A max(0, -U_n), S = k_s A (U_s - slip), |S| <= mu N; no dilation
+//   forces    on i: F_n n + F_s t, on j the opposite; moments r x force
+// There is one contact per bond that the joint crosses. A is its piece of the joint and it lies in the middle of that; pieces add up
+// to the joint, so k_n, k_s, T and c are per area, free of disc size, and they are cut where the faces of the discs end, so that
+// pressure on the joint hardly turns the discs (where the lines of the two centres meet the joint it would break their bonds).
+// Both discs see the joint as it was at bonding: planes do not turn with the rock, and the pairs across it stay the ones of the
+// set-up. Slides up to a mean radius are within that (farthest_slide, Simulation refuses more).
+//
+// In the step loop the bonds of smooth joints have no stiffness of their own (bond_shares.cpp); their forces come from a pass over
+// this short list by one worker, like those of loose contacts.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/array.hpp"
+
+namespace hfrac {
+
+struct Assembly;
+class Boundary;
+struct BondResponse;
+struct BondView;
+struct JointOptions;
+struct Options;
+
+struct SmoothContact {
+  std::int64_t bond;
+  std::int64_t joint;                        // number in the definition
+  Vec2 normal;                               // unit, towards the bond's second disc
+  Vec2 first_arm, second_arm;                // m, from the centre of the disc to the contact
+  double opens_by_first, opens_by_second;    // m: change of U_n by a disc's rotation
+  double slides_by_first, slides_by_second;  // m: change of U_s
+  double area;                               // m2 per metre of thickness
+  double slip;                               // m
+  bool holds;
+};
+
+// What a contact answers to the displacements as they stand.
+struct SmoothAnswer {
+  double opening, slide;                     // m
+  double normal, shear;                      // N; tension positive
+  double slipped;                            // m, slip after it
+  double normal_stiffness, shear_stiffness;  // N/m, of the tangent: 0 where open, or sliding
+  double shear_by_opening;                   // N/m, where sliding
+};
+
+struct SmoothJoints {
+  struct Line {
+    Vec2 from, to;
+  };
+  std::vector<SmoothContact> contacts;  // ascending by bond
+  std::vector<std::int32_t> place;      // per bond: in contacts, -1 of none; empty without smooth joints
+  std::vector<Line> lines;              // the joints themselves
+  double normal_stiffness = 0.0, shear_stiffness = 0.0;  // Pa/m
+
+  [[nodiscard]] bool empty() const { return contacts.empty(); }
+  [[nodiscard]] const SmoothContact* of(std::int64_t bond) const {
+    const std::int32_t at = empty() ? -1 : place[static_cast<std::size_t>(bond)];
+    return at < 0 ? nullptr : &contacts[static_cast<std::size_t>(at)];
+  }
+  [[nodiscard]] SmoothContact* of(std::int64_t bond) {
+    const std::int32_t at = empty() ? -1 : place[static_cast<std::size_t>(bond)];
+    return at < 0 ? nullptr : &contacts[static_cast<std::size_t>(at)];
+  }
+  // Whether a joint lies between two places.
+  [[nodiscard]] bool separate(Vec2 p, Vec2 q) const;
+  // Which contacts hold, and what they slid, is kept here while the step loop runs, where other workers hold the bonds' own
+  // numbers; those are the state.
+  void read_state(const Array<std::uint8_t>& intact, const Array<double>& slip);
+  void write_state(Array<std::uint8_t>& intact, Array<double>& slip) const;
+};
+
+bool crosses(const JointOptions& joint, Vec2 p, Vec2 q);
+
+// `joint_of`: the joint each bond belongs to, -1 of none. Fills assembly.smooth, if any is smooth.
+void begin_smooth_joints(Assembly& assembly, const std::vector<JointOptions>& joints,
+                         const std::vector<std::int32_t>& joint_of, const Options& options);
+
+double smooth_opening(const Assembly& assembly, const SmoothContact& contact);  // m, U_n
+SmoothAnswer answer(const Assembly& assembly, const Options& options, const SmoothContact& contact);
+BondView view_smooth(const Assembly& assembly, const Options& options, const SmoothContact& contact);
+// Farthest slide of a contact [m], and which (nullptr: there are none).
+const SmoothContact* farthest_slide(const Assembly& assembly, double& slide);
+
+// For the explicit solver: external forces of the discs back to the boundary's, the contacts' forces on top of them (and what
+// they slid kept), and their part of the row sums that set the stable step.
+void release_smooth(Assembly& assembly, const Boundary& boundary);
+void add_smooth_force(Assembly& assembly, const Options& options, SmoothContact& contact, double& friction);
+void add_smooth_stiffness(const Assembly& assembly, std::vector<double>& row_x, std::vector<double>& row_y,
+                          std::vector<double>& row_rotation);
+// What they slid to the displacements as they stand. Adds friction work to `friction`.
+void keep_smooth_slips(Assembly& assembly, const Options& options, double& friction);
+
+}  // namespace hfrac

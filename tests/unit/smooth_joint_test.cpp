@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Smooth joints: pieces and normals, the law, both solvers, books, restore, the end of its reach.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "core/error.hpp"
+#include "equilibrium/bond_response.hpp"
+#include "small_case.hpp"
+#include "solid/joints.hpp"
+
+namespace {
+
+using namespace testing_unit;
+
+JointOptions joint_at(double degrees, double half_length, Vec2 middle, double friction, JointState state) {
+  const Vec2 along{std::cos(degrees * pi / 180.0), std::sin(degrees * pi / 180.0)};
+  JointOptions joint;
+  joint.x1 = middle.x - half_length * along.x;
+  joint.y1 = middle.y - half_length * along.y;
+  joint.x2 = middle.x + half_length * along.x;
+  joint.y2 = middle.y + half_length * along.y;
+  joint.friction = friction;
+  joint.state = static_cast<std::int64_t>(state);
+  return joint;
+}
+
+// A dry block of 20 m, cut through by a joint.
+struct Cut {
+  Options o = dry_options(500);
+  JointOptions joint;
+  Assembly a;
+  CrackLog cracks;
+  Cut(double degrees, JointState state, double friction = 0.5) {
+    const Discs discs = packed(o);
+    ContactGraph graph = build_contact_graph(discs.x, discs.y, discs.radius, {}, o.bond_gap_tolerance);
+    joint = joint_at(degrees, 15.0, {10.0, 10.0}, friction, state);
+    a = build_assembly(std::move(graph), o);
+    apply_joints(a, {joint}, o, cracks);
+  }
+  [[nodiscard]] Vec2 along() const {
+    const Vec2 d{joint.x2 - joint.x1, joint.y2 - joint.y1};
+    return (1.0 / std::sqrt(dot(d, d))) * d;
+  }
+  // The discs on the left of the joint move as one.
+  void move(Vec2 by) {
+    for (std::int64_t i = 0; i < a.disc_count(); ++i) {
+      const bool left = cross(along(), Vec2{a.x[i] - joint.x1, a.y[i] - joint.y1}) > 0.0;
+      a.ux[i] = left ? by.x : 0.0;
+      a.uy[i] = left ? by.y : 0.0;
+    }
+  }
+};
+
+TEST(SmoothJoint, PiecesAddUpToItsLengthWhateverTheAngle) {
+  for (const double degrees : {0.0, 27.0, 63.0, 90.0, 117.0}) {
+    const Cut cut(degrees, JointState::smooth_broken);
+    double sum = 0.0;
+    const Vec2 normal{-cut.along().y, cut.along().x};
+    for (const auto& contact : cut.a.smooth.contacts) {
+      sum += contact.area;
+      EXPECT_NEAR(std::abs(dot(contact.normal, normal)), 1.0, 1e-12);
+      EXPECT_GT(dot(contact.normal, Vec2{cut.a.dx[contact.bond], cut.a.dy[contact.bond]}), 0.0);
+      EXPECT_NEAR(
+          dot(contact.first_arm - contact.second_arm, Vec2{cut.a.dx[contact.bond], cut.a.dy[contact.bond]}),
+          cut.a.length[contact.bond] * cut.a.length[contact.bond], 1e-9);
+    }
+    const double inside = 20.0 / std::max(std::abs(cut.along().x), std::abs(cut.along().y));
+    EXPECT_NEAR(sum, inside, 3.0 * cut.a.mean_radius) << degrees;
+    EXPECT_LE(sum, inside + 0.5 * cut.a.mean_radius);
+    EXPECT_EQ(cut.cracks.size(), cut.a.smooth.contacts.size());
+  }
+}
+
+// The whole point: one half slides over the other without being lifted, and bears its coefficient of friction.
+TEST(SmoothJoint, SlidesWithoutDilationAtItsCoefficientOfFriction) {
+  for (const double degrees : {0.0, 30.0, 60.0}) {
+    Cut cut(degrees, JointState::smooth_broken, 0.5);
+    const Vec2 along = cut.along(), normal{-along.y, along.x};
+    const double press = 1e-3, slide = 0.3 * cut.a.mean_radius;
+    cut.move(-press * normal + slide * along);
+    double friction = 0.0, area = 0.0, dissipated = 0.0;
+    Vec2 force{};
+    for (const auto& contact : cut.a.smooth.contacts) {
+      const SmoothAnswer r = answer(cut.a, cut.o, contact);
+      const Vec2 tangent{-contact.normal.y, contact.normal.x};
+      const double side = dot(contact.normal, normal);  // on the half that moved
+      force = force - side * (r.normal * contact.normal + r.shear * tangent);
+      area += contact.area;
+    }
+    const double squeeze = cut.a.smooth.normal_stiffness * press * area;
+    EXPECT_NEAR(dot(force, normal), squeeze, 1e-9 * squeeze) << degrees;
+    EXPECT_NEAR(dot(force, along), -0.5 * squeeze, 1e-9 * squeeze) << degrees;
+    keep_smooth_slips(cut.a, cut.o, friction);
+    const double elastic = 0.5 * squeeze / (cut.a.smooth.shear_stiffness * area);
+    dissipated = 0.5 * squeeze * (slide - elastic);
+    EXPECT_NEAR(friction, dissipated, 1e-9 * dissipated);
+    for (const auto& contact : cut.a.smooth.contacts)
+      EXPECT_NEAR(std::abs(cut.a.slip[contact.bond]), slide - elastic, 1e-9 * slide);
+  }
+}
+
+TEST(SmoothJoint, HoldsToItsStrengthPerArea) {
+  Cut cut(30.0, JointState::smooth_bonded, 0.5);
+  cut.o.bond_tensile_strength = 2e6;
+  cut.o.bond_shear_strength = 5e6;
+  cut.a.tensile_per_radius = 2.0 * cut.o.bond_tensile_strength;
+  cut.a.shear_per_radius = 2.0 * cut.o.bond_shear_strength;
+  const Vec2 along = cut.along(), normal{-along.y, along.x};
+  EXPECT_TRUE(cut.cracks.empty());
+  const double kn = cut.a.smooth.normal_stiffness, ks = cut.a.smooth.shear_stiffness;
+  for (const double share : {0.999, 1.001}) {
+    cut.move((share * 2e6 / kn) * normal);
+    for (const auto& contact : cut.a.smooth.contacts)
+      EXPECT_EQ(view_bond(cut.a, cut.o, contact.bond).tensile_excess >= 1.0, share > 1.0);
+    // Mohr and Coulomb: c + mu sigma_n, with 4 MPa on it.
+    cut.move((-4e6 / kn) * normal + (share * (5e6 + 0.5 * 4e6) / ks) * along);
+    for (const auto& contact : cut.a.smooth.contacts)
+      EXPECT_EQ(view_bond(cut.a, cut.o, contact.bond).shear_excess >= 1.0, share > 1.0);
+  }
+}
+
+TEST(SmoothJoint, TangentIsTheChangeOfForceAndMomentsBalance) {
+  for (const JointState state : {JointState::smooth_bonded, JointState::smooth_broken}) {
+    for (const double press : {1e-3, 1e-5, -1e-3}) {  // sticking, sliding, open
+      Cut cut(50.0, state, 0.5);
+      const Vec2 along = cut.along(), normal{-along.y, along.x};
+      cut.move(-press * normal + 1e-4 * along);
+      const SmoothContact& contact = cut.a.smooth.contacts[3];
+      const auto i = cut.a.first[contact.bond], j = cut.a.second[contact.bond];
+      cut.a.rotation[i] = 1e-6;
+      cut.a.rotation[j] = -2e-6;
+      const BondResponse at = respond(cut.a, cut.o, contact.bond);
+      double* unknown[4] = {&cut.a.ux[j], &cut.a.uy[j], &cut.a.rotation[i], &cut.a.rotation[j]};
+      for (int k = 0; k < 4; ++k) {
+        const double step = 1e-9;
+        *unknown[k] += step;
+        const BondResponse up = respond(cut.a, cut.o, contact.bond);
+        *unknown[k] -= 2.0 * step;
+        const BondResponse down = respond(cut.a, cut.o, contact.bond);
+        *unknown[k] += step;
+        for (int row = 0; row < 4; ++row)
+          EXPECT_NEAR(at.tangent[4 * row + k], (up.force[row] - down.force[row]) / (2.0 * step),
+                      1e-5 * cut.o.contact_normal_stiffness);
+      }
+      // About any point, forces and moments of the pair are in balance, slid as they are.
+      const double dx = cut.a.dx[contact.bond] + cut.a.ux[j] - cut.a.ux[i],
+                   dy = cut.a.dy[contact.bond] + cut.a.uy[j] - cut.a.uy[i];
+      const double turning = dx * at.force[1] - dy * at.force[0] + at.force[2] + at.force[3];
+      EXPECT_NEAR(turning, 0.0, 1e-12 * cut.o.contact_normal_stiffness);
+    }
+  }
+}
+
+CaseDefinition cut_case(JointState state, SolverKind solver, double degrees, double friction) {
+  CaseDefinition definition = cracking_case();
+  Options& o = definition.options;
+  o.packing_disc_count = 400;
+  o.model_reading = choice(Reading::sound);
+  o.boundary_kind = choice(BoundaryKind::stress);
+  o.flow_scheme = choice(FlowScheme::off);
+  o.contact_mode = choice(ContactMode::after_break);
+  o.stress_sigma_H = 30e6;
+  o.stress_sigma_h = 10e6;
+  o.bond_tensile_strength = o.bond_shear_strength = 1e12;
+  o.solver_kind = choice(solver);
+  o.stepping_force_ratio = 1e-5;
+  o.stepping_max_cycles = 40000;
+  definition.wells.clear();
+  definition.joints = {joint_at(degrees, 25.0, {50.0, 50.0}, friction, state)};
+  return definition;
+}
+
+double largest_slide(const Simulation& s) {
+  double slide = 0.0;
+  farthest_slide(s.assembly(), slide);
+  return slide;
+}
+
+TEST(SmoothJoint, BothSolversFindTheSameRestAndTheBooksClose) {
+  double slid[2];
+  for (const SolverKind kind : {SolverKind::explicit_solver, SolverKind::quasi_static}) {
+    CaseDefinition definition = cut_case(JointState::smooth_broken, kind, 45.0, 0.2);
+    definition.options.stress_sigma_H = 14e6;
+    Simulation s(definition, {}, {});
+    s.set_far_field(30e6, 10e6);
+    s.step();
+    EXPECT_TRUE(s.at_rest());
+    slid[static_cast<int>(kind)] = largest_slide(s);
+    const Balance b = s.balance();
+    EXPECT_GT(b.friction, 0.0);
+    EXPECT_LE(std::abs(b.energy_error), 2e-3 * std::abs(b.boundary_work));
+    double moved = 0.0;  // friction never exceeds its coefficient
+    for (const auto& contact : s.assembly().smooth.contacts) {
+      const BondView view = view_bond(s.assembly(), s.options(), contact.bond);
+      EXPECT_LE(std::abs(view.contact_shear), 0.2 * view.contact_normal * (1.0 + 1e-12));
+      moved = std::max(moved, std::abs(s.assembly().slip[contact.bond]));
+    }
+    EXPECT_GT(moved, 1e-3);
+  }
+  EXPECT_NEAR(slid[0], slid[1], 0.06 * slid[1]);  // friction remembers the way, and motion overshoots
+}
+
+TEST(SmoothJoint, IsSmoothWhereTheOldOneIsRough) {
+  double slid[2];
+  for (const JointState state : {JointState::broken, JointState::smooth_broken}) {
+    const Simulation s(cut_case(state, SolverKind::quasi_static, 45.0, 0.0), {}, {});
+    const auto& a = s.assembly();
+    double sum = 0.0, count = 0.0;
+    for (std::int64_t e = 0; e < a.bond_count(); ++e) {
+      const Vec2 n = a.joint_normal[static_cast<std::size_t>(e)];
+      if (n.x == 0.0 && n.y == 0.0) continue;
+      const auto i = a.first[e], j = a.second[e];
+      sum += std::abs(cross(n, {a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}));
+      count += 1.0;
+    }
+    slid[state == JointState::broken ? 0 : 1] = sum / count;
+  }
+  EXPECT_GT(slid[1], 2.0 * slid[0]);
+}
+
+TEST(SmoothJoint, GoesOnAfterARestoreBitForBitOnAnyNumberOfWorkers) {
+  for (const SolverKind kind : {SolverKind::explicit_solver, SolverKind::quasi_static}) {
+    CaseDefinition definition = cut_case(JointState::smooth_bonded, kind, 30.0, 0.3);
+    definition.options.bond_tensile_strength = definition.options.bond_shear_strength = 40e6;
+    definition.joints[0].tensile_factor = definition.joints[0].shear_factor = 0.1;
+    definition.options.stress_sigma_H = 14e6;
+    Simulation s(definition, {}, {});
+    const std::size_t before = s.cracks().size();
+    EXPECT_LT(before, s.assembly().smooth.contacts.size());
+    s.set_far_field(28e6, 10e6);
+    s.step();
+    EXPECT_GT(s.cracks().size(), before);
+    std::vector<std::byte> image(s.image_size());
+    s.write_image(image);
+    definition.options.run_workers = 3;
+    Simulation other(definition, {}, {});
+    other.restore(image);
+    for (Simulation* each : {&s, &other}) {
+      each->set_far_field(32e6, 10e6);
+      each->step();
+    }
+    EXPECT_EQ(s.state_hash(), other.state_hash());
+    EXPECT_EQ(s.cracks().size(), other.cracks().size());
+    for (const auto& crack : s.cracks()) EXPECT_EQ(s.assembly().intact[crack.bond], 0);
+    definition.joints[0].friction = 0.4;
+    Simulation unlike(definition, {}, {});
+    EXPECT_THROW(unlike.restore(image), Error);
+  }
+}
+
+TEST(SmoothJoint, SlidingPastItsPairsIsRefusedInWords) {
+  CaseDefinition definition = cut_case(JointState::smooth_broken, SolverKind::explicit_solver, 45.0, 0.1);
+  definition.joints[0] = joint_at(45.0, 90.0, {50.0, 50.0}, 0.1, JointState::smooth_broken);  // right through
+  definition.options.stress_sigma_H = 10e6;
+  Simulation s(definition, {}, {});
+  s.set_far_field(30e6, 10e6);
+  const auto before = s.state_hash();
+  try {
+    s.step();
+    FAIL() << "slid by " << largest_slide(s);
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("joint[0] slid by"), std::string::npos) << text;
+    EXPECT_NE(text.find("mean disc radius"), std::string::npos) << text;
+  }
+  EXPECT_EQ(s.state_hash(), before);
+}
+
+// Fluid in a smooth joint opens it across its own line, obliquely to the contacts.
+TEST(SmoothJoint, FluidOpensItAlikeInBothSolvers) {
+  double width[2];
+  for (const SolverKind kind : {SolverKind::explicit_solver, SolverKind::quasi_static}) {
+    CaseDefinition definition = cut_case(JointState::smooth_broken, kind, 30.0, 0.5);
+    Options& o = definition.options;
+    o.flow_scheme = choice(FlowScheme::implicit_scheme);
+    o.fluid_formation_pressure = 5e6;
+    o.stress_sigma_H = o.stress_sigma_h = 10e6;
+    o.flow_permeability = 1e-12;
+    o.stepping_flow_step = 1e4;
+    WellOptions well;
+    well.x = well.y = 50.0;
+    well.radius = 8.0;
+    well.pressure = 20e6;
+    definition.wells = {well};
+    Simulation s(definition, {}, {});
+    for (int k = 0; k < 4; ++k) s.step();
+    double widest = 0.0, open = 0.0;
+    for (const auto& contact : s.assembly().smooth.contacts) {
+      const double opening = s.assembly().joint_opening(contact.bond);
+      widest = std::max(widest, opening);
+      if (opening <= 0.0) continue;
+      open += 1.0;
+      EXPECT_NEAR(s.network().aperture[contact.bond],
+                  std::min(s.network().zero_stress_aperture + opening, s.options().flow_aperture_limit),
+                  1e-12);
+    }
+    EXPECT_GT(open, 4.0);
+    width[static_cast<int>(kind)] = widest;
+    EXPECT_LE(std::abs(s.balance().fluid_error), 1e-6 * std::abs(s.balance().injected));
+  }
+  EXPECT_NEAR(width[0], width[1], 0.02 * width[1]);
+}
+
+}  // namespace
