@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/array.hpp"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #ifdef __linux__
 #include <sys/mman.h>
 #include <unistd.h>
@@ -20,6 +23,12 @@ void advise_large_pages([[maybe_unused]] void* array, [[maybe_unused]] std::size
   const int error = errno;  // the host's
   madvise(static_cast<char*>(array) + before, (bytes - before) / page * page, MADV_HUGEPAGE);
   errno = error;
+#endif
+}
+
+void return_unused_pages() noexcept {
+#ifdef __GLIBC__
+  malloc_trim(0);
 #endif
 }
 

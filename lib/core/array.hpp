@@ -15,6 +15,10 @@ namespace hfrac {
 // (docs/performance.md). A hint; nothing happens where the system knows no such pages.
 void advise_large_pages(void* array, std::size_t bytes) noexcept;
 
+// Gives pages back to the system that lie unused between what is in use, as building a model leaves them; the process's peak is
+// lower by them later. Nothing happens where the C library cannot.
+void return_unused_pages() noexcept;
+
 template <class T>
 struct CacheLineAllocator {
   using value_type = T;

@@ -135,6 +135,13 @@ void Workers::barrier() {
   }
 }
 
+void Workers::wait_for(const std::atomic<std::int32_t>& done, std::int32_t at_least) const {
+  for (std::int32_t now = done.load(std::memory_order_acquire); now < at_least;
+       now = done.load(std::memory_order_acquire)) {
+    wait_while(done, now);
+  }
+}
+
 Workers::Range Workers::part(int worker, std::int64_t n, std::int64_t grain) const {
   const std::int64_t blocks = (n + grain - 1) / grain;
   const std::int64_t first = blocks * worker / count_;

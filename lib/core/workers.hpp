@@ -39,6 +39,9 @@ class Workers {
   // Inside a task: waits until all workers have come here.
   void barrier();
 
+  // Inside a task: waits until `done`, which another worker raises and notifies of, is at least that.
+  void wait_for(const std::atomic<std::int32_t>& done, std::int32_t at_least) const;
+
   // The part [first, last) of n items, in multiples of `grain`, that belongs to a worker.
   struct Range {
     std::int64_t first;

@@ -45,6 +45,7 @@ Simulation::Simulation(CaseDefinition definition, std::span<const double> given_
   begin_books();
   formation_pressure_ = options().fluid_formation_pressure;
   model_ = model_fingerprint();
+  return_unused_pages();
   setup_.setup_seconds = seconds_since(start);
 }
 

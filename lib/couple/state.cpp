@@ -16,7 +16,8 @@ template <class Archive, class Self>
 void Simulation::visit_state(Archive& archive, Self& s) {
   auto& a = s.assembly_;
   auto& n = s.network_;
-  for (auto* values : {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin, &a.slip}) archive.array(*values);
+  for (auto* values : {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin}) archive.array(*values);
+  archive.often_zero(a.slip);
   for (auto* values : {&a.external_x, &a.external_y, &a.external_moment}) archive.mostly_zero(*values);
   archive.array(a.intact);
   if (FlowScheme{s.options().flow_scheme} != FlowScheme::off) {
@@ -26,7 +27,7 @@ void Simulation::visit_state(Archive& archive, Self& s) {
     }
   }
   archive.value(n.zero_stress_aperture);
-  archive.array(s.pressure_rate_);
+  archive.often_zero(s.pressure_rate_);
   for (auto* value : {&s.time_, &s.force_ratio_, &s.leaked_, &s.tip_distance_, &s.host_added_, &s.part_,
                       &s.excess_, &s.formation_pressure_, &s.outside_work_, &s.start_outside_change_,
                       &s.definition_.options.stress_sigma_H, &s.definition_.options.stress_sigma_h}) {
@@ -96,14 +97,14 @@ bool Simulation::is_finite() const {
 }
 
 std::size_t Simulation::state_size(bool whole) const {
-  Counter counter;
+  Counter counter(!whole);
   visit_state(counter, *this);
   if (whole) visit_start(counter, *this);
   return counter.size();
 }
 
 void Simulation::write_state(std::span<std::byte> state, bool whole) const {
-  Saver saver(state);
+  Saver saver(state, !whole);
   visit_state(saver, *this);
   if (whole) visit_start(saver, *this);
 }
@@ -120,7 +121,7 @@ void Simulation::save_state(std::vector<std::byte>& state, bool whole) const {
 }
 
 void Simulation::load_state(std::span<const std::byte> image, bool whole) {
-  Loader loader(image);
+  Loader loader(image, !whole);
   visit_state(loader, *this);
   if (whole) visit_start(loader, *this);
   if (loader.left() != 0)

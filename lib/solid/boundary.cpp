@@ -235,6 +235,24 @@ void Boundary::cycle(Assembly& a, double step, double safety, double damping) {
   }
 }
 
+void Boundary::press(Assembly& a, std::int64_t first, std::int64_t last) const {
+  const auto among = [&](const std::vector<std::int32_t>& discs) {
+    return std::span(std::lower_bound(discs.begin(), discs.end(), first),
+                     std::lower_bound(discs.begin(), discs.end(), last));
+  };
+  if (!walled_ || among(edge_).empty()) return;
+  for (const auto& wall : walls_) {
+    for (const auto i : among(wall.discs)) a.external_x[i] = a.external_y[i] = 0.0;
+  }
+  for (const auto& wall : walls_) {
+    for (const auto i : among(wall.discs)) {
+      const double force = stiffness_ * std::max(0.0, closing_of(a, wall, i));
+      a.external_x[i] += force * wall.inward.x;
+      a.external_y[i] += force * wall.inward.y;
+    }
+  }
+}
+
 void Boundary::add_stiffness(std::vector<double>& row_x, std::vector<double>& row_y) const {
   for (const auto& wall : walls_) {
     for (const auto i : wall.discs) {

@@ -33,6 +33,11 @@ class Boundary {
   // One cycle: forces of the walls on their discs into external_*, motion of servo-driven walls. `step` as the solver's.
   void cycle(Assembly& assembly, double step, double safety, double damping);
 
+  // The forces of walls at rest on the discs from `first` up to `last`, as cycle() finds them; those of other discs stay.
+  void press(Assembly& assembly, std::int64_t first, std::int64_t last) const;
+  // Nothing from outside needs to know of more than one disc: no wall moves, no disc is gripped.
+  [[nodiscard]] bool acts_disc_by_disc() const { return !walls_move() && grips_.empty(); }
+
   // Takes the mean displacement and rotation since bonding, and their rates, out of a model held by nothing else.
   void hold_still(Assembly& assembly) const;
 

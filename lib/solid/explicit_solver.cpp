@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <new>
@@ -57,6 +58,7 @@ ExplicitSolver::ExplicitSolver(Assembly& assembly, Network& network, Boundary& b
   for (auto& scratch : scratch_) scratch.assign(static_cast<std::size_t>(tile_scratch), 0.0);
   bind_arrays();
   refresh_stiffness();
+  if (arrays_.tile_count >= fewest_swept_tiles) set_sweep(sweep_shape(workers.count()));
 }
 
 void ExplicitSolver::bind_arrays() {
@@ -250,9 +252,35 @@ void ExplicitSolver::take_tile(std::int64_t tile, std::int64_t cycle, double* sc
   kernels_.tile_move(arrays_, tile, scratch);
 }
 
+// Which tiles nothing outside pushes, now and in the cycles to come: most, and they are spared three arrays.
+void ExplicitSolver::mark_left_alone() {
+  const auto zero = [](double force) { return std::bit_cast<std::uint64_t>(force) == 0; };
+  const auto& a = assembly_;
+  for (auto& tile : plan_.tiles) {
+    bool alone = true;
+    for (const auto* force : {&a.external_x, &a.external_y, &a.external_moment})
+      alone = alone && std::all_of(force->begin() + tile.first_disc, force->begin() + tile.last_disc, zero);
+    tile.left_alone = alone ? 1 : 0;
+  }
+  const auto pushed = [&](std::int32_t disc) {
+    plan_.tiles[static_cast<std::size_t>(disc / tile_size)].left_alone = 0;
+  };
+  for (const auto& wall : boundary_.walls()) std::for_each(wall.discs.begin(), wall.discs.end(), pushed);
+  for (const auto& grip : boundary_.grips()) pushed(grip.disc);
+  for (const auto& pair : loose_.pairs()) {
+    pushed(pair.first);
+    pushed(pair.second);
+  }
+}
+
 void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
   arrays_.stiffness = network_.stiffness.data();
   arrays_.undrained = undrained_ ? 1 : 0;
+  mark_left_alone();
+  if (may_sweep()) {
+    sweep(cycles, found);
+    return;
+  }
   const auto domain_blocks = arrays_.with_pressure != 0 ? plan_.domain_blocks : 0;
   // A worker that finds no memory for its cracks may not leave the others waiting: it goes on to the end of the batch, and
   // then the step fails.
@@ -387,6 +415,7 @@ ExplicitSolver::Outcome ExplicitSolver::run_for(double duration, CrackLog& log,
 void ExplicitSolver::evaluate() {
   arrays_.stiffness = network_.stiffness.data();
   arrays_.undrained = 1;  // volumes are looked at
+  mark_left_alone();
   for (std::int64_t block = 0; block < plan_.bond_blocks; ++block) kernels_.cross_bonds(arrays_, block);
   if (arrays_.with_pressure != 0) {
     for (std::int64_t block = 0; block < plan_.domain_blocks; ++block) kernels_.cross_domains(arrays_, block);

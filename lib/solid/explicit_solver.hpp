@@ -9,6 +9,7 @@
 // to its stability limit and the step is 1 (density scaling): the way is not physical, the end is.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -21,6 +22,7 @@
 #include "solid/boundary.hpp"
 #include "solid/kernels.hpp"
 #include "solid/loose_contacts.hpp"
+#include "solid/sweep.hpp"
 #include "solid/tiles.hpp"
 
 namespace hfrac {
@@ -68,6 +70,9 @@ class ExplicitSolver {
   [[nodiscard]] const Energies& energies() const { return energies_; }
   Energies& energies() { return energies_; }
   [[nodiscard]] std::int64_t total_cycles() const { return total_cycles_; }
+  // Several cycles in one sweep over the model where nothing couples all of it in every cycle (sweep.hpp); the bits are the same.
+  // Models that no cache holds do so of themselves. For tests and benchmarks: in this shape; 1 cycle: never.
+  void set_sweep(const SweepShape& shape);
   void count_cycles(std::int64_t cycles) { total_cycles_ += cycles; }  // of another solver
   void stop_motion();
   // Looks for new contacts around cracks; call between steps.
@@ -105,6 +110,9 @@ class ExplicitSolver {
 
   void batch(std::int64_t cycles, std::vector<CrackLog>& found);
   void take_smooth_joints(std::int64_t cycle, CrackLog& found);
+  [[nodiscard]] bool may_sweep() const;
+  void mark_left_alone();
+  void sweep(std::int64_t cycles, std::vector<CrackLog>& found);
   void take_cross_block(std::int64_t block, std::int64_t cycle, CrackLog& found);
   void take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, CrackLog& found);
   void break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, CrackLog& found);
@@ -126,7 +134,10 @@ class ExplicitSolver {
   TilePlan plan_;
   KernelArrays arrays_{};
   Array<double> inverse_mass_, inverse_inertia_;
-  std::vector<Array<double>> scratch_;  // one per worker
+  std::vector<Array<double>> scratch_;                             // one per worker
+  Sweep sweep_;                                                    // empty where the caches hold the model
+  std::vector<std::atomic<std::int32_t>> tile_done_, block_done_;  // cycles of the batch
+  std::atomic<std::int64_t> next_task_{0};
   std::vector<TileSums> bond_sums_, disc_sums_, domain_sums_;
   Energies energies_;
   double real_step_ = 0.0;

@@ -41,6 +41,7 @@ struct TileSums {
 
 struct Tile {
   int64_t first_disc, last_disc, first_bond, last_bond, first_domain, last_domain, first_mail, last_mail;
+  int64_t left_alone;  // 1: nothing outside pushes its discs, and external_* need not be looked at
 };
 
 struct KernelArrays {

@@ -292,8 +292,12 @@ void tile_forces(const KernelArrays& a, int64_t tile, double* scratch) {
   Quad* motion = reinterpret_cast<Quad*>(scratch);
   Quad* force = motion + tile_size;
   to_records(a.ux + t.first_disc, a.uy + t.first_disc, a.rotation + t.first_disc, discs, motion);
-  to_records(a.external_x + t.first_disc, a.external_y + t.first_disc, a.external_moment + t.first_disc,
-             discs, force);
+  if (t.left_alone != 0) {
+    for (int64_t k = 0; k < discs; ++k) force[k] = Quad{0.0, 0.0, 0.0, 0.0};
+  } else {
+    to_records(a.external_x + t.first_disc, a.external_y + t.first_disc, a.external_moment + t.first_disc,
+               discs, force);
+  }
   for (int64_t m = t.first_mail; m < t.last_mail; ++m) {
     const Mail& mail = a.mail[m];
     force[mail.disc - t.first_disc] += Quad{mail.fx, mail.fy, mail.moment, 0.0};

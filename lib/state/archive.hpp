@@ -3,6 +3,8 @@
 // and the archives here say what happens to it. A value forgotten in one of the three cannot be.
 //
 // The bytes are those of the machine (little-endian here; the image's header says so), doubles bit for bit.
+// What is kept to undo a step is read by the process that wrote it and by nobody else; it is compact: of arrays that are often zero
+// only the rest is kept, where that is shorter.
 #pragma once
 
 #include <bit>
@@ -20,9 +22,26 @@
 
 namespace hfrac {
 
+// Of the arrays' values, how many are not zero to the last bit.
+template <class Values>
+std::int64_t others_than_zero(const Values& values) {
+  std::int64_t others = 0;
+  for (const double v : values) others += std::bit_cast<std::uint64_t>(v) != 0 ? 1 : 0;
+  return others;
+}
+
+// Place and value of each, instead of all values.
+template <class Values>
+bool shorter_by_place(const Values& values) {
+  constexpr std::int64_t place_and_value = sizeof(std::int32_t) + sizeof(double);
+  return others_than_zero(values) * place_and_value <
+         static_cast<std::int64_t>(values.size() * sizeof(double));
+}
+
 // How many bytes the others write or read.
 class Counter {
  public:
+  explicit Counter(bool compact = false) : compact_(compact) {}
   template <class Value>
   void value(const Value&) {
     size_ += sizeof(Value);
@@ -33,8 +52,16 @@ class Counter {
   }
   template <class Values>
   void mostly_zero(const Values& values) {
-    size_ += 2 * sizeof(std::int64_t);
-    for (const double v : values) size_ += std::bit_cast<std::uint64_t>(v) != 0 ? 12 : 0;
+    size_ += 2 * sizeof(std::int64_t) + 12 * static_cast<std::size_t>(others_than_zero(values));
+  }
+  template <class Values>
+  void often_zero(const Values& values) {
+    size_ += compact_ ? sizeof(bool) : 0;
+    if (compact_ && shorter_by_place(values)) {
+      mostly_zero(values);
+    } else {
+      array(values);
+    }
   }
   template <class Values, class Item>
   void list(const Values& values, Item&& item) {
@@ -46,13 +73,14 @@ class Counter {
   static constexpr bool loading = false;
 
  private:
+  bool compact_;
   std::size_t size_ = 0;
 };
 
 // Writes into memory of the size a Counter found.
 class Saver {
  public:
-  explicit Saver(std::span<std::byte> to) : to_(to) {}
+  explicit Saver(std::span<std::byte> to, bool compact = false) : to_(to), compact_(compact) {}
   template <class Value>
   void value(const Value& v) {
     static_assert(std::is_arithmetic_v<Value> || std::is_enum_v<Value>);
@@ -67,14 +95,24 @@ class Saver {
   // The same, for an array most of which is zero: length, number of others, their places and values.
   template <class Values>
   void mostly_zero(const Values& values) {
-    std::int64_t others = 0;
-    for (const double v : values) others += std::bit_cast<std::uint64_t>(v) != 0 ? 1 : 0;
+    const std::int64_t others = others_than_zero(values);
     value(static_cast<std::int64_t>(values.size()));
     value(others);
     for (std::size_t k = 0; others > 0 && k < values.size(); ++k) {
       if (std::bit_cast<std::uint64_t>(static_cast<double>(values[k])) == 0) continue;
       value(static_cast<std::int32_t>(k));
       value(values[k]);
+    }
+  }
+  // An array that may be zero here and there: in an image as any other, compact as is shorter.
+  template <class Values>
+  void often_zero(const Values& values) {
+    const bool by_place = compact_ && shorter_by_place(values);
+    if (compact_) value(by_place);
+    if (by_place) {
+      mostly_zero(values);
+    } else {
+      array(values);
     }
   }
   // A list that grows and shrinks; item(archive, element) visits one.
@@ -93,12 +131,13 @@ class Saver {
     to_ = to_.subspan(size);
   }
   std::span<std::byte> to_;
+  bool compact_;
 };
 
 // Reads back, never past the end. Throws Error(argument) if the bytes are not those of such a simulation.
 class Loader {
  public:
-  explicit Loader(std::span<const std::byte> from) : from_(from) {}
+  explicit Loader(std::span<const std::byte> from, bool compact = false) : from_(from), compact_(compact) {}
   template <class Value>
   void value(Value& v) {
     static_assert(std::is_arithmetic_v<Value> || std::is_enum_v<Value>);
@@ -136,6 +175,16 @@ class Loader {
       value(values[static_cast<std::size_t>(place)]);
     }
   }
+  template <class Values>
+  void often_zero(Values& values) {
+    bool by_place = false;
+    if (compact_) value(by_place);
+    if (by_place) {
+      mostly_zero(values);
+    } else {
+      array(values);
+    }
+  }
   template <class Values, class Item>
   void list(Values& values, Item&& item) {
     std::int64_t count = 0;
@@ -159,6 +208,7 @@ class Loader {
     from_ = from_.subspan(size);
   }
   std::span<const std::byte> from_;
+  bool compact_;
 };
 
 // Whether every number it is shown is finite.
@@ -175,6 +225,10 @@ class FiniteCheck {
       for (const auto v : values) all &= std::isfinite(v);
       finite_ = finite_ && all;
     }
+  }
+  template <class Values>
+  void often_zero(const Values& values) {
+    array(values);
   }
   template <class Values>
   void mostly_zero(const Values& values) {
@@ -206,6 +260,10 @@ class Hasher {
   template <class Values>
   void array(const Values& values) {
     for (const auto& v : values) value(v);
+  }
+  template <class Values>
+  void often_zero(const Values& values) {
+    array(values);
   }
   template <class Values>
   void mostly_zero(const Values& values) {

@@ -18,16 +18,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
-#include <memory>
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/random.hpp"
-#include "flow/network.hpp"
-#include "geom/faces.hpp"
-#include "geom/packing.hpp"
-#include "options/choices.hpp"
-#include "solid/explicit_solver.hpp"
+#include "sheet_model.hpp"
 
 using namespace hfrac;
 
@@ -44,51 +38,17 @@ double processor_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-ContactGraph hexagonal(std::int64_t wanted) {
-  const auto columns = static_cast<std::int64_t>(std::lround(std::sqrt(static_cast<double>(wanted))));
-  const std::int64_t rows = std::max<std::int64_t>(2, wanted / std::max<std::int64_t>(2, columns));
-  Array<double> x, y;
-  for (std::int64_t row = 0; row < rows; ++row) {
-    for (std::int64_t column = 0; column < columns; ++column) {
-      x.push_back(0.5 + static_cast<double>(column) + 0.5 * static_cast<double>(row % 2));
-      y.push_back(0.5 + std::sqrt(0.75) * static_cast<double>(row));
-    }
-  }
-  const auto order = hilbert_order(x, y);
-  Array<double> sorted_x(x.size()), sorted_y(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    sorted_x[i] = x[order[i]];
-    sorted_y[i] = y[order[i]];
-  }
-  return build_contact_graph(sorted_x, sorted_y, Array<double>(x.size(), 0.5), {}, 0.05);
-}
-
 int run(std::int64_t count, int worker_count, ContactMode mode) {
-  Options options;
-  options.flow_scheme = static_cast<std::int64_t>(FlowScheme::off);
-  options.contact_mode = static_cast<std::int64_t>(mode);
-  options.bond_tensile_strength = options.bond_shear_strength = 1e9;
-  options.stepping_damping = 0.4;
-  options.stress_sigma_H = options.stress_sigma_h = 0.0;
+  const Options options = bench::sheet_options(mode);
   const double begin = now();
-  Assembly assembly;
-  Network network;
-  {
-    ContactGraph graph = hexagonal(count);
-    Faces faces = build_faces(graph);
-    assembly = build_assembly(graph, options);
-    graph = {};
-    network = build_network(std::move(faces), assembly, {}, options);
-  }
+  bench::Sheet sheet(count, options);
+  Assembly& assembly = sheet.assembly;
+  Network& network = sheet.network;
   Boundary boundary(assembly, network, options);
   Workers workers(worker_count);
   ExplicitSolver solver(assembly, network, boundary, options, workers);
   solver.use_real_masses();
-  Random random(1);
-  for (std::int64_t i = 0; i < assembly.disc_count(); ++i) {
-    assembly.vx[i] = 2e-3 * (random.uniform() - 0.5);
-    assembly.vy[i] = 2e-3 * (random.uniform() - 0.5);
-  }
+  sheet.stir();
   CrackLog cracks;
   constexpr std::int64_t batch = 20;
   solver.run(batch, cracks);

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// In which order several cycles in a row go through memory (temporal blocking).
+//
+// One cycle after the other, a model that no cache holds comes from memory once in every cycle. But a tile can do cycle t as soon
+// as the tiles around it have done t - 1; the rest of the model need not have. So a front sweeps over the model: where it comes,
+// tiles do cycle 1, some way behind it cycle 2, and so on to the last; what lies between is in the cache still. Nothing is done
+// twice, and every sum is made in the order of tiles.hpp, so results have the same bits as one cycle at a time. (The wavefront of
+// Wellein, Hager, Zeiser, Wittmann and Fehske 2009; here over tiles of irregular shape, with what waits for what worked out once.)
+//
+// The front goes up and down through strips as wide as the cache allows. What has to be done stands in one list, tiles and blocks
+// of bonds across tiles; workers take the next item each, and wait until what it needs is done. Everything an item needs stands
+// before it in the list, so that somebody can always go on.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/array.hpp"
+#include "solid/assembly.hpp"
+#include "solid/tiles.hpp"
+
+namespace hfrac {
+
+struct Sweep {
+  struct Task {
+    std::int32_t item;   // a tile, or ~block of bonds across tiles
+    std::int32_t cycle;  // 1 to `cycles`
+  };
+  std::int32_t cycles = 0;
+  std::vector<Task> tasks;
+  // Tiles that a block of bonds touches, blocks that touch a tile.
+  std::vector<std::int32_t> block_start, block_tile, tile_start, tile_block;
+
+  [[nodiscard]] bool empty() const { return tasks.empty(); }
+};
+
+// Below, one cycle after the other finds most of the model in the caches: as many are some 20 MB.
+constexpr std::int64_t fewest_swept_tiles = 128;
+
+struct SweepShape {
+  std::int32_t cycles;  // in one sweep
+  std::int32_t width;   // of a strip, in tiles
+  std::int32_t
+      front;  // tiles the front takes at a time: what workers share out without waiting for each other
+};
+
+// 3 cycles keep some 80 tiles in use, 13 MB. More find no room in a cache that others use too (docs/performance.md).
+inline SweepShape sweep_shape(int workers) {
+  return {3, 8, workers > 2 ? 2 * workers : 4};
+}
+
+Sweep plan_sweep(const TilePlan& plan, const Assembly& assembly, const SweepShape& shape);
+
+}  // namespace hfrac

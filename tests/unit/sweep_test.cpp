@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Several cycles in one sweep give what one cycle at a time gives, to the last bit: for any number of cycles and workers, with
+// bonds breaking and contacts sliding on the way, and where it hands over to single cycles because strangers touch.
+#include "solid/sweep.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/hash.hpp"
+#include "model.hpp"
+
+namespace {
+
+using namespace testing_unit;
+
+Discs hexagonal(int columns, int rows) {
+  Discs discs;
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      discs.x.push_back(0.5 + column + 0.5 * (row % 2));
+      discs.y.push_back(0.5 + std::sqrt(0.75) * row);
+      discs.radius.push_back(0.5);
+    }
+  }
+  const auto order = hilbert_order(discs.x, discs.y);
+  Discs sorted = discs;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    sorted.x[i] = discs.x[order[i]];
+    sorted.y[i] = discs.y[order[i]];
+  }
+  return sorted;
+}
+
+struct Result {
+  std::uint64_t state = 0;
+  std::size_t cracks = 0;
+  std::int64_t loose = 0;
+  double friction = 0.0;
+};
+
+Result fingerprint(const Model& m, const CrackLog& log) {
+  Hash hash;
+  const auto& a = m.assembly;
+  for (const auto* values : {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin, &a.external_x, &a.external_y,
+                             &a.external_moment, &a.slip})
+    hash.add_all(*values);
+  hash.add_all(a.intact);
+  const auto& e = m.solver->energies();
+  for (const double energy : {e.friction, e.damping, e.fluid, e.fracture}) hash.add(energy);
+  for (const auto& crack : log) {
+    hash.add(static_cast<std::uint64_t>(crack.bond));
+    hash.add(static_cast<std::uint64_t>(crack.cycle));
+    hash.add(crack.energy);
+  }
+  for (const auto& wall : m.boundary->walls()) hash.add(wall.displacement);
+  return {hash.value(), log.size(), static_cast<std::int64_t>(m.solver->loose_contacts().pairs().size()),
+          e.friction};
+}
+
+// Velocities at random [m/s].
+void stir(Model& m, double speed) {
+  Random random(3);
+  for (std::int64_t i = 0; i < m.assembly.disc_count(); ++i) {
+    m.assembly.vx[i] = speed * (random.uniform() - 0.5);
+    m.assembly.vy[i] = speed * (random.uniform() - 0.5);
+  }
+}
+
+// 21 tiles with free edges.
+Result sheet(const SweepShape& shape, int workers) {
+  static const Discs discs = hexagonal(104, 102);
+  Options o = dry_options(100);
+  o.bond_tensile_strength = o.bond_shear_strength = 6e6;
+  Model m(o, discs, {}, workers);
+  m.solver->set_sweep(shape);
+  m.solver->use_real_masses();
+  stir(m, 40.0);
+  CrackLog log;
+  m.solver->run(37, log);
+  m.solver->run(26, log);
+  return fingerprint(m, log);
+}
+
+// 8 tiles between walls, around a hole, pressed and then shaken; at the end discs that were never bonded touch.
+Result rock(const SweepShape& shape, int workers) {
+  static const Discs discs = packed(dry_options(4000));
+  Options o = dry_options(4000);
+  o.model_reading = choice(Reading::paper);
+  o.boundary_kind = choice(BoundaryKind::walls);
+  o.stress_sigma_H = o.stress_sigma_h = 2e7;
+  o.bond_tensile_strength = o.bond_shear_strength = 8e6;
+  Model m(o, discs, {{{10.0, 10.0}, 3.0}}, workers);
+  m.solver->set_sweep(shape);
+  m.boundary->set_load(m.assembly, 1.0);
+  CrackLog log;
+  m.solver->relax(1e-2, 200, log);
+  m.boundary->fix_walls();
+  m.solver->use_real_masses();
+  stir(m, 30.0);
+  m.solver->run(50, log);
+  m.solver->search_contacts(log);
+  m.solver->run(30, log);
+  return fingerprint(m, log);
+}
+
+TEST(Sweep, GivesTheBitsOfSingleCycles) {
+  for (const auto model : {&sheet, &rock}) {
+    const Result alone = model({1, 1, 1}, 1);
+    EXPECT_GT(alone.cracks, 20U);
+    EXPECT_GT(alone.friction, 0.0);
+    EXPECT_EQ(alone.loose > 0, model == &rock);
+    for (const int cycles : {2, 4, 8}) {
+      for (const int workers : {1, 2, 3}) {
+        const Result swept = model({cycles, 2, workers}, workers);
+        EXPECT_EQ(swept.state, alone.state) << cycles << " cycles, " << workers << " workers";
+        EXPECT_EQ(swept.cracks, alone.cracks);
+      }
+    }
+  }
+}
+
+// The list holds every item once a cycle, and what an item needs before it.
+TEST(Sweep, ListsEverythingAfterWhatItNeeds) {
+  Options o = dry_options(100);
+  Model m(o, hexagonal(104, 102));
+  const TilePlan plan = plan_tiles(m.assembly, m.network, false, false);
+  const Sweep sweep = plan_sweep(plan, m.assembly, {6, 2, 3});
+  std::vector<std::int32_t> tiles(plan.tiles.size(), 0),
+      blocks(static_cast<std::size_t>(plan.bond_blocks), 0);
+  for (const auto& task : sweep.tasks) {
+    if (task.item < 0) {
+      const auto block = static_cast<std::size_t>(~task.item);
+      for (auto k = sweep.block_start[block]; k < sweep.block_start[block + 1]; ++k)
+        ASSERT_EQ(tiles[static_cast<std::size_t>(sweep.block_tile[static_cast<std::size_t>(k)])],
+                  task.cycle - 1);
+      ASSERT_EQ(++blocks[block], task.cycle);
+    } else {
+      const auto tile = static_cast<std::size_t>(task.item);
+      for (auto k = sweep.tile_start[tile]; k < sweep.tile_start[tile + 1]; ++k)
+        ASSERT_EQ(blocks[static_cast<std::size_t>(sweep.tile_block[static_cast<std::size_t>(k)])],
+                  task.cycle);
+      ASSERT_EQ(++tiles[tile], task.cycle);
+    }
+  }
+  EXPECT_TRUE(std::all_of(tiles.begin(), tiles.end(), [](auto done) { return done == 6; }));
+  EXPECT_TRUE(std::all_of(blocks.begin(), blocks.end(), [](auto done) { return done == 6; }));
+}
+
+// Who could know of distant discs in every cycle keeps a model from sweeping: servo walls, here, move as without.
+TEST(Sweep, LeavesMovingWallsToSingleCycles) {
+  const auto squeezed = [](const SweepShape& shape) {
+    static const Discs discs = packed(dry_options(1500));
+    Options o = dry_options(1500);
+    o.boundary_kind = choice(BoundaryKind::walls);
+    o.stress_sigma_H = o.stress_sigma_h = 1e7;
+    Model m(o, discs);
+    m.solver->set_sweep(shape);
+    m.boundary->set_load(m.assembly, 1.0);
+    CrackLog log;
+    m.solver->run(40, log);
+    EXPECT_GT(m.boundary->walls()[0].displacement, 0.0);
+    return fingerprint(m, log).state;
+  };
+  EXPECT_EQ(squeezed({4, 2, 1}), squeezed({1, 1, 1}));
+}
+
+}  // namespace
