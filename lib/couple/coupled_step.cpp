@@ -5,7 +5,8 @@
 // coupled  flow, equilibrium and breakage solved together (equilibrium/coupled_system.hpp) in parts of a step. A part is as
 //          long as three things allow: the error of backward Euler, estimated against a straight line through the part before;
 //          no bond farther beyond its strength than solver.strength_overshoot before it breaks; convergence. A part that
-//          fails one of them is put back and tried again shorter, down to solver.smallest_step.
+//          fails one of them is put back and tried again shorter, down to solver.smallest_step. Where that fails, damped
+//          motion leads on (settle).
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,7 +19,7 @@
 namespace hfrac {
 namespace {
 
-constexpr double longest_growth = 2.0, shortest_cut = 0.1;
+constexpr double longest_growth = 4.0, shortest_cut = 0.1;
 
 std::string place_text(Vec2 at) {
   std::string text = "(";  // in two steps: GCC 12 takes a literal plus a temporary for an overlap
@@ -30,18 +31,27 @@ std::string place_text(Vec2 at) {
 
 Simulation::StepOutcome Simulation::quasi_static_substep(double duration,
                                                          const std::function<bool()>& interrupt) {
+  using End = EquilibriumSolver::End;
   flow_step(duration);
   const std::size_t cracks_before = cracks_.size();
-  const auto rest = equilibrium_->solve(0.0, {}, std::numeric_limits<double>::infinity(), cracks_, interrupt);
-  if (rest.end == EquilibriumSolver::End::stopped) return {true, at_rest_};
-  if (rest.end != EquilibriumSolver::End::rest) {
-    throw Error(ErrorKind::diverged, "no equilibrium was found after " + number_text(time_) +
-                                         " s: the unbalanced-force ratio stayed at " +
-                                         rounded_text(rest.force_ratio) + ", farthest from rest near " +
-                                         place_text(rest.where) +
-                                         " (eq. 11, 12); the state before the step stands. Use a shorter "
-                                         "stepping.flow_step or solver.kind = \"explicit\"");
+  save_state(before_part_);
+  auto rest = equilibrium_->solve(0.0, {}, std::numeric_limits<double>::infinity(), cracks_, interrupt);
+  if (rest.end == End::stuck) {
+    load_state(before_part_);
+    count(rest);
+    const auto settled = settle(0.0, interrupt);
+    if (settled.end == End::stuck) {
+      throw Error(ErrorKind::diverged, "no equilibrium was found after " + number_text(time_) +
+                                           " s: the unbalanced-force ratio stayed at " +
+                                           rounded_text(rest.force_ratio) + ", farthest from rest near " +
+                                           place_text(rest.where) + ", and damped motion left it at " +
+                                           rounded_text(settled.force_ratio) +
+                                           " (eq. 11, 12); the state before the step stands. Use a shorter "
+                                           "stepping.flow_step, or a lower pressure or rate");
+    }
+    rest = settled;
   }
+  if (rest.end == End::stopped) return {true, at_rest_};
   count(rest);
   force_ratio_ = rest.force_ratio;
   at_rest_ = true;
@@ -49,6 +59,34 @@ Simulation::StepOutcome Simulation::quasi_static_substep(double duration,
   solver_->search_contacts(cracks_);
   finish_step(duration, cracks_before);
   return {false, true};
+}
+
+// Where Newton's method finds no equilibrium there may be none near: a bond that breaks can make the rock jump. Damped motion from
+// the last state leads where the jump ends (dynamic relaxation, Otter, Cassell and Hobbs 1966; damping of Cundall 1987), as the explicit
+// solver would; from there equilibrium is solved for to the same tolerance. Fluid flows first, for `part` seconds, while the rock
+// stands still: as long as the shortest part, so it hardly does.
+EquilibriumSolver::Outcome Simulation::settle(double part, const std::function<bool()>& interrupt) {
+  using End = EquilibriumSolver::End;
+  const Options& o = options();
+  if (flow_ && part > 0.0) flow_rounds_ = flow_->advance(network_, part, source_);
+  EquilibriumSolver::Outcome outcome;
+  auto motion = solver_->relax(o.stepping_force_ratio, o.stepping_max_cycles, cracks_, interrupt);
+  if (motion.at_rest) {
+    solver_->evaluate();
+    std::vector<std::byte> settled;
+    save_state(settled);
+    outcome = equilibrium_->solve(0.0, {}, std::numeric_limits<double>::infinity(), cracks_, interrupt);
+    if (outcome.end != End::stuck) return outcome;
+    load_state(settled);
+    motion = solver_->relax(o.solver_tolerance, o.stepping_max_cycles, cracks_, interrupt);
+    solver_->stop_motion();
+    solver_->evaluate();
+    boundary_->hold_still(assembly_);
+    outcome.last_excess = equilibrium_->find_exceeding();
+  }
+  outcome.end = motion.stopped ? End::stopped : (motion.at_rest ? End::rest : End::stuck);
+  outcome.force_ratio = motion.force_ratio;
+  return outcome;
 }
 
 void Simulation::count(const EquilibriumSolver::Outcome& outcome) {
@@ -76,7 +114,7 @@ Simulation::StepOutcome Simulation::coupled_step(double duration, const std::fun
   using End = EquilibriumSolver::End;
   const Options& o = options();
   const std::size_t cracks_before = cracks_.size();
-  double done = 0.0, tried_part = 0.0, tried_beyond = 0.0;
+  double done = 0.0, tried_part = 0.0, tried_rise = 0.0;
   bool sudden = false;
   if (!(part_ > 0.0)) part_ = duration;
   while (done < duration) {
@@ -88,35 +126,50 @@ Simulation::StepOutcome Simulation::coupled_step(double duration, const std::fun
     const std::size_t cracks_at = cracks_.size();
     const bool shortest = part <= o.solver_smallest_step;
     const bool any_excess = shortest || sudden;
-    const auto outcome = equilibrium_->solve(
+    auto outcome = equilibrium_->solve(
         part, source_,
         any_excess ? std::numeric_limits<double>::infinity() : 1.0 + o.solver_strength_overshoot, cracks_,
         interrupt);
+    if (outcome.end == End::stuck && shortest) {
+      SolverWork tried = work_;
+      ++tried.rejected_stuck;
+      load_state(before_part_);
+      work_ = tried;
+      count(outcome);
+      feel_heat();
+      const auto settled = settle(part, interrupt);
+      if (settled.end == End::stuck) {
+        throw Error(ErrorKind::diverged,
+                    "no equilibrium was found at " + number_text(time_ + done) +
+                        " s, not even for a part of " + number_text(part) +
+                        " s: the unbalanced-force ratio stayed at " + rounded_text(outcome.force_ratio) +
+                        ", farthest from rest near " + place_text(outcome.where) +
+                        ", and damped motion left it at " + rounded_text(settled.force_ratio) +
+                        " (eq. 8, 11, 12); the state before the step stands. Use a "
+                        "lower pressure or rate, or change them in smaller steps");
+      }
+      outcome = settled;
+      sudden = true;
+    }
     if (outcome.end == End::stopped) return {true, at_rest_};
     const double error = outcome.end == End::rest ? part_error(part) : 0.0;
     const bool broke = cracks_.size() > cracks_at;
     if (outcome.end != End::rest || (error > 3.0 * o.solver_pressure_change && !shortest)) {
-      if (shortest) {
-        throw Error(ErrorKind::diverged, "no equilibrium was found at " + number_text(time_ + done) +
-                                             " s, not even for a part of " + number_text(part) +
-                                             " s: the unbalanced-force ratio stayed at " +
-                                             rounded_text(outcome.force_ratio) +
-                                             ", farthest from rest near " + place_text(outcome.where) +
-                                             " (eq. 8, 11, 12); the state before the step stands. Lower "
-                                             "solver.smallest_step, or use solver.kind = \"explicit\"");
-      }
+      // If a well's pressure jumped, no length of a part makes what it does small: first the jump, in no time, then the rest.
+      bool jump = done == 0.0 && jumped_ && !sudden;
       double cut = 0.25;
       SolverWork rejected = work_;
       if (outcome.end == End::overshoot) {
-        // Where between the last part's stress and this one's the first bond reaches its strength. If a much shorter part
-        // made little difference, the load is sudden and no length of a part will do.
-        const double beyond = outcome.excess - 1.0;
-        sudden = tried_part > 0.0 && part < 0.2 * tried_part && beyond > 0.5 * tried_beyond;
-        if (!(tried_part > 0.0) || part < 0.2 * tried_part) {
-          tried_part = part;
-          tried_beyond = beyond;
-        }
-        cut = (1.0 + 0.5 * o.solver_strength_overshoot - excess_) / (outcome.excess - excess_);
+        // Where between the last part's stress and this one's the first bond reaches its strength, if stress rises with a power
+        // of the part: 1, or what two tries say. If it hardly rises, the load is sudden and no length of a part will do.
+        const double rise = outcome.excess - excess_;
+        double power = 1.0;
+        if (tried_part > 0.0) power = std::log(tried_rise / rise) / std::log(tried_part / part);
+        jump = jump || power < 0.15;
+        tried_part = part;
+        tried_rise = rise;
+        cut = std::pow((1.0 + 0.5 * o.solver_strength_overshoot - excess_) / rise,
+                       1.0 / std::clamp(power, 0.4, 2.0));
         ++rejected.rejected_strength;
       } else if (outcome.end == End::rest) {
         cut = 0.9 * std::sqrt(o.solver_pressure_change / error);
@@ -127,16 +180,18 @@ Simulation::StepOutcome Simulation::coupled_step(double duration, const std::fun
       load_state(before_part_);
       work_ = rejected;
       count(outcome);
-      part_ = std::max(o.solver_smallest_step, part * std::clamp(cut, shortest_cut, 0.8));
+      sudden = sudden || jump;
+      part_ = jump ? o.solver_smallest_step
+                   : std::max(o.solver_smallest_step, part * std::clamp(cut, shortest_cut, 0.9));
       continue;
     }
     count(outcome);
     ++work_.parts;
-    sudden = false;
-    tried_part = 0.0;
-    excess_ = std::min(outcome.excess, 1.0);
+    const double rise = outcome.last_excess - excess_,
+                 room = 1.0 + 0.5 * o.solver_strength_overshoot - outcome.last_excess;
+    excess_ = std::min(outcome.last_excess, 1.0);
     for (std::size_t d = 0; d < pressure_rate_.size(); ++d)
-      pressure_rate_[d] = broke ? 0.0 : (network_.pressure[d] - part_pressure_[d]) / part;
+      pressure_rate_[d] = broke || sudden ? 0.0 : (network_.pressure[d] - part_pressure_[d]) / part;
     force_ratio_ = outcome.force_ratio;
     at_rest_ = true;
     book_flow(part);
@@ -144,7 +199,12 @@ Simulation::StepOutcome Simulation::coupled_step(double duration, const std::fun
     done += part;
     update_apertures(network_, assembly_, o);
     solver_->search_contacts(cracks_);
-    const double growth = error > 0.0 ? 0.9 * std::sqrt(o.solver_pressure_change / error) : longest_growth;
+    double growth =
+        error > 0.0 && !sudden ? 0.9 * std::sqrt(o.solver_pressure_change / error) : longest_growth;
+    // What rose like this will be at its strength then.
+    if (!broke && !sudden && rise > 0.0) growth = std::min(growth, std::max(room / rise, shortest_cut));
+    sudden = false;
+    tried_part = 0.0;
     if (part == part_ || growth < 1.0) part_ = part * std::clamp(growth, shortest_cut, longest_growth);
   }
   close_step(duration, cracks_before);

@@ -216,7 +216,8 @@ void Simulation::begin_books() {
   }
   if (wet) pressure_rate_.assign(static_cast<std::size_t>(network_.domain_count()), 0.0);
   if (SolverKind{o.solver_kind} == SolverKind::quasi_static)
-    equilibrium_ = std::make_unique<EquilibriumSolver>(assembly_, network_, *boundary_, *solver_, o);
+    equilibrium_ =
+        std::make_unique<EquilibriumSolver>(assembly_, network_, *boundary_, *solver_, o, *workers_);
   start_content_.assign(network_.content.begin(), network_.content.end());
   elastic_energy(start_bond_energy_, start_contact_energy_);
   start_boundary_work_ = boundary_->load_work(assembly_);

@@ -202,6 +202,7 @@ class Simulation {
   // coupled_step.cpp
   StepOutcome quasi_static_substep(double duration, const std::function<bool()>& interrupt);
   StepOutcome coupled_step(double duration, const std::function<bool()>& interrupt);
+  EquilibriumSolver::Outcome settle(double part, const std::function<bool()>& interrupt);
   [[nodiscard]] double part_error(double part) const;
   void count(const EquilibriumSolver::Outcome& outcome);
   // state.cpp
@@ -250,6 +251,7 @@ class Simulation {
   bool at_rest_ = true;
   bool rim_is_hosts_ = false;  // a host's grid said what the rim feels
   int flow_rounds_ = 0;
+  bool jumped_ = false;  // a well's imposed pressure in the step at hand
   // mode coupled: length of the next part [s], largest stress over strength so far, pressures before the part and their rate
   double part_ = 0.0, excess_ = 0.0;
   Array<double> part_pressure_, pressure_rate_;

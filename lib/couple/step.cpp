@@ -156,6 +156,7 @@ void Simulation::require_joints_in_reach() const {
 }
 
 void Simulation::drive_wells() {
+  jumped_ = false;
   std::fill(source_.begin(), source_.end(), 0.0);
   for (auto& well : wells_) {
     const auto d = well.place.domain;
@@ -183,7 +184,9 @@ void Simulation::drive_wells() {
 
 void Simulation::impose_well_pressure(Well& well, double pressure) {
   network_.stiffness[well.place.domain] = 0.0;
+  const double before = network_.pressure[well.place.domain];
   network_.pressure[well.place.domain] = std::max(pressure, network_.floor_pressure);
+  jumped_ = jumped_ || network_.pressure[well.place.domain] != before;
 }
 
 void Simulation::flow_step(double duration) {

@@ -1,25 +1,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "equilibrium/coupled_factor.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hfrac {
 
+namespace {
+
+constexpr double most_single = 1e5;  // entry, of bonds' about 1, up to which single precision does
+
+}  // namespace
+
 void CoupledFactor::compute(const CoupledSystem& system) {
+  ready_ = false;  // until all of it is there: memory may run out on the way
   system.entries(values_);
   if (values_.size() != entries_) {
+    entries_ = 0;
     const auto s = system.structure();
-    factor_.analyse(s.node_start, s.position, s.graph, s.late, s.places);
+    tree_.analyse(s.node_start, s.position, s.graph, s.late, s.places);
     entries_ = values_.size();
   }
-  factor_.factorise(values_);
+  double largest = 0.0;
+  for (const double value : values_) largest = std::max(largest, std::abs(value));
+  doubled_ = exact_ || !(largest < most_single);
+  if (doubled_) {
+    coarse_.clear();
+    fine_.factorise(tree_, values_, workers_);
+  } else {
+    fine_.clear();
+    coarse_.factorise(tree_, values_, workers_);
+  }
   ready_ = true;
 }
 
-CoupledFactor::Vector CoupledFactor::solve(const Vector& right) {
-  Vector x = right;
-  factor_.solve(x.data());
-  return x;
+bool CoupledFactor::refine() {
+  exact_ = true;
+  return !doubled_;
+}
+
+void CoupledFactor::solve(const Vector& right, Vector& x) {
+  x = right;
+  if (doubled_)
+    fine_.solve(tree_, x.data(), workers_);
+  else
+    coarse_.solve(tree_, x.data(), workers_);
 }
 
 // Preconditioned from the right, so that the residual watched is the true one; modified Gram-Schmidt, Givens rotations.
@@ -40,7 +65,8 @@ KrylovOutcome solve_preconditioned(const CoupledSystem& system, CoupledFactor& f
   g[0] = size;
   int k = 0;
   for (; k < most; ++k) {
-    directions.push_back(factor.solve(basis.back()));
+    directions.emplace_back();
+    factor.solve(basis.back(), directions.back());
     system.product(directions.back(), w);
     for (int i = 0; i <= k; ++i) {
       h(i, k) = basis[static_cast<std::size_t>(i)].dot(w);

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A sparse factor of the tangent, and a Krylov solver (GMRES, Saad and Schultz 1986) that uses an older factor as
 // preconditioner: from iteration to iteration the tangent changes in few places, so a few products replace a new factor.
+//
+// The factor is of single precision as long as that does: where pipes conduct more than 1e5 times what rock yields,
+// what a fracture stores drowns in the rounding of what passes through it, and where pieces of rock hang on a thread, so does
+// what holds them. The first shows in the entries, the second in iterations with a fresh factor.
 #pragma once
 
 #include <vector>
 
+#include "core/workers.hpp"
 #include "equilibrium/coupled_system.hpp"
+#include "equilibrium/front_tree.hpp"
 #include "equilibrium/multifrontal.hpp"
 
 namespace hfrac {
@@ -14,19 +20,29 @@ class CoupledFactor {
  public:
   using Vector = CoupledSystem::Vector;
 
+  explicit CoupledFactor(Workers& workers) : workers_(workers) {}
+
   // Of the tangent at the last evaluation.
   void compute(const CoupledSystem& system);
   [[nodiscard]] bool ready() const { return ready_; }
-  void forget() { ready_ = false; }
+  void forget() { ready_ = exact_ = false; }
   // Other pairs of discs are near: the pattern is found anew with the next factor.
   void forget_pattern() { entries_ = 0; }
-  [[nodiscard]] Vector solve(const Vector& right);
+  // In double precision from the next factor on, until it is forgotten. False: it is already.
+  bool refine();
+  // x := factor^-1 right
+  void solve(const Vector& right, Vector& x);
 
  private:
-  Multifrontal factor_;
+  Workers& workers_;
+  FrontTree tree_;
+  Multifrontal<float> coarse_;
+  Multifrontal<double> fine_;
   std::vector<double> values_;
   std::size_t entries_ = 0;  // of the pattern analysed
   bool ready_ = false;
+  bool exact_ = false;    // single precision did not do
+  bool doubled_ = false;  // the factor at hand is of double precision
 };
 
 struct KrylovOutcome {

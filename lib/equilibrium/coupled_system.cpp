@@ -11,12 +11,13 @@
 namespace hfrac {
 
 CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& boundary,
-                             const LooseContacts& loose, const Options& options)
+                             const LooseContacts& loose, const Options& options, Workers& workers)
     : assembly_(assembly),
       network_(network),
       boundary_(boundary),
       loose_(loose),
       options_(options),
+      workers_(workers),
       discs_(assembly.disc_count()),
       domains_(network.domain_count()),
       servo_walls_(boundary.walled() && boundary.follows_far_field() ? boundary.walls().size() : 0),
@@ -61,6 +62,7 @@ void CoupledSystem::begin(double duration, const std::vector<double>& source) {
     const auto e = static_cast<std::size_t>(network_.rim_pipe[k]);
     rim_drop_[e] = network_.left[e] == 0 ? network_.rim_excess[k] : -network_.rim_excess[k];
   }
+  held_before_.clear();  // other pairs may be near
   keep_pairs();
   if (!boundary_.grips().empty()) {
     pins_.clear();
@@ -92,15 +94,13 @@ void CoupledSystem::evaluate() {
   const auto& a = assembly_;
   residual_.setZero();
   contact_force_ = 0.0;
+  evaluate_pairs();
   for (std::size_t e = 0; e < bonds_.size(); ++e) {
-    bonds_[e] = respond(a, options_, static_cast<std::int64_t>(e));
     contact_force_ += std::abs(bonds_[e].force[0]) + std::abs(bonds_[e].force[1]);
     add_pair(bonds_[e], a.first[e], a.second[e]);
   }
-  pairs_.resize(loose_.pairs().size());
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     const auto& pair = loose_.pairs()[k];
-    pairs_[k] = respond(a, options_, pair, pair_start_[k]);
     if (pairs_[k].gap < 0.0) add_pair(pairs_[k], pair.first, pair.second);
   }
   for (std::int32_t i = 0; i < discs_; ++i) {
@@ -125,16 +125,37 @@ void CoupledSystem::evaluate() {
   for (std::int64_t i = 0; i < discs_; ++i) {
     if (adrift_[static_cast<std::size_t>(i)] != 0) residual_.segment<3>(3 * i).setZero();
   }
-  if (wet_) {
-    evaluate_pipes();
-    evaluate_domains();
-  }
+  if (wet_) evaluate_domains();
   measure();
   for (std::int64_t i = 0; i < discs_; ++i) {
     residual_[3 * i] /= force_scale_;
     residual_[3 * i + 1] /= force_scale_;
     residual_[3 * i + 2] /= force_scale_ * length_scale_;
   }
+}
+
+// Every bond and pair answers for itself, so workers share them.
+void CoupledSystem::evaluate_pairs() {
+  constexpr std::int64_t worth_sharing = 4096, grain = 256;
+  const auto bonds = static_cast<std::int64_t>(bonds_.size());
+  const bool flows = wet_ && duration_ > 0.0;
+  pairs_.resize(loose_.pairs().size());
+  const auto answer = [&](std::int64_t first, std::int64_t last) {
+    for (auto e = first; e < last; ++e) {
+      bonds_[static_cast<std::size_t>(e)] = respond(assembly_, options_, e);
+      if (flows) evaluate_pipe(static_cast<std::size_t>(e));
+    }
+  };
+  if (bonds < worth_sharing) {
+    answer(0, bonds);
+  } else {
+    workers_.run([&](int worker) {
+      const auto mine = workers_.part(worker, bonds, grain);
+      answer(mine.first, mine.last);
+    });
+  }
+  for (std::size_t k = 0; k < pairs_.size(); ++k)
+    pairs_[k] = respond(assembly_, options_, loose_.pairs()[k], pair_start_[k]);
 }
 
 void CoupledSystem::evaluate_walls() {
@@ -157,6 +178,12 @@ void CoupledSystem::evaluate_walls() {
 // something touches them.
 void CoupledSystem::find_fragments() {
   const auto& a = assembly_;
+  holds_.clear();
+  for (std::size_t e = 0; e < bonds_.size(); ++e)
+    holds_.push_back(a.intact[e] > 0.0 || bonds_[e].gap < 0.0 ? 1 : 0);
+  for (const auto& pair : pairs_) holds_.push_back(pair.gap < 0.0 ? 1 : 0);
+  if (holds_ == held_before_) return;
+  held_before_ = holds_;
   auto& piece = piece_;
   piece.resize(static_cast<std::size_t>(discs_));
   for (std::size_t i = 0; i < piece.size(); ++i) piece[i] = static_cast<std::int32_t>(i);
@@ -173,10 +200,10 @@ void CoupledSystem::find_fragments() {
     piece[static_cast<std::size_t>(std::max(p, q))] = std::min(p, q);
   };
   for (std::size_t e = 0; e < bonds_.size(); ++e) {
-    if (a.intact[e] > 0.0 || bonds_[e].gap < 0.0) join(a.first[e], a.second[e]);
+    if (holds_[e] != 0) join(a.first[e], a.second[e]);
   }
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    if (pairs_[k].gap < 0.0) join(loose_.pairs()[k].first, loose_.pairs()[k].second);
+    if (holds_[bonds_.size() + k] != 0) join(loose_.pairs()[k].first, loose_.pairs()[k].second);
   }
   std::vector<std::int32_t> members(piece.size(), 0);
   for (std::int32_t i = 0; i < discs_; ++i) ++members[static_cast<std::size_t>(root(i))];
@@ -192,29 +219,26 @@ void CoupledSystem::find_fragments() {
   }
 }
 
-// Apertures of the displacements at hand, and what a change of gap does to the flow.
-void CoupledSystem::evaluate_pipes() {
-  if (duration_ <= 0.0) return;
+// Aperture of the displacements at hand, and what a change of gap does to the flow.
+void CoupledSystem::evaluate_pipe(std::size_t e) {
   auto& n = network_;
-  for (std::size_t e = 0; e < bonds_.size(); ++e) {
-    const auto l = n.left[e], r = n.right[e];
-    aperture_change_[e] = slope_[e] = 0.0;
-    if (l == r || (closed_outside_ && (l == 0 || r == 0))) {
-      n.conductance[e] = 0.0;
-      continue;
-    }
-    const double joint = assembly_.joint_opening(static_cast<std::int64_t>(e));
-    opening_[e] = joint > 0.0 ? joint : bonds_[e].gap;
-    opening_way_[e] = joint > 0.0 ? assembly_.joint_normal[e] : bonds_[e].direction;
-    const auto w =
-        aperture_response(options_, n.zero_stress_aperture, opening_[e], joint > 0.0 ? 0.0 : bonds_[e].normal,
-                          bonds_[e].normal_stiffness, assembly_.intact[e] > 0.0);
-    n.aperture[e] = w.aperture;
-    const auto flow = law_.respond(w.aperture, assembly_.pipe_length(static_cast<std::int64_t>(e)), drop(e));
-    n.conductance[e] = flow.conductance;
-    slope_[e] = flow.slope;
-    aperture_change_[e] = duration_ * flow.by_aperture * n.conductance[e] / w.aperture * w.by_gap * drop(e);
+  const auto l = n.left[e], r = n.right[e];
+  aperture_change_[e] = slope_[e] = 0.0;
+  if (l == r || (closed_outside_ && (l == 0 || r == 0))) {
+    n.conductance[e] = 0.0;
+    return;
   }
+  const double joint = assembly_.joint_opening(static_cast<std::int64_t>(e));
+  opening_[e] = joint > 0.0 ? joint : bonds_[e].gap;
+  opening_way_[e] = joint > 0.0 ? assembly_.joint_normal[e] : bonds_[e].direction;
+  const auto w =
+      aperture_response(options_, n.zero_stress_aperture, opening_[e], joint > 0.0 ? 0.0 : bonds_[e].normal,
+                        bonds_[e].normal_stiffness, assembly_.intact[e] > 0.0);
+  n.aperture[e] = w.aperture;
+  const auto flow = law_.respond(w.aperture, assembly_.pipe_length(static_cast<std::int64_t>(e)), drop(e));
+  n.conductance[e] = flow.conductance;
+  slope_[e] = flow.slope;
+  aperture_change_[e] = duration_ * flow.by_aperture * n.conductance[e] / w.aperture * w.by_gap * drop(e);
 }
 
 void CoupledSystem::evaluate_domains() {

@@ -14,8 +14,9 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "core/workers.hpp"
 #include "equilibrium/bond_response.hpp"
-#include "equilibrium/multifrontal.hpp"
+#include "equilibrium/front_tree.hpp"
 #include "flow/fluid_law.hpp"
 #include "flow/network.hpp"
 #include "solid/boundary.hpp"
@@ -28,7 +29,7 @@ class CoupledSystem {
   using Vector = Eigen::VectorXd;
 
   CoupledSystem(Assembly& assembly, Network& network, Boundary& boundary, const LooseContacts& loose,
-                const Options& options);
+                const Options& options, Workers& workers);
 
   // What the step starts from: contents, shear forces and pins as they stand now. `duration` [s] of flow, 0 for none;
   // source[d] [m2/s] into domain d.
@@ -104,8 +105,9 @@ class CoupledSystem {
   }
   [[nodiscard]] double opens(std::size_t bond, const Vector& x) const;
   void evaluate_walls();
+  void evaluate_pairs();
   void find_fragments();
-  void evaluate_pipes();
+  void evaluate_pipe(std::size_t e);
   void evaluate_domains();
   void measure();
 
@@ -114,6 +116,7 @@ class CoupledSystem {
   Boundary& boundary_;
   const LooseContacts& loose_;
   const Options& options_;
+  Workers& workers_;
   std::int64_t discs_, domains_;
   std::size_t servo_walls_ = 0;
   bool wet_, closed_outside_;
@@ -132,7 +135,9 @@ class CoupledSystem {
       opening_;  // per pipe: m, what its aperture goes by: the gap, or that of the joint it belongs to
   std::vector<Vec2> opening_way_;  // unit vector along which it is measured
   std::vector<std::int32_t> piece_;
-  std::vector<char> adrift_;    // per disc: in a small piece that nothing holds
+  std::vector<char> adrift_;  // per disc: in a small piece that nothing holds
+  std::vector<char> holds_,
+      held_before_;  // per bond, then per pair: joins two discs, now and when pieces were last found
   std::vector<char> at_floor_;  // per domain: pressure follows no content
   Vector residual_;
   double contact_force_ = 0.0, force_ratio_ = 0.0, pressure_error_ = 0.0;

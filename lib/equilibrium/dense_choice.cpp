@@ -8,18 +8,18 @@
 namespace hfrac {
 
 namespace dense_baseline {
-extern const DenseKernels table;
+extern const DenseTable table;
 }
 #if defined(HFRAC_KERNELS_X86)
 namespace dense_avx2 {
-extern const DenseKernels table;
+extern const DenseTable table;
 }
 namespace dense_avx512 {
-extern const DenseKernels table;
+extern const DenseTable table;
 }
 #endif
 
-const DenseKernels* dense_kernels_for(const char* name) noexcept {
+const DenseTable* dense_kernels_for(const char* name) noexcept {
   if (kernels_for(name) == nullptr) return nullptr;
 #if defined(HFRAC_KERNELS_X86)
   if (std::strcmp(name, "avx2") == 0) return &dense_avx2::table;
@@ -28,7 +28,7 @@ const DenseKernels* dense_kernels_for(const char* name) noexcept {
   return &dense_baseline::table;
 }
 
-const DenseKernels& dense_kernels() noexcept {
+const DenseTable& dense_kernels() noexcept {
   return *dense_kernels_for(kernel_isa());
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An order of elimination for sparse factors of planar models: nested dissection by position (George 1973).
 //
-// The model is cut in two where it is longest, the nodes along the cut go last, and each half is treated alike. In two
+// The model is cut in two where it is longest, the fewest unknowns that part the halves (separator.hpp) go last, and each half
+// is treated alike. In two
 // dimensions this keeps the factor of N unknowns at O(N log N) entries and O(N^1.5) operations. Where nodes lie is known here,
 // so no graph partitioner is needed, and the order depends on nothing but the model.
 #pragma once
@@ -29,7 +30,8 @@ struct Dissection {
   std::vector<Part> parts;
 };
 
-// Nodes with `late` set touch too many others to be cut around: they form the last part.
-Dissection dissect(const std::vector<Vec2>& position, const Adjacency& graph, const std::vector<char>& late);
+// weight: unknowns of each node. Nodes with `late` set touch too many others to be cut around: they form the last part.
+Dissection dissect(const std::vector<Vec2>& position, const Adjacency& graph,
+                   const std::vector<std::int32_t>& weight, const std::vector<char>& late);
 
 }  // namespace hfrac

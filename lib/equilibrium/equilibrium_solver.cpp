@@ -7,25 +7,28 @@
 namespace hfrac {
 namespace {
 
-constexpr int most_newton = 40;    // iterations of a round
-constexpr int most_uphill = 8;     // iterations of a round that lead nowhere
-constexpr int most_rounds = 2000;  // of a solve
-constexpr int most_krylov = 40;    // iterations of a linear solve
-constexpr int renew_krylov = 6;    // a factor that needs more is renewed
-constexpr double linear_tolerance = 1e-2;
+constexpr int most_newton = 40;     // iterations of a round
+constexpr int most_uphill = 8;      // iterations of a round that lead nowhere
+constexpr int most_rounds = 2000;   // of a solve
+constexpr int most_krylov = 40;     // iterations of a linear solve
+constexpr double renew_rate = 3.0;  // iterations per power of ten gained: a factor that needs more is renewed
+constexpr int most_single = 12;     // a fresh factor that needs more has too few digits
+// What a linear solve leaves of the residual: the first of a round meets kinks all the same, later ones are to be the last.
+constexpr double first_tolerance = 1e-2, later_tolerance = 1e-3, loosest_tolerance = 0.1;
 constexpr double longest_move = 0.2;  // of the mean radius, per iteration
 constexpr double apart = 6.0;         // mean radii between bonds that break in one round
 
 }  // namespace
 
 EquilibriumSolver::EquilibriumSolver(Assembly& assembly, Network& network, Boundary& boundary,
-                                     ExplicitSolver& mechanics, const Options& options)
+                                     ExplicitSolver& mechanics, const Options& options, Workers& workers)
     : assembly_(assembly),
       network_(network),
       boundary_(boundary),
       mechanics_(mechanics),
       options_(options),
-      system_(assembly, network, boundary, mechanics.loose_contacts(), options) {}
+      system_(assembly, network, boundary, mechanics.loose_contacts(), options, workers),
+      factor_(workers) {}
 
 void EquilibriumSolver::begin_step() {
   factor_.forget();
@@ -52,6 +55,7 @@ EquilibriumSolver::Outcome EquilibriumSolver::solve(double duration, const std::
     }
     const double excess = find_exceeding();
     if (outcome.rounds == 1) outcome.excess = excess;
+    outcome.last_excess = excess;
     if (outcome.rounds == 1 && excess > most_excess) {
       outcome.end = End::overshoot;
       return outcome;
@@ -85,20 +89,23 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
     const CoupledSystem::Vector right = system_.residual();
     KrylovOutcome linear;
     bool fresh = false;
-    if (!factor_.ready() || last_krylov_ > renew_krylov) {
+    const double worst = std::max(system_.force_ratio(), system_.pressure_error());
+    const double linear_tolerance = std::clamp(
+        0.3 * tolerance / worst, iteration == 0 ? first_tolerance : later_tolerance, loosest_tolerance);
+    if (!factor_.ready() || krylov_rate_ > renew_rate) {
       factor_.compute(system_);
       ++outcome.factors;
       fresh = true;
     }
     linear = solve_preconditioned(system_, factor_, right, linear_tolerance, most_krylov, step);
     outcome.krylov += linear.iterations;
-    if (!linear.converged && !fresh) {
+    if ((!linear.converged && !fresh) || (fresh && linear.iterations > most_single && factor_.refine())) {
       factor_.compute(system_);
       ++outcome.factors;
       linear = solve_preconditioned(system_, factor_, right, linear_tolerance, most_krylov, step);
       outcome.krylov += linear.iterations;
     }
-    last_krylov_ = linear.iterations;
+    krylov_rate_ = linear.iterations / -std::log10(linear_tolerance);
     if (!std::isfinite(step.squaredNorm())) return false;
 
     system_.limit(step, longest_move * assembly_.mean_radius);

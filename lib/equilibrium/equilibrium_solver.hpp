@@ -23,15 +23,16 @@ namespace hfrac {
 class EquilibriumSolver {
  public:
   EquilibriumSolver(Assembly& assembly, Network& network, Boundary& boundary, ExplicitSolver& mechanics,
-                    const Options& options);
+                    const Options& options, Workers& workers);
 
   enum class End { rest, stopped, overshoot, stuck };
   struct Outcome {
     End end = End::stuck;
     int rounds = 0, newton = 0, krylov = 0, factors = 0;
     double force_ratio = 0.0;
-    double excess = 0.0;  // largest stress over strength at the first equilibrium
-    Vec2 where;           // m: the place farthest from equilibrium, if it was not found
+    double excess = 0.0;       // largest stress over strength at the first equilibrium
+    double last_excess = 0.0;  // and at the last one
+    Vec2 where;                // m: the place farthest from equilibrium, if it was not found
   };
   // `duration` [s] of flow with source[d] [m2/s], 0 for undrained equilibrium. If bonds are to break and the first
   // equilibrium exceeds a strength by more than the factor `most_excess`, the solve ends there (overshoot).
@@ -63,7 +64,7 @@ class EquilibriumSolver {
   CoupledFactor factor_;
   std::vector<double> pressure_start_;
   std::vector<Exceeding> exceeding_;
-  int last_krylov_ = 0;
+  double krylov_rate_ = 0.0;  // iterations of the last linear solve per power of ten gained
   bool flowed_ = false;
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs_;  // that the order of elimination knows
 };

@@ -3,206 +3,273 @@
 
 #include <algorithm>
 #include <cstring>
-
-#include "equilibrium/dense_kernels.hpp"
+#include <type_traits>
 
 namespace hfrac {
+namespace {
 
-void Multifrontal::analyse(const std::vector<std::int32_t>& node_start, const std::vector<Vec2>& position,
-                           const Adjacency& graph, const std::vector<char>& late,
-                           const std::vector<MatrixPlace>& places) {
-  const Dissection cuts = dissect(position, graph, late);
-  const auto nodes = position.size(), parts = cuts.parts.size();
-  std::vector<std::int32_t> turn(nodes), part_of(nodes);
-  for (std::size_t k = 0; k < nodes; ++k)
-    turn[static_cast<std::size_t>(cuts.order[k])] = static_cast<std::int32_t>(k);
-  for (std::size_t f = 0; f < parts; ++f) {
-    for (auto k = cuts.parts[f].first; k < cuts.parts[f].last; ++k)
-      part_of[static_cast<std::size_t>(cuts.order[static_cast<std::size_t>(k)])] =
-          static_cast<std::int32_t>(f);
-  }
-  // Boundary of every part, as nodes in order of elimination: later neighbours of its own, and its children's boundaries.
-  std::vector<std::vector<std::int32_t>> boundary(parts);
-  const auto earlier = [&](std::int32_t a, std::int32_t b) {
-    return turn[static_cast<std::size_t>(a)] < turn[static_cast<std::size_t>(b)];
-  };
-  for (std::size_t f = 0; f < parts; ++f) {
-    auto& list = boundary[f];
-    const auto& part = cuts.parts[f];
-    for (auto k = part.first; k < part.last; ++k) {
-      const auto node = static_cast<std::size_t>(cuts.order[static_cast<std::size_t>(k)]);
-      for (auto q = graph.start[node]; q < graph.start[node + 1]; ++q) {
-        const auto other = graph.neighbour[static_cast<std::size_t>(q)];
-        if (turn[static_cast<std::size_t>(other)] >= part.last) list.push_back(other);
-      }
-    }
-    std::sort(list.begin(), list.end(), earlier);
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    if (part.parent < 0) continue;
-    auto& above = boundary[static_cast<std::size_t>(part.parent)];
-    const auto& parent = cuts.parts[static_cast<std::size_t>(part.parent)];
-    for (const auto node : list) {
-      if (turn[static_cast<std::size_t>(node)] >= parent.last) above.push_back(node);
-    }
-  }
-
-  fronts_.assign(parts, {});
-  unknowns_.clear();
-  into_parent_.clear();
-  std::vector<std::int32_t> local(static_cast<std::size_t>(node_start.back()), -1);
-  std::int64_t columns = 0, rows = 0, swaps = 0, largest = 0, stacked = 0, most_stacked = 0;
-  operations_ = 0.0;
-  const auto add_node = [&](std::int32_t node) {
-    for (auto u = node_start[static_cast<std::size_t>(node)];
-         u < node_start[static_cast<std::size_t>(node) + 1]; ++u)
-      unknowns_.push_back(u);
-  };
-  for (std::size_t f = 0; f < parts; ++f) {
-    Front& front = fronts_[f];
-    front.unknowns = static_cast<std::int64_t>(unknowns_.size());
-    for (auto k = cuts.parts[f].first; k < cuts.parts[f].last; ++k)
-      add_node(cuts.order[static_cast<std::size_t>(k)]);
-    front.pivots = static_cast<std::int32_t>(static_cast<std::int64_t>(unknowns_.size()) - front.unknowns);
-    for (const auto node : boundary[f]) add_node(node);
-    front.size = static_cast<std::int32_t>(static_cast<std::int64_t>(unknowns_.size()) - front.unknowns);
-    front.parent = cuts.parts[f].parent;
-    front.columns = columns;
-    front.rows = rows;
-    front.swaps = swaps;
-    const std::int64_t m = front.size, p = front.pivots, b = m - p;
-    columns += m * p;
-    rows += p * b;
-    swaps += p;
-    largest = std::max(largest, m);
-    for (std::int64_t k = 0; k < p; ++k) operations_ += 2.0 * static_cast<double>((m - k) * (m - k));
-  }
-  for (auto& front : fronts_) {
-    if (front.parent >= 0) ++fronts_[static_cast<std::size_t>(front.parent)].children;
-  }
-  // Where a child's boundary lies in its parent; how deep the stack of leftovers gets.
-  std::vector<std::vector<std::int32_t>> waiting(parts);
-  for (std::size_t f = 0; f < parts; ++f) {
-    Front& front = fronts_[f];
-    for (const auto child : waiting[f]) {
-      const Front& c = fronts_[static_cast<std::size_t>(child)];
-      const std::int64_t b = c.size - c.pivots;
-      stacked -= b * b;
-    }
-    const std::int64_t b = front.size - front.pivots;
-    stacked += b * b;
-    most_stacked = std::max(most_stacked, stacked);
-    front.into_parent = static_cast<std::int64_t>(into_parent_.size());
-    if (front.parent < 0) continue;
-    waiting[static_cast<std::size_t>(front.parent)].push_back(static_cast<std::int32_t>(f));
-    const Front& parent = fronts_[static_cast<std::size_t>(front.parent)];
-    for (std::int32_t k = 0; k < parent.size; ++k)
-      local[static_cast<std::size_t>(unknowns_[static_cast<std::size_t>(parent.unknowns + k)])] = k;
-    for (std::int32_t k = front.pivots; k < front.size; ++k)
-      into_parent_.push_back(
-          local[static_cast<std::size_t>(unknowns_[static_cast<std::size_t>(front.unknowns + k)])]);
-  }
-
-  // Every entry belongs to the front that eliminates the earlier of its two unknowns.
-  std::vector<std::int32_t> front_of(static_cast<std::size_t>(node_start.back())), turn_of(front_of.size());
-  for (std::size_t node = 0; node < nodes; ++node) {
-    for (auto u = node_start[node]; u < node_start[node + 1]; ++u) {
-      front_of[static_cast<std::size_t>(u)] = part_of[node];
-      turn_of[static_cast<std::size_t>(u)] = turn[node];
-    }
-  }
-  std::vector<std::int64_t> count(parts + 1, 0);
-  const auto owner = [&](const MatrixPlace& place) {
-    const auto r = static_cast<std::size_t>(place.row), c = static_cast<std::size_t>(place.column);
-    return static_cast<std::size_t>(turn_of[r] < turn_of[c] ? front_of[r] : front_of[c]);
-  };
-  for (const auto& place : places) ++count[owner(place) + 1];
-  for (std::size_t f = 0; f < parts; ++f) count[f + 1] += count[f];
-  entry_.resize(places.size());
-  entry_row_.resize(places.size());
-  entry_column_.resize(places.size());
-  auto cursor = count;
-  for (std::size_t k = 0; k < places.size(); ++k)
-    entry_[static_cast<std::size_t>(cursor[owner(places[k])]++)] = static_cast<std::int32_t>(k);
-  for (std::size_t f = 0; f < parts; ++f) {
-    Front& front = fronts_[f];
-    front.first_entry = count[f];
-    front.last_entry = count[f + 1];
-    for (std::int32_t k = 0; k < front.size; ++k)
-      local[static_cast<std::size_t>(unknowns_[static_cast<std::size_t>(front.unknowns + k)])] = k;
-    for (auto k = front.first_entry; k < front.last_entry; ++k) {
-      const auto& place = places[static_cast<std::size_t>(entry_[static_cast<std::size_t>(k)])];
-      entry_row_[static_cast<std::size_t>(k)] = local[static_cast<std::size_t>(place.row)];
-      entry_column_[static_cast<std::size_t>(k)] = local[static_cast<std::size_t>(place.column)];
-    }
-  }
-  columns_.resize(static_cast<std::size_t>(columns));
-  rows_.resize(static_cast<std::size_t>(rows));
-  swaps_.resize(static_cast<std::size_t>(swaps));
-  front_.resize(static_cast<std::size_t>(largest * largest));
-  stack_.resize(static_cast<std::size_t>(most_stacked));
-  pivot_.resize(static_cast<std::size_t>(largest));
-  boundary_.resize(static_cast<std::size_t>(largest));
+template <class Real>
+const DenseKernels<Real>* kernels() {
+  if constexpr (std::is_same_v<Real, float>)
+    return &dense_kernels().single_precision;
+  else
+    return &dense_kernels().double_precision;
 }
 
-void Multifrontal::factorise(const std::vector<double>& values) {
-  const DenseKernels& dense = dense_kernels();
-  // Leftovers in order of making: a front's children are the last ones on the stack.
-  std::vector<std::int32_t> waiting;
-  std::int64_t top = 0;
-  for (std::size_t f = 0; f < fronts_.size(); ++f) {
-    const Front& front = fronts_[f];
-    const std::int64_t m = front.size, p = front.pivots, b = m - p;
-    double* w = front_.data();
-    std::fill(w, w + m * m, 0.0);
-    for (auto k = front.first_entry; k < front.last_entry; ++k) {
-      const auto at = static_cast<std::size_t>(k);
-      w[entry_row_[at] + m * entry_column_[at]] += values[static_cast<std::size_t>(entry_[at])];
+// A worker's part of `count` columns or rows, in whole vectors of the kernels.
+constexpr std::int64_t grain = 32;
+
+}  // namespace
+
+template <class Real>
+Multifrontal<Real>& Multifrontal<Real>::operator=(Multifrontal&& other) noexcept {
+  dense_ = other.dense_;
+  columns_ = std::move(other.columns_);
+  rows_ = std::move(other.rows_);
+  kept_ = std::move(other.kept_);
+  top_ = std::move(other.top_);
+  carried_ = std::move(other.carried_);
+  solution_ = std::move(other.solution_);
+  swaps_ = std::move(other.swaps_);
+  benches_ = std::move(other.benches_);
+  return *this;
+}
+
+template <class Real>
+void Multifrontal<Real>::prepare(const FrontTree& tree, const Workers& workers) {
+  const auto fit = [](auto& array, std::int64_t size) {
+    if (array.size() != static_cast<std::size_t>(size)) {
+      array = {};
+      array.resize(static_cast<std::size_t>(size));
     }
-    for (std::int32_t c = 0; c < front.children; ++c) {
-      const Front& child = fronts_[static_cast<std::size_t>(waiting.back())];
-      waiting.pop_back();
-      const std::int64_t n = child.size - child.pivots;
-      const std::int32_t* into = into_parent_.data() + child.into_parent;
-      top -= n * n;
-      const double* left = stack_.data() + top;
-      for (std::int64_t column = 0; column < n; ++column) {
-        double* to = w + m * into[column];
-        for (std::int64_t row = 0; row < n; ++row) to[into[row]] += left[row + n * column];
-      }
-    }
-    dense.factor_front(w, m, p, m, swaps_.data() + front.swaps);
-    std::memcpy(columns_.data() + front.columns, w, static_cast<std::size_t>(m * p) * sizeof(double));
-    for (std::int64_t c = 0; c < b; ++c) {
-      std::memcpy(rows_.data() + front.rows + c * p, w + (p + c) * m,
-                  static_cast<std::size_t>(p) * sizeof(double));
-      std::memcpy(stack_.data() + top + c * b, w + (p + c) * m + p,
-                  static_cast<std::size_t>(b) * sizeof(double));
-    }
-    top += b * b;
-    if (front.parent >= 0) waiting.push_back(static_cast<std::int32_t>(f));
+  };
+  dense_ = kernels<Real>();
+  fit(columns_, tree.columns + dense_slack);
+  fit(rows_, tree.rows + dense_slack);
+  fit(kept_, tree.kept);
+  fit(top_, tree.top.empty() ? 0 : FrontTree::height(tree.largest) * tree.largest);
+  fit(carried_, tree.carried);
+  fit(solution_, tree.unknown_count);
+  fit(swaps_, tree.swaps);
+  benches_.resize(static_cast<std::size_t>(workers.count()));
+  for (auto& bench : benches_) {
+    fit(bench.front, FrontTree::height(tree.largest_below) * tree.largest_below);
+    fit(bench.stack, tree.stacked);
+    fit(bench.pivots, tree.largest + dense_slack);
+    fit(bench.boundary, tree.largest + dense_slack);
   }
 }
 
-void Multifrontal::solve(double* x) {
-  const DenseKernels& dense = dense_kernels();
-  double *pivot = pivot_.data(), *boundary = boundary_.data();
-  for (const auto& front : fronts_) {
-    const std::int32_t* unknown = unknowns_.data() + front.unknowns;
-    const std::int32_t p = front.pivots, m = front.size;
-    for (std::int32_t k = 0; k < p; ++k) pivot[k] = x[unknown[k]];
-    std::fill(boundary, boundary + (m - p), 0.0);
-    dense.forward(columns_.data() + front.columns, m, p, swaps_.data() + front.swaps, pivot, boundary);
-    for (std::int32_t k = 0; k < p; ++k) x[unknown[k]] = pivot[k];
-    for (std::int32_t k = p; k < m; ++k) x[unknown[k]] += boundary[k - p];
+// Columns [first, last) of a front.
+template <class Real>
+void Multifrontal<Real>::assemble(const FrontTree& tree, const Front& front,
+                                  const std::vector<double>& values, Real* w, Bench& bench,
+                                  std::int64_t first, std::int64_t last) {
+  const std::int64_t ld = FrontTree::height(front.size);
+  std::fill(w + first * ld, w + last * ld, Real(0));
+  for (auto k = front.first_entry; k < front.last_entry; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const auto column = tree.entry_column[at];
+    if (column < first || column >= last) continue;
+    w[tree.entry_row[at] + ld * column] +=
+        static_cast<Real>(values[static_cast<std::size_t>(tree.entry[at])]);
   }
-  for (auto front = fronts_.rbegin(); front != fronts_.rend(); ++front) {
-    const std::int32_t* unknown = unknowns_.data() + front->unknowns;
-    const std::int32_t p = front->pivots, m = front->size;
-    for (std::int32_t k = 0; k < p; ++k) pivot[k] = x[unknown[k]];
-    for (std::int32_t k = p; k < m; ++k) boundary[k - p] = x[unknown[k]];
-    dense.backward(columns_.data() + front->columns, rows_.data() + front->rows, m, p, pivot, boundary);
-    for (std::int32_t k = 0; k < p; ++k) x[unknown[k]] = pivot[k];
+  for (const auto number : front.child) {
+    if (number < 0) continue;
+    const Front& child = tree.fronts[static_cast<std::size_t>(number)];
+    const std::int64_t n = child.size - child.pivots;
+    const std::int32_t* into = tree.into_parent.data() + child.into_parent;
+    const Real* left = leftover(child, bench);
+    for (std::int64_t column = 0; column < n; ++column) {
+      if (into[column] < first || into[column] >= last) continue;
+      Real* to = w + ld * into[column];
+      for (std::int64_t row = 0; row < n; ++row) to[into[row]] += left[row + n * column];
+    }
   }
 }
+
+template <class Real>
+void Multifrontal<Real>::store(const Front& front, const Real* w, Real* left, std::int64_t first,
+                               std::int64_t last) {
+  const std::int64_t m = front.size, p = front.pivots, b = m - p, ld = FrontTree::height(m);
+  const auto bytes = [](std::int64_t count) { return static_cast<std::size_t>(count) * sizeof(Real); };
+  for (std::int64_t c = first; c < std::min(last, p); ++c)
+    std::memcpy(columns_.data() + front.columns + c * m, w + c * ld, bytes(m));
+  for (std::int64_t c = std::max(first, p); c < last; ++c) {
+    std::memcpy(rows_.data() + front.rows + (c - p) * p, w + c * ld, bytes(p));
+    std::memcpy(left + (c - p) * b, w + c * ld + p, bytes(b));
+  }
+}
+
+template <class Real>
+void Multifrontal<Real>::factorise_below(const FrontTree& tree, const Front& front,
+                                         const std::vector<double>& values, Bench& bench) {
+  const std::int64_t m = front.size;
+  Real* w = bench.front.data();
+  assemble(tree, front, values, w, bench, 0, m);
+  dense_->factor_front(w, m, front.pivots, FrontTree::height(m), swaps_.data() + front.swaps);
+  store(front, w, leftover(front, bench), 0, m);
+}
+
+template <class Real>
+void Multifrontal<Real>::factorise_top(const FrontTree& tree, const Front& front,
+                                       const std::vector<double>& values, Workers& workers, int worker) {
+  const std::int64_t m = front.size, p = front.pivots, ld = FrontTree::height(m);
+  Bench& bench = benches_[static_cast<std::size_t>(worker)];
+  Real* w = top_.data();
+  const auto all = workers.part(worker, m, grain);
+  assemble(tree, front, values, w, bench, all.first, all.last);
+  workers.barrier();
+  for (std::int64_t begin = 0; begin < p; begin += dense_panel) {
+    const std::int64_t end = std::min(begin + dense_panel, p);
+    if (worker == 0) dense_->factor_panel(w, m, p, ld, begin, end, swaps_.data() + front.swaps);
+    workers.barrier();
+    const auto right = workers.part(worker, m - end, grain);
+    dense_->update(w, m, ld, begin, end, end + right.first, end + right.last);
+    workers.barrier();
+  }
+  store(front, w, leftover(front, bench), all.first, all.last);
+  workers.barrier();
+}
+
+template <class Real>
+void Multifrontal<Real>::factorise(const FrontTree& tree, const std::vector<double>& values,
+                                   Workers& workers) {
+  prepare(tree, workers);
+  next_ = 0;
+  const auto subtrees = static_cast<std::int32_t>(tree.subtrees.size());
+  const auto task = [&](int worker) {
+    Bench& bench = benches_[static_cast<std::size_t>(worker)];
+    for (auto t = next_.fetch_add(1); t < subtrees; t = next_.fetch_add(1)) {
+      const auto& subtree = tree.subtrees[static_cast<std::size_t>(t)];
+      for (auto f = subtree.first; f < subtree.last; ++f)
+        factorise_below(tree, tree.fronts[static_cast<std::size_t>(f)], values, bench);
+    }
+    if (tree.top.empty()) return;
+    workers.barrier();
+    for (const auto f : tree.top)
+      factorise_top(tree, tree.fronts[static_cast<std::size_t>(f)], values, workers, worker);
+  };
+  if (tree.top.empty())
+    task(0);
+  else
+    workers.run(task);
+}
+
+// Right side of a front: its own, and what its children handed up.
+template <class Real>
+void Multifrontal<Real>::gather(const FrontTree& tree, const Front& front, const double* x, Real* pivots,
+                                Real* boundary) const {
+  const std::int32_t* unknown = tree.unknowns.data() + front.unknowns;
+  const std::int32_t p = front.pivots, m = front.size;
+  for (std::int32_t k = 0; k < p; ++k) pivots[k] = static_cast<Real>(x[unknown[k]]);
+  std::fill(boundary, boundary + (m - p), Real(0));
+  for (const auto number : front.child) {
+    if (number < 0) continue;
+    const Front& child = tree.fronts[static_cast<std::size_t>(number)];
+    const std::int32_t* into = tree.into_parent.data() + child.into_parent;
+    const Real* carried = carried_.data() + child.carried;
+    for (std::int32_t k = 0; k < child.size - child.pivots; ++k)
+      (into[k] < p ? pivots[into[k]] : boundary[into[k] - p]) += carried[k];
+  }
+}
+
+template <class Real>
+void Multifrontal<Real>::forward_below(const FrontTree& tree, const Front& front, const double* x,
+                                       Bench& bench) {
+  const std::int64_t p = front.pivots, m = front.size;
+  const Real* columns = columns_.data() + front.columns;
+  Real *pivots = bench.pivots.data(), *boundary = carried_.data() + front.carried;
+  gather(tree, front, x, pivots, boundary);
+  dense_->forward(columns, m, p, swaps_.data() + front.swaps, pivots);
+  dense_->below(columns, m, p, pivots, boundary, 0, m - p);
+  const std::int32_t* unknown = tree.unknowns.data() + front.unknowns;
+  for (std::int64_t k = 0; k < p; ++k) solution_[static_cast<std::size_t>(unknown[k])] = pivots[k];
+}
+
+template <class Real>
+void Multifrontal<Real>::forward_top(const FrontTree& tree, const Front& front, const double* x,
+                                     Workers& workers, int worker) {
+  const std::int64_t p = front.pivots, m = front.size;
+  const Real* columns = columns_.data() + front.columns;
+  Real *pivots = benches_[0].pivots.data(), *boundary = carried_.data() + front.carried;
+  if (worker == 0) {
+    gather(tree, front, x, pivots, boundary);
+    dense_->forward(columns, m, p, swaps_.data() + front.swaps, pivots);
+    const std::int32_t* unknown = tree.unknowns.data() + front.unknowns;
+    for (std::int64_t k = 0; k < p; ++k) solution_[static_cast<std::size_t>(unknown[k])] = pivots[k];
+  }
+  workers.barrier();
+  const auto mine = workers.part(worker, m - p, grain);
+  dense_->below(columns, m, p, pivots, boundary, mine.first, mine.last);
+  workers.barrier();
+}
+
+template <class Real>
+void Multifrontal<Real>::backward_below(const FrontTree& tree, const Front& front, Bench& bench) {
+  const std::int64_t p = front.pivots, m = front.size;
+  const std::int32_t* unknown = tree.unknowns.data() + front.unknowns;
+  Real *pivots = bench.pivots.data(), *boundary = bench.boundary.data();
+  for (std::int64_t k = 0; k < p; ++k) pivots[k] = solution_[static_cast<std::size_t>(unknown[k])];
+  for (std::int64_t k = p; k < m; ++k) boundary[k - p] = solution_[static_cast<std::size_t>(unknown[k])];
+  dense_->right(rows_.data() + front.rows, p, m - p, boundary, pivots, 0, p);
+  dense_->backward(columns_.data() + front.columns, m, p, pivots);
+  for (std::int64_t k = 0; k < p; ++k) solution_[static_cast<std::size_t>(unknown[k])] = pivots[k];
+}
+
+template <class Real>
+void Multifrontal<Real>::backward_top(const FrontTree& tree, const Front& front, Workers& workers,
+                                      int worker) {
+  const std::int64_t p = front.pivots, m = front.size;
+  const std::int32_t* unknown = tree.unknowns.data() + front.unknowns;
+  Real *pivots = benches_[0].pivots.data(), *boundary = benches_[0].boundary.data();
+  if (worker == 0) {
+    for (std::int64_t k = 0; k < p; ++k) pivots[k] = solution_[static_cast<std::size_t>(unknown[k])];
+    for (std::int64_t k = p; k < m; ++k) boundary[k - p] = solution_[static_cast<std::size_t>(unknown[k])];
+  }
+  workers.barrier();
+  const auto mine = workers.part(worker, p, grain);
+  dense_->right(rows_.data() + front.rows, p, m - p, boundary, pivots, mine.first, mine.last);
+  workers.barrier();
+  if (worker != 0) return;
+  dense_->backward(columns_.data() + front.columns, m, p, pivots);
+  for (std::int64_t k = 0; k < p; ++k) solution_[static_cast<std::size_t>(unknown[k])] = pivots[k];
+}
+
+template <class Real>
+void Multifrontal<Real>::solve(const FrontTree& tree, double* x, Workers& workers) {
+  next_ = 0;
+  std::atomic<std::int32_t> back{0};
+  const auto subtrees = static_cast<std::int32_t>(tree.subtrees.size());
+  const auto task = [&](int worker) {
+    Bench& bench = benches_[static_cast<std::size_t>(worker)];
+    for (auto t = next_.fetch_add(1); t < subtrees; t = next_.fetch_add(1)) {
+      const auto& subtree = tree.subtrees[static_cast<std::size_t>(t)];
+      for (auto f = subtree.first; f < subtree.last; ++f)
+        forward_below(tree, tree.fronts[static_cast<std::size_t>(f)], x, bench);
+    }
+    if (!tree.top.empty()) {
+      workers.barrier();
+      for (const auto f : tree.top)
+        forward_top(tree, tree.fronts[static_cast<std::size_t>(f)], x, workers, worker);
+      for (auto f = tree.top.rbegin(); f != tree.top.rend(); ++f)
+        backward_top(tree, tree.fronts[static_cast<std::size_t>(*f)], workers, worker);
+      workers.barrier();
+    }
+    for (auto t = back.fetch_add(1); t < subtrees; t = back.fetch_add(1)) {
+      const auto& subtree = tree.subtrees[static_cast<std::size_t>(t)];
+      for (auto f = subtree.last; f-- > subtree.first;)
+        backward_below(tree, tree.fronts[static_cast<std::size_t>(f)], bench);
+    }
+  };
+  if (tree.top.empty())
+    task(0);
+  else
+    workers.run(task);
+  for (std::size_t k = 0; k < solution_.size(); ++k) x[k] = static_cast<double>(solution_[k]);
+}
+
+template class Multifrontal<float>;
+template class Multifrontal<double>;
 
 }  // namespace hfrac

@@ -1,60 +1,69 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A sparse L U factor of a matrix with symmetric pattern, by dense fronts (Duff and Reid 1983).
 //
-// Each part of a nested dissection becomes a front: a dense matrix of its own unknowns (pivots) and of those later ones that
-// they or its children touch (boundary). A front is the sum of its entries of the matrix and of what its children left over;
-// its pivots are eliminated and the rest is handed to its parent. Nearly all work is in products of dense blocks, which is why
-// this is several times faster than a factor by scattered columns. Rows are exchanged within a front's pivots only, so what
-// is stored follows from the pattern alone and is found once.
+// A front is the sum of its entries of the matrix and of what its children left over; its pivots are eliminated and the rest is
+// handed to its parent. Nearly all work is in products of dense blocks, which is why this is several times faster than a
+// factor by scattered columns. Rows are exchanged within a front's pivots only, so what is stored follows from the pattern
+// alone and is found once (front_tree.hpp).
 //
-// Unknowns come in nodes (a disc has three, a domain one). Entries of the matrix are given as a list whose places stay the
-// same from factor to factor; entries for the same place add up.
+// Real is float or double. A factor that only preconditions needs no more digits than it gains per iteration, and in single
+// precision it takes half the time and memory. Every number is found by the same operations in the same order on any number of workers.
 #pragma once
 
-#include <cstdint>
+#include <atomic>
 #include <vector>
 
 #include "core/array.hpp"
-#include "equilibrium/dissection.hpp"
+#include "core/workers.hpp"
+#include "equilibrium/dense_kernels.hpp"
+#include "equilibrium/front_tree.hpp"
 
 namespace hfrac {
 
-struct MatrixPlace {
-  std::int32_t row, column;
-};
-
+template <class Real>
 class Multifrontal {
  public:
-  // node_start[k]: first unknown of node k; graph: nodes that share an entry.
-  void analyse(const std::vector<std::int32_t>& node_start, const std::vector<Vec2>& position,
-               const Adjacency& graph, const std::vector<char>& late, const std::vector<MatrixPlace>& places);
-  void factorise(const std::vector<double>& values);
+  void factorise(const FrontTree& tree, const std::vector<double>& values, Workers& workers);
   // Overwrites x, the right side, with the solution.
-  void solve(double* x);
-
-  [[nodiscard]] bool analysed() const { return !fronts_.empty(); }
-  [[nodiscard]] std::int64_t entries() const {
-    return static_cast<std::int64_t>(columns_.size() + rows_.size());
-  }
-  [[nodiscard]] double operations() const { return operations_; }
+  void solve(const FrontTree& tree, double* x, Workers& workers);
+  // Gives the memory back.
+  void clear() { *this = {}; }
+  Multifrontal() = default;
+  Multifrontal& operator=(Multifrontal&& other) noexcept;
 
  private:
-  struct Front {
-    std::int32_t pivots = 0, size = 0;  // unknowns of its own, and with its boundary
-    std::int32_t parent = -1, children = 0;
-    std::int64_t unknowns = 0;  // where in unknowns_: size of them, pivots first
-    std::int64_t columns = 0, rows = 0, swaps = 0, into_parent = 0;
-    std::int64_t first_entry = 0, last_entry = 0;
+  using Front = FrontTree::Front;
+  struct Bench {  // a worker's own work space
+    Array<Real> front, stack, pivots, boundary;
   };
-  std::vector<Front> fronts_;
-  std::vector<std::int32_t> unknowns_;     // of the fronts
-  std::vector<std::int32_t> into_parent_;  // place of each boundary unknown in the parent's front
-  std::vector<std::int32_t> entry_, entry_row_,
-      entry_column_;  // entries by front: number, place in the front
+  void prepare(const FrontTree& tree, const Workers& workers);
+  Real* leftover(const Front& front, Bench& bench) {
+    return (front.kept ? kept_.data() : bench.stack.data()) + front.leftover;
+  }
+  void assemble(const FrontTree& tree, const Front& front, const std::vector<double>& values, Real* w,
+                Bench& bench, std::int64_t first, std::int64_t last);
+  void store(const Front& front, const Real* w, Real* left, std::int64_t first, std::int64_t last);
+  void factorise_below(const FrontTree& tree, const Front& front, const std::vector<double>& values,
+                       Bench& bench);
+  void factorise_top(const FrontTree& tree, const Front& front, const std::vector<double>& values,
+                     Workers& workers, int worker);
+  void gather(const FrontTree& tree, const Front& front, const double* x, Real* pivots, Real* boundary) const;
+  void forward_below(const FrontTree& tree, const Front& front, const double* x, Bench& bench);
+  void forward_top(const FrontTree& tree, const Front& front, const double* x, Workers& workers, int worker);
+  void backward_below(const FrontTree& tree, const Front& front, Bench& bench);
+  void backward_top(const FrontTree& tree, const Front& front, Workers& workers, int worker);
+
+  const DenseKernels<Real>* dense_ = nullptr;
+  Array<Real> columns_, rows_, kept_;  // the factor; what subtrees and the fronts above them left over
+  Array<Real> top_;                    // the front above subtrees that is worked on
+  Array<Real> carried_;                // right sides handed from front to parent
+  Array<Real> solution_;
   std::vector<std::int32_t> swaps_;
-  Array<double> columns_, rows_;                    // the factor
-  Array<double> front_, stack_, pivot_, boundary_;  // work space
-  double operations_ = 0.0;
+  std::vector<Bench> benches_;
+  std::atomic<std::int32_t> next_{0};  // subtree to take
 };
+
+extern template class Multifrontal<float>;
+extern template class Multifrontal<double>;
 
 }  // namespace hfrac

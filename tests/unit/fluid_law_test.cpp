@@ -130,7 +130,8 @@ TEST(FluidLaw, TheCoupledTangentIsTheDerivative) {
     m.network.pressure[d] = 25e6 + 1e7 * random.uniform();
     m.network.content[d] = content_at(m.network, d, o.fluid_bulk_modulus, m.network.pressure[d]);
   }
-  CoupledSystem system(m.assembly, m.network, *m.boundary, m.solver->loose_contacts(), m.options);
+  Workers team(1);
+  CoupledSystem system(m.assembly, m.network, *m.boundary, m.solver->loose_contacts(), m.options, team);
   system.begin(10.0, {});
   system.evaluate();
   const CoupledSystem::Vector before = system.residual();
