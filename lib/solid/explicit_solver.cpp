@@ -271,6 +271,10 @@ void ExplicitSolver::mark_left_alone() {
     pushed(pair.first);
     pushed(pair.second);
   }
+  for (const auto& contact : a.smooth.contacts) {
+    pushed(a.first[contact.bond]);
+    pushed(a.second[contact.bond]);
+  }
 }
 
 void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {

@@ -14,11 +14,12 @@ void ExplicitSolver::set_sweep(const SweepShape& shape) {
       sweep_.empty() ? 0 : static_cast<std::size_t>(plan_.bond_blocks));
 }
 
-// Walls under servo control and contacts between strangers know of discs far apart in every cycle, and so do pores that
+// Walls under servo control, contacts between strangers and those of smooth joints know of discs far apart in every cycle, and so do pores that
 // answer: the outside is one of them. Pores that keep their pressure push, and that is all.
 bool ExplicitSolver::may_sweep() const {
   const bool pores_answer = arrays_.with_pressure != 0 && arrays_.undrained != 0;
-  return !sweep_.empty() && !pores_answer && boundary_.acts_disc_by_disc() && loose_.empty();
+  return !sweep_.empty() && !pores_answer && boundary_.acts_disc_by_disc() && loose_.empty() &&
+         assembly_.smooth.empty();
 }
 
 void ExplicitSolver::sweep(std::int64_t cycles, std::vector<CrackLog>& found) {
