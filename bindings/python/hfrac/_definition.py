@@ -58,6 +58,11 @@ def _option_table(kind_of: str = "hfrac_option") -> Tuple[Option, ...]:
     return tuple(table)
 
 
+@functools.lru_cache(maxsize=None)
+def _key_of_keyword() -> Dict[str, str]:
+    return {option.keyword: option.key for option in _option_table()}
+
+
 def options() -> List[Option]:
     """Every option there is, with unit, default, range and one sentence of help."""
     return list(_option_table())
@@ -131,7 +136,7 @@ class Definition:
                 for inner, inner_value in value.items():
                     self.set(f"{name}.{inner}", inner_value)
             else:
-                self.set(name.replace("_", ".", 1), value)
+                self.set(_key_of_keyword().get(name, name.replace("_", ".", 1)), value)
         for kind, items in (("well", wells), ("joint", joints), ("schedule", schedule)):
             for index, item in enumerate(items):
                 for name, value in item.items():
