@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Smooth joints: a plane of weakness under biaxial load.
+// V21  Smooth joints: a plane of weakness under biaxial load.
 //
 // Formula    Jaeger (1959), Geol. Mag. 96: a plane without cohesion whose normal stands at the angle beta to sigma_1 slips at
 //            sigma_1 = sigma_3 (1 + mu tan beta) / (1 - mu cot beta), and not at all where tan beta <= mu.
 // Set-up     Dry blocks of 100 m that do not break, sigma_3 along y. A joint right through under the angle 90 degrees - beta to x:
 //            sigma_1 is raised until there is no equilibrium any more. Random and square packing, quasi-static solver.
 // Tolerance  3 % of what the load on the packing's outline asks for (outline() below); beyond 10 sigma_3 counts as never
-// Page       docs/verification/smooth-joint.md
+// Page       docs/verification/V21.md
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -105,7 +105,7 @@ double jaeger(double degrees, double friction) {
 void compare(bool square, int64_t discs, const std::vector<double>& angles) {
   constexpr double friction = 0.5;
   const char* packing = square ? "square" : "random";
-  Curves curves("smooth-joint", "Strength of a block with a smooth joint, friction 0.5",
+  Curves curves("V21", "Strength of a block with a smooth joint, friction 0.5",
                 "angle from sigma_1,sigma_1 over sigma_3");
   static bool drawn = false;  // one line for all packings
   if (!drawn) {
@@ -128,19 +128,19 @@ void compare(bool square, int64_t discs, const std::vector<double>& angles) {
   }
 }
 
-TEST(SmoothJointSmoke, GivesWayWhereItsPlaneSays) {
+TEST(V21SmoothJointSmoke, GivesWayWhereItsPlaneSays) {
   compare(false, 500, {20.0, 40.0});
 }
 
-TEST(SmoothJointStrength, IsCoulombsInARandomPacking) {
+TEST(V21SmoothJoint, IsCoulombsInARandomPacking) {
   compare(false, 1500, {10.0, 30.0, 45.0, 90.0});
 }
 
-TEST(SmoothJointStrengthLong, IsCoulombsAtAllAnglesInARandomPacking) {
+TEST(V21SmoothJointLong, IsCoulombsAtAllAnglesInARandomPacking) {
   compare(false, 3000, {0.0, 5.0, 10.0, 20.0, 30.0, 40.0, 50.0, 55.0, 70.0, 90.0});
 }
 
-TEST(SmoothJointStrengthLong, IsCoulombsAtAllAnglesInASquarePacking) {
+TEST(V21SmoothJointLong, IsCoulombsAtAllAnglesInASquarePacking) {
   compare(true, 3600, {0.0, 5.0, 10.0, 20.0, 30.0, 40.0, 50.0, 55.0, 70.0, 90.0});
 }
 
