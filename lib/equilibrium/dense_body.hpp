@@ -22,6 +22,15 @@ struct Vector {
   typedef Real Lanes  // NOLINT(modernize-use-using): attribute form
       __attribute__((vector_size(bytes), aligned(sizeof(Real)), may_alias));
 };
+// Rows begin anywhere, so vectors are copied from and to memory as bytes: one unaligned instruction each.
+template <class Lanes, class Real>
+inline void load(Lanes& to, const Real* from) {
+  __builtin_memcpy(&to, from, sizeof to);
+}
+template <class Lanes, class Real>
+inline void store(Real* to, const Lanes& from) {
+  __builtin_memcpy(to, &from, sizeof from);
+}
 template <class Real>
 constexpr Real least_pivot = sizeof(Real) == 4 ? Real(1e-7) : Real(1e-13);
 
@@ -37,19 +46,18 @@ struct Dense {
     constexpr int64_t width = sizeof(Lanes) / sizeof(Real);
     Lanes sum[columns][vectors];
     for (int col = 0; col < columns; ++col) {
-      for (int v = 0; v < vectors; ++v)
-        sum[col][v] = *reinterpret_cast<const Lanes*>(c + col * ldc + v * width);
+      for (int v = 0; v < vectors; ++v) load(sum[col][v], c + col * ldc + v * width);
     }
     for (int64_t q = 0; q < k; ++q) {
       Lanes left[vectors];
-      for (int v = 0; v < vectors; ++v) left[v] = *reinterpret_cast<const Lanes*>(a + q * lda + v * width);
+      for (int v = 0; v < vectors; ++v) load(left[v], a + q * lda + v * width);
       for (int col = 0; col < columns; ++col) {
         const Real factor = b[q + col * ldb];
         for (int v = 0; v < vectors; ++v) sum[col][v] -= left[v] * factor;
       }
     }
     for (int col = 0; col < columns; ++col) {
-      for (int v = 0; v < vectors; ++v) *reinterpret_cast<Lanes*>(c + col * ldc + v * width) = sum[col][v];
+      for (int v = 0; v < vectors; ++v) store(c + col * ldc + v * width, sum[col][v]);
     }
   }
 
@@ -129,13 +137,16 @@ struct Dense {
     for (int64_t j = 0; j < columns; ++j) {
       Real* to = x + j * ldx;
       Lanes sum[vectors];
-      for (int v = 0; v < vectors; ++v) sum[v] = *reinterpret_cast<const Lanes*>(to + v * width);
+      for (int v = 0; v < vectors; ++v) load(sum[v], to + v * width);
       for (int64_t k = 0; k + 1 < sub_panel; ++k) {
         const Real factor = to[k];
-        for (int v = 0; v < vectors; ++v)
-          sum[v] -= *reinterpret_cast<const Lanes*>(rest + k * sub_panel + v * width) * factor;
+        for (int v = 0; v < vectors; ++v) {
+          Lanes next;
+          load(next, rest + k * sub_panel + v * width);
+          sum[v] -= next * factor;
+        }
       }
-      for (int v = 0; v < vectors; ++v) *reinterpret_cast<Lanes*>(to + v * width) = sum[v];
+      for (int v = 0; v < vectors; ++v) store(to + v * width, sum[v]);
     }
   }
 
@@ -148,7 +159,8 @@ struct Dense {
     if (p - r >= width) {
       Lanes most = {};
       for (; r + width <= p; r += width) {
-        const Lanes x = *reinterpret_cast<const Lanes*>(column + r);
+        Lanes x;
+        load(x, column + r);
         const Lanes size = x < 0 ? -x : x;
         most = size > most ? size : most;
       }

@@ -47,12 +47,17 @@ json course_of(const Checkpoint& checkpoint) {
           {"wall_seconds", checkpoint.wall_seconds}};
 }
 
+// A whole number; json::exception for any other, such as one that no integer holds.
+int64_t whole(const json& value) {
+  return value.get_ref<const json::number_integer_t&>();
+}
+
 Checkpoint checkpoint_of(const json& course) {
   Checkpoint checkpoint;
-  checkpoint.step = course.at("step").get<int64_t>();
+  checkpoint.step = whole(course.at("step"));
   for (const auto& entry : course.at("snapshots"))
-    checkpoint.snapshots.push_back({entry.at(0).get<int64_t>(), entry.at(1).get<double>()});
-  checkpoint.steps_not_at_rest = course.at("steps_not_at_rest").get<int64_t>();
+    checkpoint.snapshots.push_back({whole(entry.at(0)), entry.at(1).get<double>()});
+  checkpoint.steps_not_at_rest = whole(course.at("steps_not_at_rest"));
   checkpoint.wall_seconds = course.at("wall_seconds").get<double>();
   return checkpoint;
 }

@@ -98,8 +98,8 @@ json planned_part(const hfrac_sim_def& definition) {
 
 RunTerms terms_of(const nlohmann::json& summary) {
   const auto& request = summary.at("request");
-  return {request.at("steps").get<int64_t>(), request.at("grid").get<std::vector<double>>(),
-          request.at("movie").get<bool>()};
+  return {request.at("steps").get_ref<const json::number_integer_t&>(),
+          request.at("grid").get<std::vector<double>>(), request.at("movie").get<bool>()};
 }
 
 json make_summary(const SnapshotFrame& frame, const RunCourse& course) {
