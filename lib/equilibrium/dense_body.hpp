@@ -19,8 +19,7 @@ inline double size_of(double x) {
 // Vectors of a number of bytes, and pivots below which a column counts as empty (entries are alike one in size).
 template <class Real, int bytes>
 struct Vector {
-  typedef Real Lanes  // NOLINT(modernize-use-using): attribute form
-      __attribute__((vector_size(bytes), aligned(sizeof(Real)), may_alias));
+  typedef Real Lanes __attribute__((vector_size(bytes)));  // NOLINT(modernize-use-using): attribute form
 };
 // Rows begin anywhere, so vectors are copied from and to memory as bytes: one unaligned instruction each.
 template <class Lanes, class Real>
