@@ -19,6 +19,14 @@ const DenseKernels<Real>* kernels() {
 // A worker's part of `count` columns or rows, in whole vectors of the kernels.
 constexpr std::int64_t grain = 32;
 
+// Subtrees, one after the other as `next` hands them out; what other workers take is left out.
+template <class Visit>
+void each_subtree(const FrontTree& tree, std::atomic<std::int32_t>& next, const Visit& visit) {
+  const auto subtrees = static_cast<std::int32_t>(tree.subtrees.size());
+  for (auto t = next.fetch_add(1); t < subtrees; t = next.fetch_add(1))
+    visit(tree.subtrees[static_cast<std::size_t>(t)]);
+}
+
 }  // namespace
 
 template <class Real>
@@ -137,14 +145,12 @@ void Multifrontal<Real>::factorise(const FrontTree& tree, const std::vector<doub
                                    Workers& workers) {
   prepare(tree, workers);
   next_ = 0;
-  const auto subtrees = static_cast<std::int32_t>(tree.subtrees.size());
   const auto task = [&](int worker) {
     Bench& bench = benches_[static_cast<std::size_t>(worker)];
-    for (auto t = next_.fetch_add(1); t < subtrees; t = next_.fetch_add(1)) {
-      const auto& subtree = tree.subtrees[static_cast<std::size_t>(t)];
+    each_subtree(tree, next_, [&](const auto& subtree) {
       for (auto f = subtree.first; f < subtree.last; ++f)
         factorise_below(tree, tree.fronts[static_cast<std::size_t>(f)], values, bench);
-    }
+    });
     if (tree.top.empty()) return;
     workers.barrier();
     for (const auto f : tree.top)
@@ -240,14 +246,12 @@ template <class Real>
 void Multifrontal<Real>::solve(const FrontTree& tree, double* x, Workers& workers) {
   next_ = 0;
   std::atomic<std::int32_t> back{0};
-  const auto subtrees = static_cast<std::int32_t>(tree.subtrees.size());
   const auto task = [&](int worker) {
     Bench& bench = benches_[static_cast<std::size_t>(worker)];
-    for (auto t = next_.fetch_add(1); t < subtrees; t = next_.fetch_add(1)) {
-      const auto& subtree = tree.subtrees[static_cast<std::size_t>(t)];
+    each_subtree(tree, next_, [&](const auto& subtree) {
       for (auto f = subtree.first; f < subtree.last; ++f)
         forward_below(tree, tree.fronts[static_cast<std::size_t>(f)], x, bench);
-    }
+    });
     if (!tree.top.empty()) {
       workers.barrier();
       for (const auto f : tree.top)
@@ -256,11 +260,10 @@ void Multifrontal<Real>::solve(const FrontTree& tree, double* x, Workers& worker
         backward_top(tree, tree.fronts[static_cast<std::size_t>(*f)], workers, worker);
       workers.barrier();
     }
-    for (auto t = back.fetch_add(1); t < subtrees; t = back.fetch_add(1)) {
-      const auto& subtree = tree.subtrees[static_cast<std::size_t>(t)];
+    each_subtree(tree, back, [&](const auto& subtree) {
       for (auto f = subtree.last; f-- > subtree.first;)
         backward_below(tree, tree.fronts[static_cast<std::size_t>(f)], bench);
-    }
+    });
   };
   if (tree.top.empty())
     task(0);
