@@ -47,11 +47,9 @@ Workers::~Workers() {
 }
 
 void Workers::end_threads() {
-  {
-    const std::lock_guard lock(mutex_);
-    stop_ = true;
-  }
-  wake_.notify_all();
+  task_ = nullptr;
+  tasks_.fetch_add(1, std::memory_order_release);
+  tasks_.notify_all();
   for (auto& thread : threads_) thread.join();
 }
 
@@ -93,12 +91,9 @@ void Workers::run(const std::function<void(int)>& task) {
                 "run.workers = 1.");
   }
   running_.store(count_ - 1, std::memory_order_relaxed);
-  {
-    const std::lock_guard lock(mutex_);
-    task_ = &task;
-    ++generation_;
-  }
-  wake_.notify_all();
+  task_ = &task;
+  tasks_.fetch_add(1, std::memory_order_release);
+  tasks_.notify_all();
   task(0);
   for (int left = running_.load(std::memory_order_acquire); left != 0;
        left = running_.load(std::memory_order_acquire)) {
@@ -107,17 +102,10 @@ void Workers::run(const std::function<void(int)>& task) {
 }
 
 void Workers::loop(int worker) {
-  std::uint64_t seen = 0;
-  for (;;) {
-    const std::function<void(int)>* task = nullptr;
-    {
-      std::unique_lock lock(mutex_);
-      wake_.wait(lock, [&] { return stop_ || generation_ != seen; });
-      if (stop_) return;
-      seen = generation_;
-      task = task_;
-    }
-    (*task)(worker);
+  for (std::uint32_t seen = 0;; ++seen) {
+    wait_while(tasks_, seen);
+    if (task_ == nullptr) return;
+    (*task_)(worker);
     running_.fetch_sub(1, std::memory_order_release);
     running_.notify_one();
   }

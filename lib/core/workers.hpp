@@ -9,10 +9,8 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <cstdint>
 #include <functional>
-#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -61,11 +59,8 @@ class Workers {
   bool crowded_;          // more workers than cores
   std::int64_t process_;  // that made the threads
   std::vector<std::thread> threads_;
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  const std::function<void(int)>* task_ = nullptr;
-  std::uint64_t generation_ = 0;
-  bool stop_ = false;
+  const std::function<void(int)>* task_ = nullptr;  // none: the end
+  std::atomic<std::uint32_t> tasks_{0};             // given so far
   std::atomic<int> running_{0};
   std::atomic<int> arrived_{0};
   std::atomic<std::uint32_t> phase_{0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A sparse factor of the tangent, and a Krylov solver (GMRES, Saad and Schultz 1986) that uses an older factor as
-// preconditioner: from iteration to iteration the tangent changes in few places, so a few products replace a new factor.
+// A sparse factor of the tangent. An older one serves as preconditioner (krylov.hpp): from iteration to iteration the tangent
+// changes in few places, so a few products replace a new factor.
 //
 // The factor is of single precision as long as that does: where pipes conduct more than 1e5 times what rock yields,
 // what a fracture stores drowns in the rounding of what passes through it, and where pieces of rock hang on a thread, so does
@@ -44,14 +44,5 @@ class CoupledFactor {
   bool exact_ = false;    // single precision did not do
   bool doubled_ = false;  // the factor at hand is of double precision
 };
-
-struct KrylovOutcome {
-  int iterations = 0;
-  bool converged = false;
-};
-// Solves tangent x = right to |tangent x - right| <= tolerance |right|, from x = 0.
-KrylovOutcome solve_preconditioned(const CoupledSystem& system, CoupledFactor& factor,
-                                   const CoupledSystem::Vector& right, double tolerance, int most,
-                                   CoupledSystem::Vector& x);
 
 }  // namespace hfrac

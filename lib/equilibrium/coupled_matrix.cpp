@@ -129,21 +129,36 @@ CoupledSystem::Structure CoupledSystem::structure() const {
   const auto node_of = [&](std::int32_t unknown) {
     return unknown < 3 * discs ? unknown / 3 : unknown - 2 * discs;
   };
-  std::vector<std::pair<std::int32_t, std::int32_t>> edges;
-  for (const auto& place : s.places) {
-    const auto p = node_of(place.row), q = node_of(place.column);
-    if (p == q) continue;
-    edges.emplace_back(p, q);
-    edges.emplace_back(q, p);
+  // Neighbours node by node, most of them several times over, which a list of those seen last by which node tells.
+  std::vector<std::int64_t> begin(static_cast<std::size_t>(nodes) + 1, 0);
+  const auto each_edge = [&](const auto& visit) {
+    for (const auto& place : s.places) {
+      const auto p = node_of(place.row), q = node_of(place.column);
+      if (p == q) continue;
+      visit(p, q);
+      visit(q, p);
+    }
+  };
+  each_edge([&](std::int32_t p, std::int32_t) { ++begin[static_cast<std::size_t>(p) + 1]; });
+  for (std::size_t k = 1; k < begin.size(); ++k) begin[k] += begin[k - 1];
+  std::vector<std::int32_t> others(static_cast<std::size_t>(begin.back()));
+  auto cursor = begin;
+  each_edge([&](std::int32_t p, std::int32_t q) {
+    others[static_cast<std::size_t>(cursor[static_cast<std::size_t>(p)]++)] = q;
+  });
+  std::vector<std::int32_t> seen_by(static_cast<std::size_t>(nodes), -1);
+  s.graph.start.assign(1, 0);
+  for (std::int32_t p = 0; p < nodes; ++p) {
+    const auto first = s.graph.neighbour.size();
+    for (auto k = begin[static_cast<std::size_t>(p)]; k < begin[static_cast<std::size_t>(p) + 1]; ++k) {
+      const auto q = others[static_cast<std::size_t>(k)];
+      if (seen_by[static_cast<std::size_t>(q)] == p) continue;
+      seen_by[static_cast<std::size_t>(q)] = p;
+      s.graph.neighbour.push_back(q);
+    }
+    std::sort(s.graph.neighbour.begin() + static_cast<std::ptrdiff_t>(first), s.graph.neighbour.end());
+    s.graph.start.push_back(static_cast<std::int32_t>(s.graph.neighbour.size()));
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  s.graph.start.assign(static_cast<std::size_t>(nodes) + 1, 0);
-  for (const auto& [p, q] : edges) {
-    ++s.graph.start[static_cast<std::size_t>(p) + 1];
-    s.graph.neighbour.push_back(q);
-  }
-  for (std::size_t k = 0; k < static_cast<std::size_t>(nodes); ++k) s.graph.start[k + 1] += s.graph.start[k];
   return s;
 }
 

@@ -9,6 +9,11 @@
 #include "options/choices.hpp"
 
 namespace hfrac {
+namespace {
+
+constexpr std::int64_t worth_sharing = 2048;  // discs
+
+}  // namespace
 
 CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& boundary,
                              const LooseContacts& loose, const Options& options, Workers& workers)
@@ -34,6 +39,7 @@ CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& bou
       opening_way_(static_cast<std::size_t>(assembly.bond_count())),
       at_floor_(static_cast<std::size_t>(domains_), 0) {
   residual_.setZero(3 * discs_ + domains_ + static_cast<Eigen::Index>(servo_walls_));
+  list_neighbours();
   if (boundary.walled()) return;
   // A body held by nothing: three springs take up rounding. At equilibrium they bear nothing.
   std::int32_t lowest = 0, far = 0;
@@ -91,36 +97,8 @@ void CoupledSystem::add_pair(const BondResponse& r, std::int32_t i, std::int32_t
 }
 
 void CoupledSystem::evaluate() {
-  const auto& a = assembly_;
-  residual_.setZero();
-  contact_force_ = 0.0;
-  evaluate_pairs();
-  for (std::size_t e = 0; e < bonds_.size(); ++e) {
-    contact_force_ += std::abs(bonds_[e].force[0]) + std::abs(bonds_[e].force[1]);
-    add_pair(bonds_[e], a.first[e], a.second[e]);
-  }
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    const auto& pair = loose_.pairs()[k];
-    if (pairs_[k].gap < 0.0) add_pair(pairs_[k], pair.first, pair.second);
-  }
-  for (std::int32_t i = 0; i < discs_; ++i) {
-    const Vec2 load = boundary_.load_on(i);
-    residual_[3 * i] += load.x;
-    residual_[3 * i + 1] += load.y;
-  }
-  for (std::int64_t d = first_pushing(); d < domains_; ++d) {
-    const double p = network_.pressure[d];
-    for (auto k = network_.corner_start[d]; k < network_.corner_start[d + 1]; ++k) {
-      residual_[3 * network_.corner_disc[k]] += p * network_.corner_weight[2 * k];
-      residual_[3 * network_.corner_disc[k] + 1] += p * network_.corner_weight[2 * k + 1];
-    }
-  }
-  for (const auto& pin : pins_) {
-    const double bears = force_scale_ * (dot({a.ux[pin.disc], a.uy[pin.disc]}, pin.along) - pin.start);
-    residual_[3 * pin.disc] -= bears * pin.along.x;
-    residual_[3 * pin.disc + 1] -= bears * pin.along.y;
-  }
-  if (boundary_.walled()) evaluate_walls();
+  answer_all();
+  evaluate_few();
   find_fragments();
   for (std::int64_t i = 0; i < discs_; ++i) {
     if (adrift_[static_cast<std::size_t>(i)] != 0) residual_.segment<3>(3 * i).setZero();
@@ -134,28 +112,84 @@ void CoupledSystem::evaluate() {
   }
 }
 
-// Every bond and pair answers for itself, so workers share them.
-void CoupledSystem::evaluate_pairs() {
-  constexpr std::int64_t worth_sharing = 4096, grain = 256;
+void CoupledSystem::share(const std::function<void(int worker, int workers)>& task) const {
+  if (discs_ < worth_sharing)
+    task(0, 1);
+  else
+    workers_.run([&](int worker) { task(worker, workers_.count()); });
+}
+
+Workers::Range CoupledSystem::part(std::int64_t count, int worker, int workers) {
+  const std::int64_t grains = (count + grain - 1) / grain;
+  return {std::min(count, grains * worker / workers * grain),
+          std::min(count, grains * (worker + 1) / workers * grain)};
+}
+
+// Bonds answer one by one, then discs add up what pulls and pushes them.
+void CoupledSystem::answer_all() {
   const auto bonds = static_cast<std::int64_t>(bonds_.size());
   const bool flows = wet_ && duration_ > 0.0;
-  pairs_.resize(loose_.pairs().size());
-  const auto answer = [&](std::int64_t first, std::int64_t last) {
-    for (auto e = first; e < last; ++e) {
-      bonds_[static_cast<std::size_t>(e)] = respond(assembly_, options_, e);
-      if (flows) evaluate_pipe(static_cast<std::size_t>(e));
+  bond_forces_.resize(static_cast<std::size_t>((bonds + grain - 1) / grain));
+  share([&](int worker, int workers) {
+    const auto mine = part(bonds, worker, workers);
+    for (auto begin = mine.first; begin < mine.last; begin += grain) {
+      double force = 0.0;
+      for (auto e = begin; e < std::min(begin + grain, mine.last); ++e) {
+        auto& bond = bonds_[static_cast<std::size_t>(e)];
+        bond = respond(assembly_, options_, e);
+        if (flows) evaluate_pipe(static_cast<std::size_t>(e));
+        force += std::abs(bond.force[0]) + std::abs(bond.force[1]);
+      }
+      bond_forces_[static_cast<std::size_t>(begin / grain)] = force;
     }
-  };
-  if (bonds < worth_sharing) {
-    answer(0, bonds);
-  } else {
-    workers_.run([&](int worker) {
-      const auto mine = workers_.part(worker, bonds, grain);
-      answer(mine.first, mine.last);
-    });
+    if (workers > 1) workers_.barrier();
+    add_up_on_discs(part(discs_, worker, workers));
+  });
+  contact_force_ = 0.0;
+  for (const double force : bond_forces_) contact_force_ += force;
+}
+
+void CoupledSystem::add_up_on_discs(Workers::Range discs) {
+  const auto pushing = first_pushing();
+  for (auto i = discs.first; i < discs.last; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    Vec2 force = boundary_.load_on(static_cast<std::int32_t>(i));
+    double turn = 0.0;
+    for (auto k = bond_start_[at]; k < bond_start_[at + 1]; ++k) {
+      const auto end = bond_of_[static_cast<std::size_t>(k)];
+      const double* f = bonds_[static_cast<std::size_t>(end / 2)].force;
+      const double way = end % 2 == 0 ? 1.0 : -1.0;
+      force = force + way * Vec2{f[0], f[1]};
+      turn -= f[2 + end % 2];
+    }
+    for (auto k = corner_start_[at]; k < corner_start_[at + 1]; ++k) {
+      const auto domain = corner_domain_[static_cast<std::size_t>(k)];
+      if (domain < pushing) continue;
+      const auto corner = static_cast<std::size_t>(corner_of_[static_cast<std::size_t>(k)]);
+      force = force + network_.pressure[static_cast<std::size_t>(domain)] *
+                          Vec2{network_.corner_weight[2 * corner], network_.corner_weight[2 * corner + 1]};
+    }
+    residual_[3 * i] = force.x;
+    residual_[3 * i + 1] = force.y;
+    residual_[3 * i + 2] = turn;
   }
-  for (std::size_t k = 0; k < pairs_.size(); ++k)
-    pairs_[k] = respond(assembly_, options_, loose_.pairs()[k], pair_start_[k]);
+}
+
+// Contacts of discs that were never bonded, pins and walls.
+void CoupledSystem::evaluate_few() {
+  const auto& a = assembly_;
+  pairs_.resize(loose_.pairs().size());
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const auto& pair = loose_.pairs()[k];
+    pairs_[k] = respond(a, options_, pair, pair_start_[k]);
+    if (pairs_[k].gap < 0.0) add_pair(pairs_[k], pair.first, pair.second);
+  }
+  for (const auto& pin : pins_) {
+    const double bears = force_scale_ * (dot({a.ux[pin.disc], a.uy[pin.disc]}, pin.along) - pin.start);
+    residual_[3 * pin.disc] -= bears * pin.along.x;
+    residual_[3 * pin.disc + 1] -= bears * pin.along.y;
+  }
+  if (boundary_.walled()) evaluate_walls();
 }
 
 void CoupledSystem::evaluate_walls() {
@@ -242,40 +276,54 @@ void CoupledSystem::evaluate_pipe(std::size_t e) {
 }
 
 void CoupledSystem::evaluate_domains() {
+  struct Most {
+    double off = 0.0, range = 1.0;
+  };
+  std::vector<Most> most(static_cast<std::size_t>(workers_.count()));
+  share([&](int worker, int workers) {
+    Most& mine = most[static_cast<std::size_t>(worker)];
+    const auto domains = part(domains_, worker, workers);
+    for (auto d = domains.first; d < domains.last; ++d) {
+      mine.range = std::max(mine.range, std::abs(network_.pressure[d] - network_.reference_pressure));
+      mine.off = std::max(mine.off, evaluate_domain(d));
+    }
+  });
+  Most all;
+  for (const auto& m : most) all = {std::max(all.off, m.off), std::max(all.range, m.range)};
+  pressure_error_ = all.off / all.range;
+}
+
+// How far its pressure is from what its content asks for [Pa].
+double CoupledSystem::evaluate_domain(std::int64_t d) {
   auto& n = network_;
-  for (std::size_t d = 0; d < content_start_.size(); ++d)
-    n.content[d] = content_start_[d] + duration_ * source_[d];
+  const auto at = static_cast<std::size_t>(d);
+  auto& r = residual_[pressure_at(d)];
+  at_floor_[at] = 1;
+  if (n.stiffness[d] <= 0.0) {  // imposed; what it holds the books find out
+    n.content[d] = content_start_[at];
+    r = 0.0;
+    return 0.0;
+  }
+  n.content[d] = content_start_[at] + duration_ * source_[at];
   if (duration_ > 0.0) {
-    for (std::size_t e = 0; e < bonds_.size(); ++e) {
+    for (auto k = pipe_start_[at]; k < pipe_start_[at + 1]; ++k) {
+      const auto end = pipe_of_[static_cast<std::size_t>(k)];
+      const auto e = static_cast<std::size_t>(end / 2);
       const double moved = duration_ * n.conductance[e] * drop(e);
-      n.content[n.left[e]] -= moved;
-      n.content[n.right[e]] += moved;
+      n.content[d] += end % 2 == 0 ? -moved : moved;
     }
   }
-  pressure_error_ = 0.0;
-  double range = 1.0;
-  for (std::int64_t d = 0; d < domains_; ++d) {
-    double change = 0.0;
-    for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
-      change += n.corner_weight[2 * k] * assembly_.ux[n.corner_disc[k]] +
-                n.corner_weight[2 * k + 1] * assembly_.uy[n.corner_disc[k]];
-    }
-    range = std::max(range, std::abs(n.pressure[d] - n.reference_pressure));
-    auto& r = residual_[pressure_at(d)];
-    at_floor_[static_cast<std::size_t>(d)] = 1;
-    if (n.stiffness[d] <= 0.0) {  // imposed; what it holds the books find out
-      n.content[d] = content_start_[static_cast<std::size_t>(d)];
-      r = 0.0;
-      continue;
-    }
-    const double full = n.reference_pressure + n.stiffness[d] * (n.content[d] - change);
-    const double target = std::max(full, n.floor_pressure);
-    pressure_error_ = std::max(pressure_error_, std::abs(n.pressure[d] - target));
-    if (full > n.floor_pressure) at_floor_[static_cast<std::size_t>(d)] = 0;
-    // One scale on either side of the floor, or the residual would jump where a domain comes to it.
-    r = (n.pressure[d] - target) / n.stiffness[d] / length_scale_;
+  double change = 0.0;
+  for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
+    change += n.corner_weight[2 * k] * assembly_.ux[n.corner_disc[k]] +
+              n.corner_weight[2 * k + 1] * assembly_.uy[n.corner_disc[k]];
   }
-  pressure_error_ /= range;
+  const double full = n.reference_pressure + n.stiffness[d] * (n.content[d] - change);
+  const double target = std::max(full, n.floor_pressure);
+  if (full > n.floor_pressure) at_floor_[at] = 0;
+  // One scale on either side of the floor, or the residual would jump where a domain comes to it.
+  r = (n.pressure[d] - target) / n.stiffness[d] / length_scale_;
+  return std::abs(n.pressure[d] - target);
 }
 
 void CoupledSystem::measure() {
@@ -304,93 +352,6 @@ Vec2 CoupledSystem::worst_place() const {
   }
   if (worst >= 3 * discs_) return network_.centroid[static_cast<std::size_t>(worst - 3 * discs_)];
   return assembly_.position(worst / 3);
-}
-
-void CoupledSystem::pair_product(const double* k, std::int32_t i, std::int32_t j, const Vector& x,
-                                 Vector& y) const {
-  const double q[4] = {x[3 * j] - x[3 * i], x[3 * j + 1] - x[3 * i + 1], x[3 * i + 2] / length_scale_,
-                       x[3 * j + 2] / length_scale_};
-  double f[4];
-  for (int row = 0; row < 4; ++row) {
-    f[row] = (k[4 * row] * q[0] + k[4 * row + 1] * q[1] + k[4 * row + 2] * q[2] + k[4 * row + 3] * q[3]) /
-             force_scale_;
-  }
-  y[3 * i] -= f[0];
-  y[3 * i + 1] -= f[1];
-  y[3 * j] += f[0];
-  y[3 * j + 1] += f[1];
-  y[3 * i + 2] += f[2] / length_scale_;
-  y[3 * j + 2] += f[3] / length_scale_;
-}
-
-void CoupledSystem::product(const Vector& x, Vector& y) const {
-  const auto& a = assembly_;
-  const auto& n = network_;
-  y.setZero(x.size());
-  for (std::size_t e = 0; e < bonds_.size(); ++e)
-    pair_product(bonds_[e].tangent, a.first[e], a.second[e], x, y);
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    if (pairs_[k].gap < 0.0)
-      pair_product(pairs_[k].tangent, loose_.pairs()[k].first, loose_.pairs()[k].second, x, y);
-  }
-  for (std::int64_t i = 0; i < discs_; ++i)
-    y.segment<3>(3 * i) += (adrift_[static_cast<std::size_t>(i)] != 0 ? 1.0 : hair) * x.segment<3>(3 * i);
-  for (const auto& pin : pins_) {
-    const double moved = x[3 * pin.disc] * pin.along.x + x[3 * pin.disc + 1] * pin.along.y;
-    y[3 * pin.disc] += moved * pin.along.x;
-    y[3 * pin.disc + 1] += moved * pin.along.y;
-  }
-  if (boundary_.walled()) {
-    for (std::size_t w = 0; w < boundary_.walls().size(); ++w) {
-      const auto& wall = boundary_.walls()[w];
-      for (const auto i : wall.discs) {
-        if (Boundary::closing_of(a, wall, i) <= 0.0) continue;
-        double closing = -(x[3 * i] * wall.inward.x + x[3 * i + 1] * wall.inward.y);
-        if (w < servo_walls_) closing += x[wall_at(w)];
-        y[3 * i] -= closing * wall.inward.x;
-        y[3 * i + 1] -= closing * wall.inward.y;
-        if (w < servo_walls_) y[wall_at(w)] += closing;
-      }
-      if (w < servo_walls_) y[wall_at(w)] += hair * x[wall_at(w)];
-    }
-  }
-  if (!wet_) {
-    for (std::int64_t d = 0; d < domains_; ++d) y[pressure_at(d)] = -x[pressure_at(d)];
-    return;
-  }
-  for (std::int64_t d = first_pushing(); d < domains_; ++d) {
-    const double p = x[pressure_at(d)] / length_scale_;
-    for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
-      const auto i = n.corner_disc[k];
-      if (adrift_[static_cast<std::size_t>(i)] != 0) continue;
-      y[3 * i] -= p * n.corner_weight[2 * k];
-      y[3 * i + 1] -= p * n.corner_weight[2 * k + 1];
-    }
-  }
-  for (std::int64_t d = 0; d < domains_; ++d) {
-    auto& out = y[pressure_at(d)];
-    if (at_floor_[static_cast<std::size_t>(d)] != 0) {
-      out = -x[pressure_at(d)] * floor_entry(d);
-      continue;
-    }
-    double change = 0.0;
-    for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
-      change += n.corner_weight[2 * k] * x[3 * n.corner_disc[k]] +
-                n.corner_weight[2 * k + 1] * x[3 * n.corner_disc[k] + 1];
-    }
-    out = -(change + pressure_scale_ / n.stiffness[d] * x[pressure_at(d)]) / length_scale_;
-  }
-  if (duration_ <= 0.0) return;
-  for (std::size_t e = 0; e < bonds_.size(); ++e) {
-    const auto l = n.left[e], r = n.right[e];
-    if (n.conductance[e] == 0.0) continue;
-    const double opened = aperture_change_[e] == 0.0 ? 0.0 : aperture_change_[e] * opens(e, x);
-    const double moved =
-        (duration_ * slope_[e] * pressure_scale_ * (x[pressure_at(l)] - x[pressure_at(r)]) + opened) /
-        length_scale_;
-    if (at_floor_[static_cast<std::size_t>(l)] == 0) y[pressure_at(l)] -= moved;
-    if (at_floor_[static_cast<std::size_t>(r)] == 0) y[pressure_at(r)] += moved;
-  }
 }
 
 // What x adds to the opening that a pipe's aperture goes by [m].

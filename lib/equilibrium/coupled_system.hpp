@@ -12,6 +12,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "core/workers.hpp"
@@ -96,7 +97,13 @@ class CoupledSystem {
     return stiffness > 0.0 ? pressure_scale_ / stiffness / length_scale_ : 1.0;
   }
   void add_pair(const BondResponse& r, std::int32_t i, std::int32_t j);
-  void pair_product(const double* tangent, std::int32_t i, std::int32_t j, const Vector& x, Vector& y) const;
+  void list_neighbours();
+  // What the forces of a pair change by if unknowns change by x.
+  void pair_product(const double* tangent, std::int32_t i, std::int32_t j, const Vector& x, double* f) const;
+  void products_of_bonds(const Vector& x, Workers::Range bonds) const;
+  void products_on_discs(const Vector& x, Vector& y, Workers::Range discs) const;
+  void products_on_domains(const Vector& x, Vector& y, Workers::Range domains) const;
+  void products_of_few(const Vector& x, Vector& y) const;
   template <class Emit>
   void each_entry(const Emit& emit) const;
   // Pressure that drives flow from left to right [Pa], with what a host set beyond the rim.
@@ -105,10 +112,17 @@ class CoupledSystem {
   }
   [[nodiscard]] double opens(std::size_t bond, const Vector& x) const;
   void evaluate_walls();
-  void evaluate_pairs();
+  // Runs a task on all workers, or here alone if the model is small; and what one of so many does of `count` things.
+  void share(const std::function<void(int worker, int workers)>& task) const;
+  static constexpr std::int64_t grain = 64;
+  [[nodiscard]] static Workers::Range part(std::int64_t count, int worker, int workers);
+  void answer_all();
+  void add_up_on_discs(Workers::Range discs);
+  void evaluate_few();
   void find_fragments();
   void evaluate_pipe(std::size_t e);
   void evaluate_domains();
+  double evaluate_domain(std::int64_t d);
   void measure();
 
   Assembly& assembly_;
@@ -139,6 +153,15 @@ class CoupledSystem {
   std::vector<char> holds_,
       held_before_;  // per bond, then per pair: joins two discs, now and when pieces were last found
   std::vector<char> at_floor_;  // per domain: pressure follows no content
+  // A disc's bonds and the domains' corners it stands at; a domain's pipes. Bonds and pipes: twice the number, + 1 on the second side.
+  std::vector<std::int32_t> bond_start_, bond_of_, corner_start_, corner_of_, corner_domain_, pipe_start_,
+      pipe_of_;
+  struct Change {
+    double force[4];  // of a bond
+    double moved;     // through its pipe
+  };
+  mutable std::vector<Change> changes_;
+  std::vector<double> bond_forces_;  // N, sums over grains
   Vector residual_;
   double contact_force_ = 0.0, force_ratio_ = 0.0, pressure_error_ = 0.0;
 };

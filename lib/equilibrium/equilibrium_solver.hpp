@@ -15,6 +15,7 @@
 
 #include "equilibrium/coupled_factor.hpp"
 #include "equilibrium/coupled_system.hpp"
+#include "equilibrium/krylov.hpp"
 #include "frac/crack_log.hpp"
 #include "solid/explicit_solver.hpp"
 
@@ -62,6 +63,7 @@ class EquilibriumSolver {
   const Options& options_;
   CoupledSystem system_;
   CoupledFactor factor_;
+  Krylov krylov_;
   std::vector<double> pressure_start_;
   std::vector<Exceeding> exceeding_;
   double krylov_rate_ = 0.0;  // iterations of the last linear solve per power of ten gained

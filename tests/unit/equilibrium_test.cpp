@@ -10,6 +10,7 @@
 #include "equilibrium/coupled_system.hpp"
 #include "equilibrium/dense_kernels.hpp"
 #include "equilibrium/dissection.hpp"
+#include "equilibrium/krylov.hpp"
 #include "equilibrium/multifrontal.hpp"
 #include "equilibrium/separator.hpp"
 #include "flow/aperture.hpp"
@@ -329,7 +330,7 @@ TEST(CoupledFactor, SolvesTheTangent) {
   Random random(11);
   CoupledSystem::Vector right(system.size()), x, y;
   for (Eigen::Index k = 0; k < right.size(); ++k) right[k] = random.uniform() - 0.5;
-  const auto outcome = solve_preconditioned(system, factor, right, 1e-10, 200, x);
+  const auto outcome = Krylov(team).solve(system, factor, right, 1e-10, 200, x);
   EXPECT_TRUE(outcome.converged);
   system.product(x, y);
   EXPECT_LT((y - right).norm(), 2e-10 * right.norm());
