@@ -20,6 +20,8 @@ namespace hfrac {
 namespace {
 
 constexpr double longest_growth = 4.0, shortest_cut = 0.1;
+// A length at which no rest was found is kept away from in the rest of the step, less and less so with every part that went well.
+constexpr double clear_of_stuck = 0.7, forgetting = 1.2;
 
 std::string place_text(Vec2 at) {
   std::string text = "(";  // in two steps: GCC 12 takes a literal plus a temporary for an overlap
@@ -115,6 +117,7 @@ Simulation::StepOutcome Simulation::coupled_step(double duration, const std::fun
   const Options& o = options();
   const std::size_t cracks_before = cracks_.size();
   double done = 0.0, tried_part = 0.0, tried_rise = 0.0;
+  double stuck_part = std::numeric_limits<double>::infinity();
   bool sudden = false;
   if (!(part_ > 0.0)) part_ = duration;
   while (done < duration) {
@@ -176,6 +179,7 @@ Simulation::StepOutcome Simulation::coupled_step(double duration, const std::fun
         ++rejected.rejected_error;
       } else {
         ++rejected.rejected_stuck;
+        stuck_part = std::min(stuck_part, part);
       }
       load_state(before_part_);
       work_ = rejected;
@@ -205,7 +209,9 @@ Simulation::StepOutcome Simulation::coupled_step(double duration, const std::fun
     if (!broke && !sudden && rise > 0.0) growth = std::min(growth, std::max(room / rise, shortest_cut));
     sudden = false;
     tried_part = 0.0;
-    if (part == part_ || growth < 1.0) part_ = part * std::clamp(growth, shortest_cut, longest_growth);
+    if (part == part_ || growth < 1.0)
+      part_ = std::min(part * std::clamp(growth, shortest_cut, longest_growth), clear_of_stuck * stuck_part);
+    stuck_part *= forgetting;
   }
   close_step(duration, cracks_before);
   return {false, true};

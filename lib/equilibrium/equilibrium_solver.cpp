@@ -8,7 +8,9 @@ namespace hfrac {
 namespace {
 
 constexpr int most_newton = 40;     // iterations of a round
-constexpr int most_uphill = 8;      // iterations of a round that lead nowhere
+constexpr int most_uphill = 2;      // iterations of a round that lead nowhere
+constexpr int patience = 8;         // iterations in which the residual has to fall
+constexpr double fall = 0.7;        // by this factor at least
 constexpr int most_rounds = 2000;   // of a solve
 constexpr int most_krylov = 40;     // iterations of a linear solve
 constexpr double renew_rate = 3.0;  // iterations per power of ten gained: a factor that needs more is renewed
@@ -28,7 +30,8 @@ EquilibriumSolver::EquilibriumSolver(Assembly& assembly, Network& network, Bound
       mechanics_(mechanics),
       options_(options),
       system_(assembly, network, boundary, mechanics.loose_contacts(), options, workers),
-      factor_(workers) {}
+      factor_(workers),
+      krylov_(workers) {}
 
 void EquilibriumSolver::begin_step() {
   factor_.forget();
@@ -75,8 +78,9 @@ EquilibriumSolver::Outcome EquilibriumSolver::solve(double duration, const std::
 bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>& interrupt) {
   const double tolerance = options_.solver_tolerance;
   CoupledSystem::Vector step;
-  int uphill = 0;
+  int uphill = 0, best_at = 0;
   system_.evaluate();
+  double best = system_.residual().norm();
   for (int iteration = 0; iteration < most_newton; ++iteration) {
     if (system_.force_ratio() <= tolerance && system_.pressure_error() <= tolerance) return true;
     if (!std::isfinite(system_.residual().squaredNorm())) return false;
@@ -87,7 +91,6 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
     ++outcome.newton;
     mechanics_.count_cycles(1);
     const CoupledSystem::Vector right = system_.residual();
-    KrylovOutcome linear;
     bool fresh = false;
     const double worst = std::max(system_.force_ratio(), system_.pressure_error());
     const double linear_tolerance = std::clamp(
@@ -97,12 +100,12 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
       ++outcome.factors;
       fresh = true;
     }
-    linear = solve_preconditioned(system_, factor_, right, linear_tolerance, most_krylov, step);
+    auto linear = krylov_.solve(system_, factor_, right, linear_tolerance, most_krylov, step);
     outcome.krylov += linear.iterations;
     if ((!linear.converged && !fresh) || (fresh && linear.iterations > most_single && factor_.refine())) {
       factor_.compute(system_);
       ++outcome.factors;
-      linear = solve_preconditioned(system_, factor_, right, linear_tolerance, most_krylov, step);
+      linear = krylov_.solve(system_, factor_, right, linear_tolerance, most_krylov, step);
       outcome.krylov += linear.iterations;
     }
     krylov_rate_ = linear.iterations / -std::log10(linear_tolerance);
@@ -126,6 +129,13 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
       const double whole = uphill % 2 == 1 ? longest : 0.5 * longest;
       system_.move(step, whole - share);
       system_.evaluate();
+    }
+    // What goes to and fro between two sides of a kink, or round a fold, finds no rest in this part of a step; a shorter one may.
+    if (system_.residual().norm() < fall * best) {
+      best = system_.residual().norm();
+      best_at = iteration;
+    } else if (iteration - best_at >= patience) {
+      return false;
     }
   }
   return system_.force_ratio() <= tolerance && system_.pressure_error() <= tolerance;
