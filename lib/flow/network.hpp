@@ -19,7 +19,7 @@
 
 namespace hfrac {
 
-enum class DomainKind : std::int32_t { rock = 0, well = 1, outside = 2 };
+enum class DomainKind : std::uint8_t { rock = 0, well = 1, outside = 2 };
 
 struct Network {
   // pipes, one per bond, from the domain left of (first -> second) to the one right of it

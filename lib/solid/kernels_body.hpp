@@ -113,7 +113,8 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
     const double limit = (varied ? friction_[k] : friction) * contact_n;
     const double slip = slip_[k];
     const double trial = contact_shear * share * (shear - slip);
-    const double contact_s = trial > limit ? limit : (trial < -limit ? -limit : trial);
+    // In the order of operands in which one instruction each does it.
+    const double below = limit < trial ? limit : trial, contact_s = -limit > below ? -limit : below;
     const double slipped =
         magnitude(trial) > limit ? shear - contact_s * (inverse_contact_shear / share) : slip;
     c.friction[k] = magnitude(contact_s * (slipped - slip));
@@ -174,23 +175,66 @@ inline void to_records(const double* __restrict x, const double* __restrict y, c
   for (int64_t k = whole; k < n; ++k) records[k] = Quad{x[k], y[k], z[k], 0.0};
 }
 
-// Motion of the discs of n bonds, from records (ux, uy, rotation, 0). Records are counted from disc `base` on.
+// Motion of the discs of four bonds, from records (ux, uy, rotation, 0), to places `k` on of the chunk.
+inline void pick_up_four(const Quad* at, const int32_t* i, const int32_t* j, int64_t k, Chunk& c) {
+  Quad i0 = at[i[0]], i1 = at[i[1]], i2 = at[i[2]], i3 = at[i[3]];
+  Quad d0 = at[j[0]] - i0, d1 = at[j[1]] - i1, d2 = at[j[2]] - i2, d3 = at[j[3]] - i3;
+  transpose(d0, d1, d2, d3);
+  transpose(i0, i1, i2, i3);
+  *reinterpret_cast<Quad*>(c.dux + k) = d0;
+  *reinterpret_cast<Quad*>(c.duy + k) = d1;
+  *reinterpret_cast<Quad*>(c.turn + k) = d2;
+  *reinterpret_cast<Quad*>(c.theta_i + k) = i2;
+}
+
+#ifdef __AVX512F__
+// NOLINTNEXTLINE(modernize-use-using): attribute form
+typedef double Oct __attribute__((vector_size(64), may_alias));
+
+inline Oct side_by_side(const Quad& a, const Quad& b) {
+  return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+// Eight at once take half the shuffles of twice four.
+inline void pick_up_eight(const Quad* at, const int32_t* i, const int32_t* j, int64_t k, Chunk& c) {
+  const Oct i02 = side_by_side(at[i[0]], at[i[2]]), i13 = side_by_side(at[i[1]], at[i[3]]),
+            i46 = side_by_side(at[i[4]], at[i[6]]), i57 = side_by_side(at[i[5]], at[i[7]]);
+  const Oct d02 = side_by_side(at[j[0]], at[j[2]]) - i02, d13 = side_by_side(at[j[1]], at[j[3]]) - i13,
+            d46 = side_by_side(at[j[4]], at[j[6]]) - i46, d57 = side_by_side(at[j[5]], at[j[7]]) - i57;
+  const Oct even0 = __builtin_shufflevector(d02, d13, 0, 8, 2, 10, 4, 12, 6, 14),
+            even4 = __builtin_shufflevector(d46, d57, 0, 8, 2, 10, 4, 12, 6, 14),
+            odd0 = __builtin_shufflevector(d02, d13, 1, 9, 3, 11, 5, 13, 7, 15),
+            odd4 = __builtin_shufflevector(d46, d57, 1, 9, 3, 11, 5, 13, 7, 15),
+            theta0 = __builtin_shufflevector(i02, i13, 0, 8, 2, 10, 4, 12, 6, 14),
+            theta4 = __builtin_shufflevector(i46, i57, 0, 8, 2, 10, 4, 12, 6, 14);
+  *reinterpret_cast<Oct*>(c.dux + k) = __builtin_shufflevector(even0, even4, 0, 1, 4, 5, 8, 9, 12, 13);
+  *reinterpret_cast<Oct*>(c.duy + k) = __builtin_shufflevector(odd0, odd4, 0, 1, 4, 5, 8, 9, 12, 13);
+  *reinterpret_cast<Oct*>(c.turn + k) = __builtin_shufflevector(even0, even4, 2, 3, 6, 7, 10, 11, 14, 15);
+  *reinterpret_cast<Oct*>(c.theta_i + k) =
+      __builtin_shufflevector(theta0, theta4, 2, 3, 6, 7, 10, 11, 14, 15);
+}
+#else
+inline void pick_up_eight(const Quad* at, const int32_t* i, const int32_t* j, int64_t k, Chunk& c) {
+  pick_up_four(at, i, j, k, c);
+  pick_up_four(at, i + 4, j + 4, k + 4, c);
+}
+#endif
+
+// Motion of the discs of n bonds. Records are counted from disc `base` on.
 inline void pick_up(const int32_t* first, const int32_t* second, int64_t base, const Quad* records, int64_t n,
                     Chunk& c) {
   const Quad* at = records - base;
-  for (int64_t k = 0; k < n; k += 4) {
-    // The last few of a chunk may be fewer than four: the last bond stands in for those missing.
-    const int64_t k1 = k + 1 < n ? k + 1 : n - 1, k2 = k + 2 < n ? k + 2 : n - 1,
-                  k3 = k + 3 < n ? k + 3 : n - 1;
-    Quad i0 = at[first[k]], i1 = at[first[k1]], i2 = at[first[k2]], i3 = at[first[k3]];
-    Quad d0 = at[second[k]] - i0, d1 = at[second[k1]] - i1, d2 = at[second[k2]] - i2,
-         d3 = at[second[k3]] - i3;
-    transpose(d0, d1, d2, d3);
-    transpose(i0, i1, i2, i3);
-    *reinterpret_cast<Quad*>(c.dux + k) = d0;
-    *reinterpret_cast<Quad*>(c.duy + k) = d1;
-    *reinterpret_cast<Quad*>(c.turn + k) = d2;
-    *reinterpret_cast<Quad*>(c.theta_i + k) = i2;
+  int64_t k = 0;
+  for (; k + 8 <= n; k += 8) pick_up_eight(at, first + k, second + k, k, c);
+  for (; k < n; k += 4) {
+    // The last may be fewer than four: the last bond stands in for those missing.
+    int32_t i[4], j[4];
+    for (int64_t q = 0; q < 4; ++q) {
+      const int64_t bond = k + q < n ? k + q : n - 1;
+      i[q] = first[bond];
+      j[q] = second[bond];
+    }
+    pick_up_four(at, i, j, k, c);
   }
 }
 
@@ -198,19 +242,30 @@ inline void pick_up(const int32_t* first, const int32_t* second, int64_t base, c
 inline void put_down(const int32_t* first, const int32_t* second, int64_t base, Quad* records, int64_t n,
                      const Chunk& c) {
   Quad* at = records - base;
-  for (int64_t k = 0; k < n; k += 4) {
-    Quad f0 = *reinterpret_cast<const Quad*>(c.fx + k), f1 = *reinterpret_cast<const Quad*>(c.fy + k),
-         f2 = *reinterpret_cast<const Quad*>(c.moment_i + k),
-         f3 = *reinterpret_cast<const Quad*>(c.minus_moment_j + k);
-    transpose(f0, f1, f2, f3);
-    const auto add = [&](int64_t bond, const Quad& force) {
-      at[first[bond]] += force;
-      at[second[bond]] -= __builtin_shufflevector(force, force, 0, 1, 3, 2);
-    };
-    add(k, f0);
-    if (k + 1 < n) add(k + 1, f1);
-    if (k + 2 < n) add(k + 2, f2);
-    if (k + 3 < n) add(k + 3, f3);
+  const auto records_of = [&](int64_t k, Quad* f) {
+    f[0] = *reinterpret_cast<const Quad*>(c.fx + k);
+    f[1] = *reinterpret_cast<const Quad*>(c.fy + k);
+    f[2] = *reinterpret_cast<const Quad*>(c.moment_i + k);
+    f[3] = *reinterpret_cast<const Quad*>(c.minus_moment_j + k);
+    transpose(f[0], f[1], f[2], f[3]);
+  };
+  const auto add = [&](int64_t bond, const Quad& force) {
+    at[first[bond]] += force;
+    at[second[bond]] -= __builtin_shufflevector(force, force, 0, 1, 3, 2);
+  };
+  int64_t k = 0;
+  for (; k + 4 <= n; k += 4) {
+    Quad f[4];
+    records_of(k, f);
+    add(k, f[0]);
+    add(k + 1, f[1]);
+    add(k + 2, f[2]);
+    add(k + 3, f[3]);
+  }
+  if (k < n) {
+    Quad f[4];
+    records_of(k, f);
+    for (int64_t q = 0; k + q < n; ++q) add(k + q, f[q]);
   }
 }
 
