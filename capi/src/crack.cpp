@@ -38,7 +38,7 @@ hfrac_crack describe(const Simulation& s, std::int64_t id) {
   c.energy = crack.energy;
   c.mode = static_cast<std::int32_t>(crack.mode);
   c.fracture = crack.fracture;
-  c.distance = s.assembly().length[static_cast<std::size_t>(crack.bond)];
+  c.distance = s.assembly().length(static_cast<std::size_t>(crack.bond));
   return c;
 }
 

@@ -187,7 +187,7 @@ std::uint64_t Simulation::model_fingerprint() const {
   hash.add_all(assembly_.x);
   hash.add_all(assembly_.y);
   hash.add_all(assembly_.radius);
-  hash.add_all(assembly_.bond_radius);
+  for (std::int64_t e = 0; e < assembly_.bond_count(); ++e) hash.add(assembly_.bond_radius(e));
   hash.add(assembly_.tensile_per_radius);
   hash.add(assembly_.shear_per_radius);
   hash.add_all(assembly_.strength_scale);

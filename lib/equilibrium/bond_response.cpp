@@ -107,9 +107,9 @@ BondResponse respond_smooth(const Assembly& a, const Options& o, const SmoothCon
 BondResponse respond(const Assembly& a, const Options& o, std::int64_t e) {
   if (const SmoothContact* contact = a.smooth.of(e)) return respond_smooth(a, o, *contact);
   const auto i = a.first[e], j = a.second[e];
-  const Vec2 du{a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, d0{a.dx[e], a.dy[e]}, d = d0 + du;
-  const double now = std::sqrt(dot(d, d)), length = a.length[e];
-  const double arm_i = a.arm[e], arm_j = length - arm_i;
+  const Vec2 du{a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, d0{a.dx(e), a.dy(e)}, d = d0 + du;
+  const double now = std::sqrt(dot(d, d)), length = a.length(e);
+  const double arm_i = a.arm(e), arm_j = length - arm_i;
   BondResponse r;
   r.gap = (2.0 * dot(d0, du) + dot(du, du)) / (now + length) - a.shares.growth_of(e);
   const double sine = cross(d0, du) / now, s2 = sine * sine / (length * length);
@@ -119,7 +119,7 @@ BondResponse respond(const Assembly& a, const Options& o, std::int64_t e) {
   Components c;
   const double share = a.shares.stiffness_of(e);
   if (intact) {
-    const double radius = a.bond_radius[e];
+    const double radius = a.bond_radius(e);
     c.normal_stiffness = o.bond_normal_stiffness * share;
     c.shear_stiffness = o.bond_shear_stiffness * share;
     c.moment_stiffness = c.normal_stiffness * radius * radius / 3.0;

@@ -128,7 +128,7 @@ CrackLine crack_line(const Assembly& a, const Options& o, std::int64_t bond) {
   const auto i = a.first[bond], j = a.second[bond];
   const double share = a.radius[i] / (a.radius[i] + a.radius[j]);
   const Vec2 from = a.position(i), to = a.position(j);
-  return {from + share * (to - from), view.normal, 2.0 * a.bond_radius[bond], std::max(0.0, view.gap)};
+  return {from + share * (to - from), view.normal, 2.0 * a.bond_radius(bond), std::max(0.0, view.gap)};
 }
 
 std::vector<Fracture> find_fractures(const Assembly& a, const Network& n, const Options& o,

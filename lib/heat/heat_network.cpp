@@ -19,7 +19,7 @@ constexpr std::int64_t largest_to_factorise = 60000;  // unknowns; beyond, conju
 // at wells only the side that is rock counts.
 double face_width(const Assembly& a, const Network& n, std::size_t e) {
   const auto i = static_cast<std::size_t>(a.first[e]), j = static_cast<std::size_t>(a.second[e]);
-  const Vec2 line{a.x[j] - a.x[i], a.y[j] - a.y[i]}, across{-line.y / a.length[e], line.x / a.length[e]};
+  const Vec2 line{a.x[j] - a.x[i], a.y[j] - a.y[i]}, across{-line.y / a.length(e), line.x / a.length(e)};
   const Vec2 middle{0.5 * (a.x[i] + a.x[j]), 0.5 * (a.y[i] + a.y[j])};
   double width = 0.0;
   for (const auto d : {n.left[e], n.right[e]}) {
@@ -142,7 +142,7 @@ HeatNetwork build_heat_network(const Assembly& a, const Network& n, const Option
   HeatNetwork h;
   for (std::int64_t i = 0; i < a.disc_count(); ++i) h.capacity.push_back(a.mass(i) * o.thermal_specific_heat);
   if (ThermalMode{o.thermal_mode} != ThermalMode::transport) return h;
-  for (std::size_t e = 0; e < a.first.size(); ++e) h.contact.push_back(face_width(a, n, e) / a.length[e]);
+  for (std::size_t e = 0; e < a.first.size(); ++e) h.contact.push_back(face_width(a, n, e) / a.length(e));
   if (FlowScheme{o.flow_scheme} != FlowScheme::off) {
     h.face.assign(n.corner_disc.size(), 0.0);
     for (std::int64_t d = 1; d < n.domain_count(); ++d) {

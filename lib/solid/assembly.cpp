@@ -31,16 +31,16 @@ Assembly build_assembly(ContactGraph graph, const Options& options) {
   }
   a.tensile_per_radius = 2.0 * options.bond_tensile_strength * a.strength_factor;
   a.shear_per_radius = 2.0 * options.bond_shear_strength * a.strength_factor;
-  for (auto* values : {&a.dx, &a.dy, &a.length, &a.arm, &a.bond_radius}) values->resize(bonds);
+  a.geometry.lay_out(a.tile_first_bond, static_cast<std::int64_t>(bonds));
   a.intact.assign(graph.bonded.begin(), graph.bonded.end());
   a.slip.assign(bonds, 0.0);
   for (std::size_t e = 0; e < bonds; ++e) {
     const auto i = a.first[e], j = a.second[e];
-    a.dx[e] = a.x[j] - a.x[i];
-    a.dy[e] = a.y[j] - a.y[i];
-    a.length[e] = std::sqrt(a.dx[e] * a.dx[e] + a.dy[e] * a.dy[e]);
-    a.arm[e] = a.length[e] * a.radius[i] / (a.radius[i] + a.radius[j]);
-    a.bond_radius[e] = options.bond_radius_factor * std::min(a.radius[i], a.radius[j]);
+    const double dx = a.x[j] - a.x[i], dy = a.y[j] - a.y[i], length = std::sqrt(dx * dx + dy * dy);
+    const auto bond = static_cast<std::int64_t>(e);
+    a.geometry.put(a.part_of(bond), bond,
+                   {dx, dy, length, length * a.radius[i] / (a.radius[i] + a.radius[j]),
+                    options.bond_radius_factor * std::min(a.radius[i], a.radius[j])});
   }
   if (options.bond_fracture_toughness > 0.0) apply_fracture_toughness(a, options);
   return a;
@@ -68,17 +68,17 @@ std::int64_t Assembly::bond_between(std::int32_t i, std::int32_t j) const {
 BondView view_bond(const Assembly& a, const Options& o, std::int64_t e) {
   if (const SmoothContact* contact = a.smooth.of(e)) return view_smooth(a, o, *contact);
   const auto i = a.first[e], j = a.second[e];
-  const Vec2 du{a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, d0{a.dx[e], a.dy[e]}, d = d0 + du;
-  const double now = std::sqrt(dot(d, d)), length = a.length[e];
+  const Vec2 du{a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, d0{a.dx(e), a.dy(e)}, d = d0 + du;
+  const double now = std::sqrt(dot(d, d)), length = a.length(e);
   BondView v{};
   v.gap = (2.0 * dot(d0, du) + dot(du, du)) / (now + length) - a.shares.growth_of(e);
   v.normal = (1.0 / now) * d;
-  v.first_arm = a.arm[e] * v.normal;
-  v.second_arm = (a.arm[e] - length) * v.normal;
+  v.first_arm = a.arm(e) * v.normal;
+  v.second_arm = (a.arm(e) - length) * v.normal;
   const double sine = cross(d0, du) / now, s2 = sine * sine / (length * length);
   v.shear = sine * (1.0 + s2 * (1.0 / 6.0 + s2 * (3.0 / 40.0 + s2 * (15.0 / 336.0)))) -
-            (a.arm[e] * a.rotation[i] + (length - a.arm[e]) * a.rotation[j]);
-  const double bend = a.rotation[j] - a.rotation[i], intact = a.intact[e], r = a.bond_radius[e];
+            (a.arm(e) * a.rotation[i] + (length - a.arm(e)) * a.rotation[j]);
+  const double bend = a.rotation[j] - a.rotation[i], intact = a.intact[e], r = a.bond_radius(e);
   const double share = a.shares.stiffness_of(e);
   const double bond_normal = o.bond_normal_stiffness * share,
                contact_shear = o.contact_shear_stiffness * share;

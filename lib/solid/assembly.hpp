@@ -14,6 +14,7 @@
 #include "core/array.hpp"
 #include "geom/contact_graph.hpp"
 #include "options/options.hpp"
+#include "solid/bond_geometry.hpp"
 #include "solid/bond_shares.hpp"
 #include "solid/smooth_joints.hpp"
 
@@ -54,7 +55,7 @@ struct Assembly {
   Array<double> external_x, external_y, external_moment;  // N, N, N m: far field, walls, loose contacts
   // bonds, in the order of contact_graph.hpp: those inside tiles first, then those across
   std::vector<std::int32_t> first, second;
-  Array<double> dx, dy, length, arm, bond_radius;  // m
+  BondGeometry geometry;
   Array<std::uint8_t> intact;
   Array<double> slip;  // m
   ThermalState thermal;
@@ -75,6 +76,21 @@ struct Assembly {
 
   [[nodiscard]] std::int64_t disc_count() const { return static_cast<std::int64_t>(x.size()); }
   [[nodiscard]] std::int64_t bond_count() const { return static_cast<std::int64_t>(first.size()); }
+  // Of a bond, as bond_geometry.hpp has it [m].
+  [[nodiscard]] double dx(std::int64_t bond) const { return geometry.at(part_of(bond), bond, block_dx); }
+  [[nodiscard]] double dy(std::int64_t bond) const { return geometry.at(part_of(bond), bond, block_dy); }
+  [[nodiscard]] double length(std::int64_t bond) const {
+    return geometry.at(part_of(bond), bond, block_length);
+  }
+  [[nodiscard]] double arm(std::int64_t bond) const { return geometry.at(part_of(bond), bond, block_arm); }
+  [[nodiscard]] double bond_radius(std::int64_t bond) const {
+    return geometry.at(part_of(bond), bond, block_radius);
+  }
+  // The tile of a bond; of one across tiles, the number of tiles.
+  [[nodiscard]] std::size_t part_of(std::int64_t bond) const {
+    return bond < tile_first_bond.back() ? static_cast<std::size_t>(first[bond] / discs_per_tile)
+                                         : tile_first_bond.size() - 1;
+  }
   [[nodiscard]] Vec2 position(std::int64_t disc) const { return {x[disc] + ux[disc], y[disc] + uy[disc]}; }
   // Per metre thickness: kg, and kg m2 as of a cylinder about its axis.
   [[nodiscard]] double mass(std::int64_t disc) const {
@@ -84,10 +100,10 @@ struct Assembly {
     return 0.5 * mass(disc) * radius[disc] * radius[disc];
   }
   [[nodiscard]] double tensile_capacity(std::int64_t bond) const {
-    return tensile_per_radius * bond_radius[bond] * shares.tensile_of(bond);
+    return tensile_per_radius * bond_radius(bond) * shares.tensile_of(bond);
   }
   [[nodiscard]] double shear_capacity(std::int64_t bond) const {
-    return shear_per_radius * bond_radius[bond] * shares.shear_of(bond);
+    return shear_per_radius * bond_radius(bond) * shares.shear_of(bond);
   }
   // Opening of the broken joint a bond belongs to, across the joint [m]; 0 if closed or of no joint.
   [[nodiscard]] double joint_opening(std::int64_t bond) const {

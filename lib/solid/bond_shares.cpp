@@ -15,8 +15,8 @@ void combine_shares(Assembly& a, const Options& o) {
     values->resize(bonds);
   for (std::size_t e = 0; e < bonds; ++e) {
     const std::int64_t i = a.first[e], j = a.second[e];
-    const double arm_j = a.length[e] - a.arm[e];
-    shares.growth[e] = thermal.strain_of(i, a.radius) * a.arm[e] + thermal.strain_of(j, a.radius) * arm_j;
+    const double arm_j = a.length(e) - a.arm(e);
+    shares.growth[e] = thermal.strain_of(i, a.radius) * a.arm(e) + thermal.strain_of(j, a.radius) * arm_j;
     // The law of smooth joints stands by itself (smooth_joints.hpp): for all others there is no contact here.
     const bool smooth = a.smooth.of(static_cast<std::int64_t>(e)) != nullptr;
     shares.stiffness[e] = smooth ? 0.0 : thermal.pair_stiffness(i, j);

@@ -79,11 +79,8 @@ void ExplicitSolver::bind_arrays() {
   k.disc_count = a.disc_count();
   k.first = a.first.data();
   k.second = a.second.data();
-  k.dx = a.dx.data();
-  k.dy = a.dy.data();
-  k.length = a.length.data();
-  k.arm = a.arm.data();
-  k.bond_radius = a.bond_radius.data();
+  k.geometry = a.geometry.data();
+  k.first_cross_geometry = a.geometry.first_block(plan_.tiles.size());
   k.intact = a.intact.data();
   k.slip = a.slip.data();
   if (!a.shares.empty()) {

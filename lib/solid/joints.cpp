@@ -27,7 +27,7 @@ void apply_joints(Assembly& a, const std::vector<JointOptions>& joints, const Op
     const double length = std::sqrt(dot(along, along));
     const Vec2 normal{-along.y / length, along.x / length};
     a.joint_normal[static_cast<std::size_t>(e)] =
-        dot(normal, {a.dx[e], a.dy[e]}) > 0.0 ? normal : -1.0 * normal;
+        dot(normal, {a.dx(e), a.dy(e)}) > 0.0 ? normal : -1.0 * normal;
     a.joint_tensile[e] = of->tensile_factor;
     a.joint_shear[e] = of->shear_factor;
     if (of->friction >= 0.0) a.joint_friction[e] = of->friction;

@@ -19,7 +19,10 @@
 
 namespace hfrac {
 
-constexpr int64_t tile_size = 512;    // discs: displacements and forces of a tile fit the first-level cache
+constexpr int64_t tile_size = 512;  // discs: displacements and forces of a tile fit the first-level cache
+// The values that make a bond, eight bonds side by side (bond_geometry.hpp): where in a block those of the first begin.
+constexpr int64_t block_bonds = 8, block_values = 40;
+constexpr int64_t block_dx = 0, block_dy = 8, block_length = 16, block_arm = 24, block_radius = 32;
 constexpr int64_t cross_block = 256;  // bonds or domains across tiles that are handed out together
 
 // Force of one bond on its discs: force on disc i (disc j gets the opposite), moment on i, moment on j.
@@ -41,7 +44,8 @@ struct TileSums {
 
 struct Tile {
   int64_t first_disc, last_disc, first_bond, last_bond, first_domain, last_domain, first_mail, last_mail;
-  int64_t left_alone;  // 1: nothing outside pushes its discs, and external_* need not be looked at
+  int64_t first_block;  // of its bonds
+  int64_t left_alone;   // 1: nothing outside pushes its discs, and external_* need not be looked at
 };
 
 struct KernelArrays {
@@ -53,11 +57,10 @@ struct KernelArrays {
   int64_t disc_count;
   // bonds: those inside tiles by tile, then those across
   const int32_t *first, *second;
-  const double *dx, *dy, *length;  // m: centre to centre at bonding
-  const double* arm;               // m: from the first disc's centre to the contact point at bonding
-  const double* bond_radius;       // m
-  const uint8_t* intact;           // 1, or 0 once broken
-  double* slip;                    // m: shear displacement the contact has slid through
+  const double* geometry;        // m, in blocks of `block_values`
+  int64_t first_cross_geometry;  // block of the first bond across tiles
+  const uint8_t* intact;         // 1, or 0 once broken
+  double* slip;                  // m: shear displacement the contact has slid through
   // by bond, all null where the rock is the same everywhere (bond_shares.hpp): thermal growth [m], shares of stiffness and
   // strengths, coefficient of friction
   const double *growth, *stiffness_share, *tensile_share, *shear_share, *bond_friction;
@@ -102,8 +105,8 @@ struct KernelTable {
   void (*tile_move)(const KernelArrays& a, int64_t tile, const double* scratch);
   void (*cross_bonds)(const KernelArrays& a, int64_t block);
   void (*cross_domains)(const KernelArrays& a, int64_t block);
-  // The forces of some bonds as they stand, for tests and whoever wants to look; moves and slides nothing.
-  void (*bond_forces)(const KernelArrays& a, int64_t first, int64_t last, BondForce* to);
+  // The forces of all bonds as they stand, for tests and whoever wants to look; moves and slides nothing.
+  void (*bond_forces)(const KernelArrays& a, BondForce* to);
   const char* name;
 };
 

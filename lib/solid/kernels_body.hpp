@@ -62,14 +62,10 @@ struct alignas(64) Chunk {
   double slip[chunk];                                 // after this cycle
 };
 
-// The law, for bonds e to e + n - 1. With `varied`, bonds differ (bond_shares.hpp).
+// The law, for bonds e to e + n - 1, whose geometry begins with `block`. With `varied`, bonds differ (bond_shares.hpp).
 template <bool varied>
-__attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, int64_t n, Chunk& c) {
-  const double* __restrict dx_ = a.dx + e;
-  const double* __restrict dy_ = a.dy + e;
-  const double* __restrict length_ = a.length + e;
-  const double* __restrict arm_ = a.arm + e;
-  const double* __restrict radius_ = a.bond_radius + e;
+__attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, int64_t n,
+                                             const double* __restrict block, Chunk& c) {
   const double* __restrict slip_ = a.slip + e;
   const uint8_t* __restrict intact_ = a.intact + e;
   const double* __restrict growth_ = varied ? a.growth + e : nullptr;
@@ -83,10 +79,10 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
                shearing = a.shear_capacity;
   const double inverse_contact_shear = a.contact_shear > 0.0 ? 1.0 / a.contact_shear : 0.0;
   for (int64_t k = 0; k < n; ++k) c.intact[k] = static_cast<double>(intact_[k]);
-#pragma GCC ivdep
-  for (int64_t k = 0; k < n; ++k) {
+  const auto one = [&](int64_t k, int64_t lane) __attribute__((always_inline)) {
     const double dux = c.dux[k], duy = c.duy[k], turn = c.turn[k];
-    const double dx = dx_[k], dy = dy_[k], length = length_[k], arm_i = arm_[k], arm_j = length - arm_i;
+    const double dx = block[block_dx + lane], dy = block[block_dy + lane],
+                 length = block[block_length + lane], arm_i = block[block_arm + lane], arm_j = length - arm_i;
     const double lx = dx + dux, ly = dy + duy;
     const double now = __builtin_sqrt(lx * lx + ly * ly);
     // One division for 1 / L, 1 / (L + L0) and 1 / L0.
@@ -102,7 +98,7 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
     const double shear = sine * (1.0 + s2 * (1.0 / 6.0 + s2 * (3.0 / 40.0 + s2 * (15.0 / 336.0)))) -
                          (length * c.theta_i[k] + arm_j * turn);
 
-    const double intact = c.intact[k], radius = radius_[k];
+    const double intact = c.intact[k], radius = block[block_radius + lane];
     const double bond_n = bond_normal * share * intact * gap;
     const double bond_s = bond_shear * share * intact * shear;
     const double bend = bond_normal * share * intact * radius * turn;  // 3 M / R
@@ -136,14 +132,24 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
     const double push = magnitude(bond_s) - shearing * radius * (varied ? shear_[k] : 1.0);
     const double excess = pull > push ? pull : push;
     c.over[k] = intact > 0.0 && excess >= 0.0 ? 1.0 : 0.0;
+  };
+  int64_t begin = 0;
+  for (; begin + block_bonds <= n; begin += block_bonds, block += block_values) {
+    // What the next chunk's block here will hold: bit by bit, since memory takes only so many requests at a time.
+    for (int64_t line = 0; line < block_values; line += 8)
+      __builtin_prefetch(block + chunk / block_bonds * block_values + line);
+#pragma GCC ivdep
+#pragma GCC unroll 1
+    for (int64_t lane = 0; lane < block_bonds; ++lane) one(begin + lane, lane);
   }
+  for (int64_t lane = 0; begin + lane < n; ++lane) one(begin + lane, lane);
 }
 
-inline void bond_law(const KernelArrays& a, int64_t e, int64_t n, Chunk& c) {
+inline void bond_law(const KernelArrays& a, int64_t e, int64_t n, const double* block, Chunk& c) {
   if (a.tensile_share == nullptr) {
-    bond_law_with<false>(a, e, n, c);
+    bond_law_with<false>(a, e, n, block, c);
   } else {
-    bond_law_with<true>(a, e, n, c);
+    bond_law_with<true>(a, e, n, block, c);
   }
 }
 
@@ -323,22 +329,20 @@ double tile_domains(const KernelArrays& a, const Tile& t, const Quad* motion, Qu
   return work;
 }
 
-// Asks for what the chunk of bonds from e on will read. A dozen arrays at once are more than processors look ahead for.
+// Asks for what else the chunk of bonds from e on will read.
 inline void fetch_bonds(const KernelArrays& a, int64_t e) {
   constexpr int64_t line = 8;
-  for (int64_t k = e; k < e + chunk; k += line) {
-    __builtin_prefetch(a.dx + k);
-    __builtin_prefetch(a.dy + k);
-    __builtin_prefetch(a.length + k);
-    __builtin_prefetch(a.arm + k);
-    __builtin_prefetch(a.bond_radius + k);
-    __builtin_prefetch(a.slip + k, 1);
-  }
+  for (int64_t k = e; k < e + chunk; k += line) __builtin_prefetch(a.slip + k, 1);
   for (int64_t k = e; k < e + chunk; k += 2 * line) {
     __builtin_prefetch(a.first + k);
     __builtin_prefetch(a.second + k);
   }
   __builtin_prefetch(a.intact + e);
+}
+
+// Where the geometry of a chunk begins that is so many bonds behind the first of its part.
+inline const double* geometry_at(const KernelArrays& a, int64_t first_block, int64_t behind) {
+  return a.geometry + (first_block + behind / block_bonds) * block_values;
 }
 
 void tile_forces(const KernelArrays& a, int64_t tile, double* scratch) {
@@ -363,7 +367,7 @@ void tile_forces(const KernelArrays& a, int64_t tile, double* scratch) {
     const int64_t n = e + chunk < t.last_bond ? chunk : t.last_bond - e;
     fetch_bonds(a, e + chunk);
     pick_up(a.first + e, a.second + e, t.first_disc, motion, n, c);
-    bond_law(a, e, n, c);
+    bond_law(a, e, n, geometry_at(a, t.first_block, e - t.first_bond), c);
     keep_slip(a, e, n, c);
     sums.add(c, n);
     put_down(a.first + e, a.second + e, t.first_disc, force, n, c);
@@ -391,7 +395,7 @@ void cross_bonds(const KernelArrays& a, int64_t block) {
   for (int64_t e = begin; e < end; e += chunk) {
     const int64_t n = e + chunk < end ? chunk : end - e;
     pick_up_anywhere(a, e, n, c);
-    bond_law(a, e, n, c);
+    bond_law(a, e, n, geometry_at(a, a.first_cross_geometry, e - a.first_cross_bond), c);
     keep_slip(a, e, n, c);
     sums.add(c, n);
     const int32_t* place = a.bond_mail + 2 * (e - a.first_cross_bond);
@@ -480,15 +484,21 @@ void tile_move(const KernelArrays& a, int64_t tile, const double* scratch) {
   a.disc_sums[tile].work += total(damped);
 }
 
-void bond_forces(const KernelArrays& a, int64_t first, int64_t last, BondForce* to) {
+void forces_of_part(const KernelArrays& a, int64_t first, int64_t last, int64_t first_block, BondForce* to) {
   Chunk c;
   for (int64_t e = first; e < last; e += chunk) {
     const int64_t n = e + chunk < last ? chunk : last - e;
     pick_up_anywhere(a, e, n, c);
-    bond_law(a, e, n, c);
+    bond_law(a, e, n, geometry_at(a, first_block, e - first), c);
     for (int64_t k = 0; k < n; ++k)
-      to[e - first + k] = BondForce{c.fx[k], c.fy[k], c.moment_i[k], -c.minus_moment_j[k]};
+      to[e + k] = BondForce{c.fx[k], c.fy[k], c.moment_i[k], -c.minus_moment_j[k]};
   }
+}
+
+void bond_forces(const KernelArrays& a, BondForce* to) {
+  for (int64_t t = 0; t < a.tile_count; ++t)
+    forces_of_part(a, a.tiles[t].first_bond, a.tiles[t].last_bond, a.tiles[t].first_block, to);
+  forces_of_part(a, a.first_cross_bond, a.bond_count, a.first_cross_geometry, to);
 }
 
 }  // namespace

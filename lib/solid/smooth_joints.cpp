@@ -35,7 +35,7 @@ struct Crossing {
 };
 Crossing crossing_of(const Assembly& a, std::int64_t e, Vec2 from, Vec2 along) {
   Crossing c{};
-  const Vec2 p{a.x[a.first[e]], a.y[a.first[e]]}, bond{a.dx[e], a.dy[e]};
+  const Vec2 p{a.x[a.first[e]], a.y[a.first[e]]}, bond{a.dx(e), a.dy(e)};
   c.bond = e;
   c.at = dot(p + (cross(from - p, along) / cross(bond, along)) * bond - from, along);
   const bool first_left = cross(along, p - from) > 0.0;
@@ -106,8 +106,8 @@ struct Motion {
 };
 Motion motion_of(const Assembly& a, const SmoothContact& c) {
   const auto i = a.first[c.bond], j = a.second[c.bond];
-  const double share = a.shares.growth_of(c.bond) / a.length[c.bond];
-  const Vec2 between{a.ux[j] - a.ux[i] - share * a.dx[c.bond], a.uy[j] - a.uy[i] - share * a.dy[c.bond]};
+  const double share = a.shares.growth_of(c.bond) / a.length(c.bond);
+  const Vec2 between{a.ux[j] - a.ux[i] - share * a.dx(c.bond), a.uy[j] - a.uy[i] - share * a.dy(c.bond)};
   return {dot(between, c.normal) + c.opens_by_first * a.rotation[i] + c.opens_by_second * a.rotation[j],
           dot(between, turned(c.normal)) + c.slides_by_first * a.rotation[i] +
               c.slides_by_second * a.rotation[j]};
@@ -165,7 +165,7 @@ void begin_smooth_joints(Assembly& a, const std::vector<JointOptions>& joints,
       SmoothContact c{};
       c.bond = e;
       c.joint = static_cast<std::int64_t>(k);
-      c.normal = dot(turned(along), {a.dx[e], a.dy[e]}) > 0.0 ? turned(along) : -1.0 * turned(along);
+      c.normal = dot(turned(along), {a.dx(e), a.dy(e)}) > 0.0 ? turned(along) : -1.0 * turned(along);
       c.first_arm = place - Vec2{a.x[i], a.y[i]};
       c.second_arm = place - Vec2{a.x[j], a.y[j]};
       c.opens_by_first = -dot(c.normal, turned(c.first_arm));

@@ -25,13 +25,13 @@ void stiffness_rows(const Assembly& a, const Network& n, const Options& o, std::
   for (std::size_t e = 0; e < a.first.size(); ++e) {
     const double share = a.shares.stiffness_of(static_cast<std::int64_t>(e)), kn = stiffest_n * share,
                  ks = stiffest_s * share;
-    const double nx = a.dx[e] / a.length[e], ny = a.dy[e] / a.length[e];
+    const double nx = a.dx(e) / a.length(e), ny = a.dy(e) / a.length(e);
     const double xx = kn * nx * nx + ks * ny * ny, yy = kn * ny * ny + ks * nx * nx,
                  xy = std::abs((kn - ks) * nx * ny);
     const auto i = a.first[e], j = a.second[e];
-    const double arm_i = a.arm[e], arm_j = a.length[e] - a.arm[e];
+    const double arm_i = a.arm(e), arm_j = a.length(e) - a.arm(e);
     const double lever = arm_i / a.radius[i] + arm_j / a.radius[j];
-    const double bending = o.bond_normal_stiffness * share * a.bond_radius[e] * a.bond_radius[e] / 3.0;
+    const double bending = o.bond_normal_stiffness * share * a.bond_radius(e) * a.bond_radius(e) / 3.0;
     for (const auto& [d, arm, other] : {std::tuple{i, arm_i, j}, std::tuple{j, arm_j, i}}) {
       row_x[d] += 2.0 * (xx + xy) + ks * std::abs(ny) * lever;
       row_y[d] += 2.0 * (yy + xy) + ks * std::abs(nx) * lever;

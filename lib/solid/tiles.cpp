@@ -37,6 +37,7 @@ TilePlan plan_tiles(const Assembly& a, const Network& n, bool fluid, bool outsid
   for (std::int64_t t = 0; t < count; ++t) {
     plan.tiles[t].first_bond = a.tile_first_bond[t];
     plan.tiles[t].last_bond = a.tile_first_bond[t + 1];
+    plan.tiles[t].first_block = a.geometry.first_block(static_cast<std::size_t>(t));
   }
   plan.first_cross_bond = a.tile_first_bond.back();
 

@@ -33,11 +33,9 @@ struct Pair {
     a.rotation = {2e-4, -1e-4};
     a.first = {0};
     a.second = {1};
-    a.dx = {1.6};
-    a.dy = {1.2};
-    a.length = {2.0};
-    a.arm = {1.2};
-    a.bond_radius = {0.8};
+    a.tile_first_bond = {0, 1};
+    a.geometry.lay_out(a.tile_first_bond, 1);
+    a.geometry.put(0, 0, {1.6, 1.2, 2.0, 1.2, 0.8});
     a.intact.assign(1, intact ? 1 : 0);
     a.slip = {1e-5};
     a.tensile_per_radius = a.shear_per_radius = 1e12;

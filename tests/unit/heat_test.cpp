@@ -248,7 +248,7 @@ TEST(Expansion, KernelsFollowTheLawInEveryInstructionSet) {
   const auto forces = [&](const char* set) {
     std::vector<BondForce> all(static_cast<std::size_t>(bonds));
     const KernelTable* table = kernels_for(set);
-    if (table != nullptr) table->bond_forces(solver.arrays(), 0, bonds, all.data());
+    if (table != nullptr) table->bond_forces(solver.arrays(), all.data());
     return all;
   };
   const auto plain = forces("baseline");

@@ -58,7 +58,7 @@ void cycle(const KernelTable& table, const KernelArrays& a) {
 
 std::vector<BondForce> forces_of(const Model& m) {
   std::vector<BondForce> forces(static_cast<std::size_t>(m.assembly.bond_count()));
-  kernels().bond_forces(m.solver->arrays(), 0, m.assembly.bond_count(), forces.data());
+  kernels().bond_forces(m.solver->arrays(), forces.data());
   return forces;
 }
 
@@ -80,7 +80,7 @@ std::string outputs_of(const char* isa, ContactMode mode) {
   std::vector<BondForce> force(static_cast<std::size_t>(a.bond_count));
   for (int round = 0; round < 3; ++round) {
     cycle(table, a);
-    table.bond_forces(a, 0, a.bond_count, force.data());
+    table.bond_forces(a, force.data());
     keep(force.data(), a.bond_count);
     keep(a.slip, a.bond_count);
     for (const double* values : {a.ux, a.uy, a.rotation, a.vx, a.vy, a.spin}) keep(values, a.disc_count);
@@ -128,14 +128,14 @@ TEST(Kernels, FollowTheLawOfViewBond) {
       const auto i = m.assembly.first[e], j = m.assembly.second[e];
       const double now = std::hypot(m.assembly.position(j).x - m.assembly.position(i).x,
                                     m.assembly.position(j).y - m.assembly.position(i).y);
-      const double ratio = m.assembly.length[e] / now, tangential = bond.shear_force() * ratio;
+      const double ratio = m.assembly.length(e) / now, tangential = bond.shear_force() * ratio;
       const BondForce& force = forces[static_cast<std::size_t>(e)];
       const double scale = 1e-12 * (std::abs(bond.normal_force()) + std::abs(tangential) + 1.0);
       EXPECT_NEAR(force.fx, bond.normal_force() * bond.normal.x - tangential * bond.normal.y, scale);
       EXPECT_NEAR(force.fy, bond.normal_force() * bond.normal.y + tangential * bond.normal.x, scale);
-      EXPECT_NEAR(force.moment_i, bond.shear_force() * m.assembly.arm[e] + bond.bond_moment, scale);
+      EXPECT_NEAR(force.moment_i, bond.shear_force() * m.assembly.arm(e) + bond.bond_moment, scale);
       EXPECT_NEAR(force.moment_j,
-                  bond.shear_force() * (m.assembly.length[e] - m.assembly.arm[e]) - bond.bond_moment, scale);
+                  bond.shear_force() * (m.assembly.length(e) - m.assembly.arm(e)) - bond.bond_moment, scale);
       // Sliding leaves the contact at the Coulomb limit, and never above it.
       m.assembly.slip[e] = slipped[e];
       const BondView after = view_bond(m.assembly, o, e);
@@ -321,8 +321,8 @@ TEST(Kernels, TurningTheBodyStrainsNothing) {
   double worst_normal = 0.0, worst_shear = 0.0;
   for (std::int64_t e = 0; e < m.assembly.bond_count(); ++e) {
     const BondView bond = view_bond(m.assembly, o, e);
-    worst_normal = std::max(worst_normal, std::abs(bond.gap) / m.assembly.length[e]);
-    worst_shear = std::max(worst_shear, std::abs(bond.shear) / m.assembly.length[e]);
+    worst_normal = std::max(worst_normal, std::abs(bond.gap) / m.assembly.length(e));
+    worst_shear = std::max(worst_shear, std::abs(bond.shear) / m.assembly.length(e));
     EXPECT_EQ(bond.bond_moment, 0.0);
   }
   RecordProperty("worst_shear_strain", std::to_string(worst_shear));

@@ -61,10 +61,10 @@ TEST(SmoothJoint, PiecesAddUpToItsLengthWhateverTheAngle) {
     for (const auto& contact : cut.a.smooth.contacts) {
       sum += contact.area;
       EXPECT_NEAR(std::abs(dot(contact.normal, normal)), 1.0, 1e-12);
-      EXPECT_GT(dot(contact.normal, Vec2{cut.a.dx[contact.bond], cut.a.dy[contact.bond]}), 0.0);
+      EXPECT_GT(dot(contact.normal, Vec2{cut.a.dx(contact.bond), cut.a.dy(contact.bond)}), 0.0);
       EXPECT_NEAR(
-          dot(contact.first_arm - contact.second_arm, Vec2{cut.a.dx[contact.bond], cut.a.dy[contact.bond]}),
-          cut.a.length[contact.bond] * cut.a.length[contact.bond], 1e-9);
+          dot(contact.first_arm - contact.second_arm, Vec2{cut.a.dx(contact.bond), cut.a.dy(contact.bond)}),
+          cut.a.length(contact.bond) * cut.a.length(contact.bond), 1e-9);
     }
     const double inside = 20.0 / std::max(std::abs(cut.along().x), std::abs(cut.along().y));
     EXPECT_NEAR(sum, inside, 3.0 * cut.a.mean_radius) << degrees;
@@ -145,8 +145,8 @@ TEST(SmoothJoint, TangentIsTheChangeOfForceAndMomentsBalance) {
                       1e-5 * cut.o.contact_normal_stiffness);
       }
       // About any point, forces and moments of the pair are in balance, slid as they are.
-      const double dx = cut.a.dx[contact.bond] + cut.a.ux[j] - cut.a.ux[i],
-                   dy = cut.a.dy[contact.bond] + cut.a.uy[j] - cut.a.uy[i];
+      const double dx = cut.a.dx(contact.bond) + cut.a.ux[j] - cut.a.ux[i],
+                   dy = cut.a.dy(contact.bond) + cut.a.uy[j] - cut.a.uy[i];
       const double turning = dx * at.force[1] - dy * at.force[0] + at.force[2] + at.force[3];
       EXPECT_NEAR(turning, 0.0, 1e-12 * cut.o.contact_normal_stiffness);
     }

@@ -54,7 +54,7 @@ TEST(FractureToughness, GoesWithTheDiscsAroundABond) {
         best = e;
       }
     }
-    return a.tensile_capacity(best) / (2.0 * a.bond_radius[best]);
+    return a.tensile_capacity(best) / (2.0 * a.bond_radius(best));
   };
   EXPECT_NEAR(strength_at(4.0) / strength_at(28.0), 2.0, 0.05);
 }

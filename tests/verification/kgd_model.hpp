@@ -82,7 +82,7 @@ class KgdModel {
     auto& a = const_cast<Assembly&>(sim_->assembly());
     for (std::int64_t e = 0; e < a.bond_count(); ++e) {
       if (!on_line(e) || std::abs(along(e)) > 0.42 * c.side) continue;
-      a.bond_radius[e] *= c.strength / 1e12;
+      a.geometry.put_radius(a.part_of(e), e, a.bond_radius(e) * (c.strength / 1e12));
     }
   }
 
