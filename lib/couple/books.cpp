@@ -25,6 +25,21 @@ void Simulation::elastic_energy(double& bonds, double& contacts) const {
   contacts += solver_->loose_contacts().energy(assembly_);
 }
 
+double Simulation::stored_fluid() const {
+  double stored = 0.0;
+  if (flow_) {
+    for (std::size_t d = 1; d < start_content_.size(); ++d) stored += network_.content[d] - start_content_[d];
+  } else {
+    for (std::size_t w = 0; w < wells_.size(); ++w) {
+      const auto d = wells_[w].place.domain;
+      const auto end = wells_.begin() + static_cast<std::ptrdiff_t>(w);  // two wells may share a hole
+      if (std::none_of(wells_.begin(), end, [d](const Well& other) { return other.place.domain == d; }))
+        stored += network_.content[d] - start_content_[w];
+    }
+  }
+  return stored;
+}
+
 // Works of fluid, far field and temperature = change of stored energy + what was dissipated + what breaking bonds took along.
 Balance Simulation::balance() const {
   Balance b{};
@@ -48,7 +63,7 @@ Balance Simulation::balance() const {
                    (contacts - start_contact_energy_) - b.friction - b.damping - b.fracture +
                    (heat_ ? heat_->state.thermal_work : 0.0);
   for (const auto& well : wells_) b.injected += well.injected;
-  for (std::size_t d = 1; d < start_content_.size(); ++d) b.stored += network_.content[d] - start_content_[d];
+  b.stored = stored_fluid();
   b.leaked = leaked_;
   b.host = host_added_;
   b.fluid_error = b.injected + b.host - b.stored - b.leaked;

@@ -218,7 +218,11 @@ void Simulation::begin_books() {
   if (SolverKind{o.solver_kind} == SolverKind::quasi_static)
     equilibrium_ =
         std::make_unique<EquilibriumSolver>(assembly_, network_, *boundary_, *solver_, o, *workers_);
-  start_content_.assign(network_.content.begin(), network_.content.end());
+  if (wet) {
+    start_content_ = network_.content;
+  } else {
+    for (const auto& well : wells_) start_content_.push_back(network_.content[well.place.domain]);
+  }
   elastic_energy(start_bond_energy_, start_contact_energy_);
   start_boundary_work_ = boundary_->load_work(assembly_);
   start_outside_change_ = network_.volume_change[0];

@@ -210,6 +210,8 @@ class Simulation {
   static void visit_state(Archive& archive, Self& self);  // what a step or the host may change
   template <class Archive, class Self>
   static void visit_start(Archive& archive, Self& self);  // what is fixed after set-up
+  template <class Archive, class Self>
+  static void visit_start_content(Archive& archive, Self& self);
   [[nodiscard]] bool is_finite() const;
   [[nodiscard]] std::size_t state_size(bool whole) const;
   void write_state(std::span<std::byte> state, bool whole) const;
@@ -231,6 +233,7 @@ class Simulation {
   [[nodiscard]] double stored_heat() const;
   // books.cpp
   void elastic_energy(double& bonds, double& contacts) const;  // J/m
+  [[nodiscard]] double stored_fluid() const;                   // m2 since set-up
 
   CaseDefinition definition_;
   std::unique_ptr<Workers, Workers::Release> workers_;
@@ -258,7 +261,7 @@ class Simulation {
   SolverWork work_;
   // where the books begin
   Array<double> start_x_, start_y_, start_rotation_;
-  Array<double> start_content_;
+  Array<double> start_content_;  // m2 per domain; dry: per well, since nothing else changes
   std::vector<std::byte> before_step_, opened_, before_part_;  // images to go back to
   bool step_open_ = false;
   std::optional<HostGrid> grid_;

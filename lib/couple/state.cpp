@@ -19,7 +19,7 @@ void Simulation::visit_state(Archive& archive, Self& s) {
   for (auto* values : {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin}) archive.array(*values);
   archive.often_zero(a.slip);
   for (auto* values : {&a.external_x, &a.external_y, &a.external_moment}) archive.mostly_zero(*values);
-  archive.array(a.intact);
+  archive.flags(a.intact);
   if (FlowScheme{s.options().flow_scheme} != FlowScheme::off) {
     for (auto* values : {&n.aperture, &n.conductance, &n.flow, &n.volume_change, &n.content, &n.pressure,
                          &n.stiffness, &n.rim_excess}) {
@@ -82,10 +82,25 @@ void Simulation::visit_state(Archive& archive, Self& s) {
   archive.require(s.solver_->loose_contacts().fits(a.disc_count()));
 }
 
+// By domain in any image. In a dry model the start is what there is now but for the wells, and only those are kept.
+template <class Archive, class Self>
+void Simulation::visit_start_content(Archive& archive, Self& s) {
+  if (s.flow_) {
+    archive.array(s.start_content_);
+    return;
+  }
+  Array<double> content = s.network_.content;
+  for (std::size_t w = 0; w < s.wells_.size(); ++w) content[s.wells_[w].place.domain] = s.start_content_[w];
+  archive.array(content);
+  if constexpr (Archive::loading) {
+    for (std::size_t w = 0; w < s.wells_.size(); ++w) s.start_content_[w] = content[s.wells_[w].place.domain];
+  }
+}
+
 template <class Archive, class Self>
 void Simulation::visit_start(Archive& archive, Self& s) {
-  for (auto* values : {&s.start_x_, &s.start_y_, &s.start_rotation_, &s.start_content_})
-    archive.array(*values);
+  for (auto* values : {&s.start_x_, &s.start_y_, &s.start_rotation_}) archive.array(*values);
+  visit_start_content(archive, s);
   for (auto* value : {&s.start_bond_energy_, &s.start_contact_energy_, &s.start_boundary_work_})
     archive.value(*value);
 }

@@ -41,17 +41,18 @@ TilePlan plan_tiles(const Assembly& a, const Network& n, bool fluid, bool outsid
   }
   plan.first_cross_bond = a.tile_first_bond.back();
 
-  plan.cross_domain.push_back(0);
+  // Pores of a dry model neither push nor answer: none is on the plan.
+  if (fluid) plan.cross_domain.push_back(0);
   std::int64_t d = 1;
   for (std::int64_t t = 0; t < count; ++t) {
     plan.tiles[t].first_domain = d;
     while (d < domains && tile_of_domain(n, d) == t) ++d;
     plan.tiles[t].last_domain = d;
   }
-  for (; d < domains; ++d) plan.cross_domain.push_back(static_cast<std::int32_t>(d));
+  for (; fluid && d < domains; ++d) plan.cross_domain.push_back(static_cast<std::int32_t>(d));
 
   // A place in the mail for either end of a bond and every corner of a domain, in the order of discs.
-  const auto pushes = [&](std::int32_t domain) { return fluid && (domain != 0 || outside_pushes); };
+  const auto pushes = [&](std::int32_t domain) { return domain != 0 || outside_pushes; };
   std::vector<std::int32_t> place(static_cast<std::size_t>(discs) + 1, 0);
   for (auto e = plan.first_cross_bond; e < bonds; ++e) {
     ++place[a.first[e] + 1];

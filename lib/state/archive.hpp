@@ -63,6 +63,10 @@ class Counter {
       array(values);
     }
   }
+  template <class Flags>
+  void flags(const Flags& values) {
+    size_ += sizeof(std::int64_t) + (compact_ ? (values.size() + 7) / 8 : values.size());
+  }
   template <class Values, class Item>
   void list(const Values& values, Item&& item) {
     size_ += sizeof(std::int64_t);
@@ -113,6 +117,21 @@ class Saver {
       mostly_zero(values);
     } else {
       array(values);
+    }
+  }
+  // Bytes that are 0 or 1: in an image as they are, compact as bits.
+  template <class Flags>
+  void flags(const Flags& values) {
+    if (!compact_) {
+      array(values);
+      return;
+    }
+    value(static_cast<std::int64_t>(values.size()));
+    for (std::size_t k = 0; k < values.size(); k += 8) {
+      unsigned char bits = 0;
+      for (std::size_t b = 0; b < 8 && k + b < values.size(); ++b)
+        bits = static_cast<unsigned char>(bits | (values[k + b] != 0 ? 1U << b : 0U));
+      value(bits);
     }
   }
   // A list that grows and shrinks; item(archive, element) visits one.
@@ -185,6 +204,21 @@ class Loader {
       array(values);
     }
   }
+  template <class Flags>
+  void flags(Flags& values) {
+    if (!compact_) {
+      array(values);
+      return;
+    }
+    std::int64_t count = 0;
+    value(count);
+    if (count != static_cast<std::int64_t>(values.size())) refuse();
+    for (std::size_t k = 0; k < values.size(); k += 8) {
+      unsigned char bits = 0;
+      value(bits);
+      for (std::size_t b = 0; b < 8 && k + b < values.size(); ++b) values[k + b] = (bits >> b) & 1U;
+    }
+  }
   template <class Values, class Item>
   void list(Values& values, Item&& item) {
     std::int64_t count = 0;
@@ -226,6 +260,10 @@ class FiniteCheck {
       finite_ = finite_ && all;
     }
   }
+  template <class Flags>
+  void flags(const Flags& values) {
+    array(values);
+  }
   template <class Values>
   void often_zero(const Values& values) {
     array(values);
@@ -260,6 +298,10 @@ class Hasher {
   template <class Values>
   void array(const Values& values) {
     for (const auto& v : values) value(v);
+  }
+  template <class Flags>
+  void flags(const Flags& values) {
+    array(values);
   }
   template <class Values>
   void often_zero(const Values& values) {
