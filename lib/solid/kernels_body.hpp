@@ -13,7 +13,7 @@
 //   varied         g less what the discs grew, k and strengths times their shares, mu by bond (bond_shares.hpp)
 //   breakage       F_n + 3 beta |M| / R >= sigma_c A  or  |F_s| >= tau_c A                (eq. 21-23, tension positive)
 //
-// Bonds go through it 64 at a time: records of discs are picked up four by four and transposed into arrays (a gather
+// Bonds go through it 64 at a time: records of discs are picked up four or eight at once and transposed into arrays (a gather
 // instruction costs several times as much), the law runs over the arrays in the widest vectors there are, and forces are
 // transposed back and added to their discs.
 #include "solid/kernels.hpp"

@@ -5,9 +5,10 @@
 //
 // The paper's rock around a well in tiled bricks, real time, a millisecond a step. Prints
 //
-//     hfrac-memory N kind bytes_per_disc bond_updates_per_s | seconds of set-up, of a step, peak
+//     hfrac-memory N kind bytes_per_disc bond_updates_per_s | seconds of set-up, of a step, peak, in use before and after a step
 //
 // bytes_per_disc: the process's peak less that of a process that has done nothing yet, over the discs.
+// In use, likewise: after set-up, and after the first step, with the undo image and what a flow solve keeps.
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -40,12 +41,15 @@ double processor_seconds() {
 }
 
 // Of this program alone: getrusage's figure survives exec and may be that of a larger parent.
-double peak_bytes() {
+double status_bytes(const char* what) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
-    if (line.starts_with("VmHWM:")) return 1024.0 * std::stod(line.substr(6));
+    if (line.starts_with(what)) return 1024.0 * std::stod(line.substr(6));
   }
   return 0.0;
+}
+double peak_bytes() {
+  return status_bytes("VmHWM:");
 }
 
 void measure(std::int64_t count, bool coupled, int steps, int workers) {
@@ -65,8 +69,13 @@ void measure(std::int64_t count, bool coupled, int steps, int workers) {
   const double start = now(), cpu_start = processor_seconds();
   Simulation s(definition, {}, {});
   const double built = now() - start, cpu_built = processor_seconds() - cpu_start;
+  const double resident = status_bytes("VmRSS:") - empty;
+  double stepped_in = resident;
   const double at = now(), cpu_at = processor_seconds();
-  for (int k = 0; k < steps; ++k) s.step();
+  for (int k = 0; k < steps; ++k) {
+    s.step();
+    if (k == 0) stepped_in = status_bytes("VmRSS:") - empty;
+  }
   const double stepped = (now() - at) / std::max(1, steps),
                cpu_stepped = (processor_seconds() - cpu_at) / std::max(1, steps);
   const double bytes = peak_bytes() - empty;
@@ -75,11 +84,14 @@ void measure(std::int64_t count, bool coupled, int steps, int workers) {
                rate = static_cast<double>(s.assembly().bond_count()) * cycles / std::max(1e-9, stepped);
   std::printf(
       "hfrac-memory %lld %s %.0f %.4g | set-up %.1f s (processor %.1f s), step of %.0f cycles %.2f s "
-      "(processor %.2f s), %lld bonds, %lld domains, %zu cracks, peak %.0f MB\n",
+      "(processor %.2f s), %lld bonds, %lld domains, %zu cracks, peak %.0f MB, in use %.0f "
+      "and %.0f B a disc\n",
       static_cast<long long>(s.assembly().disc_count()), coupled ? "coupled" : "dry",
       bytes / static_cast<double>(s.assembly().disc_count()), rate, built, cpu_built, cycles, stepped,
       cpu_stepped, static_cast<long long>(s.assembly().bond_count()),
-      static_cast<long long>(s.network().domain_count()), s.cracks().size(), bytes / 1e6);
+      static_cast<long long>(s.network().domain_count()), s.cracks().size(), bytes / 1e6,
+      resident / static_cast<double>(s.assembly().disc_count()),
+      stepped_in / static_cast<double>(s.assembly().disc_count()));
 }
 
 }  // namespace
