@@ -5,7 +5,7 @@
 //            w0^2 = 2.1 (12 eta Q / E')^(1/2) l, w0 p0 = 0.62 (12 eta Q E')^(1/2).
 // Set-up     kgd_model.hpp; 0.01 m2/s of 0.1 Pa s, quasi-static solver, mode coupled. Time: the well stores fluid before and
 //            while the fracture grows, so l^(3/2) is fitted against time and its slope compared; Q is what left the well.
-// Tolerance  Prefactors of l, w0 and w0 p0: 25 %. Exponent of l in w0: 10 % is missed (0.71 here, 0.63 on finer sheets: the hole's
+// Tolerance  Prefactors of l, w0 and w0 p0: 25 %. Exponent of l in w0: 10 % is missed (0.73 here, 0.66 on finer sheets: the hole's
 //            own opening and the dry tip count while the fracture is a few holes long); held to 0.5 to 0.75.
 #include <gtest/gtest.h>
 
