@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "equilibrium/coupled_factor.hpp"
 
-
 namespace hfrac {
 
 namespace {

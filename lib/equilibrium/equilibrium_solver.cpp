@@ -13,7 +13,7 @@ constexpr int patience = 8;         // iterations in which the residual has to f
 constexpr double fall = 0.7;        // by this factor at least
 constexpr int most_rounds = 2000;   // of a solve
 constexpr int most_krylov = 40;     // iterations of a linear solve
-constexpr double renew_rate = 3.0;  // iterations per power of ten gained: a factor that needs more is renewed
+constexpr double renew_rate = 4.5;  // iterations per power of ten gained: a factor that needs more is renewed
 constexpr int most_single = 12;     // a fresh factor that needs more has too few digits
 // What a linear solve leaves of the residual: the first of a round meets kinks all the same, later ones are to be the last.
 constexpr double first_tolerance = 1e-2, later_tolerance = 1e-3, loosest_tolerance = 0.1;
