@@ -72,10 +72,11 @@ void write_whole_file(const std::string& path, std::span<const std::byte> bytes)
       refuse("written", path, error, fix);
     }
   }
-  // The name is safe once its folder is synced. File systems that cannot sync a folder refuse; the file is there all the
-  // same.
+  // The name is safe once its folder is synced. File systems that cannot sync a folder refuse; a disk that fails is no such
+  // case, though the file is there.
   const Descriptor folder(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY);
-  if (folder.is_open()) ::fsync(folder.number());
+  if (folder.is_open() && ::fsync(folder.number()) != 0 && (errno == EIO || errno == ENOSPC))
+    refuse("written", path, errno, fix);
 }
 
 std::vector<std::byte> read_whole_file(const std::string& path, std::size_t limit) {

@@ -65,9 +65,11 @@ void WholeFile::commit() {
   }
   if (::rename(working_.c_str(), target_.c_str()) != 0) fail_writing(cannot_write(target_, errno));
   committed_ = true;
-  // The new name itself must reach the disk too; file systems that cannot sync a folder keep their own order.
+  // The new name itself must reach the disk too; file systems that cannot sync a folder keep their own order, a disk that
+  // fails is no such case.
   const Descriptor folder(::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (folder.open()) ::fsync(folder.number());
+  if (folder.open() && ::fsync(folder.number()) != 0 && (errno == EIO || errno == ENOSPC))
+    fail_writing(cannot_write(target_, errno));
 }
 
 void write_whole(const std::filesystem::path& target, std::span<const std::uint8_t> content) {
