@@ -4,9 +4,9 @@
 // toml++ 3.3 states what its parser expects as assertions, and some of them do not hold for malformed files
 // ("[\x1e"). In a debug build that ends the process; with NDEBUG the compiler is told to take them for
 // granted, so that such a file leads to undefined behaviour. Here an assertion that fails is an exception in
-// every build. Likewise, its test for white space takes other characters between U+FCA6 and U+FEFE, Arabic letters among them, for
-// impossible; here it says that they are none. To be included by one source file only, as the meaning of toml++'s inline functions depends on
-// it.
+// every build. Likewise its test for white space takes other characters between U+FCA6 and U+FEFE, Arabic letters
+// among them, for impossible; here it says that they are none. To be included by one source file only, as the
+// meaning of toml++'s inline functions depends on it.
 #pragma once
 
 #include <cassert>

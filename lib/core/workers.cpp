@@ -130,10 +130,10 @@ void Workers::wait_for(const std::atomic<std::int32_t>& done, std::int32_t at_le
   }
 }
 
-Workers::Range Workers::part(int worker, std::int64_t n, std::int64_t grain) const {
+Workers::Range Workers::part_of(int worker, int workers, std::int64_t n, std::int64_t grain) {
   const std::int64_t blocks = (n + grain - 1) / grain;
-  const std::int64_t first = blocks * worker / count_;
-  const std::int64_t last = blocks * (worker + 1) / count_;
+  const std::int64_t first = blocks * worker / workers;
+  const std::int64_t last = blocks * (worker + 1) / workers;
   return {std::min(n, first * grain), std::min(n, last * grain)};
 }
 

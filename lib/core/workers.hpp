@@ -45,9 +45,32 @@ class Workers {
     std::int64_t first;
     std::int64_t last;
   };
-  [[nodiscard]] Range part(int worker, std::int64_t n, std::int64_t grain) const;
+  [[nodiscard]] Range part(int worker, std::int64_t n, std::int64_t grain) const {
+    return part_of(worker, count_, n, grain);
+  }
+
+  // One of those who do a task together.
+  struct Member {
+    Workers& team;
+    int number, count;
+    [[nodiscard]] Range part(std::int64_t n, std::int64_t grain) const {
+      return part_of(number, count, n, grain);
+    }
+    void barrier() const {
+      if (count > 1) team.barrier();
+    }
+  };
+  // Runs task(member) on every worker, or, if it is not worth that, once on the calling thread.
+  template <class Task>
+  void share(bool worth_it, const Task& task) {
+    if (worth_it)
+      run([&](int worker) { task(Member{*this, worker, count_}); });
+    else
+      task(Member{*this, 0, 1});
+  }
 
  private:
+  static Range part_of(int worker, int workers, std::int64_t n, std::int64_t grain);
   void loop(int worker);
   void end_threads();
 

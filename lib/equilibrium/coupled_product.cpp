@@ -173,11 +173,11 @@ void CoupledSystem::products_of_few(const Vector& x, Vector& y) const {
 void CoupledSystem::product(const Vector& x, Vector& y) const {
   const auto bonds = static_cast<std::int64_t>(bonds_.size());
   y.resize(x.size());
-  share([&](int worker, int workers) {
-    products_of_bonds(x, part(bonds, worker, workers));
-    if (workers > 1) workers_.barrier();
-    products_on_discs(x, y, part(discs_, worker, workers));
-    products_on_domains(x, y, part(domains_, worker, workers));
+  workers_.share(worth_sharing(), [&](const Workers::Member& member) {
+    products_of_bonds(x, member.part(bonds, grain));
+    member.barrier();
+    products_on_discs(x, y, member.part(discs_, grain));
+    products_on_domains(x, y, member.part(domains_, grain));
   });
   products_of_few(x, y);
 }

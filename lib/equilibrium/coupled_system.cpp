@@ -9,12 +9,6 @@
 #include "options/choices.hpp"
 
 namespace hfrac {
-namespace {
-
-constexpr std::int64_t worth_sharing = 2048;  // discs
-
-}  // namespace
-
 CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& boundary,
                              const LooseContacts& loose, const Options& options, Workers& workers)
     : assembly_(assembly),
@@ -112,26 +106,13 @@ void CoupledSystem::evaluate() {
   }
 }
 
-void CoupledSystem::share(const std::function<void(int worker, int workers)>& task) const {
-  if (discs_ < worth_sharing)
-    task(0, 1);
-  else
-    workers_.run([&](int worker) { task(worker, workers_.count()); });
-}
-
-Workers::Range CoupledSystem::part(std::int64_t count, int worker, int workers) {
-  const std::int64_t grains = (count + grain - 1) / grain;
-  return {std::min(count, grains * worker / workers * grain),
-          std::min(count, grains * (worker + 1) / workers * grain)};
-}
-
 // Bonds answer one by one, then discs add up what pulls and pushes them.
 void CoupledSystem::answer_all() {
   const auto bonds = static_cast<std::int64_t>(bonds_.size());
   const bool flows = wet_ && duration_ > 0.0;
   bond_forces_.resize(static_cast<std::size_t>((bonds + grain - 1) / grain));
-  share([&](int worker, int workers) {
-    const auto mine = part(bonds, worker, workers);
+  workers_.share(worth_sharing(), [&](const Workers::Member& member) {
+    const auto mine = member.part(bonds, grain);
     for (auto begin = mine.first; begin < mine.last; begin += grain) {
       double force = 0.0;
       for (auto e = begin; e < std::min(begin + grain, mine.last); ++e) {
@@ -142,8 +123,8 @@ void CoupledSystem::answer_all() {
       }
       bond_forces_[static_cast<std::size_t>(begin / grain)] = force;
     }
-    if (workers > 1) workers_.barrier();
-    add_up_on_discs(part(discs_, worker, workers));
+    member.barrier();
+    add_up_on_discs(member.part(discs_, grain));
   });
   contact_force_ = 0.0;
   for (const double force : bond_forces_) contact_force_ += force;
@@ -280,9 +261,9 @@ void CoupledSystem::evaluate_domains() {
     double off = 0.0, range = 1.0;
   };
   std::vector<Most> most(static_cast<std::size_t>(workers_.count()));
-  share([&](int worker, int workers) {
-    Most& mine = most[static_cast<std::size_t>(worker)];
-    const auto domains = part(domains_, worker, workers);
+  workers_.share(worth_sharing(), [&](const Workers::Member& member) {
+    Most& mine = most[static_cast<std::size_t>(member.number)];
+    const auto domains = member.part(domains_, grain);
     for (auto d = domains.first; d < domains.last; ++d) {
       mine.range = std::max(mine.range, std::abs(network_.pressure[d] - network_.reference_pressure));
       mine.off = std::max(mine.off, evaluate_domain(d));

@@ -12,7 +12,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
 #include <vector>
 
 #include "core/workers.hpp"
@@ -112,10 +111,8 @@ class CoupledSystem {
   }
   [[nodiscard]] double opens(std::size_t bond, const Vector& x) const;
   void evaluate_walls();
-  // Runs a task on all workers, or here alone if the model is small; and what one of so many does of `count` things.
-  void share(const std::function<void(int worker, int workers)>& task) const;
-  static constexpr std::int64_t grain = 64;
-  [[nodiscard]] static Workers::Range part(std::int64_t count, int worker, int workers);
+  static constexpr std::int64_t grain = 64;  // discs, bonds or domains
+  [[nodiscard]] bool worth_sharing() const { return discs_ >= 2048; }
   void answer_all();
   void add_up_on_discs(Workers::Range discs);
   void evaluate_few();

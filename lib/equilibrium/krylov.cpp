@@ -12,26 +12,19 @@ constexpr std::size_t worth_sharing = 4;  // chunks
 
 }  // namespace
 
-template <class Task>
-void Krylov::share(const Task& task) {
-  if (sums_[0].size() < worth_sharing)
-    task(0, 1);
-  else
-    workers_.run([&](int worker) { task(worker, workers_.count()); });
-}
-
 void Krylov::orthogonalise(int k, double* column) {
   const auto size = next_.size(), chunks = static_cast<Eigen::Index>(sums_[0].size());
-  share([&](int worker, int workers) {
+  workers_.share(sums_[0].size() >= worth_sharing, [&](const Workers::Member& member) {
+    const auto mine_are = member.part(chunks, 1);
     const auto each_chunk = [&](const auto& visit) {
-      for (auto c = chunks * worker / workers; c < chunks * (worker + 1) / workers; ++c)
+      for (auto c = mine_are.first; c < mine_are.last; ++c)
         visit(c, next_.segment(c * chunk, std::min(chunk, size - c * chunk)));
     };
     const auto part = [&](const Vector& of, Eigen::Index c) {
       return of.segment(c * chunk, std::min(chunk, size - c * chunk));
     };
     const auto sum = [&](int turn) {
-      if (workers > 1) workers_.barrier();
+      member.barrier();
       double all = 0.0;
       for (const double s : sums_[turn]) all += s;
       return all;
@@ -41,7 +34,7 @@ void Krylov::orthogonalise(int k, double* column) {
     });
     for (int i = 0; i <= k; ++i) {
       const double along = sum(i % 2);
-      if (worker == 0) column[i] = along;
+      if (member.number == 0) column[i] = along;
       const Vector &taken = basis_[static_cast<std::size_t>(i)],
                    &then = basis_[static_cast<std::size_t>(i) + 1];
       each_chunk([&](Eigen::Index c, auto mine) {
@@ -51,7 +44,7 @@ void Krylov::orthogonalise(int k, double* column) {
       });
     }
     const double length = std::sqrt(sum((k + 1) % 2));
-    if (worker == 0) column[k + 1] = length;
+    if (member.number == 0) column[k + 1] = length;
     Vector& made = basis_[static_cast<std::size_t>(k) + 1];
     each_chunk([&](Eigen::Index c, auto mine) { made.segment(c * chunk, mine.size()) = mine / length; });
   });

@@ -32,8 +32,6 @@ class Krylov {
   // Takes from `next` what it has along basis[0] to basis[k], noting how much in column[0..k], and its length then in
   // column[k + 1]; that over its length becomes basis[k + 1].
   void orthogonalise(int k, double* column);
-  template <class Task>
-  void share(const Task& task);
 
   Workers& workers_;
   std::vector<Vector> basis_, directions_;
