@@ -16,7 +16,8 @@ double nearest_image(double distance, double side) {
   return distance < -0.5 * side ? distance + side : distance;
 }
 
-// Pairs that may touch before some disc has moved half the skin.
+// Pairs that may touch before some disc has moved half the skin, first[k] < second[k], in ascending order of the first. One flat
+// list: a loop over each disc's own few would end at a number of turns no processor foresees.
 class NeighbourList {
  public:
   NeighbourList(const RelaxationBox& box, const Array<double>& radius, double skin)
@@ -30,22 +31,23 @@ class NeighbourList {
     const double largest = *std::max_element(radius_.begin(), radius_.end());
     const CellGrid grid(x, y, 2.0 * largest + skin_);
     const auto n = static_cast<std::int32_t>(x.size());
-    start.assign(x.size() + 1, 0);
-    other.clear();
+    first.clear();
+    second.clear();
     for (std::int32_t i = 0; i < n; ++i) {
       const double reach_i = radius_[i] + largest + skin_;
       const auto take = [&](std::int32_t j) {
         if (j <= i) return;
         const Vec2 d = between(x, y, i, j);
         const double reach = radius_[i] + radius_[j] + skin_;
-        if (d.x * d.x + d.y * d.y < reach * reach) other.push_back(j);
+        if (d.x * d.x + d.y * d.y >= reach * reach) return;
+        first.push_back(i);
+        second.push_back(j);
       };
       if (box_.periodic && near_side(x[i], y[i], reach_i)) {
         take_images(grid, x[i], y[i], reach_i, take);
       } else {
         grid.near(x[i], y[i], reach_i, take);
       }
-      start[i + 1] = static_cast<std::int32_t>(other.size());
     }
   }
 
@@ -57,7 +59,7 @@ class NeighbourList {
     return d;
   }
 
-  std::vector<std::int32_t> start, other;
+  std::vector<std::int32_t> first, second;
 
  private:
   void wrap(Array<double>& x, Array<double>& y) const {
@@ -85,11 +87,12 @@ class NeighbourList {
   [[nodiscard]] bool moved_too_far(const Array<double>& x, const Array<double>& y) const {
     if (x_.empty()) return true;
     const double limit = 0.25 * skin_ * skin_;
+    int far = 0;  // no early end, so that it runs in vectors
     for (std::size_t i = 0; i < x.size(); ++i) {
       const double dx = x[i] - x_[i], dy = y[i] - y_[i];
-      if (dx * dx + dy * dy > limit) return true;
+      far |= dx * dx + dy * dy > limit ? 1 : 0;
     }
-    return false;
+    return far != 0;
   }
 
   const RelaxationBox& box_;
@@ -99,69 +102,61 @@ class NeighbourList {
   std::vector<std::int32_t> around_;
 };
 
-struct Overlaps {
-  double mean_force = 0.0;  // mean of all contact forces (stiffness 1: mean overlap)
-  double mean_unbalanced = 0.0;
+// Of all discs, stiffness 1. A disc's own pairs and those it is second in are added up apart.
+struct Forces {
+  explicit Forces(std::size_t n) : x(n, 0.0), y(n, 0.0), own_x(n, 0.0), own_y(n, 0.0) {}
+  Array<double> x, y, own_x, own_y;
 };
 
-// Forces of overlapping discs and walls, stiffness 1.
-Overlaps overlap_forces(const RelaxationBox& box, const Array<double>& radius, const Array<double>& x,
-                        const Array<double>& y, const std::vector<char>& held, const NeighbourList& list,
-                        Array<double>& fx, Array<double>& fy) {
-  const std::size_t n = x.size();
-  std::fill(fx.begin(), fx.end(), 0.0);
-  std::fill(fy.begin(), fy.end(), 0.0);
-  double sum = 0.0;
-  std::int64_t contacts = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    double fxi = 0.0, fyi = 0.0;
-    const double xi = x[i], yi = y[i], ri = radius[i];
-    for (auto k = list.start[i]; k < list.start[i + 1]; ++k) {
-      const auto j = list.other[k];
-      const Vec2 d = list.between(x, y, i, static_cast<std::size_t>(j));
-      const double reach = ri + radius[j], d2 = d.x * d.x + d.y * d.y;
-      if (d2 >= reach * reach) continue;
-      const double distance = std::sqrt(d2), overlap = reach - distance,
-                   scale = overlap / std::max(distance, 1e-300);
-      fxi -= scale * d.x;
-      fyi -= scale * d.y;
-      fx[j] += scale * d.x;
-      fy[j] += scale * d.y;
-      sum += overlap;
-      ++contacts;
-    }
-    if (box.periodic) {
-      fx[i] += fxi;
-      fy[i] += fyi;
-      continue;
-    }
-    const double west = ri - xi, east = xi + ri - box.width, south = ri - yi, north = yi + ri - box.height;
-    for (const double overlap : {west, east, south, north}) {
-      if (overlap > 0.0) {
-        sum += overlap;
-        ++contacts;
-      }
-    }
-    fx[i] += fxi + std::max(0.0, west) - std::max(0.0, east);
-    fy[i] += fyi + std::max(0.0, south) - std::max(0.0, north);
+struct Contacts {
+  double overlap = 0.0;  // sum of all, which is that of their forces
+  std::int64_t count = 0;
+};
+
+// What overlapping discs push each other with. Nothing branches on whether two touch: that would be guessed wrong too often.
+template <bool periodic>
+Contacts push_discs(const Array<double>& radius, const Array<double>& x, const Array<double>& y,
+                    const NeighbourList& list, Forces& f) {
+  double sum = 0.0, count = 0.0;
+  double* __restrict own_x = f.own_x.data();
+  double* __restrict own_y = f.own_y.data();
+  double* __restrict fx = f.x.data();
+  double* __restrict fy = f.y.data();
+  for (std::size_t k = 0; k < list.first.size(); ++k) {
+    const auto i = static_cast<std::size_t>(list.first[k]), j = static_cast<std::size_t>(list.second[k]);
+    const Vec2 d = periodic ? list.between(x, y, i, j) : Vec2{x[j] - x[i], y[j] - y[i]};
+    const double reach = radius[i] + radius[j], d2 = d.x * d.x + d.y * d.y, distance = std::sqrt(d2);
+    const double touch = d2 < reach * reach ? 1.0 : 0.0;
+    const double overlap = touch * (reach - distance), scale = overlap / std::max(distance, 1e-300);
+    own_x[i] -= scale * d.x;
+    own_y[i] -= scale * d.y;
+    fx[j] += scale * d.x;
+    fy[j] += scale * d.y;
+    sum += overlap;
+    count += touch;
   }
-  Overlaps result;
-  result.mean_force = contacts > 0 ? sum / static_cast<double>(contacts) : 0.0;
-  std::size_t moving = n;
-  if (!held.empty()) {
-    moving = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (held[i] != 0) {
-        fx[i] = fy[i] = 0.0;
-      } else {
-        ++moving;
-      }
-    }
-  }
-  for (std::size_t i = 0; i < n; ++i) result.mean_unbalanced += std::sqrt(fx[i] * fx[i] + fy[i] * fy[i]);
-  result.mean_unbalanced /= static_cast<double>(std::max<std::size_t>(1, moving));
-  return result;
+  return {sum, static_cast<std::int64_t>(count)};
 }
+
+// What the box's walls push disc i with.
+Vec2 push_of_walls(const RelaxationBox& box, double x, double y, double radius, Vec2 force,
+                   Contacts& contacts) {
+  const double west = radius - x, east = x + radius - box.width, south = radius - y,
+               north = y + radius - box.height;
+  if (std::max(std::max(west, east), std::max(south, north)) <= 0.0) return force;
+  for (const double overlap : {west, east, south, north}) {
+    if (overlap <= 0.0) continue;
+    contacts.overlap += overlap;
+    ++contacts.count;
+  }
+  return {force.x + std::max(0.0, west) - std::max(0.0, east),
+          force.y + std::max(0.0, south) - std::max(0.0, north)};
+}
+
+struct Sums {
+  double unbalanced = 0.0;                 // of the sizes of forces
+  double power = 0.0, f2 = 0.0, v2 = 0.0;  // force times velocity, squares of both
+};
 
 }  // namespace
 
@@ -170,7 +165,11 @@ RelaxationReport relax_overlaps(const RelaxationBox& box, const Array<double>& r
                                 std::int64_t most, const std::function<bool(double)>& progress) {
   const std::size_t n = x.size();
   const double mean_radius = std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(n);
-  Array<double> fx(n), fy(n), vx(n, 0.0), vy(n, 0.0);
+  const auto moving = static_cast<double>(std::max<std::int64_t>(
+      1,
+      static_cast<std::int64_t>(n) - std::count_if(held.begin(), held.end(), [](char h) { return h != 0; })));
+  Forces f(n);
+  Array<double> vx(n, 0.0), vy(n, 0.0);
   NeighbourList list(box, radius, 0.4 * mean_radius);
   constexpr double step_max = 0.55, grow = 1.1, shrink = 0.5, mixing_start = 0.1, mixing_decay = 0.99;
   constexpr int patience = 5;
@@ -180,9 +179,23 @@ RelaxationReport relax_overlaps(const RelaxationBox& box, const Array<double>& r
   RelaxationReport report;
   for (;; ++report.iterations) {
     list.refresh(x, y);
-    const Overlaps now = overlap_forces(box, radius, x, y, held, list, fx, fy);
-    report.residual = now.mean_force > 0.0 ? now.mean_unbalanced / now.mean_force : 0.0;
-    report.mean_overlap = now.mean_force / mean_radius;
+    Contacts contacts =
+        box.periodic ? push_discs<true>(radius, x, y, list, f) : push_discs<false>(radius, x, y, list, f);
+    Sums sums;
+    for (std::size_t i = 0; i < n; ++i) {
+      Vec2 force{f.own_x[i], f.own_y[i]};
+      if (!box.periodic) force = push_of_walls(box, x[i], y[i], radius[i], force, contacts);
+      const bool stays = !held.empty() && held[i] != 0;
+      const double fx = f.x[i] = stays ? 0.0 : f.x[i] + force.x, fy = f.y[i] = stays ? 0.0 : f.y[i] + force.y;
+      sums.unbalanced += std::sqrt(fx * fx + fy * fy);
+      sums.power += fx * vx[i] + fy * vy[i];
+      sums.f2 += fx * fx + fy * fy;
+      sums.v2 += vx[i] * vx[i] + vy[i] * vy[i];
+    }
+    const double mean_force =
+        contacts.count > 0 ? contacts.overlap / static_cast<double>(contacts.count) : 0.0;
+    report.residual = mean_force > 0.0 ? sums.unbalanced / moving / mean_force : 0.0;
+    report.mean_overlap = mean_force / mean_radius;
     // Below the jamming density all overlaps vanish: that is at rest too.
     report.at_rest = report.residual <= residual || report.mean_overlap < 1e-6;
     if (report.at_rest || report.iterations == most) return report;
@@ -190,16 +203,10 @@ RelaxationReport relax_overlaps(const RelaxationBox& box, const Array<double>& r
     if (report.iterations == 0) first = std::max(report.residual, 10.0 * residual);
     done = std::clamp(std::log(first / report.residual) / std::log(first / residual), done, 1.0);
     if (progress && report.iterations % 50 == 0 && progress(done)) return report;
-    double power = 0.0, f2 = 0.0, v2 = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-      power += fx[i] * vx[i] + fy[i] * vy[i];
-      f2 += fx[i] * fx[i] + fy[i] * fy[i];
-      v2 += vx[i] * vx[i] + vy[i] * vy[i];
-    }
     double keep = 1.0, turn = 0.0;
-    if (power > 0.0) {
+    if (sums.power > 0.0) {
       keep = 1.0 - mixing;
-      turn = mixing * std::sqrt(v2 / std::max(f2, 1e-300));
+      turn = mixing * std::sqrt(sums.v2 / std::max(sums.f2, 1e-300));
       if (++downhill > patience) {
         step = std::min(step * grow, step_max);
         mixing *= mixing_decay;
@@ -211,10 +218,11 @@ RelaxationReport relax_overlaps(const RelaxationBox& box, const Array<double>& r
       downhill = 0;
     }
     for (std::size_t i = 0; i < n; ++i) {
-      vx[i] = keep * vx[i] + (turn + step) * fx[i];
-      vy[i] = keep * vy[i] + (turn + step) * fy[i];
+      vx[i] = keep * vx[i] + (turn + step) * f.x[i];
+      vy[i] = keep * vy[i] + (turn + step) * f.y[i];
       x[i] += step * vx[i];
       y[i] += step * vy[i];
+      f.x[i] = f.y[i] = f.own_x[i] = f.own_y[i] = 0.0;
     }
   }
 }
