@@ -24,9 +24,10 @@ struct Kgd {
   double length, width_exponent, width, product;  // measured over analytic, the second an exponent
 };
 
-Kgd run(int columns) {
+Kgd run(int columns, double side = 80.0) {
   KgdCase c;
   c.columns = columns;
+  c.side = side;
   KgdModel model(c);
   auto& s = model.simulation();
   std::vector<double> time, length, width, pressure;
@@ -66,9 +67,9 @@ Kgd run(int columns) {
       "V11", "KGD fracture dominated by viscosity",
       "time since its start (s),half length (m),width at the well (mm),net pressure (MPa)");
   for (std::size_t k = 0; k < time.size(); ++k)
-    curves.point(std::to_string(columns) + " columns",
+    curves.point(std::to_string(columns) + " columns, " + std::to_string(std::lround(side)) + " m",
                  {time[k] - begun, length[k], 1e3 * width[k], 1e-6 * pressure[k]});
-  if (columns == 40) {
+  if (columns == 40 && side == 80.0) {
     curves.line("Adachi and Detournay", 0.5, time.back() - begun, [&](double t) {
       const double l = 0.6152 * std::pow(E * Q * Q * Q / (12.0 * eta), 1.0 / 6.0) * std::pow(t, 2.0 / 3.0),
                    w = std::sqrt(2.1 * std::sqrt(12.0 * eta * Q / E) * l);
@@ -80,10 +81,11 @@ Kgd run(int columns) {
   const Kgd result{std::pow(fit_line(time, grown).slope / slope, 2.0 / 3.0), fit_line(log_l, log_w).slope,
                    width_ratio / n, product_ratio / n};
   std::printf(
-      "  %d columns, %d states, l %.1f to %.1f m, Q %.4f m2/s: l %.3f, w0 %.3f, w0 p0 %.3f of analytic, w0 ~ "
+      "  %d columns, %.0f m, %d states, l %.1f to %.1f m, Q %.4f m2/s: l %.3f, w0 %.3f, w0 p0 %.3f of "
+      "analytic, w0 ~ "
       "l^%.3f (0.5)\n",
-      columns, static_cast<int>(time.size()), length.front(), length.back(), Q, result.length, result.width,
-      result.product, result.width_exponent);
+      columns, side, static_cast<int>(time.size()), length.front(), length.back(), Q, result.length,
+      result.width, result.product, result.width_exponent);
   return result;
 }
 
@@ -104,6 +106,16 @@ TEST(V11KgdLong, PrefactorsHardlyDependOnTheSheet) {
     EXPECT_NEAR(fine.length, coarse.length, 0.05);
     EXPECT_NEAR(fine.width, coarse.width, 0.05);
     EXPECT_NEAR(fine.product, coarse.product, 0.05);
+  }
+}
+
+// Longer fractures round the same hole: the width's exponent comes nearer to 0.5.
+TEST(V11KgdLong, WiderSheetsBringTheExponentNearer) {
+  double before = run(40).width_exponent;
+  for (const int columns : {80, 120}) {
+    const Kgd wide = run(columns, 2.0 * columns);
+    EXPECT_LT(std::abs(wide.width_exponent - 0.5), std::abs(before - 0.5));
+    before = wide.width_exponent;
   }
 }
 
