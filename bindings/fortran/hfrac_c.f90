@@ -558,6 +558,10 @@ module hfrac_c
     !> [Pa/m] Shear stiffness of smooth joints, per area. 0: contact.shear_stiffness over the mean disc diameter.
     !> Default 0.0.
     real(c_double) :: smooth_joint_shear_stiffness = 0.0_c_double
+    !> 0: double, 1: single. Precision in which lengths, arms and radii of bonds are kept. single: 20 bytes a bond
+    !> less to hold and to fetch, each off by at most 6e-8 of itself; all arithmetic, and what changes in a run,
+    !> stays in double precision. Default 0.
+    integer(c_int64_t) :: bond_geometry_storage = 0_c_int64_t
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.

@@ -62,10 +62,11 @@ struct alignas(64) Chunk {
   double slip[chunk];                                 // after this cycle
 };
 
-// The law, for bonds e to e + n - 1, whose geometry begins with `block`. With `varied`, bonds differ (bond_shares.hpp).
-template <bool varied>
+// The law, for bonds e to e + n - 1, whose geometry, in numbers of type Stored, begins with `block`. With `varied`, bonds differ
+// (bond_shares.hpp).
+template <bool varied, class Stored>
 __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, int64_t n,
-                                             const double* __restrict block, Chunk& c) {
+                                             const Stored* __restrict block, Chunk& c) {
   const double* __restrict slip_ = a.slip + e;
   const uint8_t* __restrict intact_ = a.intact + e;
   const double* __restrict growth_ = varied ? a.growth + e : nullptr;
@@ -79,10 +80,12 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
                shearing = a.shear_capacity;
   const double inverse_contact_shear = a.contact_shear > 0.0 ? 1.0 / a.contact_shear : 0.0;
   for (int64_t k = 0; k < n; ++k) c.intact[k] = static_cast<double>(intact_[k]);
-  const auto one = [&](int64_t k, int64_t lane) __attribute__((always_inline)) {
+  const auto one = [&](int64_t k, int64_t lane, const double* __restrict values)
+      __attribute__((always_inline)) {
     const double dux = c.dux[k], duy = c.duy[k], turn = c.turn[k];
-    const double dx = block[block_dx + lane], dy = block[block_dy + lane],
-                 length = block[block_length + lane], arm_i = block[block_arm + lane], arm_j = length - arm_i;
+    const double dx = values[block_dx + lane], dy = values[block_dy + lane],
+                 length = values[block_length + lane], arm_i = values[block_arm + lane],
+                 arm_j = length - arm_i;
     const double lx = dx + dux, ly = dy + duy;
     const double now = __builtin_sqrt(lx * lx + ly * ly);
     // One division for 1 / L, 1 / (L + L0) and 1 / L0.
@@ -98,7 +101,7 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
     const double shear = sine * (1.0 + s2 * (1.0 / 6.0 + s2 * (3.0 / 40.0 + s2 * (15.0 / 336.0)))) -
                          (length * c.theta_i[k] + arm_j * turn);
 
-    const double intact = c.intact[k], radius = block[block_radius + lane];
+    const double intact = c.intact[k], radius = values[block_radius + lane];
     const double bond_n = bond_normal * share * intact * gap;
     const double bond_s = bond_shear * share * intact * shear;
     const double bend = bond_normal * share * intact * radius * turn;  // 3 M / R
@@ -133,23 +136,45 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
     const double excess = pull > push ? pull : push;
     c.over[k] = intact > 0.0 && excess >= 0.0 ? 1.0 : 0.0;
   };
+  // Single precision becomes double a block at a time: within the law the compiler makes a detour of it.
+  alignas(64) double wide[sizeof(Stored) == sizeof(double) ? 1 : block_values] = {};
+  const auto in_double = [&]() __attribute__((always_inline))->const double* {
+    if constexpr (sizeof(Stored) == sizeof(double)) {
+      return block;
+    } else {
+      for (int64_t k = 0; k < block_values; ++k) wide[k] = static_cast<double>(block[k]);
+      return wide;
+    }
+  };
   int64_t begin = 0;
   for (; begin + block_bonds <= n; begin += block_bonds, block += block_values) {
     // What the next chunk's block here will hold: bit by bit, since memory takes only so many requests at a time.
-    for (int64_t line = 0; line < block_values; line += 8)
+    for (int64_t line = 0; line < block_values; line += 64 / static_cast<int64_t>(sizeof(Stored)))
       __builtin_prefetch(block + chunk / block_bonds * block_values + line);
+    const double* __restrict at = in_double();
 #pragma GCC ivdep
 #pragma GCC unroll 1
-    for (int64_t lane = 0; lane < block_bonds; ++lane) one(begin + lane, lane);
+    for (int64_t lane = 0; lane < block_bonds; ++lane) one(begin + lane, lane, at);
   }
-  for (int64_t lane = 0; begin + lane < n; ++lane) one(begin + lane, lane);
+  if (begin < n) {
+    const double* __restrict at = in_double();
+    for (int64_t lane = 0; begin + lane < n; ++lane) one(begin + lane, lane, at);
+  }
 }
 
-inline void bond_law(const KernelArrays& a, int64_t e, int64_t n, const double* block, Chunk& c) {
-  if (a.tensile_share == nullptr) {
-    bond_law_with<false>(a, e, n, block, c);
+// The geometry of bond e is that of value `at` on.
+inline void bond_law(const KernelArrays& a, int64_t e, int64_t n, int64_t at, Chunk& c) {
+  const bool varied = a.tensile_share != nullptr;
+  if (a.geometry_single != nullptr) {
+    if (varied) {
+      bond_law_with<true>(a, e, n, a.geometry_single + at, c);
+    } else {
+      bond_law_with<false>(a, e, n, a.geometry_single + at, c);
+    }
+  } else if (varied) {
+    bond_law_with<true>(a, e, n, a.geometry + at, c);
   } else {
-    bond_law_with<true>(a, e, n, block, c);
+    bond_law_with<false>(a, e, n, a.geometry + at, c);
   }
 }
 
@@ -341,8 +366,8 @@ inline void fetch_bonds(const KernelArrays& a, int64_t e) {
 }
 
 // Where the geometry of a chunk begins that is so many bonds behind the first of its part.
-inline const double* geometry_at(const KernelArrays& a, int64_t first_block, int64_t behind) {
-  return a.geometry + (first_block + behind / block_bonds) * block_values;
+inline int64_t geometry_at(int64_t first_block, int64_t behind) {
+  return (first_block + behind / block_bonds) * block_values;
 }
 
 void tile_forces(const KernelArrays& a, int64_t tile, double* scratch) {
@@ -367,7 +392,7 @@ void tile_forces(const KernelArrays& a, int64_t tile, double* scratch) {
     const int64_t n = e + chunk < t.last_bond ? chunk : t.last_bond - e;
     fetch_bonds(a, e + chunk);
     pick_up(a.first + e, a.second + e, t.first_disc, motion, n, c);
-    bond_law(a, e, n, geometry_at(a, t.first_block, e - t.first_bond), c);
+    bond_law(a, e, n, geometry_at(t.first_block, e - t.first_bond), c);
     keep_slip(a, e, n, c);
     sums.add(c, n);
     put_down(a.first + e, a.second + e, t.first_disc, force, n, c);
@@ -395,7 +420,7 @@ void cross_bonds(const KernelArrays& a, int64_t block) {
   for (int64_t e = begin; e < end; e += chunk) {
     const int64_t n = e + chunk < end ? chunk : end - e;
     pick_up_anywhere(a, e, n, c);
-    bond_law(a, e, n, geometry_at(a, a.first_cross_geometry, e - a.first_cross_bond), c);
+    bond_law(a, e, n, geometry_at(a.first_cross_geometry, e - a.first_cross_bond), c);
     keep_slip(a, e, n, c);
     sums.add(c, n);
     const int32_t* place = a.bond_mail + 2 * (e - a.first_cross_bond);
@@ -489,7 +514,7 @@ void forces_of_part(const KernelArrays& a, int64_t first, int64_t last, int64_t 
   for (int64_t e = first; e < last; e += chunk) {
     const int64_t n = e + chunk < last ? chunk : last - e;
     pick_up_anywhere(a, e, n, c);
-    bond_law(a, e, n, geometry_at(a, first_block, e - first), c);
+    bond_law(a, e, n, geometry_at(first_block, e - first), c);
     for (int64_t k = 0; k < n; ++k)
       to[e + k] = BondForce{c.fx[k], c.fy[k], c.moment_i[k], -c.minus_moment_j[k]};
   }

@@ -2,7 +2,8 @@
 // The sheet: the problem on which codes of this kind are compared.
 //
 // Equal discs on a hexagonal lattice, neighbours bonded, free edges, small random velocities, damping, breakage checked in
-// every cycle though nothing breaks, real masses, double precision. Building it is not counted. Prints
+// every cycle though nothing breaks, real masses, double precision ("single": but for the bonds' stored geometry). Building it
+// is not counted. Prints
 //
 //     hfrac N cores bonds bond_updates_per_s particle_steps_per_s bytes_per_particle | details
 //
@@ -38,8 +39,8 @@ double processor_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-int run(std::int64_t count, int worker_count, ContactMode mode) {
-  const Options options = bench::sheet_options(mode);
+int run(std::int64_t count, int worker_count, ContactMode mode, GeometryStorage storage) {
+  const Options options = bench::sheet_options(mode, storage);
   const double begin = now();
   bench::Sheet sheet(count, options);
   Assembly& assembly = sheet.assembly;
@@ -77,11 +78,12 @@ int run(std::int64_t count, int worker_count, ContactMode mode) {
   const double best = seconds.front();
   std::printf(
       "hfrac %lld %d %lld %.4g %.4g %.0f | s/step %.4g (median %.4g of %zu), set-up %.1f s, %s, contacts "
-      "%s\n",
+      "%s%s\n",
       static_cast<long long>(assembly.disc_count()), worker_count,
       static_cast<long long>(assembly.bond_count()), bonds / best, discs / best,
       static_cast<double>(usage.ru_maxrss) * 1024.0 / discs, best, seconds[seconds.size() / 2],
-      seconds.size(), built, kernel_isa(), mode == ContactMode::parallel ? "parallel" : "after-break");
+      seconds.size(), built, kernel_isa(), mode == ContactMode::parallel ? "parallel" : "after-break",
+      storage == GeometryStorage::single_precision ? ", geometry in single precision" : "");
   return 0;
 }
 
@@ -90,14 +92,20 @@ int run(std::int64_t count, int worker_count, ContactMode mode) {
 int main(int argc, char** argv) {
   const std::int64_t count = argc > 1 ? std::atoll(argv[1]) : 0;
   const int workers = argc > 2 ? std::atoi(argv[2]) : 1;
-  const bool parallel = argc < 4 || std::strcmp(argv[3], "after-break") != 0;
+  bool parallel = true, single = false;
+  for (int k = 3; k < argc; ++k) {
+    if (std::strcmp(argv[k], "after-break") == 0) parallel = false;
+    if (std::strcmp(argv[k], "single") == 0) single = true;
+  }
   if (count < 16 || count > 5000000 || workers < 1 || workers > 256) {
     std::fprintf(stderr,
-                 "usage: sheet N WORKERS [parallel|after-break]   16 to 5 000 000 discs, 1 to 256 workers\n");
+                 "usage: sheet N WORKERS [parallel|after-break] [double|single]   16 to 5 000 000 discs, 1 "
+                 "to 256 workers\n");
     return 2;
   }
   try {
-    return run(count, workers, parallel ? ContactMode::parallel : ContactMode::after_break);
+    return run(count, workers, parallel ? ContactMode::parallel : ContactMode::after_break,
+               single ? GeometryStorage::single_precision : GeometryStorage::double_precision);
   } catch (const Error& error) {
     std::fprintf(stderr, "sheet: %s\n", error.what());
     return 1;

@@ -33,8 +33,8 @@ std::vector<unsigned char> image_of(const hfrac_sim* sim) {
   return image;
 }
 
-TEST(State, RestoreThenRunEqualsRun) {
-  Sim sim(ramped_def());
+void restore_then_run_equals_run(const hfrac_sim_def& def) {
+  Sim sim(def);
   ASSERT_GE(hfrac_step(sim, 5), 0);
   const auto image = image_of(sim);
   ASSERT_GE(hfrac_step(sim, 6), 0);
@@ -45,10 +45,22 @@ TEST(State, RestoreThenRunEqualsRun) {
   ASSERT_GE(hfrac_step(sim, 6), 0);
   EXPECT_EQ(hash_of(sim), end);
 
-  Sim other(ramped_def());  // as another process would: same definition, image from elsewhere
+  Sim other(def);  // as another process would: same definition, image from elsewhere
   ASSERT_EQ(hfrac_state_restore(other, image.data(), static_cast<std::int64_t>(image.size())), HFRAC_OK);
   ASSERT_GE(hfrac_step(other, 6), 0);
   EXPECT_EQ(hash_of(other), end);
+}
+
+TEST(State, RestoreThenRunEqualsRun) {
+  restore_then_run_equals_run(ramped_def());
+}
+
+TEST(State, RestoreThenRunEqualsRunWithGeometryInSinglePrecision) {
+  hfrac_sim_def def = ramped_def();
+  def.bond_geometry_storage = 1;
+  restore_then_run_equals_run(def);
+  def.solver_kind = 1;  // quasi-static: reads the same bonds one by one
+  restore_then_run_equals_run(def);
 }
 
 TEST(State, RefusedImagesChangeNothing) {
@@ -76,6 +88,10 @@ TEST(State, RefusedImagesChangeNothing) {
   def.model_seed = 2;
   Sim other(def);
   refused(image_of(other));
+  def = ramped_def();
+  def.bond_geometry_storage = 1;  // other numbers in the same bonds
+  Sim rounded(def);
+  refused(image_of(rounded));
   std::int64_t size = 0;
   EXPECT_EQ(hfrac_state_save(sim, image.data(), 10, &size), HFRAC_ERR_ARGUMENT);
 }

@@ -458,6 +458,7 @@ class hfrac_sim_def(ctypes.Structure):
         ("given_bond_count", ctypes.c_int64),
         ("smooth_joint_normal_stiffness", ctypes.c_double),
         ("smooth_joint_shear_stiffness", ctypes.c_double),
+        ("bond_geometry_storage", ctypes.c_int64),
     ]
 
 
