@@ -5,8 +5,8 @@
 //            w0^2 = 2.1 (12 eta Q / E')^(1/2) l, w0 p0 = 0.62 (12 eta Q E')^(1/2).
 // Set-up     kgd_model.hpp; 0.01 m2/s of 0.1 Pa s, quasi-static solver, mode coupled. Time: the well stores fluid before and
 //            while the fracture grows, so l^(3/2) is fitted against time and its slope compared; Q is what left the well.
-// Tolerance  Prefactors of l, w0 and w0 p0: 25 %. Exponent of l in w0: 10 % is missed (0.73 here, 0.66 on finer sheets: the hole's
-//            own opening and the dry tip count while the fracture is a few holes long); held to 0.5 to 0.75.
+// Tolerance  Prefactors of l, w0 and w0 p0: 25 %. Exponent of l in w0: 10 %, met where the fracture is long
+//            against its hole (label long); on the small sheet, a few holes long, 0.73, held to 0.5 to 0.75.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -21,7 +21,8 @@ using verification::KgdCase;
 using verification::KgdModel;
 
 struct Kgd {
-  double length, width_exponent, width, product;  // measured over analytic, the second an exponent
+  double length, width, product;  // measured over analytic
+  double width_exponent, last;    // of w0 ~ l^n: over the whole run, and over the last doubling of l
 };
 
 Kgd run(int columns, double side = 80.0) {
@@ -78,14 +79,20 @@ Kgd run(int columns, double side = 80.0) {
   }
   const auto n = static_cast<double>(time.size());
   const double slope = std::pow(0.6152, 1.5) * std::pow(E * Q * Q * Q / (12.0 * eta), 0.25);
-  const Kgd result{std::pow(fit_line(time, grown).slope / slope, 2.0 / 3.0), fit_line(log_l, log_w).slope,
-                   width_ratio / n, product_ratio / n};
+  std::vector<double> last_l, last_w;
+  for (std::size_t k = 0; k < length.size(); ++k) {
+    if (length[k] < 0.5 * length.back()) continue;
+    last_l.push_back(log_l[k]);
+    last_w.push_back(log_w[k]);
+  }
+  const Kgd result{std::pow(fit_line(time, grown).slope / slope, 2.0 / 3.0), width_ratio / n,
+                   product_ratio / n, fit_line(log_l, log_w).slope, fit_line(last_l, last_w).slope};
   std::printf(
       "  %d columns, %.0f m, %d states, l %.1f to %.1f m, Q %.4f m2/s: l %.3f, w0 %.3f, w0 p0 %.3f of "
       "analytic, w0 ~ "
-      "l^%.3f (0.5)\n",
+      "l^%.3f, over the last doubling l^%.3f (0.5)\n",
       columns, side, static_cast<int>(time.size()), length.front(), length.back(), Q, result.length,
-      result.width, result.product, result.width_exponent);
+      result.width, result.product, result.width_exponent, result.last);
   return result;
 }
 
@@ -109,13 +116,18 @@ TEST(V11KgdLong, PrefactorsHardlyDependOnTheSheet) {
   }
 }
 
-// Longer fractures round the same hole: the width's exponent comes nearer to 0.5.
-TEST(V11KgdLong, WiderSheetsBringTheExponentNearer) {
-  double before = run(40).width_exponent;
-  for (const int columns : {80, 120}) {
-    const Kgd wide = run(columns, 2.0 * columns);
-    EXPECT_LT(std::abs(wide.width_exponent - 0.5), std::abs(before - 0.5));
-    before = wide.width_exponent;
+// Longer fractures from the same hole: what misses the exponent is the hole.
+TEST(V11KgdLong, TheWidthsExponentComesToOneHalf) {
+  double before = 1.0;
+  for (const int columns : {40, 80, 120}) {
+    const Kgd kgd = run(columns, 2.0 * columns);
+    EXPECT_LT(kgd.width_exponent, before);
+    before = kgd.width_exponent;
+    if (columns < 120) continue;
+    EXPECT_NEAR(kgd.last, 0.5, 0.05);
+    EXPECT_NEAR(kgd.length, 1.0, 0.25);
+    EXPECT_NEAR(kgd.width, 1.0, 0.25);
+    EXPECT_NEAR(kgd.product, 1.0, 0.25);
   }
 }
 
