@@ -175,6 +175,10 @@ TEST(V12ToughKgdLong, AFinerSheet) {
   hold(grow(36, 56.0, 1e6, "radius 0.78 m in 56 m"));
 }
 
+TEST(V12ToughKgdLong, AMuchFinerSheet) {
+  hold(grow(60, 80.0, 1e6, "radius 0.67 m"));
+}
+
 // Pores ahead of the tip are stretched, and nothing is there to fill them: they pull the tip shut with up to the confining stress.
 TEST(V12ToughKgdLong, ConfinementAddsToTheToughness) {
   EXPECT_GT(grow(40, 80.0, 10e6, "radius 1 m under 10 MPa").pressure, 1.25);
