@@ -68,7 +68,7 @@ Kgd run(int columns, double side = 80.0) {
       "V11", "KGD fracture dominated by viscosity",
       "time since its start (s),half length (m),width at the well (mm),net pressure (MPa)");
   for (std::size_t k = 0; k < time.size(); ++k)
-    curves.point(std::to_string(columns) + " columns, " + std::to_string(std::lround(side)) + " m",
+    curves.point(std::to_string(columns) + " columns in " + std::to_string(std::lround(side)) + " m",
                  {time[k] - begun, length[k], 1e3 * width[k], 1e-6 * pressure[k]});
   if (columns == 40 && side == 80.0) {
     curves.line("Adachi and Detournay", 0.5, time.back() - begun, [&](double t) {
