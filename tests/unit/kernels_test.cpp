@@ -134,8 +134,8 @@ TEST(Kernels, FollowTheLawOfViewBond) {
       m.assembly.slip[e] = slip[e];
       const BondView bond = view_bond(m.assembly, o, e);
       const auto i = m.assembly.first[e], j = m.assembly.second[e];
-      const double now = std::hypot(m.assembly.position(j).x - m.assembly.position(i).x,
-                                    m.assembly.position(j).y - m.assembly.position(i).y);
+      const double now = std::hypot(m.assembly.dx(e) + m.assembly.ux[j] - m.assembly.ux[i],
+                                    m.assembly.dy(e) + m.assembly.uy[j] - m.assembly.uy[i]);
       const double ratio = m.assembly.length(e) / now, tangential = bond.shear_force() * ratio;
       const BondForce& force = forces[static_cast<std::size_t>(e)];
       const double scale = 1e-12 * (std::abs(bond.normal_force()) + std::abs(tangential) + 1.0);

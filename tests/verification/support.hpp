@@ -183,6 +183,7 @@ class Curves {
   }
   // A row; NaN leaves a quantity out.
   void point(const std::string& series, const std::vector<double>& values) {
+    ASSERT_EQ(series.find_first_of(",\"\n"), std::string::npos) << series << ": not a word of a table";
     if (!file_.is_open()) return;
     file_ << series;
     for (const double value : values) {
