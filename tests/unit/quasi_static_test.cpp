@@ -95,6 +95,26 @@ TEST(QuasiStaticBooks, WorkBeyondWhatIsStoredVanishesWithTheStep) {
   EXPECT_NEAR(lost[1] / lost[0], 0.25, 0.05);
 }
 
+// Large enough that the workers share residual, product and directions (CoupledSystem::worth_sharing), not the factor alone.
+TEST(QuasiStaticWorkers, ShareEveryIterationAndGiveTheSameBits) {
+  for (const auto mode : {SteppingMode::substep, SteppingMode::coupled}) {
+    std::vector<std::uint64_t> hashes;
+    for (const std::int64_t workers : {1, 2, 3}) {
+      CaseDefinition definition = quasi_static(mode);
+      definition.options.packing_disc_count = 2500;
+      definition.options.packing_residual = 1e-2;
+      definition.options.run_workers = workers;
+      definition.wells[0].pressure = 45e6;
+      Simulation s(definition, {}, {});
+      for (int k = 0; k < 2; ++k) s.step();
+      EXPECT_GT(s.cracks().size(), 0U);
+      hashes.push_back(s.state_hash());
+    }
+    EXPECT_EQ(hashes[1], hashes[0]);
+    EXPECT_EQ(hashes[2], hashes[0]);
+  }
+}
+
 TEST(QuasiStaticParts, AreShortenedWhereBondsBreak) {
   CaseDefinition definition = quasi_static(SteppingMode::coupled);
   definition.wells[0].control = WellControl::rate;
