@@ -150,6 +150,9 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_CENTRE = 62
   !> 0 rock, 1 well, 2 outside
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_KIND = 63
+  !> share of the pore's volume that fluid fills; below 1 where the pressure is at the floor, as ahead of the fluid
+  !> in a fracture that opens faster than it fills
+  integer(c_int32_t), parameter :: HFRAC_DOMAIN_FILLED = 67
   !> of the fluid; thermal.rock_temperature without a temperature in the model
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_TEMPERATURE = 66
   !> first corner of each domain in domain.corners; the next domain's is its end

@@ -65,6 +65,17 @@ void write_pipes(const Simulation& s, const Array<double>& values, double* to) {
   }
 }
 
+// A pore at the floor holds less than it has room for; a content of zero fills it at the reference pressure (eq. 8).
+void write_filled(const Network& n, double* to) {
+  for (std::size_t d = 0; d < n.kind.size(); ++d) {
+    to[d] = 1.0;
+    if (n.stiffness.empty() || n.stiffness[d] <= 0.0) continue;  // its pressure is imposed
+    const double full = n.reference_pressure + n.stiffness[d] * (n.content[d] - n.volume_change[d]);
+    const double empty = std::max(0.0, n.floor_pressure - full) / n.stiffness[d];
+    to[d] = std::max(0.0, 1.0 - empty / (n.volume[d] + n.volume_change[d]));
+  }
+}
+
 void write_pairs(const Array<double>& x, const Array<double>& y, double* to) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     to[2 * i] = x[i];
@@ -132,6 +143,9 @@ void write_values(const Simulation& s, std::int32_t field, double* to) {
       return;
     case HFRAC_DOMAIN_VOLUME:
       for (std::size_t d = 0; d < n.kind.size(); ++d) to[d] = n.volume[d] + n.volume_change[d];
+      return;
+    case HFRAC_DOMAIN_FILLED:
+      write_filled(n, to);
       return;
     case HFRAC_DOMAIN_TEMPERATURE:
       if (s.heat() == nullptr) {

@@ -374,6 +374,30 @@ TEST_F(Fields, OneDomainIsOutsideAndOnePerWellIsAWell) {
             static_cast<int64_t>(domain));
 }
 
+// A fracture that opens faster than it fills has a tip without fluid: the front is where domain.filled falls below one.
+TEST(FieldFilled, PoresAheadOfTheFluidHaveRoomLeft) {
+  hfrac_sim_def def = cracking_def();
+  def.model_reading = 0;  // sound: the floor is no pressure at all
+  def.stress_sigma_H = def.stress_sigma_h = 20e6;
+  def.fluid_formation_pressure = 1e5;
+  def.wells[0].pressure = 80e6;
+  const Sim sim(def);
+  for (const double share : doubles(sim, HFRAC_DOMAIN_FILLED)) EXPECT_EQ(share, 1.0);
+  ASSERT_GE(hfrac_step(sim, 3), 0) << last_error(sim);
+  ASSERT_GT(state_of(sim).crack_count, 0);
+  const auto filled = doubles(sim, HFRAC_DOMAIN_FILLED), pressure = doubles(sim, HFRAC_DOMAIN_PRESSURE);
+  ASSERT_EQ(filled.size(), pressure.size());
+  int partly = 0;
+  for (std::size_t d = 0; d < filled.size(); ++d) {
+    EXPECT_GE(filled[d], 0.0) << "domain " << d;
+    EXPECT_LE(filled[d], 1.0) << "domain " << d;
+    if (filled[d] == 1.0) continue;
+    ++partly;
+    EXPECT_EQ(pressure[d], 0.0) << "domain " << d;
+  }
+  EXPECT_GT(partly, 0);
+}
+
 TEST(FieldFlow, WhatLeavesThroughPipesIsWhatTheBooksSay) {
   hfrac_sim_def def = quiet_def();
   def.stepping_flow_step = 1e6;  // long enough to reach the boundary

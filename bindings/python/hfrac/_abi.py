@@ -164,6 +164,9 @@ class Field(enum.IntEnum):
     DOMAIN_CENTRE = 62
     #: 0 rock, 1 well, 2 outside
     DOMAIN_KIND = 63
+    #: share of the pore's volume that fluid fills; below 1 where the pressure is at the floor, as ahead of the
+    #: fluid in a fracture that opens faster than it fills
+    DOMAIN_FILLED = 67
     #: of the fluid; thermal.rock_temperature without a temperature in the model
     DOMAIN_TEMPERATURE = 66
     #: first corner of each domain in domain.corners; the next domain's is its end

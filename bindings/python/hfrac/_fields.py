@@ -106,6 +106,10 @@ FIELDS: Tuple[FieldInfo, ...] = (
         '0 rock, 1 well, 2 outside',
     ),
     FieldInfo(
+        'domain.filled', '1', 'double', 1,
+        "share of the pore's volume that fluid fills; below 1 where the pressure is at the floor, as ahead of the fluid in a fracture that opens faster than it fills",
+    ),
+    FieldInfo(
         'domain.temperature', 'K', 'double', 1,
         'of the fluid; thermal.rock_temperature without a temperature in the model',
     ),
@@ -241,6 +245,13 @@ class Domains(FieldGroup):
     def kind(self) -> Array:
         """[1] 0 rock, 1 well, 2 outside; shape (n,)"""
         return self._simulation.field("domain.kind")
+
+    @property
+    def filled(self) -> Array:
+        """[1] share of the pore's volume that fluid fills; below 1 where the pressure is at the floor, as ahead of
+        the fluid in a fracture that opens faster than it fills; shape (n,)
+        """
+        return self._simulation.field("domain.filled")
 
     @property
     def temperature(self) -> Array:

@@ -42,6 +42,7 @@ extern "C" {
   X(HFRAC_DOMAIN_VOLUME, 61, "domain.volume", "m2", 3, 0, 1, "fluid volume now")                                   \
   X(HFRAC_DOMAIN_CENTRE, 62, "domain.centre", "m", 3, 0, 2, "centroid of the polygon of disc centres")             \
   X(HFRAC_DOMAIN_KIND, 63, "domain.kind", "1", 3, 1, 1, "0 rock, 1 well, 2 outside")                               \
+  X(HFRAC_DOMAIN_FILLED, 67, "domain.filled", "1", 3, 0, 1, "share of the pore's volume that fluid fills; below 1 where the pressure is at the floor, as ahead of the fluid in a fracture that opens faster than it fills") \
   X(HFRAC_DOMAIN_TEMPERATURE, 66, "domain.temperature", "K", 3, 0, 1, "of the fluid; thermal.rock_temperature without a temperature in the model") \
   X(HFRAC_DOMAIN_OFFSET, 64, "domain.corner_offset", "1", 3, 1, 1, "first corner of each domain in domain.corners; the next domain's is its end") \
   X(HFRAC_DOMAIN_CORNERS, 65, "domain.corners", "1", 4, 1, 1, "disc indices around each domain, anticlockwise (outside: clockwise)")
