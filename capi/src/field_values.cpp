@@ -65,14 +65,14 @@ void write_pipes(const Simulation& s, const Array<double>& values, double* to) {
   }
 }
 
-// A pore at the floor holds less than it has room for; a content of zero fills it at the reference pressure (eq. 8).
-void write_filled(const Network& n, double* to) {
-  for (std::size_t d = 0; d < n.kind.size(); ++d) {
+// A pore at the floor may hold less than would fill it at that pressure.
+void write_filled(const Simulation& s, double* to) {
+  const Network& n = s.network();
+  for (std::int64_t d = 0; d < n.domain_count(); ++d) {
     to[d] = 1.0;
     if (n.stiffness.empty() || n.stiffness[d] <= 0.0) continue;  // its pressure is imposed
-    const double full = n.reference_pressure + n.stiffness[d] * (n.content[d] - n.volume_change[d]);
-    const double empty = std::max(0.0, n.floor_pressure - full) / n.stiffness[d];
-    to[d] = std::max(0.0, 1.0 - empty / (n.volume[d] + n.volume_change[d]));
+    const double lacking = content_at(n, d, s.options().fluid_bulk_modulus, n.floor_pressure) - n.content[d];
+    to[d] = std::clamp(1.0 - lacking / (n.volume[d] + n.volume_change[d]), 0.0, 1.0);
   }
 }
 
@@ -145,7 +145,7 @@ void write_values(const Simulation& s, std::int32_t field, double* to) {
       for (std::size_t d = 0; d < n.kind.size(); ++d) to[d] = n.volume[d] + n.volume_change[d];
       return;
     case HFRAC_DOMAIN_FILLED:
-      write_filled(n, to);
+      write_filled(s, to);
       return;
     case HFRAC_DOMAIN_TEMPERATURE:
       if (s.heat() == nullptr) {

@@ -136,7 +136,7 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
     const double excess = pull > push ? pull : push;
     c.over[k] = intact > 0.0 && excess >= 0.0 ? 1.0 : 0.0;
   };
-  // Single precision becomes double a block at a time: within the law the compiler makes a detour of it.
+  // Single precision becomes double a block at a time, which is faster than lane by lane within the law.
   alignas(64) double wide[sizeof(Stored) == sizeof(double) ? 1 : block_values] = {};
   const auto in_double = [&]() __attribute__((always_inline))->const double* {
     if constexpr (sizeof(Stored) == sizeof(double)) {
