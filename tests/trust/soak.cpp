@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A long run through hfrac.h alone: does memory stay flat, do the books stay closed?
-//   hfrac_soak [--discs N] [--steps M] [--solver explicit|quasi-static] [--mode substep|dynamic|coupled] [--minutes T]
-//              [--state FILE]
-// The well's pressure goes up and down, so that there is always something to do. Ten times on the way, and at the end, it
-// prints step, memory and books; exit status 1 if a bound is broken. After T minutes it ends early and says how far it came.
-// With a FILE, it saves its state there a hundred times on the way, and goes on from it when called again: a run of many hours
-// may be done in parts, whose books are one and whose memory is looked at part by part.
+//   hfrac_soak [--discs N] [--steps M] [--solver explicit|quasi-static] [--mode substep|dynamic|coupled] [--ramp R]
+//              [--workers W] [--minutes T] [--state FILE]
+// The well's pressure goes up for R steps and down for R, so that there is always something to do. Ten times on the way, and at
+// the end, it prints step, memory and books; exit status 1 if a bound is broken. After T minutes it ends early and says how far
+// it came. With a FILE, it saves its state there a hundred times on the way, and goes on from it when called again: a run of many
+// hours may be done in parts, whose books are one and whose memory is looked at part by part.
 // Steps are 1 ms: of flow between one rest and the next (substep), of motion (dynamic), of both together (coupled).
 //
 // Bounds: memory at most 4 MB above that at the first look, or at the last one that found new cracks (contacts come with them, and
@@ -65,7 +65,7 @@ Look look() {
 }  // namespace
 
 int main(int count, char** arguments) {
-  long long discs = 500, steps = 2000;
+  long long discs = 500, steps = 2000, ramp = 25, workers = 1;
   double minutes = 1e9;
   bool quasi_static = false;
   std::string mode = "substep", state_file;
@@ -73,6 +73,8 @@ int main(int count, char** arguments) {
     const std::string name = arguments[k];
     if (name == "--discs") discs = std::atoll(arguments[k + 1]);
     if (name == "--steps") steps = std::atoll(arguments[k + 1]);
+    if (name == "--ramp") ramp = std::max(1LL, std::atoll(arguments[k + 1]));
+    if (name == "--workers") workers = std::atoll(arguments[k + 1]);
     if (name == "--minutes") minutes = std::atof(arguments[k + 1]);
     if (name == "--mode") mode = arguments[k + 1];
     if (name == "--state") state_file = arguments[k + 1];
@@ -85,6 +87,7 @@ int main(int count, char** arguments) {
   def.boundary_kind = 1;
   def.stress_sigma_H = def.stress_sigma_h = 0.0;
   def.stepping_flow_step = 1e-3;
+  def.run_workers = workers;
   def.solver_kind = quasi_static ? 1 : 0;
   require(hfrac_sim_def_set_str(&def, "stepping.mode", mode.c_str()));
   def.well_count = 1;
@@ -109,9 +112,9 @@ int main(int count, char** arguments) {
   const long long begin = now.step;
   std::printf("%10s %8s %10s %14s %14s\n", "step", "cracks", "memory MB", "fluid missing", "energy missing");
   for (long long step = begin; step < steps; ++step) {
-    // Between half and all of what the rock bears, a ramp of 25 steps up and 25 down.
-    const long long phase = step % 50;
-    const double share = static_cast<double>(phase < 25 ? phase : 50 - phase) / 25.0;
+    // Between half and all of what the rock bears.
+    const long long phase = step % (2 * ramp);
+    const double share = static_cast<double>(std::min(phase, 2 * ramp - phase)) / static_cast<double>(ramp);
     require(hfrac_well_set_pressure(sim, 0, 15e6 + 20e6 * share));
     require(hfrac_step(sim, 1));
     const double passed = minutes_passed();
