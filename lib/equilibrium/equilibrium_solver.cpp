@@ -63,9 +63,10 @@ EquilibriumSolver::Outcome EquilibriumSolver::solve(double duration, const std::
       outcome.end = End::overshoot;
       return outcome;
     }
+    // Before pressures are made to follow the contents: the books count what those were moved by.
+    if (exceeding_.empty() && duration > 0.0) system_.keep_flow();
     keep_round();
     if (exceeding_.empty()) {
-      if (duration > 0.0) system_.keep_flow();
       boundary_.hold_still(assembly_);
       outcome.end = End::rest;
       return outcome;

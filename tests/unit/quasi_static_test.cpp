@@ -30,7 +30,7 @@ TEST_P(QuasiStatic, StepsEndInEquilibriumAndTheFluidBalances) {
     EXPECT_TRUE(s.step().at_rest);
     EXPECT_LE(s.force_ratio(), 1e-6);
     const Balance b = s.balance();
-    EXPECT_LE(std::abs(b.fluid_error), 1e-6 * b.injected);
+    EXPECT_LE(std::abs(b.fluid_error), 1e-12 * b.injected);
   }
   EXPECT_GT(s.cracks().size(), 0U);
   EXPECT_GT(s.work().newton, 0);
@@ -150,7 +150,7 @@ TEST(QuasiStaticParts, AJumpThatNewtonsMethodCannotFollowIsSettledByMotion) {
   EXPECT_GT(s.cracks().size(), 0U);
   EXPECT_NEAR(s.time(), 0.02, 1e-15);
   const Balance b = s.balance();
-  EXPECT_LE(std::abs(b.fluid_error), 1e-6 * b.injected);
+  EXPECT_LE(std::abs(b.fluid_error), 1e-12 * b.injected);
   for (std::int64_t e = 0; e < s.assembly().bond_count(); ++e) {
     if (s.assembly().intact[e] == 0.0) continue;
     const BondView bond = view_bond(s.assembly(), s.options(), e);
