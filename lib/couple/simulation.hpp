@@ -195,6 +195,7 @@ class Simulation {
   void require_finite() const;
   void watch_energy() const;
   void require_joints_in_reach() const;
+  void require_walls_to_push(double sigma_h, double outside) const;
   void put_formation_pressure(double pressure);
   void impose_well_pressure(Well& well, double pressure);
   void book_flow(double duration);

@@ -142,8 +142,7 @@ void Simulation::load_state(std::span<const std::byte> image, bool whole) {
   if (loader.left() != 0)
     throw Error(ErrorKind::argument, "the state image is longer than this simulation's state.");
   feel_again();
-  boundary_->restore_load(assembly_, network_, options().stress_sigma_H, options().stress_sigma_h);
-  solver_->after_restore();
+  solver_->after_restore(options().stress_sigma_H, options().stress_sigma_h);
 }
 
 std::uint64_t Simulation::state_hash() const {

@@ -132,11 +132,11 @@ void Simulation::watch_energy() const {
   for (std::size_t i = 1; i < assembly_.vx.size(); ++i) {
     if (speed(i) > speed(fastest)) fastest = i;
   }
+  const Vec2 at = assembly_.position(static_cast<std::int64_t>(fastest));
   throw Error(ErrorKind::diverged,
               "the step after " + std::to_string(time_) + " s made " + number_text(excess) +
                   " J/m of energy that no work accounts for (eq. 11, 12), fastest at disc " +
-                  std::to_string(fastest) + " near (" + std::to_string(assembly_.x[fastest]) + ", " +
-                  std::to_string(assembly_.y[fastest]) +
+                  std::to_string(fastest) + " near (" + number_text(at.x) + ", " + number_text(at.y) +
                   ") m; lower stepping.safety, or a host's pressures and stresses");
 }
 
@@ -313,9 +313,21 @@ void Simulation::set_far_field(double sigma_H, double sigma_h) {
     throw Error(ErrorKind::argument, "sigma_h = " + std::to_string(sigma_h) +
                                          " Pa is larger than sigma_H = " + std::to_string(sigma_H) +
                                          " Pa; swap them.");
+  require_walls_to_push(sigma_h, network_.pressure[0]);
   definition_.options.stress_sigma_H = sigma_H;
   definition_.options.stress_sigma_h = sigma_h;
   boundary_->set_far_field(assembly_, sigma_H, sigma_h);
+}
+
+// What walls would have to pull at they run away from.
+void Simulation::require_walls_to_push(double sigma_h, double outside) const {
+  const double bears = sigma_h - (flow_ ? outside : 0.0);
+  if (!boundary_->walled() || !boundary_->follows_far_field() || bears >= 0.0) return;
+  throw Error(
+      ErrorKind::argument,
+      "sigma_h = " + std::to_string(sigma_h) + " Pa is " + std::to_string(-bears) +
+          " Pa below the pressure in the pores outside, and walls only push; keep sigma_h at or above "
+          "it, or use boundary.kind = \"stress\".");
 }
 
 void Simulation::set_formation_pressure(double pressure) {
@@ -332,6 +344,8 @@ void Simulation::set_formation_pressure(double pressure) {
                                          " Pa is above sigma_h = " + std::to_string(o.stress_sigma_h) +
                                          " Pa and would pull the rock apart; raise the far field first.");
   }
+  require_walls_to_push(o.stress_sigma_h,
+                        network_.reference_pressure + (pressure - o.fluid_formation_pressure));
   put_formation_pressure(pressure);
 }
 

@@ -132,6 +132,10 @@ void check_stresses(const Options& o) {
            "raise stress.sigma_h, lower fluid.formation_pressure, or set model.reading = \"paper\" for "
            "effective ones.");
   }
+  if (BoundaryKind{o.boundary_kind} == BoundaryKind::walls && o.stress_sigma_h < 0.0) {
+    refuse(value_text("stress.sigma_h", o.stress_sigma_h, "Pa") +
+           " is tension, and walls only push; give at least 0 Pa or set boundary.kind = \"stress\".");
+  }
 }
 
 void check_material(const Options& o) {

@@ -433,7 +433,32 @@ void ExplicitSolver::search_contacts(const CrackLog& cracks) {
   if (loose_.search(assembly_, boundary_, cracks)) refresh_stiffness();
 }
 
-void ExplicitSolver::after_restore() {
+// Discs on which the boundary's load is not all there is: loose contacts and smooth joints add to it in every cycle.
+template <class Visit>
+void ExplicitSolver::each_pushed_disc(const Visit& visit) {
+  for (const auto& pair : loose_.pairs()) {
+    visit(pair.first);
+    visit(pair.second);
+  }
+  for (const auto& contact : assembly_.smooth.contacts) {
+    visit(assembly_.first[contact.bond]);
+    visit(assembly_.second[contact.bond]);
+  }
+}
+
+void ExplicitSolver::after_restore(double sigma_H, double sigma_h) {
+  // What stands on those discs was saved with them; a restored state is the one saved, to the last bit.
+  saved_push_.clear();
+  each_pushed_disc([&](auto i) {
+    saved_push_.push_back({assembly_.external_x[i], assembly_.external_y[i]});
+  });
+  boundary_.restore_load(assembly_, network_, sigma_H, sigma_h);
+  auto saved = saved_push_.begin();
+  each_pushed_disc([&](auto i) {
+    assembly_.external_x[i] = saved->x;
+    assembly_.external_y[i] = saved->y;
+    ++saved;
+  });
   // What a failed step had summed up so far is void.
   for (auto* sums : {&bond_sums_, &disc_sums_, &domain_sums_})
     std::fill(sums->begin(), sums->end(), TileSums{});

@@ -84,8 +84,9 @@ class ExplicitSolver {
   // The kept force of a contact that was never bonded (quasi-static solver) [N].
   void keep_loose_force(std::size_t pair, double normal, double shear) { loose_.keep(pair, normal, shear); }
 
-  // After the state was restored: the stable step follows from it (forces are found anew in every cycle).
-  void after_restore();
+  // After the state was restored: loads follow from the far field [Pa] and domain 0, the stable step from all (forces are found
+  // anew in every cycle).
+  void after_restore(double sigma_H, double sigma_h);
   template <class Archive>
   void visit_state(Archive& archive) {
     visit(archive, *this);
@@ -109,6 +110,8 @@ class ExplicitSolver {
   }
 
   void batch(std::int64_t cycles, std::vector<CrackLog>& found);
+  template <class Visit>
+  void each_pushed_disc(const Visit& visit);
   void take_smooth_joints(std::int64_t cycle, CrackLog& found);
   [[nodiscard]] bool may_sweep() const;
   void mark_left_alone();
@@ -143,6 +146,7 @@ class ExplicitSolver {
   double real_step_ = 0.0;
   bool scaled_ = true, undrained_ = false;
   std::int64_t total_cycles_ = 0;
+  std::vector<Vec2> saved_push_;  // N, of a restore
 };
 
 }  // namespace hfrac

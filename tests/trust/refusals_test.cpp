@@ -107,6 +107,28 @@ TEST(Refusals, WhatASimulationCannotTakeChangesNothing) {
   EXPECT_EQ(hash_of(dry), dry_before);
 }
 
+// Walls that would have to pull run away from the rock, for ever.
+TEST(Refusals, WallsAreNotAskedToPull) {
+  hfrac_sim_def def = quiet_def(200);
+  set(def, "boundary.kind", "walls");
+  set(def, "boundary.walls_after_setup", "servo");
+  set(def, "model.reading", "paper");
+  def.stress_sigma_H = def.stress_sigma_h = 5e6;
+  def.fluid_formation_pressure = 25e6;
+  const Sim sim(def);
+  const int64_t before = hash_of(sim);
+  EXPECT_EQ(hfrac_set_far_field(sim, 5e6, -1e6), HFRAC_ERR_ARGUMENT);
+  EXPECT_NE(last_error(sim).find("walls only push"), std::string::npos) << last_error(sim);
+  EXPECT_EQ(hfrac_set_formation_pressure(sim, 31e6), HFRAC_ERR_ARGUMENT);
+  EXPECT_NE(last_error(sim).find("walls only push"), std::string::npos) << last_error(sim);
+  EXPECT_EQ(hash_of(sim), before);
+  EXPECT_EQ(hfrac_set_formation_pressure(sim, 29e6), HFRAC_OK) << last_error(sim);
+  def.stress_sigma_h = -1e6;
+  hfrac_sim* none = nullptr;
+  EXPECT_LT(hfrac_sim_create(&def, &none), 0);
+  EXPECT_NE(last_error().find("walls only push"), std::string::npos) << last_error();
+}
+
 TEST(Refusals, AnImageWithSomethingAddedIsNotTaken) {
   const Sim sim(quiet_def(200));
   int64_t size = 0;

@@ -250,6 +250,28 @@ TEST(SmoothJoint, GoesOnAfterARestoreBitForBitOnAnyNumberOfWorkers) {
   }
 }
 
+// In motion, joints and loose contacts push their discs on top of the boundary's load: what is restored is that very state.
+TEST(SmoothJoint, WhatPushesItsDiscsIsRestoredWithThem) {
+  CaseDefinition definition = cut_case(JointState::smooth_broken, SolverKind::explicit_solver, 30.0, 0.3);
+  definition.options.stress_sigma_H = 14e6;
+  definition.options.stepping_mode = choice(SteppingMode::dynamic);
+  definition.options.stepping_flow_step = 1e-3;
+  Simulation s(definition, {}, {});
+  s.set_far_field(28e6, 10e6);
+  s.step();
+  std::vector<std::byte> image(s.image_size());
+  s.write_image(image);
+  const auto saved = s.state_hash();
+  Simulation other(definition, {}, {});
+  other.restore(image);
+  EXPECT_EQ(other.state_hash(), saved);
+  int asked = 0;  // a step that is interrupted is undone the same way
+  ASSERT_TRUE(s.step([&] { return ++asked >= 1; }).stopped);
+  EXPECT_EQ(s.state_hash(), saved);
+  for (Simulation* each : {&s, &other}) each->step();
+  EXPECT_EQ(other.state_hash(), s.state_hash());
+}
+
 TEST(SmoothJoint, SlidingPastItsPairsIsRefusedInWords) {
   CaseDefinition definition = cut_case(JointState::smooth_broken, SolverKind::explicit_solver, 45.0, 0.1);
   definition.joints[0] = joint_at(45.0, 90.0, {50.0, 50.0}, 0.1, JointState::smooth_broken);  // right through
