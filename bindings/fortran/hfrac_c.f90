@@ -1987,7 +1987,8 @@ module hfrac_c
       integer(c_int32_t) :: hfrac_step_reject
     end function hfrac_step_reject
     !> From the next step on, another far-field stress [Pa], in the reading's sense; needs boundary.kind stress, or
-    !> walls kept on their servo. sigma_h must not exceed sigma_H. Stable since 0.1.
+    !> walls kept on their servo. sigma_h must not exceed sigma_H, nor with walls, which only push, be below the
+    !> pressure in the pores outside (HFRAC_ERR_ARGUMENT, nothing changes). Stable since 0.1.
     function hfrac_set_far_field(sim, sigma_hmax, sigma_h) bind(C, name="hfrac_set_far_field")
       import
       type(c_ptr), value :: sim
@@ -2000,7 +2001,7 @@ module hfrac_c
     !> stresses stay as they are; pores inside follow by flow. Where a host's grid has said what the rim feels
     !> (hfrac_set_rim_pressure), that stays until the host takes it back; what lies beyond still changes then, and
     !> the load on the edge with it. Needs flow, and flow.outer formation. In the sound reading it must not exceed
-    !> sigma_h where the far field acts. Unstable since 0.1.
+    !> sigma_h where the far field acts, nor in either one leave walls to pull. Unstable since 0.1.
     function hfrac_set_formation_pressure(sim, pressure) bind(C, name="hfrac_set_formation_pressure")
       import
       type(c_ptr), value :: sim
