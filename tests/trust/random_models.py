@@ -6,7 +6,7 @@ usage: tests/trust/random_models.py [--models N] [--seed S] [--only K]    (PYTHO
 Whatever is drawn,
   - it is built and steps, or is refused, or a step fails, in words; a failed step leaves the state as it was;
   - the fluid balance closes to 1e-10 of what was moved (1e-7 if pressures are found by iteration);
-  - the energy balance closes to 2 % of its largest entry, in real motion of n cycles to 1 / n more, since speeds are known
+  - the energy balance closes to 2 % of its largest entry, in real motion of n cycles a step to 1 / n more, since speeds are known
     half a cycle before places (quasi-static books as damping what does not close); not asked of rock that its own far field
     breaks or that a step leaves in flight: contacts are looked for between steps, and pieces that met within one are pushed apart;
     nor of servo walls, whose own damping is in no book;
@@ -135,7 +135,7 @@ def check_books(sim, model, torn):
     )
     share = 0.02
     if model["stepping_mode"] == "dynamic":
-        share += sim.state.mechanical_step / sim.time
+        share += sim.state.mechanical_step / model["stepping_flow_step"]
     if not torn and not abs(b.energy_error) <= share * largest:
         return f"energy missing: {b.energy_error:.2e} of {largest:.2e} J/m"
     for name, group in (("disc displacement", sim.discs.displacement), ("aperture", sim.pipes.aperture)):
