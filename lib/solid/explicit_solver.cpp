@@ -250,6 +250,19 @@ void ExplicitSolver::take_tile(std::int64_t tile, std::int64_t cycle, double* sc
   kernels_.tile_move(arrays_, tile, scratch);
 }
 
+// Discs on which the boundary's load is not all there is: loose contacts and smooth joints add to it in every cycle.
+template <class Visit>
+void ExplicitSolver::each_pushed_disc(const Visit& visit) const {
+  for (const auto& pair : loose_.pairs()) {
+    visit(pair.first);
+    visit(pair.second);
+  }
+  for (const auto& contact : assembly_.smooth.contacts) {
+    visit(assembly_.first[contact.bond]);
+    visit(assembly_.second[contact.bond]);
+  }
+}
+
 // Which tiles nothing outside pushes, now and in the cycles to come: most, and they are spared three arrays.
 void ExplicitSolver::mark_left_alone() {
   const auto zero = [](double force) { return std::bit_cast<std::uint64_t>(force) == 0; };
@@ -265,14 +278,7 @@ void ExplicitSolver::mark_left_alone() {
   };
   for (const auto& wall : boundary_.walls()) std::for_each(wall.discs.begin(), wall.discs.end(), pushed);
   for (const auto& grip : boundary_.grips()) pushed(grip.disc);
-  for (const auto& pair : loose_.pairs()) {
-    pushed(pair.first);
-    pushed(pair.second);
-  }
-  for (const auto& contact : a.smooth.contacts) {
-    pushed(a.first[contact.bond]);
-    pushed(a.second[contact.bond]);
-  }
+  each_pushed_disc(pushed);
 }
 
 void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
@@ -431,19 +437,6 @@ void ExplicitSolver::evaluate() {
 
 void ExplicitSolver::search_contacts(const CrackLog& cracks) {
   if (loose_.search(assembly_, boundary_, cracks)) refresh_stiffness();
-}
-
-// Discs on which the boundary's load is not all there is: loose contacts and smooth joints add to it in every cycle.
-template <class Visit>
-void ExplicitSolver::each_pushed_disc(const Visit& visit) {
-  for (const auto& pair : loose_.pairs()) {
-    visit(pair.first);
-    visit(pair.second);
-  }
-  for (const auto& contact : assembly_.smooth.contacts) {
-    visit(assembly_.first[contact.bond]);
-    visit(assembly_.second[contact.bond]);
-  }
 }
 
 void ExplicitSolver::after_restore(double sigma_H, double sigma_h) {

@@ -111,7 +111,7 @@ class ExplicitSolver {
 
   void batch(std::int64_t cycles, std::vector<CrackLog>& found);
   template <class Visit>
-  void each_pushed_disc(const Visit& visit);
+  void each_pushed_disc(const Visit& visit) const;
   void take_smooth_joints(std::int64_t cycle, CrackLog& found);
   [[nodiscard]] bool may_sweep() const;
   void mark_left_alone();
