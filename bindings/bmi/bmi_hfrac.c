@@ -224,7 +224,7 @@ static int get_end_time(Bmi* self, double* time) {
   const Model* model = model_of(self);
   if (model == NULL || time == NULL) return BMI_FAILURE;
   *time = model->def.stepping_end_time > 0.0 ? model->def.stepping_end_time
-                                             : step_of(model) * (double)model->def.stepping_substeps;
+                                             : step_of(model) * (double)model->def.stepping_steps;
   return BMI_SUCCESS;
 }
 

@@ -153,8 +153,8 @@ static int get_of_model(Model* model, int variable, void* to) {
       if (variable == CRACK_COUNT) {
         memcpy(to, &state.crack_count, sizeof state.crack_count);
       } else {
-        *value = variable == SIGMA_H_MAX   ? state.sigma_H
-                 : variable == SIGMA_H_MIN ? state.sigma_h
+        *value = variable == SIGMA_H_MAX   ? state.sigma_Hmax
+                 : variable == SIGMA_H_MIN ? state.sigma_hmin
                                            : state.formation_pressure;
       }
       return 0;
@@ -192,8 +192,8 @@ static int set_one(Model* model, int variable, int at, double value) {
   if (variable == FORMATION_PRESSURE) return passed(model, hfrac_set_formation_pressure(model->sim, value));
   state.struct_size = (int32_t)sizeof state;
   if (passed(model, hfrac_sim_get_state(model->sim, &state)) != 0) return -1;
-  return passed(model, hfrac_set_far_field(model->sim, variable == SIGMA_H_MAX ? value : state.sigma_H,
-                                           variable == SIGMA_H_MIN ? value : state.sigma_h));
+  return passed(model, hfrac_set_far_field(model->sim, variable == SIGMA_H_MAX ? value : state.sigma_Hmax,
+                                           variable == SIGMA_H_MIN ? value : state.sigma_hmin));
 }
 
 int set_some(Model* model, int variable, const int* indices, int64_t count, const void* values) {

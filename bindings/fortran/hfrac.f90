@@ -76,7 +76,7 @@ module hfrac
     !> A reservoir simulator's grid: call sim%set_grid(nx, ny, origin, cell_size) or sim%set_grid(corners).
     generic, public :: set_grid => set_regular_grid, set_grid_corners
     procedure, public :: cells
-    procedure, public :: set_rim_pressure
+    procedure, public :: set_boundary_pressure
     procedure, public :: set_cell_pressure
     procedure, public :: set_cell_stress
     procedure, public :: set_cell_temperature
@@ -108,7 +108,7 @@ module hfrac
     on_progress, on_step, on_log, state, setup, balance, solver, step_limits, walls, state_hash, epoch, definition, &
     wells, set_well_pressure, set_well_ramp, set_well_rate, set_well_schedule, set_far_field, &
     set_formation_pressure, &
-    set_regular_grid, set_grid_corners, cells, set_rim_pressure, set_cell_pressure, set_cell_stress, write_grdecl, &
+    set_regular_grid, set_grid_corners, cells, set_boundary_pressure, set_cell_pressure, set_cell_stress, write_grdecl, &
     save_image, restore, save_file, load_file, prepare_step, do_step, finalize_step, reject_step, cracks, fractures, &
     get_double_1, get_double_2, get_int32_1, get_int32_2, view_double, view_int32, refuse_copy, describe, &
     borrow, finish, ask_host, show_step, tell_host, set_temperature, set_disc_temperature, hold_disc_temperature, &
@@ -380,7 +380,7 @@ contains
     call report(hfrac_sim_get_setup(self%handle, made), self%handle, stat, errmsg)
   end function setup
 
-  !> Energy and fluid since the end of the set-up.
+  !> Energy and fluid since the end of the initial equilibration.
   function balance(self, stat, errmsg) result(now)
     class(hfrac_simulation), intent(in) :: self
     integer, intent(out), optional :: stat
@@ -389,7 +389,7 @@ contains
     call report(hfrac_get_balance(self%handle, now), self%handle, stat, errmsg)
   end function balance
 
-  !> What the quasi-static solver did since set-up.
+  !> What the quasi-static solver did since the initial equilibration.
   function solver(self, stat, errmsg) result(now)
     class(hfrac_simulation), intent(in) :: self
     integer, intent(out), optional :: stat
@@ -521,13 +521,13 @@ contains
 
   ! Going back: images of the state, and steps that may be rejected
 
-  !> From the next step on, another far-field stress [Pa]: `sigma_hmax` along x, `sigma_h` along y.
-  subroutine set_far_field(self, sigma_hmax, sigma_h, stat, errmsg)
+  !> From the next step on, another far-field stress [Pa]: `sigma_Hmax` along x, `sigma_hmin` along y.
+  subroutine set_far_field(self, sigma_Hmax, sigma_hmin, stat, errmsg)
     class(hfrac_simulation), intent(inout) :: self
-    real(c_double), intent(in) :: sigma_hmax, sigma_h
+    real(c_double), intent(in) :: sigma_Hmax, sigma_hmin
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    call report(hfrac_set_far_field(self%handle, sigma_hmax, sigma_h), self%handle, stat, errmsg)
+    call report(hfrac_set_far_field(self%handle, sigma_Hmax, sigma_hmin), self%handle, stat, errmsg)
   end subroutine set_far_field
 
   !> From the next step on, another pressure [Pa, absolute] in the pores outside the model.
@@ -591,7 +591,7 @@ contains
     call report(hfrac_well_get_temperature(self%handle, int(index, c_int32_t), now), self%handle, stat, errmsg)
   end function well_temperature
 
-  !> The books of heat since the end of the set-up.
+  !> The heat balance since the end of the initial equilibration.
   function heat(self, stat, errmsg) result(now)
     class(hfrac_simulation), intent(in) :: self
     integer, intent(out), optional :: stat
@@ -664,19 +664,19 @@ contains
 
   !> From the next step on, pressure [Pa] beyond the model's edge, shape (nx, ny); it stays until it is set anew or, without
   !> `pressure`, taken back: the formation's again.
-  subroutine set_rim_pressure(self, pressure, stat, errmsg)
+  subroutine set_boundary_pressure(self, pressure, stat, errmsg)
     class(hfrac_simulation), intent(inout) :: self
     real(c_double), contiguous, intent(in), optional :: pressure(:, :)
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     integer(c_int32_t) :: status
     if (present(pressure)) then
-      status = hfrac_set_rim_pressure(self%handle, pressure, size(pressure, kind=c_int64_t))
+      status = hfrac_set_boundary_pressure(self%handle, pressure, size(pressure, kind=c_int64_t))
     else
-      status = hfrac_set_rim_pressure(self%handle, [real(c_double) ::], 0_c_int64_t)
+      status = hfrac_set_boundary_pressure(self%handle, [real(c_double) ::], 0_c_int64_t)
     end if
     call report(status, self%handle, stat, errmsg)
-  end subroutine set_rim_pressure
+  end subroutine set_boundary_pressure
 
   !> At once, gives the rock's pores the host's pressure [Pa], shape (nx, ny); `added` gets the fluid [m2] each cell gave.
   subroutine set_cell_pressure(self, pressure, added, stat, errmsg)

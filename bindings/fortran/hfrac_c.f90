@@ -82,7 +82,7 @@ module hfrac_c
   ! Whether the bonds of a joint hold.
   !> until their strength is reached
   integer(c_int32_t), parameter :: HFRAC_JOINT_BONDED = 0
-  !> broken from the start, and counted as set-up cracks in shear
+  !> broken from the start, and counted as cracks of the initial equilibration in shear
   integer(c_int32_t), parameter :: HFRAC_JOINT_BROKEN = 1
   !> bonded, and smooth whatever the packing: contacts look along the joint's normal
   integer(c_int32_t), parameter :: HFRAC_JOINT_SMOOTH_BONDED = 2
@@ -112,9 +112,9 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_DISC_POSITION = 0
   !> radius
   integer(c_int32_t), parameter :: HFRAC_DISC_RADIUS = 1
-  !> since the end of set-up
+  !> since the end of the initial equilibration
   integer(c_int32_t), parameter :: HFRAC_DISC_DISPLACEMENT = 2
-  !> since the end of set-up, anticlockwise
+  !> since the end of the initial equilibration, anticlockwise
   integer(c_int32_t), parameter :: HFRAC_DISC_ROTATION = 3
   !> velocity (dynamic mode; scaled in substep mode)
   integer(c_int32_t), parameter :: HFRAC_DISC_VELOCITY = 4
@@ -142,7 +142,7 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_PIPE_APERTURE = 41
   !> volume rate from the left to the right domain in the last step
   integer(c_int32_t), parameter :: HFRAC_PIPE_FLOW = 42
-  !> pressure, in the reading's sense
+  !> pressure, as stress.convention says
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_PRESSURE = 60
   !> fluid volume now
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_VOLUME = 61
@@ -152,7 +152,7 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_KIND = 63
   !> share of the pore's volume that fluid fills; below 1 where the pressure is at the floor, as ahead of the fluid
   !> in a fracture that opens faster than it fills
-  integer(c_int32_t), parameter :: HFRAC_DOMAIN_FILLED = 67
+  integer(c_int32_t), parameter :: HFRAC_DOMAIN_SATURATION = 67
   !> of the fluid; thermal.rock_temperature without a temperature in the model
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_TEMPERATURE = 66
   !> first corner of each domain in domain.corners; the next domain's is its end
@@ -187,10 +187,10 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_LAB_BIAXIAL = 3
   !> round disc pressed on two arcs of 30 degrees: indirect strength [Pa] (Hondros 1959)
   integer(c_int32_t), parameter :: HFRAC_LAB_BRAZILIAN = 4
-  !> plate with a slit in the middle, dead tension: K_Ic [Pa m^0.5]
+  !> plate with a slit in the middle, constant load: K_Ic [Pa m^0.5]
   integer(c_int32_t), parameter :: HFRAC_LAB_CENTRE_CRACK = 5
-  !> plate slit from one side, dead tension: K_Ic [Pa m^0.5]
-  integer(c_int32_t), parameter :: HFRAC_LAB_NOTCH = 6
+  !> plate slit from one side, constant load: K_Ic [Pa m^0.5]
+  integer(c_int32_t), parameter :: HFRAC_LAB_SENT = 6
   !> slit in the middle under fluid pressure: K_Ic [Pa m^0.5], and its opening
   integer(c_int32_t), parameter :: HFRAC_LAB_PRESSURISED_CRACK = 7
   !> of the unloaded network, mean of both directions [m2]
@@ -225,7 +225,7 @@ module hfrac_c
     real(c_double) :: y = 0.0_c_double
     !> [m] discs with their centre inside are removed
     real(c_double) :: radius = 0.0_c_double
-    !> [Pa] target; net of the formation pressure in the paper's reading, total in the sound one
+    !> [Pa] target; net of the formation pressure where stress.convention is effective, absolute where it is total
     real(c_double) :: pressure = 0.0_c_double
     !> [Pa] rise per sub-step (control ramp)
     real(c_double) :: ramp_per_step = 0.0_c_double
@@ -276,16 +276,16 @@ module hfrac_c
     integer(c_int32_t) :: struct_size = 0_c_int32_t
     !> set by init
     integer(c_int32_t) :: struct_version = 0_c_int32_t
-    !> [m] Extent of the model along x, the direction of sigma_H. Default 100.0.
+    !> [m] Extent of the model along x, the direction of sigma_Hmax. Default 100.0.
     real(c_double) :: model_width = 0.0_c_double
-    !> [m] Extent of the model along y, the direction of sigma_h. Default 100.0.
+    !> [m] Extent of the model along y, the direction of sigma_hmin. Default 100.0.
     real(c_double) :: model_height = 0.0_c_double
     !> Seed of the packing; the same seed gives the same model, bit for bit. Default 1.
     integer(c_int64_t) :: model_seed = 0_c_int64_t
-    !> 0: sound, 1: paper. How stresses and pressures are read. sound: total stresses, pores start at the formation
+    !> 0: total, 1: effective. How stresses and pressures are read. sound: total stresses, pores start at the formation
     !> pressure. paper: effective stresses, pressures net of the formation pressure (reproduces the paper's figures,
     !> no statement about stress in situ). Default 0.
-    integer(c_int64_t) :: model_reading = 0_c_int64_t
+    integer(c_int64_t) :: stress_convention = 0_c_int64_t
     !> Number of discs packed, before the well is cut. Default 10000.
     integer(c_int64_t) :: packing_disc_count = 0_c_int64_t
     !> [1] Largest over smallest disc radius (Table 1). Default 2.70.
@@ -323,17 +323,17 @@ module hfrac_c
     !> [m] If positive, strengths hold for this mean radius and are scaled by sqrt(reference/mean radius), so that
     !> the fracture toughness does not depend on resolution. 0: strengths as given. Default 0.0.
     real(c_double) :: bond_toughness_reference_radius = 0.0_c_double
-    !> [Pa] Far-field stress along x, compression positive; at least sigma_h. Total in the sound reading, effective
+    !> [Pa] Far-field stress along x, compression positive; at least sigma_hmin. Total or effective, as stress.convention
     !> in the paper's. Default 33e6.
-    real(c_double) :: stress_sigma_hmax = 0.0_c_double
+    real(c_double) :: stress_sigma_Hmax = 0.0_c_double
     !> [Pa] Far-field stress along y, compression positive. Default 25e6.
-    real(c_double) :: stress_sigma_h = 0.0_c_double
+    real(c_double) :: stress_sigma_hmin = 0.0_c_double
     !> 0: stress, 1: walls. stress: far-field stress as forces on the outermost discs. walls: four rigid
     !> frictionless walls, servo-driven to the far-field stress. Default 0.
     integer(c_int64_t) :: boundary_kind = 0_c_int64_t
     !> 0: fixed, 1: servo. Walls after the initial equilibrium: fixed in place, or kept at their stress by the
     !> servo. Default 0.
-    integer(c_int64_t) :: boundary_walls_after_setup = 0_c_int64_t
+    integer(c_int64_t) :: boundary_walls_after_equilibration = 0_c_int64_t
     !> [Pa s] Dynamic viscosity (Table 2). Default 0.3.
     real(c_double) :: fluid_viscosity = 0.0_c_double
     !> [Pa] Bulk modulus (Table 2). Default 1.0e9.
@@ -363,14 +363,14 @@ module hfrac_c
     integer(c_int64_t) :: flow_outer = 0_c_int64_t
     !> 0: substep, 1: dynamic, 2: coupled. substep: one flow step, then mechanics to rest, breakage included (the
     !> paper's sub-step). dynamic: Newton's law in real time, flow_step seconds a step. coupled: flow, equilibrium
-    !> and breakage together in the fluid's time, flow_step seconds a step in as many parts as it takes; needs the
+    !> and breakage together in the fluid's time, flow_step seconds a step in as many increments as it takes; needs the
     !> quasi-static solver. Default 0.
     integer(c_int64_t) :: stepping_mode = 0_c_int64_t
     !> [s] Fluid time of one step. Default 1.0.
     real(c_double) :: stepping_flow_step = 0.0_c_double
     !> Sub-steps of a run by the hfrac command. Default 500.
-    integer(c_int64_t) :: stepping_substeps = 0_c_int64_t
-    !> [s] Model time at which a run ends; 0: after stepping.substeps. Default 0.0.
+    integer(c_int64_t) :: stepping_steps = 0_c_int64_t
+    !> [s] Model time at which a run ends; 0: after stepping.steps. Default 0.0.
     real(c_double) :: stepping_end_time = 0.0_c_double
     !> [1] Mean unbalanced over mean contact force at which mechanics count as at rest. Default 1e-4.
     real(c_double) :: stepping_force_ratio = 0.0_c_double
@@ -388,7 +388,7 @@ module hfrac_c
     integer(c_int64_t) :: stop_cracks = 0_c_int64_t
     !> Worker threads of one simulation; results do not depend on it. Default 1.
     integer(c_int64_t) :: run_workers = 0_c_int64_t
-    !> Sub-steps between the snapshots of a run by the hfrac command. Default 10.
+    !> Steps between the snapshots of a run by the hfrac command. Default 10.
     integer(c_int64_t) :: output_every = 0_c_int64_t
     !> wells used of the array below, 0 to HFRAC_MAX_WELLS
     integer(c_int64_t) :: well_count = 0_c_int64_t
@@ -418,13 +418,13 @@ module hfrac_c
     !> [1] quasi-static: mean unbalanced over mean contact force, and error of a pressure over the largest pressure
     !> difference, at which equilibrium counts as found. Default 1e-6.
     real(c_double) :: solver_tolerance = 0.0_c_double
-    !> [1] Mode coupled: error of a pressure per part of a step, over the largest pressure difference, that sets the
-    !> length of the part. Default 0.05.
+    !> [1] Mode coupled: error of a pressure per increment of a step, over the largest pressure difference, that sets the
+    !> length of the increment. Default 0.05.
     real(c_double) :: solver_pressure_change = 0.0_c_double
-    !> [1] Mode coupled: a part of a step in which a bond would exceed its strength by more than this is tried again
+    !> [1] Mode coupled: an increment of a step in which a bond would exceed its strength by more than this is tried again
     !> shorter. Default 0.02.
     real(c_double) :: solver_strength_overshoot = 0.0_c_double
-    !> [s] Mode coupled: parts of a step are not made shorter; what happens within is taken as sudden. Default 1e-6.
+    !> [s] Mode coupled: increments of a step are not made shorter; what happens within is taken as sudden. Default 1e-6.
     real(c_double) :: solver_smallest_step = 0.0_c_double
     !> 0: auto, 1: direct, 2: iterative. How the implicit scheme solves for pressures. direct: factorisation.
     !> iterative: conjugate gradients, for large models. auto: direct up to 60 000 domains. Default 0.
@@ -444,7 +444,7 @@ module hfrac_c
     !> 0: uniform, 1: seepage. Pore pressure before the treatment. uniform: the formation's. seepage: what one well
     !> held at initial.well_pressure leaves, found by the poroelastic continuum (eq. 1-3). Default 0.
     integer(c_int64_t) :: initial_state = 0_c_int64_t
-    !> [Pa] State seepage: pressure of the well before the treatment, in the reading's sense. Default 0.0.
+    !> [Pa] State seepage: pressure of the well before the treatment, as stress.convention says. Default 0.0.
     real(c_double) :: initial_well_pressure = 0.0_c_double
     !> [s] State seepage: how long the well has been at that pressure; 0: until nothing changes any more. Default
     !> 0.0.
@@ -603,14 +603,14 @@ module hfrac_c
     integer(c_int64_t) :: cycles = 0_c_int64_t
     !> mean unbalanced over mean contact force
     real(c_double) :: force_ratio = 0.0_c_double
-    !> bonds broken, all modes, set-up included
+    !> bonds broken, all modes, the initial equilibration included
     integer(c_int64_t) :: crack_count = 0_c_int64_t
     !> of them in tension
     integer(c_int64_t) :: tensile_cracks = 0_c_int64_t
     !> of them in shear
     integer(c_int64_t) :: shear_cracks = 0_c_int64_t
     !> of them before injection, while the model came to rest
-    integer(c_int64_t) :: setup_cracks = 0_c_int64_t
+    integer(c_int64_t) :: equilibration_cracks = 0_c_int64_t
     !> discs
     integer(c_int64_t) :: disc_count = 0_c_int64_t
     !> bonded contacts, intact or broken
@@ -625,10 +625,10 @@ module hfrac_c
     integer(c_int32_t) :: stop_reason = 0_c_int32_t
     !> explicit flow: sub-cycles of the last step; implicit: iterations
     integer(c_int32_t) :: flow_subcycles = 0_c_int32_t
-    !> [Pa] far-field stress along x in force, in the reading's sense
-    real(c_double) :: sigma_hmax = 0.0_c_double
+    !> [Pa] far-field stress along x in force, as stress.convention says
+    real(c_double) :: sigma_Hmax = 0.0_c_double
     !> [Pa] along y
-    real(c_double) :: sigma_h = 0.0_c_double
+    real(c_double) :: sigma_hmin = 0.0_c_double
     !> [Pa] absolute, in the pores outside the model
     real(c_double) :: formation_pressure = 0.0_c_double
   end type hfrac_sim_state
@@ -663,14 +663,14 @@ module hfrac_c
     !> [m2] of the network after the initial equilibrium
     real(c_double) :: permeability = 0.0_c_double
     !> unbalanced over mean contact force after the initial equilibrium
-    real(c_double) :: setup_force_ratio = 0.0_c_double
+    real(c_double) :: equilibration_force_ratio = 0.0_c_double
     !> wall time of the packing
     real(c_double) :: packing_seconds = 0.0_c_double
     !> wall time of all of hfrac_sim_create
     real(c_double) :: setup_seconds = 0.0_c_double
   end type hfrac_setup_report
 
-  !> Energy and fluid mass since the end of the set-up. Set struct_size before the call.
+  !> Energy and fluid mass since the end of the initial equilibration. Set struct_size before the call.
   type, bind(C) :: hfrac_balance
     !> sizeof(hfrac_balance) of the caller
     integer(c_int32_t) :: struct_size = 120_c_int32_t
@@ -682,15 +682,15 @@ module hfrac_c
     real(c_double) :: bond_elastic = 0.0_c_double
     !> [J/m] stored in contacts now (discs and walls)
     real(c_double) :: contact_elastic = 0.0_c_double
-    !> [J/m] work of fluid pressure on the discs since set-up
+    !> [J/m] work of fluid pressure on the discs since the initial equilibration
     real(c_double) :: fluid_work = 0.0_c_double
-    !> [J/m] work of the far field on the model since set-up
+    !> [J/m] work of the far field on the model since the initial equilibration
     real(c_double) :: boundary_work = 0.0_c_double
-    !> [J/m] dissipated by sliding since set-up
+    !> [J/m] dissipated by sliding since the initial equilibration
     real(c_double) :: friction = 0.0_c_double
-    !> [J/m] dissipated by damping since set-up
+    !> [J/m] dissipated by damping since the initial equilibration
     real(c_double) :: damping = 0.0_c_double
-    !> [J/m] elastic energy of bonds lost as they broke since set-up
+    !> [J/m] elastic energy of bonds lost as they broke since the initial equilibration
     real(c_double) :: fracture = 0.0_c_double
     !> [J/m] what is missing in: works = change of stored + dissipated
     real(c_double) :: energy_error = 0.0_c_double
@@ -706,17 +706,17 @@ module hfrac_c
     real(c_double) :: host_volume = 0.0_c_double
   end type hfrac_balance
 
-  !> What the quasi-static solver did since set-up; all 0 with solver.kind "explicit". Set struct_size before the
+  !> What the quasi-static solver did since the initial equilibration; all 0 with solver.kind "explicit". Set struct_size before the
   !> call.
   type, bind(C) :: hfrac_solver_report
     !> sizeof(hfrac_solver_report) of the caller
     integer(c_int32_t) :: struct_size = 80_c_int32_t
     !> 0 explicit, 1 quasi-static
     integer(c_int32_t) :: kind = 0_c_int32_t
-    !> [s] mode "coupled": length of the next part of a step
-    real(c_double) :: part = 0.0_c_double
-    !> mode "coupled": parts of steps that stand
-    integer(c_int64_t) :: parts = 0_c_int64_t
+    !> [s] mode "coupled": length of the next increment of a step
+    real(c_double) :: increment = 0.0_c_double
+    !> mode "coupled": accepted increments
+    integer(c_int64_t) :: increments = 0_c_int64_t
     !> equilibria found: one a solve, and one more each time bonds broke
     integer(c_int64_t) :: rounds = 0_c_int64_t
     !> of Newton's method
@@ -725,11 +725,11 @@ module hfrac_c
     integer(c_int64_t) :: linear_iterations = 0_c_int64_t
     !> factors of a tangent computed
     integer(c_int64_t) :: factors = 0_c_int64_t
-    !> parts put back because of solver.pressure_change
+    !> increments rejected because of solver.pressure_change
     integer(c_int64_t) :: rejected_error = 0_c_int64_t
-    !> parts put back because of solver.strength_overshoot
+    !> increments rejected because of solver.strength_overshoot
     integer(c_int64_t) :: rejected_strength = 0_c_int64_t
-    !> parts put back because no equilibrium was found
+    !> increments rejected because no equilibrium was found
     integer(c_int64_t) :: rejected_divergence = 0_c_int64_t
   end type hfrac_solver_report
 
@@ -781,13 +781,13 @@ module hfrac_c
     real(c_double) :: y = 0.0_c_double
     !> [m] sqrt(area / pi) of the hole between disc centres
     real(c_double) :: equivalent_radius = 0.0_c_double
-    !> [Pa] now, in the reading's sense
+    !> [Pa] now, as stress.convention says
     real(c_double) :: pressure = 0.0_c_double
     !> [Pa]
     real(c_double) :: target_pressure = 0.0_c_double
     !> [m2/s] into the well in the last step
     real(c_double) :: rate = 0.0_c_double
-    !> [m2] since set-up, at formation pressure
+    !> [m2] since the initial equilibration, at formation pressure
     real(c_double) :: injected_volume = 0.0_c_double
     !> index of its domain
     integer(c_int64_t) :: domain = 0_c_int64_t
@@ -827,7 +827,7 @@ module hfrac_c
     integer(c_int64_t) :: bond = 0_c_int64_t
     !> indices of the discs
     integer(c_int64_t) :: disc(2) = 0_c_int64_t
-    !> step in which it broke; 0: during set-up
+    !> step in which it broke; 0: during the initial equilibration
     integer(c_int64_t) :: step = 0_c_int64_t
     !> mechanical cycle in which it broke
     integer(c_int64_t) :: cycle = 0_c_int64_t
@@ -863,13 +863,13 @@ module hfrac_c
     integer(c_int64_t) :: crack_count = 0_c_int64_t
     !> of them in tension
     integer(c_int64_t) :: tensile_cracks = 0_c_int64_t
-    !> [m] longest way along it: from the two longest arms if it starts at a well, the hole left out
+    !> [m] longest way along it: from the two longest wings if it starts at a well, the hole left out
     real(c_double) :: length = 0.0_c_double
     !> [m] largest distance between two of its crack ends
     real(c_double) :: extent = 0.0_c_double
     !> [m] farthest crack end from the wall of its well; 0 if not connected
     real(c_double) :: reach = 0.0_c_double
-    !> [rad] direction of its long axis against x (sigma_H), -pi/2 to pi/2
+    !> [rad] direction of its long axis against x (sigma_Hmax), -pi/2 to pi/2
     real(c_double) :: azimuth = 0.0_c_double
     !> [m] mechanical, weighted by crack length
     real(c_double) :: mean_aperture = 0.0_c_double
@@ -882,7 +882,7 @@ module hfrac_c
     !> index of the well it is connected to, -1 if none
     integer(c_int64_t) :: well = 0_c_int64_t
     !> separate branches that start at its well; 1 if not connected to one
-    integer(c_int64_t) :: arms = 0_c_int64_t
+    integer(c_int64_t) :: wings = 0_c_int64_t
   end type hfrac_fracture
 
   !> How cracks make events. Set struct_size; zeros elsewhere are the defaults.
@@ -930,7 +930,7 @@ module hfrac_c
     !> 2/3 log10 energy - 2.9 (Choy and Boatwright 1995), an upper bound; NaN without energy
     real(c_double) :: energy_magnitude = 0.0_c_double
     !> -1 to 1 (Feignier and Young 1992, in the plane): 0.5 opens as one crack, 0 shears, below 0 closes
-    real(c_double) :: isotropic_share = 0.0_c_double
+    real(c_double) :: isotropic_fraction = 0.0_c_double
     !> [m] summed over its cracks
     real(c_double) :: length = 0.0_c_double
     !> [m] from its position to the farthest of its cracks
@@ -1013,9 +1013,9 @@ module hfrac_c
     integer(c_int32_t) :: struct_size = 80_c_int32_t
     !> 0 off, 1 uniform, 2 transport
     integer(c_int32_t) :: mode = 0_c_int32_t
-    !> [J/m] in rock and pores beyond that at set-up
+    !> [J/m] in rock and pores beyond that after the initial equilibration
     real(c_double) :: stored = 0.0_c_double
-    !> [J/m] from wells since set-up: carried and through their walls
+    !> [J/m] from wells since the initial equilibration: carried and through their walls
     real(c_double) :: wells = 0.0_c_double
     !> [J/m] carried in through the outer boundary
     real(c_double) :: outside = 0.0_c_double
@@ -1048,7 +1048,7 @@ module hfrac_c
     !> [Pa] on the sides, HFRAC_LAB_BIAXIAL, compression positive; default 0
     real(c_double) :: confining = 0.0_c_double
     !> length of a slit over the width, 0.05 to 0.6; default 0.3
-    real(c_double) :: slit_share = 0.0_c_double
+    real(c_double) :: slit_fraction = 0.0_c_double
   end type hfrac_lab_spec
 
   !> What a test found; 0 where a test has no such thing. Set struct_size before the call.
@@ -1481,7 +1481,7 @@ module hfrac_c
       type(hfrac_balance), intent(inout) :: balance
       integer(c_int32_t) :: hfrac_get_balance
     end function hfrac_get_balance
-    !> What the quasi-static solver did since set-up. Unstable since 0.1.
+    !> What the quasi-static solver did since the initial equilibration. Unstable since 0.1.
     function hfrac_sim_get_solver(sim, report) bind(C, name="hfrac_sim_get_solver")
       import
       type(c_ptr), value :: sim
@@ -1720,21 +1720,21 @@ module hfrac_c
       integer(c_int64_t), intent(out) :: count
       integer(c_int32_t) :: hfrac_grid_cells
     end function hfrac_grid_cells
-    !> From the next step on, pressure [Pa, in the reading's sense] beyond the model's edge: every pipe there feels
+    !> From the next step on, pressure [Pa, as stress.convention says] beyond the model's edge: every pipe there feels
     !> that of the nearest cell of which the model covers less than half (of all cells, if it covers more of each).
     !> `count` values, one per cell (nx * ny); only those cells are looked at. It stays as it is, absolute, whatever
     !> hfrac_set_formation_pressure says later, until it is set anew or taken back: with count 0 (pressure may be
-    !> NULL) the rim feels the formation's pressure again. What passes is `outflow` by cell and `leaked_volume` in
+    !> NULL) the outer boundary feels the formation's pressure again. What passes is `outflow` by cell and `leaked_volume` in
     !> all. The stress on the edge does not change. Part of the state; kept by the tries of an open step. Needs
     !> flow.outer "formation". Unstable since 0.1.
-    function hfrac_set_rim_pressure(sim, pressure, count) bind(C, name="hfrac_set_rim_pressure")
+    function hfrac_set_boundary_pressure(sim, pressure, count) bind(C, name="hfrac_set_boundary_pressure")
       import
       type(c_ptr), value :: sim
       real(c_double), intent(in) :: pressure(*)
       integer(c_int64_t), value :: count
-      integer(c_int32_t) :: hfrac_set_rim_pressure
-    end function hfrac_set_rim_pressure
-    !> At once, gives the rock's pores the host's pressure [Pa, in the reading's sense]: each the mean of the cells
+      integer(c_int32_t) :: hfrac_set_boundary_pressure
+    end function hfrac_set_boundary_pressure
+    !> At once, gives the rock's pores the host's pressure [Pa, as stress.convention says]: each the mean of the cells
     !> it lies in, by area. Pores beside cracks, wells, and pores outside the grid keep theirs; the rock answers in
     !> the next step. `count` values, one per cell. `added` (may be NULL; `capacity` at least count) gets the fluid
     !> [m2] that each cell gave, negative: took; their sum goes to `host_volume` of hfrac_balance.
@@ -1846,7 +1846,7 @@ module hfrac_c
       real(c_double), intent(out) :: temperature
       integer(c_int32_t) :: hfrac_well_get_temperature
     end function hfrac_well_get_temperature
-    !> The books of heat now. Unstable since 0.1.
+    !> The heat balance now. Unstable since 0.1.
     function hfrac_get_heat(sim, heat) bind(C, name="hfrac_get_heat")
       import
       type(c_ptr), value :: sim
@@ -1986,22 +1986,22 @@ module hfrac_c
       type(c_ptr), value :: sim
       integer(c_int32_t) :: hfrac_step_reject
     end function hfrac_step_reject
-    !> From the next step on, another far-field stress [Pa], in the reading's sense; needs boundary.kind stress, or
-    !> walls kept on their servo. sigma_h must not exceed sigma_H, nor with walls, which only push, be below the
+    !> From the next step on, another far-field stress [Pa], as stress.convention says; needs boundary.kind stress, or
+    !> walls kept on their servo. sigma_hmin must not exceed sigma_Hmax, nor with walls, which only push, be below the
     !> pressure in the pores outside (HFRAC_ERR_ARGUMENT, nothing changes). Stable since 0.1.
-    function hfrac_set_far_field(sim, sigma_hmax, sigma_h) bind(C, name="hfrac_set_far_field")
+    function hfrac_set_far_field(sim, sigma_Hmax, sigma_hmin) bind(C, name="hfrac_set_far_field")
       import
       type(c_ptr), value :: sim
-      real(c_double), value :: sigma_hmax
-      real(c_double), value :: sigma_h
+      real(c_double), value :: sigma_Hmax
+      real(c_double), value :: sigma_hmin
       integer(c_int32_t) :: hfrac_set_far_field
     end function hfrac_set_far_field
     !> From the next step on, another pressure [Pa, absolute, 0 to 1e10] in the pores outside the model, in both
     !> readings; the paper's other pressures stay net of fluid.formation_pressure as defined. Total far-field
-    !> stresses stay as they are; pores inside follow by flow. Where a host's grid has said what the rim feels
-    !> (hfrac_set_rim_pressure), that stays until the host takes it back; what lies beyond still changes then, and
-    !> the load on the edge with it. Needs flow, and flow.outer formation. In the sound reading it must not exceed
-    !> sigma_h where the far field acts, nor in either one leave walls to pull. Unstable since 0.1.
+    !> stresses stay as they are; pores inside follow by flow. Where a host's grid has said what the outer boundary feels
+    !> (hfrac_set_boundary_pressure), that stays until the host takes it back; what lies beyond still changes then, and
+    !> the load on the edge with it. Needs flow, and flow.outer formation. With total stresses it must not exceed
+    !> sigma_hmin where the far field acts, nor in either one leave walls to pull. Unstable since 0.1.
     function hfrac_set_formation_pressure(sim, pressure) bind(C, name="hfrac_set_formation_pressure")
       import
       type(c_ptr), value :: sim

@@ -88,7 +88,7 @@ hfrac_event describe(const SeismicEvent& from, std::int64_t index) {
   to.magnitude = from.magnitude;
   to.energy = from.energy;
   to.energy_magnitude = from.energy_magnitude;
-  to.isotropic_share = from.isotropic_share;
+  to.isotropic_fraction = from.isotropic_fraction;
   to.length = from.length;
   to.radius = from.radius;
   return to;

@@ -56,7 +56,7 @@ hfrac_fracture describe(const Fracture& f, std::int64_t index) {
   c.volume = f.volume;
   c.mean_pressure = f.mean_pressure;
   c.well = f.well;
-  c.arms = f.arms;
+  c.wings = f.wings;
   return c;
 }
 

@@ -66,7 +66,7 @@ void write_pipes(const Simulation& s, const Array<double>& values, double* to) {
 }
 
 // A pore at the floor may hold less than would fill it at that pressure.
-void write_filled(const Simulation& s, double* to) {
+void write_saturation(const Simulation& s, double* to) {
   const Network& n = s.network();
   for (std::int64_t d = 0; d < n.domain_count(); ++d) {
     to[d] = 1.0;
@@ -144,8 +144,8 @@ void write_values(const Simulation& s, std::int32_t field, double* to) {
     case HFRAC_DOMAIN_VOLUME:
       for (std::size_t d = 0; d < n.kind.size(); ++d) to[d] = n.volume[d] + n.volume_change[d];
       return;
-    case HFRAC_DOMAIN_FILLED:
-      write_filled(s, to);
+    case HFRAC_DOMAIN_SATURATION:
+      write_saturation(s, to);
       return;
     case HFRAC_DOMAIN_TEMPERATURE:
       if (s.heat() == nullptr) {

@@ -83,11 +83,11 @@ int32_t hfrac_grid_cells(hfrac_sim* sim, int32_t method, int32_t cell_size, hfra
   });
 }
 
-int32_t hfrac_set_rim_pressure(hfrac_sim* sim, const double* pressure, int64_t count) {
+int32_t hfrac_set_boundary_pressure(hfrac_sim* sim, const double* pressure, int64_t count) {
   return guarded_sim(sim, [&] {
     const bool back = count == 0;
-    sim->simulation->set_rim_pressure(back ? std::span<const double>()
-                                           : values_of(pressure, count, "pressure"));
+    sim->simulation->set_boundary_pressure(back ? std::span<const double>()
+                                                : values_of(pressure, count, "pressure"));
     ++sim->epoch;
   });
 }

@@ -57,7 +57,7 @@ hfrac_lab_spec default_spec() {
   spec.seed = from.seed;
   spec.width = from.width;
   spec.confining = from.confining;
-  spec.slit_share = from.slit_share;
+  spec.slit_fraction = from.slit_fraction;
   return spec;
 }
 
@@ -171,7 +171,7 @@ int32_t hfrac_lab_run(const hfrac_sim_def* def, const hfrac_lab_spec* spec, hfra
     check_ranges(definition);
     const hfrac_lab_spec given = read_struct(spec, default_spec(), "hfrac_lab_spec");
     const LabSpec what{LabTest{given.test}, given.disc_count, given.seed,
-                       given.width,         given.confining,  given.slit_share};
+                       given.width,         given.confining,  given.slit_fraction};
     auto handle = std::make_unique<hfrac_lab>();
     Patience patience(progress, user, "testing a specimen");
     handle->result = run_lab(definition.options, what, [&] { return patience.stop(); });

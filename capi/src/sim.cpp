@@ -37,11 +37,11 @@ void hfrac_sim::operator delete(void* place, std::size_t size) {
 namespace {
 
 // One step of a longer call; `fraction` of that call is done when it begins.
-std::int32_t take_step(hfrac_sim& sim, Asker& asker, double fraction) {
+std::int32_t take_step(hfrac_sim& sim, ProgressPoll& poll, double fraction) {
   const Simulation& s = *sim.simulation;
   const std::size_t cracks_before = s.cracks().size();
   ++sim.epoch;
-  const auto outcome = sim.simulation->step([&] { return asker.stop(fraction, "stepping"); });
+  const auto outcome = sim.simulation->step([&] { return poll.stop(fraction, "stepping"); });
   ++sim.epoch;  // a callback may have looked at the middle of the step
   if (outcome.stopped) return HFRAC_STOPPED;
   tell_step(sim, cracks_before);
@@ -85,12 +85,12 @@ int32_t hfrac_sim_create(const hfrac_sim_def* def, hfrac_sim** sim) {
     const hfrac_sim_def full = read_def(def);
     auto handle = std::make_unique<hfrac_sim>();
     handle->listener = listener_of(full.log, full.log_user, full.log_level);
-    Asker asker(*handle, full.progress, full.progress_user, 0.05);
+    ProgressPoll poll(*handle, full.progress, full.progress_user, 0.05);
     const char* stage = "";
     try {
       const auto progress = [&](double done, const char* what) {
         if (what != stage) tell(*handle, HFRAC_LOG_INFO, stage = what);
-        return asker.stop(done, what);
+        return poll.stop(done, what);
       };
       handle->simulation =
           std::make_unique<Simulation>(case_of(full), given_discs_of(full), progress, given_bonds_of(full));
@@ -137,12 +137,12 @@ int32_t hfrac_step(hfrac_sim* sim, int64_t count) {
       throw Error(ErrorKind::argument,
                   "count = " + std::to_string(count) + " is negative; give 0 or more steps.");
     require_no_open_step(*sim);
-    Asker asker(*sim, sim->progress, sim->progress_user, sim->progress_seconds);
+    ProgressPoll poll(*sim, sim->progress, sim->progress_user, sim->progress_seconds);
     std::int32_t status = HFRAC_OK;
     for (std::int64_t k = 0; k < count; ++k) {
       const double fraction = static_cast<double>(k) / static_cast<double>(count);
-      if (asker.stop(fraction, "stepping")) return HFRAC_STOPPED;
-      status = take_step(*sim, asker, fraction);
+      if (poll.stop(fraction, "stepping")) return HFRAC_STOPPED;
+      status = take_step(*sim, poll, fraction);
       if (status == HFRAC_STOPPED) return status;
     }
     return status;
@@ -157,7 +157,7 @@ int32_t hfrac_advance(hfrac_sim* sim, double target, double* reached, int32_t* r
     require_no_open_step(*sim);
     const Simulation& s = *sim->simulation;
     const double start = s.time();
-    Asker asker(*sim, sim->progress, sim->progress_user, sim->progress_seconds);
+    ProgressPoll poll(*sim, sim->progress, sim->progress_user, sim->progress_seconds);
     std::int32_t status = HFRAC_OK;
     *reached = start;
     *reason = HFRAC_REASON_TARGET;
@@ -167,7 +167,7 @@ int32_t hfrac_advance(hfrac_sim* sim, double target, double* reached, int32_t* r
       if (*reason != HFRAC_REASON_TARGET) return status;
       const double fraction = (s.time() - start) / (target - start);
       const bool stopped =
-          asker.stop(fraction, "stepping") || take_step(*sim, asker, fraction) == HFRAC_STOPPED;
+          poll.stop(fraction, "stepping") || take_step(*sim, poll, fraction) == HFRAC_STOPPED;
       *reached = s.time();
       if (stopped) {
         *reason = HFRAC_REASON_CALLBACK;
@@ -212,7 +212,7 @@ int32_t hfrac_sim_get_state(const hfrac_sim* sim, hfrac_sim_state* state) {
       ++full.crack_count;
       ++(crack.mode == CrackMode::tension ? full.tensile_cracks : full.shear_cracks);
     }
-    full.setup_cracks = s.setup().cracks;
+    full.equilibration_cracks = s.setup().cracks;
     full.disc_count = s.assembly().disc_count();
     full.bond_count = s.assembly().bond_count();
     full.domain_count = s.network().domain_count();
@@ -220,8 +220,8 @@ int32_t hfrac_sim_get_state(const hfrac_sim* sim, hfrac_sim_state* state) {
     full.tip_distance = s.tip_distance();
     full.stop_reason = static_cast<std::int32_t>(s.stop_reason());
     full.flow_subcycles = s.flow_rounds();
-    full.sigma_H = s.options().stress_sigma_H;
-    full.sigma_h = s.options().stress_sigma_h;
+    full.sigma_Hmax = s.options().stress_sigma_Hmax;
+    full.sigma_hmin = s.options().stress_sigma_hmin;
     full.formation_pressure = s.formation_pressure();
     write_struct(state, full, "hfrac_sim_state");
   });
@@ -243,7 +243,7 @@ int32_t hfrac_sim_get_setup(const hfrac_sim* sim, hfrac_setup_report* report) {
     full.strength_factor = s.assembly().strength_factor;
     full.zero_stress_aperture = s.network().zero_stress_aperture;
     full.permeability = setup.permeability;
-    full.setup_force_ratio = setup.force_ratio;
+    full.equilibration_force_ratio = setup.force_ratio;
     full.packing_seconds = setup.packing_seconds;
     full.setup_seconds = setup.setup_seconds;
     write_struct(report, full, "hfrac_setup_report");
@@ -278,15 +278,15 @@ int32_t hfrac_sim_get_solver(const hfrac_sim* sim, hfrac_solver_report* report) 
     const SolverWork& work = s.work();
     hfrac_solver_report full{};
     full.kind = static_cast<std::int32_t>(s.options().solver_kind);
-    full.part = s.part();
-    full.parts = work.parts;
+    full.increment = s.increment();
+    full.increments = work.increments;
     full.rounds = work.rounds;
     full.newton_iterations = work.newton;
     full.linear_iterations = work.krylov;
     full.factors = work.factors;
     full.rejected_error = work.rejected_error;
     full.rejected_strength = work.rejected_strength;
-    full.rejected_divergence = work.rejected_stuck;
+    full.rejected_divergence = work.rejected_divergence;
     write_struct(report, full, "hfrac_solver_report");
   });
 }

@@ -90,8 +90,8 @@ int32_t hfrac_step_do(hfrac_sim* sim, double duration) {
                   "duration = " + std::to_string(duration) + " s must be positive and finite.");
     }
     ++sim->epoch;
-    Asker asker(*sim, sim->progress, sim->progress_user, sim->progress_seconds);
-    const auto outcome = sim->simulation->try_step(duration, [&] { return asker.stop(0.0, "stepping"); });
+    ProgressPoll poll(*sim, sim->progress, sim->progress_user, sim->progress_seconds);
+    const auto outcome = sim->simulation->try_step(duration, [&] { return poll.stop(0.0, "stepping"); });
     ++sim->epoch;  // a callback may have looked at the middle of the step
     if (outcome.stopped) return HFRAC_STOPPED;
     return outcome.at_rest ? HFRAC_OK : HFRAC_NOT_AT_REST;
@@ -109,14 +109,15 @@ int32_t hfrac_step_reject(hfrac_sim* sim) {
   });
 }
 
-int32_t hfrac_set_far_field(hfrac_sim* sim, double sigma_H, double sigma_h) {
+int32_t hfrac_set_far_field(hfrac_sim* sim, double sigma_Hmax, double sigma_hmin) {
   return guarded_sim(sim, [&] {
-    if (!std::isfinite(sigma_H) || !std::isfinite(sigma_h))
+    if (!std::isfinite(sigma_Hmax) || !std::isfinite(sigma_hmin))
       throw Error(ErrorKind::argument, "a stress is not a finite number.");
-    sim->simulation->set_far_field(sigma_H, sigma_h);
+    sim->simulation->set_far_field(sigma_Hmax, sigma_hmin);
     ++sim->epoch;
     tell(*sim, HFRAC_LOG_INFO,
-         "far field: sigma_H = " + number_text(sigma_H) + " Pa, sigma_h = " + number_text(sigma_h) + " Pa");
+         "far field: sigma_Hmax = " + number_text(sigma_Hmax) +
+             " Pa, sigma_hmin = " + number_text(sigma_hmin) + " Pa");
   });
 }
 

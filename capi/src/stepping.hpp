@@ -11,9 +11,9 @@
 namespace hfrac::capi {
 
 // The host's progress callback, asked about every so many seconds. Once it has said stop it is not asked again.
-class Asker {
+class ProgressPoll {
  public:
-  Asker(hfrac_sim& sim, hfrac_progress_fn progress, void* user, double seconds)
+  ProgressPoll(hfrac_sim& sim, hfrac_progress_fn progress, void* user, double seconds)
       : sim_(sim), progress_(progress), user_(user), seconds_(seconds), last_(Clock::now()) {}
 
   bool stop(double fraction, const char* what) {

@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
   if (failed(hfrac_sim_def_init(&def, sizeof def), NULL)) return 1;
   if (argc > 1 && failed(hfrac_sim_def_load(&def, argv[1]), NULL)) return 1;
   if (failed(hfrac_sim_create(&def, &sim), NULL)) return 1;
-  if (!failed(hfrac_step(sim, def.stepping_substeps), sim) &&
+  if (!failed(hfrac_step(sim, def.stepping_steps), sim) &&
       !failed(hfrac_fractures(sim, sizeof fracture, &fracture, 1, &count), sim)) {
     if (count == 0)
       printf("no fracture\n");

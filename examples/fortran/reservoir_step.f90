@@ -15,13 +15,13 @@ program reservoir_step
   integer :: stat, report_step
   character(500) :: message
 
-  ! A block of 100 m with one well in the middle, in the effective-stress reading.
+  ! A block of 100 m with one well in the middle, with effective stresses.
   call def%set('title', 'called from a reservoir simulator')
-  call def%set('model.reading', 'paper')
+  call def%set('stress.convention', 'effective')
   call def%set('packing.disc_count', 600)
   call def%set('packing.residual', 1e-3_real64)
-  call def%set('stress.sigma_H', 0)
-  call def%set('stress.sigma_h', 0)
+  call def%set('stress.sigma_Hmax', 0)
+  call def%set('stress.sigma_hmin', 0)
   call def%set('boundary.kind', 'walls')
   call def%set('stepping.flow_step', 1e-2_real64)
   call def%set('well[0].x', 50)

@@ -6,7 +6,7 @@
 !> Who owns what. The cells under hfrac's model are hfrac's; the simulator leaves them out. Through the model's edge passes
 !> what hfrac says (`outflow` by cell); the pressure there is what the simulator says. Within every step the two are iterated to
 !> agree (hfrac: pressure given, flow found; simulator: flow given, pressure found; Aitken's relaxation between). Fluid is
-!> conserved whether or not they agree to the last digit, because the same flow is booked on either side.
+!> conserved whether or not they agree to the last digit, because the same flow is accounted for on either side.
 !>
 !> A step is rejected and tried anew at half its length if the two do not agree in a few rounds, or if too many bonds
 !> break in it; after an easy one the next may be longer. The table's column "again" counts the rejections.
@@ -22,7 +22,7 @@ program coupled
   type(hfrac_definition) :: def
   type(hfrac_simulation) :: sim
   type(hfrac_sim_state) :: state
-  type(hfrac_balance) :: books
+  type(hfrac_balance) :: balance
   type(hfrac_well_state), allocatable :: wells(:)
   type(hfrac_fracture), allocatable :: fractures(:)
   type(hfrac_cell), allocatable :: cells(:, :)
@@ -77,12 +77,12 @@ program coupled
   end do
 
   print '(i0,a)', rejected, ' steps were rejected and tried anew'
-  print '(a,es10.3,a)', 'injected through the well   ', books%injected_volume, ' m2'
-  print '(a,es10.3,a)', 'stored around the fracture  ', books%stored_volume, ' m2'
+  print '(a,es10.3,a)', 'injected through the well   ', balance%injected_volume, ' m2'
+  print '(a,es10.3,a)', 'stored around the fracture  ', balance%stored_volume, ' m2'
   print '(a,es10.3,a)', 'stored in the reservoir     ', field%stored(formation), ' m2'
   print '(a,es10.3,a)', 'produced                    ', field%produced, ' m2'
   print '(a,es10.3,a)', 'missing                     ', missing, ' m2'
-  if (abs(missing) > 1e-8_real64*books%injected_volume) error stop 'fluid is missing'
+  if (abs(missing) > 1e-8_real64*balance%injected_volume) error stop 'fluid is missing'
   if (steps >= 10 .and. rejected == 0) error stop 'no step was rejected: this example shows nothing'
 
 contains
@@ -92,8 +92,8 @@ contains
     call def%set('model.width', side)
     call def%set('model.height', side)
     call def%set('packing.disc_count', 700)
-    call def%set('stress.sigma_H', 33*MPa)
-    call def%set('stress.sigma_h', 28*MPa)
+    call def%set('stress.sigma_Hmax', 33*MPa)
+    call def%set('stress.sigma_hmin', 28*MPa)
     call def%set('bond.tensile_strength', 10*MPa)
     call def%set('bond.shear_strength', 30*MPa)
     call def%set('fluid.viscosity', 1e-3_real64)
@@ -128,7 +128,7 @@ contains
     relaxation = 0.5_real64
     agreed = .false.
     do rounds = 1, most_rounds
-      call sim%set_rim_pressure(edge, stat, message)
+      call sim%set_boundary_pressure(edge, stat, message)
       call stop_on_error()
       call sim%do_step(dt, stat, message)
       call stop_on_error()
@@ -153,13 +153,13 @@ contains
   end subroutine agree
 
   subroutine show()
-    books = sim%balance()
+    balance = sim%balance()
     state = sim%state()
     call sim%wells(wells)
     call sim%fractures(fractures)
     length = 0
     if (size(fractures) > 0) length = fractures(1)%length
-    missing = books%injected_volume - books%stored_volume - field%stored(formation) - field%produced
+    missing = balance%injected_volume - balance%stored_volume - field%stored(formation) - field%produced
     print '(i4,f9.2,f9.3,2i7,f9.2,i8,f8.1,es14.3,2es11.2)', step, state%time, dt, rounds, rejected, &
       wells(1)%pressure/MPa, state%crack_count, length, sum(flow), field%produced, missing
   end subroutine show

@@ -2,11 +2,11 @@
 // Steps of the quasi-static solver.
 //
 // substep  the order of step.cpp, with equilibrium solved for instead of waited for
-// coupled  flow, equilibrium and breakage solved together (equilibrium/coupled_system.hpp) in parts of a step. A part is as
-//          long as three things allow: the error of backward Euler, estimated against a straight line through the part before;
-//          no bond farther beyond its strength than solver.strength_overshoot before it breaks; convergence. A part that
-//          fails one of them is put back and tried again shorter, down to solver.smallest_step. Where that fails, damped
-//          motion leads on (settle).
+// coupled  flow, equilibrium and breakage solved together (equilibrium/coupled_system.hpp) in increments of a step. An increment is as
+//          long as three things allow: the error of backward Euler, estimated against a straight line through the increment before;
+//          no bond farther beyond its strength than solver.strength_overshoot before it breaks; convergence. An increment that
+//          fails one of them is rejected and tried again shorter, down to solver.smallest_step. Where that fails, damped
+//          motion leads on (relax_dynamically).
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,8 +20,8 @@ namespace hfrac {
 namespace {
 
 constexpr double longest_growth = 4.0, shortest_cut = 0.1;
-// A length at which no rest was found is kept away from in the rest of the step, less and less so with every part that went well.
-constexpr double clear_of_stuck = 0.7, forgetting = 1.2;
+// A length at which no rest was found is kept away from in the rest of the step, less and less so with every increment that went well.
+constexpr double below_failed = 0.7, forgetting = 1.2;
 
 std::string place_text(Vec2 at) {
   std::string text = "(";  // in two steps: GCC 12 takes a literal plus a temporary for an overlap
@@ -36,22 +36,22 @@ Simulation::StepOutcome Simulation::quasi_static_substep(double duration,
   using End = EquilibriumSolver::End;
   flow_step(duration);
   const std::size_t cracks_before = cracks_.size();
-  save_state(before_part_);
+  save_state(before_increment_);
   auto rest = equilibrium_->solve(0.0, {}, std::numeric_limits<double>::infinity(), cracks_, interrupt);
-  if (rest.end == End::stuck) {
-    load_state(before_part_);
+  if (rest.end == End::not_converged) {
+    load_state(before_increment_);
     count(rest);
-    const auto settled = settle(0.0, interrupt);
-    if (settled.end == End::stuck) {
+    const auto relaxed = relax_dynamically(0.0, interrupt);
+    if (relaxed.end == End::not_converged) {
       throw Error(ErrorKind::diverged, "no equilibrium was found after " + number_text(time_) +
                                            " s: the unbalanced-force ratio stayed at " +
                                            rounded_text(rest.force_ratio) + ", farthest from rest near " +
                                            place_text(rest.where) + ", and damped motion left it at " +
-                                           rounded_text(settled.force_ratio) +
+                                           rounded_text(relaxed.force_ratio) +
                                            " (eq. 11, 12); the state before the step stands. Use a shorter "
                                            "stepping.flow_step, or a lower pressure or rate");
     }
-    rest = settled;
+    rest = relaxed;
   }
   if (rest.end == End::stopped) return {true, at_rest_};
   count(rest);
@@ -65,28 +65,29 @@ Simulation::StepOutcome Simulation::quasi_static_substep(double duration,
 
 // Where Newton's method finds no equilibrium there may be none near: a bond that breaks can make the rock jump. Damped motion from
 // the last state leads where the jump ends (dynamic relaxation, Otter, Cassell and Hobbs 1966; damping of Cundall 1987), as the explicit
-// solver would; from there equilibrium is solved for to the same tolerance. Fluid flows first, for `part` seconds, while the rock
-// stands still: as long as the shortest part, so it hardly does.
-EquilibriumSolver::Outcome Simulation::settle(double part, const std::function<bool()>& interrupt) {
+// solver would; from there equilibrium is solved for to the same tolerance. Fluid flows first, for `increment` seconds, while the rock
+// stands still: as long as the shortest increment, so it hardly does.
+EquilibriumSolver::Outcome Simulation::relax_dynamically(double increment,
+                                                         const std::function<bool()>& interrupt) {
   using End = EquilibriumSolver::End;
   const Options& o = options();
-  if (flow_ && part > 0.0) flow_rounds_ = flow_->advance(network_, part, source_);
+  if (flow_ && increment > 0.0) flow_rounds_ = flow_->advance(network_, increment, source_);
   EquilibriumSolver::Outcome outcome;
   auto motion = solver_->relax(o.stepping_force_ratio, o.stepping_max_cycles, cracks_, interrupt);
   if (motion.at_rest) {
     solver_->evaluate();
-    std::vector<std::byte> settled;
-    save_state(settled);
+    std::vector<std::byte> relaxed;
+    save_state(relaxed);
     outcome = equilibrium_->solve(0.0, {}, std::numeric_limits<double>::infinity(), cracks_, interrupt);
-    if (outcome.end != End::stuck) return outcome;
-    load_state(settled);
+    if (outcome.end != End::not_converged) return outcome;
+    load_state(relaxed);
     motion = solver_->relax(o.solver_tolerance, o.stepping_max_cycles, cracks_, interrupt);
     solver_->stop_motion();
     solver_->evaluate();
-    boundary_->hold_still(assembly_);
+    boundary_->remove_rigid_motion(assembly_);
     outcome.last_excess = equilibrium_->find_exceeding();
   }
-  outcome.end = motion.stopped ? End::stopped : (motion.at_rest ? End::rest : End::stuck);
+  outcome.end = motion.stopped ? End::stopped : (motion.at_rest ? End::rest : End::not_converged);
   outcome.force_ratio = motion.force_ratio;
   return outcome;
 }
@@ -98,16 +99,16 @@ void Simulation::count(const EquilibriumSolver::Outcome& outcome) {
   work_.rounds += outcome.rounds;
 }
 
-// Backward Euler's error of a part: how far the pressures lie from where the part before was heading, half of it, over
+// Backward Euler's error of an increment: how far the pressures lie from where the increment before was heading, half of it, over
 // how far they lie from the formation's; both summed over the pores.
-double Simulation::part_error(double part) const {
+double Simulation::increment_error(double increment) const {
   double off = 0.0, all = 0.0;
   for (std::size_t d = 1; d < network_.kind.size(); ++d) {
     if (network_.stiffness[d] <= 0.0) continue;
-    const double heading = part_pressure_[d] + part * pressure_rate_[d];
+    const double heading = increment_pressure_[d] + increment * pressure_rate_[d];
     off += 0.5 * std::abs(network_.pressure[d] - heading);
     all += std::max(std::abs(network_.pressure[d] - network_.reference_pressure),
-                    std::abs(part_pressure_[d] - network_.reference_pressure));
+                    std::abs(increment_pressure_[d] - network_.reference_pressure));
   }
   return all > 0.0 ? off / all : 0.0;
 }
@@ -116,60 +117,61 @@ Simulation::StepOutcome Simulation::coupled_step(double duration, const std::fun
   using End = EquilibriumSolver::End;
   const Options& o = options();
   const std::size_t cracks_before = cracks_.size();
-  double done = 0.0, tried_part = 0.0, tried_rise = 0.0;
-  double stuck_part = std::numeric_limits<double>::infinity();
+  double done = 0.0, tried_increment = 0.0, tried_rise = 0.0;
+  double failed_increment = std::numeric_limits<double>::infinity();
   bool sudden = false;
-  if (!(part_ > 0.0)) part_ = duration;
+  if (!(increment_ > 0.0)) increment_ = duration;
   while (done < duration) {
-    double part = std::min(part_, duration - done);
-    if (part < duration - done && 2.0 * part > duration - done) part = 0.5 * (duration - done);
-    save_state(before_part_);
+    double increment = std::min(increment_, duration - done);
+    if (increment < duration - done && 2.0 * increment > duration - done) increment = 0.5 * (duration - done);
+    save_state(before_increment_);
     feel_heat();
-    part_pressure_.assign(network_.pressure.begin(), network_.pressure.end());
+    increment_pressure_.assign(network_.pressure.begin(), network_.pressure.end());
     const std::size_t cracks_at = cracks_.size();
-    const bool shortest = part <= o.solver_smallest_step;
+    const bool shortest = increment <= o.solver_smallest_step;
     const bool any_excess = shortest || sudden;
     auto outcome = equilibrium_->solve(
-        part, source_,
+        increment, source_,
         any_excess ? std::numeric_limits<double>::infinity() : 1.0 + o.solver_strength_overshoot, cracks_,
         interrupt);
-    if (outcome.end == End::stuck && shortest) {
+    if (outcome.end == End::not_converged && shortest) {
       SolverWork tried = work_;
-      ++tried.rejected_stuck;
-      load_state(before_part_);
+      ++tried.rejected_divergence;
+      load_state(before_increment_);
       work_ = tried;
       count(outcome);
       feel_heat();
-      const auto settled = settle(part, interrupt);
-      if (settled.end == End::stuck) {
+      const auto relaxed = relax_dynamically(increment, interrupt);
+      if (relaxed.end == End::not_converged) {
         throw Error(ErrorKind::diverged,
                     "no equilibrium was found at " + number_text(time_ + done) +
-                        " s, not even for a part of " + number_text(part) +
+                        " s, not even for an increment of " + number_text(increment) +
                         " s: the unbalanced-force ratio stayed at " + rounded_text(outcome.force_ratio) +
                         ", farthest from rest near " + place_text(outcome.where) +
-                        ", and damped motion left it at " + rounded_text(settled.force_ratio) +
+                        ", and damped motion left it at " + rounded_text(relaxed.force_ratio) +
                         " (eq. 8, 11, 12); the state before the step stands. Use a "
                         "lower pressure or rate, or change them in smaller steps");
       }
-      outcome = settled;
+      outcome = relaxed;
       sudden = true;
     }
     if (outcome.end == End::stopped) return {true, at_rest_};
-    const double error = outcome.end == End::rest ? part_error(part) : 0.0;
+    const double error = outcome.end == End::rest ? increment_error(increment) : 0.0;
     const bool broke = cracks_.size() > cracks_at;
     if (outcome.end != End::rest || (error > 3.0 * o.solver_pressure_change && !shortest)) {
-      // If a well's pressure jumped, no length of a part makes what it does small: first the jump, in no time, then the rest.
+      // If a well's pressure jumped, no length of an increment makes what it does small: first the jump, in no time, then the rest.
       bool jump = done == 0.0 && jumped_ && !sudden;
       double cut = 0.25;
       SolverWork rejected = work_;
       if (outcome.end == End::overshoot) {
-        // Where between the last part's stress and this one's the first bond reaches its strength, if stress rises with a power
-        // of the part: 1, or what two tries say. If it hardly rises, the load is sudden and no length of a part will do.
+        // Where between the last increment's stress and this one's the first bond reaches its strength, if stress rises with a power
+        // of the increment: 1, or what two tries say. If it hardly rises, the load is sudden and no length of an increment will do.
         const double rise = outcome.excess - excess_;
         double power = 1.0;
-        if (tried_part > 0.0) power = std::log(tried_rise / rise) / std::log(tried_part / part);
+        if (tried_increment > 0.0)
+          power = std::log(tried_rise / rise) / std::log(tried_increment / increment);
         jump = jump || power < 0.15;
-        tried_part = part;
+        tried_increment = increment;
         tried_rise = rise;
         cut = std::pow((1.0 + 0.5 * o.solver_strength_overshoot - excess_) / rise,
                        1.0 / std::clamp(power, 0.4, 2.0));
@@ -178,29 +180,29 @@ Simulation::StepOutcome Simulation::coupled_step(double duration, const std::fun
         cut = 0.9 * std::sqrt(o.solver_pressure_change / error);
         ++rejected.rejected_error;
       } else {
-        ++rejected.rejected_stuck;
-        stuck_part = std::min(stuck_part, part);
+        ++rejected.rejected_divergence;
+        failed_increment = std::min(failed_increment, increment);
       }
-      load_state(before_part_);
+      load_state(before_increment_);
       work_ = rejected;
       count(outcome);
       sudden = sudden || jump;
-      part_ = jump ? o.solver_smallest_step
-                   : std::max(o.solver_smallest_step, part * std::clamp(cut, shortest_cut, 0.9));
+      increment_ = jump ? o.solver_smallest_step
+                        : std::max(o.solver_smallest_step, increment * std::clamp(cut, shortest_cut, 0.9));
       continue;
     }
     count(outcome);
-    ++work_.parts;
+    ++work_.increments;
     const double rise = outcome.last_excess - excess_,
                  room = 1.0 + 0.5 * o.solver_strength_overshoot - outcome.last_excess;
     excess_ = std::min(outcome.last_excess, 1.0);
     for (std::size_t d = 0; d < pressure_rate_.size(); ++d)
-      pressure_rate_[d] = broke || sudden ? 0.0 : (network_.pressure[d] - part_pressure_[d]) / part;
+      pressure_rate_[d] = broke || sudden ? 0.0 : (network_.pressure[d] - increment_pressure_[d]) / increment;
     force_ratio_ = outcome.force_ratio;
     at_rest_ = true;
-    book_flow(part);
-    move_heat(part);
-    done += part;
+    accumulate_flow(increment);
+    move_heat(increment);
+    done += increment;
     update_apertures(network_, assembly_, o);
     solver_->search_contacts(cracks_);
     double growth =
@@ -208,10 +210,11 @@ Simulation::StepOutcome Simulation::coupled_step(double duration, const std::fun
     // What rose like this will be at its strength then.
     if (!broke && !sudden && rise > 0.0) growth = std::min(growth, std::max(room / rise, shortest_cut));
     sudden = false;
-    tried_part = 0.0;
-    if (part == part_ || growth < 1.0)
-      part_ = std::min(part * std::clamp(growth, shortest_cut, longest_growth), clear_of_stuck * stuck_part);
-    stuck_part *= forgetting;
+    tried_increment = 0.0;
+    if (increment == increment_ || growth < 1.0)
+      increment_ = std::min(increment * std::clamp(growth, shortest_cut, longest_growth),
+                            below_failed * failed_increment);
+    failed_increment *= forgetting;
   }
   close_step(duration, cracks_before);
   return {false, true};

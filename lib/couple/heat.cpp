@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Temperature in a simulation: its beginning, when it moves, when the rock feels it, and what a host says of it.
 //
-// Heat moves with the flow of a step (or of a part of one, in mode coupled) once that is known. The rock feels it when
-// equilibrium is next sought: in the same step in modes substep and dynamic, in the next part in mode coupled. So the state
+// Heat moves with the flow of a step (or of an increment of one, in mode coupled) once that is known. The rock feels it when
+// equilibrium is next sought: in the same step in modes substep and dynamic, in the next increment in mode coupled. So the state
 // after a step is one of equilibrium with the temperatures in `felt`.
 #include <algorithm>
 #include <string>

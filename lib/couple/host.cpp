@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a reservoir simulator puts into a simulation, by cell of its grid: pressure of the rock, pressure beyond the rim,
+// What a reservoir simulator puts into a simulation, by cell of its grid: pressure of the rock, pressure beyond the outer boundary,
 // stress. What it takes out is host/cell_report.cpp.
 //
 // Whose fluid is whose. The pores of the model are the simulation's; the host's are what lies outside. Fluid passes in two
-// ways, each with an entry of its own in the books:
-//   leaked   through the rim's pipes, driven by the pressure the host sets beyond them
+// ways, each with an entry of its own in the balance:
+//   leaked   through the outer boundary's pipes, driven by the pressure the host sets beyond them
 //   host     put into (or out of) pores when the host sets their pressure
 // injected + host = stored + leaked holds to rounding whatever the host does.
 #include <algorithm>
@@ -90,31 +90,31 @@ void Simulation::set_cell_pressure(std::span<const double> pressure, std::span<d
   }
 }
 
-void Simulation::set_rim_pressure(std::span<const double> pressure) {
+void Simulation::set_boundary_pressure(std::span<const double> pressure) {
   if (!flow_ || OuterPores{options().flow_outer} == OuterPores::closed) {
-    throw Error(
-        ErrorKind::argument,
-        "no fluid passes this model's rim; it takes flow.outer = \"formation\" and a flow.scheme other than "
-        "\"off\".");
+    throw Error(ErrorKind::argument,
+                "no fluid passes this model's outer boundary; it takes flow.outer = \"formation\" and a "
+                "flow.scheme other than "
+                "\"off\".");
   }
   if (pressure.empty()) {  // taken back: the same all around again
-    std::fill(network_.rim_excess.begin(), network_.rim_excess.end(), 0.0);
-    rim_is_hosts_ = false;
+    std::fill(network_.outer_excess.begin(), network_.outer_excess.end(), 0.0);
+    outer_is_hosts_ = false;
     return;
   }
   require_cells(pressure.size(), 1, "pressure");
-  const auto& cell = grid_->rim_cell();
+  const auto& cell = grid_->outer_cell();
   for (const auto c : cell) {
     const double p = pressure[static_cast<std::size_t>(c)];
     if (std::isfinite(p) && p >= network_.floor_pressure) continue;
-    throw Error(ErrorKind::argument, "pressure of " + cell_name(*grid_, static_cast<std::size_t>(c)) +
-                                         " is " + std::to_string(p) +
-                                         " Pa; at the model's rim it must be finite and at least " +
-                                         std::to_string(network_.floor_pressure) + " Pa.");
+    throw Error(ErrorKind::argument,
+                "pressure of " + cell_name(*grid_, static_cast<std::size_t>(c)) + " is " + std::to_string(p) +
+                    " Pa; at the model's outer boundary it must be finite and at least " +
+                    std::to_string(network_.floor_pressure) + " Pa.");
   }
   for (std::size_t k = 0; k < cell.size(); ++k)
-    network_.rim_excess[k] = pressure[static_cast<std::size_t>(cell[k])] - network_.pressure[0];
-  rim_is_hosts_ = true;
+    network_.outer_excess[k] = pressure[static_cast<std::size_t>(cell[k])] - network_.pressure[0];
+  outer_is_hosts_ = true;
 }
 
 void Simulation::set_cell_stress(std::span<const double> stress) {
@@ -133,7 +133,8 @@ void Simulation::set_cell_stress(std::span<const double> stress) {
                   "stress of " + cell_name(*grid_, static_cast<std::size_t>(c)) + " is not a finite number.");
     }
   }
-  boundary_->set_host_stress(assembly_, network_, loop, options().stress_sigma_H, options().stress_sigma_h);
+  boundary_->set_host_stress(assembly_, network_, loop, options().stress_sigma_Hmax,
+                             options().stress_sigma_hmin);
 }
 
 }  // namespace hfrac

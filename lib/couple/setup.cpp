@@ -42,7 +42,7 @@ Simulation::Simulation(CaseDefinition definition, std::span<const double> given_
   workers_.reset(new Workers(static_cast<int>(options().run_workers)));
   build(given_discs, given_bonds, progress);
   equilibrate(progress);
-  begin_books();
+  begin_balance();
   formation_pressure_ = options().fluid_formation_pressure;
   model_ = model_fingerprint();
   return_unused_pages();
@@ -181,12 +181,13 @@ void Simulation::equilibrate(const Progress& progress) {
   setup_.force_ratio = force_ratio_ = outcome.force_ratio;
   setup_.cracks = static_cast<std::int64_t>(cracks_.size());
   at_rest_ = outcome.at_rest;
-  if (WallsAfterSetup{o.boundary_walls_after_setup} == WallsAfterSetup::fixed) boundary_->fix_walls();
+  if (WallsAfterEquilibration{o.boundary_walls_after_equilibration} == WallsAfterEquilibration::fixed)
+    boundary_->fix_walls();
   solver_->stop_motion();
   solver_->set_damping(o.stepping_damping);
 }
 
-void Simulation::begin_books() {
+void Simulation::begin_balance() {
   const Options& o = options();
   start_x_ = assembly_.ux;
   start_y_ = assembly_.uy;

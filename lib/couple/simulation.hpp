@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A simulation: the model, its clock, its books. What a step does, in order, stands in step.cpp; how a model is
+// A simulation: the model, its clock, its balance. What a step does, in order, stands in step.cpp; how a model is
 // built, in setup.cpp.
 #pragma once
 
@@ -36,9 +36,9 @@ struct Well {
   double ramp_per_step = 0.0;           // Pa
   double set_rate = 0.0;                // m2/s
   double rate = 0.0;                    // m2/s into the well in the last step
-  double injected = 0.0;                // m2 since set-up
+  double injected = 0.0;                // m2 since the initial equilibration
   double content = 0.0;                 // m2 at the end of the last step
-  double taken = 0.0;                   // m2 in the parts of the step so far
+  double taken = 0.0;                   // m2 in the increments of the step so far
   std::vector<ScheduleEntry> schedule;  // in order of time; `well` is not looked at
   std::int64_t next = 0;                // of the schedule: entries before it hold or are past
 };
@@ -51,10 +51,10 @@ struct SetupReport {
   std::int64_t cracks = 0;
 };
 
-// What the quasi-static solver did since set-up.
+// What the quasi-static solver did since the initial equilibration.
 struct SolverWork {
-  std::int64_t parts = 0, rounds = 0, newton = 0, krylov = 0, factors = 0;
-  std::int64_t rejected_error = 0, rejected_strength = 0, rejected_stuck = 0;
+  std::int64_t increments = 0, rounds = 0, newton = 0, krylov = 0, factors = 0;
+  std::int64_t rejected_error = 0, rejected_strength = 0, rejected_divergence = 0;
 };
 
 struct Balance {
@@ -113,10 +113,10 @@ class Simulation {
   [[nodiscard]] int flow_rounds() const { return flow_rounds_; }
   [[nodiscard]] double leaked() const { return leaked_; }
   [[nodiscard]] const SolverWork& work() const { return work_; }
-  [[nodiscard]] double part() const { return part_; }
+  [[nodiscard]] double increment() const { return increment_; }
   [[nodiscard]] const Array<double>& start_x() const {
     return start_x_;
-  }  // displacement at the end of set-up
+  }  // displacement at the end of the initial equilibration
   [[nodiscard]] const Array<double>& start_y() const { return start_y_; }
   [[nodiscard]] const Array<double>& start_rotation() const { return start_rotation_; }
 
@@ -145,7 +145,7 @@ class Simulation {
   [[nodiscard]] bool step_open() const { return step_open_; }
 
   // From the next step on; stress-controlled or servo-driven boundaries only.
-  void set_far_field(double sigma_H, double sigma_h);
+  void set_far_field(double sigma_Hmax, double sigma_hmin);
   // From the next step on, another absolute pressure in the pores outside the model. Total stresses stay; inside it follows
   // by flow.
   void set_formation_pressure(double pressure);
@@ -158,8 +158,8 @@ class Simulation {
   // Pores beside no crack take the host's pressure at once, each the mean of its cells by area; `added` (empty or one per cell)
   // gets the fluid each cell thereby gave [m2]. Not while a step is open.
   void set_cell_pressure(std::span<const double> pressure, std::span<double> added);
-  // From the next step on, pressure beyond the model's rim by cell [Pa]; empty: the formation's again.
-  void set_rim_pressure(std::span<const double> pressure);
+  // From the next step on, pressure beyond the model's outer boundary by cell [Pa]; empty: the formation's again.
+  void set_boundary_pressure(std::span<const double> pressure);
   // From the next step on, stress on top of the far field by cell [Pa; xx, yy, xy].
   void set_cell_stress(std::span<const double> stress);
 
@@ -182,7 +182,7 @@ class Simulation {
              const Progress& progress);
   [[nodiscard]] std::vector<double> initial_pressures() const;
   void equilibrate(const Progress& progress);
-  void begin_books();
+  void begin_balance();
   // step.cpp
   StepOutcome step_for(double duration, const std::function<bool()>& interrupt);
   [[nodiscard]] bool is_due(const ScheduleEntry& entry) const;
@@ -195,16 +195,16 @@ class Simulation {
   void require_finite() const;
   void watch_energy() const;
   void require_joints_in_reach() const;
-  void require_walls_to_push(double sigma_h, double outside) const;
+  void require_walls_to_push(double sigma_hmin, double outside) const;
   void put_formation_pressure(double pressure);
   void impose_well_pressure(Well& well, double pressure);
-  void book_flow(double duration);
+  void accumulate_flow(double duration);
   void close_step(double duration, std::size_t cracks_before);
   // coupled_step.cpp
   StepOutcome quasi_static_substep(double duration, const std::function<bool()>& interrupt);
   StepOutcome coupled_step(double duration, const std::function<bool()>& interrupt);
-  EquilibriumSolver::Outcome settle(double part, const std::function<bool()>& interrupt);
-  [[nodiscard]] double part_error(double part) const;
+  EquilibriumSolver::Outcome relax_dynamically(double increment, const std::function<bool()>& interrupt);
+  [[nodiscard]] double increment_error(double increment) const;
   void count(const EquilibriumSolver::Outcome& outcome);
   // state.cpp
   template <class Archive, class Self>
@@ -232,9 +232,9 @@ class Simulation {
   void require_transport(const char* what) const;
   void require_no_open_step() const;
   [[nodiscard]] double stored_heat() const;
-  // books.cpp
+  // balance.cpp
   void elastic_energy(double& bonds, double& contacts) const;  // J/m
-  [[nodiscard]] double stored_fluid() const;                   // m2 since set-up
+  [[nodiscard]] double stored_fluid() const;                   // m2 since the initial equilibration
 
   CaseDefinition definition_;
   std::unique_ptr<Workers, Workers::Release> workers_;
@@ -253,20 +253,21 @@ class Simulation {
   double time_ = 0.0, force_ratio_ = 0.0, leaked_ = 0.0, tip_distance_ = 0.0, host_added_ = 0.0;
   std::int64_t step_ = 0;
   bool at_rest_ = true;
-  bool rim_is_hosts_ = false;  // a host's grid said what the rim feels
+  bool outer_is_hosts_ = false;  // a host's grid said what the outer boundary feels
   int flow_rounds_ = 0;
   bool jumped_ = false;  // a well's imposed pressure in the step at hand
-  // mode coupled: length of the next part [s], largest stress over strength so far, pressures before the part and their rate
-  double part_ = 0.0, excess_ = 0.0;
-  Array<double> part_pressure_, pressure_rate_;
+  // mode coupled: length of the next increment [s], largest stress over strength so far, pressures before the increment and their rate
+  double increment_ = 0.0, excess_ = 0.0;
+  Array<double> increment_pressure_, pressure_rate_;
   SolverWork work_;
-  // where the books begin
+  // where the balance begins
   Array<double> start_x_, start_y_, start_rotation_;
   Array<double> start_content_;  // m2 per domain; dry: per well, since nothing else changes
-  std::vector<std::byte> before_step_, opened_, before_part_;  // images to go back to
+  std::vector<std::byte> before_step_, opened_, before_increment_;  // images to go back to
   bool step_open_ = false;
   std::optional<HostGrid> grid_;
-  double oda_matrix_ = 1.0;  // the rock's permeability over that of a uniform gradient, at the end of set-up
+  double oda_matrix_ =
+      1.0;  // the rock's permeability over that of a uniform gradient, at the end of the initial equilibration
   double start_bond_energy_ = 0.0, start_contact_energy_ = 0.0, start_boundary_work_ = 0.0,
          start_outside_change_ = 0.0;
   double formation_pressure_ = 0.0;  // Pa, absolute, outside now

@@ -11,7 +11,7 @@
 namespace hfrac {
 
 // Everything that a step, a well or the host can change. Derived values (forces, stable step) are found anew. This is kept
-// before every step, so what cannot change is left out: in a dry model the pores, in any the books' beginning.
+// before every step, so what cannot change is left out: in a dry model the pores, in any the beginning of the balance.
 template <class Archive, class Self>
 void Simulation::visit_state(Archive& archive, Self& s) {
   auto& a = s.assembly_;
@@ -22,24 +22,24 @@ void Simulation::visit_state(Archive& archive, Self& s) {
   archive.flags(a.intact);
   if (FlowScheme{s.options().flow_scheme} != FlowScheme::off) {
     for (auto* values : {&n.aperture, &n.conductance, &n.flow, &n.volume_change, &n.content, &n.pressure,
-                         &n.stiffness, &n.rim_excess}) {
+                         &n.stiffness, &n.outer_excess}) {
       archive.array(*values);
     }
   }
   archive.value(n.zero_stress_aperture);
   archive.often_zero(s.pressure_rate_);
-  for (auto* value : {&s.time_, &s.force_ratio_, &s.leaked_, &s.tip_distance_, &s.host_added_, &s.part_,
+  for (auto* value : {&s.time_, &s.force_ratio_, &s.leaked_, &s.tip_distance_, &s.host_added_, &s.increment_,
                       &s.excess_, &s.formation_pressure_, &s.outside_work_, &s.start_outside_change_,
-                      &s.definition_.options.stress_sigma_H, &s.definition_.options.stress_sigma_h}) {
+                      &s.definition_.options.stress_sigma_Hmax, &s.definition_.options.stress_sigma_hmin}) {
     archive.value(*value);
   }
   auto& work = s.work_;
-  for (auto* value : {&work.parts, &work.rounds, &work.newton, &work.krylov, &work.factors,
-                      &work.rejected_error, &work.rejected_strength, &work.rejected_stuck})
+  for (auto* value : {&work.increments, &work.rounds, &work.newton, &work.krylov, &work.factors,
+                      &work.rejected_error, &work.rejected_strength, &work.rejected_divergence})
     archive.value(*value);
   archive.value(s.step_);
   archive.value(s.at_rest_);
-  archive.value(s.rim_is_hosts_);
+  archive.value(s.outer_is_hosts_);
   archive.value(s.flow_rounds_);
   s.boundary_->visit_state(archive);
   s.solver_->visit_state(archive);
@@ -79,7 +79,7 @@ void Simulation::visit_state(Archive& archive, Self& s) {
   });
   // A model without temperature has the image, and the hash, that it had before there was any.
   if (s.heat_) HeatState::visit(archive, s.heat_->state);
-  archive.require(s.solver_->loose_contacts().fits(a.disc_count()));
+  archive.require(s.solver_->non_bonded_contacts().fits(a.disc_count()));
 }
 
 // By domain in any image. In a dry model the start is what there is now but for the wells, and only those are kept.
@@ -142,7 +142,7 @@ void Simulation::load_state(std::span<const std::byte> image, bool whole) {
   if (loader.left() != 0)
     throw Error(ErrorKind::argument, "the state image is longer than this simulation's state.");
   feel_again();
-  solver_->after_restore(options().stress_sigma_H, options().stress_sigma_h);
+  solver_->after_restore(options().stress_sigma_Hmax, options().stress_sigma_hmin);
 }
 
 std::uint64_t Simulation::state_hash() const {
@@ -187,6 +187,7 @@ std::uint64_t checksum(const ImageHeader& header, std::span<const std::byte> byt
 // Options that a state makes no sense without. Others, such as the length of a step, may differ.
 bool is_of_the_model(std::string_view key) {
   if (key == "fluid.formation_pressure") return false;  // of the state: a host may change it
+  if (key == "stress.convention") return true;
   const auto section = key.substr(0, key.find('.'));
   for (const std::string_view kept : {"model", "disc", "contact", "bond", "boundary", "fluid", "flow"}) {
     if (section == kept) return true;
@@ -267,7 +268,7 @@ void Simulation::restore(std::span<const std::byte> image) {
   save_state(before, true);
   try {
     load_state(state, true);
-    FiniteCheck start;  // where the books begin; what else is not finite the next step finds
+    FiniteCheck start;  // where the balance begins; what else is not finite the next step finds
     visit_start(start, *this);
     if (!start.finite()) refuse("it holds a number that is not finite.");
   } catch (...) {

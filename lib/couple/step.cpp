@@ -196,12 +196,12 @@ void Simulation::flow_step(double duration) {
 }
 
 void Simulation::finish_step(double duration, std::size_t cracks_before) {
-  book_flow(duration);
+  accumulate_flow(duration);
   close_step(duration, cracks_before);
 }
 
-// What a part of a step injected and leaked.
-void Simulation::book_flow(double duration) {
+// What an increment of a step injected and leaked.
+void Simulation::accumulate_flow(double duration) {
   // What left through the pipes; domains of imposed pressure keep no content of their own.
   std::vector<double> outflow(wells_.size(), 0.0);
   if (flow_) {
@@ -264,12 +264,12 @@ void Simulation::begin_step() {
 
 Simulation::StepOutcome Simulation::try_step(double duration, const std::function<bool()>& interrupt) {
   if (!step_open_) throw Error(ErrorKind::argument, "no step is open; call hfrac_step_prepare first.");
-  // Wells, far field and what the host's grid says of the rim are the host's: what it set since the last try stays.
+  // Wells, far field and what the host's grid says of the outer boundary are the host's: what it set since the last try stays.
   const auto wells = wells_;
-  const auto rim_excess = network_.rim_excess;
-  const bool rim_is_hosts = rim_is_hosts_;
+  const auto outer_excess = network_.outer_excess;
+  const bool outer_is_hosts = outer_is_hosts_;
   const auto host_load = boundary_->host_load();
-  const double sigma_H = options().stress_sigma_H, sigma_h = options().stress_sigma_h;
+  const double sigma_Hmax = options().stress_sigma_Hmax, sigma_hmin = options().stress_sigma_hmin;
   const double formation = formation_pressure_;
   const auto well_temperature = heat_ ? heat_->state.well : std::vector<double>{};
   load_state(opened_);
@@ -283,12 +283,12 @@ Simulation::StepOutcome Simulation::try_step(double duration, const std::functio
     if (wells_[w].schedule != wells[w].schedule) set_well_schedule(w, wells[w].schedule);
   }
   boundary_->put_host_load(host_load);
-  definition_.options.stress_sigma_H = sigma_H;
-  definition_.options.stress_sigma_h = sigma_h;
+  definition_.options.stress_sigma_Hmax = sigma_Hmax;
+  definition_.options.stress_sigma_hmin = sigma_hmin;
   if (formation != formation_pressure_) put_formation_pressure(formation);
-  network_.rim_excess = rim_excess;
-  rim_is_hosts_ = rim_is_hosts;
-  boundary_->set_far_field(assembly_, sigma_H, sigma_h);
+  network_.outer_excess = outer_excess;
+  outer_is_hosts_ = outer_is_hosts;
+  boundary_->set_far_field(assembly_, sigma_Hmax, sigma_hmin);
   return step_for(duration, interrupt);
 }
 
@@ -303,30 +303,30 @@ void Simulation::reject_step() {
   step_open_ = false;
 }
 
-void Simulation::set_far_field(double sigma_H, double sigma_h) {
+void Simulation::set_far_field(double sigma_Hmax, double sigma_hmin) {
   if (!boundary_->follows_far_field()) {
     throw Error(ErrorKind::argument,
                 "the walls are fixed, so the far field cannot act; use boundary.kind = \"stress\" or "
-                "boundary.walls_after_setup = \"servo\".");
+                "boundary.walls_after_equilibration = \"servo\".");
   }
-  if (sigma_h > sigma_H)
-    throw Error(ErrorKind::argument, "sigma_h = " + std::to_string(sigma_h) +
-                                         " Pa is larger than sigma_H = " + std::to_string(sigma_H) +
+  if (sigma_hmin > sigma_Hmax)
+    throw Error(ErrorKind::argument, "sigma_hmin = " + std::to_string(sigma_hmin) +
+                                         " Pa is larger than sigma_Hmax = " + std::to_string(sigma_Hmax) +
                                          " Pa; swap them.");
-  require_walls_to_push(sigma_h, network_.pressure[0]);
-  definition_.options.stress_sigma_H = sigma_H;
-  definition_.options.stress_sigma_h = sigma_h;
-  boundary_->set_far_field(assembly_, sigma_H, sigma_h);
+  require_walls_to_push(sigma_hmin, network_.pressure[0]);
+  definition_.options.stress_sigma_Hmax = sigma_Hmax;
+  definition_.options.stress_sigma_hmin = sigma_hmin;
+  boundary_->set_far_field(assembly_, sigma_Hmax, sigma_hmin);
 }
 
 // What walls would have to pull at they run away from.
-void Simulation::require_walls_to_push(double sigma_h, double outside) const {
-  const double bears = sigma_h - (flow_ ? outside : 0.0);
+void Simulation::require_walls_to_push(double sigma_hmin, double outside) const {
+  const double bears = sigma_hmin - (flow_ ? outside : 0.0);
   if (!boundary_->walled() || !boundary_->follows_far_field() || bears >= 0.0) return;
   throw Error(
       ErrorKind::argument,
-      "sigma_h = " + std::to_string(sigma_h) + " Pa is " + std::to_string(-bears) +
-          " Pa below the pressure in the pores outside, and walls only push; keep sigma_h at or above "
+      "sigma_hmin = " + std::to_string(sigma_hmin) + " Pa is " + std::to_string(-bears) +
+          " Pa below the pressure in the pores outside, and walls only push; keep sigma_hmin at or above "
           "it, or use boundary.kind = \"stress\".");
 }
 
@@ -338,29 +338,29 @@ void Simulation::set_formation_pressure(double pressure) {
         "no pores outside are connected to the model, so their pressure cannot act; use flow.scheme = "
         "\"implicit\" or \"explicit\" with flow.outer = \"formation\".");
   }
-  const bool sound = Reading{o.model_reading} == Reading::sound;
-  if (sound && boundary_->follows_far_field() && pressure > o.stress_sigma_h) {
+  const bool total = StressConvention{o.stress_convention} == StressConvention::total;
+  if (total && boundary_->follows_far_field() && pressure > o.stress_sigma_hmin) {
     throw Error(ErrorKind::argument, "a formation pressure of " + std::to_string(pressure) +
-                                         " Pa is above sigma_h = " + std::to_string(o.stress_sigma_h) +
+                                         " Pa is above sigma_hmin = " + std::to_string(o.stress_sigma_hmin) +
                                          " Pa and would pull the rock apart; raise the far field first.");
   }
-  require_walls_to_push(o.stress_sigma_h,
+  require_walls_to_push(o.stress_sigma_hmin,
                         network_.reference_pressure + (pressure - o.fluid_formation_pressure));
   put_formation_pressure(pressure);
 }
 
 void Simulation::put_formation_pressure(double pressure) {
   const Options& o = options();
-  // Pressures count from the datum of the reading; content is measured from where it was at set-up.
+  // Pressures count from the datum of the stress convention; content is measured from where it was at set-up.
   const double outside = network_.reference_pressure + (pressure - o.fluid_formation_pressure);
   outside_work_ += network_.pressure[0] * (network_.volume_change[0] - start_outside_change_);
   start_outside_change_ = network_.volume_change[0];
-  // What a host's grid said of the rim is absolute and stays; the excess is over what lies beyond.
-  if (rim_is_hosts_)
-    for (double& excess : network_.rim_excess) excess += network_.pressure[0] - outside;
+  // What a host's grid said of the outer boundary is absolute and stays; the excess is over what lies beyond.
+  if (outer_is_hosts_)
+    for (double& excess : network_.outer_excess) excess += network_.pressure[0] - outside;
   network_.pressure[0] = outside;
   formation_pressure_ = pressure;
-  boundary_->set_outside_pressure(assembly_, network_, o.stress_sigma_H, o.stress_sigma_h);
+  boundary_->set_outside_pressure(assembly_, network_, o.stress_sigma_Hmax, o.stress_sigma_hmin);
 }
 
 void Simulation::set_well_pressure(std::size_t well, double pressure) {

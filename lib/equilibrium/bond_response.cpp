@@ -68,7 +68,7 @@ void add_contact(Components& c, const ContactLaw& law, double squeeze, double tr
 
 // A smooth joint's contact: linear in q but for the kinks of its law and a couple.
 BondResponse respond_smooth(const Assembly& a, const Options& o, const SmoothContact& contact) {
-  const SmoothAnswer s = answer(a, o, contact);
+  const SmoothResponse s = smooth_response(a, o, contact);
   const Vec2 n = contact.normal;
   const double opens[4] = {n.x, n.y, contact.opens_by_first, contact.opens_by_second},
                slides[4] = {-n.y, n.x, contact.slides_by_first, contact.slides_by_second};
@@ -111,13 +111,13 @@ BondResponse respond(const Assembly& a, const Options& o, std::int64_t e) {
   const double now = std::sqrt(dot(d, d)), length = a.length(e);
   const double arm_i = a.arm(e), arm_j = length - arm_i;
   BondResponse r;
-  r.gap = (2.0 * dot(d0, du) + dot(du, du)) / (now + length) - a.shares.growth_of(e);
+  r.gap = (2.0 * dot(d0, du) + dot(du, du)) / (now + length) - a.factors.growth_of(e);
   const double sine = cross(d0, du) / now, s2 = sine * sine / (length * length);
   const double shear = sine * (1.0 + s2 * (1.0 / 6.0 + s2 * (3.0 / 40.0 + s2 * (15.0 / 336.0)))) -
                        (arm_i * a.rotation[i] + arm_j * a.rotation[j]);
   const bool intact = a.intact[e] > 0.0;
   Components c;
-  const double share = a.shares.stiffness_of(e);
+  const double share = a.factors.stiffness_of(e);
   if (intact) {
     const double radius = a.bond_radius(e);
     c.normal_stiffness = o.bond_normal_stiffness * share;
@@ -130,14 +130,14 @@ BondResponse respond(const Assembly& a, const Options& o, std::int64_t e) {
   const bool present = !intact || ContactMode{o.contact_mode} == ContactMode::parallel;
   if (present && r.gap < 0.0) {
     const ContactLaw law{o.contact_normal_stiffness * share, o.contact_shear_stiffness * share,
-                         a.shares.friction_of(e, o.contact_friction)};
+                         a.factors.friction_of(e, o.contact_friction)};
     add_contact(c, law, -law.normal_stiffness * r.gap, law.shear_stiffness * (shear - a.slip[e]));
   }
   fill(r, c, (1.0 / now) * d, now, length, arm_i, arm_j);
   return r;
 }
 
-BondResponse respond(const Assembly& a, const Options& o, const LooseContacts::Pair& pair,
+BondResponse respond(const Assembly& a, const Options& o, const NonBondedContacts::Pair& pair,
                      const PairStart& start) {
   const auto i = pair.first, j = pair.second;
   const Vec2 d = a.position(j) - a.position(i);

@@ -13,7 +13,7 @@
 
 #include "options/options.hpp"
 #include "solid/assembly.hpp"
-#include "solid/loose_contacts.hpp"
+#include "solid/non_bonded_contacts.hpp"
 
 namespace hfrac {
 
@@ -33,7 +33,7 @@ struct PairStart {
   Vec2 between;                      // d then
   double first = 0.0, second = 0.0;  // rotations then
 };
-BondResponse respond(const Assembly& assembly, const Options& options, const LooseContacts::Pair& pair,
+BondResponse respond(const Assembly& assembly, const Options& options, const NonBondedContacts::Pair& pair,
                      const PairStart& start);
 
 }  // namespace hfrac

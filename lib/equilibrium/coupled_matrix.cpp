@@ -31,11 +31,11 @@ void CoupledSystem::each_entry(const Emit& emit) const {
   for (std::size_t e = 0; e < bonds_.size(); ++e)
     emit_pair(bonds_[e].tangent, a.first[e], a.second[e], force_scale_, length_scale_, emit);
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    const auto& pair = loose_.pairs()[k];
+    const auto& pair = non_bonded_.pairs()[k];
     emit_pair(pairs_[k].tangent, pair.first, pair.second, force_scale_, length_scale_, emit);
   }
   for (std::int32_t u = 0; u < 3 * discs_; ++u)
-    emit(u, u, adrift_[static_cast<std::size_t>(u / 3)] != 0 ? 1.0 : hair);
+    emit(u, u, adrift_[static_cast<std::size_t>(u / 3)] != 0 ? 1.0 : regularisation);
   for (const auto& pin : pins_) {
     const std::int32_t p = 3 * pin.disc;
     emit(p, p, pin.along.x * pin.along.x);
@@ -57,7 +57,7 @@ void CoupledSystem::each_entry(const Emit& emit) const {
       emit(q, q, touches);
     }
     if (w < servo_walls_)
-      emit(static_cast<std::int32_t>(wall_at(w)), static_cast<std::int32_t>(wall_at(w)), hair);
+      emit(static_cast<std::int32_t>(wall_at(w)), static_cast<std::int32_t>(wall_at(w)), regularisation);
   }
   for (std::int64_t d = 0; d < domains_; ++d) {
     const bool solved = wet_ && at_floor_[static_cast<std::size_t>(d)] == 0;

@@ -89,7 +89,7 @@ void CoupledSystem::products_on_discs(const Vector& x, Vector& y, Workers::Range
       to_y += way * f[1];
       turn += f[2 + end % 2];
     }
-    const double holds = adrift_[at] != 0 ? 1.0 : hair;
+    const double holds = adrift_[at] != 0 ? 1.0 : regularisation;
     to_x += holds * x[3 * i];
     to_y += holds * x[3 * i + 1];
     y[3 * i + 2] = turn / length_scale_ + holds * x[3 * i + 2];
@@ -140,7 +140,7 @@ void CoupledSystem::products_on_domains(const Vector& x, Vector& y, Workers::Ran
 void CoupledSystem::products_of_few(const Vector& x, Vector& y) const {
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     if (pairs_[k].gap >= 0.0) continue;
-    const auto i = loose_.pairs()[k].first, j = loose_.pairs()[k].second;
+    const auto i = non_bonded_.pairs()[k].first, j = non_bonded_.pairs()[k].second;
     double f[4];
     pair_product(pairs_[k].tangent, i, j, x, f);
     y[3 * i] -= f[0];
@@ -158,7 +158,7 @@ void CoupledSystem::products_of_few(const Vector& x, Vector& y) const {
   if (!boundary_.walled()) return;
   for (std::size_t w = 0; w < boundary_.walls().size(); ++w) {
     const auto& wall = boundary_.walls()[w];
-    if (w < servo_walls_) y[wall_at(w)] = hair * x[wall_at(w)];
+    if (w < servo_walls_) y[wall_at(w)] = regularisation * x[wall_at(w)];
     for (const auto i : wall.discs) {
       if (Boundary::closing_of(assembly_, wall, i) <= 0.0) continue;
       double closing = -(x[3 * i] * wall.inward.x + x[3 * i + 1] * wall.inward.y);

@@ -10,11 +10,11 @@
 
 namespace hfrac {
 CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& boundary,
-                             const LooseContacts& loose, const Options& options, Workers& workers)
+                             const NonBondedContacts& non_bonded, const Options& options, Workers& workers)
     : assembly_(assembly),
       network_(network),
       boundary_(boundary),
-      loose_(loose),
+      non_bonded_(non_bonded),
       options_(options),
       workers_(workers),
       discs_(assembly.disc_count()),
@@ -57,10 +57,10 @@ void CoupledSystem::begin(double duration, const std::vector<double>& source) {
   source_ = source;
   source_.resize(static_cast<std::size_t>(domains_), 0.0);
   content_start_.assign(network_.content.begin(), network_.content.end());
-  rim_drop_.assign(bonds_.size(), 0.0);
-  for (std::size_t k = 0; k < network_.rim_pipe.size(); ++k) {
-    const auto e = static_cast<std::size_t>(network_.rim_pipe[k]);
-    rim_drop_[e] = network_.left[e] == 0 ? network_.rim_excess[k] : -network_.rim_excess[k];
+  outer_drop_.assign(bonds_.size(), 0.0);
+  for (std::size_t k = 0; k < network_.outer_pipe.size(); ++k) {
+    const auto e = static_cast<std::size_t>(network_.outer_pipe[k]);
+    outer_drop_[e] = network_.left[e] == 0 ? network_.outer_excess[k] : -network_.outer_excess[k];
   }
   held_before_.clear();  // other pairs may be near
   keep_pairs();
@@ -75,7 +75,7 @@ void CoupledSystem::begin(double duration, const std::vector<double>& source) {
 void CoupledSystem::keep_pairs() {
   const auto& a = assembly_;
   pair_start_.clear();
-  for (const auto& pair : loose_.pairs()) {
+  for (const auto& pair : non_bonded_.pairs()) {
     pair_start_.push_back(
         {a.position(pair.second) - a.position(pair.first), a.rotation[pair.first], a.rotation[pair.second]});
   }
@@ -159,9 +159,9 @@ void CoupledSystem::add_up_on_discs(Workers::Range discs) {
 // Contacts of discs that were never bonded, pins and walls.
 void CoupledSystem::evaluate_few() {
   const auto& a = assembly_;
-  pairs_.resize(loose_.pairs().size());
+  pairs_.resize(non_bonded_.pairs().size());
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    const auto& pair = loose_.pairs()[k];
+    const auto& pair = non_bonded_.pairs()[k];
     pairs_[k] = respond(a, options_, pair, pair_start_[k]);
     if (pairs_[k].gap < 0.0) add_pair(pairs_[k], pair.first, pair.second);
   }
@@ -218,7 +218,7 @@ void CoupledSystem::find_fragments() {
     if (holds_[e] != 0) join(a.first[e], a.second[e]);
   }
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    if (holds_[bonds_.size() + k] != 0) join(loose_.pairs()[k].first, loose_.pairs()[k].second);
+    if (holds_[bonds_.size() + k] != 0) join(non_bonded_.pairs()[k].first, non_bonded_.pairs()[k].second);
   }
   std::vector<std::int32_t> members(piece.size(), 0);
   for (std::int32_t i = 0; i < discs_; ++i) ++members[static_cast<std::size_t>(root(i))];
@@ -280,7 +280,7 @@ double CoupledSystem::evaluate_domain(std::int64_t d) {
   const auto at = static_cast<std::size_t>(d);
   auto& r = residual_[pressure_at(d)];
   at_floor_[at] = 1;
-  if (n.stiffness[d] <= 0.0) {  // imposed; what it holds the books find out
+  if (n.stiffness[d] <= 0.0) {  // imposed; what it holds the balance finds out
     n.content[d] = content_start_[at];
     r = 0.0;
     return 0.0;

@@ -20,7 +20,7 @@
 #include "flow/fluid_law.hpp"
 #include "flow/network.hpp"
 #include "solid/boundary.hpp"
-#include "solid/loose_contacts.hpp"
+#include "solid/non_bonded_contacts.hpp"
 
 namespace hfrac {
 
@@ -28,7 +28,7 @@ class CoupledSystem {
  public:
   using Vector = Eigen::VectorXd;
 
-  CoupledSystem(Assembly& assembly, Network& network, Boundary& boundary, const LooseContacts& loose,
+  CoupledSystem(Assembly& assembly, Network& network, Boundary& boundary, const NonBondedContacts& non_bonded,
                 const Options& options, Workers& workers);
 
   // What the step starts from: contents, shear forces and pins as they stand now. `duration` [s] of flow, 0 for none;
@@ -78,7 +78,7 @@ class CoupledSystem {
 
  private:
   // Share of k_n added to every disc's tangent, not to its forces: what nothing holds moves finitely.
-  static constexpr double hair = 1e-7;
+  static constexpr double regularisation = 1e-7;
   struct Pin {
     std::int32_t disc;
     Vec2 along;
@@ -105,9 +105,10 @@ class CoupledSystem {
   void products_of_few(const Vector& x, Vector& y) const;
   template <class Emit>
   void each_entry(const Emit& emit) const;
-  // Pressure that drives flow from left to right [Pa], with what a host set beyond the rim.
+  // Pressure that drives flow from left to right [Pa], with what a host set beyond the outer boundary.
   [[nodiscard]] double drop(std::size_t pipe) const {
-    return network_.pressure[network_.left[pipe]] - network_.pressure[network_.right[pipe]] + rim_drop_[pipe];
+    return network_.pressure[network_.left[pipe]] - network_.pressure[network_.right[pipe]] +
+           outer_drop_[pipe];
   }
   [[nodiscard]] double opens(std::size_t bond, const Vector& x) const;
   void evaluate_walls();
@@ -125,7 +126,7 @@ class CoupledSystem {
   Assembly& assembly_;
   Network& network_;
   Boundary& boundary_;
-  const LooseContacts& loose_;
+  const NonBondedContacts& non_bonded_;
   const Options& options_;
   Workers& workers_;
   std::int64_t discs_, domains_;
@@ -134,7 +135,7 @@ class CoupledSystem {
   double force_scale_, length_scale_, pressure_scale_;
   double duration_ = 0.0;
   std::vector<double> source_, content_start_;
-  std::vector<double> rim_drop_;  // per pipe: Pa
+  std::vector<double> outer_drop_;  // per pipe: Pa
   std::vector<PairStart> pair_start_;
   std::vector<Pin> pins_;
   // at the last evaluation

@@ -29,7 +29,7 @@ EquilibriumSolver::EquilibriumSolver(Assembly& assembly, Network& network, Bound
       boundary_(boundary),
       mechanics_(mechanics),
       options_(options),
-      system_(assembly, network, boundary, mechanics.loose_contacts(), options, workers),
+      system_(assembly, network, boundary, mechanics.non_bonded_contacts(), options, workers),
       factor_(workers),
       krylov_(workers) {}
 
@@ -42,7 +42,8 @@ EquilibriumSolver::Outcome EquilibriumSolver::solve(double duration, const std::
                                                     const std::function<bool()>& interrupt) {
   Outcome outcome;
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
-  for (const auto& pair : mechanics_.loose_contacts().pairs()) pairs.emplace_back(pair.first, pair.second);
+  for (const auto& pair : mechanics_.non_bonded_contacts().pairs())
+    pairs.emplace_back(pair.first, pair.second);
   if (pairs != pairs_ || (duration > 0.0) != flowed_) factor_.forget_pattern();
   flowed_ = duration > 0.0;
   pairs_.swap(pairs);
@@ -63,11 +64,11 @@ EquilibriumSolver::Outcome EquilibriumSolver::solve(double duration, const std::
       outcome.end = End::overshoot;
       return outcome;
     }
-    // Before pressures are made to follow the contents: the books count what those were moved by.
+    // Before pressures are made to follow the contents: the balance counts what those were moved by.
     if (exceeding_.empty() && duration > 0.0) system_.keep_flow();
     keep_round();
     if (exceeding_.empty()) {
-      boundary_.hold_still(assembly_);
+      boundary_.remove_rigid_motion(assembly_);
       outcome.end = End::rest;
       return outcome;
     }
@@ -131,7 +132,7 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
       system_.move(step, whole - share);
       system_.evaluate();
     }
-    // What goes to and fro between two sides of a kink, or round a fold, finds no rest in this part of a step; a shorter one may.
+    // What goes to and fro between two sides of a kink, or round a fold, finds no rest in this increment; a shorter one may.
     if (system_.residual().norm() < fall * best) {
       best = system_.residual().norm();
       best_at = iteration;
@@ -160,8 +161,8 @@ void EquilibriumSolver::keep_round() {
   std::copy(pressure_start_.begin(), pressure_start_.end(), network_.pressure.begin());
   mechanics_.evaluate();
   pressure_start_.assign(network_.pressure.begin(), network_.pressure.end());
-  for (std::size_t k = 0; k < mechanics_.loose_contacts().pairs().size(); ++k)
-    mechanics_.keep_loose_force(k, system_.pair_normal_force(k), system_.pair_shear_force(k));
+  for (std::size_t k = 0; k < mechanics_.non_bonded_contacts().pairs().size(); ++k)
+    mechanics_.keep_non_bonded_force(k, system_.pair_normal_force(k), system_.pair_shear_force(k));
   system_.keep_pairs();
 }
 

@@ -26,9 +26,9 @@ class EquilibriumSolver {
   EquilibriumSolver(Assembly& assembly, Network& network, Boundary& boundary, ExplicitSolver& mechanics,
                     const Options& options, Workers& workers);
 
-  enum class End { rest, stopped, overshoot, stuck };
+  enum class End { rest, stopped, overshoot, not_converged };
   struct Outcome {
-    End end = End::stuck;
+    End end = End::not_converged;
     int rounds = 0, newton = 0, krylov = 0, factors = 0;
     double force_ratio = 0.0;
     double excess = 0.0;       // largest stress over strength at the first equilibrium

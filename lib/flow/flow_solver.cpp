@@ -26,10 +26,10 @@ double full_pressure(const Network& n, std::size_t d) {
   return n.reference_pressure + n.stiffness[d] * (n.content[d] - n.volume_change[d]);
 }
 
-// What the pressure that a host set beyond a rim pipe adds to its flow, left to right.
-double rim_flow(const Network& n, std::size_t k) {
-  const auto e = static_cast<std::size_t>(n.rim_pipe[k]);
-  const double inwards = n.conductance[e] * n.rim_excess[k];
+// What the pressure that a host set beyond a pipe of the outer boundary adds to its flow, left to right.
+double outer_flow(const Network& n, std::size_t k) {
+  const auto e = static_cast<std::size_t>(n.outer_pipe[k]);
+  const double inwards = n.conductance[e] * n.outer_excess[k];
   return n.left[e] == 0 ? inwards : -inwards;
 }
 
@@ -204,10 +204,10 @@ int FlowSolver::solve_step(Network& n, double step, const std::vector<double>& s
         rhs[static_cast<Eigen::Index>(r)] += c * (n.stiffness[l] > 0.0 ? n.floor_pressure : n.pressure[l]);
       }
     }
-    for (std::size_t k = 0; k < n.rim_pipe.size(); ++k) {
-      const auto e = static_cast<std::size_t>(n.rim_pipe[k]);
+    for (std::size_t k = 0; k < n.outer_pipe.size(); ++k) {
+      const auto e = static_cast<std::size_t>(n.outer_pipe[k]);
       const auto inner = static_cast<std::size_t>(n.left[e] == 0 ? n.right[e] : n.left[e]);
-      if (solved(inner)) rhs[static_cast<Eigen::Index>(inner)] += step * n.conductance[e] * n.rim_excess[k];
+      if (solved(inner)) rhs[static_cast<Eigen::Index>(inner)] += step * n.conductance[e] * n.outer_excess[k];
     }
     solve_pressures(rhs, p);
 
@@ -215,7 +215,7 @@ int FlowSolver::solve_step(Network& n, double step, const std::vector<double>& s
     for (std::size_t e = 0; e < n.left.size(); ++e) {
       n.flow[e] = n.conductance[e] * (p[n.left[e]] - p[n.right[e]]);
     }
-    for (std::size_t k = 0; k < n.rim_pipe.size(); ++k) n.flow[n.rim_pipe[k]] += rim_flow(n, k);
+    for (std::size_t k = 0; k < n.outer_pipe.size(); ++k) n.flow[n.outer_pipe[k]] += outer_flow(n, k);
     // What a domain at the floor would hold after the step decides whether it stays there.
     fill_.assign(domains, 0.0);
     for (std::size_t e = 0; e < n.left.size(); ++e) {
@@ -273,16 +273,16 @@ int FlowSolver::advance_explicit(Network& n, double step, const std::vector<doub
       n.content[n.left[e]] -= dt * q;
       n.content[n.right[e]] += dt * q;
     }
-    for (std::size_t k = 0; k < n.rim_pipe.size(); ++k) {
-      const auto e = static_cast<std::size_t>(n.rim_pipe[k]);
-      const double q = rim_flow(n, k);
+    for (std::size_t k = 0; k < n.outer_pipe.size(); ++k) {
+      const auto e = static_cast<std::size_t>(n.outer_pipe[k]);
+      const double q = outer_flow(n, k);
       n.flow[e] += q / cycles;
       n.content[n.left[e]] -= dt * q;
       n.content[n.right[e]] += dt * q;
     }
     for (std::size_t d = 0; d < domains; ++d) {
       if (n.stiffness[d] <= 0.0) {
-        n.content[d] = 0.0;  // kept by the wells' and the boundary's own books
+        n.content[d] = 0.0;  // kept by the wells' and the boundary's own balance
         continue;
       }
       if (!source.empty()) n.content[d] += dt * source[d];

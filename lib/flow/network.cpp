@@ -28,9 +28,9 @@ Network build_network(Faces faces, const Assembly& a, const std::vector<std::int
     for (std::size_t e = 0; e < pipes; ++e) n.length.push_back(a.pipe_length(static_cast<std::int64_t>(e)));
   }
   for (std::size_t e = 0; e < pipes; ++e) {
-    if ((n.left[e] == 0) != (n.right[e] == 0)) n.rim_pipe.push_back(static_cast<std::int32_t>(e));
+    if ((n.left[e] == 0) != (n.right[e] == 0)) n.outer_pipe.push_back(static_cast<std::int32_t>(e));
   }
-  n.rim_excess.assign(n.rim_pipe.size(), 0.0);
+  n.outer_excess.assign(n.outer_pipe.size(), 0.0);
 
   n.kind.assign(domains, DomainKind::rock);
   n.kind[0] = DomainKind::outside;
@@ -40,9 +40,9 @@ Network build_network(Faces faces, const Assembly& a, const std::vector<std::int
   n.centroid = std::move(faces.centroid);
   n.corner_weight.resize(2 * (wet ? n.corner_disc.size() : static_cast<std::size_t>(n.corner_start[1])));
   n.volume.resize(domains);
-  const bool sound = Reading{options.model_reading} == Reading::sound;
-  n.reference_pressure = sound ? options.fluid_formation_pressure : 0.0;
-  n.floor_pressure = sound ? 0.0 : -options.fluid_formation_pressure;
+  const bool total = StressConvention{options.stress_convention} == StressConvention::total;
+  n.reference_pressure = total ? options.fluid_formation_pressure : 0.0;
+  n.floor_pressure = total ? 0.0 : -options.fluid_formation_pressure;
 
   for (std::size_t d = 0; d < domains; ++d) {
     const auto begin = n.corner_start[d], end = n.corner_start[d + 1];

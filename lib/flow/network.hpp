@@ -40,8 +40,8 @@ struct Network {
   Array<double> corner_weight;  // m, (x, y) per corner; dry: those of domain 0 alone
   std::vector<Vec2> centroid;   // m, at bonding
   // pipes to the outside, and how far the pressure beyond each is above domain 0's: a host may say what lies there
-  std::vector<std::int32_t> rim_pipe;
-  Array<double> rim_excess;                               // Pa
+  std::vector<std::int32_t> outer_pipe;
+  Array<double> outer_excess;                             // Pa
   double reference_pressure = 0.0, floor_pressure = 0.0;  // Pa
   double zero_stress_aperture = 0.0;                      // m, r0
 

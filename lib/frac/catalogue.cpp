@@ -85,7 +85,7 @@ void rate_strength(SeismicEvent& event) {
   const double trace = event.xx + event.yy;
   const double deviator = std::hypot(0.5 * (event.xx - event.yy), event.xy);
   const double all = std::abs(trace) + 2.0 * deviator;
-  event.isotropic_share = all > 0.0 ? trace / all : 0.0;
+  event.isotropic_fraction = all > 0.0 ? trace / all : 0.0;
 }
 
 SeismicEvent event_of_members(std::span<const CatalogueCrack> cracks, const Members& members,

@@ -51,9 +51,9 @@ struct SeismicEvent {
   double magnitude = 0.0;               // of the moment
   double energy = 0.0;                  // J, elastic, of the bonds that broke
   double energy_magnitude = 0.0;
-  double isotropic_share = 0.0;  // -1 to 1
-  double length = 0.0;           // m, of its cracks, summed
-  double radius = 0.0;           // m, from its position to the farthest of them
+  double isotropic_fraction = 0.0;  // -1 to 1
+  double length = 0.0;              // m, of its cracks, summed
+  double radius = 0.0;              // m, from its position to the farthest of them
 };
 
 // In order of the first crack. event_of: the event of each crack.

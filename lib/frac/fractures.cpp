@@ -46,8 +46,8 @@ double longest_way(const Graph& graph) {
   return *std::max_element(way.begin(), way.end());
 }
 
-// From a well: the two longest arms, and how many arms there are.
-std::pair<double, std::int64_t> arms_from(const Graph& graph, int well) {
+// From a well: the two longest wings, and how many wings there are.
+std::pair<double, std::int64_t> wings_from(const Graph& graph, int well) {
   std::vector<double> longest;
   std::vector<char> seen(graph.domain.size(), 0);
   seen[well] = 1;
@@ -203,14 +203,14 @@ std::vector<Fracture> find_fractures(const Assembly& a, const Network& n, const 
     }
     if (f.well >= 0) {
       const WellPlace& well = wells[static_cast<std::size_t>(f.well)];
-      std::tie(f.length, f.arms) = arms_from(graph, node[well.domain]);
+      std::tie(f.length, f.wings) = wings_from(graph, node[well.domain]);
       for (const auto& p : ends)
         f.reach =
             std::max(f.reach, std::sqrt(dot(p - well.centre, p - well.centre)) - well.equivalent_radius);
       f.azimuth = main_direction(ends, well.centre);
     } else {
       f.length = longest_way(graph);
-      f.arms = 1;
+      f.wings = 1;
       f.azimuth = main_direction(ends, centre);
     }
     fractures.push_back(f);

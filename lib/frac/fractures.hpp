@@ -22,7 +22,7 @@ struct WellPlace {
 
 struct Fracture {
   std::int64_t crack_count = 0, tensile_cracks = 0;
-  std::int64_t arms = 0;  // separate branches that start at the well; 1 if not connected to one
+  std::int64_t wings = 0;  // separate branches that start at the well; 1 if not connected to one
   double length = 0.0, extent = 0.0, reach = 0.0, azimuth = 0.0;     // m, m, m, rad
   double mean_aperture = 0.0, largest_aperture = 0.0, volume = 0.0;  // m, m, m2
   double mean_pressure = 0.0;                                        // Pa

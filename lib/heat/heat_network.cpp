@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::int64_t largest_to_factorise = 60000;  // unknowns; beyond, conjugate gradients
 
-// Width of the face between two discs: the distance of the two pores' centroids across the line of centres. On the rim and
+// Width of the face between two discs: the distance of the two pores' centroids across the line of centres. On the outer boundary and
 // at wells only the side that is rock counts.
 double face_width(const Assembly& a, const Network& n, std::size_t e) {
   const auto i = static_cast<std::size_t>(a.first[e]), j = static_cast<std::size_t>(a.second[e]);
@@ -50,7 +50,7 @@ double polygon_area(const Assembly& a, const Network& n, std::int64_t d) {
   return 0.5 * std::abs(twice);
 }
 
-// Conductivity of the network with f = 1: the discs of rim and well walls follow a uniform gradient, and the rest is as warm as
+// Conductivity of the network with f = 1: the discs of outer boundary and well walls follow a uniform gradient, and the rest is as warm as
 // heat flow wants it; what is then dissipated, over gradient squared and area. Mean of both directions.
 class Conductivity {
  public:
@@ -154,7 +154,8 @@ HeatNetwork build_heat_network(const Assembly& a, const Network& n, const Option
   const double bare = Conductivity(a, n, h).measure();
   if (!(bare > 0.0) || !std::isfinite(bare)) {
     throw Error(ErrorKind::model,
-                "the model is too small to conduct heat: it has no disc away from its rim and wells; raise "
+                "the model is too small to conduct heat: it has no disc away from its outer boundary and "
+                "wells; raise "
                 "packing.disc_count, or set thermal.mode = \"uniform\".");
   }
   h.factor = o.thermal_conductivity / bare;

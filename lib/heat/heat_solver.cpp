@@ -174,7 +174,7 @@ void HeatSolver::solve() {
 }
 
 // What came in from nodes that are no part of rock and pores, or keep their temperature.
-void HeatSolver::book(HeatState& s, double duration) const {
+void HeatSolver::accumulate(HeatState& s, double duration) const {
   const auto t = [&](std::size_t node) { return temperature_[static_cast<Eigen::Index>(node)]; };
   const auto conduct = [&](std::size_t p, std::size_t q, double g, double& in) {
     in += duration * g * (t(p) - t(q));  // from p to q
@@ -201,8 +201,8 @@ void HeatSolver::book(HeatState& s, double duration) const {
     if (rock_l == rock_r) continue;
     const double c = carried(e);
     const double rightwards = duration * c * (t(discs_ + (c > 0.0 ? l : r)) - start_);
-    double& book = network_.kind[rock_l ? r : l] == DomainKind::well ? s.from_wells : s.from_outside;
-    book += rock_r ? rightwards : -rightwards;
+    double& total = network_.kind[rock_l ? r : l] == DomainKind::well ? s.from_wells : s.from_outside;
+    total += rock_r ? rightwards : -rightwards;
   }
 }
 
@@ -212,7 +212,7 @@ void HeatSolver::advance(HeatState& s, const std::vector<std::int32_t>& well_dom
   for (std::size_t node = 0; node < nodes_; ++node)
     temperature_[static_cast<Eigen::Index>(node)] = node < discs_ ? s.disc[node] : s.fluid[node - discs_];
   solve();
-  book(s, duration);
+  accumulate(s, duration);
   // Those that keep their temperature do so to the last bit.
   for (std::size_t node = 0; node < nodes_; ++node) {
     const double t = fixed_[node] != 0 ? fixed_at_[node] : temperature_[static_cast<Eigen::Index>(node)];

@@ -37,7 +37,7 @@ class HeatSolver {
   // are the wells' domains in the order of state.well.
   void advance(HeatState& state, const std::vector<std::int32_t>& well_domain, double duration);
 
-  // Heat that rock and pores hold beyond that at set-up [J/m].
+  // Heat that rock and pores hold beyond that after the initial equilibration [J/m].
   [[nodiscard]] double stored(const HeatState& state) const;
   // Of one domain's fluid per kelvin, now [J/(m K)].
   [[nodiscard]] double fluid_capacity(std::size_t domain) const;
@@ -47,7 +47,7 @@ class HeatSolver {
   void choose_fixed(const HeatState& state, const std::vector<std::int32_t>& well_domain);
   void fill(const HeatState& state, double duration);
   void solve();
-  void book(HeatState& state, double duration) const;
+  void accumulate(HeatState& state, double duration) const;
   [[nodiscard]] double carried(std::size_t pipe) const { return carrier_ * network_.flow[pipe]; }  // W/(m K)
 
   const Assembly& assembly_;

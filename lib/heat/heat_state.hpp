@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Temperatures of a model and the books of its heat.
+// Temperatures of a model and its heat balance.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct HeatState {
   Array<double> fluid;  // K per domain
   Array<std::uint8_t> held;  // per disc: 1 keeps its temperature
   std::vector<double> well;  // K per well: of what is injected
-  // J/m since set-up, counted from the temperature at set-up: into rock and pores
+  // J/m since the initial equilibration, counted from the temperature at set-up: into rock and pores
   double from_wells = 0.0, from_outside = 0.0, from_held = 0.0, from_host = 0.0;
   double thermal_work = 0.0;  // J/m of elastic energy that changes of temperature put in or took out
 

@@ -23,7 +23,7 @@ MicroTable::MicroTable(const Options& o) {
   rows_.resize(static_cast<std::size_t>(o.thermal_table_rows));
 }
 
-MicroShares MicroTable::at(double temperature) const {
+MicroFactors MicroTable::at(double temperature) const {
   if (rows_.empty()) return {};
   std::size_t above = 1;
   while (above + 1 < rows_.size() && rows_[above].temperature < temperature) ++above;
@@ -31,9 +31,9 @@ MicroShares MicroTable::at(double temperature) const {
   const double share =
       std::clamp((temperature - low.temperature) / (high.temperature - low.temperature), 0.0, 1.0);
   const auto between = [&](double a, double b) { return a + share * (b - a); };
-  return {between(low.shares.stiffness, high.shares.stiffness),
-          between(low.shares.strength, high.shares.strength),
-          between(low.shares.friction, high.shares.friction)};
+  return {between(low.factors.stiffness, high.factors.stiffness),
+          between(low.factors.strength, high.factors.strength),
+          between(low.factors.friction, high.factors.friction)};
 }
 
 void MicroTable::require(double temperature, const std::string& what) const {

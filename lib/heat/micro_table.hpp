@@ -13,7 +13,7 @@
 
 namespace hfrac {
 
-struct MicroShares {
+struct MicroFactors {
   double stiffness = 1.0, strength = 1.0, friction = 1.0;  // over the values given
 };
 
@@ -22,14 +22,14 @@ class MicroTable {
   // Empty with thermal.parameters = "constant".
   explicit MicroTable(const Options& options);
   [[nodiscard]] bool empty() const { return rows_.empty(); }
-  [[nodiscard]] MicroShares at(double temperature) const;  // K; rounding beyond an end gives the end's
+  [[nodiscard]] MicroFactors at(double temperature) const;  // K; rounding beyond an end gives the end's
   // Throws Error(argument) for a temperature [K] outside the table, or none at all; `what` names it.
   void require(double temperature, const std::string& what) const;
 
  private:
   struct Row {
     double temperature;  // K
-    MicroShares shares;
+    MicroFactors factors;
   };
   std::vector<Row> rows_;
 };

@@ -106,9 +106,9 @@ std::vector<CellReport> report_cells(const HostGrid& grid, const Assembly& a, co
     });
   }
 
-  for (std::size_t k = 0; k < n.rim_pipe.size(); ++k) {
-    const auto e = static_cast<std::size_t>(n.rim_pipe[k]);
-    cells[static_cast<std::size_t>(grid.rim_cell()[k])].outflow +=
+  for (std::size_t k = 0; k < n.outer_pipe.size(); ++k) {
+    const auto e = static_cast<std::size_t>(n.outer_pipe[k]);
+    cells[static_cast<std::size_t>(grid.outer_cell()[k])].outflow +=
         n.left[e] == 0 ? -n.flow_of(e) : n.flow_of(e);
   }
 

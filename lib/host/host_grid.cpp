@@ -235,11 +235,11 @@ void HostGrid::lay_over(const Assembly& a, const Network& n) {
   };
   bool any_free = false;
   for (std::int64_t c = 0; c < count() && !any_free; ++c) any_free = free(c);
-  rim_cell_.clear();
-  for (const auto e : n.rim_pipe) {
+  outer_cell_.clear();
+  for (const auto e : n.outer_pipe) {
     const Vec2 from{a.x[a.first[e]], a.y[a.first[e]]}, to{a.x[a.second[e]], a.y[a.second[e]]};
     const Vec2 middle = 0.5 * (from + to);
-    rim_cell_.push_back(any_free ? nearest_cell(middle, free) : nearest_cell(middle));
+    outer_cell_.push_back(any_free ? nearest_cell(middle, free) : nearest_cell(middle));
   }
   loop_cell_.clear();
   for (auto k = n.corner_start[0]; k < n.corner_start[1]; ++k)

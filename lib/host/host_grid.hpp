@@ -5,7 +5,7 @@
 // or smaller than the model, turned against it, and need not follow its edges. Cells should not overlap; nothing here
 // depends on it, but whatever lies in two cells is then counted twice.
 //
-// When the grid is set, the pores, pipes and the model's rim are shared out among the cells once and for all, at
+// When the grid is set, the pores, pipes and the model's outer boundary are shared out among the cells once and for all, at
 // their places of bonding: a crack opens by centimetres, a cell is metres.
 #pragma once
 
@@ -69,9 +69,9 @@ class HostGrid {
   }
   // Cell of every pore's centroid, -1 outside the grid.
   [[nodiscard]] const std::vector<std::int64_t>& pore_cell() const { return pore_cell_; }
-  // Cell beyond every pipe of the rim (Network::rim_pipe): the nearest of those that the model covers less than half, or of all
+  // Cell beyond every pipe of the outer boundary (Network::outer_pipe): the nearest of those that the model covers less than half, or of all
   // if it covers more of every one.
-  [[nodiscard]] const std::vector<std::int64_t>& rim_cell() const { return rim_cell_; }
+  [[nodiscard]] const std::vector<std::int64_t>& outer_cell() const { return outer_cell_; }
   // Cell of every disc of the model's outermost loop, in its order (corners of domain 0): the one that holds it, or the
   // nearest.
   [[nodiscard]] const std::vector<std::int64_t>& loop_cell() const { return loop_cell_; }
@@ -93,7 +93,7 @@ class HostGrid {
   std::vector<std::int64_t> bin_cell_;
   std::vector<CellPart> pores_, pipes_;
   std::vector<std::size_t> pipe_start_;
-  std::vector<std::int64_t> pore_cell_, rim_cell_, loop_cell_;
+  std::vector<std::int64_t> pore_cell_, outer_cell_, loop_cell_;
 };
 
 // Where a pipe runs: from pore to pore; at a well or the outside the way ends at the contact.

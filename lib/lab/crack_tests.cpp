@@ -15,7 +15,7 @@ constexpr double pi = std::numbers::pi;
 
 double crack_geometry_factor(LabTest test, double s) {
   const double half = 0.5 * pi * s;
-  if (test == LabTest::notch) {
+  if (test == LabTest::sent) {
     const double bent = 1.0 - std::sin(half);
     return std::sqrt(std::tan(half) / half) * (0.752 + 2.02 * s + 0.37 * bent * bent * bent) / std::cos(half);
   }
@@ -25,20 +25,20 @@ double crack_geometry_factor(LabTest test, double s) {
 LabResult test_crack(const Options& material, const LabSpec& spec, const Packing& packing,
                      const std::function<bool()>& interrupt) {
   LabResult result;
-  const bool notch = spec.test == LabTest::notch, fluid = spec.test == LabTest::pressurised_crack;
+  const bool notch = spec.test == LabTest::sent, fluid = spec.test == LabTest::pressurised_crack;
   SpecimenShape shape;
   shape.width = spec.width;
   shape.height = specimen_aspect(spec.test) * spec.width;
   shape.wet = fluid;
-  shape.slit_begin = notch ? -spec.width : 0.5 * spec.width * (1.0 - spec.slit_share);
-  shape.slit_end = notch ? spec.slit_share * spec.width : 0.5 * spec.width * (1.0 + spec.slit_share);
+  shape.slit_begin = notch ? -spec.width : 0.5 * spec.width * (1.0 - spec.slit_fraction);
+  shape.slit_end = notch ? spec.slit_fraction * spec.width : 0.5 * spec.width * (1.0 + spec.slit_fraction);
   shape.stress_y = fluid ? 0.0 : -1e6;  // Pa at load 1
   auto s = std::make_unique<Specimen>(packing, material, shape);
 
   double load_now = 0.0;
   Loading loading;
   loading.first = 1e-3;
-  loading.dead = true;
+  loading.constant = true;
   loading.apply = [&](double load) {
     load_now = load;
     if (fluid) {
@@ -48,9 +48,9 @@ LabResult test_crack(const Options& material, const LabSpec& spec, const Packing
     }
   };
   loading.stress = [&] { return 1e6 * load_now; };
-  // Under dead load a slit that has grown by a third of the ligament does not stop any more.
+  // Under constant load a slit that has grown by a third of the ligament does not stop any more.
   const double ligament =
-      notch ? (1.0 - spec.slit_share) * spec.width : 0.5 * (1.0 - spec.slit_share) * spec.width;
+      notch ? (1.0 - spec.slit_fraction) * spec.width : 0.5 * (1.0 - spec.slit_fraction) * spec.width;
   loading.runaway = std::max<std::int64_t>(
       6, static_cast<std::int64_t>(ligament / (6.0 * s->assembly().mean_radius)) * (notch ? 1 : 2));
   take_loading(result, load_to_failure(*s, loading, interrupt));

@@ -43,8 +43,8 @@ void check(const LabSpec& spec) {
     refuse("confining = " + number_text(spec.confining) +
            " Pa is out of range; give 0 to 1e12 Pa, compression positive.");
   }
-  if (!(spec.slit_share >= 0.05) || !(spec.slit_share <= 0.6))
-    refuse("slit_share = " + number_text(spec.slit_share) + " is out of range; give 0.05 to 0.6.");
+  if (!(spec.slit_fraction >= 0.05) || !(spec.slit_fraction <= 0.6))
+    refuse("slit_fraction = " + number_text(spec.slit_fraction) + " is out of range; give 0.05 to 0.6.");
 }
 
 // E', nu' from a uniaxial stress and its strains, and what they are in plane strain: nu = nu' / (1 + nu'),
@@ -186,7 +186,7 @@ double specimen_aspect(LabTest test) {
     case LabTest::tension:
     case LabTest::uniaxial:
     case LabTest::biaxial:
-    case LabTest::notch:
+    case LabTest::sent:
       return 2.0;
     case LabTest::centre_crack:
       return 1.5;
@@ -227,7 +227,7 @@ LabResult run_lab(const Options& material, const LabSpec& spec, const Packing& p
       result = test_brazilian(material, packing, spec.width, spec.end_share, interrupt);
       break;
     case LabTest::centre_crack:
-    case LabTest::notch:
+    case LabTest::sent:
     case LabTest::pressurised_crack:
       result = test_crack(material, spec, packing, interrupt);
       break;

@@ -9,8 +9,8 @@
 //   brazilian          round disc pressed between two arcs of 30 degrees: indirect tensile strength (Hondros 1959); bonds within
 //                      0.15 diameters of either end do not break, since a rock whose UCS is 4 times its tensile strength
 //                      would be crushed at the arcs, which bear 5 to 12 times the stress at the centre
-//   centre_crack       plate 1.5 times as high as wide under dead tension, slit in the middle: K_Ic
-//   notch              plate twice as high as wide under dead tension, slit from one side: K_Ic
+//   centre_crack       plate 1.5 times as high as wide under constant load, slit in the middle: K_Ic
+//   sent               plate twice as high as wide under constant load, slit from one side: K_Ic
 //   pressurised_crack  square, slit in the middle under fluid pressure that follows as it grows: K_Ic and opening
 //   permeability       of the unloaded network, along x and along y
 //
@@ -38,7 +38,7 @@ enum class LabTest : std::int32_t {
   biaxial = 3,
   brazilian = 4,
   centre_crack = 5,
-  notch = 6,
+  sent = 6,
   pressurised_crack = 7,
   permeability = 8
 };
@@ -48,10 +48,10 @@ struct LabSpec {
   LabTest test = LabTest::elastic;
   std::int64_t discs = 2000;
   std::int64_t seed = 1;
-  double width = 10.0;      // m
-  double confining = 0.0;   // Pa, biaxial
-  double slit_share = 0.3;  // of the width: the whole slit of a centre crack, the depth of a notch
-  double end_share = 0.5;   // tests between platens end when stress has fallen to this share of its peak
+  double width = 10.0;         // m
+  double confining = 0.0;      // Pa, biaxial
+  double slit_fraction = 0.3;  // of the width: the whole slit of a centre crack, the depth of a notch
+  double end_share = 0.5;      // tests between platens end when stress has fallen to this share of its peak
 };
 
 struct LabReport {

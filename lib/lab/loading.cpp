@@ -49,7 +49,7 @@ LoadingResult load_to_failure(Specimen& specimen, const Loading& loading,
     loading.apply(load + step);
     auto outcome = specimen.solve(intact, watch);
     if (outcome.end == End::stopped) return cut_short();
-    if (outcome.end == End::stuck) return ended(TestEnd::no_equilibrium);
+    if (outcome.end == End::not_converged) return ended(TestEnd::no_equilibrium);
     const double least = loading.least * (load + step);
     if (outcome.excess > 1.0 + loading.overshoot && step > 1.01 * least) {
       const double share = (1.0 + 0.5 * loading.overshoot - excess) / (outcome.excess - excess);
@@ -75,7 +75,8 @@ LoadingResult load_to_failure(Specimen& specimen, const Loading& loading,
         loading.apply(load);
       }
       if (outcome.end == End::stopped) return cut_short();
-      if (outcome.end != End::rest) return ended(loading.dead ? TestEnd::failed : TestEnd::no_equilibrium);
+      if (outcome.end != End::rest)
+        return ended(loading.constant ? TestEnd::failed : TestEnd::no_equilibrium);
       result.force_ratio = std::max(result.force_ratio, outcome.force_ratio);
       excess = specimen.largest_excess();
       record(excess);

@@ -22,7 +22,7 @@ struct Loading {
   double most = 0.0;                  // the test ends at this load; 0: at failure
   double end_share = 0.5;             // ... or when stress has fallen to this share of its peak
   std::int64_t runaway = 1000000000;  // ... or when more than so many bonds break at one load
-  bool dead = false;                  // load that does not give way: no equilibrium after a break is failure
+  bool constant = false;              // load that does not give way: no equilibrium after a break is failure
   double overshoot = 0.01, least = 1e-3;
 };
 

@@ -24,11 +24,12 @@ constexpr std::int64_t most_cycles = 40000;
 Options bench_options(Options o, const SpecimenShape& shape) {
   o.model_width = shape.width;
   o.model_height = shape.height;
-  o.model_reading = static_cast<std::int64_t>(Reading::paper);  // pressures count from the drained rock's
+  o.stress_convention =
+      static_cast<std::int64_t>(StressConvention::effective);  // pressures count from the drained rock's
   o.boundary_kind = static_cast<std::int64_t>(BoundaryKind::stress);
   o.flow_scheme = static_cast<std::int64_t>(shape.wet ? FlowScheme::implicit_scheme : FlowScheme::off);
-  o.stress_sigma_H = shape.stress_x;
-  o.stress_sigma_h = shape.stress_y;
+  o.stress_sigma_Hmax = shape.stress_x;
+  o.stress_sigma_hmin = shape.stress_y;
   o.solver_tolerance = std::min(o.solver_tolerance, 1e-6);
   return o;
 }
@@ -126,7 +127,7 @@ void Specimen::grip_ends(double half_angle) {
     if (held[static_cast<std::size_t>(a.first[e])] != 0 || held[static_cast<std::size_t>(a.second[e])] != 0)
       assembly_.strength_scale[e] = unbreakable;
   }
-  combine_shares(assembly_, options_);
+  combine_factors(assembly_, options_);
 }
 
 void Specimen::make_unbreakable() {
@@ -171,7 +172,7 @@ EquilibriumSolver::Outcome Specimen::solve(double most_excess, const std::functi
   auto outcome = equilibrium_->solve(0.0, {}, most_excess, log_, interrupt);
   factors_ += outcome.factors;
   const bool held = !boundary_->grips().empty();
-  for (int attempt = 0; held && outcome.end == End::stuck && attempt < most_attempts; ++attempt) {
+  for (int attempt = 0; held && outcome.end == End::not_converged && attempt < most_attempts; ++attempt) {
     ++relaxations_;
     const auto moved = mechanics_->relax(relaxed_ratio, most_cycles, log_, interrupt);
     if (moved.stopped) {
@@ -181,7 +182,7 @@ EquilibriumSolver::Outcome Specimen::solve(double most_excess, const std::functi
     mechanics_->search_contacts(log_);
     outcome = equilibrium_->solve(0.0, {}, std::numeric_limits<double>::infinity(), log_, interrupt);
     factors_ += outcome.factors;
-    if (outcome.end == End::stuck && moved.at_rest) {
+    if (outcome.end == End::not_converged && moved.at_rest) {
       outcome.force_ratio = moved.force_ratio;
       outcome.end = End::rest;
     }

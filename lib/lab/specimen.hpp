@@ -3,7 +3,7 @@
 //
 // Rock is held in one of three ways, and which one a test takes stands with the test (laboratory.hpp):
 //   platens   the discs at the lower and upper end are led along y; they slide sideways and turn freely (no friction)
-//   tractions dead loads on the outer loop of bonds, as the far field of a simulation
+//   tractions constant loads on the outer loop of bonds, as the far field of a simulation
 //   fluid     a pressure in the pores that touch a slit or crack, the rest drained
 // Equilibrium is found by the quasi-static solver (equilibrium/equilibrium_solver.hpp), which breaks bonds in order.
 //
@@ -60,7 +60,7 @@ class Specimen {
 
   // Equilibrium at the loads as they stand. Bonds break unless the largest stress over strength is above most_excess. Between
   // platens, where a disc has lost its hold and Newton's method finds no rest, the explicit solver lets it move to one, and bonds
-  // that break on the way are broken. Under dead load there may be no rest to find: that is failure.
+  // that break on the way are broken. Under constant load there may be no rest to find: that is failure.
   EquilibriumSolver::Outcome solve(double most_excess, const std::function<bool()>& interrupt = {});
 
   [[nodiscard]] Strain strain() const;

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The words of the option table's choices as enumerations, for code that branches on them:
-// `Reading{options.model_reading} == Reading::paper`. options.cpp refuses to compile if a number moves.
+// `StressConvention{options.stress_convention} == StressConvention::effective`. options.cpp refuses to compile if a number moves.
 #pragma once
 
 #include <cstdint>
 
 namespace hfrac {
 
-enum class Reading : std::int64_t { sound = 0, paper = 1 };
+enum class StressConvention : std::int64_t { total = 0, effective = 1 };
 enum class PackingMethod : std::int64_t { relaxed = 0, tiled = 1, growth = 2, square = 3 };
 enum class ContactMode : std::int64_t { parallel = 0, after_break = 1 };
 enum class GeometryStorage : std::int64_t { double_precision = 0, single_precision = 1 };
 enum class BoundaryKind : std::int64_t { stress = 0, walls = 1 };
-enum class WallsAfterSetup : std::int64_t { fixed = 0, servo = 1 };
+enum class WallsAfterEquilibration : std::int64_t { fixed = 0, servo = 1 };
 enum class FlowScheme : std::int64_t { implicit_scheme = 0, explicit_scheme = 1, off = 2 };
 enum class FlowMatrixSolver : std::int64_t { automatic = 0, direct = 1, iterative = 2 };
 enum class OuterPores : std::int64_t { formation = 0, closed = 1 };

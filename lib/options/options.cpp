@@ -103,8 +103,8 @@ constexpr std::string_view words_of(std::string_view key) {
 constexpr bool is_word(std::string_view key, std::string_view word, auto index) {
   return choice_index(words_of(key), word) == static_cast<std::int64_t>(index);
 }
-static_assert(is_word("model.reading", "sound", Reading::sound) &&
-              is_word("model.reading", "paper", Reading::paper));
+static_assert(is_word("stress.convention", "total", StressConvention::total) &&
+              is_word("stress.convention", "effective", StressConvention::effective));
 static_assert(is_word("packing.method", "relaxed", PackingMethod::relaxed) &&
               is_word("packing.method", "tiled", PackingMethod::tiled) &&
               is_word("packing.method", "growth", PackingMethod::growth) &&
@@ -118,8 +118,8 @@ static_assert(is_word("bond.geometry_storage", "double", GeometryStorage::double
               is_word("bond.geometry_storage", "single", GeometryStorage::single_precision));
 static_assert(is_word("boundary.kind", "stress", BoundaryKind::stress) &&
               is_word("boundary.kind", "walls", BoundaryKind::walls));
-static_assert(is_word("boundary.walls_after_setup", "fixed", WallsAfterSetup::fixed) &&
-              is_word("boundary.walls_after_setup", "servo", WallsAfterSetup::servo));
+static_assert(is_word("boundary.walls_after_equilibration", "fixed", WallsAfterEquilibration::fixed) &&
+              is_word("boundary.walls_after_equilibration", "servo", WallsAfterEquilibration::servo));
 static_assert(is_word("flow.scheme", "implicit", FlowScheme::implicit_scheme) &&
               is_word("flow.scheme", "explicit", FlowScheme::explicit_scheme) &&
               is_word("flow.scheme", "off", FlowScheme::off));

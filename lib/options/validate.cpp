@@ -117,23 +117,24 @@ void check_packing(const Options& o, const Radii& radii) {
 }
 
 void check_stresses(const Options& o) {
-  if (o.stress_sigma_h > o.stress_sigma_H) {
-    refuse(value_text("stress.sigma_h", o.stress_sigma_h, "Pa") + " is above " +
-           value_text("stress.sigma_H", o.stress_sigma_H, "Pa") +
-           "; sigma_H along x is the larger one: swap them or turn the model by 90 degrees.");
+  if (o.stress_sigma_hmin > o.stress_sigma_Hmax) {
+    refuse(value_text("stress.sigma_hmin", o.stress_sigma_hmin, "Pa") + " is above " +
+           value_text("stress.sigma_Hmax", o.stress_sigma_Hmax, "Pa") +
+           "; sigma_Hmax along x is the larger one: swap them or turn the model by 90 degrees.");
   }
-  const bool sound = Reading{o.model_reading} == Reading::sound;
+  const bool total = StressConvention{o.stress_convention} == StressConvention::total;
   const bool wet = FlowScheme{o.flow_scheme} != FlowScheme::off;
-  if (sound && wet && o.stress_sigma_h < o.fluid_formation_pressure) {
-    refuse(value_text("stress.sigma_h", o.stress_sigma_h, "Pa") + " is below " +
+  if (total && wet && o.stress_sigma_hmin < o.fluid_formation_pressure) {
+    refuse(value_text("stress.sigma_hmin", o.stress_sigma_hmin, "Pa") + " is below " +
            value_text("fluid.formation_pressure", o.fluid_formation_pressure, "Pa") +
-           ", so the rock would be pulled apart before injection; model.reading = \"sound\" takes total "
+           ", so the rock would be pulled apart before injection; stress.convention = \"total\" takes total "
            "stresses: "
-           "raise stress.sigma_h, lower fluid.formation_pressure, or set model.reading = \"paper\" for "
+           "raise stress.sigma_hmin, lower fluid.formation_pressure, or set stress.convention = "
+           "\"effective\" for "
            "effective ones.");
   }
-  if (BoundaryKind{o.boundary_kind} == BoundaryKind::walls && o.stress_sigma_h < 0.0) {
-    refuse(value_text("stress.sigma_h", o.stress_sigma_h, "Pa") +
+  if (BoundaryKind{o.boundary_kind} == BoundaryKind::walls && o.stress_sigma_hmin < 0.0) {
+    refuse(value_text("stress.sigma_hmin", o.stress_sigma_hmin, "Pa") +
            " is tension, and walls only push; give at least 0 Pa or set boundary.kind = \"stress\".");
   }
 }
@@ -192,11 +193,12 @@ void check_initial(const CaseDefinition& c) {
     refuse("initial.state = \"seepage\" is solved around one well, the case has " +
            std::to_string(c.wells.size()) + "; keep one well or set initial.state = \"uniform\".");
   }
-  const double lowest = Reading{o.model_reading} == Reading::sound ? 0.0 : -o.fluid_formation_pressure;
+  const double lowest =
+      StressConvention{o.stress_convention} == StressConvention::total ? 0.0 : -o.fluid_formation_pressure;
   if (o.initial_well_pressure < lowest) {
     refuse(value_text("initial.well_pressure", o.initial_well_pressure, "Pa") +
            " is below zero absolute pressure, which is " + number_text(lowest) +
-           " Pa in this model.reading.");
+           " Pa in this stress.convention.");
   }
   if (o.initial_seepage_time > 0.0 && o.flow_permeability == 0.0) {
     refuse(
@@ -291,12 +293,12 @@ void check_control(const std::string& name, const WellOptions& well, const Optio
     }
     return;
   }
-  const bool sound = Reading{o.model_reading} == Reading::sound;
-  const double lowest = sound ? 0.0 : -o.fluid_formation_pressure;
+  const bool total = StressConvention{o.stress_convention} == StressConvention::total;
+  const double lowest = total ? 0.0 : -o.fluid_formation_pressure;
   if (well.pressure < lowest) {
     refuse(name + "." + value_text("pressure", well.pressure, "Pa") +
-           " is below zero absolute pressure, which is " + number_text(lowest) + " Pa in model.reading = \"" +
-           (sound ? "sound" : "paper") + "\".");
+           " is below zero absolute pressure, which is " + number_text(lowest) +
+           " Pa in stress.convention = \"" + (total ? "total" : "effective") + "\".");
   }
 }
 

@@ -52,7 +52,7 @@ void BiotSolver::number_motion(const std::vector<Side>& sides) {
       for (const auto node : nodes_of(edge)) equation_[static_cast<std::size_t>(node)][axis] = number;
     }
   }
-  // What no side holds is held at corners of the rim: the loads are in balance, so these carry nothing.
+  // What no side holds is held at corners of the outer boundary: the loads are in balance, so these carry nothing.
   const auto corner = [&](double sx, double sy) {
     std::size_t best = 0;
     for (std::size_t k = 0; k < mesh_.node.size(); ++k) {

@@ -33,7 +33,7 @@ struct RockMesh {
 RockMesh rectangle_mesh(const std::vector<double>& x, const std::vector<double>& y);
 
 // 0 to width by 0 to height with a circular hole that lies inside [m]. `around`: elements round the hole, raised to a
-// multiple of 4; `outward`: elements from the hole to the rim, growing in proportion to their distance.
+// multiple of 4; `outward`: elements from the hole to the outer boundary, growing in proportion to their distance.
 RockMesh plate_mesh(double width, double height, Vec2 centre, double radius, int around, int outward);
 
 }  // namespace hfrac

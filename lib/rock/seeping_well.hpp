@@ -19,8 +19,8 @@ struct SeepingWell {
   double radius = 0.0;               // [m]
   double excess = 0.0;               // pressure in the well and on its wall above the rock's [Pa]
   double duration = 0.0;             // since it stands there [s]; 0: until nothing changes any more
-  bool outer_drained = true;         // the rim at the rock's pressure; else no flow across it
-  bool outer_held = false;           // the rim cannot move along its normal; else under unchanged stress
+  bool outer_drained = true;         // the outer boundary at the rock's pressure; else no flow across it
+  bool outer_held = false;  // the outer boundary cannot move along its normal; else under unchanged stress
 };
 
 // Pressure above the rock's at each place [Pa]; places in the well have the well's.

@@ -72,7 +72,7 @@ BondView view_bond(const Assembly& a, const Options& o, std::int64_t e) {
   const Vec2 du{a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, d0{a.dx(e), a.dy(e)}, d = d0 + du;
   const double now = std::sqrt(dot(d, d)), length = a.length(e);
   BondView v{};
-  v.gap = (2.0 * dot(d0, du) + dot(du, du)) / (now + length) - a.shares.growth_of(e);
+  v.gap = (2.0 * dot(d0, du) + dot(du, du)) / (now + length) - a.factors.growth_of(e);
   v.normal = (1.0 / now) * d;
   v.first_arm = a.arm(e) * v.normal;
   v.second_arm = (a.arm(e) - length) * v.normal;
@@ -80,7 +80,7 @@ BondView view_bond(const Assembly& a, const Options& o, std::int64_t e) {
   v.shear = sine * (1.0 + s2 * (1.0 / 6.0 + s2 * (3.0 / 40.0 + s2 * (15.0 / 336.0)))) -
             (a.arm(e) * a.rotation[i] + (length - a.arm(e)) * a.rotation[j]);
   const double bend = a.rotation[j] - a.rotation[i], intact = a.intact[e], r = a.bond_radius(e);
-  const double share = a.shares.stiffness_of(e);
+  const double share = a.factors.stiffness_of(e);
   const double bond_normal = o.bond_normal_stiffness * share,
                contact_shear = o.contact_shear_stiffness * share;
   const double bending_stiffness = bond_normal * r * r / 3.0;
@@ -90,7 +90,7 @@ BondView view_bond(const Assembly& a, const Options& o, std::int64_t e) {
   v.bond_energy = 0.5 * (v.bond_normal * v.gap + v.bond_shear * v.shear + v.bond_moment * bend);
   const bool present = intact == 0.0 || ContactMode{o.contact_mode} == ContactMode::parallel;
   v.contact_normal = present ? o.contact_normal_stiffness * share * std::max(0.0, -v.gap) : 0.0;
-  const double limit = a.shares.friction_of(e, o.contact_friction) * v.contact_normal;
+  const double limit = a.factors.friction_of(e, o.contact_friction) * v.contact_normal;
   v.contact_shear = std::clamp(contact_shear * (v.shear - a.slip[e]), -limit, limit);
   v.contact_energy = 0.5 * v.contact_normal * std::max(0.0, -v.gap);
   if (contact_shear > 0.0) v.contact_energy += 0.5 * v.contact_shear * v.contact_shear / contact_shear;

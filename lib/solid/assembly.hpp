@@ -14,17 +14,17 @@
 #include "core/array.hpp"
 #include "geom/contact_graph.hpp"
 #include "options/options.hpp"
+#include "solid/bond_factors.hpp"
 #include "solid/bond_geometry.hpp"
-#include "solid/bond_shares.hpp"
 #include "solid/smooth_joints.hpp"
 
 namespace hfrac {
 
 // What temperature makes of the discs (lib/heat); a pair of them, bonded or only touching, takes the mean of its two. All
-// arrays are empty in a model without temperature, and whoever asks then gets nothing grown and shares of 1.
+// arrays are empty in a model without temperature, and whoever asks then gets nothing grown and factors of 1.
 struct ThermalState {
-  Array<double> growth;                                           // m, of the discs' radii since set-up
-  Array<double> stiffness_share, strength_share, friction_share;  // per disc, over the values given
+  Array<double> growth;  // m, of the discs' radii since the initial equilibration
+  Array<double> stiffness_factor, strength_factor, friction_factor;  // per disc, over the values given
 
   [[nodiscard]] bool empty() const { return growth.empty(); }
   [[nodiscard]] double growth_of(std::int64_t disc) const { return empty() ? 0.0 : growth[disc]; }
@@ -32,13 +32,13 @@ struct ThermalState {
     return empty() ? 0.0 : growth[disc] / radius[disc];
   }
   [[nodiscard]] double pair_stiffness(std::int64_t i, std::int64_t j) const {
-    return pair_mean(stiffness_share, i, j);
+    return pair_mean(stiffness_factor, i, j);
   }
   [[nodiscard]] double pair_friction(std::int64_t i, std::int64_t j) const {
-    return pair_mean(friction_share, i, j);
+    return pair_mean(friction_factor, i, j);
   }
   [[nodiscard]] double pair_strength(std::int64_t i, std::int64_t j) const {
-    return pair_mean(strength_share, i, j);
+    return pair_mean(strength_factor, i, j);
   }
 
  private:
@@ -52,14 +52,14 @@ struct Assembly {
   Array<double> x, y, radius;                             // m, at bonding
   Array<double> ux, uy, rotation;                         // m, m, rad since bonding
   Array<double> vx, vy, spin;                             // m/s, rad/s (per unit of the solver's step)
-  Array<double> external_x, external_y, external_moment;  // N, N, N m: far field, walls, loose contacts
+  Array<double> external_x, external_y, external_moment;  // N, N, N m: far field, walls, non-bonded contacts
   // bonds, in the order of contact_graph.hpp: those inside tiles first, then those across
   std::vector<std::int32_t> first, second;
   BondGeometry geometry;
   Array<std::uint8_t> intact;
   Array<double> slip;  // m
   ThermalState thermal;
-  BondShares shares;  // of toughness, joints and temperature together (bond_shares.hpp)
+  BondFactors factors;  // of toughness, joints and temperature together (bond_factors.hpp)
   std::vector<std::int64_t> tile_first_bond;  // one more than tiles
   double mean_radius = 0.0;                   // m
   double density = 0.0;                       // kg/m3
@@ -100,10 +100,10 @@ struct Assembly {
     return 0.5 * mass(disc) * radius[disc] * radius[disc];
   }
   [[nodiscard]] double tensile_capacity(std::int64_t bond) const {
-    return tensile_per_radius * bond_radius(bond) * shares.tensile_of(bond);
+    return tensile_per_radius * bond_radius(bond) * factors.tensile_of(bond);
   }
   [[nodiscard]] double shear_capacity(std::int64_t bond) const {
-    return shear_per_radius * bond_radius(bond) * shares.shear_of(bond);
+    return shear_per_radius * bond_radius(bond) * factors.shear_of(bond);
   }
   // Opening of the broken joint a bond belongs to, across the joint [m]; 0 if closed or of no joint.
   [[nodiscard]] double joint_opening(std::int64_t bond) const {

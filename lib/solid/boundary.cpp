@@ -25,7 +25,7 @@ Boundary::Boundary(const Assembly& a, const Network& n, const Options& o)
       weight_[at] = weight_[at] + 0.5 * Vec2{a.y[to] - a.y[from], a.x[from] - a.x[to]};
     }
     put_outside_pressure(n);
-    put_far_field(o.stress_sigma_H, o.stress_sigma_h);
+    put_far_field(o.stress_sigma_Hmax, o.stress_sigma_hmin);
     return;
   }
   put_outside_pressure(n);
@@ -35,7 +35,7 @@ Boundary::Boundary(const Assembly& a, const Network& n, const Options& o)
   walls_[1] = {{-1.0, 0.0}, height, 0.0, 0.0, 0.0, {}};
   walls_[2] = {{0.0, 1.0}, width, 0.0, 0.0, 0.0, {}};
   walls_[3] = {{0.0, -1.0}, width, 0.0, 0.0, 0.0, {}};
-  put_far_field(o.stress_sigma_H, o.stress_sigma_h);
+  put_far_field(o.stress_sigma_Hmax, o.stress_sigma_hmin);
   const double tolerance = std::max(o.bond_gap_tolerance, 0.01) * a.mean_radius;
   for (std::int32_t i = 0; i < a.disc_count(); ++i) {
     const double distance[4] = {a.x[i] - a.radius[i], width - a.x[i] - a.radius[i], a.y[i] - a.radius[i],
@@ -60,17 +60,17 @@ void Boundary::put_outside_pressure(const Network& n) {
   }
 }
 
-void Boundary::put_far_field(double sigma_H, double sigma_h) {
+void Boundary::put_far_field(double sigma_Hmax, double sigma_hmin) {
   if (walled_) {
-    walls_[0].target = walls_[1].target = sigma_H - outside_pressure_;
-    walls_[2].target = walls_[3].target = sigma_h - outside_pressure_;
+    walls_[0].target = walls_[1].target = sigma_Hmax - outside_pressure_;
+    walls_[2].target = walls_[3].target = sigma_hmin - outside_pressure_;
     return;
   }
   for (std::size_t k = 0; k < edge_.size(); ++k) {
-    load_on_[k] =
-        pore_[k] +
-        Vec2{(sigma_H - outside_pressure_) * weight_[k].x, (sigma_h - outside_pressure_) * weight_[k].y} +
-        host_[k];
+    load_on_[k] = pore_[k] +
+                  Vec2{(sigma_Hmax - outside_pressure_) * weight_[k].x,
+                       (sigma_hmin - outside_pressure_) * weight_[k].y} +
+                  host_[k];
   }
 }
 
@@ -90,29 +90,29 @@ bool Boundary::touches_wall(std::int32_t disc) const {
   return walled_ && std::binary_search(edge_.begin(), edge_.end(), disc);
 }
 
-void Boundary::set_far_field(Assembly& a, double sigma_H, double sigma_h) {
+void Boundary::set_far_field(Assembly& a, double sigma_Hmax, double sigma_hmin) {
   // The work done so far stays what it was: load_work() measures from where displacements began.
   const double before = load_work(a);
-  put_far_field(sigma_H, sigma_h);
+  put_far_field(sigma_Hmax, sigma_hmin);
   if (!walled_) {
     set_load(a, load_);
     carried_work_ += before - load_work(a);
   }
 }
 
-void Boundary::set_outside_pressure(Assembly& a, const Network& n, double sigma_H, double sigma_h) {
+void Boundary::set_outside_pressure(Assembly& a, const Network& n, double sigma_Hmax, double sigma_hmin) {
   put_outside_pressure(n);
-  set_far_field(a, sigma_H, sigma_h);
+  set_far_field(a, sigma_Hmax, sigma_hmin);
 }
 
-void Boundary::restore_load(Assembly& a, const Network& n, double sigma_H, double sigma_h) {
+void Boundary::restore_load(Assembly& a, const Network& n, double sigma_Hmax, double sigma_hmin) {
   put_outside_pressure(n);
-  put_far_field(sigma_H, sigma_h);
+  put_far_field(sigma_Hmax, sigma_hmin);
   if (!walled_) set_load(a, load_);
 }
 
-void Boundary::set_host_stress(Assembly& a, const Network& n, std::span<const double> stress, double sigma_H,
-                               double sigma_h) {
+void Boundary::set_host_stress(Assembly& a, const Network& n, std::span<const double> stress,
+                               double sigma_Hmax, double sigma_hmin) {
   std::fill(host_.begin(), host_.end(), Vec2{});
   const auto begin = n.corner_start[0], end = n.corner_start[1];
   const auto discs = static_cast<double>(end - begin);
@@ -145,7 +145,7 @@ void Boundary::set_host_stress(Assembly& a, const Network& n, std::span<const do
     const Vec2 arm = Vec2{a.x[i], a.y[i]} - centre;
     host_[place_of(i)] = host_[place_of(i)] + (moment / inertia) * Vec2{arm.y, -arm.x};
   }
-  set_far_field(a, sigma_H, sigma_h);
+  set_far_field(a, sigma_Hmax, sigma_hmin);
 }
 
 void Boundary::set_load(Assembly& a, double share) {
@@ -159,7 +159,7 @@ void Boundary::set_load(Assembly& a, double share) {
   }
 }
 
-void Boundary::hold_still(Assembly& a) const {
+void Boundary::remove_rigid_motion(Assembly& a) const {
   if (walled_ || !grips_.empty()) return;
   const auto n = static_cast<std::size_t>(a.disc_count());
   double mass = 0.0, inertia = 0.0;

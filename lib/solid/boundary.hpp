@@ -5,7 +5,7 @@
 //         net torque, for any uniform stress. (The part that balances the pore pressure is split by the pores' own weights
 //         instead, so that a stress equal to the pore pressure leaves every disc in peace.) Fixed forces on a free body
 //         pressed together are in unstable balance: the least turn of the whole gives them a lever. Rock around the
-//         model would hold it, so its mean displacement and rotation are taken out now and then (hold_still).
+//         model would hold it, so its mean displacement and rotation are taken out now and then (remove_rigid_motion).
 // walls   Frictionless rigid walls press on the discs that touch them at set-up, with the contacts' stiffness and no
 //         tension. While a wall is servo-driven it is a body with one degree of freedom whose unbalanced force is
 //         target stress times length minus what the discs push back; afterwards it may be fixed.
@@ -39,7 +39,7 @@ class Boundary {
   [[nodiscard]] bool acts_disc_by_disc() const { return !walls_move() && grips_.empty(); }
 
   // Takes the mean displacement and rotation since bonding, and their rates, out of a model held by nothing else.
-  void hold_still(Assembly& assembly) const;
+  void remove_rigid_motion(Assembly& assembly) const;
 
   // Adds the walls' share to the row sums of stiffness that set the stable step.
   void add_stiffness(std::vector<double>& row_x, std::vector<double>& row_y) const;
@@ -55,17 +55,17 @@ class Boundary {
     work_ += load_ * walls_[wall].target * walls_[wall].length * by;
   }
   [[nodiscard]] bool follows_far_field() const { return !walled_ || servo_; }
-  // New far-field stress [Pa], total in the sound reading; the share in force stays.
-  void set_far_field(Assembly& assembly, double sigma_H, double sigma_h);
+  // New far-field stress [Pa], total where stress.convention is total; the share in force stays.
+  void set_far_field(Assembly& assembly, double sigma_Hmax, double sigma_hmin);
   // Likewise another pressure in the pores outside, that of domain 0 [Pa]; the total far-field stress stays.
-  void set_outside_pressure(Assembly& assembly, const Network& network, double sigma_H, double sigma_h);
+  void set_outside_pressure(Assembly& assembly, const Network& network, double sigma_Hmax, double sigma_hmin);
   // The loads follow again from domain 0 and the far field after a state was loaded.
-  void restore_load(Assembly& assembly, const Network& network, double sigma_H, double sigma_h);
+  void restore_load(Assembly& assembly, const Network& network, double sigma_Hmax, double sigma_hmin);
 
   // Stress that a host adds to the far field at each disc of the outer loop, in its order [Pa; xx, yy, xy, compression
   // positive]; stress boundaries only. What net force and moment the tractions leave is taken out.
   void set_host_stress(Assembly& assembly, const Network& network, std::span<const double> stress,
-                       double sigma_H, double sigma_h);
+                       double sigma_Hmax, double sigma_hmin);
   // The forces that came of it, to keep them while a state is loaded; set_far_field or restore_load puts them in force.
   using HostLoad = std::vector<Vec2>;
   [[nodiscard]] const HostLoad& host_load() const { return host_; }
@@ -125,7 +125,7 @@ class Boundary {
  private:
   void put_outside_pressure(const Network& network);
   [[nodiscard]] std::size_t place_of(std::int32_t disc) const;  // in edge_
-  void put_far_field(double sigma_H, double sigma_h);
+  void put_far_field(double sigma_Hmax, double sigma_hmin);
 
   template <class Archive, class Self>
   static void visit(Archive& archive, Self& s) {

@@ -41,7 +41,7 @@ ExplicitSolver::ExplicitSolver(Assembly& assembly, Network& network, Boundary& b
     : assembly_(assembly),
       network_(network),
       boundary_(boundary),
-      loose_(options),
+      non_bonded_(options),
       options_(options),
       workers_(workers),
       kernels_(kernels()) {
@@ -58,7 +58,7 @@ ExplicitSolver::ExplicitSolver(Assembly& assembly, Network& network, Boundary& b
   for (auto& scratch : scratch_) scratch.assign(static_cast<std::size_t>(tile_scratch), 0.0);
   bind_arrays();
   refresh_stiffness();
-  if (arrays_.tile_count >= fewest_swept_tiles) set_sweep(sweep_shape(workers.count()));
+  if (arrays_.tile_count >= fewest_blocked_tiles) set_blocking(blocking_shape(workers.count()));
 }
 
 void ExplicitSolver::bind_arrays() {
@@ -84,12 +84,12 @@ void ExplicitSolver::bind_arrays() {
   k.first_cross_geometry = a.geometry.first_block(plan_.tiles.size());
   k.intact = a.intact.data();
   k.slip = a.slip.data();
-  if (!a.shares.empty()) {
-    k.growth = a.shares.growth.data();
-    k.stiffness_share = a.shares.stiffness.data();
-    k.tensile_share = a.shares.tensile.data();
-    k.shear_share = a.shares.shear.data();
-    k.bond_friction = a.shares.friction.data();
+  if (!a.factors.empty()) {
+    k.growth = a.factors.growth.data();
+    k.stiffness_factor = a.factors.stiffness.data();
+    k.tensile_factor = a.factors.tensile.data();
+    k.shear_factor = a.factors.shear.data();
+    k.bond_friction = a.factors.friction.data();
   }
   k.bond_count = a.bond_count();
   k.first_cross_bond = plan_.first_cross_bond;
@@ -104,9 +104,9 @@ void ExplicitSolver::bind_arrays() {
   k.cross_domain = plan_.cross_domain.data();
   k.cross_corner_start = plan_.cross_corner_start.data();
   k.cross_domain_count = static_cast<std::int64_t>(plan_.cross_domain.size());
-  k.bond_mail = plan_.bond_mail.data();
-  k.corner_mail = plan_.corner_mail.data();
-  k.mail = plan_.mail.data();
+  k.bond_slot = plan_.bond_slot.data();
+  k.corner_slot = plan_.corner_slot.data();
+  k.force_buffer = plan_.force_buffer.data();
   k.bond_normal = options_.bond_normal_stiffness;
   k.bond_shear = options_.bond_shear_stiffness;
   k.contact_normal = options_.contact_normal_stiffness;
@@ -130,7 +130,7 @@ void ExplicitSolver::stiffness(std::vector<double>& row_x, std::vector<double>& 
                                std::vector<double>& row_rotation) const {
   stiffness_rows(assembly_, network_, options_, row_x, row_y, row_rotation);
   boundary_.add_stiffness(row_x, row_y);
-  loose_.add_stiffness(assembly_, row_x, row_y, row_rotation);
+  non_bonded_.add_stiffness(assembly_, row_x, row_y, row_rotation);
   add_smooth_stiffness(assembly_, row_x, row_y, row_rotation);
 }
 
@@ -250,10 +250,10 @@ void ExplicitSolver::take_tile(std::int64_t tile, std::int64_t cycle, double* sc
   kernels_.tile_move(arrays_, tile, scratch);
 }
 
-// Discs on which the boundary's load is not all there is: loose contacts and smooth joints add to it in every cycle.
+// Discs on which the boundary's load is not all there is: non-bonded contacts and smooth joints add to it in every cycle.
 template <class Visit>
 void ExplicitSolver::each_pushed_disc(const Visit& visit) const {
-  for (const auto& pair : loose_.pairs()) {
+  for (const auto& pair : non_bonded_.pairs()) {
     visit(pair.first);
     visit(pair.second);
   }
@@ -285,8 +285,8 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
   arrays_.stiffness = network_.stiffness.data();
   arrays_.undrained = undrained_ ? 1 : 0;
   mark_left_alone();
-  if (may_sweep()) {
-    sweep(cycles, found);
+  if (may_block()) {
+    run_blocked(cycles, found);
     return;
   }
   const auto domain_blocks = arrays_.with_pressure != 0 ? plan_.domain_blocks : 0;
@@ -316,8 +316,8 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
       }
       const bool smooth = worker == 0 && !assembly_.smooth.empty();
       if (smooth) release_smooth(assembly_, boundary_);
-      if (worker == 0 && !loose_.empty())
-        loose_.cycle(assembly_, boundary_, arrays_.step, energies_.friction);
+      if (worker == 0 && !non_bonded_.empty())
+        non_bonded_.cycle(assembly_, boundary_, arrays_.step, energies_.friction);
       if (smooth) watched([&] { take_smooth_joints(cycle, found[w]); });
       workers_.barrier();
       watched([&] {
@@ -373,7 +373,7 @@ ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, C
   while (outcome.cycles < most) {
     const std::int64_t cycles = std::min(look_every, most - outcome.cycles);
     batch(cycles, found);
-    if (scaled_) boundary_.hold_still(assembly_);  // on the way to rest; real motion is left alone
+    if (scaled_) boundary_.remove_rigid_motion(assembly_);  // on the way to rest; real motion is left alone
     outcome.cycles += cycles;
     outcome.force_ratio = force_ratio();
     energies_.friction += take_work(bond_sums_);
@@ -436,16 +436,16 @@ void ExplicitSolver::evaluate() {
 }
 
 void ExplicitSolver::search_contacts(const CrackLog& cracks) {
-  if (loose_.search(assembly_, boundary_, cracks)) refresh_stiffness();
+  if (non_bonded_.search(assembly_, boundary_, cracks)) refresh_stiffness();
 }
 
-void ExplicitSolver::after_restore(double sigma_H, double sigma_h) {
+void ExplicitSolver::after_restore(double sigma_Hmax, double sigma_hmin) {
   // What stands on those discs was saved with them; a restored state is the one saved, to the last bit.
   saved_push_.clear();
   each_pushed_disc([&](auto i) {
     saved_push_.push_back({assembly_.external_x[i], assembly_.external_y[i]});
   });
-  boundary_.restore_load(assembly_, network_, sigma_H, sigma_h);
+  boundary_.restore_load(assembly_, network_, sigma_Hmax, sigma_hmin);
   auto saved = saved_push_.begin();
   each_pushed_disc([&](auto i) {
     assembly_.external_x[i] = saved->x;

@@ -21,8 +21,8 @@
 #include "solid/assembly.hpp"
 #include "solid/boundary.hpp"
 #include "solid/kernels.hpp"
-#include "solid/loose_contacts.hpp"
-#include "solid/sweep.hpp"
+#include "solid/non_bonded_contacts.hpp"
+#include "solid/temporal_blocking.hpp"
 #include "solid/tiles.hpp"
 
 namespace hfrac {
@@ -70,23 +70,25 @@ class ExplicitSolver {
   [[nodiscard]] const Energies& energies() const { return energies_; }
   Energies& energies() { return energies_; }
   [[nodiscard]] std::int64_t total_cycles() const { return total_cycles_; }
-  // Several cycles in one sweep over the model where nothing couples all of it in every cycle (sweep.hpp); the bits are the same.
+  // Several cycles in one pass over the model where nothing couples all of it in every cycle (temporal_blocking.hpp); the bits are the same.
   // Models that no cache holds do so of themselves. For tests and benchmarks: in this shape; 1 cycle: never.
-  void set_sweep(const SweepShape& shape);
+  void set_blocking(const BlockingShape& shape);
   void count_cycles(std::int64_t cycles) { total_cycles_ += cycles; }  // of another solver
   void stop_motion();
   // Looks for new contacts around cracks; call between steps.
   void search_contacts(const CrackLog& cracks);
-  [[nodiscard]] const LooseContacts& loose_contacts() const { return loose_; }
+  [[nodiscard]] const NonBondedContacts& non_bonded_contacts() const { return non_bonded_; }
 
   // Breaks one bond as it stands (quasi-static solver).
   void break_bond(std::int64_t bond, CrackLog& log);
   // The kept force of a contact that was never bonded (quasi-static solver) [N].
-  void keep_loose_force(std::size_t pair, double normal, double shear) { loose_.keep(pair, normal, shear); }
+  void keep_non_bonded_force(std::size_t pair, double normal, double shear) {
+    non_bonded_.keep(pair, normal, shear);
+  }
 
   // After the state was restored: loads follow from the far field [Pa] and domain 0, the stable step from all (forces are found
   // anew in every cycle).
-  void after_restore(double sigma_H, double sigma_h);
+  void after_restore(double sigma_Hmax, double sigma_hmin);
   template <class Archive>
   void visit_state(Archive& archive) {
     visit(archive, *this);
@@ -106,16 +108,16 @@ class ExplicitSolver {
     auto& e = s.energies_;
     for (auto* value : {&e.friction, &e.damping, &e.fluid, &e.fracture}) archive.value(*value);
     archive.value(s.total_cycles_);
-    s.loose_.visit_state(archive);
+    s.non_bonded_.visit_state(archive);
   }
 
   void batch(std::int64_t cycles, std::vector<CrackLog>& found);
   template <class Visit>
   void each_pushed_disc(const Visit& visit) const;
   void take_smooth_joints(std::int64_t cycle, CrackLog& found);
-  [[nodiscard]] bool may_sweep() const;
+  [[nodiscard]] bool may_block() const;
   void mark_left_alone();
-  void sweep(std::int64_t cycles, std::vector<CrackLog>& found);
+  void run_blocked(std::int64_t cycles, std::vector<CrackLog>& found);
   void take_cross_block(std::int64_t block, std::int64_t cycle, CrackLog& found);
   void take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, CrackLog& found);
   void break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, CrackLog& found);
@@ -130,7 +132,7 @@ class ExplicitSolver {
   Assembly& assembly_;
   Network& network_;
   Boundary& boundary_;
-  LooseContacts loose_;
+  NonBondedContacts non_bonded_;
   const Options& options_;
   Workers& workers_;
   const KernelTable& kernels_;
@@ -138,7 +140,7 @@ class ExplicitSolver {
   KernelArrays arrays_{};
   Array<double> inverse_mass_, inverse_inertia_;
   std::vector<Array<double>> scratch_;                             // one per worker
-  Sweep sweep_;                                                    // empty where the caches hold the model
+  TemporalBlocking blocking_;                                      // empty where the caches hold the model
   std::vector<std::atomic<std::int32_t>> tile_done_, block_done_;  // cycles of the batch
   std::atomic<std::int64_t> next_task_{0};
   std::vector<TileSums> bond_sums_, disc_sums_, domain_sums_;

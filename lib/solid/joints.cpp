@@ -39,7 +39,7 @@ void apply_joints(Assembly& a, const std::vector<JointOptions>& joints, const Op
     log.push_back(crack);
   }
   begin_smooth_joints(a, joints, joint_of, o);
-  combine_shares(a, o);
+  combine_factors(a, o);
 }
 
 }  // namespace hfrac

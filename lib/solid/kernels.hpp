@@ -5,8 +5,8 @@
 // then: displacements come in once, forces add up in the scratch memory of the tile and never see main memory, the
 // discs move.
 //
-//   cross_bonds, cross_domains   bonds and pores that touch two tiles: forces into the mail of their discs' tiles
-//   tile_forces                  mail, outside forces, then the tile's bonds and pores -> force on each of its discs
+//   cross_bonds, cross_domains   bonds and pores that touch two tiles: forces into the inter-tile force buffer of their discs' tiles
+//   tile_forces                  buffered forces, outside forces, then the tile's bonds and pores -> force on each of its discs
 //   tile_move                    those forces -> new velocities and displacements
 //
 // Each tile is one worker's at a time and adds up in a fixed order, so any number of workers gives the same bits. Sums
@@ -31,7 +31,7 @@ struct alignas(32) BondForce {
 };
 
 // A force on its way to a disc of another tile.
-struct alignas(32) Mail {
+struct alignas(32) BufferedForce {
   double fx, fy, moment;
   int64_t disc;
 };
@@ -43,7 +43,7 @@ struct TileSums {
 };
 
 struct Tile {
-  int64_t first_disc, last_disc, first_bond, last_bond, first_domain, last_domain, first_mail, last_mail;
+  int64_t first_disc, last_disc, first_bond, last_bond, first_domain, last_domain, first_slot, last_slot;
   int64_t first_block;  // of its bonds
   int64_t left_alone;   // 1: nothing outside pushes its discs, and external_* need not be looked at
 };
@@ -53,7 +53,8 @@ struct KernelArrays {
   double *ux, *uy, *rotation;  // m, m, rad
   double *vx, *vy, *spin;      // per unit of `step`
   const double *inverse_mass, *inverse_inertia;
-  const double *external_x, *external_y, *external_moment;  // N, N, N m: far field, walls, loose contacts
+  const double *external_x, *external_y,
+      *external_moment;  // N, N, N m: far field, walls, non-bonded contacts
   int64_t disc_count;
   // bonds: those inside tiles by tile, then those across
   const int32_t *first, *second;
@@ -62,9 +63,9 @@ struct KernelArrays {
   int64_t first_cross_geometry;  // block of the first bond across tiles
   const uint8_t* intact;         // 1, or 0 once broken
   double* slip;                  // m: shear displacement the contact has slid through
-  // by bond, all null where the rock is the same everywhere (bond_shares.hpp): thermal growth [m], shares of stiffness and
+  // by bond, all null where the rock is the same everywhere (bond_factors.hpp): thermal growth [m], factors of stiffness and
   // strengths, coefficient of friction
-  const double *growth, *stiffness_share, *tensile_share, *shear_share, *bond_friction;
+  const double *growth, *stiffness_factor, *tensile_factor, *shear_factor, *bond_friction;
   int64_t bond_count, first_cross_bond;
   // the discs around each domain: weight dV/du of eq. 10
   const int32_t *domain_corner_start, *domain_corner_disc;
@@ -77,11 +78,11 @@ struct KernelArrays {
   const Tile* tiles;
   int64_t tile_count;
   const int32_t* cross_domain;        // domains that touch two tiles, the outside first
-  const int32_t* cross_corner_start;  // their corners' places in corner_mail
+  const int32_t* cross_corner_start;  // their corners' places in corner_slot
   int64_t cross_domain_count;
-  const int32_t* bond_mail;    // two places per bond across tiles: first disc, second disc
-  const int32_t* corner_mail;  // place per corner of a cross domain; -1: pushes nobody
-  Mail* mail;
+  const int32_t* bond_slot;    // two places per bond across tiles: first disc, second disc
+  const int32_t* corner_slot;  // place per corner of a cross domain; -1: pushes nobody
+  BufferedForce* force_buffer;
   // constants
   double bond_normal, bond_shear;           // N/m: parallel bond stiffness times area
   double contact_normal, contact_shear;     // N/m

@@ -10,10 +10,10 @@
 //   bond           F_n = k_n g, F_s = k_s u_s, M = k_n (R^2 / 3) (theta_j - theta_i)     (eq. 16-20; I / A = R^2 / 3)
 //   contact        F_n = -k_n max(0, -g), F_s = k_s (u_s - slip), |F_s| <= mu F_n
 //   forces on i    F_n n + F_s (L0 / L) t, moments F_s a_i + M and F_s a_j - M: the exact gradient of the energy
-//   varied         g less what the discs grew, k and strengths times their shares, mu by bond (bond_shares.hpp)
+//   varied         g less what the discs grew, k and strengths times their factors, mu by bond (bond_factors.hpp)
 //   breakage       F_n + 3 beta |M| / R >= sigma_c A  or  |F_s| >= tau_c A                (eq. 21-23, tension positive)
 //
-// Bonds go through it 64 at a time: records of discs are picked up four or eight at once and transposed into arrays (a gather
+// Bonds go through it 64 at a time: records of discs are gathered four or eight at once and transposed into arrays (a gather
 // instruction costs several times as much), the law runs over the arrays in the widest vectors there are, and forces are
 // transposed back and added to their discs.
 #include "solid/kernels.hpp"
@@ -63,16 +63,16 @@ struct alignas(64) Chunk {
 };
 
 // The law, for bonds e to e + n - 1, whose geometry, in numbers of type Stored, begins with `block`. With `varied`, bonds differ
-// (bond_shares.hpp).
+// (bond_factors.hpp).
 template <bool varied, class Stored>
 __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, int64_t n,
                                              const Stored* __restrict block, Chunk& c) {
   const double* __restrict slip_ = a.slip + e;
   const uint8_t* __restrict intact_ = a.intact + e;
   const double* __restrict growth_ = varied ? a.growth + e : nullptr;
-  const double* __restrict stiffness_ = varied ? a.stiffness_share + e : nullptr;
-  const double* __restrict tensile_ = varied ? a.tensile_share + e : nullptr;
-  const double* __restrict shear_ = varied ? a.shear_share + e : nullptr;
+  const double* __restrict stiffness_ = varied ? a.stiffness_factor + e : nullptr;
+  const double* __restrict tensile_ = varied ? a.tensile_factor + e : nullptr;
+  const double* __restrict shear_ = varied ? a.shear_factor + e : nullptr;
   const double* __restrict friction_ = varied ? a.bond_friction + e : nullptr;
   const double bond_normal = a.bond_normal, bond_shear = a.bond_shear, contact_normal = a.contact_normal,
                contact_shear = a.contact_shear, friction = a.friction, bending_share = a.bending_share,
@@ -164,7 +164,7 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
 
 // The geometry of bond e is that of value `at` on.
 inline void bond_law(const KernelArrays& a, int64_t e, int64_t n, int64_t at, Chunk& c) {
-  const bool varied = a.tensile_share != nullptr;
+  const bool varied = a.tensile_factor != nullptr;
   if (a.geometry_single != nullptr) {
     if (varied) {
       bond_law_with<true>(a, e, n, a.geometry_single + at, c);
@@ -207,7 +207,7 @@ inline void to_records(const double* __restrict x, const double* __restrict y, c
 }
 
 // Motion of the discs of four bonds, from records (ux, uy, rotation, 0), to places `k` on of the chunk.
-inline void pick_up_four(const Quad* at, const int32_t* i, const int32_t* j, int64_t k, Chunk& c) {
+inline void gather_four(const Quad* at, const int32_t* i, const int32_t* j, int64_t k, Chunk& c) {
   Quad i0 = at[i[0]], i1 = at[i[1]], i2 = at[i[2]], i3 = at[i[3]];
   Quad d0 = at[j[0]] - i0, d1 = at[j[1]] - i1, d2 = at[j[2]] - i2, d3 = at[j[3]] - i3;
   transpose(d0, d1, d2, d3);
@@ -227,7 +227,7 @@ inline Oct side_by_side(const Quad& a, const Quad& b) {
 }
 
 // Eight at once take half the shuffles of twice four.
-inline void pick_up_eight(const Quad* at, const int32_t* i, const int32_t* j, int64_t k, Chunk& c) {
+inline void gather_eight(const Quad* at, const int32_t* i, const int32_t* j, int64_t k, Chunk& c) {
   const Oct i02 = side_by_side(at[i[0]], at[i[2]]), i13 = side_by_side(at[i[1]], at[i[3]]),
             i46 = side_by_side(at[i[4]], at[i[6]]), i57 = side_by_side(at[i[5]], at[i[7]]);
   const Oct d02 = side_by_side(at[j[0]], at[j[2]]) - i02, d13 = side_by_side(at[j[1]], at[j[3]]) - i13,
@@ -245,18 +245,18 @@ inline void pick_up_eight(const Quad* at, const int32_t* i, const int32_t* j, in
       __builtin_shufflevector(theta0, theta4, 2, 3, 6, 7, 10, 11, 14, 15);
 }
 #else
-inline void pick_up_eight(const Quad* at, const int32_t* i, const int32_t* j, int64_t k, Chunk& c) {
-  pick_up_four(at, i, j, k, c);
-  pick_up_four(at, i + 4, j + 4, k + 4, c);
+inline void gather_eight(const Quad* at, const int32_t* i, const int32_t* j, int64_t k, Chunk& c) {
+  gather_four(at, i, j, k, c);
+  gather_four(at, i + 4, j + 4, k + 4, c);
 }
 #endif
 
 // Motion of the discs of n bonds. Records are counted from disc `base` on.
-inline void pick_up(const int32_t* first, const int32_t* second, int64_t base, const Quad* records, int64_t n,
-                    Chunk& c) {
+inline void gather(const int32_t* first, const int32_t* second, int64_t base, const Quad* records, int64_t n,
+                   Chunk& c) {
   const Quad* at = records - base;
   int64_t k = 0;
-  for (; k + 8 <= n; k += 8) pick_up_eight(at, first + k, second + k, k, c);
+  for (; k + 8 <= n; k += 8) gather_eight(at, first + k, second + k, k, c);
   for (; k < n; k += 4) {
     // The last may be fewer than four: the last bond stands in for those missing.
     int32_t i[4], j[4];
@@ -265,13 +265,13 @@ inline void pick_up(const int32_t* first, const int32_t* second, int64_t base, c
       i[q] = first[bond];
       j[q] = second[bond];
     }
-    pick_up_four(at, i, j, k, c);
+    gather_four(at, i, j, k, c);
   }
 }
 
 // Adds the chunk's forces to the records (fx, fy, moment, -) of their discs.
-inline void put_down(const int32_t* first, const int32_t* second, int64_t base, Quad* records, int64_t n,
-                     const Chunk& c) {
+inline void scatter(const int32_t* first, const int32_t* second, int64_t base, Quad* records, int64_t n,
+                    const Chunk& c) {
   Quad* at = records - base;
   const auto records_of = [&](int64_t k, Quad* f) {
     f[0] = *reinterpret_cast<const Quad*>(c.fx + k);
@@ -320,7 +320,7 @@ void keep_slip(const KernelArrays& a, int64_t e, int64_t n, const Chunk& c) {
 }
 
 // Pressure of a domain whose volume has changed by `change`; adds the work it did on the way.
-inline double answer(const KernelArrays& a, int64_t d, double change, double& work) {
+inline double undrained_pressure(const KernelArrays& a, int64_t d, double change, double& work) {
   const double before = a.pressure[d];
   double p = before;
   if (a.stiffness[d] > 0.0) {
@@ -344,7 +344,7 @@ double tile_domains(const KernelArrays& a, const Tile& t, const Quad* motion, Qu
         const Quad& u = motion[a.domain_corner_disc[k] - t.first_disc];
         change += a.domain_corner_weight[2 * k] * u[0] + a.domain_corner_weight[2 * k + 1] * u[1];
       }
-      p = answer(a, d, change, work);
+      p = undrained_pressure(a, d, change, work);
     }
     for (int32_t k = begin; k < end; ++k) {
       const Quad push = {p * a.domain_corner_weight[2 * k], p * a.domain_corner_weight[2 * k + 1], 0.0, 0.0};
@@ -382,27 +382,27 @@ void tile_forces(const KernelArrays& a, int64_t tile, double* scratch) {
     to_records(a.external_x + t.first_disc, a.external_y + t.first_disc, a.external_moment + t.first_disc,
                discs, force);
   }
-  for (int64_t m = t.first_mail; m < t.last_mail; ++m) {
-    const Mail& mail = a.mail[m];
-    force[mail.disc - t.first_disc] += Quad{mail.fx, mail.fy, mail.moment, 0.0};
+  for (int64_t m = t.first_slot; m < t.last_slot; ++m) {
+    const BufferedForce& entry = a.force_buffer[m];
+    force[entry.disc - t.first_disc] += Quad{entry.fx, entry.fy, entry.moment, 0.0};
   }
   Chunk c;
   BondSums sums;
   for (int64_t e = t.first_bond; e < t.last_bond; e += chunk) {
     const int64_t n = e + chunk < t.last_bond ? chunk : t.last_bond - e;
     fetch_bonds(a, e + chunk);
-    pick_up(a.first + e, a.second + e, t.first_disc, motion, n, c);
+    gather(a.first + e, a.second + e, t.first_disc, motion, n, c);
     bond_law(a, e, n, geometry_at(t.first_block, e - t.first_bond), c);
     keep_slip(a, e, n, c);
     sums.add(c, n);
-    put_down(a.first + e, a.second + e, t.first_disc, force, n, c);
+    scatter(a.first + e, a.second + e, t.first_disc, force, n, c);
   }
   sums.put(a.bond_sums[tile]);
   if (a.with_pressure != 0) a.domain_sums[tile].work += tile_domains(a, t, motion, force);
 }
 
 // The same from the arrays of all discs, for bonds that know no tile.
-void pick_up_anywhere(const KernelArrays& a, int64_t e, int64_t n, Chunk& c) {
+void gather_anywhere(const KernelArrays& a, int64_t e, int64_t n, Chunk& c) {
   for (int64_t k = 0; k < n; ++k) {
     const int32_t i = a.first[e + k], j = a.second[e + k];
     c.dux[k] = a.ux[j] - a.ux[i];
@@ -419,14 +419,14 @@ void cross_bonds(const KernelArrays& a, int64_t block) {
   BondSums sums;
   for (int64_t e = begin; e < end; e += chunk) {
     const int64_t n = e + chunk < end ? chunk : end - e;
-    pick_up_anywhere(a, e, n, c);
+    gather_anywhere(a, e, n, c);
     bond_law(a, e, n, geometry_at(a.first_cross_geometry, e - a.first_cross_bond), c);
     keep_slip(a, e, n, c);
     sums.add(c, n);
-    const int32_t* place = a.bond_mail + 2 * (e - a.first_cross_bond);
+    const int32_t* place = a.bond_slot + 2 * (e - a.first_cross_bond);
     for (int64_t k = 0; k < n; ++k) {
-      Mail& to_i = a.mail[place[2 * k]];
-      Mail& to_j = a.mail[place[2 * k + 1]];
+      BufferedForce& to_i = a.force_buffer[place[2 * k]];
+      BufferedForce& to_j = a.force_buffer[place[2 * k + 1]];
       to_i.fx = c.fx[k];
       to_i.fy = c.fy[k];
       to_i.moment = c.moment_i[k];
@@ -452,12 +452,12 @@ void cross_domains(const KernelArrays& a, int64_t block) {
         const int32_t disc = a.domain_corner_disc[k];
         change += a.domain_corner_weight[2 * k] * a.ux[disc] + a.domain_corner_weight[2 * k + 1] * a.uy[disc];
       }
-      p = answer(a, d, change, work);
+      p = undrained_pressure(a, d, change, work);
     }
-    const int32_t* place = a.corner_mail + a.cross_corner_start[q];
+    const int32_t* place = a.corner_slot + a.cross_corner_start[q];
     for (int32_t k = first; k < last; ++k) {
       if (place[k - first] < 0) continue;
-      Mail& to = a.mail[place[k - first]];
+      BufferedForce& to = a.force_buffer[place[k - first]];
       to.fx = p * a.domain_corner_weight[2 * k];
       to.fy = p * a.domain_corner_weight[2 * k + 1];
     }
@@ -513,7 +513,7 @@ void forces_of_part(const KernelArrays& a, int64_t first, int64_t last, int64_t 
   Chunk c;
   for (int64_t e = first; e < last; e += chunk) {
     const int64_t n = e + chunk < last ? chunk : last - e;
-    pick_up_anywhere(a, e, n, c);
+    gather_anywhere(a, e, n, c);
     bond_law(a, e, n, geometry_at(first_block, e - first), c);
     for (int64_t k = 0; k < n; ++k)
       to[e + k] = BondForce{c.fx[k], c.fy[k], c.moment_i[k], -c.minus_moment_j[k]};

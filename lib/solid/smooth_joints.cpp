@@ -106,7 +106,7 @@ struct Motion {
 };
 Motion motion_of(const Assembly& a, const SmoothContact& c) {
   const auto i = a.first[c.bond], j = a.second[c.bond];
-  const double share = a.shares.growth_of(c.bond) / a.length(c.bond);
+  const double share = a.factors.growth_of(c.bond) / a.length(c.bond);
   const Vec2 between{a.ux[j] - a.ux[i] - share * a.dx(c.bond), a.uy[j] - a.uy[i] - share * a.dy(c.bond)};
   return {dot(between, c.normal) + c.opens_by_first * a.rotation[i] + c.opens_by_second * a.rotation[j],
           dot(between, turned(c.normal)) + c.slides_by_first * a.rotation[i] +
@@ -189,12 +189,12 @@ double smooth_opening(const Assembly& a, const SmoothContact& contact) {
   return motion_of(a, contact).opening;
 }
 
-SmoothAnswer answer(const Assembly& a, const Options& o, const SmoothContact& c) {
+SmoothResponse smooth_response(const Assembly& a, const Options& o, const SmoothContact& c) {
   const auto i = a.first[c.bond], j = a.second[c.bond];
   const Motion m = motion_of(a, c);
   const double share = a.thermal.pair_stiffness(i, j) * c.area, kn = a.smooth.normal_stiffness * share,
                ks = a.smooth.shear_stiffness * share;
-  SmoothAnswer r{m.opening, m.slide, 0.0, 0.0, c.slip, 0.0, 0.0, 0.0};
+  SmoothResponse r{m.opening, m.slide, 0.0, 0.0, c.slip, 0.0, 0.0, 0.0};
   if (c.holds) {
     r.normal = kn * m.opening;
     r.shear = ks * m.slide;
@@ -203,7 +203,7 @@ SmoothAnswer answer(const Assembly& a, const Options& o, const SmoothContact& c)
     return r;
   }
   const double squeeze = kn * std::max(0.0, -m.opening),
-               friction = a.shares.friction_of(c.bond, o.contact_friction);
+               friction = a.factors.friction_of(c.bond, o.contact_friction);
   const double limit = friction * squeeze, trial = ks * (m.slide - r.slipped);
   r.normal = -squeeze;
   if (m.opening < 0.0) r.normal_stiffness = kn;
@@ -218,7 +218,7 @@ SmoothAnswer answer(const Assembly& a, const Options& o, const SmoothContact& c)
 }
 
 BondView view_smooth(const Assembly& a, const Options& o, const SmoothContact& c) {
-  const SmoothAnswer r = answer(a, o, c);
+  const SmoothResponse r = smooth_response(a, o, c);
   const auto i = a.first[c.bond], j = a.second[c.bond];
   const double share = a.thermal.pair_stiffness(i, j) * c.area, kn = a.smooth.normal_stiffness * share,
                ks = a.smooth.shear_stiffness * share;
@@ -240,9 +240,9 @@ BondView view_smooth(const Assembly& a, const Options& o, const SmoothContact& c
   v.bond_normal = r.normal;
   v.bond_shear = r.shear;
   v.bond_energy = energy;
-  const double tensile = 0.5 * a.tensile_per_radius * a.shares.tensile_of(c.bond) * c.area,
-               shearing = 0.5 * a.shear_per_radius * a.shares.shear_of(c.bond) * c.area +
-                          a.shares.friction_of(c.bond, o.contact_friction) * std::max(0.0, -r.normal);
+  const double tensile = 0.5 * a.tensile_per_radius * a.factors.tensile_of(c.bond) * c.area,
+               shearing = 0.5 * a.shear_per_radius * a.factors.shear_of(c.bond) * c.area +
+                          a.factors.friction_of(c.bond, o.contact_friction) * std::max(0.0, -r.normal);
   v.tensile_excess = tensile > 0.0 ? r.normal / tensile : (r.normal >= 0.0 ? 1.0 : 0.0);
   v.shear_excess = shearing > 0.0 ? std::abs(r.shear) / shearing : 1.0;
   return v;
@@ -273,7 +273,7 @@ void release_smooth(Assembly& a, const Boundary& boundary) {
 }
 
 void add_smooth_force(Assembly& a, const Options& o, SmoothContact& c, double& friction) {
-  const SmoothAnswer r = answer(a, o, c);
+  const SmoothResponse r = smooth_response(a, o, c);
   friction += std::abs(r.shear * (r.slipped - c.slip));
   c.slip = r.slipped;
   const auto i = a.first[c.bond], j = a.second[c.bond];
@@ -290,7 +290,7 @@ void add_smooth_force(Assembly& a, const Options& o, SmoothContact& c, double& f
 
 void keep_smooth_slips(Assembly& a, const Options& o, double& friction) {
   for (auto& contact : a.smooth.contacts) {
-    const SmoothAnswer r = answer(a, o, contact);
+    const SmoothResponse r = smooth_response(a, o, contact);
     friction += std::abs(r.shear * (r.slipped - contact.slip));
     contact.slip = r.slipped;
   }

@@ -15,8 +15,8 @@
 // Both discs see the joint as it was at bonding: planes do not turn with the rock, and the pairs across it stay the ones of the
 // set-up. Slides up to a mean radius are within that (farthest_slide, Simulation refuses more).
 //
-// In the step loop the bonds of smooth joints have no stiffness of their own (bond_shares.cpp); their forces come from a pass over
-// this short list by one worker, like those of loose contacts.
+// In the step loop the bonds of smooth joints have no stiffness of their own (bond_factors.cpp); their forces come from a pass over
+// this short list by one worker, like those of non-bonded contacts.
 #pragma once
 
 #include <cstdint>
@@ -46,7 +46,7 @@ struct SmoothContact {
 };
 
 // What a contact answers to the displacements as they stand.
-struct SmoothAnswer {
+struct SmoothResponse {
   double opening, slide;                     // m
   double normal, shear;                      // N; tension positive
   double slipped;                            // m, slip after it
@@ -87,7 +87,8 @@ void begin_smooth_joints(Assembly& assembly, const std::vector<JointOptions>& jo
                          const std::vector<std::int32_t>& joint_of, const Options& options);
 
 double smooth_opening(const Assembly& assembly, const SmoothContact& contact);  // m, U_n
-SmoothAnswer answer(const Assembly& assembly, const Options& options, const SmoothContact& contact);
+SmoothResponse smooth_response(const Assembly& assembly, const Options& options,
+                               const SmoothContact& contact);
 BondView view_smooth(const Assembly& assembly, const Options& options, const SmoothContact& contact);
 // Farthest slide of a contact [m], and which (nullptr: there are none).
 const SmoothContact* farthest_slide(const Assembly& assembly, double& slide);

@@ -23,7 +23,7 @@ void stiffness_rows(const Assembly& a, const Network& n, const Options& o, std::
   const double stiffest_s = parallel ? o.bond_shear_stiffness + o.contact_shear_stiffness
                                      : std::max(o.bond_shear_stiffness, o.contact_shear_stiffness);
   for (std::size_t e = 0; e < a.first.size(); ++e) {
-    const double share = a.shares.stiffness_of(static_cast<std::int64_t>(e)), kn = stiffest_n * share,
+    const double share = a.factors.stiffness_of(static_cast<std::int64_t>(e)), kn = stiffest_n * share,
                  ks = stiffest_s * share;
     const double nx = a.dx(e) / a.length(e), ny = a.dy(e) / a.length(e);
     const double xx = kn * nx * nx + ks * ny * ny, yy = kn * ny * ny + ks * nx * nx,

@@ -51,7 +51,7 @@ TilePlan plan_tiles(const Assembly& a, const Network& n, bool fluid, bool outsid
   }
   for (; fluid && d < domains; ++d) plan.cross_domain.push_back(static_cast<std::int32_t>(d));
 
-  // A place in the mail for either end of a bond and every corner of a domain, in the order of discs.
+  // A place in the inter-tile force buffer for either end of a bond and every corner of a domain, in the order of discs.
   const auto pushes = [&](std::int32_t domain) { return domain != 0 || outside_pushes; };
   std::vector<std::int32_t> place(static_cast<std::size_t>(discs) + 1, 0);
   for (auto e = plan.first_cross_bond; e < bonds; ++e) {
@@ -69,24 +69,24 @@ TilePlan plan_tiles(const Assembly& a, const Network& n, bool fluid, bool outsid
   }
   for (std::int64_t i = 0; i < discs; ++i) place[i + 1] += place[i];
   for (auto& tile : plan.tiles) {
-    tile.first_mail = place[tile.first_disc];
-    tile.last_mail = place[tile.last_disc];
+    tile.first_slot = place[tile.first_disc];
+    tile.last_slot = place[tile.last_disc];
   }
-  plan.mail.assign(static_cast<std::size_t>(place[discs]), Mail{0.0, 0.0, 0.0, 0});
+  plan.force_buffer.assign(static_cast<std::size_t>(place[discs]), BufferedForce{0.0, 0.0, 0.0, 0});
   const auto take_place = [&](std::int32_t disc) {
     const auto at = place[disc]++;
-    plan.mail[at].disc = disc;
+    plan.force_buffer[at].disc = disc;
     return at;
   };
-  plan.bond_mail.reserve(2 * static_cast<std::size_t>(bonds - plan.first_cross_bond));
+  plan.bond_slot.reserve(2 * static_cast<std::size_t>(bonds - plan.first_cross_bond));
   for (auto e = plan.first_cross_bond; e < bonds; ++e) {
-    plan.bond_mail.push_back(take_place(a.first[e]));
-    plan.bond_mail.push_back(take_place(a.second[e]));
+    plan.bond_slot.push_back(take_place(a.first[e]));
+    plan.bond_slot.push_back(take_place(a.second[e]));
   }
-  plan.corner_mail.reserve(static_cast<std::size_t>(corners));
+  plan.corner_slot.reserve(static_cast<std::size_t>(corners));
   for (const auto domain : plan.cross_domain) {
     for (auto k = n.corner_start[domain]; k < n.corner_start[domain + 1]; ++k)
-      plan.corner_mail.push_back(pushes(domain) ? take_place(n.corner_disc[k]) : -1);
+      plan.corner_slot.push_back(pushes(domain) ? take_place(n.corner_disc[k]) : -1);
   }
   const auto blocks = [](std::int64_t items) { return (items + cross_block - 1) / cross_block; };
   plan.bond_blocks = blocks(bonds - plan.first_cross_bond);

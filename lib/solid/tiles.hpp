@@ -5,8 +5,8 @@
 // numbered so that those inside a patch follow each other, tile by tile, and those across patches, some tenths of all, come
 // last (tile_bonds, build_faces). A cycle has two phases with a barrier after each:
 //
-//   1  bonds and pores across tiles, in blocks: their forces go into the mail of the tiles they touch
-//   2  tile after tile: displacements in, mail, bonds and pores inside, forces add up in the cache, discs move
+//   1  bonds and pores across tiles, in blocks: their forces go into the inter-tile force buffer of the tiles they touch
+//   2  tile after tile: displacements in, buffered forces, bonds and pores inside, forces add up in the cache, discs move
 //
 // Inside phase 2 no tile looks at another one's discs, so tiles may go to any worker in any order. Every force a disc
 // gets is added in a fixed order: any number of workers gives the same bits. Forces of bonds never go to memory.
@@ -26,8 +26,8 @@ namespace hfrac {
 struct TilePlan {
   std::vector<Tile> tiles;
   std::vector<std::int32_t> cross_domain, cross_corner_start;
-  std::vector<std::int32_t> bond_mail, corner_mail;  // places in `mail`
-  Array<Mail> mail;                                  // by tile, in each by disc
+  std::vector<std::int32_t> bond_slot, corner_slot;  // places in `force_buffer`
+  Array<BufferedForce> force_buffer;                 // by tile, in each by disc
   std::int64_t first_cross_bond = 0, bond_blocks = 0, domain_blocks = 0;
 };
 

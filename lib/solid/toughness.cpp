@@ -42,7 +42,7 @@ void apply_fracture_toughness(Assembly& a, const Options& o) {
   a.strength_scale.resize(a.first.size());
   for (std::size_t e = 0; e < a.first.size(); ++e)
     a.strength_scale[e] = std::sqrt(a.mean_radius / (0.5 * (around[a.first[e]] + around[a.second[e]])));
-  combine_shares(a, o);
+  combine_factors(a, o);
 }
 
 }  // namespace hfrac

@@ -20,7 +20,7 @@ hfrac_sim* sim_of(std::int64_t discs) {
   def.packing_disc_count = discs;
   def.packing_residual = 1e-2;
   def.stepping_force_ratio = 1e-2;
-  def.stress_sigma_H = def.stress_sigma_h = 30e6;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = 30e6;
   hfrac_sim_create(&def, &sim);
   return sim;
 }

@@ -56,13 +56,13 @@ void measure(std::int64_t count, bool coupled, int steps, int workers) {
   const double empty = peak_bytes();
   CaseDefinition definition;
   Options& o = definition.options;
-  o.model_reading = static_cast<std::int64_t>(Reading::paper);
+  o.stress_convention = static_cast<std::int64_t>(StressConvention::effective);
   o.boundary_kind = static_cast<std::int64_t>(BoundaryKind::walls);
   o.stepping_mode = static_cast<std::int64_t>(SteppingMode::dynamic);
   o.stepping_flow_step = 1e-3;
   o.packing_disc_count = count;
   o.packing_method = static_cast<std::int64_t>(PackingMethod::tiled);
-  o.stress_sigma_H = o.stress_sigma_h = 0.0;
+  o.stress_sigma_Hmax = o.stress_sigma_hmin = 0.0;
   o.run_workers = workers;
   if (!coupled) o.flow_scheme = static_cast<std::int64_t>(FlowScheme::off);
   definition.wells.push_back({50.0, 50.0, 8.5, 45e6, 0.0, 0.0, WellControl::pressure});

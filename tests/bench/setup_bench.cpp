@@ -87,7 +87,7 @@ void build(std::int64_t count, PackingMethod method) {
   Boundary boundary(assembly, network, o);
   Workers workers(1);
   ExplicitSolver solver(assembly, network, boundary, o, workers);
-  stages.done("boundary, solver, sweeps");
+  stages.done("boundary, solver, temporal blocking");
   for (std::int64_t d = 1; d < network.domain_count(); ++d)
     network.stiffness[d] = d == well ? 0.0 : o.fluid_bulk_modulus / network.volume[d];
   const WellOptions hole{50.0, 50.0, 8.5, 0.0, 0.0, 0.0, WellControl::pressure};

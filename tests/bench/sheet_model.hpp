@@ -44,7 +44,7 @@ inline Options sheet_options(ContactMode mode, GeometryStorage storage = Geometr
   options.bond_geometry_storage = static_cast<std::int64_t>(storage);
   options.bond_tensile_strength = options.bond_shear_strength = 1e9;
   options.stepping_damping = 0.4;
-  options.stress_sigma_H = options.stress_sigma_h = 0.0;
+  options.stress_sigma_Hmax = options.stress_sigma_hmin = 0.0;
   return options;
 }
 

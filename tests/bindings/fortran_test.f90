@@ -387,8 +387,8 @@ contains
     character(200) :: message
     call def%load(case_file)
     call def%set('boundary.kind', 'stress')
-    call def%set('stress.sigma_H', 10e6_real64)
-    call def%set('stress.sigma_h', 10e6_real64)
+    call def%set('stress.sigma_Hmax', 10e6_real64)
+    call def%set('stress.sigma_hmin', 10e6_real64)
     call def%set('stepping.force_ratio', 1e-2_real64)
     call sim%create(def)
     call sim%step(2)
@@ -441,13 +441,13 @@ contains
     call straight%step(2)
     call expect(straight%state_hash() /= start, 'another far field')
     call straight%set_far_field(10e6_real64, 20e6_real64, stat)
-    call expect(stat == HFRAC_ERR_ARGUMENT, 'sigma_h above sigma_H')
+    call expect(stat == HFRAC_ERR_ARGUMENT, 'sigma_hmin above sigma_Hmax')
   end subroutine going_back
 
   subroutine warm()
     type(hfrac_definition) :: def
     type(hfrac_simulation) :: sim
-    type(hfrac_heat) :: books
+    type(hfrac_heat) :: balance
     real(real64), allocatable :: discs(:), cells(:, :)
     logical, allocatable :: held(:)
     integer :: stat
@@ -472,8 +472,8 @@ contains
     call expect(sim%well_temperature(0) == 300.0_real64, 'the well is as cold as told')
     call sim%cell_temperature(cells)
     call expect(all(shape(cells) == [2, 1]) .and. cells(1, 1) < cells(2, 1), 'cells keep their order')
-    books = sim%heat()
-    call expect(books%wells < 0.0_real64 .and. abs(books%error) < 1e-6_real64*abs(books%host), 'the books of heat close')
+    balance = sim%heat()
+    call expect(balance%wells < 0.0_real64 .and. abs(balance%error) < 1e-6_real64*abs(balance%host), 'the heat balance closes')
   end subroutine warm
 
   subroutine exchange()
@@ -487,8 +487,8 @@ contains
     character(200) :: message
     call def%load(case_file)
     call def%set('boundary.kind', 'stress')
-    call def%set('stress.sigma_H', 10e6_real64)
-    call def%set('stress.sigma_h', 10e6_real64)
+    call def%set('stress.sigma_Hmax', 10e6_real64)
+    call def%set('stress.sigma_hmin', 10e6_real64)
     call def%set('stepping.force_ratio', 1e-2_real64)
     call sim%create(def)
     call sim%step(2)
@@ -517,11 +517,11 @@ contains
     balance = sim%balance()
     call sim%set_cell_pressure(pressure, added)
     call expect(all(shape(added) == [3, 2]) .and. all(added(:, 2) > 0.0_real64), 'the upper row gives fluid')
-    call expect(abs(balance%host_volume + sum(added) - host_volume(sim)) < 1e-12_real64, 'its sum is booked')
-    call sim%set_rim_pressure(pressure)
-    call sim%set_rim_pressure(stat=stat)
-    call expect(stat == 0, 'rim pressure taken back')
-    call sim%set_rim_pressure(pressure)
+    call expect(abs(balance%host_volume + sum(added) - host_volume(sim)) < 1e-12_real64, 'its sum is accounted for')
+    call sim%set_boundary_pressure(pressure)
+    call sim%set_boundary_pressure(stat=stat)
+    call expect(stat == 0, 'boundary pressure taken back')
+    call sim%set_boundary_pressure(pressure)
     stress = 0.0_real64
     stress(1, :, :) = 1e6_real64
     call sim%set_cell_stress(stress)

@@ -66,11 +66,11 @@ static void define(hfrac_sim_def* def) {
   int32_t needed = 0, count = 0;
   good(hfrac_sim_def_init(def, (int32_t)sizeof *def), NULL, "def_init");
   list_options(def);
-  def->stress_sigma_H = 0.0;
+  def->stress_sigma_Hmax = 0.0;
   def->packing_residual = 1e-3;
-  good(hfrac_sim_def_set_f64(def, "stress.sigma_h", 0.0), NULL, "set_f64");
+  good(hfrac_sim_def_set_f64(def, "stress.sigma_hmin", 0.0), NULL, "set_f64");
   good(hfrac_sim_def_set_i64(def, "packing.disc_count", 500), NULL, "set_i64");
-  good(hfrac_sim_def_set_str(def, "model.reading", "paper"), NULL, "set_str");
+  good(hfrac_sim_def_set_str(def, "stress.convention", "effective"), NULL, "set_str");
   good(hfrac_sim_def_set_str(def, "boundary.kind", "walls"), NULL, "set_str");
   good(hfrac_sim_def_set_str(def, "title", "from C"), NULL, "set_str");
   def->well_count = 1;
@@ -344,8 +344,8 @@ static void exchange(hfrac_sim* sim) {
   balance.struct_size = (int32_t)sizeof balance;
   good(hfrac_get_balance(sim, &balance), sim, "get_balance");
   check(fabs(balance.host_volume - (added[0] + added[1] + added[2] + added[3])) < 1e-12,
-        "the host's fluid is booked");
-  good(hfrac_set_rim_pressure(sim, pressure, 4), sim, "set_rim_pressure");
+        "the host's fluid is accounted for");
+  good(hfrac_set_boundary_pressure(sim, pressure, 4), sim, "set_boundary_pressure");
   expect(hfrac_set_cell_stress(sim, stress, 12), HFRAC_ERR_ARGUMENT, sim, "stress on walls");
   good(hfrac_write_grdecl(sim, path, HFRAC_UPSCALE_ODA, HFRAC_GRDECL_PERM, 1, 0.0, 0.0), sim, "write_grdecl");
   check(remove(path) == 0, "the file is there");
@@ -422,7 +422,7 @@ static void warm(hfrac_sim_def* def) {
   heat.struct_size = (int32_t)sizeof heat;
   good(hfrac_get_heat(sim, &heat), sim, "get_heat");
   check(heat.mode == 2 && heat.wells < 0.0 && fabs(heat.error) < 1e-6 * fabs(heat.host),
-        "the books of heat close");
+        "the heat balance closes");
   free(discs);
   free(held);
   good(hfrac_sim_destroy(&sim), NULL, "destroy");

@@ -14,7 +14,7 @@ TEST(CaseFile, SetsWhatItNamesAndLeavesTheRest) {
   const TemporaryFolder folder;
   const std::string path = folder.write(
       "title = \"two wells\"\n"
-      "[model]\nwidth = 60   # an integer will do\nreading = \"paper\"\n"
+      "[model]\nwidth = 60   # an integer will do\n[stress]\nconvention = \"effective\"\n"
       "[bond]\ntensile_strength = 30e6\n"
       "[packing]\ndisc_count = 2_000\n"
       "[[well]]\nradius = 3.0\npressure = 45e6\nx = 20.0\n"
@@ -24,7 +24,7 @@ TEST(CaseFile, SetsWhatItNamesAndLeavesTheRest) {
   ASSERT_EQ(hfrac_sim_def_load(&def, path.c_str()), HFRAC_OK) << last_error();
   EXPECT_STREQ(def.title, "two wells");
   EXPECT_EQ(def.model_width, 60.0);
-  EXPECT_EQ(def.model_reading, 1);
+  EXPECT_EQ(def.stress_convention, 1);
   EXPECT_EQ(def.bond_tensile_strength, 30e6);
   EXPECT_EQ(def.packing_disc_count, 2000);
   EXPECT_EQ(def.disc_density, 2500.0);
@@ -71,7 +71,7 @@ TEST(CaseFile, WrittenDefinitionsReadBackBitForBit) {
   def.model_width = 100.0 / 3.0;
   def.flow_permeability = 5.5270000000000001e-15;
   def.packing_residual = 0.01 + 1e-17;
-  def.stress_sigma_h = 0x1.fffffffffffffp+24;
+  def.stress_sigma_hmin = 0x1.fffffffffffffp+24;
   def.model_seed = 9007199254740991;
   def.flow_scheme = 1;
   def.contact_mode = 1;

@@ -59,7 +59,7 @@ TEST_F(Catalogue, HoldsEveryCrackOnce) {
     EXPECT_EQ(event.index, static_cast<int64_t>(e));
     EXPECT_EQ(event.time, cracks[static_cast<std::size_t>(event.first_crack)].time);
     EXPECT_GT(event.moment, 0.0);
-    EXPECT_LE(std::abs(event.isotropic_share), 1.0);
+    EXPECT_LE(std::abs(event.isotropic_fraction), 1.0);
     const auto members = std::count(event_of.begin(), event_of.end(), event.index);
     EXPECT_EQ(event.crack_count, members);
     sum += event.crack_count;

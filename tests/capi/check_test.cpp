@@ -32,21 +32,21 @@ void second_well(hfrac_sim_def& def, double x) {
 
 const Contradiction contradictions[] = {
     {"StressesSwapped",
-     [](auto& d) { d.stress_sigma_h = 50e6; },
+     [](auto& d) { d.stress_sigma_hmin = 50e6; },
      HFRAC_ERR_MODEL,
-     {"stress.sigma_h = 5e7 Pa", "stress.sigma_H = 4e7 Pa", "swap"}},
+     {"stress.sigma_hmin = 5e7 Pa", "stress.sigma_Hmax = 4e7 Pa", "swap"}},
     {"EffectiveStressNegative",
      [](auto& d) { d.fluid_formation_pressure = 31e6; },
      HFRAC_ERR_MODEL,
-     {"stress.sigma_h = 3e7 Pa", "fluid.formation_pressure = 3.1e7 Pa", "paper"}},
+     {"stress.sigma_hmin = 3e7 Pa", "fluid.formation_pressure = 3.1e7 Pa", "effective"}},
     {"NotANumber",
      [](auto& d) { d.disc_density = std::nan(""); },
      HFRAC_ERR_ARGUMENT,
      {"disc.density = nan", "1 to 1e5 kg/m3"}},
     {"Infinite",
-     [](auto& d) { d.stress_sigma_H = HUGE_VAL; },
+     [](auto& d) { d.stress_sigma_Hmax = HUGE_VAL; },
      HFRAC_ERR_ARGUMENT,
-     {"stress.sigma_H = inf", "finite"}},
+     {"stress.sigma_Hmax = inf", "finite"}},
     {"OutOfRange",
      [](auto& d) { d.packing_porosity = 0.9; },
      HFRAC_ERR_ARGUMENT,
@@ -170,11 +170,11 @@ TEST(Check, AcceptsWhatCanBeBuilt) {
   EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_OK) << last_error();
 }
 
-TEST(Check, PapersReadingTakesEffectiveStresses) {
+TEST(Check, EffectiveConventionTakesEffectiveStresses) {
   hfrac_sim_def def = sound_def();
-  def.stress_sigma_H = def.stress_sigma_h = 0.0;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = 0.0;
   EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_ERR_MODEL);
-  def.model_reading = 1;
+  def.stress_convention = 1;
   EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_OK) << last_error();
 }
 

@@ -69,7 +69,7 @@ TEST_F(Cracks, AreNumberedInOrderOfBreakage) {
     setup += cracks[k].step == 0 ? 1 : 0;
   }
   EXPECT_EQ(tension, state.tensile_cracks);
-  EXPECT_EQ(setup, state.setup_cracks);
+  EXPECT_EQ(setup, state.equilibration_cracks);
   EXPECT_GT(state.shear_cracks, 0);
 }
 
@@ -237,7 +237,7 @@ TEST_F(Cracks, MakeUpFractures) {
     EXPECT_GT(f.length, 0.0);
     EXPECT_GE(f.extent, longest * (1.0 - 1e-12));
     EXPECT_LE(std::abs(f.azimuth), 0.5 * std::numbers::pi);
-    EXPECT_GE(f.arms, 1);
+    EXPECT_GE(f.wings, 1);
     EXPECT_EQ(f.well, connected ? 0 : -1);
     EXPECT_EQ(f.reach > 0.0, connected);
     EXPECT_TRUE(std::isfinite(f.mean_pressure));

@@ -258,7 +258,7 @@ TEST(FieldStart, NothingHasMovedAtFirst) {
 
 TEST(FieldStart, ContactsCarryTheFarFieldLessThePressure) {
   hfrac_sim_def def = quiet_def(1000);
-  def.stress_sigma_H = 40e6;
+  def.stress_sigma_Hmax = 40e6;
   const Sim sim(def);
   const auto stress = doubles(sim, HFRAC_DISC_STRESS);
   const auto position = doubles(sim, HFRAC_DISC_POSITION);
@@ -374,18 +374,18 @@ TEST_F(Fields, OneDomainIsOutsideAndOnePerWellIsAWell) {
             static_cast<int64_t>(domain));
 }
 
-// A fracture that opens faster than it fills has a tip without fluid: the front is where domain.filled falls below one.
-TEST(FieldFilled, PoresAheadOfTheFluidHaveRoomLeft) {
+// A fracture that opens faster than it fills has a tip without fluid: the front is where domain.saturation falls below one.
+TEST(FieldSaturation, PoresAheadOfTheFluidHaveRoomLeft) {
   hfrac_sim_def def = cracking_def();
-  def.model_reading = 0;  // sound: the floor is no pressure at all
-  def.stress_sigma_H = def.stress_sigma_h = 20e6;
+  def.stress_convention = 0;  // total: the floor is no pressure at all
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = 20e6;
   def.fluid_formation_pressure = 1e5;
   def.wells[0].pressure = 80e6;
   const Sim sim(def);
-  for (const double share : doubles(sim, HFRAC_DOMAIN_FILLED)) EXPECT_EQ(share, 1.0);
+  for (const double share : doubles(sim, HFRAC_DOMAIN_SATURATION)) EXPECT_EQ(share, 1.0);
   ASSERT_GE(hfrac_step(sim, 3), 0) << last_error(sim);
   ASSERT_GT(state_of(sim).crack_count, 0);
-  const auto filled = doubles(sim, HFRAC_DOMAIN_FILLED), pressure = doubles(sim, HFRAC_DOMAIN_PRESSURE);
+  const auto filled = doubles(sim, HFRAC_DOMAIN_SATURATION), pressure = doubles(sim, HFRAC_DOMAIN_PRESSURE);
   ASSERT_EQ(filled.size(), pressure.size());
   int partly = 0;
   for (std::size_t d = 0; d < filled.size(); ++d) {
@@ -398,7 +398,7 @@ TEST(FieldFilled, PoresAheadOfTheFluidHaveRoomLeft) {
   EXPECT_GT(partly, 0);
 }
 
-TEST(FieldFlow, WhatLeavesThroughPipesIsWhatTheBooksSay) {
+TEST(FieldFlow, WhatLeavesThroughPipesIsWhatTheBalanceSays) {
   hfrac_sim_def def = quiet_def();
   def.stepping_flow_step = 1e6;  // long enough to reach the boundary
   const Sim sim(def);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A host's grid: what its cells read, what they put in, and that the books stay right.
+// A host's grid: what its cells read, what they put in, and that the balance stays right.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -133,7 +133,7 @@ TEST(Grid, OutflowIsWhatLeaks) {
   EXPECT_NE(balance_of(sim).leaked_volume, 0.0);
 }
 
-TEST(Grid, RimPressureDrivesFlow) {
+TEST(Grid, BoundaryPressureDrivesFlow) {
   for (const int32_t scheme : {0, 1}) {
     hfrac_sim_def def = quiet_def();
     def.flow_scheme = scheme;
@@ -146,14 +146,14 @@ TEST(Grid, RimPressureDrivesFlow) {
     ASSERT_EQ(hfrac_set_grid(sim, &grid), HFRAC_OK);
     const double p0 = def.fluid_formation_pressure;
     double pressure[2] = {p0, p0};
-    ASSERT_EQ(hfrac_set_rim_pressure(sim, pressure, 2), HFRAC_OK) << last_error(sim);
+    ASSERT_EQ(hfrac_set_boundary_pressure(sim, pressure, 2), HFRAC_OK) << last_error(sim);
     ASSERT_GE(hfrac_step(sim, 1), 0);
     ASSERT_GE(hfrac_step(plain, 1), 0);
     for (const int32_t field : {HFRAC_DISC_POSITION, HFRAC_DOMAIN_PRESSURE, HFRAC_PIPE_FLOW})
       EXPECT_EQ(doubles(sim, field), doubles(plain, field))
           << "the formation's pressure outside changes nothing";
     pressure[0] += 1e6;
-    ASSERT_EQ(hfrac_set_rim_pressure(sim, pressure, 2), HFRAC_OK);
+    ASSERT_EQ(hfrac_set_boundary_pressure(sim, pressure, 2), HFRAC_OK);
     ASSERT_GE(hfrac_step(sim, 20), 0);
     const auto cells = cells_of(sim);
     EXPECT_LT(cells[0].outflow, 0.0) << "fluid enters from the cell of higher pressure";
@@ -164,8 +164,8 @@ TEST(Grid, RimPressureDrivesFlow) {
   }
 }
 
-// Two ways to say the same: what a host's grid says of the rim is absolute, whatever the formation's pressure is.
-TEST(Grid, ARimPressureStaysUntilTheHostTakesItBack) {
+// Two ways to say the same: what a host's grid says of the outer boundary is absolute, whatever the formation's pressure is.
+TEST(Grid, ABoundaryPressureStaysUntilTheHostTakesItBack) {
   hfrac_sim_def def = quiet_def();
   def.flow_permeability = 1e-12;
   def.stepping_flow_step = 100.0;
@@ -173,10 +173,10 @@ TEST(Grid, ARimPressureStaysUntilTheHostTakesItBack) {
   const auto grid = regular(2, 1, -50.0, -50.0, 100.0, 200.0);
   Sim before(def), after(def), never(def);
   for (const Sim* sim : {&before, &after, &never}) ASSERT_EQ(hfrac_set_grid(*sim, &grid), HFRAC_OK);
-  ASSERT_EQ(hfrac_set_rim_pressure(before, rim, 2), HFRAC_OK);
+  ASSERT_EQ(hfrac_set_boundary_pressure(before, rim, 2), HFRAC_OK);
   ASSERT_EQ(hfrac_set_formation_pressure(before, p0 + 2e6), HFRAC_OK) << last_error(before);
   ASSERT_EQ(hfrac_set_formation_pressure(after, p0 + 2e6), HFRAC_OK);
-  ASSERT_EQ(hfrac_set_rim_pressure(after, rim, 2), HFRAC_OK);
+  ASSERT_EQ(hfrac_set_boundary_pressure(after, rim, 2), HFRAC_OK);
   ASSERT_EQ(hfrac_set_formation_pressure(never, p0 + 2e6), HFRAC_OK);
   for (const Sim* sim : {&before, &after, &never}) ASSERT_GE(hfrac_step(*sim, 3), 0);
   EXPECT_EQ(hash_of(before), hash_of(after));
@@ -201,10 +201,10 @@ TEST(Grid, ARimPressureStaysUntilTheHostTakesItBack) {
   ASSERT_GE(hfrac_step(never, 1), 0);
   EXPECT_EQ(doubles(before, HFRAC_DOMAIN_PRESSURE), doubles(never, HFRAC_DOMAIN_PRESSURE));
   // Taken back: the formation's again, now and from then on.
-  ASSERT_EQ(hfrac_set_rim_pressure(before, nullptr, 0), HFRAC_OK) << last_error(before);
+  ASSERT_EQ(hfrac_set_boundary_pressure(before, nullptr, 0), HFRAC_OK) << last_error(before);
   for (const Sim* sim : {&before, &never}) ASSERT_EQ(hfrac_set_formation_pressure(*sim, p0), HFRAC_OK);
   const double uniform[2] = {p0, p0};
-  ASSERT_EQ(hfrac_set_rim_pressure(never, uniform, 2), HFRAC_OK);
+  ASSERT_EQ(hfrac_set_boundary_pressure(never, uniform, 2), HFRAC_OK);
   for (const Sim* sim : {&before, &never}) ASSERT_GE(hfrac_step(*sim, 1), 0);
   EXPECT_EQ(doubles(before, HFRAC_DOMAIN_PRESSURE), doubles(never, HFRAC_DOMAIN_PRESSURE));
 }
@@ -325,7 +325,7 @@ TEST(Grid, EverySolverTakesTheHostsValues) {
     const double stress[6] = {6e6, 2e6, 0.0, 6e6, 2e6, 0.0}, p0 = def.fluid_formation_pressure;
     const double rim[2] = {p0 + 1e6, p0};
     ASSERT_EQ(hfrac_set_cell_stress(sim, stress, 6), HFRAC_OK) << last_error(sim);
-    ASSERT_EQ(hfrac_set_rim_pressure(sim, rim, 2), HFRAC_OK) << last_error(sim);
+    ASSERT_EQ(hfrac_set_boundary_pressure(sim, rim, 2), HFRAC_OK) << last_error(sim);
     ASSERT_EQ(hfrac_step(sim, 2), HFRAC_OK) << last_error(sim);
     const auto balance = balance_of(sim);
     EXPECT_NE(balance.leaked_volume, 0.0);
@@ -352,7 +352,7 @@ TEST(Grid, RejectedStepsTakeTheHostsValuesBack) {
   const double pressure[4] = {p0 + 1e6, p0, p0 + 2e6, p0};
   const double stress[12] = {1e6, 0, 0, 2e6, 0, 0, 1e6, 0, 0, 2e6, 0, 0};
   ASSERT_EQ(hfrac_step_prepare(sim), HFRAC_OK);
-  ASSERT_EQ(hfrac_set_rim_pressure(sim, pressure, 4), HFRAC_OK);
+  ASSERT_EQ(hfrac_set_boundary_pressure(sim, pressure, 4), HFRAC_OK);
   ASSERT_EQ(hfrac_set_cell_stress(sim, stress, 12), HFRAC_OK);
   ASSERT_EQ(hfrac_set_far_field(sim, 33e6, 29e6), HFRAC_OK);
   ASSERT_GE(hfrac_step_do(sim, 1.0), 0);
@@ -370,7 +370,7 @@ TEST(Grid, MisuseIsRefused) {
   double values[4] = {30e6, 30e6, 30e6, 30e6};
   EXPECT_EQ(hfrac_grid_cells(sim, 0, sizeof(hfrac_cell), nullptr, 0, &count), HFRAC_ERR_ARGUMENT);
   EXPECT_NE(last_error(sim).find("hfrac_set_grid"), std::string::npos);
-  EXPECT_EQ(hfrac_set_rim_pressure(sim, values, 4), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_set_boundary_pressure(sim, values, 4), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hfrac_set_cell_pressure(sim, values, 4, nullptr, 0), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hfrac_set_cell_stress(sim, values, 4), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hfrac_write_grdecl(sim, "/tmp/nowhere.grdecl", 0, 0, 1, 0.0, 0.0), HFRAC_ERR_ARGUMENT);
@@ -402,11 +402,11 @@ TEST(Grid, MisuseIsRefused) {
   std::vector<hfrac_cell> cells(4);
   EXPECT_EQ(hfrac_grid_cells(sim, 0, -5, cells.data(), 4, &count), HFRAC_ERR_STRUCT_SIZE);
   EXPECT_EQ(hfrac_grid_cells(sim, 0, sizeof(hfrac_cell), cells.data(), 4, nullptr), HFRAC_ERR_ARGUMENT);
-  EXPECT_EQ(hfrac_set_rim_pressure(sim, values, 3), HFRAC_ERR_ARGUMENT);
-  EXPECT_EQ(hfrac_set_rim_pressure(sim, nullptr, 4), HFRAC_ERR_ARGUMENT);
-  EXPECT_EQ(hfrac_set_rim_pressure(sim, values, -4), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_set_boundary_pressure(sim, values, 3), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_set_boundary_pressure(sim, nullptr, 4), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_set_boundary_pressure(sim, values, -4), HFRAC_ERR_ARGUMENT);
   values[2] = nan;
-  EXPECT_EQ(hfrac_set_rim_pressure(sim, values, 4), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_set_boundary_pressure(sim, values, 4), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hfrac_set_cell_pressure(sim, values, 4, nullptr, 0), HFRAC_ERR_ARGUMENT);
   values[2] = -1.0;
   EXPECT_EQ(hfrac_set_cell_pressure(sim, values, 4, nullptr, 0), HFRAC_ERR_ARGUMENT);
@@ -429,7 +429,7 @@ TEST(Grid, MisuseIsRefused) {
   ASSERT_EQ(hfrac_set_grid(walled, &grid), HFRAC_OK);
   const double stress[12] = {};
   EXPECT_EQ(hfrac_set_cell_stress(walled, stress, 12), HFRAC_ERR_ARGUMENT);
-  EXPECT_EQ(hfrac_set_rim_pressure(walled, values, 4), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_set_boundary_pressure(walled, values, 4), HFRAC_ERR_ARGUMENT);
 }
 
 }  // namespace

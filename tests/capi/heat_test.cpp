@@ -37,7 +37,7 @@ double temperature_of_well(const hfrac_sim* sim) {
   return kelvin;
 }
 
-TEST(Heat, AColdWellCoolsTheRockAndTheBooksClose) {
+TEST(Heat, AColdWellCoolsTheRockAndTheBalanceCloses) {
   Sim sim(hot_def());
   EXPECT_EQ(temperature_of_well(sim), rock);
   ASSERT_GE(hfrac_step(sim, 3), 0) << last_error(sim);

@@ -141,8 +141,8 @@ TEST(Joints, BreakWhereTheRockWouldHold) {
     }
     def.joints[0].state = HFRAC_JOINT_BROKEN;
     const Sim broken(def);
-    EXPECT_GT(state_of(broken).setup_cracks, 5);
-    EXPECT_EQ(state_of(broken).setup_cracks, state_of(broken).shear_cracks);
+    EXPECT_GT(state_of(broken).equilibration_cracks, 5);
+    EXPECT_EQ(state_of(broken).equilibration_cracks, state_of(broken).shear_cracks);
   }
 }
 

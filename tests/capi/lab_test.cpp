@@ -67,9 +67,9 @@ TEST(Lab, RefusesWhatMakesNoSpecimen) {
   };
   refused(new_spec(9, 400), "test = 9");
   refused(new_spec(HFRAC_LAB_ELASTIC, 10), "disc_count = 10");
-  auto spec = new_spec(HFRAC_LAB_NOTCH, 400);
-  spec.slit_share = 0.9;
-  refused(spec, "slit_share");
+  auto spec = new_spec(HFRAC_LAB_SENT, 400);
+  spec.slit_fraction = 0.9;
+  refused(spec, "slit_fraction");
   spec = new_spec(HFRAC_LAB_ELASTIC, 400);
   spec.width = std::nan("");
   refused(spec, "width");

@@ -64,11 +64,11 @@ int main(void) {
   check(def.value.struct_size == (int32_t)sizeof def.value, "the struct keeps the client's size");
   check(def.value.packing_disc_count == 10000 && def.value.bond_tensile_strength == 42.5e6,
         "members are where they were");
-  def.value.model_reading = 1;
+  def.value.stress_convention = 1;
   def.value.boundary_kind = 1;
   def.value.packing_disc_count = 500;
   def.value.packing_residual = 1e-3;
-  def.value.stress_sigma_H = def.value.stress_sigma_h = 0.0;
+  def.value.stress_sigma_Hmax = def.value.stress_sigma_hmin = 0.0;
   def.value.well_count = 1;
   def.value.wells[0].x = def.value.wells[0].y = 50.0;
   def.value.wells[0].radius = 10.0;

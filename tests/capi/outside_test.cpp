@@ -35,7 +35,7 @@ TEST(FormationPressure, PoresInsideFollowTheOutside) {
   for (const double p : pressure) farthest = std::max(farthest, std::abs(p - 28e6));
   EXPECT_LT(farthest, 0.01 * 3e6);
 
-  // What came in through the boundary is stored, and the books of energy know of the work done outside.
+  // What came in through the boundary is stored, and the energy balance counts the work done outside.
   const hfrac_balance balance = balance_of(sim);
   EXPECT_GT(balance.stored_volume, 0.0);
   EXPECT_NEAR(balance.leaked_volume, -balance.stored_volume, 1e-6 * balance.stored_volume);
@@ -92,7 +92,7 @@ TEST(FormationPressure, GoesBackWithARejectedStepAndWithAState) {
               1e-9 * std::abs(balance_of(sim).boundary_work));
 }
 
-TEST(FormationPressure, InThePapersReadingPressuresStayNetOfTheDefinition) {
+TEST(FormationPressure, InTheEffectiveConventionPressuresStayNetOfTheDefinition) {
   hfrac_sim_def def = cracking_def(300);
   def.bond_tensile_strength = def.bond_shear_strength = 1e12;
   def.wells[0].control = HFRAC_WELL_RATE;
@@ -128,8 +128,8 @@ TEST(FormationPressure, IsRefusedWhereItCannotAct) {
 TEST(Walls, CarryTheFarFieldAndAreWhereTheyWerePut) {
   hfrac_sim_def def = quiet_def();
   def.boundary_kind = 1;
-  def.boundary_walls_after_setup = 1;
-  def.stress_sigma_H = 40e6;
+  def.boundary_walls_after_equilibration = 1;
+  def.stress_sigma_Hmax = 40e6;
   def.stepping_force_ratio = 1e-5;
   const Sim sim(def);
   ASSERT_GE(hfrac_step(sim, 2), 0);

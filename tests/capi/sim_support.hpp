@@ -12,14 +12,14 @@
 
 namespace testing_capi {
 
-// The paper's reading in rigid walls without a far field: cracks in its first step.
+// Effective stresses in rigid walls without a far field: cracks in its first step.
 inline hfrac_sim_def cracking_def(int64_t discs = 500) {
   hfrac_sim_def def = new_def();
-  def.model_reading = 1;
+  def.stress_convention = 1;
   def.boundary_kind = 1;
   def.packing_disc_count = discs;
   def.packing_residual = 1e-3;
-  def.stress_sigma_H = def.stress_sigma_h = 0.0;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = 0.0;
   def.well_count = 1;
   def.wells[0].x = def.wells[0].y = 50.0;
   def.wells[0].radius = 10.0;
@@ -30,9 +30,9 @@ inline hfrac_sim_def cracking_def(int64_t discs = 500) {
 // Total stresses and rock too strong to break.
 inline hfrac_sim_def quiet_def(int64_t discs = 500) {
   hfrac_sim_def def = cracking_def(discs);
-  def.model_reading = 0;
+  def.stress_convention = 0;
   def.boundary_kind = 0;
-  def.stress_sigma_H = def.stress_sigma_h = 30e6;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = 30e6;
   def.bond_tensile_strength = def.bond_shear_strength = 1e12;
   def.wells[0].pressure = 30e6;
   return def;

@@ -36,7 +36,7 @@ TEST(SimCreate, BuildsAModelAtRest) {
   EXPECT_GE(setup.setup_seconds, setup.packing_seconds);
 }
 
-TEST(SimCreate, ItsBooksStartAtZero) {
+TEST(SimCreate, ItsBalanceStartsAtZero) {
   const Sim sim(quiet_def());
   const auto balance = balance_of(sim);
   for (const double value : {balance.injected_volume, balance.stored_volume, balance.leaked_volume,
@@ -85,9 +85,9 @@ TEST(SimCreate, FailuresLeaveNullAndSayWhy) {
   EXPECT_EQ(last_error(), "packing.porosity = 0.5 is outside 0.08 to 0.2.");
 
   def = quiet_def();
-  def.stress_sigma_h = 20e6;
+  def.stress_sigma_hmin = 20e6;
   EXPECT_EQ(hfrac_sim_create(&def, &sim), HFRAC_ERR_MODEL);
-  EXPECT_NE(last_error().find("stress.sigma_h = 2e7 Pa"), std::string::npos) << last_error();
+  EXPECT_NE(last_error().find("stress.sigma_hmin = 2e7 Pa"), std::string::npos) << last_error();
   EXPECT_NE(last_error().find("fluid.formation_pressure = 2.5e7 Pa"), std::string::npos) << last_error();
   def = quiet_def();
   def.struct_size = 0;

@@ -18,8 +18,8 @@ hfrac_sim_def ramped_def() {
   def.packing_disc_count = 700;
   def.packing_residual = 1e-3;
   def.stepping_flow_step = 1e-2;
-  def.stress_sigma_H = 30e6;
-  def.stress_sigma_h = 26e6;
+  def.stress_sigma_Hmax = 30e6;
+  def.stress_sigma_hmin = 26e6;
   def.well_count = 1;
   def.wells[0] = {20.0, 20.0, 4.0, 75e6, 8e6, 0.0, HFRAC_WELL_RAMP};
   return def;

@@ -21,8 +21,8 @@ inline hfrac_sim_def new_def() {
 // pressure.
 inline hfrac_sim_def sound_def() {
   hfrac_sim_def def = new_def();
-  def.stress_sigma_H = 40e6;
-  def.stress_sigma_h = 30e6;
+  def.stress_sigma_Hmax = 40e6;
+  def.stress_sigma_hmin = 30e6;
   def.well_count = 1;
   def.wells[0].x = 50.0;
   def.wells[0].y = 50.0;

@@ -37,15 +37,15 @@ class Compare(unittest.TestCase):
             return list(csv.DictReader(file))
 
     def test_ends_of_runs_against_an_option(self):
-        rows = self.compare("--x", "well[0].pressure", "--y", "cracks,length,arms,initiation-pressure")
+        rows = self.compare("--x", "well[0].pressure", "--y", "cracks,length,wings,initiation-pressure")
         self.assertEqual(len(rows), len(RUNS))
         for row, (pressure, _), folder in zip(rows, RUNS, self.folders):
             told = summary(folder)
             self.assertEqual(float(row["well[0].pressure_Pa"]), pressure * 1e6)
             self.assertEqual(int(row["crack_count"]), told["state"]["crack_count"])
             self.assertEqual(float(row["fracture_length_m"]), told["longest_fracture"]["length_m"])
-            self.assertEqual(float(row["fracture_arms"]), max((f["arms"] for f in told["fractures"]), default=0))
-            first = [line for line in history(folder) if int(line["crack_count"]) > told["state"]["setup_cracks"]]
+            self.assertEqual(float(row["fracture_wings"]), max((f["wings"] for f in told["fractures"]), default=0))
+            first = [line for line in history(folder) if int(line["crack_count"]) > told["state"]["equilibration_cracks"]]
             expected = first[0]["well_pressure_Pa"] if first else ""
             self.assertEqual(row["initiation_pressure_Pa"], expected)
 

@@ -10,10 +10,10 @@ from hfrac_runs import hfrac, names, run_case, summary
 TABLES = ["bonds.csv", "cracks.csv", "discs.csv", "domains.csv", "fractures.csv"]
 CELLS = ["cells.csv", "multipliers.grdecl", "permeability.grdecl"]
 LOOSE = """[model]
-reading = 'paper'
 [stress]
-sigma_H = 0.0
-sigma_h = 0.0
+convention = 'effective'
+sigma_Hmax = 0.0
+sigma_hmin = 0.0
 [[well]]
 radius = 8.0
 pressure = 30e6

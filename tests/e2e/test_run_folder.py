@@ -71,7 +71,7 @@ class WholeRun(unittest.TestCase):
     def test_own_discs_from_csv_and_vtu(self):
         """A run on the discs of another run's snapshot, then on the CSV it kept of them: the same, bit for bit."""
         case = self.top / "own.toml"
-        case.write_text("[stress]\nsigma_H = 0.0\nsigma_h = 0.0\n[model]\nreading = 'paper'\n")
+        case.write_text("[stress]\nconvention = 'effective'\nsigma_Hmax = 0.0\nsigma_hmin = 0.0\n")
         first = hfrac("run", case, "-o", self.top / "vtu", "--steps", 0, "--discs",
                       self.folder / entries(self.folder, "discs")[0][1])
         self.assertEqual(first.returncode, 0, first.stderr)
@@ -176,7 +176,7 @@ class Pictures(unittest.TestCase):
             done = hfrac("render", folder, "--width", 640)
             self.assertEqual(done.returncode, 0, done.stderr)
             pictures = pathlib.Path(folder) / "pictures"
-            for name in ("figure3.png", "growth.png", "pressure.png", "movie.mp4"):
+            for name in ("model.png", "growth.png", "pressure.png", "movie.mp4"):
                 self.assertGreater((pictures / name).stat().st_size, 1000, name)
             self.assertEqual(run_case(folder, "--steps", 1, "--quiet", "--overwrite").returncode, 0)
             self.assertEqual(list(pictures.iterdir()), [])

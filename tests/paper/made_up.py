@@ -13,16 +13,16 @@ def with_pressure(point):
         "cracks": cracks,
         "cracks_drawn": cracks,
         "cracks_at_four_fifths": cracks,
-        "arms": 1 if p <= 55 else 3,
+        "wings": 1 if p <= 55 else 3,
         "cracks_at_tenth": cracks if p >= 60 else 0.3 * cracks,
     }
 
 
 def ramped(point):
-    kind = point.family.removesuffix("-sound"), point.series
+    kind = point.family.removesuffix("-total"), point.series
     onset = {
-        ("figure-07", "sigma_h"): 30 + 2 * point.x,
-        ("figure-07", "sigma_H"): 38.0,
+        ("figure-07", "sigma_hmin"): 30 + 2 * point.x,
+        ("figure-07", "sigma_Hmax"): 38.0,
         ("figure-08", "normal"): 30 + point.x,
         ("figure-08", "tangential"): 35.0,
         ("figure-09", "normal"): 0.8 * point.x,
@@ -47,9 +47,9 @@ def hot(point):
 
 def row_of(point):
     values = {**with_pressure(point), "onset_MPa": 40.0, "extent_m": 20.0, "width_m": 0.1, "azimuth_deg": 10.0}
-    if point.family.removesuffix("-sound") in ("figure-07", "figure-08", "figure-09"):
+    if point.family.removesuffix("-total") in ("figure-07", "figure-08", "figure-09"):
         values.update(ramped(point))
-    elif "sound" not in point.family and point.family.split("-")[1] in ("10", "11", "12"):
+    elif "total" not in point.family and point.family.split("-")[1] in ("10", "11", "12"):
         values.update(hot(point))
     # packings differ by some per cent, in order
     scatter = 1.0 + 0.01 * (point.seed - 3.5)

@@ -41,10 +41,10 @@ CONTRARY = {
     "plateau": ("figure-05", lambda row, x: {"cracks_at_four_fifths": 0.5 * float(row["cracks"])}),
     "sudden_above_upper": ("figure-05", lambda row, x: {"cracks_at_tenth": 0.5 * float(row["cracks"])}),
     "upper_pressure": ("figure-05", lambda row, x: {"cracks": max(x - 30, 0)}),
-    "more_arms": ("figure-05", lambda row, x: {"arms": 2}),
+    "more_wings": ("figure-05", lambda row, x: {"wings": 2}),
     "bonds_are_cracks": ("figure-05", lambda row, x: {"cracks_drawn": 1 + float(row["cracks"])}),
-    "smaller_stress": ("figure-07", lambda row, x: {"onset_MPa": 40 - x}, "sigma_h"),
-    "larger_stress": ("figure-07", lambda row, x: {"onset_MPa": 60 - 2 * x}, "sigma_H"),
+    "smaller_stress": ("figure-07", lambda row, x: {"onset_MPa": 40 - x}, "sigma_hmin"),
+    "larger_stress": ("figure-07", lambda row, x: {"onset_MPa": 60 - 2 * x}, "sigma_Hmax"),
     "normal_stiffness": ("figure-08", lambda row, x: {"onset_MPa": 35}, "normal"),
     "tangential_stiffness": ("figure-08", lambda row, x: {"onset_MPa": 30 + x}, "tangential"),
     "normal_strength": ("figure-09", lambda row, x: {"onset_MPa": 35 + 0.1 * x}, "normal"),
@@ -96,12 +96,12 @@ class Judge(unittest.TestCase):
         next(row for row in rows if row["family"] == "figure-08" and row["series"] == "normal")["onset_MPa"] = ""
         self.assertEqual(verdicts(Measured(rows, POINTS))["normal_stiffness"], "not judged")
 
-    def test_other_reading_and_other_physics_make_conditions(self):
+    def test_other_convention_and_other_physics_make_conditions(self):
         def falling(row, x):
             return {"onset_MPa": 80 - x}
 
-        found = verdicts(changed("figure-07-sound", falling, "sigma_h"))
-        self.assertEqual(found["smaller_stress"], "holds only if not in the sound reading")
+        found = verdicts(changed("figure-07-total", falling, "sigma_hmin"))
+        self.assertEqual(found["smaller_stress"], "holds only if not with total stresses")
         found = verdicts(
             changed("figure-10", lambda row, x: {"width_m": 0.1, "extent_m": 30 - abs(x - 60) / 5}, "400 C")
         )

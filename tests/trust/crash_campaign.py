@@ -33,13 +33,12 @@ SERIES = ("discs", "bonds", "cracks", "flow")
 # A title is no path: whatever it says, nothing is written outside the run's folder.
 COMMON = """
 title = "../../elsewhere"
-[model]
-reading = "paper"
 [packing]
 disc_count = {discs}
 [stress]
-sigma_H = 0.0
-sigma_h = 0.0
+convention = "effective"
+sigma_Hmax = 0.0
+sigma_hmin = 0.0
 [boundary]
 kind = "walls"
 [[well]]
@@ -55,14 +54,14 @@ flow_step = 1.0e-2
 """
 # Both solvers, both ways of solving for pressures, both flow schemes; temperature, joints and a schedule.
 CASES = {
-    "explicit_direct": COMMON.format(discs=300, pressure=60e6) + "substeps = 14\n[flow]\nsolver = 'direct'\n",
-    "explicit_iterative": COMMON.format(discs=300, pressure=60e6) + "substeps = 14\n[flow]\nsolver = 'iterative'\n",
-    "explicit_flow": COMMON.format(discs=250, pressure=80e6) + "substeps = 10\n[flow]\nscheme = 'explicit'\naperture_limit = 1e-4\n",
-    "quasi_static_coupled": COMMON.format(discs=300, pressure=60e6) + "substeps = 10\nmode = 'coupled'\n[solver]\nkind = 'quasi-static'\n",
-    "quasi_static_substep": COMMON.format(discs=300, pressure=60e6) + "substeps = 10\n[solver]\nkind = 'quasi-static'\n[flow]\nsolver = 'iterative'\n",
-    "quasi_static_explicit_flow": COMMON.format(discs=250, pressure=80e6) + "substeps = 10\n[solver]\nkind = 'quasi-static'\n"
+    "explicit_direct": COMMON.format(discs=300, pressure=60e6) + "steps = 14\n[flow]\nsolver = 'direct'\n",
+    "explicit_iterative": COMMON.format(discs=300, pressure=60e6) + "steps = 14\n[flow]\nsolver = 'iterative'\n",
+    "explicit_flow": COMMON.format(discs=250, pressure=80e6) + "steps = 10\n[flow]\nscheme = 'explicit'\naperture_limit = 1e-4\n",
+    "quasi_static_coupled": COMMON.format(discs=300, pressure=60e6) + "steps = 10\nmode = 'coupled'\n[solver]\nkind = 'quasi-static'\n",
+    "quasi_static_substep": COMMON.format(discs=300, pressure=60e6) + "steps = 10\n[solver]\nkind = 'quasi-static'\n[flow]\nsolver = 'iterative'\n",
+    "quasi_static_explicit_flow": COMMON.format(discs=250, pressure=80e6) + "steps = 10\n[solver]\nkind = 'quasi-static'\n"
                                   "[flow]\nscheme = 'explicit'\naperture_limit = 1e-4\n",
-    "warm_with_joints": COMMON.format(discs=300, pressure=60e6) + "substeps = 12\n[thermal]\nmode = 'transport'\nexpansion = 1e-5\n"
+    "warm_with_joints": COMMON.format(discs=300, pressure=60e6) + "steps = 12\n[thermal]\nmode = 'transport'\nexpansion = 1e-5\n"
                         "[[joint]]\nx1 = 20\ny1 = 70\nx2 = 70\ny2 = 80\ntensile_factor = 0.2\nshear_factor = 0.2\n"
                         "[[well.schedule]]\ntime = 0.055\nrate = 1e-2\n",
 }

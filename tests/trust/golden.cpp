@@ -20,9 +20,9 @@ hfrac_sim_def base(int64_t discs) {
   hfrac_sim_def def;
   hfrac_sim_def_init(&def, sizeof def);
   def.packing_disc_count = discs;
-  def.model_reading = 1;
+  def.stress_convention = 1;
   def.boundary_kind = 1;
-  def.stress_sigma_H = def.stress_sigma_h = 0.0;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = 0.0;
   def.stepping_flow_step = 1e-2;
   def.well_count = 1;
   def.wells[0].x = def.wells[0].y = 50.0;
@@ -70,11 +70,11 @@ std::vector<Case> cases() {
     def.stepping_flow_step = 2e-3;
   });
   add("far_field_after_break", 600, 3, [](auto& def) {
-    def.model_reading = 0;
+    def.stress_convention = 0;
     def.boundary_kind = 0;
     def.contact_mode = 1;
-    def.stress_sigma_H = 33e6;
-    def.stress_sigma_h = 28e6;
+    def.stress_sigma_Hmax = 33e6;
+    def.stress_sigma_hmin = 28e6;
     def.wells[0].pressure = 110e6;
   });
   add("quasi_static_substep", 600, 3, [](auto& def) { def.solver_kind = 1; });

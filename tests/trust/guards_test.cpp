@@ -66,7 +66,7 @@ TEST(Guards, NothingNotFiniteGoesOnUnseen) {
     def.solver_kind = kind == quasi_static || kind == coupled ? 1 : 0;
     def.thermal_mode = kind == warm ? 2 : 0;
     if (kind == substep)
-      def.stress_sigma_H = def.stress_sigma_h = 5e6;  // so that the books begin with something
+      def.stress_sigma_Hmax = def.stress_sigma_hmin = 5e6;  // so that the balance begins with something
     const Sim sim(def);
     ASSERT_GE(hfrac_step(sim, 2), 0) << last_error(sim);
     const auto good = image_of(sim);
@@ -180,9 +180,9 @@ TEST(OddModels, AFractureThatReachesTheBoundaryIsToldAndNothingBreaksDown) {
 TEST(OddModels, AperturesAreNeverNegative) {
   for (const double far_field : {0.0, 500e6}) {
     hfrac_sim_def def = quiet_def(400);
-    def.model_reading = 1;
+    def.stress_convention = 1;
     def.fluid_formation_pressure = 0.0;
-    def.stress_sigma_H = def.stress_sigma_h = far_field;
+    def.stress_sigma_Hmax = def.stress_sigma_hmin = far_field;
     def.wells[0].pressure = 300e6;
     def.flow_bonded_gap_factor = 1.0;
     const Sim sim(def);
@@ -193,7 +193,7 @@ TEST(OddModels, AperturesAreNeverNegative) {
   }
 }
 
-// Rock that lets nothing through: pores are alone, keep what they hold, and the books close.
+// Rock that lets nothing through: pores are alone, keep what they hold, and the balance closes.
 TEST(OddModels, IsolatedPoresKeepTheirFluid) {
   for (const int64_t solver : {1, 2}) {
     hfrac_sim_def def = quiet_def(300);
@@ -222,7 +222,7 @@ std::vector<double> lattice(double left, int across, int up, double radius) {
 hfrac_sim_def given_def(const std::vector<double>& discs) {
   hfrac_sim_def def = cracking_def();
   def.boundary_kind = 0;
-  def.stress_sigma_H = def.stress_sigma_h = 1e6;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = 1e6;
   def.well_count = 0;
   def.given_discs = discs.data();
   def.given_disc_count = static_cast<int64_t>(discs.size() / 3);

@@ -7,9 +7,9 @@ Whatever is drawn,
   - it is built and steps, or is refused, or a step fails, in words; a failed step leaves the state as it was;
   - the fluid balance closes to 1e-10 of what was moved (1e-7 if pressures are found by iteration);
   - the energy balance closes to 2 % of its largest entry, in real motion of n cycles a step to 1 / n more, since speeds are known
-    half a cycle before places (quasi-static books as damping what does not close); not asked of rock that cracked in set-up or
+    half a cycle before places (quasi-static counts as damping what does not close); not asked of rock that cracked in the initial equilibration or
     that a step leaves in flight: contacts are looked for between steps, and pieces that met within one are pushed apart; nor of
-    servo walls, whose own damping is in no book (--strict asks it of all);
+    servo walls, whose own damping is in no balance (--strict asks it of all);
   - a restored image goes on bit for bit, in another simulation, on another number of workers;
   - all that a host can read is finite.
 A model is told by its number: `--only K` builds number K alone and prints it.
@@ -32,15 +32,15 @@ def draw(seed, number):
     radius = math.sqrt(0.85 * SIZE * SIZE / math.pi / discs)
     o = {
         "model_seed": r.randrange(1000),
-        "model_reading": r.choice(("sound", "paper")),
+        "stress_convention": r.choice(("total", "effective")),
         "packing_disc_count": discs,
         "packing_residual": 1e-3,
         "packing_method": r.choice(("relaxed", "relaxed", "growth", "square")),
         "contact_mode": r.choice(("parallel", "after-break")),
         "contact_friction": r.choice((0.0, 0.22, 1.0)),
         "boundary_kind": r.choice(("stress", "walls")),
-        "boundary_walls_after_setup": r.choice(("fixed", "servo")),
-        "stress_sigma_h": r.choice((0.0, 10e6, 30e6)),
+        "boundary_walls_after_equilibration": r.choice(("fixed", "servo")),
+        "stress_sigma_hmin": r.choice((0.0, 10e6, 30e6)),
         "fluid_viscosity": 10.0 ** r.uniform(-3, 0),
         "flow_permeability": 10.0 ** r.uniform(-16, -12),
         "flow_scheme": r.choice(("implicit", "implicit", "implicit", "explicit", "off")),
@@ -53,9 +53,9 @@ def draw(seed, number):
         "bond_geometry_storage": r.choice(("double", "double", "single")),
         "run_workers": r.choice((1, 2)),
     }
-    least = o["stress_sigma_h"] if o["model_reading"] == "sound" else 25e6  # the rock is not to be pulled apart
+    least = o["stress_sigma_hmin"] if o["stress_convention"] == "total" else 25e6  # the rock is not to be pulled apart
     o["fluid_formation_pressure"] = r.choice([p for p in (0.0, 5e6, 25e6) if p <= least])
-    o["stress_sigma_H"] = o["stress_sigma_h"] + r.choice((0.0, 5e6, 10e6))
+    o["stress_sigma_Hmax"] = o["stress_sigma_hmin"] + r.choice((0.0, 5e6, 10e6))
     o["bond_shear_strength"] = o["bond_tensile_strength"] * r.choice((0.5, 1.0, 3.0))
     if r.random() < 0.2:
         o["fluid_consistency"], o["fluid_power_index"] = r.choice((0.5, 2.0)), r.choice((0.4, 0.7))
@@ -74,7 +74,7 @@ def draw(seed, number):
         o["thermal_fluid_temperature"] = r.choice((523.15, 573.15))
     wells = []
     for k in range(r.choice((0, 1, 1, 1, 2))):
-        base = o["fluid_formation_pressure"] if o["model_reading"] == "sound" else 0.0
+        base = o["fluid_formation_pressure"] if o["stress_convention"] == "total" else 0.0
         well = {"radius": r.uniform(2.05, 2.6) * radius, "pressure": base + r.choice((-base / 4, 5e6, 20e6, 45e6))}
         well["x"], well["y"] = (50.0, 50.0) if k == 0 else (r.choice((25.0, 75.0)), r.choice((25.0, 75.0)))
         kind = r.random()
@@ -110,7 +110,7 @@ def do(sim, model, deed, share):
     before = sim.state_hash
     try:
         if deed == "far field":
-            sim.set_far_field(model["stress_sigma_H"] * share + 1e6, model["stress_sigma_h"] * share)
+            sim.set_far_field(model["stress_sigma_Hmax"] * share + 1e6, model["stress_sigma_hmin"] * share)
         elif deed == "pressure" and model["wells"]:
             sim.wells[0].set_pressure(20e6 * share)
         elif deed == "formation":
@@ -122,8 +122,8 @@ def do(sim, model, deed, share):
     return True
 
 
-def check_books(sim, model, energy):
-    """What is wrong with the books, or nothing."""
+def check_balance(sim, model, energy):
+    """What is wrong with the balance, or nothing."""
     b = sim.balance
     moved = max(abs(b.injected_volume), abs(b.stored_volume), abs(b.leaked_volume), abs(b.host_volume), 1e-4)
     if not abs(b.fluid_error) <= (1e-7 if model["flow_solver"] == "iterative" else 1e-10) * moved:
@@ -163,8 +163,8 @@ def try_model(model, deeds, strict):
     with sim:
         if not sim.state.at_rest:
             return "no rest in set-up: told by a warning", ""
-        servo = model["boundary_kind"] == "walls" and model["boundary_walls_after_setup"] == "servo"
-        twin, torn = None, servo or sim.state.setup_cracks > 0
+        servo = model["boundary_kind"] == "walls" and model["boundary_walls_after_equilibration"] == "servo"
+        twin, torn = None, servo or sim.state.equilibration_cracks > 0
         try:
             for k, (deed, share) in enumerate(deeds):
                 if not all(do(each, model, deed, share) for each in (sim, twin) if each is not None):
@@ -183,7 +183,7 @@ def try_model(model, deeds, strict):
                             pass
                     return f"failed: {end}", ""
                 torn = torn or not sim.state.at_rest and model["stepping_mode"] != "dynamic"
-                wrong = check_books(sim, model, strict or not torn)
+                wrong = check_balance(sim, model, strict or not torn)
                 if wrong:
                     return "done", f"step {k}: {wrong}"
                 if twin is not None:

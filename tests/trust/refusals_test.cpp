@@ -111,9 +111,9 @@ TEST(Refusals, WhatASimulationCannotTakeChangesNothing) {
 TEST(Refusals, WallsAreNotAskedToPull) {
   hfrac_sim_def def = quiet_def(200);
   set(def, "boundary.kind", "walls");
-  set(def, "boundary.walls_after_setup", "servo");
-  set(def, "model.reading", "paper");
-  def.stress_sigma_H = def.stress_sigma_h = 5e6;
+  set(def, "boundary.walls_after_equilibration", "servo");
+  set(def, "stress.convention", "effective");
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = 5e6;
   def.fluid_formation_pressure = 25e6;
   const Sim sim(def);
   const int64_t before = hash_of(sim);
@@ -123,7 +123,7 @@ TEST(Refusals, WallsAreNotAskedToPull) {
   EXPECT_NE(last_error(sim).find("walls only push"), std::string::npos) << last_error(sim);
   EXPECT_EQ(hash_of(sim), before);
   EXPECT_EQ(hfrac_set_formation_pressure(sim, 29e6), HFRAC_OK) << last_error(sim);
-  def.stress_sigma_h = -1e6;
+  def.stress_sigma_hmin = -1e6;
   hfrac_sim* none = nullptr;
   EXPECT_LT(hfrac_sim_create(&def, &none), 0);
   EXPECT_NE(last_error().find("walls only push"), std::string::npos) << last_error();
@@ -180,7 +180,7 @@ TEST(OddModels, AWellThatSeepedStartsInBetween) {
 TEST(OddModels, ServoWallsAndClosedPoresComeToRest) {
   hfrac_sim_def def = quiet_def(200);
   set(def, "boundary.kind", "walls");
-  set(def, "boundary.walls_after_setup", "servo");
+  set(def, "boundary.walls_after_equilibration", "servo");
   set(def, "solver.kind", "quasi-static");
   set(def, "stepping.mode", "coupled");
   set(def, "flow.outer", "closed");

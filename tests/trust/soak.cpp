@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A long run through hfrac.h alone: does memory stay flat, do the books stay closed?
+// A long run through hfrac.h alone: does memory stay flat, does the balance stay closed?
 //   hfrac_soak [--discs N] [--steps M] [--solver explicit|quasi-static] [--mode substep|dynamic|coupled] [--ramp R]
 //              [--workers W] [--minutes T] [--state FILE]
 // The well's pressure goes up for R steps and down for R, so that there is always something to do. Ten times on the way, and at
-// the end, it prints step, memory and books; exit status 1 if a bound is broken. After T minutes it ends early and says how far
+// the end, it prints step, memory and balance; exit status 1 if a bound is broken. After T minutes it ends early and says how far
 // it came. With a FILE, it saves its state there a hundred times on the way, and goes on from it when called again: a run of many
-// hours may be done in parts, whose books are one and whose memory is looked at part by part.
+// hours may be done in parts, whose balance is one and whose memory is looked at part by part.
 // Steps are 1 ms: of flow between one rest and the next (substep), of motion (dynamic), of both together (coupled).
 //
 // Bounds: memory at most 4 MB above that at the first look, or at the last one that found new cracks (contacts come with them, and
@@ -83,9 +83,9 @@ int main(int count, char** arguments) {
   hfrac_sim_def def;
   require(hfrac_sim_def_init(&def, sizeof def));
   def.packing_disc_count = discs;
-  def.model_reading = 1;
+  def.stress_convention = 1;
   def.boundary_kind = 1;
-  def.stress_sigma_H = def.stress_sigma_h = 0.0;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = 0.0;
   def.stepping_flow_step = 1e-3;
   def.run_workers = workers;
   def.solver_kind = quasi_static ? 1 : 0;

@@ -124,8 +124,8 @@ class Resumed(unittest.TestCase):
     def test_own_discs_and_a_grid_come_along(self):
         discs = self.top / "discs.csv"
         discs.write_text("x,y,radius\n" + "".join(f"{5 + 10 * i + 5 * (j % 2)},{5 + 8.66 * j},5\n" for i in range(9) for j in range(11)))
-        case = self.case("[model]\nwidth = 100\nheight = 100\nreading = 'paper'\n[stress]\nsigma_H = 1e6\nsigma_h = 1e6\n"
-                         "[stepping]\nflow_step = 1e-2\nsubsteps = 12\n[[well]]\nx = 50\ny = 48\nradius = 12\npressure = 60e6\n"
+        case = self.case("[model]\nwidth = 100\nheight = 100\n[stress]\nconvention = 'effective'\nsigma_Hmax = 1e6\nsigma_hmin = 1e6\n"
+                         "[stepping]\nflow_step = 1e-2\nsteps = 12\n[[well]]\nx = 50\ny = 48\nradius = 12\npressure = 60e6\n"
                          "[output]\nevery = 4\ncheckpoint_steps = 3\n")
         arguments = ("--discs", discs, "--grid", 4, 4, 20, 20)
         self.run_good("run", case, "-o", self.whole, *arguments)

@@ -29,8 +29,8 @@ Resultant resultant(const Assembly& a) {
 
 TEST(StressBoundary, HasNoNetForce) {
   Options o = dry_options(500);
-  o.stress_sigma_H = 3e7;
-  o.stress_sigma_h = 1e7;
+  o.stress_sigma_Hmax = 3e7;
+  o.stress_sigma_hmin = 1e7;
   Model m(o, packed(o), {{{10.0, 10.0}, 3.0}});
   m.boundary->set_load(m.assembly, 1.0);
   const Resultant r = resultant(m.assembly);
@@ -45,21 +45,21 @@ TEST(StressBoundary, HasNoNetTorque) {
   // physics.md 5: "stress times length, split by radii, give zero net force and torque exactly".
   for (const double smaller : {3e7, 1e7}) {
     Options o = dry_options(500);
-    o.stress_sigma_H = 3e7;
-    o.stress_sigma_h = smaller;
+    o.stress_sigma_Hmax = 3e7;
+    o.stress_sigma_hmin = smaller;
     Model m(o, packed(o));
     m.boundary->set_load(m.assembly, 1.0);
     const Resultant r = resultant(m.assembly);
     const double relative = std::abs(r.torque) / (r.size * o.model_width);
     RecordProperty(smaller == 3e7 ? "hydrostatic" : "deviatoric", std::to_string(relative));
-    EXPECT_LT(relative, 1e-10) << "sigma_h " << smaller;
+    EXPECT_LT(relative, 1e-10) << "sigma_hmin " << smaller;
   }
 }
 
 TEST(StressBoundary, CarriesStressTimesLength) {
   Options o = dry_options(500);
-  o.stress_sigma_H = 3e7;
-  o.stress_sigma_h = 1e7;
+  o.stress_sigma_Hmax = 3e7;
+  o.stress_sigma_hmin = 1e7;
   Model m(o, square_lattice(12, 10, 0.5));
   m.boundary->set_load(m.assembly, 0.5);
   double west = 0.0, south = 0.0;
@@ -72,10 +72,10 @@ TEST(StressBoundary, CarriesStressTimesLength) {
 }
 
 TEST(StressBoundary, DoesNotTurnTheBody) {
-  // A body held by dead loads alone is free to turn; it must stay put over many steps.
+  // A body held by constant loads alone is free to turn; it must stay put over many steps.
   Options o = dry_options(500);
-  o.stress_sigma_H = 4e7;
-  o.stress_sigma_h = 3e7;
+  o.stress_sigma_Hmax = 4e7;
+  o.stress_sigma_hmin = 3e7;
   Model m(o, packed(o));
   m.boundary->set_load(m.assembly, 1.0);
   CrackLog log;
@@ -102,9 +102,9 @@ TEST(Walls, ServoReachesItsStress) {
   for (const double smaller : {2e7, 0.5e7}) {
     Options o = dry_options(500);
     o.boundary_kind = choice(BoundaryKind::walls);
-    o.model_reading = choice(Reading::paper);
-    o.stress_sigma_H = 2e7;
-    o.stress_sigma_h = smaller;
+    o.stress_convention = choice(StressConvention::effective);
+    o.stress_sigma_Hmax = 2e7;
+    o.stress_sigma_hmin = smaller;
     Model m(o, packed(o));
     EXPECT_TRUE(m.boundary->walled());
     m.boundary->set_load(m.assembly, 1.0);
@@ -127,7 +127,7 @@ TEST(Walls, ServoReachesItsStress) {
 TEST(Walls, PushButNeverPull) {
   Options o = dry_options(500);
   o.boundary_kind = choice(BoundaryKind::walls);
-  o.model_reading = choice(Reading::paper);
+  o.stress_convention = choice(StressConvention::effective);
   Model m(o, packed(o));
   m.boundary->fix_walls();
   for (std::int64_t i = 0; i < m.assembly.disc_count(); ++i) m.assembly.ux[i] = 0.01;
@@ -143,7 +143,7 @@ TEST(Walls, OfADryRockCarryTheWholeStress) {
   // Without pores nothing but the walls can carry a total far-field stress.
   Options o = dry_options(500);
   o.boundary_kind = choice(BoundaryKind::walls);
-  o.stress_sigma_H = o.stress_sigma_h = 4e7;
+  o.stress_sigma_Hmax = o.stress_sigma_hmin = 4e7;
   const Model m(o, packed(o));
   EXPECT_EQ(m.boundary->walls()[0].target, 4e7);
 }

@@ -44,7 +44,7 @@ TEST(Catalogue, OpeningBondIsADipoleOfItsForceAndLever) {
   EXPECT_EQ(event.xy, 0.0);
   EXPECT_DOUBLE_EQ(event.moment, 0.5e6 / std::numbers::sqrt2);
   EXPECT_NEAR(event.magnitude, 2.0 / 3.0 * std::log10(0.5e6 / std::numbers::sqrt2) - 6.0333, 1e-4);
-  EXPECT_DOUBLE_EQ(event.isotropic_share, 0.5);
+  EXPECT_DOUBLE_EQ(event.isotropic_fraction, 0.5);
   EXPECT_DOUBLE_EQ(event.energy_magnitude, 2.0 / 3.0 * 2.0 - 2.9);
 }
 
@@ -57,7 +57,7 @@ TEST(Catalogue, ShearingBondIsADoubleCouple) {
   EXPECT_DOUBLE_EQ(event.xy, 3e6);
   EXPECT_EQ(event.xx + event.yy, 0.0);
   EXPECT_DOUBLE_EQ(event.moment, 3e6);  // half of force times lever: the part without turning
-  EXPECT_DOUBLE_EQ(event.isotropic_share, 0.0);
+  EXPECT_DOUBLE_EQ(event.isotropic_fraction, 0.0);
 }
 
 TEST(Catalogue, MomentDoesNotDependOnTheDirectionAndGrowsWithThickness) {
@@ -67,7 +67,7 @@ TEST(Catalogue, MomentDoesNotDependOnTheDirectionAndGrowsWithThickness) {
   crack.normal = {std::cos(0.7), std::sin(0.7)};
   const auto turned = events_of({crack}, {.thickness = 10.0}).front();
   EXPECT_NEAR(turned.moment, 10.0 * straight.moment, 1e-9 * turned.moment);
-  EXPECT_NEAR(turned.isotropic_share, straight.isotropic_share, 1e-12);
+  EXPECT_NEAR(turned.isotropic_fraction, straight.isotropic_fraction, 1e-12);
   EXPECT_DOUBLE_EQ(turned.energy, 10.0 * straight.energy);
 }
 
@@ -107,7 +107,7 @@ TEST(Catalogue, HasNoEventsWithoutCracksAndNoMagnitudeWithoutForce) {
   const auto event = events_of({crack}).front();
   EXPECT_TRUE(std::isnan(event.magnitude));
   EXPECT_TRUE(std::isnan(event.energy_magnitude));
-  EXPECT_EQ(event.isotropic_share, 0.0);
+  EXPECT_EQ(event.isotropic_fraction, 0.0);
 }
 
 // Magnitudes at the middles of equal shares of an exponential distribution of b = 1.2 above -1.

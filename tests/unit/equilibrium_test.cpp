@@ -279,7 +279,7 @@ TEST(CoupledSystem, ProductIsTheChangeOfTheResidual) {
     definition.options.contact_shear_stiffness = 0.0;
     if (!walls) {
       definition.options.boundary_kind = choice(BoundaryKind::stress);
-      definition.options.stress_sigma_H = definition.options.stress_sigma_h = 5e6;
+      definition.options.stress_sigma_Hmax = definition.options.stress_sigma_hmin = 5e6;
       definition.options.bond_tensile_strength = 1e12;
     }
     CrackedModel model(definition);
@@ -287,7 +287,7 @@ TEST(CoupledSystem, ProductIsTheChangeOfTheResidual) {
     auto& assembly = const_cast<Assembly&>(model.s.assembly());
     auto& network = const_cast<Network&>(model.s.network());
     auto& boundary = const_cast<Boundary&>(model.s.boundary());
-    const LooseContacts& loose = model.s.solver().loose_contacts();
+    const NonBondedContacts& loose = model.s.solver().non_bonded_contacts();
     for (std::size_t e = 50; e < 60; ++e) assembly.intact[e] = 0.0;
     Workers team(2);
     CoupledSystem system(assembly, network, boundary, loose, model.s.options(), team);
@@ -319,7 +319,7 @@ TEST(CoupledFactor, SolvesTheTangent) {
   auto& network = const_cast<Network&>(model.s.network());
   auto& boundary = const_cast<Boundary&>(model.s.boundary());
   Workers team(2);
-  CoupledSystem system(assembly, network, boundary, model.s.solver().loose_contacts(), model.s.options(),
+  CoupledSystem system(assembly, network, boundary, model.s.solver().non_bonded_contacts(), model.s.options(),
                        team);
   system.begin(1e-3, {});
   system.evaluate();

@@ -79,8 +79,8 @@ TEST(ExplicitSolver, KeepsMomentum) {
 
 TEST(ExplicitSolver, FindsRestUnderLoad) {
   Options o = dry_options(400);
-  o.stress_sigma_H = 2e7;
-  o.stress_sigma_h = 1e7;
+  o.stress_sigma_Hmax = 2e7;
+  o.stress_sigma_hmin = 1e7;
   Model m(o, packed(o));
   m.boundary->set_load(m.assembly, 1.0);
   CrackLog log;
@@ -88,7 +88,7 @@ TEST(ExplicitSolver, FindsRestUnderLoad) {
   EXPECT_TRUE(outcome.at_rest);
   EXPECT_LE(outcome.force_ratio, 1e-4);
   EXPECT_EQ(m.solver->total_cycles(), outcome.cycles);
-  // Work of a dead load that is put on at once: twice the energy stored, the other half damped away.
+  // Work of a constant load that is put on at once: twice the energy stored, the other half damped away.
   const double stored = m.elastic_energy(), work = m.boundary->load_work(m.assembly);
   EXPECT_NEAR(
       work,
@@ -106,8 +106,8 @@ std::unique_ptr<Ran> run_with(int workers) {
   Options o = dry_options(900);
   o.flow_scheme = choice(FlowScheme::implicit_scheme);
   o.boundary_kind = choice(BoundaryKind::walls);
-  o.model_reading = choice(Reading::paper);
-  o.stress_sigma_H = o.stress_sigma_h = 1e7;
+  o.stress_convention = choice(StressConvention::effective);
+  o.stress_sigma_Hmax = o.stress_sigma_hmin = 1e7;
   o.bond_tensile_strength = 4e6;
   o.bond_shear_strength = 2e7;
   auto ran = std::make_unique<Ran>(o, workers);

@@ -62,7 +62,7 @@ TEST(FlowSolver, KeepsContent) {
   }
 }
 
-TEST(FlowSolver, BooksSourcesAndFlowsToTheOutside) {
+TEST(FlowSolver, BalancesSourcesAndFlowsToTheOutside) {
   for (const auto scheme : {FlowScheme::implicit_scheme, FlowScheme::explicit_scheme}) {
     const auto model = flow_model(scheme, 1e-4);
     Model& m = *model;

@@ -131,7 +131,7 @@ TEST(FluidLaw, TheCoupledTangentIsTheDerivative) {
     m.network.content[d] = content_at(m.network, d, o.fluid_bulk_modulus, m.network.pressure[d]);
   }
   Workers team(1);
-  CoupledSystem system(m.assembly, m.network, *m.boundary, m.solver->loose_contacts(), m.options, team);
+  CoupledSystem system(m.assembly, m.network, *m.boundary, m.solver->non_bonded_contacts(), m.options, team);
   system.begin(10.0, {});
   system.evaluate();
   const CoupledSystem::Vector before = system.residual();

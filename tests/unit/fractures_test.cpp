@@ -82,8 +82,8 @@ TEST(Fractures, StraightThroughTheWell) {
   EXPECT_EQ(f.crack_count, 5);
   EXPECT_EQ(f.tensile_cracks, 4);
   EXPECT_EQ(f.well, 0);
-  EXPECT_EQ(f.arms, 2);
-  // Arms from the contact at the hole to the last pore: 0.5 + 1 + 1 and 0.5 + 1. The hole does not count.
+  EXPECT_EQ(f.wings, 2);
+  // Wings from the contact at the hole to the last pore: 0.5 + 1 + 1 and 0.5 + 1. The hole does not count.
   EXPECT_NEAR(f.length, 2.5 + 1.5, 0.02);
   EXPECT_NEAR(f.extent, 9.0, 1e-9);  // from x = 6 to x = 15, hole and all
   EXPECT_NEAR(f.reach, std::hypot(5.0, 0.5 * opening) - lattice.well().equivalent_radius, 1e-9);
@@ -102,7 +102,7 @@ TEST(Fractures, AlongYHaveTheAzimuthOfY) {
   ASSERT_EQ(fractures.size(), 1u);
   EXPECT_NEAR(std::abs(fractures[0].azimuth), 0.5 * pi, 0.01);
   EXPECT_NEAR(fractures[0].length, 1.5 + 0.5, 0.02);
-  EXPECT_EQ(fractures[0].arms, 2);
+  EXPECT_EQ(fractures[0].wings, 2);
 }
 
 TEST(Fractures, OnADiagonalLieAtFortyFiveDegrees) {
@@ -116,7 +116,7 @@ TEST(Fractures, OnADiagonalLieAtFortyFiveDegrees) {
   ASSERT_EQ(fractures.size(), 1u);
   EXPECT_NEAR(fractures[0].azimuth, 0.25 * pi, 0.02);
   EXPECT_EQ(fractures[0].well, -1);
-  EXPECT_EQ(fractures[0].arms, 1);
+  EXPECT_EQ(fractures[0].wings, 1);
   EXPECT_EQ(fractures[0].reach, 0.0);
   EXPECT_NEAR(fractures[0].length, 10.0, 1e-9);  // ten cracks, a unit from pore to pore each
 }
@@ -131,7 +131,7 @@ TEST(Fractures, ThatShareNoPoreAreTwo) {
   ASSERT_EQ(fractures.size(), 3u);
   EXPECT_EQ(fractures[0].crack_count, 2);  // most cracks first
   EXPECT_EQ(fractures[0].well, 0);
-  EXPECT_EQ(fractures[0].arms, 1);
+  EXPECT_EQ(fractures[0].wings, 1);
   EXPECT_EQ(fractures[1].crack_count, 1);
   EXPECT_EQ(fractures[1].well, -1);
   EXPECT_EQ(lattice.log[1].fracture, 0);
@@ -150,7 +150,7 @@ TEST(Fractures, BranchesCountTheLongestWay) {
   const auto fractures = lattice.find();
   ASSERT_EQ(fractures.size(), 1u);
   EXPECT_EQ(fractures[0].crack_count, 6);
-  EXPECT_EQ(fractures[0].arms, 1);
+  EXPECT_EQ(fractures[0].wings, 1);
   EXPECT_NEAR(fractures[0].length, 3.5, 1e-9);
 }
 

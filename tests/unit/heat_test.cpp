@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Temperature: its books, what it does to the rock, and that it goes with the state.
+// Temperature: its balance, what it does to the rock, and that it goes with the state.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ CaseDefinition cooled_case(double expansion) {
 
 class HotRock : public testing::TestWithParam<Way> {};
 
-TEST_P(HotRock, TheBooksOfHeatClose) {
+TEST_P(HotRock, TheHeatBalanceCloses) {
   Simulation s(hot_case(GetParam()), {}, {});
   for (int k = 0; k < 4; ++k) s.step();
   EXPECT_GT(s.cracks().size(), 0U);
@@ -115,7 +115,7 @@ TEST(Heat, CoolingCracksTheRockAndWithoutExpansionItDoesNot) {
   EXPECT_GT(2 * tensile, shrinking.cracks().size());
 }
 
-TEST(Heat, EnergyOfGrowthIsInTheBooks) {
+TEST(Heat, EnergyOfGrowthIsInTheBalance) {
   CaseDefinition definition = quiet_case();
   Options& o = definition.options;
   o.boundary_kind = choice(BoundaryKind::walls);

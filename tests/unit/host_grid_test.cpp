@@ -60,7 +60,7 @@ TEST(HostGrid, FindsCells) {
   EXPECT_THROW(HostGrid::from_corners(1, 1, std::vector<double>{0, 0, 1, 1, 1, 0, 0, 1}.data()), Error);
 }
 
-TEST(HostGrid, SharesTheModelOutWithoutLoss) {
+TEST(HostGrid, DividesTheModelWithoutLoss) {
   const Options o = dry_options(400);
   const Model model(o, packed(o));
   const HostGrid base = HostGrid::regular(1, 1, {-100, -100}, {400, 400}, 0.0);
@@ -79,7 +79,7 @@ TEST(HostGrid, SharesTheModelOutWithoutLoss) {
     std::size_t sum = 0;
     for (std::int64_t c = 0; c < grid.count(); ++c) sum += grid.pipes_of(c).size();
     EXPECT_EQ(sum, grid.pipes().size());
-    EXPECT_EQ(grid.rim_cell().size(), model.network.rim_pipe.size());
+    EXPECT_EQ(grid.outer_cell().size(), model.network.outer_pipe.size());
   }
 }
 

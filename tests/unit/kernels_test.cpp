@@ -163,7 +163,7 @@ TEST(Kernels, FollowTheLawOfViewBond) {
   }
 }
 
-// A rock that is the same everywhere, and one whose bonds differ (bond_shares.hpp).
+// A rock that is the same everywhere, and one whose bonds differ (bond_factors.hpp).
 TEST(Kernels, GeometryInSinglePrecisionIsOffByItsRounding) {
   for (const double toughness : {0.0, 20e6}) {
     Options o = kernel_options(ContactMode::parallel),
@@ -172,7 +172,7 @@ TEST(Kernels, GeometryInSinglePrecisionIsOffByItsRounding) {
     Model exact(o, packed(o)), rounded(short_of, packed(short_of));
     stir(exact);
     stir(rounded);
-    EXPECT_EQ(rounded.solver->arrays().tensile_share != nullptr, toughness > 0.0);
+    EXPECT_EQ(rounded.solver->arrays().tensile_factor != nullptr, toughness > 0.0);
     const auto forces = forces_of(exact), near = forces_of(rounded);
     double largest = 0.0, off = 0.0;
     for (std::size_t e = 0; e < forces.size(); ++e) {

@@ -89,8 +89,8 @@ TEST(Lab, GeometryFactorsAreTheHandbooks) {
   // Tada, Paris and Irwin: narrow slits; 1.0246 at 2 a / W = 0.2; 1.12 of an edge crack, 1.6599 at a / W = 0.3.
   EXPECT_NEAR(crack_geometry_factor(LabTest::centre_crack, 1e-6), 1.0, 1e-6);
   EXPECT_NEAR(crack_geometry_factor(LabTest::centre_crack, 0.2), 1.0246, 2e-3);
-  EXPECT_NEAR(crack_geometry_factor(LabTest::notch, 1e-6), 1.122, 1e-3);
-  EXPECT_NEAR(crack_geometry_factor(LabTest::notch, 0.3), 1.66, 1e-2);
+  EXPECT_NEAR(crack_geometry_factor(LabTest::sent, 1e-6), 1.122, 1e-3);
+  EXPECT_NEAR(crack_geometry_factor(LabTest::sent, 0.3), 1.66, 1e-2);
 }
 
 TEST(Lab, StrengthGoesWithTheBonds) {
@@ -113,7 +113,7 @@ TEST(Lab, ConfinementStrengthens) {
 
 TEST(Lab, ASpecimenTooCoarseForItsSlitIsRefused) {
   LabSpec spec = spec_of(LabTest::centre_crack, 100);
-  spec.slit_share = 0.05;
+  spec.slit_fraction = 0.05;
   EXPECT_THROW(run_lab(linear(), spec), Error);
 }
 

@@ -117,11 +117,11 @@ inline std::int64_t choice(FlowScheme scheme) {
 inline std::int64_t choice(BoundaryKind kind) {
   return static_cast<std::int64_t>(kind);
 }
-inline std::int64_t choice(WallsAfterSetup after) {
+inline std::int64_t choice(WallsAfterEquilibration after) {
   return static_cast<std::int64_t>(after);
 }
-inline std::int64_t choice(Reading reading) {
-  return static_cast<std::int64_t>(reading);
+inline std::int64_t choice(StressConvention convention) {
+  return static_cast<std::int64_t>(convention);
 }
 inline std::int64_t choice(OuterPores outer) {
   return static_cast<std::int64_t>(outer);
@@ -137,7 +137,7 @@ inline Options dry_options(std::int64_t discs) {
   o.packing_disc_count = discs;
   o.flow_scheme = choice(FlowScheme::off);
   o.bond_tensile_strength = o.bond_shear_strength = 1e12;
-  o.stress_sigma_H = o.stress_sigma_h = 0.0;
+  o.stress_sigma_Hmax = o.stress_sigma_hmin = 0.0;
   return o;
 }
 

@@ -99,13 +99,13 @@ TEST(Network, VolumesArePolygonLessDiscs) {
   EXPECT_LT(pores / outline, 0.22);
 }
 
-TEST(Network, ReadingSetsReferenceAndFloor) {
+TEST(Network, ConventionSetsReferenceAndFloor) {
   Options o = wet_options();
   const Discs discs = square_lattice(5, 5, 0.5);
   const Model sound(o, discs);
   EXPECT_EQ(sound.network.reference_pressure, 25e6);
   EXPECT_EQ(sound.network.floor_pressure, 0.0);
-  o.model_reading = choice(Reading::paper);
+  o.stress_convention = choice(StressConvention::effective);
   const Model paper(o, discs);
   EXPECT_EQ(paper.network.reference_pressure, 0.0);
   EXPECT_EQ(paper.network.floor_pressure, -25e6);

@@ -44,8 +44,8 @@ TEST(Simulation, AnInterruptedStepLeavesNoTrace) {
 
 TEST(Simulation, AnInterruptedStepLeavesServoWallsAndTheirWork) {
   CaseDefinition definition = cracking_case();
-  definition.options.boundary_walls_after_setup = choice(WallsAfterSetup::servo);
-  definition.options.stress_sigma_H = definition.options.stress_sigma_h = 5e6;
+  definition.options.boundary_walls_after_equilibration = choice(WallsAfterEquilibration::servo);
+  definition.options.stress_sigma_Hmax = definition.options.stress_sigma_hmin = 5e6;
   definition.options.packing_disc_count = 600;
   definition.wells[0].radius = 9.0;
   Simulation s(definition, {}, {});
@@ -146,7 +146,7 @@ TEST(Simulation, SetUpComesToRestAndReportsItself) {
   const double over = (s.wells()[0].place.equivalent_radius - 10.0) / s.assembly().mean_radius;
   EXPECT_GT(over, 0.7);
   EXPECT_LT(over, 2.0);
-  // The books start at zero.
+  // The balance starts at zero.
   const Balance b = s.balance();
   EXPECT_EQ(b.injected, 0.0);
   EXPECT_EQ(b.leaked, 0.0);

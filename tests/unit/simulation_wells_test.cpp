@@ -88,7 +88,7 @@ TEST(Wells, CannotGoBelowZeroPressure) {
   EXPECT_EQ(well_pressure(s), 0.0);
 }
 
-TEST(Wells, TwoOfThemKeepTheirOwnBooks) {
+TEST(Wells, TwoOfThemKeepTheirOwnBalance) {
   CaseDefinition definition = quiet_case();
   definition.options.packing_disc_count = 900;
   definition.wells[0] = {30.0, 50.0, 8.0};

@@ -7,14 +7,14 @@
 
 namespace testing_unit {
 
-// The paper's reading at 1 000 discs: rigid walls, no far field, hole of about 5 mean radii.
+// Effective stresses at 1 000 discs: rigid walls, no far field, hole of about 5 mean radii.
 inline CaseDefinition cracking_case() {
   CaseDefinition definition;
   Options& o = definition.options;
-  o.model_reading = choice(Reading::paper);
+  o.stress_convention = choice(StressConvention::effective);
   o.boundary_kind = choice(BoundaryKind::walls);
   o.packing_disc_count = 1000;
-  o.stress_sigma_H = o.stress_sigma_h = 0.0;
+  o.stress_sigma_Hmax = o.stress_sigma_hmin = 0.0;
   WellOptions well;
   well.x = well.y = 50.0;
   well.radius = 8.5;
@@ -27,10 +27,10 @@ inline CaseDefinition cracking_case() {
 inline CaseDefinition quiet_case() {
   CaseDefinition definition = cracking_case();
   Options& o = definition.options;
-  o.model_reading = choice(Reading::sound);
+  o.stress_convention = choice(StressConvention::total);
   o.boundary_kind = choice(BoundaryKind::stress);
   o.packing_disc_count = 500;
-  o.stress_sigma_H = o.stress_sigma_h = 30e6;
+  o.stress_sigma_Hmax = o.stress_sigma_hmin = 30e6;
   o.bond_tensile_strength = o.bond_shear_strength = 1e12;
   definition.wells[0].radius = 10.0;
   definition.wells[0].pressure = 30e6;

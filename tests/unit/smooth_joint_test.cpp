@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Smooth joints: pieces and normals, the law, both solvers, books, restore, the end of its reach.
+// Smooth joints: pieces and normals, the law, both solvers, balance, restore, the end of its reach.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -83,7 +83,7 @@ TEST(SmoothJoint, SlidesWithoutDilationAtItsCoefficientOfFriction) {
     double friction = 0.0, area = 0.0, dissipated = 0.0;
     Vec2 force{};
     for (const auto& contact : cut.a.smooth.contacts) {
-      const SmoothAnswer r = answer(cut.a, cut.o, contact);
+      const SmoothResponse r = smooth_response(cut.a, cut.o, contact);
       const Vec2 tangent{-contact.normal.y, contact.normal.x};
       const double side = dot(contact.normal, normal);  // on the half that moved
       force = force - side * (r.normal * contact.normal + r.shear * tangent);
@@ -157,12 +157,12 @@ CaseDefinition cut_case(JointState state, SolverKind solver, double degrees, dou
   CaseDefinition definition = cracking_case();
   Options& o = definition.options;
   o.packing_disc_count = 400;
-  o.model_reading = choice(Reading::sound);
+  o.stress_convention = choice(StressConvention::total);
   o.boundary_kind = choice(BoundaryKind::stress);
   o.flow_scheme = choice(FlowScheme::off);
   o.contact_mode = choice(ContactMode::after_break);
-  o.stress_sigma_H = 30e6;
-  o.stress_sigma_h = 10e6;
+  o.stress_sigma_Hmax = 30e6;
+  o.stress_sigma_hmin = 10e6;
   o.bond_tensile_strength = o.bond_shear_strength = 1e12;
   o.solver_kind = choice(solver);
   o.stepping_force_ratio = 1e-5;
@@ -178,11 +178,11 @@ double largest_slide(const Simulation& s) {
   return slide;
 }
 
-TEST(SmoothJoint, BothSolversFindTheSameRestAndTheBooksClose) {
+TEST(SmoothJoint, BothSolversFindTheSameRestAndTheBalanceCloses) {
   double slid[2];
   for (const SolverKind kind : {SolverKind::explicit_solver, SolverKind::quasi_static}) {
     CaseDefinition definition = cut_case(JointState::smooth_broken, kind, 45.0, 0.2);
-    definition.options.stress_sigma_H = 14e6;
+    definition.options.stress_sigma_Hmax = 14e6;
     Simulation s(definition, {}, {});
     s.set_far_field(30e6, 10e6);
     s.step();
@@ -225,7 +225,7 @@ TEST(SmoothJoint, GoesOnAfterARestoreBitForBitOnAnyNumberOfWorkers) {
     CaseDefinition definition = cut_case(JointState::smooth_bonded, kind, 30.0, 0.3);
     definition.options.bond_tensile_strength = definition.options.bond_shear_strength = 40e6;
     definition.joints[0].tensile_factor = definition.joints[0].shear_factor = 0.1;
-    definition.options.stress_sigma_H = 14e6;
+    definition.options.stress_sigma_Hmax = 14e6;
     Simulation s(definition, {}, {});
     const std::size_t before = s.cracks().size();
     EXPECT_LT(before, s.assembly().smooth.contacts.size());
@@ -250,10 +250,10 @@ TEST(SmoothJoint, GoesOnAfterARestoreBitForBitOnAnyNumberOfWorkers) {
   }
 }
 
-// In motion, joints and loose contacts push their discs on top of the boundary's load: what is restored is that very state.
+// In motion, joints and non-bonded contacts push their discs on top of the boundary's load: what is restored is that very state.
 TEST(SmoothJoint, WhatPushesItsDiscsIsRestoredWithThem) {
   CaseDefinition definition = cut_case(JointState::smooth_broken, SolverKind::explicit_solver, 30.0, 0.3);
-  definition.options.stress_sigma_H = 14e6;
+  definition.options.stress_sigma_Hmax = 14e6;
   definition.options.stepping_mode = choice(SteppingMode::dynamic);
   definition.options.stepping_flow_step = 1e-3;
   Simulation s(definition, {}, {});
@@ -275,7 +275,7 @@ TEST(SmoothJoint, WhatPushesItsDiscsIsRestoredWithThem) {
 TEST(SmoothJoint, SlidingPastItsPairsIsRefusedInWords) {
   CaseDefinition definition = cut_case(JointState::smooth_broken, SolverKind::explicit_solver, 45.0, 0.1);
   definition.joints[0] = joint_at(45.0, 90.0, {50.0, 50.0}, 0.1, JointState::smooth_broken);  // right through
-  definition.options.stress_sigma_H = 10e6;
+  definition.options.stress_sigma_Hmax = 10e6;
   Simulation s(definition, {}, {});
   s.set_far_field(30e6, 10e6);
   const auto before = s.state_hash();
@@ -297,7 +297,7 @@ CaseDefinition fluid_case(SolverKind solver, SteppingMode mode, int steps) {
   o.stepping_mode = choice(mode);
   o.flow_scheme = choice(FlowScheme::implicit_scheme);
   o.fluid_formation_pressure = 5e6;
-  o.stress_sigma_H = o.stress_sigma_h = 10e6;
+  o.stress_sigma_Hmax = o.stress_sigma_hmin = 10e6;
   o.flow_permeability = 1e-12;
   o.stepping_flow_step = 4e4 / steps;
   WellOptions well;

@@ -33,7 +33,7 @@ TEST(Workers, MeetAtTheBarrierWhateverTheirNumber) {
   }
 }
 
-TEST(Workers, SharesCoverEverythingOnce) {
+TEST(Workers, PartsCoverEverythingOnce) {
   for (const int count : {1, 3, 8}) {
     const Workers workers(count);
     for (const std::int64_t n : {0, 1, 7, 64, 1000}) {

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // V10: a hydraulic fracture grows along the larger far-field stress.
 //
-// Source     Hubbert and Willis (1957): fractures open against the smallest stress, so they run along sigma_H.
+// Source     Hubbert and Willis (1957): fractures open against the smallest stress, so they run along sigma_Hmax.
 // Set-up     Six packings of 2 000 discs, rigid walls at effective stresses of 8 and 0 MPa, well held at 45 MPa net, 60
 //            sub-steps of 10 ms. The azimuth is that of the longest spread of the fracture's crack ends about the well.
-// Tolerance  Mean azimuth of the six within 15 degrees of sigma_H; each one nearer to sigma_H than to sigma_h.
+// Tolerance  Mean azimuth of the six within 15 degrees of sigma_Hmax; each one nearer to sigma_Hmax than to sigma_hmin.
 #include "support.hpp"
 
 namespace {
 
 // Mean azimuth [degrees] of the packings' fractures.
 double grow(int packings) {
-  verification::Curves curves("V10", "Direction of the fracture against sigma_H; six packings",
+  verification::Curves curves("V10", "Direction of the fracture against sigma_Hmax; six packings",
                               "packing,azimuth (degrees)");
   constexpr double degree = 57.29577951308232;
   double sum = 0.0;
   for (int seed = 1; seed <= packings; ++seed) {
     hfrac_sim_def def = verification::paper_rock(seed);
-    def.stress_sigma_H = 8e6;
+    def.stress_sigma_Hmax = 8e6;
     def.stepping_flow_step = 1e-2;
     def.wells[0].pressure = 45e6;
     hfrac_sim* sim = nullptr;
@@ -33,7 +33,7 @@ double grow(int packings) {
     EXPECT_LT(std::abs(fracture.azimuth * degree), 45.0);
     sum += fracture.azimuth * degree;
     curves.point("fracture", {static_cast<double>(seed), fracture.azimuth * degree});
-    curves.point("sigma_H", {static_cast<double>(seed), 0.0});
+    curves.point("sigma_Hmax", {static_cast<double>(seed), 0.0});
     hfrac_sim_destroy(&sim);
   }
   std::printf("  mean azimuth %.1f degrees, analytic 0\n", sum / packings);

@@ -66,8 +66,8 @@ Ratios grow(int columns, double side, double stress, const char* series) {
               thin);
   def.model_width = def.model_height = side;
   def.packing_disc_count = static_cast<int64_t>(columns) * columns;
-  def.stress_sigma_H = stress + 2e6;
-  def.stress_sigma_h = def.fluid_formation_pressure = stress;
+  def.stress_sigma_Hmax = stress + 2e6;
+  def.stress_sigma_hmin = def.fluid_formation_pressure = stress;
   def.fluid_viscosity = viscosity;
   def.fluid_bulk_modulus = 1e10;
   def.flow_zero_stress_aperture = 5e-6;

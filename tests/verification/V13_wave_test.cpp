@@ -5,7 +5,7 @@
 //            over the area; behind the front of a sudden pressure s the rock moves at s / (rho c).
 // Source     Timoshenko and Goodier, Theory of Elasticity, sections 166 and 168.
 // Set-up     100 m x 100 m of the linear set, dry, unbreakable, no well, no damping, mode dynamic. E' and nu' of the same packing
-//            at rest under sigma_H alone, as in V2. Then sigma_H is put on at once: from left and right a front runs inward.
+//            at rest under sigma_Hmax alone, as in V2. Then sigma_Hmax is put on at once: from left and right a front runs inward.
 //            Mean displacement over |y - 50 m| < 20 m in columns of 4 m round x = 10 m and 34 m; a straight line through
 //            it over 6 ms behind the front gives the velocity and when the front came. Nothing has come from other sides by then.
 // Tolerance  Speed 2 % (physics.md), velocity behind the front 3 %, both as means over three packings;
@@ -37,7 +37,7 @@ hfrac_sim_def rock(int64_t discs, int64_t seed) {
   def.bond_shear_stiffness = 5.6e9;
   def.bond_tensile_strength = def.bond_shear_strength = 1e12;
   def.disc_density = density;
-  def.stress_sigma_H = def.stress_sigma_h = 0.0;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = 0.0;
   return def;
 }
 

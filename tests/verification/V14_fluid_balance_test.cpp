@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // V14  No fluid is lost or made: injected = stored + leaked, whatever breaks.
 //
-// Formula    injected + put in by the host = change of what pores, cracks and wells hold + what left over the rim.
+// Formula    injected + put in by the host = change of what pores, cracks and wells hold + what left over the outer boundary.
 // Source     Conservation of mass (eq. 8).
 // Set-up     2 000 discs of Table 1's rock between walls, well of 8.5 m held at 45 MPa net (and, coupled, fed at a rate), ten
 //            steps with cracks, cavities and leak-off, by each solver and each way of stepping. The error is what hfrac_get_balance finds:
-//            contents added up anew from all pores, against the books kept step by step.
+//            contents added up anew from all pores, against the balance kept step by step.
 // Tolerance  1e-12 of what was injected, the rounding of ten steps' sums (physics.md asks for 1e-6).
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 using namespace verification;
 
-void close_books(const char* name, const hfrac_sim_def& def) {
+void check_balance(const char* name, const hfrac_sim_def& def) {
   Simulation rock(def);
   hfrac_balance balance{};
   balance.struct_size = sizeof balance;
@@ -44,16 +44,16 @@ void close_books(const char* name, const hfrac_sim_def& def) {
 TEST(V14FluidBalanceSmoke, ClosesByEverySolver) {
   hfrac_sim_def def = paper_rock(1);
   def.wells[0].pressure = 45e6;
-  close_books("explicit solver, implicit flow", def);
+  check_balance("explicit solver, implicit flow", def);
   hfrac_sim_def narrow = def;
   narrow.flow_scheme = 1;
   narrow.flow_aperture_limit = 1e-3;  // wide cracks would need a million explicit sub-cycles
-  close_books("explicit solver, explicit flow", narrow);
+  check_balance("explicit solver, explicit flow", narrow);
   def.solver_kind = 1;
-  close_books("quasi-static solver, sub-steps", def);
+  check_balance("quasi-static solver, sub-steps", def);
   def.stepping_mode = 2;
-  close_books("quasi-static solver, coupled", def);
+  check_balance("quasi-static solver, coupled", def);
   def.wells[0].control = HFRAC_WELL_RATE;
   def.wells[0].rate = 1500.0;
-  close_books("quasi-static solver, coupled, at a rate", def);
+  check_balance("quasi-static solver, coupled, at a rate", def);
 }

@@ -104,11 +104,11 @@ double conduct(int64_t discs, int64_t seed) {
     std::printf("  t %.3e s, 2 sqrt(kappa t) = %.0f m: rms %.2f %% of the step over %d bins\n", time, length,
                 100.0 * rms, bins);
   }
-  const hfrac_heat books = sim.heat();
-  std::printf("  heat: stored %.6g, from held discs %.6g, set %.6g, error %.1e J/m\n", books.stored,
-              books.held, books.host, books.error);
-  EXPECT_LT(std::abs(books.error), 1e-9 * std::abs(books.held));
-  EXPECT_GT(std::abs(books.held), 0.1 * std::abs(books.host));
+  const hfrac_heat balance = sim.heat();
+  std::printf("  heat: stored %.6g, from held discs %.6g, set %.6g, error %.1e J/m\n", balance.stored,
+              balance.held, balance.host, balance.error);
+  EXPECT_LT(std::abs(balance.error), 1e-9 * std::abs(balance.held));
+  EXPECT_GT(std::abs(balance.held), 0.1 * std::abs(balance.host));
   return worst;
 }
 

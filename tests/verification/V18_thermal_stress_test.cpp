@@ -48,7 +48,7 @@ struct Elastic {
 Elastic measure(hfrac_sim_def def) {
   def.boundary_kind = 0;
   def.thermal_mode = 0;
-  def.stress_sigma_H = def.stress_sigma_h = load;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = load;
   HostedSimulation sim(def);
   sim.check(hfrac_step(sim, 1));
   const auto from = sim.values(HFRAC_DISC_DISPLACEMENT);
@@ -88,11 +88,11 @@ void in_fixed_walls(int32_t contact_mode, const char* what) {
               100.0 * strain / (alpha * rise));
   report(what, stress, rock.area * (alpha * rise - strain), 0.03);
   EXPECT_LT(std::abs(strain), 0.2 * alpha * rise);
-  hfrac_balance books{};
-  books.struct_size = sizeof books;
-  sim.check(hfrac_get_balance(sim, &books));
+  hfrac_balance balance{};
+  balance.struct_size = sizeof balance;
+  sim.check(hfrac_get_balance(sim, &balance));
   EXPECT_GT(sim.heat().thermal_work, 0.0);
-  EXPECT_LT(std::abs(books.energy_error), 1e-6 * sim.heat().thermal_work);
+  EXPECT_LT(std::abs(balance.energy_error), 1e-6 * sim.heat().thermal_work);
 }
 
 TEST(V18ThermalStressSmoke, InFixedWallsLinearSet) {
@@ -105,7 +105,7 @@ TEST(V18ThermalStress, InFixedWallsPaperSet) {
 TEST(V18ThermalStress, FreeBlockJustGrows) {
   hfrac_sim_def def = warm_def(1);
   def.boundary_kind = 0;
-  def.stress_sigma_H = def.stress_sigma_h = load;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = load;
   HostedSimulation sim(def);
   sim.check(hfrac_step(sim, 1));
   const auto from = sim.values(HFRAC_DISC_DISPLACEMENT), before = sim.values(HFRAC_DISC_STRESS);

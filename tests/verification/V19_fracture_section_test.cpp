@@ -136,7 +136,7 @@ class Fracture {
     Options o = lattice_options();
     o.model_width = 20.0;
     o.model_height = 12.0;
-    o.model_reading = static_cast<std::int64_t>(Reading::paper);
+    o.stress_convention = static_cast<std::int64_t>(StressConvention::effective);
     o.fluid_viscosity = viscosity;
     return o;
   }

@@ -38,7 +38,7 @@ hfrac_sim_def block(int64_t discs, bool square) {
   def.bond_normal_stiffness = 16e9;
   def.bond_shear_stiffness = square ? 16e9 : 5.6e9;
   def.bond_tensile_strength = def.bond_shear_strength = 1e12;
-  def.stress_sigma_H = def.stress_sigma_h = sigma_3;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = sigma_3;
   return def;
 }
 

@@ -4,7 +4,7 @@
 // Formula    Pollard and Segall (1987), Fracture Mechanics of Rock, ch. 8: where a plane of half length c loses the shear stress D, its
 //            faces slip by 4 D / E' sqrt(c^2 - s^2), E' = E / (1 - nu^2); D is half the difference of the stresses at 45 degrees.
 //            The plate's edges are taken off by a boundary-element solution of the same plate (cracked_plate.hpp).
-// Set-up     Dry plates of 100 m under 10 MPa, a joint without friction of c = 9.9 m in the middle at 45 degrees, sigma_H raised by
+// Set-up     Dry plates of 100 m under 10 MPa, a joint without friction of c = 9.9 m in the middle at 45 degrees, sigma_Hmax raised by
 //            2 MPa, quasi-static solver. Discs in rows (E' = k_n) and random packings (E' measured on them). Slip is fitted by
 //            least squares to the ellipse and compared with the plate's fit.
 // Tolerance  Discs of no size, by two of a ratio of two in radius: 5 %. Random packings, mean of three at c = 22 R: 25 %,
@@ -40,11 +40,11 @@ hfrac_sim_def plate(int64_t discs, bool square, int64_t seed) {
   def.bond_normal_stiffness = stiffness;
   def.bond_shear_stiffness = square ? stiffness : 5.6e9;
   def.bond_tensile_strength = def.bond_shear_strength = 1e12;
-  def.stress_sigma_H = def.stress_sigma_h = around;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = around;
   return def;
 }
 
-// What the joint of half length c at 45 degrees, `off` beside the middle, slips as sigma_H rises.
+// What the joint of half length c at 45 degrees, `off` beside the middle, slips as sigma_Hmax rises.
 Slip slip_along(hfrac_sim_def def, double c, double off) {
   const double t = std::sqrt(0.5);  // both parts of the joint's direction; its normal is (-t, t)
   const double x = 0.5 * side - off * t, y = 0.5 * side + off * t;

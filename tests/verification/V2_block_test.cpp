@@ -5,7 +5,7 @@
 //            strain of a three-dimensional rock: nu = nu' / (1 + nu'), E = E' (1 - nu^2). E' is
 //            proportional to stiffness and does not depend on disc size.
 // Source     Timoshenko and Goodier, Theory of Elasticity; calibration targets in physics.md 2.
-// Set-up     100 m x 100 m, no well, dry, unbreakable bonds, stress boundary, sigma_H = 20 MPa, sigma_h = 0. The same packing is
+// Set-up     100 m x 100 m, no well, dry, unbreakable bonds, stress boundary, sigma_Hmax = 20 MPa, sigma_hmin = 0. The same packing is
 //            brought to rest without and with the stress; displacements are the differences of positions. Strain by least
 //            squares, stress as disc.stress times the disc's area over the area looked at, both over the inner 70 % of
 //            either side.
@@ -44,7 +44,7 @@ hfrac_sim_def block(int64_t discs, int64_t seed, const Set& set, double stiffnes
   def.contact_normal_stiffness *= stiffness_factor;
   def.contact_shear_stiffness *= stiffness_factor;
   def.bond_tensile_strength = def.bond_shear_strength = 1e12;
-  def.stress_sigma_H = def.stress_sigma_h = 0.0;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = 0.0;
   return def;
 }
 
@@ -67,8 +67,8 @@ double share_inside(double x, double y, double radius) {
 
 Elastic squeeze(hfrac_sim_def def, double stress_along_x, double stress_along_y) {
   const std::vector<double> before = Simulation(def).values(HFRAC_DISC_POSITION);
-  def.stress_sigma_H = stress_along_x;
-  def.stress_sigma_h = stress_along_y;
+  def.stress_sigma_Hmax = stress_along_x;
+  def.stress_sigma_hmin = stress_along_y;
   Simulation loaded(def);
   EXPECT_EQ(loaded.state().at_rest, 1);
   const auto after = loaded.values(HFRAC_DISC_POSITION), radius = loaded.values(HFRAC_DISC_RADIUS),
@@ -115,18 +115,18 @@ Elastic mean_over_packings(int64_t discs, int64_t packings, const Set& set, int6
   }
   std::printf(
       "  %5lld discs, %lld packings: E' %.2f GPa (%.2f to %.2f), nu' %.3f; plane strain E %.2f GPa, nu %.3f; "
-      "%.3f of sigma_H\n",
+      "%.3f of sigma_Hmax\n",
       static_cast<long long>(discs), static_cast<long long>(packings), mean.modulus / 1e9, least / 1e9,
       most / 1e9, mean.poisson, mean.plane_strain_modulus() / 1e9, mean.plane_strain_poisson(),
       mean.arriving);
   return mean;
 }
 
-// Between walls: a body under dead loads alone turns before it is at rest to seven digits. The paper's
+// Between walls: a body under constant loads alone turns before it is at rest to seven digits. The paper's
 // reading keeps the walls' targets free of pore pressure.
 Elastic between_walls(const Set& set, double friction, double factor) {
   hfrac_sim_def def = block(1000, 1, set, factor);
-  def.model_reading = 1;
+  def.stress_convention = 1;
   def.boundary_kind = 1;
   def.contact_friction = friction;
   def.stepping_force_ratio = 1e-7;

@@ -2,7 +2,7 @@
 // V3  Stress around a round hole, hydrostatic and uniaxial far field.
 //
 // Formula    Kirsch (1898) for a plate without end; here a ring of outer radius b under uniform tractions,
-//            which tends to it for b >> a. With s = (sigma_H + sigma_h) / 2 and d = (sigma_H - sigma_h) / 2:
+//            which tends to it for b >> a. With s = (sigma_Hmax + sigma_hmin) / 2 and d = (sigma_Hmax - sigma_hmin) / 2:
 //              sigma_theta = s b^2 / (b^2 - a^2) (1 + a^2 / r^2) + (2 A + 12 B r^2 + 6 C / r^4) cos 2 theta
 //            A to D from sigma_r(a) = tau(a) = 0, sigma_r(b) = d cos 2 theta, tau(b) = -d sin 2 theta.
 // Source     Timoshenko and Goodier, Theory of Elasticity, sections 28 and 32.
@@ -40,7 +40,7 @@ hfrac_sim_def rock(int64_t seed) {
   def.bond_normal_stiffness = 16e9;
   def.bond_shear_stiffness = 5.6e9;
   def.bond_tensile_strength = def.bond_shear_strength = 1e12;
-  def.stress_sigma_H = def.stress_sigma_h = 0.0;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = 0.0;
   return def;
 }
 
@@ -72,7 +72,7 @@ class Ring {
 // Sums over the discs of one zone: a ring, all round or within 30 degrees of an axis.
 struct Zone {
   double from, to;  // r / a
-  int sector;       // 0 all round, 1 about y (sigma_h), 2 about x (sigma_H)
+  int sector;       // 0 all round, 1 about y (sigma_hmin), 2 about x (sigma_Hmax)
   double measured = 0.0, analytic = 0.0, kirsch = 0.0, weight = 0.0;
 };
 
@@ -120,8 +120,8 @@ void add_packing(int64_t seed, const std::vector<double>& given, LoadCase& load,
   def.well_count = 1;
   def.wells[0].x = def.wells[0].y = centre;
   def.wells[0].radius = hole_radius;
-  def.stress_sigma_H = load.larger;
-  def.stress_sigma_h = load.smaller;
+  def.stress_sigma_Hmax = load.larger;
+  def.stress_sigma_hmin = load.smaller;
   Simulation s(def);
   EXPECT_EQ(s.state().at_rest, 1);
   const auto x = s.values(HFRAC_DISC_POSITION), radius = s.values(HFRAC_DISC_RADIUS),

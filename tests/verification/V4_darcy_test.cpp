@@ -4,7 +4,7 @@
 // Formula    radial q = 2 pi k dp / (eta ln(r2 / r1)) and p(r) = p1 - q eta / (2 pi k) ln(r / r1); linear
 //            q = k H dp / (eta L), with k the permeability asked for (flow.permeability, 5.6 mD).
 // Source     Muskat, The Flow of Homogeneous Fluids through Porous Media; eq. 6 and 8 of the paper.
-// Set-up     radial: 100 m x 100 m, 4 000 discs, hole of 7 m in the middle, paper's reading, unstressed
+// Set-up     radial: 100 m x 100 m, 4 000 discs, hole of 7 m in the middle, effective stresses, unstressed
 //            rock between walls, outer pores at formation pressure, well at 0.1 MPa net (so small that no
 //            aperture answers to it), implicit flow in steps of 1e9 s until steady. k from the slope of
 //            pressure against ln r over the domains from r1 = 1.5 hole radii to r2 = 40 m. Three
@@ -50,9 +50,9 @@ TEST(V4Darcy, RadialFlow) {
   double mean_ratio = 0.0, mean_square = 0.0;
   for (int seed = 1; seed <= packings; ++seed) {
     hfrac_sim_def def = new_def();
-    def.model_reading = 1;
+    def.stress_convention = 1;
     def.boundary_kind = 1;
-    def.stress_sigma_H = def.stress_sigma_h = 0.0;
+    def.stress_sigma_Hmax = def.stress_sigma_hmin = 0.0;
     def.packing_disc_count = 4000;
     def.model_seed = seed;
     def.flow_permeability = darcy_permeability;

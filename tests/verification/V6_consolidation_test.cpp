@@ -10,7 +10,7 @@
 //            seepage's part from radial equilibrium (same source, section 5).
 // Set-up     lib/rock: nu 0.24, alpha 0.9, B 0.66 (nu_u 0.36), graded meshes of 1 x 40, 10 x 4 to 40 x 4 and 48 x 32 elements,
 //            200 to 400 steps that grow with time. Discs: 4 000 (2 000 and 8 000 in the long variant) of the linear set in 100 m x 100 m, unbreakable, apertures
-//            that do not change, K_f 5 GPa; 5 MPa more on all sides at once, the rim drained. Against the continuum on the same
+//            that do not change, K_f 5 GPa; 5 MPa more on all sides at once, the outer boundary drained. Against the continuum on the same
 //            square with nothing fitted: E and nu of the dry packing under 20 MPa along x (as in V2), k of the network, storage
 //            phi / K_f with phi the pores' share of the polygons, alpha = 1 since discs are rigid; half width from the
 //            polygons' area. Means over squares of 10 m.
@@ -209,10 +209,10 @@ TEST(V6Continuum, PlateConsolidatesAsMandelSays) {
   }
 }
 
-// A ring under no stress outside, a pressure inside that seeps out through the rim. With p falling as ln r, radial
+// A ring under no stress outside, a pressure inside that seeps out through the outer boundary. With p falling as ln r, radial
 // equilibrium of sigma' + alpha p gives
 //   u = A r + D / r + C r ln r,   C = alpha k_p / (2 (lambda + 2 G)),   p = p_rim + k_p ln(r / r_rim).
-// The plate is square, which is felt near its rim: only flow and the stresses up to a quarter of the way are compared.
+// The plate is square, which is felt near its outer boundary: only flow and the stresses up to a quarter of the way are compared.
 TEST(V6Continuum, SeepingWellIsInEquilibrium) {
   const BiotMaterial m = sandstone();
   const double wall = 0.5, width = 20.0;
@@ -285,7 +285,7 @@ hfrac_sim_def square_of_discs(int64_t discs) {
   def.bond_tensile_strength = def.bond_shear_strength = 1e12;
   def.fluid_bulk_modulus = 5e9;
   def.flow_half_aperture_force = 1e15;
-  def.stress_sigma_H = def.stress_sigma_h = 30e6;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = 30e6;
   def.solver_kind = 1;
   def.stepping_mode = 2;
   def.solver_pressure_change = 0.01;
@@ -397,9 +397,9 @@ double consolidate(int64_t discs) {
       middle_volume += volume[d];
     }
     peak = std::max(peak, middle / middle_volume);
-    verification::Curves curves("V6-discs",
-                                "A square of discs drained at its rim: pressure in the middle over the first",
-                                "T,pressure over the first");
+    verification::Curves curves(
+        "V6-discs", "A square of discs drained at its outer boundary: pressure in the middle over the first",
+        "T,pressure over the first");
     curves.point(std::to_string(discs) + " discs", {time, middle / middle_volume});
     curves.point("continuum for " + std::to_string(discs), {time, at(continuum, lines, 3.0, 3.0) / at_once});
     std::printf(
@@ -407,7 +407,7 @@ double consolidate(int64_t discs) {
         "%%, tolerance 3 %%\n",
         static_cast<long long>(discs), time, middle / middle_volume, at(continuum, lines, 3.0, 3.0) / at_once,
         100.0 * squares.rms());
-    // Coarse discs do not resolve the layer under the rim while it is thin.
+    // Coarse discs do not resolve the layer under the outer boundary while it is thin.
     EXPECT_LT(squares.rms(), until >= 0.05 && discs >= 4000 ? 0.03 : 0.06);
   }
   return peak;

@@ -3,7 +3,7 @@
 //
 // Formula    Eq. 1-3, steady: div grad p = 0, and the stresses in equilibrium with it. What a well of higher pressure adds.
 // Source     The continuum solver, held to the ring's solution in V6_consolidation_test.cpp.
-// Set-up     6 000 discs of the linear set in 100 m x 100 m, a well of 7 m, sigma_H = sigma_h = 45 MPa, p0 = 25 MPa. Once made with
+// Set-up     6 000 discs of the linear set in 100 m x 100 m, a well of 7 m, sigma_Hmax = sigma_hmin = 45 MPa, p0 = 25 MPa. Once made with
 //            initial.state = "seepage" and the well at 35 MPa; once from uniform pressure, the well brought to 35 MPa and the
 //            network left to seep, twenty steps of 1e9 s. Pressures by domain; radial and hoop stresses (effective, from disc.stress times
 //            the disc's area over its cell) as means over rings, less those of the same rock before.
@@ -31,7 +31,7 @@ hfrac_sim_def rock_with_well() {
   def.bond_shear_stiffness = 5.6e9;
   def.bond_tensile_strength = def.bond_shear_strength = 1e12;
   def.flow_half_aperture_force = 1e15;
-  def.stress_sigma_H = def.stress_sigma_h = 45e6;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = 45e6;
   def.stepping_force_ratio = 1e-6;
   def.stepping_max_cycles = 200000;
   def.well_count = 1;

@@ -4,7 +4,7 @@
 // Formula    K_Ic = F sigma sqrt(pi a), F for the plate's width; given bond strengths make K_Ic = c sigma_c sqrt(R), which
 //            halves when discs are a quarter as large.
 // Source     Tada, Paris and Irwin, The Stress Analysis of Cracks Handbook; Potyondy and Cundall (2004), section 3.4.
-// Set-up     Plate of 40 m x 60 m, slit of 12 m in its middle under dead tension; square of 40 m, slit of 12 m under fluid
+// Set-up     Plate of 40 m x 60 m, slit of 12 m in its middle under constant load; square of 40 m, slit of 12 m under fluid
 //            pressure that follows the crack: `hfrac lab centre-crack`, `pressurised-crack`. Default rock with
 //            bond.fracture_toughness = 50 MPa m^0.5; beside it, strengths of 42.5 MPa. Radii 1.0, 0.50, 0.25, 0.125 m.
 // Tolerance  Every size within 10 % of the mean of all sizes.

@@ -9,7 +9,7 @@
 //            f tends to 1 as slowly as 1 - 1 / (2 ln(b/a)).
 // Source     Hubbert and Willis (1957), Kirsch (1898); Haimson and Fairhurst (1967), their eq. for a permeable wall. Ring: Lame,
 //            and the seepage's part as that of a temperature (Timoshenko and Goodier, section 151), 1 - nu' = (1 - 2 nu) / (1 - nu).
-// Set-up     100 m x 100 m, 2 000 discs, hole of 10 mean radii, stress boundary, sound reading, quasi-static solver, pressure
+// Set-up     100 m x 100 m, 2 000 discs, hole of 10 mean radii, stress boundary, total stresses, quasi-static solver, pressure
 //            raised by 0.5 MPa a step. Impermeable: 1e-30 m2. Permeable: steps of 1e9 s, in which the fluid comes to rest. The
 //            default rock and the linear one. The arbiter is the continuum (lib/rock) on the same square with the same hole,
 //            nu' of the rock: effective hoop stress at the wall, and as mean over the first two disc diameters.
@@ -37,7 +37,7 @@ hfrac_sim_def with_hole(hfrac_sim_def def, int64_t seed, bool permeable, double 
   def.model_seed = seed;
   def.packing_disc_count = 2000;
   def.solver_kind = 1;
-  def.stress_sigma_H = def.stress_sigma_h = def.fluid_formation_pressure + effective;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = def.fluid_formation_pressure + effective;
   def.flow_permeability = permeable ? 5.527e-15 : 1e-30;
   def.stepping_flow_step = permeable ? 1e9 : 1e-3;
   def.well_count = 1;

@@ -3,7 +3,7 @@
 //
 // Source     docs/verification/minifrac.md, crossing.md, stress-shadow.md
 // Set-up     the case files of examples/field, through hfrac.h
-// Tolerance  closure within 5 % of sigma_h; crossing as Renshaw and Pollard (1995) say well off their line; the second fracture's
+// Tolerance  closure within 5 % of sigma_hmin; crossing as Renshaw and Pollard (1995) say well off their line; the second fracture's
 //            width within 0.1 of Sneddon's (1946)
 #include <algorithm>
 #include <cmath>
@@ -57,7 +57,7 @@ TEST(MinifracLong, ClosureIsTheSmallerStress) {
       static_cast<std::size_t>(std::max_element(pressure.begin(), pressure.end()) - pressure.begin());
   const double grew = shut - time[top];
   ASSERT_GT(grew, 0.0);
-  EXPECT_GT(pressure[top], 1.2 * def.stress_sigma_h);  // breakdown above propagation
+  EXPECT_GT(pressure[top], 1.2 * def.stress_sigma_hmin);  // breakdown above propagation
   std::vector<double> g, p;
   for (std::size_t k = 0; k < time.size(); ++k) {
     const double d = (time[k] - shut) / grew;
@@ -76,10 +76,11 @@ TEST(MinifracLong, ClosureIsTheSmallerStress) {
   }
   EXPECT_LT(after.slope, 1.5 * before.slope);  // stiffer once closed
   const double at = (after.offset - before.offset) / (before.slope - after.slope);
-  verification::report("closure pressure, Pa", before.offset + before.slope * at, def.stress_sigma_h, 0.05);
+  verification::report("closure pressure, Pa", before.offset + before.slope * at, def.stress_sigma_hmin,
+                       0.05);
 }
 
-// Largest distance along x from the model's middle of a bond broken since set-up.
+// Largest distance along x from the model's middle of a bond broken since the initial equilibration.
 double reach(const hfrac_sim_def& def, double until, double enough) {
   hfrac_sim* sim = nullptr;
   EXPECT_EQ(hfrac_sim_create(&def, &sim), HFRAC_OK);
@@ -89,9 +90,10 @@ double reach(const hfrac_sim_def& def, double until, double enough) {
   while (farthest < enough && hfrac_sim_get_state(sim, &state) == HFRAC_OK && state.time < until &&
          hfrac_step(sim, 1) >= 0) {
     int64_t count = 0;
-    hfrac_cracks_since(sim, state.setup_cracks, sizeof(hfrac_crack), nullptr, 0, &count, nullptr);
+    hfrac_cracks_since(sim, state.equilibration_cracks, sizeof(hfrac_crack), nullptr, 0, &count, nullptr);
     std::vector<hfrac_crack> cracks(static_cast<std::size_t>(count));
-    hfrac_cracks_since(sim, state.setup_cracks, sizeof(hfrac_crack), cracks.data(), count, &count, nullptr);
+    hfrac_cracks_since(sim, state.equilibration_cracks, sizeof(hfrac_crack), cracks.data(), count, &count,
+                       nullptr);
     for (const auto& crack : cracks)
       farthest = std::max(farthest, std::abs(crack.position[0] - 0.5 * def.model_width));
   }
@@ -105,9 +107,9 @@ TEST(CrossingLong, FrictionAndStressDecideWhereTheCriterionIsFarFromItsLine) {
   for (const auto& c : cases) {
     hfrac_sim_def def = example("crossing.toml");
     def.joints[1].friction = def.joints[2].friction = c.friction;
-    def.stress_sigma_H = def.stress_sigma_h + c.difference;
-    const double ratio = (def.stress_sigma_H - def.fluid_formation_pressure) /
-                         (def.bond_tensile_strength + def.stress_sigma_h - def.fluid_formation_pressure);
+    def.stress_sigma_Hmax = def.stress_sigma_hmin + c.difference;
+    const double ratio = (def.stress_sigma_Hmax - def.fluid_formation_pressure) /
+                         (def.bond_tensile_strength + def.stress_sigma_hmin - def.fluid_formation_pressure);
     const bool crosses = ratio > (0.35 + 0.35 / c.friction) / 1.06;
     const double joint = def.joints[2].x1 - 0.5 * def.model_width;
     const double farthest = reach(def, 90.0, joint + 2.0);
@@ -124,7 +126,7 @@ TEST(CrossingLong, FrictionAndStressDecideWhereTheCriterionIsFarFromItsLine) {
 double width_beside(const hfrac_sim_def& def) {
   hfrac_sim* sim = nullptr;
   EXPECT_EQ(hfrac_sim_create(&def, &sim), HFRAC_OK);
-  EXPECT_GE(hfrac_step(sim, def.stepping_substeps), 0);
+  EXPECT_GE(hfrac_step(sim, def.stepping_steps), 0);
   int64_t count = 0;
   hfrac_cracks_since(sim, 0, sizeof(hfrac_crack), nullptr, 0, &count, nullptr);
   std::vector<hfrac_crack> cracks(static_cast<std::size_t>(count));

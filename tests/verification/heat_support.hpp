@@ -55,7 +55,7 @@ inline hfrac_sim_def warm_block(int64_t discs, int64_t seed) {
   def.model_seed = seed;
   def.flow_scheme = 2;  // off
   def.boundary_kind = 1;
-  def.stress_sigma_H = def.stress_sigma_h = 0.0;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = 0.0;
   def.bond_tensile_strength = def.bond_shear_strength = 1e12;
   def.solver_kind = 1;  // quasi-static
   return def;

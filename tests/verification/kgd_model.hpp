@@ -2,7 +2,7 @@
 // A straight hydraulic fracture in plane strain (Khristianovic, Geertsma and de Klerk: KGD), for V11 and V12.
 //
 // A hexagonal sheet of equal discs, elastic and isotropic, under total stresses with a seed of a well in the middle. Only the
-// bonds that cross the well's own line along sigma_H may break, so the fracture is straight. The sheet's moduli follow from
+// bonds that cross the well's own line along sigma_Hmax may break, so the fracture is straight. The sheet's moduli follow from
 // its springs: C11 = sqrt(3)/4 (3 k_n + k_s), C12 = sqrt(3)/4 (k_n - k_s), and E' = C11 - C12^2 / C11.
 //
 // What the sheet makes of a slit of width w: its bonds lie at 30 degrees to the slit's normal, so their gap is w cos 30, and
@@ -53,8 +53,8 @@ class KgdModel {
     o.model_height = discs[discs.size() - 2] + R;
     line_ = R + rise * (rows / 2 - 0.5);
     o.packing_disc_count = static_cast<std::int64_t>(discs.size() / 3);
-    o.stress_sigma_H = c.stress + 2e6;
-    o.stress_sigma_h = c.stress;
+    o.stress_sigma_Hmax = c.stress + 2e6;
+    o.stress_sigma_hmin = c.stress;
     o.fluid_formation_pressure = c.formation;
     o.fluid_viscosity = c.viscosity;
     o.fluid_bulk_modulus = 1e10;

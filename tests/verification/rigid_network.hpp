@@ -75,7 +75,7 @@ class RigidNetwork {
     Options o = testing_unit::dry_options(discs);
     o.model_width = o.model_height = 100.0;
     o.model_seed = seed;
-    o.model_reading = testing_unit::choice(Reading::paper);
+    o.stress_convention = testing_unit::choice(StressConvention::effective);
     o.flow_scheme = testing_unit::choice(FlowScheme::implicit_scheme);
     return o;
   }

@@ -43,7 +43,9 @@ class Simulation {
   void ramp(int32_t well, double pressure, double per_step) {
     check(hfrac_well_set_ramp(sim_, well, pressure, per_step));
   }
-  void set_far_field(double sigma_H, double sigma_h) { check(hfrac_set_far_field(sim_, sigma_H, sigma_h)); }
+  void set_far_field(double sigma_Hmax, double sigma_hmin) {
+    check(hfrac_set_far_field(sim_, sigma_Hmax, sigma_hmin));
+  }
   // One step of that many seconds.
   void step_for(double duration) {
     check(hfrac_step_prepare(sim_));
@@ -142,21 +144,21 @@ struct Elasticity {
   }
 };
 inline Elasticity elasticity(hfrac_sim_def def, double stress) {
-  def.stress_sigma_H = def.stress_sigma_h = 0.0;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = 0.0;
   const auto before = Simulation(def).values(HFRAC_DISC_POSITION);
-  def.stress_sigma_H = stress;
+  def.stress_sigma_Hmax = stress;
   const auto strain = inner_strain(before, moved(before, Simulation(def).values(HFRAC_DISC_POSITION)));
   return {-stress / strain[0], -strain[1] / strain[0]};
 }
 
-// Table 1's rock in the paper's reading, between walls without stress, a well of 8.5 m in the middle: 2 000 discs.
+// Table 1's rock with effective stresses, between walls without stress, a well of 8.5 m in the middle: 2 000 discs.
 inline hfrac_sim_def paper_rock(int64_t seed) {
   hfrac_sim_def def = new_def();
   def.model_seed = seed;
-  def.model_reading = 1;
+  def.stress_convention = 1;
   def.boundary_kind = 1;
   def.packing_disc_count = 2000;
-  def.stress_sigma_H = def.stress_sigma_h = 0.0;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = 0.0;
   def.stepping_flow_step = 1e-3;
   def.well_count = 1;
   def.wells[0].x = def.wells[0].y = 50.0;

@@ -77,7 +77,7 @@ TEST_F(Drawing, PicturesOfTheRunInEveryFormat) {
   options.width = 900;
   options.dots_per_inch = 300;
   ASSERT_EQ(render_run().status, HFRAC_OK);
-  for (const char* name : {"figure3", "growth_1", "growth_3", "growth", "pressure", "aperture"}) {
+  for (const char* name : {"model", "growth_1", "growth_3", "growth", "pressure", "aperture"}) {
     const std::string stem = file("pictures") / name;
     EXPECT_FALSE(std::filesystem::exists(stem + ".png")) << name;
     EXPECT_TRUE(holds(file_text(stem + ".svg"), ">wellbore</text>") || holds(name, "aperture")) << name;

@@ -21,7 +21,7 @@ TEST_F(Pictures, WholeRunMakesEveryPictureOfTheRightSize) {
   const Result result = render_run();
   ASSERT_EQ(result.status, HFRAC_OK) << result.text;
   EXPECT_EQ(result.text, "");
-  for (const char* name : {"figure3.png", "growth_1.png", "growth_2.png", "growth_3.png", "growth_4.png",
+  for (const char* name : {"model.png", "growth_1.png", "growth_2.png", "growth_3.png", "growth_4.png",
                            "growth_5.png", "growth.png", "pressure.png", "aperture.png"}) {
     const Picture picture = read_picture(file("pictures") / name);
     EXPECT_EQ(picture.width, 800) << name;
@@ -50,9 +50,9 @@ TEST_F(Pictures, GivenHeightIsKept) {
 
 TEST_F(Pictures, ModelShowsDiscsContactsAndTheWell) {
   write_run(folder(), run);
-  const Result result = render_picture(HFRAC_VIZ_MODEL, file("figure3.png"));
+  const Result result = render_picture(HFRAC_VIZ_MODEL, file("model.png"));
   ASSERT_EQ(result.status, HFRAC_OK) << result.text;
-  const Picture picture = read_picture(file("figure3.png"));
+  const Picture picture = read_picture(file("model.png"));
   const FramedView view = find_view(picture, run.width, run.height);
   EXPECT_TRUE(picture.at(view.x(run.well_x()), view.y(run.well_y())).is_red());
   const double yellow =
@@ -180,9 +180,9 @@ TEST_F(Pictures, OptionalFilesMayBeMissing) {
 TEST_F(Pictures, WellWithoutFlowIsACircle) {
   run.with_flow = false;
   write_run(folder(), run);
-  const Result result = render_picture(HFRAC_VIZ_MODEL, file("figure3.png"));
+  const Result result = render_picture(HFRAC_VIZ_MODEL, file("model.png"));
   ASSERT_EQ(result.status, HFRAC_OK) << result.text;
-  const Picture picture = read_picture(file("figure3.png"));
+  const Picture picture = read_picture(file("model.png"));
   const FramedView view = find_view(picture, run.width, run.height);
   EXPECT_TRUE(picture.at(view.x(run.well_x()), view.y(run.well_y())).is_red());
 }

@@ -145,7 +145,7 @@ class References : public VizTest {
 
 TEST_F(References, Pictures) {
   write_run(folder(), run);
-  compare(picture_of(HFRAC_VIZ_MODEL), "figure3");
+  compare(picture_of(HFRAC_VIZ_MODEL), "model");
   compare(picture_of(HFRAC_VIZ_STAGE), "stage");
   compare(picture_of(HFRAC_VIZ_GROWTH), "growth");
   compare(picture_of(HFRAC_VIZ_PRESSURE), "pressure");

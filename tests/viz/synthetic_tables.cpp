@@ -36,7 +36,8 @@ void write_tables(const fs::path& folder, const SyntheticRun& run) {
   for (const char* kind : {"discs", "bonds", "cracks"}) write_collection(folder, kind, run);
   if (run.with_flow) write_collection(folder, "flow", run);
   std::ofstream summary(folder / "summary.json");
-  summary << "{\"title\": \"" << run.title << "\", \"reading\": \"paper\", \"ended\": \"all steps taken\", "
+  summary << "{\"title\": \"" << run.title
+          << "\", \"stress_convention\": \"effective\", \"ended\": \"all steps taken\", "
           << "\"model\": {\"width_m\": " << run.width << ", \"height_m\": " << run.height
           << "}, \"wells\": [{\"x_m\": " << run.well_x() << ", \"y_m\": " << run.well_y()
           << ", \"radius_m\": " << run.well_radius << ", \"pressure_Pa\": 4.5e7}], "
@@ -73,7 +74,7 @@ void write_tables(const fs::path& folder, const SyntheticRun& run) {
     ++id;
   }
   std::ofstream events(folder / "events.csv");
-  events << "event,crack_count,time_s,x_m,y_m,moment_N_m,magnitude,isotropic_share\n";
+  events << "event,crack_count,time_s,x_m,y_m,moment_N_m,magnitude,isotropic_fraction\n";
   for (int event = 0; event < 40; ++event) {
     const double moment = 1e6 / (1 + event);
     events << event << ",1," << 0.1 * event << ',' << run.well_x() + 0.1 * (event - 20) << ',' << run.well_y()

@@ -23,7 +23,7 @@ std::string length_line(const hfrac_sim_def& definition) {
   if (definition.stepping_end_time > 0.0)
     return fmt::format("until {:g} s of model time", definition.stepping_end_time);
   const char* kind = definition.stepping_mode != 0 ? "steps" : "sub-steps";
-  return fmt::format("{} {} of {:g} s", definition.stepping_substeps, kind, definition.stepping_flow_step);
+  return fmt::format("{} {} of {:g} s", definition.stepping_steps, kind, definition.stepping_flow_step);
 }
 
 ExitCode check(const std::string& file) {
@@ -32,11 +32,11 @@ ExitCode check(const std::string& file) {
   if (definition.title[0] != '\0') fmt::print("  title      {}\n", definition.title);
   fmt::print("  model      {:g} m x {:g} m, about {} discs, porosity {:g}\n", definition.model_width,
              definition.model_height, definition.packing_disc_count, definition.packing_porosity);
-  fmt::print("  reading    {}\n",
-             definition.model_reading == 0 ? "sound (total stresses)" : "paper (effective stresses)");
-  fmt::print("  far field  sigma_H {:g} MPa along x, sigma_h {:g} MPa along y, formation pressure {:g} MPa\n",
-             definition.stress_sigma_H * 1e-6, definition.stress_sigma_h * 1e-6,
-             definition.fluid_formation_pressure * 1e-6);
+  fmt::print("  stresses   {}\n", definition.stress_convention == 0 ? "total" : "effective");
+  fmt::print(
+      "  far field  sigma_Hmax {:g} MPa along x, sigma_hmin {:g} MPa along y, formation pressure {:g} MPa\n",
+      definition.stress_sigma_Hmax * 1e-6, definition.stress_sigma_hmin * 1e-6,
+      definition.fluid_formation_pressure * 1e-6);
   for (int64_t i = 0; i < definition.well_count; ++i)
     fmt::print("  well {}     {}\n", i, well_line(definition.wells[i]));
   if (definition.well_count == 0) fmt::print("  wells      none\n");

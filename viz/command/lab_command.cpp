@@ -33,7 +33,7 @@ constexpr std::array<TestName, 9> tests = {{{"elastic", "E (plane strain)", "GPa
                                             {"biaxial", "axial strength", "MPa", 1e-6},
                                             {"brazilian", "Brazilian strength", "MPa", 1e-6},
                                             {"centre-crack", "K_Ic", "MPa m^0.5", 1e-6},
-                                            {"notch", "K_Ic", "MPa m^0.5", 1e-6},
+                                            {"sent", "K_Ic", "MPa m^0.5", 1e-6},
                                             {"pressurised-crack", "K_Ic", "MPa m^0.5", 1e-6},
                                             {"permeability", "permeability", "mD", 1.0 / 9.869233e-16}}};
 constexpr const char* ends[] = {"failed", "load reached", "no equilibrium found beyond this", "interrupted"};
@@ -202,7 +202,7 @@ void add_lab(CLI::App& program, Action& action) {
       ->capture_default_str();
   command->add_option("--width", request->spec.width, "Of the specimen, in m")->capture_default_str();
   command->add_option("--confining", request->spec.confining, "Stress on the sides (biaxial), in Pa");
-  command->add_option("--slit", request->spec.slit_share, "Length of the slit over the width")
+  command->add_option("--slit", request->spec.slit_fraction, "Length of the slit over the width")
       ->capture_default_str();
   command->add_option("-o,--output", request->folder, "Write curves (CSV, PNG) and specimens (SVG) there")
       ->type_name("DIR");

@@ -55,7 +55,7 @@ int32_t wanted_pictures(const ReportRequest& request) {
     int32_t kind;
     const char* name;
   };
-  static constexpr std::array<Drawn, 5> drawn = {{{HFRAC_VIZ_MODEL, "figure3.png"},
+  static constexpr std::array<Drawn, 5> drawn = {{{HFRAC_VIZ_MODEL, "model.png"},
                                                   {HFRAC_VIZ_GROWTH, "growth.png"},
                                                   {HFRAC_VIZ_PRESSURE, "pressure.png"},
                                                   {HFRAC_VIZ_APERTURE, "aperture.png"},

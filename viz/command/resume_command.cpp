@@ -104,7 +104,7 @@ ExitCode go_on(const ResumeRequest& request) {
   output::RunFolder run(folder, terms);
   const auto sim = build_model(definition, line);
   if (!sim) {
-    fmt::print(stderr, "hfrac: interrupted during the set-up; nothing was changed\n");
+    fmt::print(stderr, "hfrac: interrupted during the initial equilibration; nothing was changed\n");
     return kInterrupted;
   }
   if (!terms.grid.empty()) output::lay_grid(sim.get(), terms.grid);

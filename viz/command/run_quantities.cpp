@@ -38,7 +38,7 @@ constexpr std::array<Name, 15> names = {{
     {"width", "longest_fracture.width_m", "fracture_width_m", "largest_fracture_width_m"},
     {"extent", "fractures.*.extent_m", "", "fracture_extent_m"},
     {"reach", "fractures.*.reach_m", "", "fracture_reach_m"},
-    {"arms", "fractures.*.arms", "", "fracture_arms"},
+    {"wings", "fractures.*.wings", "", "fracture_wings"},
     {"volume", "fracture_volume_m2", "fracture_volume_m2", "fracture_volume_m2"},
     {"injected", "balance.injected_volume_m2", "injected_volume_m2", "injected_volume_m2"},
     {"leak-off", "balance.leaked_volume_m2", "leaked_volume_m2", "leaked_volume_m2"},
@@ -143,8 +143,9 @@ std::string unit_ending(std::string unit) {
 std::string quantity_help() {
   std::string text;
   for (const Name& one : names) {
-    const std::string where =
-        one.path.empty() ? "well pressure at the first crack after the set-up" : std::string(one.path);
+    const std::string where = one.path.empty()
+                                  ? "well pressure at the first crack after the initial equilibration"
+                                  : std::string(one.path);
     text += fmt::format("  {:20} {}{}\n", one.name, where, one.course.empty() ? "" : "; also over time");
   }
   return text + "  or any number of summary.json by its path, any column of history.csv over time\n";

@@ -52,7 +52,7 @@ ExitCode carry_out(const RunRequest& request) {
   output::RunFolder folder(request.folder, terms);
   const auto sim = build_model(definition, line);
   if (!sim) {
-    fmt::print(stderr, "hfrac: interrupted during the set-up; nothing was written\n");
+    fmt::print(stderr, "hfrac: interrupted during the initial equilibration; nothing was written\n");
     return kInterrupted;
   }
   try {

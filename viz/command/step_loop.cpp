@@ -27,7 +27,7 @@ Limits limits_of(const hfrac_sim_def& definition, int64_t steps) {
   const double never = std::numeric_limits<double>::infinity();
   if (steps >= 0) return {steps, never};
   if (definition.stepping_end_time > 0.0) return {kForever, definition.stepping_end_time};
-  return {definition.stepping_substeps, never};
+  return {definition.stepping_steps, never};
 }
 
 /** The progress line, made from the state after the last step. */

@@ -55,10 +55,11 @@ std::string summary_text(const json& summary) {
     text += line("not at rest", fmt::format("{} steps ended before their mechanics came to rest", restless));
   text += line("discs, bonds", fmt::format("{}, {}", state.at("disc_count").get<int64_t>(),
                                            state.at("bond_count").get<int64_t>()));
-  text += line("cracks",
-               fmt::format("{} ({} in tension, {} in shear, {} during set-up)",
-                           state.at("crack_count").get<int64_t>(), state.at("tensile_cracks").get<int64_t>(),
-                           state.at("shear_cracks").get<int64_t>(), state.at("setup_cracks").get<int64_t>()));
+  text += line(
+      "cracks",
+      fmt::format("{} ({} in tension, {} in shear, {} during the initial equilibration)",
+                  state.at("crack_count").get<int64_t>(), state.at("tensile_cracks").get<int64_t>(),
+                  state.at("shear_cracks").get<int64_t>(), state.at("equilibration_cracks").get<int64_t>()));
   text += line("longest fracture", fmt::format("{:.4g} m long, {:.4g} mm wide", number(longest, "length_m"),
                                                number(longest, "width_m") * 1e3));
   text += line("fracture volume", fmt::format("{:.4g} m2", number(summary, "fracture_volume_m2")));

@@ -29,13 +29,13 @@ std::string crack_table(const std::vector<hfrac_crack>& cracks) {
 std::string fracture_table(const std::vector<hfrac_fracture>& fractures) {
   std::string table =
       "fracture,crack_count,tensile_cracks,length_m,extent_m,reach_m,azimuth_rad,mean_aperture_m,"
-      "largest_aperture_m,volume_m2,mean_pressure_Pa,well,arms\n";
+      "largest_aperture_m,volume_m2,mean_pressure_Pa,well,wings\n";
   for (const auto& fracture : fractures) {
     auto out = std::back_inserter(table);
     fmt::format_to(out, "{},{},{}", fracture.index, fracture.crack_count, fracture.tensile_cracks);
     fmt::format_to(out, ",{},{},{},{}", fracture.length, fracture.extent, fracture.reach, fracture.azimuth);
     fmt::format_to(out, ",{},{},{}", fracture.mean_aperture, fracture.largest_aperture, fracture.volume);
-    fmt::format_to(out, ",{},{},{}\n", fracture.mean_pressure, fracture.well, fracture.arms);
+    fmt::format_to(out, ",{},{},{}\n", fracture.mean_pressure, fracture.well, fracture.wings);
   }
   return table;
 }

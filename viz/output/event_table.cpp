@@ -106,7 +106,8 @@ std::vector<hfrac_event> events_of(const std::vector<hfrac_crack>& cracks,
 std::string event_table(const std::vector<hfrac_event>& events) {
   std::string table =
       "event,first_crack,crack_count,tensile_cracks,first_cycle,last_cycle,time_s,x_m,y_m,moment_xx_N_m,"
-      "moment_yy_N_m,moment_xy_N_m,moment_N_m,magnitude,energy_J,energy_magnitude,isotropic_share,length_m,"
+      "moment_yy_N_m,moment_xy_N_m,moment_N_m,magnitude,energy_J,energy_magnitude,isotropic_fraction,length_"
+      "m,"
       "radius_m\n";
   for (const auto& event : events) {
     auto out = std::back_inserter(table);
@@ -116,7 +117,7 @@ std::string event_table(const std::vector<hfrac_event>& events) {
     fmt::format_to(out, ",{},{}", event.position[0], event.position[1]);
     for (const double part : event.moment_tensor) fmt::format_to(out, ",{}", part);
     fmt::format_to(out, ",{},{},{},{}", event.moment, event.magnitude, event.energy, event.energy_magnitude);
-    fmt::format_to(out, ",{},{},{}\n", event.isotropic_share, event.length, event.radius);
+    fmt::format_to(out, ",{},{},{}\n", event.isotropic_fraction, event.length, event.radius);
   }
   return table;
 }

@@ -24,7 +24,7 @@ std::string history_header(size_t wells) {
          "m,"
          "contact_elastic_J_per_m,fluid_work_J_per_m,boundary_work_J_per_m,friction_J_per_m,damping_J_per_m,"
          "fracture_J_per_m,energy_error_J_per_m,stored_volume_m2,leaked_volume_m2,fluid_error_m2,"
-         "solver_parts,newton_iterations,rejected_error,rejected_strength,rejected_divergence\n";
+         "solver_increments,newton_iterations,rejected_error,rejected_strength,rejected_divergence\n";
 }
 
 std::string history_row(hfrac_sim* sim) {
@@ -46,7 +46,7 @@ std::string history_row(hfrac_sim* sim) {
       fmt::format(",{},{},{},{}", balance.friction, balance.damping, balance.fracture, balance.energy_error);
   row += fmt::format(",{},{},{}", balance.stored_volume, balance.leaked_volume, balance.fluid_error);
   const auto solver = solver_of(sim);
-  row += fmt::format(",{},{},{},{},{}\n", solver.parts, solver.newton_iterations, solver.rejected_error,
+  row += fmt::format(",{},{},{},{},{}\n", solver.increments, solver.newton_iterations, solver.rejected_error,
                      solver.rejected_strength, solver.rejected_divergence);
   return row;
 }

@@ -34,7 +34,7 @@ std::vector<fs::path> files_of_a_run(const fs::path& folder) {
       R"(\.?((discs|bonds|cracks|flow)(_[0-9]{5,}\.vtu|\.pvd)|)"
       R"((history|cracks|fractures|events|cells|given_discs|given_bonds)\.csv|(permeability|multipliers)\.grdecl|summary\.json|case\.toml)(\.tmp)?|state\.hfrac(\.part)?|\.hfrac_probe|report\.html|paraview_state\.py)");
   static const std::regex pictures(
-      R"((figure3|growth|growth_[1-5]|pressure|aperture|views)\.png|(history|rose|profile|events|catalogue)\.(png|svg|pdf)|movie\.mp4)");
+      R"((model|growth|growth_[1-5]|pressure|aperture|views)\.png|(history|rose|profile|events|catalogue)\.(png|svg|pdf)|movie\.mp4)");
   std::vector<fs::path> files;
   collect(folder, data, files);
   collect(folder / "checkpoints", std::regex(R"(\.?step_[0-9]{5,}\.checkpoint(\.tmp)?)"), files);

@@ -16,14 +16,20 @@ namespace {
 using json = nlohmann::ordered_json;
 
 json setup_part(const hfrac_setup_report& setup) {
-  return {
-      {"mean_radius_m", setup.mean_radius},         {"porosity", setup.porosity},
-      {"packing_residual", setup.packing_residual}, {"coordination", setup.coordination},
-      {"packed_discs", setup.packed_discs},         {"removed_in_wells", setup.removed_in_wells},
-      {"removed_floaters", setup.removed_floaters}, {"removed_crossings", setup.removed_crossings},
-      {"strength_factor", setup.strength_factor},   {"zero_stress_aperture_m", setup.zero_stress_aperture},
-      {"permeability_m2", setup.permeability},      {"setup_force_ratio", setup.setup_force_ratio},
-      {"packing_seconds", setup.packing_seconds},   {"setup_seconds", setup.setup_seconds}};
+  return {{"mean_radius_m", setup.mean_radius},
+          {"porosity", setup.porosity},
+          {"packing_residual", setup.packing_residual},
+          {"coordination", setup.coordination},
+          {"packed_discs", setup.packed_discs},
+          {"removed_in_wells", setup.removed_in_wells},
+          {"removed_floaters", setup.removed_floaters},
+          {"removed_crossings", setup.removed_crossings},
+          {"strength_factor", setup.strength_factor},
+          {"zero_stress_aperture_m", setup.zero_stress_aperture},
+          {"permeability_m2", setup.permeability},
+          {"equilibration_force_ratio", setup.equilibration_force_ratio},
+          {"packing_seconds", setup.packing_seconds},
+          {"setup_seconds", setup.setup_seconds}};
 }
 
 json state_part(const hfrac_sim_state& state) {
@@ -35,7 +41,7 @@ json state_part(const hfrac_sim_state& state) {
           {"crack_count", state.crack_count},
           {"tensile_cracks", state.tensile_cracks},
           {"shear_cracks", state.shear_cracks},
-          {"setup_cracks", state.setup_cracks},
+          {"equilibration_cracks", state.equilibration_cracks},
           {"disc_count", state.disc_count},
           {"bond_count", state.bond_count},
           {"domain_count", state.domain_count},
@@ -82,16 +88,16 @@ json fracture_part(const hfrac_fracture& fracture) {
           {"volume_m2", fracture.volume},
           {"mean_pressure_Pa", fracture.mean_pressure},
           {"well", fracture.well},
-          {"arms", fracture.arms}};
+          {"wings", fracture.wings}};
 }
 
 /** Where the case means to end, as far as it says: what a movie of a running case plans its axes by. */
 json planned_part(const hfrac_sim_def& definition) {
   if (definition.stepping_end_time > 0.0) return {{"time_s", definition.stepping_end_time}};
   const int64_t every = std::max<int64_t>(1, definition.output_every);
-  return {{"time_s", static_cast<double>(definition.stepping_substeps) * definition.stepping_flow_step},
-          {"steps", definition.stepping_substeps},
-          {"snapshots", 1 + (definition.stepping_substeps + every - 1) / every}};
+  return {{"time_s", static_cast<double>(definition.stepping_steps) * definition.stepping_flow_step},
+          {"steps", definition.stepping_steps},
+          {"snapshots", 1 + (definition.stepping_steps + every - 1) / every}};
 }
 
 }  // namespace
@@ -110,7 +116,7 @@ json make_summary(const SnapshotFrame& frame, const RunCourse& course) {
 
   json summary;
   summary["title"] = definition.title;
-  summary["reading"] = definition.model_reading == 0 ? "sound" : "paper";
+  summary["stress_convention"] = definition.stress_convention == 0 ? "total" : "effective";
   summary["ended"] = course.ended;
   summary["wall_seconds"] = course.wall_seconds;
   summary["snapshots"] = course.snapshots;

@@ -26,7 +26,7 @@ std::vector<LoggedEvent> logged_events(const TableFile& table) {
   const auto time = table.numbers("time_s");
   const auto magnitude = table.numbers("magnitude");
   const auto moment = table.numbers("moment_N_m");
-  const auto isotropic = table.numbers("isotropic_share");
+  const auto isotropic = table.numbers("isotropic_fraction");
   std::vector<LoggedEvent> events;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     if (!std::isfinite(x[i] + y[i] + time[i] + magnitude[i] + moment[i] + isotropic[i])) continue;

@@ -148,7 +148,7 @@ void render_run(const std::filesystem::path& folder, const hfrac_viz_options& op
   const auto single = [&](const char* name, int kind) {
     picture(name, [&](const PageSink& sink) { single_picture(shop, kind, sink); });
   };
-  if (wanted(HFRAC_VIZ_MODEL)) single("figure3", HFRAC_VIZ_MODEL);
+  if (wanted(HFRAC_VIZ_MODEL)) single("model", HFRAC_VIZ_MODEL);
   if (wanted(HFRAC_VIZ_STAGE | HFRAC_VIZ_GROWTH)) {
     const std::vector<Scene> scenes = stage_scenes(shop);
     for (std::size_t i = 0; i < scenes.size() && wanted(HFRAC_VIZ_STAGE); ++i) {

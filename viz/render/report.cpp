@@ -64,7 +64,7 @@ std::string pictures(const std::filesystem::path& folder) {
       {"views.png", "Around the cracks: forces across bonds, mean stress, displacement, when cracks broke."});
   text += "<div class=\"pair\">" + picture(folder, {"aperture.png", "Cracks by aperture, close up."}) +
           picture(folder, {"pressure.png", "Fluid pressure in the pores, cracks over it."}) +
-          picture(folder, {"figure3.png", "The particle model."}) + "</div>\n";
+          picture(folder, {"model.png", "The particle model."}) + "</div>\n";
   return "<h2 id=\"pictures\">Pictures</h2>\n" + text;
 }
 

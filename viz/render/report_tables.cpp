@@ -91,7 +91,7 @@ std::string key_numbers(const json& summary) {
 
 std::string fracture_table(const json& summary) {
   std::vector<std::vector<std::string>> rows = {{"fracture", "cracks", "in tension", "length (m)",
-                                                 "extent (m)", "reach (m)", "arms", "azimuth (\xC2\xB0)",
+                                                 "extent (m)", "reach (m)", "wings", "azimuth (\xC2\xB0)",
                                                  "mean aperture (mm)", "largest (mm)", "volume (m\xC2\xB2)",
                                                  "mean pressure (MPa)"}};
   for (const json& one : list_at(summary, "fractures")) {
@@ -99,7 +99,7 @@ std::string fracture_table(const json& summary) {
         {std::to_string(rows.size()), shown_count(number_at(one, "crack_count")),
          shown_count(number_at(one, "tensile_cracks")), shown(number_at(one, "length_m")),
          shown(number_at(one, "extent_m")), shown(number_at(one, "reach_m")),
-         shown_count(number_at(one, "arms")), shown(number_at(one, "azimuth_rad") * degrees_per_radian),
+         shown_count(number_at(one, "wings")), shown(number_at(one, "azimuth_rad") * degrees_per_radian),
          shown(number_at(one, "mean_aperture_m") * millimetres_per_metre),
          shown(number_at(one, "largest_aperture_m") * millimetres_per_metre),
          shown(number_at(one, "volume_m2")), shown(number_at(one, "mean_pressure_Pa") * per_mega)});
@@ -144,7 +144,7 @@ std::string version_table(const json& summary) {
   return name_table({{"hfrac", text_at(summary, "versions.hfrac")},
                      {"build", text_at(summary, "versions.build")},
                      {"VTK", text_at(summary, "versions.vtk")},
-                     {"reading", text_at(summary, "reading")},
+                     {"stresses", text_at(summary, "stress_convention")},
                      {"state hash", text_at(summary, "state_hash")}});
 }
 

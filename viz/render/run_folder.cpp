@@ -79,7 +79,7 @@ void read_summary(RunFolder& run) {
   if (summary.is_discarded()) fail_reading(path.string() + " is not valid JSON");
   if (!summary.is_object()) return;
   run.title = text(summary, "title");
-  run.net_pressures = text(summary, "reading") == "paper";
+  run.net_pressures = text(summary, "stress_convention") == "effective";
   const auto model = summary.find("model");
   if (model != summary.end() && model->is_object()) {
     run.model_width = positive_number(*model, "width_m");

@@ -27,7 +27,7 @@ struct WellPlace {
 struct RunFolder {
   std::filesystem::path path;
   std::string title;           // empty if unknown
-  bool net_pressures = false;  // the paper's reading: pressures are above the formation's
+  bool net_pressures = false;  // stress.convention effective: pressures are above the formation's
   double model_width = 0;      // [m], 0 if unknown
   double model_height = 0;     // [m], 0 if unknown
   std::vector<WellPlace> wells;

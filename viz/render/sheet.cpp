@@ -9,7 +9,7 @@
 namespace hfrac::viz {
 namespace {
 
-constexpr double margin_left = 112;  // all in units, see furniture.h
+constexpr double margin_left = 112;  // all in units, see annotations.h
 constexpr double margin_top = 124;
 constexpr double margin_bottom = 86;
 constexpr double column_gap = 36;

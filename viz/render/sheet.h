@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "furniture.h"
+#include "annotations.h"
 #include "page.h"
 #include "pictures.h"
 
@@ -34,7 +34,7 @@ int sheet_height(const Studio& studio, const Extent& extent, const SheetShape& s
 struct Sheet {
   Page page;
   View view;
-  double unit;         // see furniture.h
+  double unit;         // see annotations.h
   double column_left;  // [pixel] of the column at the right
   double column_width;
   double column_top;

@@ -108,8 +108,9 @@ Key show_displacement(const Job& job) {
   std::vector<double> lengths;
   for (std::size_t i = 0; i + 2 < vectors.size(); i += 3)
     lengths.push_back(std::hypot(vectors[i], vectors[i + 1]));
-  return show_field(job, std::move(lengths), millimetres_per_metre, false,
-                    {"Displacement", nullptr, 0, 1, "displacement (mm)", "since set-up", {}});
+  return show_field(
+      job, std::move(lengths), millimetres_per_metre, false,
+      {"Displacement", nullptr, 0, 1, "displacement (mm)", "since the initial equilibration", {}});
 }
 
 // Of the tensor xx, yy, xy the engine gives per disc.

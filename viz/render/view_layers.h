@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "furniture.h"
+#include "annotations.h"
 #include "pictures.h"
 #include "view_spec.h"
 

@@ -85,7 +85,7 @@ class JointState(enum.IntEnum):
 
     #: until their strength is reached
     BONDED = 0
-    #: broken from the start, and counted as set-up cracks in shear
+    #: broken from the start, and counted as cracks of the initial equilibration in shear
     BROKEN = 1
     #: bonded, and smooth whatever the packing: contacts look along the joint's normal
     SMOOTH_BONDED = 2
@@ -126,9 +126,9 @@ class Field(enum.IntEnum):
     DISC_POSITION = 0
     #: radius
     DISC_RADIUS = 1
-    #: since the end of set-up
+    #: since the end of the initial equilibration
     DISC_DISPLACEMENT = 2
-    #: since the end of set-up, anticlockwise
+    #: since the end of the initial equilibration, anticlockwise
     DISC_ROTATION = 3
     #: velocity (dynamic mode; scaled in substep mode)
     DISC_VELOCITY = 4
@@ -156,7 +156,7 @@ class Field(enum.IntEnum):
     PIPE_APERTURE = 41
     #: volume rate from the left to the right domain in the last step
     PIPE_FLOW = 42
-    #: pressure, in the reading's sense
+    #: pressure, as stress.convention says
     DOMAIN_PRESSURE = 60
     #: fluid volume now
     DOMAIN_VOLUME = 61
@@ -166,7 +166,7 @@ class Field(enum.IntEnum):
     DOMAIN_KIND = 63
     #: share of the pore's volume that fluid fills; below 1 where the pressure is at the floor, as ahead of the
     #: fluid in a fracture that opens faster than it fills
-    DOMAIN_FILLED = 67
+    DOMAIN_SATURATION = 67
     #: of the fluid; thermal.rock_temperature without a temperature in the model
     DOMAIN_TEMPERATURE = 66
     #: first corner of each domain in domain.corners; the next domain's is its end
@@ -213,10 +213,10 @@ class LabTest(enum.IntEnum):
     BIAXIAL = 3
     #: round disc pressed on two arcs of 30 degrees: indirect strength [Pa] (Hondros 1959)
     BRAZILIAN = 4
-    #: plate with a slit in the middle, dead tension: K_Ic [Pa m^0.5]
+    #: plate with a slit in the middle, constant load: K_Ic [Pa m^0.5]
     CENTRE_CRACK = 5
-    #: plate slit from one side, dead tension: K_Ic [Pa m^0.5]
-    NOTCH = 6
+    #: plate slit from one side, constant load: K_Ic [Pa m^0.5]
+    SENT = 6
     #: slit in the middle under fluid pressure: K_Ic [Pa m^0.5], and its opening
     PRESSURISED_CRACK = 7
     #: of the unloaded network, mean of both directions [m2]
@@ -345,7 +345,7 @@ class hfrac_sim_def(ctypes.Structure):
         ("model_width", ctypes.c_double),
         ("model_height", ctypes.c_double),
         ("model_seed", ctypes.c_int64),
-        ("model_reading", ctypes.c_int64),
+        ("stress_convention", ctypes.c_int64),
         ("packing_disc_count", ctypes.c_int64),
         ("packing_radius_ratio", ctypes.c_double),
         ("packing_porosity", ctypes.c_double),
@@ -363,10 +363,10 @@ class hfrac_sim_def(ctypes.Structure):
         ("bond_moment_contribution", ctypes.c_double),
         ("bond_gap_tolerance", ctypes.c_double),
         ("bond_toughness_reference_radius", ctypes.c_double),
-        ("stress_sigma_H", ctypes.c_double),
-        ("stress_sigma_h", ctypes.c_double),
+        ("stress_sigma_Hmax", ctypes.c_double),
+        ("stress_sigma_hmin", ctypes.c_double),
         ("boundary_kind", ctypes.c_int64),
-        ("boundary_walls_after_setup", ctypes.c_int64),
+        ("boundary_walls_after_equilibration", ctypes.c_int64),
         ("fluid_viscosity", ctypes.c_double),
         ("fluid_bulk_modulus", ctypes.c_double),
         ("fluid_formation_pressure", ctypes.c_double),
@@ -380,7 +380,7 @@ class hfrac_sim_def(ctypes.Structure):
         ("flow_outer", ctypes.c_int64),
         ("stepping_mode", ctypes.c_int64),
         ("stepping_flow_step", ctypes.c_double),
-        ("stepping_substeps", ctypes.c_int64),
+        ("stepping_steps", ctypes.c_int64),
         ("stepping_end_time", ctypes.c_double),
         ("stepping_force_ratio", ctypes.c_double),
         ("stepping_max_cycles", ctypes.c_int64),
@@ -494,7 +494,7 @@ class hfrac_sim_state(ctypes.Structure):
         ("crack_count", ctypes.c_int64),
         ("tensile_cracks", ctypes.c_int64),
         ("shear_cracks", ctypes.c_int64),
-        ("setup_cracks", ctypes.c_int64),
+        ("equilibration_cracks", ctypes.c_int64),
         ("disc_count", ctypes.c_int64),
         ("bond_count", ctypes.c_int64),
         ("domain_count", ctypes.c_int64),
@@ -502,8 +502,8 @@ class hfrac_sim_state(ctypes.Structure):
         ("tip_distance", ctypes.c_double),
         ("stop_reason", ctypes.c_int32),
         ("flow_subcycles", ctypes.c_int32),
-        ("sigma_H", ctypes.c_double),
-        ("sigma_h", ctypes.c_double),
+        ("sigma_Hmax", ctypes.c_double),
+        ("sigma_hmin", ctypes.c_double),
         ("formation_pressure", ctypes.c_double),
     ]
 
@@ -525,14 +525,14 @@ class hfrac_setup_report(ctypes.Structure):
         ("strength_factor", ctypes.c_double),
         ("zero_stress_aperture", ctypes.c_double),
         ("permeability", ctypes.c_double),
-        ("setup_force_ratio", ctypes.c_double),
+        ("equilibration_force_ratio", ctypes.c_double),
         ("packing_seconds", ctypes.c_double),
         ("setup_seconds", ctypes.c_double),
     ]
 
 
 class hfrac_balance(ctypes.Structure):
-    """Energy and fluid mass since the end of the set-up. Set struct_size before the call."""
+    """Energy and fluid mass since the end of the initial equilibration. Set struct_size before the call."""
 
     _fields_ = [
         ("struct_size", ctypes.c_int32),
@@ -555,15 +555,15 @@ class hfrac_balance(ctypes.Structure):
 
 
 class hfrac_solver_report(ctypes.Structure):
-    """What the quasi-static solver did since set-up; all 0 with solver.kind "explicit". Set struct_size before the
+    """What the quasi-static solver did since the initial equilibration; all 0 with solver.kind "explicit". Set struct_size before the
     call.
     """
 
     _fields_ = [
         ("struct_size", ctypes.c_int32),
         ("kind", ctypes.c_int32),
-        ("part", ctypes.c_double),
-        ("parts", ctypes.c_int64),
+        ("increment", ctypes.c_double),
+        ("increments", ctypes.c_int64),
         ("rounds", ctypes.c_int64),
         ("newton_iterations", ctypes.c_int64),
         ("linear_iterations", ctypes.c_int64),
@@ -675,7 +675,7 @@ class hfrac_fracture(ctypes.Structure):
         ("volume", ctypes.c_double),
         ("mean_pressure", ctypes.c_double),
         ("well", ctypes.c_int64),
-        ("arms", ctypes.c_int64),
+        ("wings", ctypes.c_int64),
     ]
 
 
@@ -709,7 +709,7 @@ class hfrac_event(ctypes.Structure):
         ("magnitude", ctypes.c_double),
         ("energy", ctypes.c_double),
         ("energy_magnitude", ctypes.c_double),
-        ("isotropic_share", ctypes.c_double),
+        ("isotropic_fraction", ctypes.c_double),
         ("length", ctypes.c_double),
         ("radius", ctypes.c_double),
     ]
@@ -796,7 +796,7 @@ class hfrac_lab_spec(ctypes.Structure):
         ("seed", ctypes.c_int64),
         ("width", ctypes.c_double),
         ("confining", ctypes.c_double),
-        ("slit_share", ctypes.c_double),
+        ("slit_fraction", ctypes.c_double),
     ]
 
 
@@ -1169,7 +1169,7 @@ SIGNATURES = {
         ctypes.c_int64,
         ctypes.POINTER(ctypes.c_int64),
     ),
-    "hfrac_set_rim_pressure": (
+    "hfrac_set_boundary_pressure": (
         ctypes.c_void_p,
         ctypes.POINTER(ctypes.c_double),
         ctypes.c_int64,

@@ -31,11 +31,11 @@ FIELDS: Tuple[FieldInfo, ...] = (
     ),
     FieldInfo(
         'disc.displacement', 'm', 'double', 2,
-        'since the end of set-up',
+        'since the end of the initial equilibration',
     ),
     FieldInfo(
         'disc.rotation', 'rad', 'double', 1,
-        'since the end of set-up, anticlockwise',
+        'since the end of the initial equilibration, anticlockwise',
     ),
     FieldInfo(
         'disc.velocity', 'm/s', 'double', 2,
@@ -91,7 +91,7 @@ FIELDS: Tuple[FieldInfo, ...] = (
     ),
     FieldInfo(
         'domain.pressure', 'Pa', 'double', 1,
-        "pressure, in the reading's sense",
+        "pressure, as stress.convention says",
     ),
     FieldInfo(
         'domain.volume', 'm2', 'double', 1,
@@ -106,8 +106,8 @@ FIELDS: Tuple[FieldInfo, ...] = (
         '0 rock, 1 well, 2 outside',
     ),
     FieldInfo(
-        'domain.filled', '1', 'double', 1,
-        "share of the pore's volume that fluid fills; below 1 where the pressure is at the floor, as ahead of the fluid in a fracture that opens faster than it fills",
+        'domain.saturation', '1', 'double', 1,
+        "fluid saturation of the pore: volume of fluid over pore volume; below 1 where the pressure is at its floor, as near the tip of a fracture that opens faster than fluid arrives",
     ),
     FieldInfo(
         'domain.temperature', 'K', 'double', 1,
@@ -139,12 +139,12 @@ class Discs(FieldGroup):
 
     @property
     def displacement(self) -> Array:
-        """[m] since the end of set-up; shape (n, 2)"""
+        """[m] since the end of the initial equilibration; shape (n, 2)"""
         return self._simulation.field("disc.displacement")
 
     @property
     def rotation(self) -> Array:
-        """[rad] since the end of set-up, anticlockwise; shape (n,)"""
+        """[rad] since the end of the initial equilibration, anticlockwise; shape (n,)"""
         return self._simulation.field("disc.rotation")
 
     @property
@@ -228,7 +228,7 @@ class Domains(FieldGroup):
 
     @property
     def pressure(self) -> Array:
-        """[Pa] pressure, in the reading's sense; shape (n,)"""
+        """[Pa] pressure, as stress.convention says; shape (n,)"""
         return self._simulation.field("domain.pressure")
 
     @property
@@ -247,11 +247,11 @@ class Domains(FieldGroup):
         return self._simulation.field("domain.kind")
 
     @property
-    def filled(self) -> Array:
+    def saturation(self) -> Array:
         """[1] share of the pore's volume that fluid fills; below 1 where the pressure is at the floor, as ahead of
         the fluid in a fracture that opens faster than it fills; shape (n,)
         """
-        return self._simulation.field("domain.filled")
+        return self._simulation.field("domain.saturation")
 
     @property
     def temperature(self) -> Array:

@@ -61,11 +61,11 @@ class Grid:
         self._simulation._call("hfrac_grid_cells", *head, address, self.nx * self.ny, ctypes.byref(count))
         return records.reshape(self.shape) if _arrays.numpy is not None else records
 
-    def set_rim_pressure(self, pressure: Optional[Numbers]) -> None:
+    def set_boundary_pressure(self, pressure: Optional[Numbers]) -> None:
         """From the next step on, pressure [Pa] beyond the model's edge, by cell; it stays until it is set anew or, by None,
         taken back: the formation's again."""
         values = flat(() if pressure is None else pressure, "pressure")
-        self._simulation._call("hfrac_set_rim_pressure", values, len(values))
+        self._simulation._call("hfrac_set_boundary_pressure", values, len(values))
 
     def set_cell_pressure(self, pressure: Numbers) -> Array:
         """At once, gives the rock's pores the host's pressure [Pa]. The fluid [m2] that each cell gave."""

@@ -39,12 +39,12 @@ def lab(
     seed: Optional[int] = None,
     width: Optional[float] = None,
     confining: Optional[float] = None,
-    slit_share: Optional[float] = None,
+    slit_fraction: Optional[float] = None,
     progress: Optional[ProgressFunction] = None,
     **options: Any,
 ) -> LabResult:
     """Does a test on a specimen of the rock a case describes: "elastic", "tension", "uniaxial", "biaxial", "brazilian",
-    "centre_crack", "notch", "pressurised_crack" or "permeability". width [m], confining [Pa]; what is left out is as in
+    "centre_crack", "sent", "pressurised_crack" or "permeability". width [m], confining [Pa]; what is left out is as in
     lab.h. Stopped by `progress`, it gives what there is."""
     definition = case.copy() if isinstance(case, Definition) else Definition(case)
     definition.update(**options)
@@ -55,7 +55,7 @@ def lab(
     except KeyError:
         names = ", ".join(each.name.lower() for each in _abi.LabTest)
         raise ValueError(f"there is no laboratory test {test!r}; the tests are {names}") from None
-    given = {"disc_count": disc_count, "seed": seed, "width": width, "confining": confining, "slit_share": slit_share}
+    given = {"disc_count": disc_count, "seed": seed, "width": width, "confining": confining, "slit_fraction": slit_fraction}
     for name, value in given.items():
         if value is not None:
             setattr(spec, name, value)

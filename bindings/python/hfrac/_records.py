@@ -20,14 +20,14 @@ class SimState(NamedTuple):
     cycles: int
     #: mean unbalanced over mean contact force
     force_ratio: float
-    #: bonds broken, all modes, set-up included
+    #: bonds broken, all modes, the initial equilibration included
     crack_count: int
     #: of them in tension
     tensile_cracks: int
     #: of them in shear
     shear_cracks: int
     #: of them before injection, while the model came to rest
-    setup_cracks: int
+    equilibration_cracks: int
     #: discs
     disc_count: int
     #: bonded contacts, intact or broken
@@ -42,10 +42,10 @@ class SimState(NamedTuple):
     stop_reason: StopReason
     #: explicit flow: sub-cycles of the last step; implicit: iterations
     flow_subcycles: int
-    #: [Pa] far-field stress along x in force, in the reading's sense
-    sigma_H: float
+    #: [Pa] far-field stress along x in force, as stress.convention says
+    sigma_Hmax: float
     #: [Pa] along y
-    sigma_h: float
+    sigma_hmin: float
     #: [Pa] absolute, in the pores outside the model
     formation_pressure: float
 
@@ -61,7 +61,7 @@ class SimState(NamedTuple):
             struct.crack_count,
             struct.tensile_cracks,
             struct.shear_cracks,
-            struct.setup_cracks,
+            struct.equilibration_cracks,
             struct.disc_count,
             struct.bond_count,
             struct.domain_count,
@@ -69,8 +69,8 @@ class SimState(NamedTuple):
             struct.tip_distance,
             StopReason(struct.stop_reason),
             struct.flow_subcycles,
-            struct.sigma_H,
-            struct.sigma_h,
+            struct.sigma_Hmax,
+            struct.sigma_hmin,
             struct.formation_pressure,
         )
 
@@ -102,7 +102,7 @@ class SetupReport(NamedTuple):
     #: [m2] of the network after the initial equilibrium
     permeability: float
     #: unbalanced over mean contact force after the initial equilibrium
-    setup_force_ratio: float
+    equilibration_force_ratio: float
     #: wall time of the packing
     packing_seconds: float
     #: wall time of all of hfrac_sim_create
@@ -123,14 +123,14 @@ class SetupReport(NamedTuple):
             struct.strength_factor,
             struct.zero_stress_aperture,
             struct.permeability,
-            struct.setup_force_ratio,
+            struct.equilibration_force_ratio,
             struct.packing_seconds,
             struct.setup_seconds,
         )
 
 
 class Balance(NamedTuple):
-    """Energy and fluid mass since the end of the set-up."""
+    """Energy and fluid mass since the end of the initial equilibration."""
 
     #: [J/m] kinetic energy now
     kinetic: float
@@ -138,15 +138,15 @@ class Balance(NamedTuple):
     bond_elastic: float
     #: [J/m] stored in contacts now (discs and walls)
     contact_elastic: float
-    #: [J/m] work of fluid pressure on the discs since set-up
+    #: [J/m] work of fluid pressure on the discs since the initial equilibration
     fluid_work: float
-    #: [J/m] work of the far field on the model since set-up
+    #: [J/m] work of the far field on the model since the initial equilibration
     boundary_work: float
-    #: [J/m] dissipated by sliding since set-up
+    #: [J/m] dissipated by sliding since the initial equilibration
     friction: float
-    #: [J/m] dissipated by damping since set-up
+    #: [J/m] dissipated by damping since the initial equilibration
     damping: float
-    #: [J/m] elastic energy of bonds lost as they broke since set-up
+    #: [J/m] elastic energy of bonds lost as they broke since the initial equilibration
     fracture: float
     #: [J/m] what is missing in: works = change of stored + dissipated
     energy_error: float
@@ -183,14 +183,14 @@ class Balance(NamedTuple):
 
 
 class SolverReport(NamedTuple):
-    """What the quasi-static solver did since set-up; all 0 with solver.kind "explicit"."""
+    """What the quasi-static solver did since the initial equilibration; all 0 with solver.kind "explicit"."""
 
     #: 0 explicit, 1 quasi-static
     kind: int
-    #: [s] mode "coupled": length of the next part of a step
-    part: float
-    #: mode "coupled": parts of steps that stand
-    parts: int
+    #: [s] mode "coupled": length of the next increment of a step
+    increment: float
+    #: mode "coupled": accepted increments
+    increments: int
     #: equilibria found: one a solve, and one more each time bonds broke
     rounds: int
     #: of Newton's method
@@ -199,11 +199,11 @@ class SolverReport(NamedTuple):
     linear_iterations: int
     #: factors of a tangent computed
     factors: int
-    #: parts put back because of solver.pressure_change
+    #: increments rejected because of solver.pressure_change
     rejected_error: int
-    #: parts put back because of solver.strength_overshoot
+    #: increments rejected because of solver.strength_overshoot
     rejected_strength: int
-    #: parts put back because no equilibrium was found
+    #: increments rejected because no equilibrium was found
     rejected_divergence: int
 
     @classmethod
@@ -211,8 +211,8 @@ class SolverReport(NamedTuple):
         """The struct's values."""
         return cls(
             struct.kind,
-            struct.part,
-            struct.parts,
+            struct.increment,
+            struct.increments,
             struct.rounds,
             struct.newton_iterations,
             struct.linear_iterations,
@@ -291,13 +291,13 @@ class WellState(NamedTuple):
     y: float
     #: [m] sqrt(area / pi) of the hole between disc centres
     equivalent_radius: float
-    #: [Pa] now, in the reading's sense
+    #: [Pa] now, as stress.convention says
     pressure: float
     #: [Pa]
     target_pressure: float
     #: [m2/s] into the well in the last step
     rate: float
-    #: [m2] since set-up, at formation pressure
+    #: [m2] since the initial equilibration, at formation pressure
     injected_volume: float
     #: index of its domain
     domain: int
@@ -327,7 +327,7 @@ class Crack(NamedTuple):
     bond: int
     #: indices of the discs
     disc: Tuple[int, int]
-    #: step in which it broke; 0: during set-up
+    #: step in which it broke; 0: during the initial equilibration
     step: int
     #: mechanical cycle in which it broke
     cycle: int
@@ -386,13 +386,13 @@ class Fracture(NamedTuple):
     crack_count: int
     #: of them in tension
     tensile_cracks: int
-    #: [m] longest way along it: from the two longest arms if it starts at a well, the hole left out
+    #: [m] longest way along it: from the two longest wings if it starts at a well, the hole left out
     length: float
     #: [m] largest distance between two of its crack ends
     extent: float
     #: [m] farthest crack end from the wall of its well; 0 if not connected
     reach: float
-    #: [rad] direction of its long axis against x (sigma_H), -pi/2 to pi/2
+    #: [rad] direction of its long axis against x (sigma_Hmax), -pi/2 to pi/2
     azimuth: float
     #: [m] mechanical, weighted by crack length
     mean_aperture: float
@@ -405,7 +405,7 @@ class Fracture(NamedTuple):
     #: index of the well it is connected to, -1 if none
     well: int
     #: separate branches that start at its well; 1 if not connected to one
-    arms: int
+    wings: int
 
     @classmethod
     def of(cls, struct: _abi.hfrac_fracture) -> "Fracture":
@@ -423,7 +423,7 @@ class Fracture(NamedTuple):
             struct.volume,
             struct.mean_pressure,
             struct.well,
-            struct.arms,
+            struct.wings,
         )
 
 
@@ -480,7 +480,7 @@ class Event(NamedTuple):
     #: 2/3 log10 energy - 2.9 (Choy and Boatwright 1995), an upper bound; NaN without energy
     energy_magnitude: float
     #: -1 to 1 (Feignier and Young 1992, in the plane): 0.5 opens as one crack, 0 shears, below 0 closes
-    isotropic_share: float
+    isotropic_fraction: float
     #: [m] summed over its cracks
     length: float
     #: [m] from its position to the farthest of its cracks
@@ -503,7 +503,7 @@ class Event(NamedTuple):
             struct.magnitude,
             struct.energy,
             struct.energy_magnitude,
-            struct.isotropic_share,
+            struct.isotropic_fraction,
             struct.length,
             struct.radius,
         )
@@ -587,9 +587,9 @@ class Heat(NamedTuple):
 
     #: 0 off, 1 uniform, 2 transport
     mode: int
-    #: [J/m] in rock and pores beyond that at set-up
+    #: [J/m] in rock and pores beyond that after the initial equilibration
     stored: float
-    #: [J/m] from wells since set-up: carried and through their walls
+    #: [J/m] from wells since the initial equilibration: carried and through their walls
     wells: float
     #: [J/m] carried in through the outer boundary
     outside: float

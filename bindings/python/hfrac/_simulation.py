@@ -188,9 +188,9 @@ class Simulation:
         refused."""
         return OpenStep(self)
 
-    def set_far_field(self, sigma_H: float, sigma_h: float) -> None:
-        """From the next step on, another far-field stress [Pa]: sigma_H along x, sigma_h along y."""
-        self._call("hfrac_set_far_field", sigma_H, sigma_h)
+    def set_far_field(self, sigma_Hmax: float, sigma_hmin: float) -> None:
+        """From the next step on, another far-field stress [Pa]: sigma_Hmax along x, sigma_hmin along y."""
+        self._call("hfrac_set_far_field", sigma_Hmax, sigma_hmin)
 
     def set_formation_pressure(self, pressure: float) -> None:
         """From the next step on, another pressure [Pa, absolute] in the pores outside the model."""
@@ -214,7 +214,7 @@ class Simulation:
 
     @property
     def heat(self) -> Heat:
-        """The books of heat since the end of the set-up."""
+        """The heat balance since the end of the initial equilibration."""
         return Heat.of(self._read("hfrac_get_heat", _abi.hfrac_heat))
 
     # A reservoir simulator's grid
@@ -263,12 +263,12 @@ class Simulation:
 
     @property
     def balance(self) -> Balance:
-        """Energy and fluid since the end of the set-up."""
+        """Energy and fluid since the end of the initial equilibration."""
         return Balance.of(self._read("hfrac_get_balance", _abi.hfrac_balance))
 
     @property
     def solver(self) -> SolverReport:
-        """What the quasi-static solver did since set-up."""
+        """What the quasi-static solver did since the initial equilibration."""
         return SolverReport.of(self._read("hfrac_sim_get_solver", _abi.hfrac_solver_report))
 
     @property

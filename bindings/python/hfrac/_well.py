@@ -27,7 +27,7 @@ class Well:
 
     @property
     def pressure(self) -> float:
-        """[Pa] now, in the reading's sense"""
+        """[Pa] now, as stress.convention says"""
         return self.state.pressure
 
     @property
@@ -37,7 +37,7 @@ class Well:
 
     @property
     def injected_volume(self) -> float:
-        """[m2] since set-up, at formation pressure"""
+        """[m2] since the initial equilibration, at formation pressure"""
         return self.state.injected_volume
 
     def set_pressure(self, pressure: float) -> None:

@@ -81,14 +81,14 @@ _VARIABLES: Dict[str, _Variable] = {
     "rock__maximum_horizontal_stress": _Variable(
         "Pa",
         MODEL,
-        lambda sim: [sim.state.sigma_H],
-        lambda sim, _, value: sim.set_far_field(value, sim.state.sigma_h),
+        lambda sim: [sim.state.sigma_Hmax],
+        lambda sim, _, value: sim.set_far_field(value, sim.state.sigma_hmin),
     ),
     "rock__minimum_horizontal_stress": _Variable(
         "Pa",
         MODEL,
-        lambda sim: [sim.state.sigma_h],
-        lambda sim, _, value: sim.set_far_field(sim.state.sigma_H, value),
+        lambda sim: [sim.state.sigma_hmin],
+        lambda sim, _, value: sim.set_far_field(sim.state.sigma_Hmax, value),
     ),
     "rock_formation_fluid__pressure": _Variable(
         "Pa",
@@ -147,7 +147,7 @@ class BmiHfrac:
         definition = sim.definition
         self._step = float(definition.get("stepping.flow_step"))
         end = float(definition.get("stepping.end_time"))
-        self._end = end if end > 0.0 else self._step * float(definition.get("stepping.substeps"))
+        self._end = end if end > 0.0 else self._step * float(definition.get("stepping.steps"))
         self._sim = sim
 
     def update(self) -> None:

@@ -43,7 +43,7 @@ typedef struct hfrac_event {
   double magnitude;        /**< of the moment (Hanks and Kanamori 1979); NaN without one */
   double energy;           /**< [J] elastic energy of the broken bonds */
   double energy_magnitude; /**< 2/3 log10 energy - 2.9 (Choy and Boatwright 1995), an upper bound; NaN without energy */
-  double isotropic_share;  /**< -1 to 1 (Feignier and Young 1992, in the plane): 0.5 opens as one crack, 0 shears, below 0 closes */
+  double isotropic_fraction; /**< -1 to 1 (Feignier and Young 1992, in the plane): 0.5 opens as one crack, 0 shears, below 0 closes */
   double length;           /**< [m] summed over its cracks */
   double radius;           /**< [m] from its position to the farthest of its cracks */
 } hfrac_event;

@@ -29,7 +29,7 @@ typedef struct hfrac_well_def {
   double x;             /**< [m] centre, origin at the model's lower left corner */
   double y;             /**< [m] */
   double radius;        /**< [m] discs with their centre inside are removed */
-  double pressure;      /**< [Pa] target; net of the formation pressure in the paper's reading, total in the sound one */
+  double pressure;      /**< [Pa] target; net of the formation pressure where stress.convention is effective, absolute where it is total */
   double ramp_per_step; /**< [Pa] rise per sub-step (control ramp) */
   double rate;          /**< [m2/s] injected volume per thickness and time (control rate) */
   int64_t control;      /**< enum hfrac_well_control */
@@ -38,7 +38,7 @@ typedef struct hfrac_well_def {
 /** Whether the bonds of a joint hold. */
 enum hfrac_joint_state {
   HFRAC_JOINT_BONDED = 0,        /**< until their strength is reached */
-  HFRAC_JOINT_BROKEN = 1,        /**< broken from the start, and counted as set-up cracks in shear */
+  HFRAC_JOINT_BROKEN = 1,        /**< broken from the start, and counted as cracks of the initial equilibration in shear */
   HFRAC_JOINT_SMOOTH_BONDED = 2, /**< bonded, and smooth whatever the packing: contacts look along the joint's normal */
   HFRAC_JOINT_SMOOTH_BROKEN = 3  /**< broken and smooth */
 };
@@ -75,16 +75,16 @@ typedef struct hfrac_sim_def {
   int32_t struct_size;    /**< sizeof(hfrac_sim_def) of the caller, set by init */
   int32_t struct_version; /**< set by init */
 
-  /** [m] Extent of the model along x, the direction of sigma_H. Default 100.0. */
+  /** [m] Extent of the model along x, the direction of sigma_Hmax. Default 100.0. */
   double model_width;
-  /** [m] Extent of the model along y, the direction of sigma_h. Default 100.0. */
+  /** [m] Extent of the model along y, the direction of sigma_hmin. Default 100.0. */
   double model_height;
   /** Seed of the packing; the same seed gives the same model, bit for bit. Default 1. */
   int64_t model_seed;
-  /** 0: sound, 1: paper. How stresses and pressures are read. sound: total stresses, pores start at the
+  /** 0: total, 1: effective. How stresses and pressures are read. sound: total stresses, pores start at the
    * formation pressure. paper: effective stresses, pressures net of the formation pressure (reproduces the
    * paper's figures, no statement about stress in situ). Default 0. */
-  int64_t model_reading;
+  int64_t stress_convention;
 
   /** Number of discs packed, before the well is cut. Default 10000. */
   int64_t packing_disc_count;
@@ -128,18 +128,18 @@ typedef struct hfrac_sim_def {
    * that the fracture toughness does not depend on resolution. 0: strengths as given. Default 0.0. */
   double bond_toughness_reference_radius;
 
-  /** [Pa] Far-field stress along x, compression positive; at least sigma_h. Total in the sound reading,
+  /** [Pa] Far-field stress along x, compression positive; at least sigma_hmin. Total with total stresses,
    * effective in the paper's. Default 33e6. */
-  double stress_sigma_H;
+  double stress_sigma_Hmax;
   /** [Pa] Far-field stress along y, compression positive. Default 25e6. */
-  double stress_sigma_h;
+  double stress_sigma_hmin;
 
   /** 0: stress, 1: walls. stress: far-field stress as forces on the outermost discs. walls: four rigid
    * frictionless walls, servo-driven to the far-field stress. Default 0. */
   int64_t boundary_kind;
   /** 0: fixed, 1: servo. Walls after the initial equilibrium: fixed in place, or kept at their stress by
    * the servo. Default 0. */
-  int64_t boundary_walls_after_setup;
+  int64_t boundary_walls_after_equilibration;
 
   /** [Pa s] Dynamic viscosity (Table 2). Default 0.3. */
   double fluid_viscosity;
@@ -172,14 +172,14 @@ typedef struct hfrac_sim_def {
 
   /** 0: substep, 1: dynamic, 2: coupled. substep: one flow step, then mechanics to rest, breakage included
    * (the paper's sub-step). dynamic: Newton's law in real time, flow_step seconds a step. coupled: flow,
-   * equilibrium and breakage together in the fluid's time, flow_step seconds a step in as many parts as it
+   * equilibrium and breakage together in the fluid's time, flow_step seconds a step in as many increments as it
    * takes; needs the quasi-static solver. Default 0. */
   int64_t stepping_mode;
   /** [s] Fluid time of one step. Default 1.0. */
   double stepping_flow_step;
   /** Sub-steps of a run by the hfrac command. Default 500. */
-  int64_t stepping_substeps;
-  /** [s] Model time at which a run ends; 0: after stepping.substeps. Default 0.0. */
+  int64_t stepping_steps;
+  /** [s] Model time at which a run ends; 0: after stepping.steps. Default 0.0. */
   double stepping_end_time;
   /** [1] Mean unbalanced over mean contact force at which mechanics count as at rest. Default 1e-4. */
   double stepping_force_ratio;
@@ -201,7 +201,7 @@ typedef struct hfrac_sim_def {
   /** Worker threads of one simulation; results do not depend on it. Default 1. */
   int64_t run_workers;
 
-  /** Sub-steps between the snapshots of a run by the hfrac command. Default 10. */
+  /** Steps between the snapshots of a run by the hfrac command. Default 10. */
   int64_t output_every;
 
   int64_t well_count;                    /**< wells used of the array below, 0 to HFRAC_MAX_WELLS */
@@ -231,13 +231,13 @@ typedef struct hfrac_sim_def {
   /** [1] quasi-static: mean unbalanced over mean contact force, and error of a pressure over the largest
    * pressure difference, at which equilibrium counts as found. Default 1e-6. */
   double solver_tolerance;
-  /** [1] Mode coupled: error of a pressure per part of a step, over the largest pressure difference, that
-   * sets the length of the part. Default 0.05. */
+  /** [1] Mode coupled: error of a pressure per increment of a step, over the largest pressure difference, that
+   * sets the length of the increment. Default 0.05. */
   double solver_pressure_change;
-  /** [1] Mode coupled: a part of a step in which a bond would exceed its strength by more than this is
+  /** [1] Mode coupled: an increment of a step in which a bond would exceed its strength by more than this is
    * tried again shorter. Default 0.02. */
   double solver_strength_overshoot;
-  /** [s] Mode coupled: parts of a step are not made shorter; what happens within is taken as sudden.
+  /** [s] Mode coupled: increments of a step are not made shorter; what happens within is taken as sudden.
    * Default 1e-6. */
   double solver_smallest_step;
 
@@ -260,7 +260,7 @@ typedef struct hfrac_sim_def {
    * one well held at initial.well_pressure leaves, found by the poroelastic continuum (eq. 1-3). Default
    * 0. */
   int64_t initial_state;
-  /** [Pa] State seepage: pressure of the well before the treatment, in the reading's sense. Default 0.0. */
+  /** [Pa] State seepage: pressure of the well before the treatment, as stress.convention says. Default 0.0. */
   double initial_well_pressure;
   /** [s] State seepage: how long the well has been at that pressure; 0: until nothing changes any more.
    * Default 0.0. */

@@ -10,13 +10,13 @@
  * an Eclipse include file (hfrac_write_grdecl).
  *
  * Into the model, by cell:
- *   hfrac_set_rim_pressure    what lies beyond the model's edge; fluid passes there as the pressures say (conservative)
- *   hfrac_set_cell_pressure   the rock's pores take the host's pressure; the fluid this takes is the host's to book
+ *   hfrac_set_boundary_pressure    what lies beyond the model's edge; fluid passes there as the pressures say (conservative)
+ *   hfrac_set_cell_pressure   the rock's pores take the host's pressure; the fluid this takes is the host's to account for
  *   hfrac_set_cell_stress     stress on top of the far field, as tractions on the model's edge
  *   hfrac_set_cell_temperature  the rock's temperature, with thermal.mode "transport" (heat.h)
  * Without a temperature in the model a host's thermal stress comes in as stress.
  *
- * Fluid books: injected + host = stored + leaked (hfrac_balance), to rounding, whatever the host does.
+ * Fluid balance: injected + host = stored + leaked (hfrac_balance), to rounding, whatever the host does.
  */
 #ifndef HFRAC_GRID_H
 #define HFRAC_GRID_H
@@ -76,15 +76,15 @@ typedef struct hfrac_cell {
 HFRAC_UNSTABLE_API int32_t hfrac_grid_cells(hfrac_sim *sim, int32_t method, int32_t cell_size, hfrac_cell *buffer,
                                             int64_t capacity, int64_t *count);
 
-/** From the next step on, pressure [Pa, in the reading's sense] beyond the model's edge: every pipe there feels that of the
+/** From the next step on, pressure [Pa, as stress.convention says] beyond the model's edge: every pipe there feels that of the
  * nearest cell of which the model covers less than half (of all cells, if it covers more of each). `count` values, one per cell
  * (nx * ny); only those cells are looked at. It stays as it is, absolute, whatever hfrac_set_formation_pressure says later,
- * until it is set anew or taken back: with count 0 (pressure may be NULL) the rim feels the formation's pressure again. What passes
+ * until it is set anew or taken back: with count 0 (pressure may be NULL) the outer boundary feels the formation's pressure again. What passes
  * is `outflow` by cell and `leaked_volume` in all. The stress on the edge does not change. Part of the state; kept by the
  * tries of an open step. Needs flow.outer "formation". Unstable since 0.1. */
-HFRAC_UNSTABLE_API int32_t hfrac_set_rim_pressure(hfrac_sim *sim, const double *pressure, int64_t count);
+HFRAC_UNSTABLE_API int32_t hfrac_set_boundary_pressure(hfrac_sim *sim, const double *pressure, int64_t count);
 
-/** At once, gives the rock's pores the host's pressure [Pa, in the reading's sense]: each the mean of the cells it lies in, by
+/** At once, gives the rock's pores the host's pressure [Pa, as stress.convention says]: each the mean of the cells it lies in, by
  * area. Pores beside cracks, wells, and pores outside the grid keep theirs; the rock answers in the next step. `count`
  * values, one per cell. `added` (may be NULL; `capacity` at least count) gets the fluid [m2] that each cell gave, negative:
  * took; their sum goes to `host_volume` of hfrac_balance. HFRAC_ERR_ARGUMENT while a step is open. Unstable since 0.1. */

@@ -4,7 +4,7 @@
  *
  * thermal.mode says what there is. "off": no temperature; the functions here answer HFRAC_ERR_ARGUMENT. "uniform": one
  * temperature, which hfrac_set_temperature changes. "transport": one by disc and one by fluid domain; heat is conducted by
- * the rock, exchanged with the fluid and carried by it, once a step (once a part of a step in mode "coupled").
+ * the rock, exchanged with the fluid and carried by it, once a step (once an increment in mode "coupled").
  * The rock feels temperature in three ways: discs and bonds grow (thermal.expansion), and stiffness, strength and friction
  * follow the table (thermal.parameters "table"). What is set here is in force at once and felt by the rock in the next step.
  * Setting temperatures of discs is refused while a step is open (hfrac_step_prepare); a well's may be set at any time.
@@ -55,8 +55,8 @@ HFRAC_UNSTABLE_API int32_t hfrac_well_get_temperature(const hfrac_sim *sim, int3
 typedef struct hfrac_heat {
   int32_t struct_size;  /**< sizeof(hfrac_heat) of the caller */
   int32_t mode;         /**< 0 off, 1 uniform, 2 transport */
-  double stored;        /**< [J/m] in rock and pores beyond that at set-up */
-  double wells;         /**< [J/m] from wells since set-up: carried and through their walls */
+  double stored;        /**< [J/m] in rock and pores beyond that after the initial equilibration */
+  double wells;         /**< [J/m] from wells since the initial equilibration: carried and through their walls */
   double outside;       /**< [J/m] carried in through the outer boundary */
   double held;          /**< [J/m] from discs that are held */
   double host;          /**< [J/m] put in by the host: temperatures it set, fluid it put into pores */
@@ -65,7 +65,7 @@ typedef struct hfrac_heat {
   double lowest;        /**< [K] coldest disc */
   double highest;       /**< [K] warmest disc */
 } hfrac_heat;
-/** The books of heat now. Unstable since 0.1. */
+/** The heat balance now. Unstable since 0.1. */
 HFRAC_UNSTABLE_API int32_t hfrac_get_heat(const hfrac_sim *sim, hfrac_heat *heat);
 
 #ifdef __cplusplus

@@ -27,8 +27,8 @@ enum hfrac_lab_test {
   HFRAC_LAB_UNIAXIAL = 2,          /**< compression, height twice the width: UCS [Pa] */
   HFRAC_LAB_BIAXIAL = 3,           /**< the same under `confining` on the sides: axial stress at failure [Pa] */
   HFRAC_LAB_BRAZILIAN = 4,         /**< round disc pressed on two arcs of 30 degrees: indirect strength [Pa] (Hondros 1959) */
-  HFRAC_LAB_CENTRE_CRACK = 5,      /**< plate with a slit in the middle, dead tension: K_Ic [Pa m^0.5] */
-  HFRAC_LAB_NOTCH = 6,             /**< plate slit from one side, dead tension: K_Ic [Pa m^0.5] */
+  HFRAC_LAB_CENTRE_CRACK = 5,      /**< plate with a slit in the middle, constant load: K_Ic [Pa m^0.5] */
+  HFRAC_LAB_SENT = 6,              /**< plate slit from one side, constant load: K_Ic [Pa m^0.5] */
   HFRAC_LAB_PRESSURISED_CRACK = 7, /**< slit in the middle under fluid pressure: K_Ic [Pa m^0.5], and its opening */
   HFRAC_LAB_PERMEABILITY = 8       /**< of the unloaded network, mean of both directions [m2] */
 };
@@ -41,7 +41,7 @@ typedef struct hfrac_lab_spec {
   int64_t seed;         /**< of the packing; default 1 */
   double width;         /**< [m] of the specimen; default 10. Sets the disc size, which K_Ic goes with */
   double confining;     /**< [Pa] on the sides, HFRAC_LAB_BIAXIAL, compression positive; default 0 */
-  double slit_share;    /**< length of a slit over the width, 0.05 to 0.6; default 0.3 */
+  double slit_fraction; /**< length of a slit over the width, 0.05 to 0.6; default 0.3 */
 } hfrac_lab_spec;
 
 /** Defaults into `spec`; `struct_size` is sizeof(hfrac_lab_spec) in the caller. Unstable since 0.1. */

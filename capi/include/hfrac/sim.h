@@ -65,10 +65,10 @@ typedef struct hfrac_sim_state {
   int64_t step;               /**< steps taken since creation */
   int64_t cycles;             /**< mechanical cycles since creation */
   double force_ratio;         /**< mean unbalanced over mean contact force */
-  int64_t crack_count;        /**< bonds broken, all modes, set-up included */
+  int64_t crack_count;        /**< bonds broken, all modes, the initial equilibration included */
   int64_t tensile_cracks;     /**< of them in tension */
   int64_t shear_cracks;       /**< of them in shear */
-  int64_t setup_cracks;       /**< of them before injection, while the model came to rest */
+  int64_t equilibration_cracks; /**< of them before injection, while the model came to rest */
   int64_t disc_count;         /**< discs */
   int64_t bond_count;         /**< bonded contacts, intact or broken */
   int64_t domain_count;       /**< fluid domains, wells included */
@@ -76,8 +76,8 @@ typedef struct hfrac_sim_state {
   double tip_distance;        /**< [m] farthest crack end from the nearest well centre, 0 without cracks */
   int32_t stop_reason;        /**< enum hfrac_stop_reason that holds now, 0 if none */
   int32_t flow_subcycles;     /**< explicit flow: sub-cycles of the last step; implicit: iterations */
-  double sigma_H;             /**< [Pa] far-field stress along x in force, in the reading's sense */
-  double sigma_h;             /**< [Pa] along y */
+  double sigma_Hmax;          /**< [Pa] far-field stress along x in force, as stress.convention says */
+  double sigma_hmin;          /**< [Pa] along y */
   double formation_pressure;  /**< [Pa] absolute, in the pores outside the model */
 } hfrac_sim_state;
 /** How the simulation stands now. Stable since 0.1. */
@@ -99,25 +99,25 @@ typedef struct hfrac_setup_report {
                                       bond.toughness_reference_radius) */
   double zero_stress_aperture;   /**< [m] r0 in use (eq. 7) */
   double permeability;           /**< [m2] of the network after the initial equilibrium */
-  double setup_force_ratio;      /**< unbalanced over mean contact force after the initial equilibrium */
+  double equilibration_force_ratio; /**< unbalanced over mean contact force after the initial equilibrium */
   double packing_seconds;        /**< wall time of the packing */
   double setup_seconds;          /**< wall time of all of hfrac_sim_create */
 } hfrac_setup_report;
 /** What the set-up made. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_get_setup(const hfrac_sim *sim, hfrac_setup_report *report);
 
-/** Energy and fluid mass since the end of the set-up. Set struct_size before the call. */
+/** Energy and fluid mass since the end of the initial equilibration. Set struct_size before the call. */
 typedef struct hfrac_balance {
   int32_t struct_size;       /**< sizeof(hfrac_balance) of the caller */
   int32_t struct_pad;        /**< 0 */
   double kinetic;            /**< [J/m] kinetic energy now */
   double bond_elastic;       /**< [J/m] stored in intact bonds now */
   double contact_elastic;    /**< [J/m] stored in contacts now (discs and walls) */
-  double fluid_work;         /**< [J/m] work of fluid pressure on the discs since set-up */
-  double boundary_work;      /**< [J/m] work of the far field on the model since set-up */
-  double friction;           /**< [J/m] dissipated by sliding since set-up */
-  double damping;            /**< [J/m] dissipated by damping since set-up */
-  double fracture;           /**< [J/m] elastic energy of bonds lost as they broke since set-up */
+  double fluid_work;         /**< [J/m] work of fluid pressure on the discs since the initial equilibration */
+  double boundary_work;      /**< [J/m] work of the far field on the model since the initial equilibration */
+  double friction;           /**< [J/m] dissipated by sliding since the initial equilibration */
+  double damping;            /**< [J/m] dissipated by damping since the initial equilibration */
+  double fracture;           /**< [J/m] elastic energy of bonds lost as they broke since the initial equilibration */
   double energy_error;       /**< [J/m] what is missing in: works = change of stored + dissipated */
   double injected_volume;    /**< [m2] fluid put in through all wells, at formation pressure */
   double stored_volume;      /**< [m2] change of content of all domains, wells included */
@@ -128,21 +128,21 @@ typedef struct hfrac_balance {
 /** Energy and fluid balance now. Stable since 0.1. */
 HFRAC_API int32_t hfrac_get_balance(const hfrac_sim *sim, hfrac_balance *balance);
 
-/** What the quasi-static solver did since set-up; all 0 with solver.kind "explicit". Set struct_size before the call. */
+/** What the quasi-static solver did since the initial equilibration; all 0 with solver.kind "explicit". Set struct_size before the call. */
 typedef struct hfrac_solver_report {
   int32_t struct_size;         /**< sizeof(hfrac_solver_report) of the caller */
   int32_t kind;                /**< 0 explicit, 1 quasi-static */
-  double part;                 /**< [s] mode "coupled": length of the next part of a step */
-  int64_t parts;               /**< mode "coupled": parts of steps that stand */
+  double increment;            /**< [s] mode "coupled": length of the next increment of a step */
+  int64_t increments;          /**< mode "coupled": accepted increments */
   int64_t rounds;              /**< equilibria found: one a solve, and one more each time bonds broke */
   int64_t newton_iterations;   /**< of Newton's method */
   int64_t linear_iterations;   /**< of the linear solver */
   int64_t factors;             /**< factors of a tangent computed */
-  int64_t rejected_error;      /**< parts put back because of solver.pressure_change */
-  int64_t rejected_strength;   /**< parts put back because of solver.strength_overshoot */
-  int64_t rejected_divergence; /**< parts put back because no equilibrium was found */
+  int64_t rejected_error;      /**< increments rejected because of solver.pressure_change */
+  int64_t rejected_strength;   /**< increments rejected because of solver.strength_overshoot */
+  int64_t rejected_divergence; /**< increments rejected because no equilibrium was found */
 } hfrac_solver_report;
-/** What the quasi-static solver did since set-up. Unstable since 0.1. */
+/** What the quasi-static solver did since the initial equilibration. Unstable since 0.1. */
 HFRAC_UNSTABLE_API int32_t hfrac_sim_get_solver(const hfrac_sim *sim, hfrac_solver_report *report);
 
 /** What limits a step binds. */
@@ -191,10 +191,10 @@ typedef struct hfrac_well_state {
   double x;                  /**< [m] centre */
   double y;                  /**< [m] */
   double equivalent_radius;  /**< [m] sqrt(area / pi) of the hole between disc centres */
-  double pressure;           /**< [Pa] now, in the reading's sense */
+  double pressure;           /**< [Pa] now, as stress.convention says */
   double target_pressure;    /**< [Pa] */
   double rate;               /**< [m2/s] into the well in the last step */
-  double injected_volume;    /**< [m2] since set-up, at formation pressure */
+  double injected_volume;    /**< [m2] since the initial equilibration, at formation pressure */
   int64_t domain;            /**< index of its domain */
 } hfrac_well_state;
 /** Number of wells. Stable since 0.1. */

@@ -52,15 +52,15 @@ HFRAC_API int32_t hfrac_step_finalize(hfrac_sim *sim);
 /** Closes the open step and goes back to where it was opened, wells and far field included. Stable since 0.1. */
 HFRAC_API int32_t hfrac_step_reject(hfrac_sim *sim);
 
-/** From the next step on, another far-field stress [Pa], in the reading's sense; needs boundary.kind stress, or walls kept
- * on their servo. sigma_h must not exceed sigma_H, nor with walls, which only push, be below the pressure in the pores outside
+/** From the next step on, another far-field stress [Pa], as stress.convention says; needs boundary.kind stress, or walls kept
+ * on their servo. sigma_hmin must not exceed sigma_Hmax, nor with walls, which only push, be below the pressure in the pores outside
  * (HFRAC_ERR_ARGUMENT, nothing changes). Stable since 0.1. */
-HFRAC_API int32_t hfrac_set_far_field(hfrac_sim *sim, double sigma_H, double sigma_h);
-/** From the next step on, another pressure [Pa, absolute, 0 to 1e10] in the pores outside the model, in both readings; the
+HFRAC_API int32_t hfrac_set_far_field(hfrac_sim *sim, double sigma_Hmax, double sigma_hmin);
+/** From the next step on, another pressure [Pa, absolute, 0 to 1e10] in the pores outside the model, in both stress conventions; the
  * paper's other pressures stay net of fluid.formation_pressure as defined. Total far-field stresses stay as they are; pores
- * inside follow by flow. Where a host's grid has said what the rim feels (hfrac_set_rim_pressure), that stays until the host
+ * inside follow by flow. Where a host's grid has said what the outer boundary feels (hfrac_set_boundary_pressure), that stays until the host
  * takes it back; what lies beyond still changes then, and the load on the edge with it. Needs flow, and flow.outer formation.
- * In the sound reading it must not exceed sigma_h where the far field acts, nor in either one leave walls to pull. Unstable
+ * With total stresses it must not exceed sigma_hmin where the far field acts, nor in either one leave walls to pull. Unstable
  * since 0.1. */
 HFRAC_UNSTABLE_API int32_t hfrac_set_formation_pressure(hfrac_sim *sim, double pressure);
 

@@ -23,7 +23,7 @@ class Claim:
     words: str  # the claim in our words
     why_not: str  # what stands against it where it fails; physics, not excuse
     judge: Callable
-    against: tuple = ()  # (where, keywords): the same test on other runs, e.g. the sound reading
+    against: tuple = ()  # (where, keywords): the same test on other runs, e.g. total stresses
     needs: tuple = ()  # (condition, keywords): changes of the physics that may make it hold
 
 

@@ -52,8 +52,8 @@ def with_pressure(data, limit, quantity, digits, family, temperatures):
 @claim(
     "5.1, Figure 10a",
     "Fracture length first grows with injection pressure, then falls.",
-    "At a held pressure arms do not take fluid from each other, and they hinder each other little: n arms of one "
-    "length under one pressure feel 2 sqrt(n - 1) / n of what a single crack feels (Westmann 1964), 0.87 with 4 arms "
+    "At a held pressure wings do not take fluid from each other, and they hinder each other little: n wings of one "
+    "length under one pressure feel 2 sqrt(n - 1) / n of what a single crack feels (Westmann 1964), 0.87 with 4 wings "
     "and 0.75 with 6, less than the pressure gains.",
     needs=TRIED_10,
 )

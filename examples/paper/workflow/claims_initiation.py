@@ -3,9 +3,9 @@ import numpy as np
 from claims import Answer, claim, listed, slope_of, span
 from estimates import interval, kink, r_squared, slope, spearman
 
-SOUND_7 = (("the sound reading", {"family": "figure-07-sound"}),)
-SOUND_8 = (("the sound reading", {"family": "figure-08-sound"}),)
-SOUND_9 = (("the sound reading", {"family": "figure-09-sound"}),)
+TOTAL_7 = (("total stresses", {"family": "figure-07-total"}),)
+TOTAL_8 = (("total stresses", {"family": "figure-08-total"}),)
+TOTAL_9 = (("total stresses", {"family": "figure-09-total"}),)
 # Changes of the physics tried for Figures 5 and 9, and the families that have them.
 TRIED_05 = (
     ("a run has the paper's 500 sub-steps, not 100", {"family": "beyond-05-steps"}),
@@ -85,7 +85,7 @@ def plateau(data, limit, family="figure-05"):
 @claim(
     "4.3.1, Figure 5",
     "Above 55 MPa the cracks reach their number within a very short time.",
-    "Here arms go on growing while fluid arrives; the number is not reached at once.",
+    "Here wings go on growing while fluid arrives; the number is not reached at once.",
     needs=TRIED_05,
 )
 def sudden_above_upper(data, limit, family="figure-05"):
@@ -122,15 +122,15 @@ def upper_pressure(data, limit, family="figure-05", series="paper"):
 
 
 @claim("4.3.1, Figure 5", "Excessive pressure opens fractures in other directions besides the main one.")
-def more_arms(data, limit):
-    arms = data.table("figure-05", "paper", "arms")
-    gain = (arms.at(65) - arms.at(45))[:, None]
+def more_wings(data, limit):
+    wings = data.table("figure-05", "paper", "wings")
+    gain = (wings.at(65) - wings.at(45))[:, None]
     sure = interval(gain, lambda mean: mean[..., 0])
     return Answer(
         sure[0] > 0,
-        f"arms at 45 MPa {arms.at(45).mean():.1f}, at 65 MPa {arms.at(65).mean():.1f}; gain "
+        f"wings at 45 MPa {wings.at(45).mean():.1f}, at 65 MPa {wings.at(65).mean():.1f}; gain "
         f"{gain.mean():.1f} {span(sure, 1)}",
-        "gain of arms from 45 to 65 MPa, interval above 0",
+        "gain of wings from 45 to 65 MPa, interval above 0",
     )
 
 
@@ -158,22 +158,22 @@ def in_proportion(onset, limit):
     )
 
 
-@claim("4.3.2, Figure 7", "Initiation pressure rises in proportion to the smaller horizontal stress.", against=SOUND_7)
+@claim("4.3.2, Figure 7", "Initiation pressure rises in proportion to the smaller horizontal stress.", against=TOTAL_7)
 def smaller_stress(data, limit, family="figure-07"):
-    return in_proportion(data.table(family, "sigma_h", "onset_MPa"), limit["figure-07"])
+    return in_proportion(data.table(family, "sigma_hmin", "onset_MPa"), limit["figure-07"])
 
 
 @claim(
     "4.3.2, Figure 7",
     "The larger horizontal stress hardly matters.",
-    against=SOUND_7,
+    against=TOTAL_7,
     why_not="Elastic theory (Kirsch 1898) has initiation fall with the larger stress, at a third of the other's slope.",
 )
 def larger_stress(data, limit, family="figure-07"):
-    reference, _ = slope_of(data.table(family, "sigma_h", "onset_MPa"))
-    onset = data.table(family, "sigma_H", "onset_MPa")
+    reference, _ = slope_of(data.table(family, "sigma_hmin", "onset_MPa"))
+    onset = data.table(family, "sigma_Hmax", "onset_MPa")
     rise, sure = slope_of(onset)
-    share = limit["figure-07"]["sigma_H_share"]
+    share = limit["figure-07"]["sigma_Hmax_share"]
     return Answer(
         abs(rise) <= share * reference,
         f"slope {rise:.2f} {span(sure)} against {reference:.2f}; {listed(onset)} MPa",
@@ -188,7 +188,7 @@ def rise_of(table):
     return float(relative(table.means)), interval(table.values, relative)
 
 
-@claim("4.3.2, Figure 8", "Initiation pressure rises with the contacts' normal stiffness.", against=SOUND_8)
+@claim("4.3.2, Figure 8", "Initiation pressure rises with the contacts' normal stiffness.", against=TOTAL_8)
 def normal_stiffness(data, limit, family="figure-08"):
     onset = data.table(family, "normal", "onset_MPa")
     rise, sure = rise_of(onset)
@@ -200,7 +200,7 @@ def normal_stiffness(data, limit, family="figure-08"):
     )
 
 
-@claim("4.3.2, Figure 8 and 7", "The tangential stiffness does not matter.", against=SOUND_8)
+@claim("4.3.2, Figure 8 and 7", "The tangential stiffness does not matter.", against=TOTAL_8)
 def tangential_stiffness(data, limit, family="figure-08"):
     normal, _ = rise_of(data.table(family, "normal", "onset_MPa"))
     onset = data.table(family, "tangential", "onset_MPa")
@@ -214,7 +214,7 @@ def tangential_stiffness(data, limit, family="figure-08"):
     )
 
 
-@claim("4.3.2, Figure 9", "Initiation pressure rises in proportion to the bonds' normal strength.", against=SOUND_9)
+@claim("4.3.2, Figure 9", "Initiation pressure rises in proportion to the bonds' normal strength.", against=TOTAL_9)
 def normal_strength(data, limit, family="figure-09"):
     return in_proportion(data.table(family, "normal", "onset_MPa"), limit["figure-09"])
 
@@ -222,7 +222,7 @@ def normal_strength(data, limit, family="figure-09"):
 @claim(
     "4.3.2, Figure 9",
     "It rises with the tangential strength too, but less.",
-    against=SOUND_9,
+    against=TOTAL_9,
     why_not="Where the tangential strength is the smaller one it counts nearly as much as the other; once it exceeds "
     "the normal strength the first bond breaks in tension and it does not act at all.",
     needs=TRIED_09,

@@ -28,7 +28,7 @@ SETS = {
         "set": {"packing": {"disc_count": 10000}, "bond": {"toughness_reference_radius": 1.14}},
     },
 }
-SLOPES = {"ramp", "reading-sound"}  # parts of the families judged by a slope of the initiation pressure
+SLOPES = {"ramp", "convention-total"}  # parts of the families judged by a slope of the initiation pressure
 
 
 @dataclasses.dataclass(frozen=True)
@@ -153,5 +153,5 @@ def packing_case(packing):
     """The case that packs only: no well, no stress, rigid walls. Its discs are those of every run of this packing."""
     disc_count, porosity, seed = packing.split("-")
     case = merged(read("table-1"), {"packing": {"disc_count": int(disc_count), "porosity": float(porosity)}})
-    frame = {key: value for key, value in read("reading-paper").items() if key not in ("well", "output")}
+    frame = {key: value for key, value in read("convention-effective").items() if key not in ("well", "output")}
     return merged(merged(case, frame), {"model": {"seed": int(seed)}})

@@ -17,7 +17,7 @@ ONSET = {"initiation_pressure_Pa": "onset_MPa"}
 CHARTS = {
     "figure-05-end": (
         ["figure-05"],
-        {"crack_count": "cracks", "fracture_arms": "arms"},
+        {"crack_count": "cracks", "fracture_wings": "wings"},
         "Figure 5: cracks by injection pressure",
     ),
     "figure-07": (["figure-07"], ONSET, "Figure 7: initiation against horizontal stresses"),
@@ -26,10 +26,10 @@ CHARTS = {
     "figure-10": (["figure-10"], LENGTHS, "Figure 10: length and width by injection pressure"),
     "figure-11": (["figure-11"], LENGTHS, "Figure 11: length and width by smaller stress"),
     "figure-12": (["figure-12"], LENGTHS, "Figure 12: length and width by permeability"),
-    "sound-07": (["figure-07-sound"], ONSET, "Figure 7, sound reading"),
-    "sound-08": (["figure-08-sound"], ONSET, "Figure 8, sound reading"),
-    "sound-09": (["figure-09-sound"], ONSET, "Figure 9, sound reading"),
-    "sound-12": (["figure-12-sound"], ONSET, "Figure 12, sound reading: initiation by permeability"),
+    "total-07": (["figure-07-total"], ONSET, "Figure 7, total stresses"),
+    "total-08": (["figure-08-total"], ONSET, "Figure 8, total stresses"),
+    "total-09": (["figure-09-total"], ONSET, "Figure 9, total stresses"),
+    "total-12": (["figure-12-total"], ONSET, "Figure 12, total stresses: initiation by permeability"),
     "beyond-05": (
         ["figure-05", "beyond-05-steps", "beyond-05-supply", "beyond-05-stress"],
         {"crack_count": "cracks", "cracks_after_a_tenth": "cracks_at_tenth"},
@@ -91,11 +91,11 @@ def in_si(text, column):
 def chart(rows, tables, folder, name):
     wanted, columns, title = CHARTS[name]
     chosen = [row for row in rows if row["family"] in wanted and row["status"] == "done"]
-    kind = name.split("-")[0].replace("sound", "figure")
+    kind = name.split("-")[0].replace("total", "figure")
     if not any(row["family"].startswith(kind) for row in chosen):
         return  # a picture of changed physics wants more than what it is compared with
     axis, unit = AXES[name.split("-")[1]]
-    if name.startswith("sound"):
+    if name.startswith("total"):
         axis = axis.replace("effective", "total")
     table = tables / f"{name}.csv"
     with open(table, "w", newline="") as file:
@@ -143,7 +143,7 @@ def stages(run, folder, pressure):
         hfrac("render", run, "--movie", folder / f"figure-04-{pressure}-MPa.webp", "--width", 360, "-q")
         return
     if hfrac("render", run, "--no-movie", "--width", 800, "-q"):
-        shutil.copyfile(run / "pictures/figure3.png", folder / "figure-03.png")
+        shutil.copyfile(run / "pictures/model.png", folder / "figure-03.png")
         shutil.copyfile(run / "pictures/growth.png", folder / "figure-04.png")
     hfrac("render", run, "--movie", folder / "figure-04.webp", "--width", 480, "-q")
 

@@ -33,17 +33,17 @@ def verdict_of(claim, data, limit):
     answer, gap = answer_of(claim, data, limit)
     if answer is None:
         return "not judged", gap, "", ""
-    notes, other_reading = [], ""
+    notes, other_convention = [], ""
     for where, keywords in claim.against:
         other, gap = answer_of(claim, data, limit, **keywords)
         if other is None:
-            notes.append(f"In {where}: not judged, {gap}.")
+            notes.append(f"With {where}: not judged, {gap}.")
             continue
-        notes.append(f"In {where}: {'holds' if other.holds else 'does not hold'}; {other.figure}.")
+        notes.append(f"With {where}: {'holds' if other.holds else 'does not hold'}; {other.figure}.")
         if answer.holds and not other.holds:
-            return f"holds only if not in {where}", answer.figure, answer.test, " ".join(notes)
+            return f"holds only if not with {where}", answer.figure, answer.test, " ".join(notes)
         if other.holds and not answer.holds:
-            other_reading = f"in {where}"
+            other_convention = f"with {where}"
     if answer.holds:
         return "holds", answer.figure, answer.test, " ".join(notes)
     tried = [(condition, *answer_of(claim, data, limit, **keywords)) for condition, keywords in claim.needs]
@@ -56,7 +56,7 @@ def verdict_of(claim, data, limit):
             notes.append(f"Tried: {condition}. {other.figure}; it does not make the claim hold.")
     why = " ".join(one for one in [claim.why_not, *notes] if one)
     helping = [condition for condition, other, _ in tried if other is not None and other.holds]
-    conditions = [one for one in [other_reading, *helping] if one]
+    conditions = [one for one in [other_convention, *helping] if one]
     return f"holds only if {conditions[0]}" if conditions else "does not hold", answer.figure, answer.test, why
 
 
@@ -66,11 +66,11 @@ ASSUMPTIONS = """
 - The bond's stiffness, which the paper does not print, is 0.46 of the contact's, so that E = 14.2 GPa and nu = 0.24
   (`table-1.toml`).
 - Contact and bond act in parallel; a bond breaks at whichever strength it reaches first.
-- The paper's reading: stresses effective, pressures net of the formation's, rigid walls (`reading-paper.toml`). The
-  sound reading: total stresses, boundary under stress, slow ramp (`reading-sound.toml`), judged by initiation pressure
+- stress.convention effective: pressures net of the formation's, rigid walls (`convention-effective.toml`). With
+  total stresses: boundary under stress, slow ramp (`convention-total.toml`), judged by initiation pressure
   only.
 - Stresses of 49, 50, ... and 56 MPa are taken as effective ones from 0 and 8 MPa (`figure-07.toml`, `figure-11.toml`).
-- A sub-step lasts 10 ms; 100 of them are a run (`reading-paper.toml`). Figure 12 has 100 s, since permeability cannot
+- A sub-step lasts 10 ms; 100 of them are a run (`convention-effective.toml`). Figure 12 has 100 s, since permeability cannot
   act within milliseconds (`figure-12.toml`).
 - Figure 9's tangential series stands under 31 and 24 MPa effective: without stress nothing breaks in shear
   (`figure-09.toml`).
@@ -158,7 +158,7 @@ def page(which, data, limit, path):
                     f"{by_family(data, names)}.",
                     "",
                 ]
-    before = {row["run"]: int(row["setup_cracks"] or 0) for row in data.rows.values() if row["status"] == "done"}
+    before = {row["run"]: int(row["equilibration_cracks"] or 0) for row in data.rows.values() if row["status"] == "done"}
     cracked = [count for count in before.values() if count]
     lines += [
         f"{len(cracked)} runs had cracks from the stresses alone, before injection"
@@ -197,7 +197,7 @@ CAPTIONS = {
     "figure-10": "Figure 10, length (a) and width (b) by injection pressure",
     "figure-11": "Figure 11, length (a) and width (b) by the smaller stress",
     "figure-12": "Figure 12, length (a) and width (b) by permeability",
-    "sound-": "The sound reading: initiation as in Figures 7, 8, 9 and 12",
+    "total-": "Total stresses: initiation as in Figures 7, 8, 9 and 12",
     "beyond-": "Beyond the paper: changed physics, tried for claims that fail",
 }
 

@@ -6,7 +6,7 @@ import unittest
 import hfrac
 from support import small
 
-SERVO = {"boundary_kind": "stress", "stress": {"sigma_H": 10e6, "sigma_h": 10e6}, "stepping_force_ratio": 1e-2}
+SERVO = {"boundary_kind": "stress", "stress": {"sigma_Hmax": 10e6, "sigma_hmin": 10e6}, "stepping_force_ratio": 1e-2}
 
 
 class Images(unittest.TestCase):

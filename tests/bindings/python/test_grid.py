@@ -7,7 +7,7 @@ import hfrac
 from hfrac import _arrays
 from support import small
 
-STRESSED = {"boundary_kind": "stress", "stress": {"sigma_H": 10e6, "sigma_h": 10e6}, "stepping_force_ratio": 1e-2}
+STRESSED = {"boundary_kind": "stress", "stress": {"sigma_Hmax": 10e6, "sigma_hmin": 10e6}, "stepping_force_ratio": 1e-2}
 
 
 def flat(cells):
@@ -49,8 +49,8 @@ class Grid(unittest.TestCase):
             added = flat(grid.set_cell_pressure([[1e5, 1e5], [2e5, 2e5]]))
             self.assertAlmostEqual(sum(added), sim.balance.host_volume)
             self.assertGreater(added[2], added[0])
-            grid.set_rim_pressure(None)
-            grid.set_rim_pressure([[1e5, 1e5], [2e5, 2e5]])
+            grid.set_boundary_pressure(None)
+            grid.set_boundary_pressure([[1e5, 1e5], [2e5, 2e5]])
             grid.set_cell_stress([[[1e6, 0.0, 0.0]] * 2] * 2)
             self.assertGreaterEqual(sim.step(), 0)
             self.assertLess(abs(sim.balance.fluid_error), 1e-9 * sim.balance.injected_volume)
@@ -78,6 +78,6 @@ class Grid(unittest.TestCase):
                 sim.set_grid(0, 2, size=(1.0, 1.0))
             grid = sim.set_grid(2, 2, size=(50.0, 50.0))
             with self.assertRaises(hfrac.ArgumentError):
-                grid.set_rim_pressure([1.0, 2.0])
+                grid.set_boundary_pressure([1.0, 2.0])
             with self.assertRaises(TypeError):
                 grid.set_cell_pressure(["much", None])

@@ -1,4 +1,4 @@
-"""Temperature: setting it while running, by disc and by cell, and the books of heat."""
+"""Temperature: setting it while running, by disc and by cell, and the heat balance."""
 import unittest
 
 import hfrac

@@ -10,8 +10,8 @@ from support import CASE, small
 class Life(unittest.TestCase):
     def test_from_keywords_alone(self):
         with hfrac.Simulation(
-            packing_disc_count=400, packing={"residual": 1e-3}, model_reading="paper", boundary_kind="walls",
-            stress={"sigma_H": 0, "sigma_h": 0}, stepping_flow_step=1e-2, wells=[{"radius": 9.0, "pressure": 45e6}],
+            packing_disc_count=400, packing={"residual": 1e-3}, stress_convention="effective", boundary_kind="walls",
+            stress={"sigma_Hmax": 0, "sigma_hmin": 0}, stepping_flow_step=1e-2, wells=[{"radius": 9.0, "pressure": 45e6}],
         ) as sim:
             self.assertEqual(sim.setup.packed_discs, 400)
             self.assertGreaterEqual(sim.step(), 0)

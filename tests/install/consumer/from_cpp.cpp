@@ -8,7 +8,7 @@ int main(int argc, char** argv) {
   hfrac_sim_def def;
   hfrac_sim* sim = nullptr;
   if (argc < 2 || hfrac_sim_def_init(&def, sizeof def) < 0 || hfrac_sim_def_load(&def, argv[1]) < 0 ||
-      hfrac_sim_create(&def, &sim) < 0 || hfrac_step(sim, def.stepping_substeps) < 0) {
+      hfrac_sim_create(&def, &sim) < 0 || hfrac_step(sim, def.stepping_steps) < 0) {
     return 1;
   }
   hfrac_fracture fracture{};

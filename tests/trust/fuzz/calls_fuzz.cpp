@@ -17,15 +17,24 @@ namespace {
 using fuzz::demand;
 using fuzz::number;
 
-constexpr const char* keys[] = {"model.width",    "packing.disc_count",
-                                "stress.sigma_H", "well[0].pressure",
-                                "well[7].rate",   "bond.tensile_strength",
-                                "title",          "nonsense",
-                                "well[99].x",     "",
-                                "stepping.mode",  "solver.kind",
-                                "flow.scheme",    "boundary.kind",
-                                "run.workers",    "thermal.mode",
-                                "thermal.outer",  "joint[0].x1"};
+constexpr const char* keys[] = {"model.width",
+                                "packing.disc_count",
+                                "stress.sigma_Hmax",
+                                "well[0].pressure",
+                                "well[7].rate",
+                                "bond.tensile_strength",
+                                "title",
+                                "nonsense",
+                                "well[99].x",
+                                "",
+                                "stepping.mode",
+                                "solver.kind",
+                                "flow.scheme",
+                                "boundary.kind",
+                                "run.workers",
+                                "thermal.mode",
+                                "thermal.outer",
+                                "joint[0].x1"};
 
 constexpr const char* words[] = {"walls",    "quasi-static", "transport", "coupled",
                                  "explicit", "dynamic",      "uniform"};
@@ -216,9 +225,9 @@ void call(Host& host, std::uint8_t what, std::uint8_t pick) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Host host;
   demand(hfrac_sim_def_init(&host.def, sizeof host.def) == HFRAC_OK);
-  host.def.model_reading = 1;
+  host.def.stress_convention = 1;
   host.def.boundary_kind = 1;
-  host.def.stress_sigma_H = host.def.stress_sigma_h = 0.0;
+  host.def.stress_sigma_Hmax = host.def.stress_sigma_hmin = 0.0;
   host.def.stepping_flow_step = 1e-2;
   host.def.well_count = 1;
   host.def.wells[0].x = host.def.wells[0].y = 50.0;

@@ -48,7 +48,7 @@ inline int32_t cell_call(hfrac_sim* sim, int kind, std::uint8_t argument, double
   const double* from = argument % 13 == 0 ? nullptr : values.data();
   switch (kind) {
     case 0:
-      return hfrac_set_rim_pressure(sim, from, cells);
+      return hfrac_set_boundary_pressure(sim, from, cells);
     case 1:
       return hfrac_set_cell_pressure(sim, from, cells, argument % 2 == 0 ? nullptr : values.data(), 256);
     case 2:
@@ -167,7 +167,7 @@ inline int32_t host_call(hfrac_sim* sim, hfrac_sim_def& def, int kind, std::uint
       return hfrac_sim_def_get_f64(&def, argument % 2 == 0 ? "well[0].pressure" : "no.such", &real);
     }
     case 25:
-      return hfrac_sim_def_get_i64(&def, argument % 2 == 0 ? "run.workers" : "stress.sigma_H", &count);
+      return hfrac_sim_def_get_i64(&def, argument % 2 == 0 ? "run.workers" : "stress.sigma_Hmax", &count);
     case 26:
       return hfrac_field_find(argument % 2 == 0 ? "disc.radius" : "disc", &number_of);
     case 27:

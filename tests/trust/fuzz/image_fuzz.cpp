@@ -41,9 +41,9 @@ Model build(int64_t kind) {
   demand(hfrac_sim_def_init(&def, sizeof def) == HFRAC_OK);
   def.packing_disc_count = 60;
   def.packing_residual = 1e-2;
-  def.model_reading = 1;
+  def.stress_convention = 1;
   def.boundary_kind = kind == 1 ? 0 : 1;
-  def.stress_sigma_H = def.stress_sigma_h = kind == 1 ? 1e6 : 0.0;
+  def.stress_sigma_Hmax = def.stress_sigma_hmin = kind == 1 ? 1e6 : 0.0;
   def.stepping_max_cycles = 60;
   def.stepping_flow_step = 1e-2;
   def.solver_kind = kind == 2 ? 1 : 0;

@@ -4,7 +4,7 @@
  *
  * The renderer reads a run folder from disk (finished, or still being written) and makes no simulation: it is a library of
  * its own, libhfrac_viz, which asks libhfrac for one statistic, the law of magnitudes. What it reads: discs.pvd, bonds.pvd, cracks.pvd and flow.pvd with their
- * VTU files, summary.json (title, reading, model, wells), history.csv and cracks.csv (charts). Only the discs are
+ * VTU files, summary.json (title, stress_convention, model, wells), history.csv and cracks.csv (charts). Only the discs are
  * required.
  *
  * - Statuses and texts follow base.h; the codes below are added to its list. Every function that can fail for a
@@ -35,7 +35,7 @@ enum hfrac_viz_status {
 
 /** What can be drawn. Values may be added together for hfrac_viz_options.pictures. */
 enum hfrac_viz_picture {
-  HFRAC_VIZ_MODEL = 1,     /**< figure3.png: discs, contacts and wells at the first snapshot (the paper's Figure 3) */
+  HFRAC_VIZ_MODEL = 1,     /**< model.png: discs, contacts and wells at the first snapshot (the paper's Figure 3) */
   HFRAC_VIZ_STAGE = 2,     /**< growth_1.png to growth_5.png: discs, bonds and cracks at five stages */
   HFRAC_VIZ_GROWTH = 4,    /**< growth.png: the five stages on one page (the paper's Figure 4) */
   HFRAC_VIZ_PRESSURE = 8,  /**< pressure.png: fluid pressure in the domains, cracks over it */
@@ -180,9 +180,9 @@ enum hfrac_viz_view {
   HFRAC_VIZ_VIEW_CRACK_TIME = 2,   /**< cracks by the time they broke at */
   HFRAC_VIZ_VIEW_APERTURE = 3,     /**< cracks by aperture */
   HFRAC_VIZ_VIEW_PRESSURE = 4,     /**< fluid pressure in the domains */
-  HFRAC_VIZ_VIEW_DISPLACEMENT = 5, /**< length of the discs' displacement since set-up */
+  HFRAC_VIZ_VIEW_DISPLACEMENT = 5, /**< length of the discs' displacement since the initial equilibration */
   HFRAC_VIZ_VIEW_STRESS = 6,       /**< mean stress, smoothed over neighbouring discs, compression positive */
-  HFRAC_VIZ_VIEW_ROTATION = 7,     /**< rotation of the discs since set-up, anticlockwise positive */
+  HFRAC_VIZ_VIEW_ROTATION = 7,     /**< rotation of the discs since the initial equilibration, anticlockwise positive */
   HFRAC_VIZ_VIEW_TEMPERATURE = 8,  /**< temperature_K or temperature_degC of the discs or the domains */
   HFRAC_VIZ_VIEW_STRESS_XX = 9,    /**< normal stress along x, smoothed, compression positive */
   HFRAC_VIZ_VIEW_STRESS_YY = 10,   /**< normal stress along y, smoothed, compression positive */

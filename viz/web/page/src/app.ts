@@ -3,11 +3,11 @@ import { palette } from './colours';
 import { Curves } from './curves';
 import { find } from './dom';
 import { listDownloads, listenToDownloads, savePicture } from './downloads';
-import { drawFurniture, headingWidth, keysWidth, Standing } from './furniture';
+import { drawAnnotations, headingWidth, keysWidth, Standing } from './annotations';
 import { History } from './history';
 import { listenToKeys } from './keyboard';
 import { LayerList } from './layers';
-import { Lookout } from './lookout';
+import { Camera } from './camera';
 import { Moments } from './moments';
 import { Key, Moment, Painter, Settings, usualSettings } from './paint';
 import { showFigures, showFractures } from './panels';
@@ -33,7 +33,7 @@ export class App {
   private history = new History();
   private curves = new Curves(this.history, () => this.moments.now?.snapshot.time_s ?? 0, (time) => this.seek(time));
   private selection = new Selection(() => this.moments.now);
-  private lookout = new Lookout(this.view, () => this.sight(), () => this.redraw());
+  private camera = new Camera(this.view, () => this.sight(), () => this.redraw());
   private theme = new Theme(() => this.applyTheme());
   private index: RunIndex | null = null;
   private keys: Key[] = [];
@@ -88,7 +88,7 @@ export class App {
     this.painter.forget();
     this.history.clear();
     this.selection.clear();
-    this.lookout.clear();
+    this.camera.clear();
   }
 
   // --- moments -------------------------------------------------------------------------------------------
@@ -99,7 +99,7 @@ export class App {
 
   private shown(moment: Moment): void {
     this.layers.offer(moment.discs);
-    this.lookout.frame();
+    this.camera.frame();
     this.repaint();
     void this.selection.refresh();
   }
@@ -117,7 +117,7 @@ export class App {
   private async goToFracture(fracture: number): Promise<void> {
     this.player.pause();
     await this.player.go((this.index?.snapshots.length ?? 1) - 1);
-    this.lookout.atFracture(fracture);
+    this.camera.atFracture(fracture);
   }
 
   // --- drawing -------------------------------------------------------------------------------------------
@@ -156,7 +156,7 @@ export class App {
       const pen = overlay.getContext('2d') as CanvasRenderingContext2D;
       pen.clearRect(0, 0, overlay.width, overlay.height);
       const snapshot = this.moments.now?.snapshot;
-      if (snapshot) drawFurniture(pen, this.view, this.scene.pixelRatio, this.standing(snapshot, ''));
+      if (snapshot) drawAnnotations(pen, this.view, this.scene.pixelRatio, this.standing(snapshot, ''));
     });
   }
 
@@ -244,7 +244,7 @@ export class App {
   }
 
   private listenToControls(): void {
-    const { lookout, player, theme } = this;
+    const { camera, player, theme } = this;
     const follow = find<HTMLInputElement>('follow');
     const range = find<HTMLSelectElement>('range');
     range.addEventListener('change', () => {
@@ -252,10 +252,10 @@ export class App {
       void this.reshow();
     });
     follow.addEventListener('change', () => follow.checked && player.step(Infinity));
-    find('view-all').addEventListener('click', () => lookout.atAll());
-    find('view-cracks').addEventListener('click', () => lookout.atCracks());
-    find('view-well').addEventListener('click', () => lookout.atWell());
-    find('view-tip').addEventListener('click', () => lookout.atTip());
+    find('view-all').addEventListener('click', () => camera.atAll());
+    find('view-cracks').addEventListener('click', () => camera.atCracks());
+    find('view-well').addEventListener('click', () => camera.atWell());
+    find('view-tip').addEventListener('click', () => camera.atTip());
     find('theme').addEventListener('click', () => theme.toggle());
     find('help').addEventListener('click', () => find<HTMLDialogElement>('keys').showModal());
     listenToDownloads(() => this.index && listDownloads(this.index, this.moments.now?.snapshot, () => this.save()));
@@ -265,10 +265,10 @@ export class App {
       ArrowRight: (by) => player.step(by),
       Home: () => player.step(-Infinity),
       End: () => player.step(Infinity),
-      '0': () => lookout.atAll(),
-      f: () => lookout.atCracks(),
-      w: () => lookout.atWell(),
-      t: () => lookout.atTip(),
+      '0': () => camera.atAll(),
+      f: () => camera.atCracks(),
+      w: () => camera.atWell(),
+      t: () => camera.atTip(),
       d: () => theme.toggle(),
       s: () => this.save(),
       l: () => follow.click(),

@@ -1,6 +1,6 @@
 // Curves of the history over time, with a cursor at the moment shown. A click or a drag goes to that time.
 import { css, palette, Rgb } from './colours';
-import { ticks } from './furniture';
+import { ticks } from './annotations';
 import { History } from './history';
 import { figure, scaleFor } from './quantities';
 

@@ -1,7 +1,7 @@
 // What can be saved: the picture as it stands, the tables, the VTU files of the moment.
 import { css, palette } from './colours';
 import { find, make } from './dom';
-import { drawFurniture, Standing } from './furniture';
+import { drawAnnotations, Standing } from './annotations';
 import { bytesText } from './quantities';
 import { Scene } from './scene';
 import { RunIndex, Snapshot } from './server';
@@ -15,7 +15,7 @@ export function pictureOf(scene: Scene, standing: Standing): HTMLCanvasElement {
   pen.fillStyle = css(palette().paper);
   pen.fillRect(0, 0, picture.width, picture.height);
   pen.drawImage(scene.canvas(), 0, 0, picture.width, picture.height);
-  drawFurniture(pen, scene.view, scene.pixelRatio, { ...standing, pointer: null });
+  drawAnnotations(pen, scene.view, scene.pixelRatio, { ...standing, pointer: null });
   return picture;
 }
 

@@ -29,7 +29,7 @@ const stress = 'stress_Pa';
 export const discFields: Field[] = [
   {
     id: 'displacement', name: 'Displacement', unit: 'm', array: 'displacement_m', signed: false, map: magnitude,
-    value: (v, i) => Math.hypot(v[2 * i], v[2 * i + 1]), note: 'since set-up',
+    value: (v, i) => Math.hypot(v[2 * i], v[2 * i + 1]), note: 'since the initial equilibration',
   },
   {
     id: 'displacement_x', name: 'Displacement along x', unit: 'm', array: 'displacement_m', signed: true,

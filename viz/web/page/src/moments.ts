@@ -69,7 +69,7 @@ export class Moments {
       wanted(files.flow, this.settings.pores, many ? ['pressure_Pa', 'domain_id'] : []),
       wanted(files.bonds, this.settings.bonds, many ? ['state', 'normal_force_N', 'bond_id'] : []),
     ]);
-    const pressureNote = this.index()?.summary?.reading === 'paper' ? 'above the formation’s' : undefined;
+    const pressureNote = this.index()?.summary?.stress_convention === 'effective' ? 'above the formation’s' : undefined;
     return { snapshot, discs: discs as Grid, cracks, flow, bonds, pressureNote };
   }
 }

@@ -1,6 +1,6 @@
 // What has been clicked: kept by its number, so that it is found again at every moment, with its values in the panel
 // and its outline in the picture.
-import { Standing } from './furniture';
+import { Standing } from './annotations';
 import { Moment } from './paint';
 import { showSelection } from './panels';
 import { cornersOf, Pick } from './pick';

@@ -31,7 +31,7 @@ export interface Well {
 
 export interface Summary {
   title?: string;
-  reading?: string;
+  stress_convention?: string;
   ended?: string;
   model?: { width_m: number; height_m: number };
   wells?: Well[];

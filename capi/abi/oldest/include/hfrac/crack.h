@@ -21,7 +21,7 @@ typedef struct hfrac_crack {
   int64_t id;          /**< from 0, in order of breakage, never reused */
   int64_t bond;        /**< index of the bond */
   int64_t disc[2];     /**< indices of the discs */
-  int64_t step;        /**< step in which it broke; 0: during set-up */
+  int64_t step;        /**< step in which it broke; 0: during the initial equilibration */
   int64_t cycle;       /**< mechanical cycle in which it broke */
   double time;         /**< [s] model time of that step */
   double position[2];  /**< [m] middle of the contact now */
@@ -45,16 +45,16 @@ typedef struct hfrac_fracture {
   int64_t index;           /**< from 0, most cracks first */
   int64_t crack_count;     /**< cracks in it */
   int64_t tensile_cracks;  /**< of them in tension */
-  double length;           /**< [m] longest way along it: from the two longest arms if it starts at a well, the hole left out */
+  double length;           /**< [m] longest way along it: from the two longest wings if it starts at a well, the hole left out */
   double extent;           /**< [m] largest distance between two of its crack ends */
   double reach;            /**< [m] farthest crack end from the wall of its well; 0 if not connected */
-  double azimuth;          /**< [rad] direction of its long axis against x (sigma_H), -pi/2 to pi/2 */
+  double azimuth;          /**< [rad] direction of its long axis against x (sigma_Hmax), -pi/2 to pi/2 */
   double mean_aperture;    /**< [m] mechanical, weighted by crack length */
   double largest_aperture; /**< [m] the fracture's width */
   double volume;           /**< [m2] aperture times length, summed */
   double mean_pressure;    /**< [Pa] of the domains along it */
   int64_t well;            /**< index of the well it is connected to, -1 if none */
-  int64_t arms;            /**< separate branches that start at its well; 1 if not connected to one */
+  int64_t wings;           /**< separate branches that start at its well; 1 if not connected to one */
 } hfrac_fracture;
 
 /** Finds the fractures as they are now and copies up to `capacity`; *count is how many there are. `fracture_size` is

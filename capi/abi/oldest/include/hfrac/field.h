@@ -23,8 +23,8 @@ extern "C" {
 #define HFRAC_FIELD_LIST(X)                                                                                        \
   X(HFRAC_DISC_POSITION, 0, "disc.position", "m", 0, 0, 2, "centre now")                                           \
   X(HFRAC_DISC_RADIUS, 1, "disc.radius", "m", 0, 0, 1, "radius")                                                   \
-  X(HFRAC_DISC_DISPLACEMENT, 2, "disc.displacement", "m", 0, 0, 2, "since the end of set-up")                      \
-  X(HFRAC_DISC_ROTATION, 3, "disc.rotation", "rad", 0, 0, 1, "since the end of set-up, anticlockwise")             \
+  X(HFRAC_DISC_DISPLACEMENT, 2, "disc.displacement", "m", 0, 0, 2, "since the end of the initial equilibration")                      \
+  X(HFRAC_DISC_ROTATION, 3, "disc.rotation", "rad", 0, 0, 1, "since the end of the initial equilibration, anticlockwise")             \
   X(HFRAC_DISC_VELOCITY, 4, "disc.velocity", "m/s", 0, 0, 2, "velocity (dynamic mode; scaled in substep mode)")    \
   X(HFRAC_DISC_STRESS, 5, "disc.stress", "Pa", 0, 0, 3, "xx, yy, xy averaged over the disc's cell, from bond, contact and wall forces; compression positive") \
   X(HFRAC_DISC_INTACT_BONDS, 6, "disc.intact_bonds", "1", 0, 1, 1, "number of intact bonds")                       \
@@ -37,7 +37,7 @@ extern "C" {
   X(HFRAC_PIPE_DOMAINS, 40, "pipe.domains", "1", 2, 1, 2, "domains left and right of the line from disc 0 to disc 1") \
   X(HFRAC_PIPE_APERTURE, 41, "pipe.aperture", "m", 2, 0, 1, "hydraulic aperture (eq. 7)")                          \
   X(HFRAC_PIPE_FLOW, 42, "pipe.flow", "m2/s", 2, 0, 1, "volume rate from the left to the right domain in the last step") \
-  X(HFRAC_DOMAIN_PRESSURE, 60, "domain.pressure", "Pa", 3, 0, 1, "pressure, in the reading's sense")               \
+  X(HFRAC_DOMAIN_PRESSURE, 60, "domain.pressure", "Pa", 3, 0, 1, "pressure, as stress.convention says")               \
   X(HFRAC_DOMAIN_VOLUME, 61, "domain.volume", "m2", 3, 0, 1, "fluid volume now")                                   \
   X(HFRAC_DOMAIN_CENTRE, 62, "domain.centre", "m", 3, 0, 2, "centroid of the polygon of disc centres")             \
   X(HFRAC_DOMAIN_KIND, 63, "domain.kind", "1", 3, 1, 1, "0 rock, 1 well, 2 outside")                               \

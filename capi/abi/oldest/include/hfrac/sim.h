@@ -53,10 +53,10 @@ typedef struct hfrac_sim_state {
   int64_t step;               /**< steps taken since creation */
   int64_t cycles;             /**< mechanical cycles since creation */
   double force_ratio;         /**< mean unbalanced over mean contact force */
-  int64_t crack_count;        /**< bonds broken, all modes, set-up included */
+  int64_t crack_count;        /**< bonds broken, all modes, the initial equilibration included */
   int64_t tensile_cracks;     /**< of them in tension */
   int64_t shear_cracks;       /**< of them in shear */
-  int64_t setup_cracks;       /**< of them before injection, while the model came to rest */
+  int64_t equilibration_cracks; /**< of them before injection, while the model came to rest */
   int64_t disc_count;         /**< discs */
   int64_t bond_count;         /**< bonded contacts, intact or broken */
   int64_t domain_count;       /**< fluid domains, wells included */
@@ -83,25 +83,25 @@ typedef struct hfrac_setup_report {
   double strength_factor;        /**< strengths used over strengths given (bond.toughness_reference_radius) */
   double zero_stress_aperture;   /**< [m] r0 in use (eq. 7) */
   double permeability;           /**< [m2] of the network after the initial equilibrium */
-  double setup_force_ratio;      /**< unbalanced over mean contact force after the initial equilibrium */
+  double equilibration_force_ratio; /**< unbalanced over mean contact force after the initial equilibrium */
   double packing_seconds;        /**< wall time of the packing */
   double setup_seconds;          /**< wall time of all of hfrac_sim_create */
 } hfrac_setup_report;
 /** What the set-up made. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_get_setup(const hfrac_sim *sim, hfrac_setup_report *report);
 
-/** Energy and fluid mass since the end of the set-up. Set struct_size before the call. */
+/** Energy and fluid mass since the end of the initial equilibration. Set struct_size before the call. */
 typedef struct hfrac_balance {
   int32_t struct_size;       /**< sizeof(hfrac_balance) of the caller */
   int32_t struct_pad;        /**< 0 */
   double kinetic;            /**< [J/m] kinetic energy now */
   double bond_elastic;       /**< [J/m] stored in intact bonds now */
   double contact_elastic;    /**< [J/m] stored in contacts now (discs and walls) */
-  double fluid_work;         /**< [J/m] work of fluid pressure on the discs since set-up */
-  double boundary_work;      /**< [J/m] work of the far field on the model since set-up */
-  double friction;           /**< [J/m] dissipated by sliding since set-up */
-  double damping;            /**< [J/m] dissipated by damping since set-up */
-  double fracture;           /**< [J/m] elastic energy of bonds lost as they broke since set-up */
+  double fluid_work;         /**< [J/m] work of fluid pressure on the discs since the initial equilibration */
+  double boundary_work;      /**< [J/m] work of the far field on the model since the initial equilibration */
+  double friction;           /**< [J/m] dissipated by sliding since the initial equilibration */
+  double damping;            /**< [J/m] dissipated by damping since the initial equilibration */
+  double fracture;           /**< [J/m] elastic energy of bonds lost as they broke since the initial equilibration */
   double energy_error;       /**< [J/m] what is missing in: works = change of stored + dissipated */
   double injected_volume;    /**< [m2] fluid put in through all wells, at formation pressure */
   double stored_volume;      /**< [m2] change of content of all domains, wells included */
@@ -121,10 +121,10 @@ typedef struct hfrac_well_state {
   double x;                  /**< [m] centre */
   double y;                  /**< [m] */
   double equivalent_radius;  /**< [m] sqrt(area / pi) of the hole between disc centres */
-  double pressure;           /**< [Pa] now, in the reading's sense */
+  double pressure;           /**< [Pa] now, as stress.convention says */
   double target_pressure;    /**< [Pa] */
   double rate;               /**< [m2/s] into the well in the last step */
-  double injected_volume;    /**< [m2] since set-up, at formation pressure */
+  double injected_volume;    /**< [m2] since the initial equilibration, at formation pressure */
   int64_t domain;            /**< index of its domain */
 } hfrac_well_state;
 /** Number of wells. Stable since 0.1. */

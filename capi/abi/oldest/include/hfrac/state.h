@@ -41,9 +41,9 @@ HFRAC_API int32_t hfrac_step_finalize(hfrac_sim *sim);
 /** Closes the open step and goes back to where it was opened, wells and far field included. Unstable since 0.1. */
 HFRAC_API int32_t hfrac_step_reject(hfrac_sim *sim);
 
-/** From the next step on, another far-field stress [Pa], in the reading's sense; needs boundary.kind stress, or walls kept
- * on their servo. sigma_h must not exceed sigma_H. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_set_far_field(hfrac_sim *sim, double sigma_H, double sigma_h);
+/** From the next step on, another far-field stress [Pa], as stress.convention says; needs boundary.kind stress, or walls kept
+ * on their servo. sigma_hmin must not exceed sigma_Hmax. Unstable since 0.1. */
+HFRAC_API int32_t hfrac_set_far_field(hfrac_sim *sim, double sigma_Hmax, double sigma_hmin);
 
 #ifdef __cplusplus
 }

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Several cycles in one sweep over the model: the list of sweep.hpp, worked off.
+// Several cycles in one pass over the model: the list of temporal_blocking.hpp, worked off.
 #include <new>
 
 #include "solid/explicit_solver.hpp"
 
 namespace hfrac {
 
-void ExplicitSolver::set_sweep(const SweepShape& shape) {
-  sweep_ = {};
-  if (shape.cycles > 1) sweep_ = plan_sweep(plan_, assembly_, shape);
-  tile_done_ = std::vector<std::atomic<std::int32_t>>(sweep_.empty() ? 0 : plan_.tiles.size());
+void ExplicitSolver::set_blocking(const BlockingShape& shape) {
+  blocking_ = {};
+  if (shape.cycles > 1) blocking_ = plan_blocking(plan_, assembly_, shape);
+  tile_done_ = std::vector<std::atomic<std::int32_t>>(blocking_.empty() ? 0 : plan_.tiles.size());
   block_done_ = std::vector<std::atomic<std::int32_t>>(
-      sweep_.empty() ? 0 : static_cast<std::size_t>(plan_.bond_blocks));
+      blocking_.empty() ? 0 : static_cast<std::size_t>(plan_.bond_blocks));
 }
 
-// Walls under servo control, contacts between strangers and those of smooth joints know of discs far apart in every cycle, and so do pores that
+// Walls under servo control, non-bonded contacts and those of smooth joints know of discs far apart in every cycle, and so do pores that
 // answer: the outside is one of them. Pores that keep their pressure push, and that is all.
-bool ExplicitSolver::may_sweep() const {
+bool ExplicitSolver::may_block() const {
   const bool pores_answer = arrays_.with_pressure != 0 && arrays_.undrained != 0;
-  return !sweep_.empty() && !pores_answer && boundary_.acts_disc_by_disc() && loose_.empty() &&
+  return !blocking_.empty() && !pores_answer && boundary_.acts_disc_by_disc() && non_bonded_.empty() &&
          assembly_.smooth.empty();
 }
 
-void ExplicitSolver::sweep(std::int64_t cycles, std::vector<CrackLog>& found) {
+void ExplicitSolver::run_blocked(std::int64_t cycles, std::vector<CrackLog>& found) {
   if (arrays_.with_pressure != 0) {
     for (std::int64_t block = 0; block < plan_.domain_blocks; ++block) kernels_.cross_domains(arrays_, block);
   }
@@ -32,8 +32,8 @@ void ExplicitSolver::sweep(std::int64_t cycles, std::vector<CrackLog>& found) {
     for (auto& number : *done) number.store(0, std::memory_order_relaxed);
   }
   next_task_.store(0, std::memory_order_relaxed);
-  const auto in_list = static_cast<std::int64_t>(sweep_.tasks.size());
-  const std::int64_t sweeps = (cycles + sweep_.cycles - 1) / sweep_.cycles;
+  const auto in_list = static_cast<std::int64_t>(blocking_.tasks.size());
+  const std::int64_t sweeps = (cycles + blocking_.cycles - 1) / blocking_.cycles;
   std::atomic<bool> no_memory{false};
   const auto finish = [](std::atomic<std::int32_t>& done, std::int32_t cycle) {
     done.store(cycle, std::memory_order_release);
@@ -44,9 +44,9 @@ void ExplicitSolver::sweep(std::int64_t cycles, std::vector<CrackLog>& found) {
     for (;;) {
       const auto at = next_task_.fetch_add(1, std::memory_order_relaxed);
       if (at >= sweeps * in_list) return;
-      const Sweep::Task& next = sweep_.tasks[static_cast<std::size_t>(at % in_list)];
+      const TemporalBlocking::Task& next = blocking_.tasks[static_cast<std::size_t>(at % in_list)];
       const auto cycle =
-          static_cast<std::int32_t>(at / in_list) * sweep_.cycles + next.cycle;  // of the batch
+          static_cast<std::int32_t>(at / in_list) * blocking_.cycles + next.cycle;  // of the batch
       if (cycle > cycles) continue;
       // What was not done for want of memory is not waited for: the batch goes on to its end, and then the step fails.
       const auto do_one = [&](auto&& part) {
@@ -58,14 +58,14 @@ void ExplicitSolver::sweep(std::int64_t cycles, std::vector<CrackLog>& found) {
       };
       if (next.item < 0) {
         const std::int32_t block = ~next.item;
-        for (auto k = sweep_.block_start[block]; k < sweep_.block_start[block + 1]; ++k)
-          workers_.wait_for(tile_done_[sweep_.block_tile[k]], cycle - 1);
+        for (auto k = blocking_.block_start[block]; k < blocking_.block_start[block + 1]; ++k)
+          workers_.wait_for(tile_done_[blocking_.block_tile[k]], cycle - 1);
         do_one([&] { take_cross_block(block, total_cycles_ + cycle - 1, found[w]); });
         finish(block_done_[block], cycle);
       } else {
         const std::int32_t tile = next.item;
-        for (auto k = sweep_.tile_start[tile]; k < sweep_.tile_start[tile + 1]; ++k)
-          workers_.wait_for(block_done_[sweep_.tile_block[k]], cycle);
+        for (auto k = blocking_.tile_start[tile]; k < blocking_.tile_start[tile + 1]; ++k)
+          workers_.wait_for(block_done_[blocking_.tile_block[k]], cycle);
         if (walls) boundary_.press(assembly_, plan_.tiles[tile].first_disc, plan_.tiles[tile].last_disc);
         do_one([&] { take_tile(tile, total_cycles_ + cycle - 1, scratch_[w].data(), found[w]); });
         finish(tile_done_[tile], cycle);

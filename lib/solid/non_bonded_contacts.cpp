@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "solid/loose_contacts.hpp"
+#include "solid/non_bonded_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +25,8 @@ std::vector<std::int32_t> discs_with_broken_bonds(const Assembly& a, const Crack
 
 // The few discs beside cracks are sorted into cells; all others only ask whether one of those is near, which needs neither
 // memory nor, away from the cracks, more than a look at their bounding box.
-std::vector<LooseContacts::Pair> pairs_near_cracks(const Assembly& a,
-                                                   const std::vector<std::int32_t>& cracked) {
+std::vector<NonBondedContacts::Pair> pairs_near_cracks(const Assembly& a,
+                                                       const std::vector<std::int32_t>& cracked) {
   const double largest = *std::max_element(a.radius.begin(), a.radius.end()),
                reach = search_gap * a.mean_radius;
   std::vector<double> x, y;
@@ -39,7 +39,7 @@ std::vector<LooseContacts::Pair> pairs_near_cracks(const Assembly& a,
   const CellGrid grid(x, y, cell);
   const auto [left, right] = std::minmax_element(x.begin(), x.end());
   const auto [low, high] = std::minmax_element(y.begin(), y.end());
-  std::vector<LooseContacts::Pair> found;
+  std::vector<NonBondedContacts::Pair> found;
   for (std::int64_t d = 0; d < a.disc_count(); ++d) {
     const Vec2 p = a.position(d);
     if (p.x < *left - cell || p.x > *right + cell || p.y < *low - cell || p.y > *high + cell) continue;
@@ -61,7 +61,7 @@ std::vector<LooseContacts::Pair> pairs_near_cracks(const Assembly& a,
 
 }  // namespace
 
-bool LooseContacts::search(Assembly& a, const Boundary& boundary, const CrackLog& cracks) {
+bool NonBondedContacts::search(Assembly& a, const Boundary& boundary, const CrackLog& cracks) {
   if (cracks.empty()) return false;
   bool due = cracks.size() != cracks_seen_;
   if (!due) {
@@ -109,7 +109,7 @@ bool LooseContacts::search(Assembly& a, const Boundary& boundary, const CrackLog
 }
 
 // The boundary's own force back onto the discs of the list.
-void LooseContacts::release(Assembly& a, const Boundary& boundary) {
+void NonBondedContacts::release(Assembly& a, const Boundary& boundary) {
   for (const auto i : discs_) {
     a.external_moment[i] = 0.0;
     if (boundary.touches_wall(i)) continue;  // written anew in every cycle
@@ -119,7 +119,7 @@ void LooseContacts::release(Assembly& a, const Boundary& boundary) {
   }
 }
 
-void LooseContacts::cycle(Assembly& a, const Boundary& boundary, double step, double& friction) {
+void NonBondedContacts::cycle(Assembly& a, const Boundary& boundary, double step, double& friction) {
   release(a, boundary);
   for (auto& pair : pairs_) {
     const auto i = pair.first, j = pair.second;
@@ -154,8 +154,8 @@ void LooseContacts::cycle(Assembly& a, const Boundary& boundary, double step, do
   }
 }
 
-void LooseContacts::add_stiffness(const Assembly& a, std::vector<double>& row_x, std::vector<double>& row_y,
-                                  std::vector<double>& row_rotation) const {
+void NonBondedContacts::add_stiffness(const Assembly& a, std::vector<double>& row_x,
+                                      std::vector<double>& row_y, std::vector<double>& row_rotation) const {
   for (const auto& pair : pairs_) {
     const double share = a.thermal.pair_stiffness(pair.first, pair.second);
     const double translation =
@@ -168,7 +168,7 @@ void LooseContacts::add_stiffness(const Assembly& a, std::vector<double>& row_x,
   }
 }
 
-bool LooseContacts::fits(std::int64_t discs) const {
+bool NonBondedContacts::fits(std::int64_t discs) const {
   const auto ascending = [discs](const std::vector<std::int32_t>& list) {
     for (std::size_t k = 0; k < list.size(); ++k) {
       if (list[k] < 0 || list[k] >= discs || (k > 0 && list[k] <= list[k - 1])) return false;
@@ -182,7 +182,7 @@ bool LooseContacts::fits(std::int64_t discs) const {
          searched_y_.size() == cracked_.size();
 }
 
-double LooseContacts::energy(const Assembly& a) const {
+double NonBondedContacts::energy(const Assembly& a) const {
   double sum = 0.0;
   for (const auto& pair : pairs_) {
     const double share = a.thermal.pair_stiffness(pair.first, pair.second);

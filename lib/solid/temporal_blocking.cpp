@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "solid/sweep.hpp"
+#include "solid/temporal_blocking.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@ namespace hfrac {
 namespace {
 
 // Which tiles each block of bonds touches, and the other way round.
-void link(const TilePlan& plan, const Assembly& a, Sweep& sweep) {
+void link(const TilePlan& plan, const Assembly& a, TemporalBlocking& blocking) {
   const auto tiles = plan.tiles.size();
-  sweep.block_start.push_back(0);
-  sweep.tile_start.assign(tiles + 1, 0);
+  blocking.block_start.push_back(0);
+  blocking.tile_start.assign(tiles + 1, 0);
   std::vector<std::int32_t> touched;
   for (std::int64_t block = 0; block < plan.bond_blocks; ++block) {
     const std::int64_t first = plan.first_cross_bond + block * cross_block,
@@ -23,16 +23,16 @@ void link(const TilePlan& plan, const Assembly& a, Sweep& sweep) {
     }
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-    for (const auto tile : touched) ++sweep.tile_start[static_cast<std::size_t>(tile) + 1];
-    sweep.block_tile.insert(sweep.block_tile.end(), touched.begin(), touched.end());
-    sweep.block_start.push_back(static_cast<std::int32_t>(sweep.block_tile.size()));
+    for (const auto tile : touched) ++blocking.tile_start[static_cast<std::size_t>(tile) + 1];
+    blocking.block_tile.insert(blocking.block_tile.end(), touched.begin(), touched.end());
+    blocking.block_start.push_back(static_cast<std::int32_t>(blocking.block_tile.size()));
   }
-  for (std::size_t t = 0; t < tiles; ++t) sweep.tile_start[t + 1] += sweep.tile_start[t];
-  sweep.tile_block.resize(sweep.block_tile.size());
-  std::vector<std::int32_t> place(sweep.tile_start.begin(), sweep.tile_start.end() - 1);
-  for (std::size_t block = 0; block + 1 < sweep.block_start.size(); ++block) {
-    for (auto k = sweep.block_start[block]; k < sweep.block_start[block + 1]; ++k)
-      sweep.tile_block[place[sweep.block_tile[k]]++] = static_cast<std::int32_t>(block);
+  for (std::size_t t = 0; t < tiles; ++t) blocking.tile_start[t + 1] += blocking.tile_start[t];
+  blocking.tile_block.resize(blocking.block_tile.size());
+  std::vector<std::int32_t> place(blocking.tile_start.begin(), blocking.tile_start.end() - 1);
+  for (std::size_t block = 0; block + 1 < blocking.block_start.size(); ++block) {
+    for (auto k = blocking.block_start[block]; k < blocking.block_start[block + 1]; ++k)
+      blocking.tile_block[place[blocking.block_tile[k]]++] = static_cast<std::int32_t>(block);
   }
 }
 
@@ -73,12 +73,12 @@ std::vector<std::int32_t> front_order(const TilePlan& plan, const Assembly& a, s
 // Puts tasks on the list as soon as what they need stands there.
 class Planner {
  public:
-  Planner(Sweep& sweep, std::size_t tiles)
-      : sweep_(sweep), tile_done_(tiles, 0), block_done_(sweep.block_start.size() - 1, 0) {}
+  Planner(TemporalBlocking& blocking, std::size_t tiles)
+      : blocking_(blocking), tile_done_(tiles, 0), block_done_(blocking.block_start.size() - 1, 0) {}
 
   // Tiles in `front` may begin: they and all behind them do what can be done now.
   void advance(std::vector<std::int32_t> front) {
-    for (std::int32_t cycle = 1; cycle <= sweep_.cycles && !front.empty(); ++cycle) {
+    for (std::int32_t cycle = 1; cycle <= blocking_.cycles && !front.empty(); ++cycle) {
       std::vector<std::int32_t> next;
       for (const auto tile : front) {
         if (tile_done_[tile] != cycle - 1 || !ready(tile, cycle)) continue;
@@ -91,25 +91,25 @@ class Planner {
 
  private:
   [[nodiscard]] bool ready(std::int32_t tile, std::int32_t cycle) const {
-    for (auto k = sweep_.tile_start[tile]; k < sweep_.tile_start[tile + 1]; ++k) {
-      const auto block = sweep_.tile_block[k];
+    for (auto k = blocking_.tile_start[tile]; k < blocking_.tile_start[tile + 1]; ++k) {
+      const auto block = blocking_.tile_block[k];
       if (block_done_[block] >= cycle) continue;
-      for (auto q = sweep_.block_start[block]; q < sweep_.block_start[block + 1]; ++q) {
-        if (tile_done_[sweep_.block_tile[q]] < cycle - 1) return false;
+      for (auto q = blocking_.block_start[block]; q < blocking_.block_start[block + 1]; ++q) {
+        if (tile_done_[blocking_.block_tile[q]] < cycle - 1) return false;
       }
     }
     return true;
   }
 
   void take(std::int32_t tile, std::int32_t cycle) {
-    for (auto k = sweep_.tile_start[tile]; k < sweep_.tile_start[tile + 1]; ++k) {
-      const auto block = sweep_.tile_block[k];
+    for (auto k = blocking_.tile_start[tile]; k < blocking_.tile_start[tile + 1]; ++k) {
+      const auto block = blocking_.tile_block[k];
       if (block_done_[block] >= cycle) continue;
       block_done_[block] = cycle;
-      sweep_.tasks.push_back({~block, cycle});
+      blocking_.tasks.push_back({~block, cycle});
     }
     tile_done_[tile] = cycle;
-    sweep_.tasks.push_back({tile, cycle});
+    blocking_.tasks.push_back({tile, cycle});
   }
 
   // Tiles that may have waited for this one to do their next cycle.
@@ -119,33 +119,33 @@ class Planner {
         found.push_back(other);
     };
     add(tile);
-    for (auto k = sweep_.tile_start[tile]; k < sweep_.tile_start[tile + 1]; ++k) {
-      const auto block = sweep_.tile_block[k];
-      for (auto q = sweep_.block_start[block]; q < sweep_.block_start[block + 1]; ++q)
-        add(sweep_.block_tile[q]);
+    for (auto k = blocking_.tile_start[tile]; k < blocking_.tile_start[tile + 1]; ++k) {
+      const auto block = blocking_.tile_block[k];
+      for (auto q = blocking_.block_start[block]; q < blocking_.block_start[block + 1]; ++q)
+        add(blocking_.block_tile[q]);
     }
   }
 
-  Sweep& sweep_;
+  TemporalBlocking& blocking_;
   std::vector<std::int32_t> tile_done_, block_done_;  // cycles, by what stands on the list
 };
 
 }  // namespace
 
-Sweep plan_sweep(const TilePlan& plan, const Assembly& assembly, const SweepShape& shape) {
-  Sweep sweep;
-  sweep.cycles = shape.cycles;
-  link(plan, assembly, sweep);
+TemporalBlocking plan_blocking(const TilePlan& plan, const Assembly& assembly, const BlockingShape& shape) {
+  TemporalBlocking blocking;
+  blocking.cycles = shape.cycles;
+  link(plan, assembly, blocking);
   const auto order = front_order(plan, assembly, shape.width);
-  sweep.tasks.reserve(static_cast<std::size_t>(shape.cycles) *
-                      (plan.tiles.size() + static_cast<std::size_t>(plan.bond_blocks)));
-  Planner planner(sweep, plan.tiles.size());
+  blocking.tasks.reserve(static_cast<std::size_t>(shape.cycles) *
+                         (plan.tiles.size() + static_cast<std::size_t>(plan.bond_blocks)));
+  Planner planner(blocking, plan.tiles.size());
   for (std::size_t at = 0; at < order.size(); at += static_cast<std::size_t>(shape.front)) {
     const auto end = std::min(order.size(), at + static_cast<std::size_t>(shape.front));
     planner.advance(
         {order.begin() + static_cast<std::ptrdiff_t>(at), order.begin() + static_cast<std::ptrdiff_t>(end)});
   }
-  return sweep;
+  return blocking;
 }
 
 }  // namespace hfrac

@@ -23,7 +23,7 @@ type Pen = CanvasRenderingContext2D;
 const family = 'system-ui, -apple-system, "Segoe UI", Roboto, "DejaVu Sans", sans-serif';
 
 /** `ratio`: pixels of the canvas per pixel of the layout. */
-export function drawFurniture(pen: Pen, view: View, ratio: number, standing: Standing): void {
+export function drawAnnotations(pen: Pen, view: View, ratio: number, standing: Standing): void {
   pen.save();
   drawOutlines(pen, view, ratio, standing);
   pen.scale(ratio, ratio);

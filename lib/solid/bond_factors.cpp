@@ -1,30 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "solid/bond_shares.hpp"
+#include "solid/bond_factors.hpp"
 
 #include "options/options.hpp"
 #include "solid/assembly.hpp"
 
 namespace hfrac {
 
-void combine_shares(Assembly& a, const Options& o) {
+void combine_factors(Assembly& a, const Options& o) {
   const ThermalState& thermal = a.thermal;
   if (thermal.empty() && a.strength_scale.empty() && a.joint_tensile.empty()) return;
-  BondShares& shares = a.shares;
+  BondFactors& factors = a.factors;
   const std::size_t bonds = a.first.size();
-  for (auto* values : {&shares.growth, &shares.stiffness, &shares.tensile, &shares.shear, &shares.friction})
+  for (auto* values :
+       {&factors.growth, &factors.stiffness, &factors.tensile, &factors.shear, &factors.friction})
     values->resize(bonds);
   for (std::size_t e = 0; e < bonds; ++e) {
     const std::int64_t i = a.first[e], j = a.second[e];
     const double arm_j = a.length(e) - a.arm(e);
-    shares.growth[e] = thermal.strain_of(i, a.radius) * a.arm(e) + thermal.strain_of(j, a.radius) * arm_j;
+    factors.growth[e] = thermal.strain_of(i, a.radius) * a.arm(e) + thermal.strain_of(j, a.radius) * arm_j;
     // The law of smooth joints stands by itself (smooth_joints.hpp): for all others there is no contact here.
     const bool smooth = a.smooth.of(static_cast<std::int64_t>(e)) != nullptr;
-    shares.stiffness[e] = smooth ? 0.0 : thermal.pair_stiffness(i, j);
+    factors.stiffness[e] = smooth ? 0.0 : thermal.pair_stiffness(i, j);
     const double strength =
         thermal.pair_strength(i, j) * (a.strength_scale.empty() ? 1.0 : a.strength_scale[e]);
-    shares.tensile[e] = strength * (a.joint_tensile.empty() ? 1.0 : a.joint_tensile[e]);
-    shares.shear[e] = strength * (a.joint_shear.empty() ? 1.0 : a.joint_shear[e]);
-    shares.friction[e] =
+    factors.tensile[e] = strength * (a.joint_tensile.empty() ? 1.0 : a.joint_tensile[e]);
+    factors.shear[e] = strength * (a.joint_shear.empty() ? 1.0 : a.joint_shear[e]);
+    factors.friction[e] =
         (a.joint_friction.empty() ? o.contact_friction : a.joint_friction[e]) * thermal.pair_friction(i, j);
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What several cycles in one sweep bring (lib/solid/sweep.hpp), on the sheet.
+// What several cycles in one pass bring (lib/solid/temporal_blocking.hpp), on the sheet.
 //
-//     bench_sweep N WORKERS CYCLES:WIDTH:FRONT...
+//     bench_blocking N WORKERS CYCLES:WIDTH:FRONT...
 //
 // One line a shape: how many tiles come from memory per tile and cycle, by a model of caches of 8, 16 and 32 MB that keep what was
 // used last; then million bond updates a second, the best of several segments, the shapes taking turns; then how many times the
@@ -36,7 +36,7 @@ double now(int workers) {
 }
 
 // Tiles fetched per tile and cycle if the `room` used last stay.
-double fetched(const Sweep& sweep, std::size_t tiles, std::size_t room) {
+double fetched(const TemporalBlocking& blocking, std::size_t tiles, std::size_t room) {
   std::list<std::int32_t> kept;
   std::vector<std::list<std::int32_t>::iterator> at(tiles, kept.end());
   std::int64_t misses = 0, uses = 0;
@@ -57,7 +57,7 @@ double fetched(const Sweep& sweep, std::size_t tiles, std::size_t room) {
   // Of a tile that only a block of bonds looks at little comes along; it is left out.
   for (int round = 0; round < 2; ++round) {
     misses = uses = 0;
-    for (const auto& task : sweep.tasks) {
+    for (const auto& task : blocking.tasks) {
       if (task.item < 0) continue;
       ++uses;
       use(task.item);
@@ -69,7 +69,8 @@ double fetched(const Sweep& sweep, std::size_t tiles, std::size_t room) {
 // The other way to do several cycles at once: patches that each repeat what their neighbours do around them. How many times the
 // work a patch of width x width tiles in the middle would do: its last cycle needs the one before of all tiles that share a block
 // of bonds with it, and so on.
-double patch_work(const Sweep& sweep, const TilePlan& plan, const Assembly& a, const SweepShape& shape) {
+double patch_work(const TemporalBlocking& blocking, const TilePlan& plan, const Assembly& a,
+                  const BlockingShape& shape) {
   const auto tiles = plan.tiles.size();
   const double middle_x = 0.5 * *std::max_element(a.x.begin(), a.x.end()),
                middle_y = 0.5 * *std::max_element(a.y.begin(), a.y.end());
@@ -87,9 +88,9 @@ double patch_work(const Sweep& sweep, const TilePlan& plan, const Assembly& a, c
   for (int cycle = shape.cycles; cycle >= 1; --cycle) {
     done += std::count(in.begin(), in.end(), 1);
     const auto inside = in;
-    for (std::size_t block = 0; block + 1 < sweep.block_start.size(); ++block) {
-      const auto first = sweep.block_tile.begin() + sweep.block_start[block],
-                 last = sweep.block_tile.begin() + sweep.block_start[block + 1];
+    for (std::size_t block = 0; block + 1 < blocking.block_start.size(); ++block) {
+      const auto first = blocking.block_tile.begin() + blocking.block_start[block],
+                 last = blocking.block_tile.begin() + blocking.block_start[block + 1];
       if (std::any_of(first, last, [&](std::int32_t t) { return inside[static_cast<std::size_t>(t)] != 0; }))
         std::for_each(first, last, [&](std::int32_t t) { in[static_cast<std::size_t>(t)] = 1; });
     }
@@ -105,7 +106,7 @@ std::uint64_t bits(const Assembly& a) {
 }
 
 struct Contender {
-  SweepShape shape;
+  BlockingShape shape;
   std::unique_ptr<Boundary> boundary;
   std::unique_ptr<ExplicitSolver> solver;
   double best = 1e300;
@@ -120,7 +121,7 @@ void run(std::int64_t count, int worker_count, std::vector<Contender>& contender
   for (auto& c : contenders) {
     c.boundary = std::make_unique<Boundary>(a, sheet.network, options);
     c.solver = std::make_unique<ExplicitSolver>(a, sheet.network, *c.boundary, options, workers);
-    c.solver->set_sweep(c.shape);
+    c.solver->set_blocking(c.shape);
     c.solver->use_real_masses();
   }
   CrackLog cracks;
@@ -141,15 +142,15 @@ void run(std::int64_t count, int worker_count, std::vector<Contender>& contender
   const TilePlan plan = plan_tiles(a, sheet.network, false, false);
   const double tile_bytes = 160e3;
   for (const auto& c : contenders) {
-    const Sweep sweep = plan_sweep(plan, a, c.shape);
+    const TemporalBlocking blocking = plan_blocking(plan, a, c.shape);
     std::printf(
         "%d:%d:%d tiles fetched %.2f %.2f %.2f | %.1f million bond updates/s | patches instead: %.1f times "
         "the work | %s\n",
         c.shape.cycles, c.shape.width, c.shape.front,
-        fetched(sweep, plan.tiles.size(), static_cast<std::size_t>(8e6 / tile_bytes)),
-        fetched(sweep, plan.tiles.size(), static_cast<std::size_t>(16e6 / tile_bytes)),
-        fetched(sweep, plan.tiles.size(), static_cast<std::size_t>(32e6 / tile_bytes)),
-        1e-6 * static_cast<double>(a.bond_count()) / c.best, patch_work(sweep, plan, a, c.shape),
+        fetched(blocking, plan.tiles.size(), static_cast<std::size_t>(8e6 / tile_bytes)),
+        fetched(blocking, plan.tiles.size(), static_cast<std::size_t>(16e6 / tile_bytes)),
+        fetched(blocking, plan.tiles.size(), static_cast<std::size_t>(32e6 / tile_bytes)),
+        1e-6 * static_cast<double>(a.bond_count()) / c.best, patch_work(blocking, plan, a, c.shape),
         c.state == contenders.front().state ? "same bits" : "OTHER BITS");
   }
 }
@@ -166,15 +167,15 @@ int main(int argc, char** argv) {
       contenders.clear();
   }
   if (count < 16 || count > 5000000 || workers < 1 || workers > 256 || contenders.empty()) {
-    std::fprintf(
-        stderr,
-        "usage: bench_sweep N WORKERS CYCLES:WIDTH:FRONT...   the first is what others are compared with\n");
+    std::fprintf(stderr,
+                 "usage: bench_blocking N WORKERS CYCLES:WIDTH:FRONT...   the first is what others are "
+                 "compared with\n");
     return 2;
   }
   try {
     run(count, workers, contenders);
   } catch (const Error& error) {
-    std::fprintf(stderr, "bench_sweep: %s\n", error.what());
+    std::fprintf(stderr, "bench_blocking: %s\n", error.what());
     return 1;
   }
   return 0;

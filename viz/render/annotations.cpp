@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "furniture.h"
+#include "annotations.h"
 
 #include <algorithm>
 #include <cmath>

@@ -17,7 +17,7 @@
 
 namespace hfrac {
 
-class LooseContacts {
+class NonBondedContacts {
  public:
   struct Pair {
     std::int32_t first, second;
@@ -26,7 +26,7 @@ class LooseContacts {
     double normal_force = 0.0;  // N, compression positive
   };
 
-  explicit LooseContacts(const Options& options) : options_(options) {}
+  explicit NonBondedContacts(const Options& options) : options_(options) {}
 
   // Looks for pairs if cracks were added or discs moved since the last time. True if the list changed.
   bool search(Assembly& assembly, const Boundary& boundary, const CrackLog& cracks);

@@ -12,7 +12,7 @@
 
 namespace hfrac {
 
-struct BondShares {
+struct BondFactors {
   Array<double> growth;          // m, that the two discs' thermal growth takes from the gap
   Array<double> stiffness;       // over the stiffnesses given, of bond and contact
   Array<double> tensile, shear;  // over the strengths given
@@ -31,7 +31,7 @@ struct BondShares {
 struct Assembly;
 struct Options;
 
-// Fills assembly.shares from its toughness, joints and temperature. To be called when any of them has changed.
-void combine_shares(Assembly& assembly, const Options& options);
+// Fills assembly.factors from its toughness, joints and temperature. To be called when any of them has changed.
+void combine_factors(Assembly& assembly, const Options& options);
 
 }  // namespace hfrac

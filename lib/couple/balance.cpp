@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The books of a simulation: energy and fluid balance.
+// The energy and fluid balance of a simulation.
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +22,7 @@ void Simulation::elastic_energy(double& bonds, double& contacts) const {
     bonds += view.bond_energy;
     contacts += view.contact_energy;
   }
-  contacts += solver_->loose_contacts().energy(assembly_);
+  contacts += solver_->non_bonded_contacts().energy(assembly_);
 }
 
 double Simulation::stored_fluid() const {

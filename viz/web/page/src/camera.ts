@@ -12,7 +12,7 @@ export interface Sight {
   meanRadius: number;
 }
 
-export class Lookout {
+export class Camera {
   private framed = false;
 
   constructor(private view: View, private sight: () => Sight, private moved: () => void) {}

@@ -21,7 +21,7 @@
 
 namespace hfrac {
 
-struct Sweep {
+struct TemporalBlocking {
   struct Task {
     std::int32_t item;   // a tile, or ~block of bonds across tiles
     std::int32_t cycle;  // 1 to `cycles`
@@ -35,9 +35,9 @@ struct Sweep {
 };
 
 // Below, one cycle after the other finds most of the model in the caches: as many are some 20 MB.
-constexpr std::int64_t fewest_swept_tiles = 128;
+constexpr std::int64_t fewest_blocked_tiles = 128;
 
-struct SweepShape {
+struct BlockingShape {
   std::int32_t cycles;  // in one sweep
   std::int32_t width;   // of a strip, in tiles
   std::int32_t
@@ -45,10 +45,10 @@ struct SweepShape {
 };
 
 // 3 cycles keep some 80 tiles in use, 13 MB. More find no room in a cache that others use too (docs/performance.md).
-inline SweepShape sweep_shape(int workers) {
+inline BlockingShape blocking_shape(int workers) {
   return {3, 8, workers > 2 ? 2 * workers : 4};
 }
 
-Sweep plan_sweep(const TilePlan& plan, const Assembly& assembly, const SweepShape& shape);
+TemporalBlocking plan_blocking(const TilePlan& plan, const Assembly& assembly, const BlockingShape& shape);
 
 }  // namespace hfrac

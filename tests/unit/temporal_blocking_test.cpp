@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Several cycles in one sweep give what one cycle at a time gives, to the last bit: for any number of cycles and workers, with
-// bonds breaking and contacts sliding on the way, and where it hands over to single cycles because strangers touch.
-#include "solid/sweep.hpp"
+// Several cycles in one pass give what one cycle at a time gives, to the last bit: for any number of cycles and workers, with
+// bonds breaking and contacts sliding on the way, and where it hands over to single cycles because discs without a bond touch.
+#include "solid/temporal_blocking.hpp"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ Result fingerprint(const Model& m, const CrackLog& log) {
     hash.add(crack.energy);
   }
   for (const auto& wall : m.boundary->walls()) hash.add(wall.displacement);
-  return {hash.value(), log.size(), static_cast<std::int64_t>(m.solver->loose_contacts().pairs().size()),
+  return {hash.value(), log.size(), static_cast<std::int64_t>(m.solver->non_bonded_contacts().pairs().size()),
           e.friction};
 }
 
@@ -70,12 +70,12 @@ void stir(Model& m, double speed) {
 }
 
 // 21 tiles with free edges.
-Result sheet(const SweepShape& shape, int workers) {
+Result sheet(const BlockingShape& shape, int workers) {
   static const Discs discs = hexagonal(104, 102);
   Options o = dry_options(100);
   o.bond_tensile_strength = o.bond_shear_strength = 6e6;
   Model m(o, discs, {}, workers);
-  m.solver->set_sweep(shape);
+  m.solver->set_blocking(shape);
   m.solver->use_real_masses();
   stir(m, 40.0);
   CrackLog log;
@@ -85,15 +85,15 @@ Result sheet(const SweepShape& shape, int workers) {
 }
 
 // 8 tiles between walls, around a hole, pressed and then shaken; at the end discs that were never bonded touch.
-Result rock(const SweepShape& shape, int workers) {
+Result rock(const BlockingShape& shape, int workers) {
   static const Discs discs = packed(dry_options(4000));
   Options o = dry_options(4000);
-  o.model_reading = choice(Reading::paper);
+  o.stress_convention = choice(StressConvention::effective);
   o.boundary_kind = choice(BoundaryKind::walls);
-  o.stress_sigma_H = o.stress_sigma_h = 2e7;
+  o.stress_sigma_Hmax = o.stress_sigma_hmin = 2e7;
   o.bond_tensile_strength = o.bond_shear_strength = 8e6;
   Model m(o, discs, {{{10.0, 10.0}, 3.0}}, workers);
-  m.solver->set_sweep(shape);
+  m.solver->set_blocking(shape);
   m.boundary->set_load(m.assembly, 1.0);
   CrackLog log;
   m.solver->relax(1e-2, 200, log);
@@ -106,7 +106,7 @@ Result rock(const SweepShape& shape, int workers) {
   return fingerprint(m, log);
 }
 
-TEST(Sweep, GivesTheBitsOfSingleCycles) {
+TEST(TemporalBlocking, GivesTheBitsOfSingleCycles) {
   for (const auto model : {&sheet, &rock}) {
     const Result alone = model({1, 1, 1}, 1);
     EXPECT_GT(alone.cracks, 20U);
@@ -123,24 +123,24 @@ TEST(Sweep, GivesTheBitsOfSingleCycles) {
 }
 
 // The list holds every item once a cycle, and what an item needs before it.
-TEST(Sweep, ListsEverythingAfterWhatItNeeds) {
+TEST(TemporalBlocking, ListsEverythingAfterWhatItNeeds) {
   Options o = dry_options(100);
   Model m(o, hexagonal(104, 102));
   const TilePlan plan = plan_tiles(m.assembly, m.network, false, false);
-  const Sweep sweep = plan_sweep(plan, m.assembly, {6, 2, 3});
+  const TemporalBlocking blocking = plan_blocking(plan, m.assembly, {6, 2, 3});
   std::vector<std::int32_t> tiles(plan.tiles.size(), 0),
       blocks(static_cast<std::size_t>(plan.bond_blocks), 0);
-  for (const auto& task : sweep.tasks) {
+  for (const auto& task : blocking.tasks) {
     if (task.item < 0) {
       const auto block = static_cast<std::size_t>(~task.item);
-      for (auto k = sweep.block_start[block]; k < sweep.block_start[block + 1]; ++k)
-        ASSERT_EQ(tiles[static_cast<std::size_t>(sweep.block_tile[static_cast<std::size_t>(k)])],
+      for (auto k = blocking.block_start[block]; k < blocking.block_start[block + 1]; ++k)
+        ASSERT_EQ(tiles[static_cast<std::size_t>(blocking.block_tile[static_cast<std::size_t>(k)])],
                   task.cycle - 1);
       ASSERT_EQ(++blocks[block], task.cycle);
     } else {
       const auto tile = static_cast<std::size_t>(task.item);
-      for (auto k = sweep.tile_start[tile]; k < sweep.tile_start[tile + 1]; ++k)
-        ASSERT_EQ(blocks[static_cast<std::size_t>(sweep.tile_block[static_cast<std::size_t>(k)])],
+      for (auto k = blocking.tile_start[tile]; k < blocking.tile_start[tile + 1]; ++k)
+        ASSERT_EQ(blocks[static_cast<std::size_t>(blocking.tile_block[static_cast<std::size_t>(k)])],
                   task.cycle);
       ASSERT_EQ(++tiles[tile], task.cycle);
     }
@@ -149,15 +149,15 @@ TEST(Sweep, ListsEverythingAfterWhatItNeeds) {
   EXPECT_TRUE(std::all_of(blocks.begin(), blocks.end(), [](auto done) { return done == 6; }));
 }
 
-// Who could know of distant discs in every cycle keeps a model from sweeping: servo walls, here, move as without.
-TEST(Sweep, LeavesMovingWallsToSingleCycles) {
-  const auto squeezed = [](const SweepShape& shape) {
+// Who could know of distant discs in every cycle keeps a model from temporal blocking: servo walls, here, move as without.
+TEST(TemporalBlocking, LeavesMovingWallsToSingleCycles) {
+  const auto squeezed = [](const BlockingShape& shape) {
     static const Discs discs = packed(dry_options(1500));
     Options o = dry_options(1500);
     o.boundary_kind = choice(BoundaryKind::walls);
-    o.stress_sigma_H = o.stress_sigma_h = 1e7;
+    o.stress_sigma_Hmax = o.stress_sigma_hmin = 1e7;
     Model m(o, discs);
-    m.solver->set_sweep(shape);
+    m.solver->set_blocking(shape);
     m.boundary->set_load(m.assembly, 1.0);
     CrackLog log;
     m.solver->run(40, log);
