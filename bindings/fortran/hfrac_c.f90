@@ -150,8 +150,8 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_CENTRE = 62
   !> 0 rock, 1 well, 2 outside
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_KIND = 63
-  !> share of the pore's volume that fluid fills; below 1 where the pressure is at the floor, as ahead of the fluid
-  !> in a fracture that opens faster than it fills
+  !> fluid saturation of the pore: volume of fluid over pore volume; below 1 where the pressure is at its floor, as
+  !> near the tip of a fracture that opens faster than fluid arrives
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_SATURATION = 67
   !> of the fluid; thermal.rock_temperature without a temperature in the model
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_TEMPERATURE = 66
@@ -282,9 +282,9 @@ module hfrac_c
     real(c_double) :: model_height = 0.0_c_double
     !> Seed of the packing; the same seed gives the same model, bit for bit. Default 1.
     integer(c_int64_t) :: model_seed = 0_c_int64_t
-    !> 0: total, 1: effective. How stresses and pressures are read. sound: total stresses, pores start at the formation
-    !> pressure. paper: effective stresses, pressures net of the formation pressure (reproduces the paper's figures,
-    !> no statement about stress in situ). Default 0.
+    !> 0: total, 1: effective. How stresses and pressures are given. total: total stresses and absolute pressures;
+    !> pores start at the formation pressure. effective: effective stresses, pressures net of the formation pressure
+    !> (reproduces the paper's figures, no statement about stress in situ). Default 0.
     integer(c_int64_t) :: stress_convention = 0_c_int64_t
     !> Number of discs packed, before the well is cut. Default 10000.
     integer(c_int64_t) :: packing_disc_count = 0_c_int64_t
@@ -323,8 +323,8 @@ module hfrac_c
     !> [m] If positive, strengths hold for this mean radius and are scaled by sqrt(reference/mean radius), so that
     !> the fracture toughness does not depend on resolution. 0: strengths as given. Default 0.0.
     real(c_double) :: bond_toughness_reference_radius = 0.0_c_double
-    !> [Pa] Far-field stress along x, compression positive; at least sigma_hmin. Total or effective, as stress.convention
-    !> in the paper's. Default 33e6.
+    !> [Pa] Far-field stress along x, compression positive; at least sigma_hmin. Total or effective, as
+    !> stress.convention says. Default 33e6.
     real(c_double) :: stress_sigma_Hmax = 0.0_c_double
     !> [Pa] Far-field stress along y, compression positive. Default 25e6.
     real(c_double) :: stress_sigma_hmin = 0.0_c_double
@@ -363,12 +363,12 @@ module hfrac_c
     integer(c_int64_t) :: flow_outer = 0_c_int64_t
     !> 0: substep, 1: dynamic, 2: coupled. substep: one flow step, then mechanics to rest, breakage included (the
     !> paper's sub-step). dynamic: Newton's law in real time, flow_step seconds a step. coupled: flow, equilibrium
-    !> and breakage together in the fluid's time, flow_step seconds a step in as many increments as it takes; needs the
-    !> quasi-static solver. Default 0.
+    !> and breakage together in the fluid's time, flow_step seconds a step in as many increments as it takes; needs
+    !> the quasi-static solver. Default 0.
     integer(c_int64_t) :: stepping_mode = 0_c_int64_t
     !> [s] Fluid time of one step. Default 1.0.
     real(c_double) :: stepping_flow_step = 0.0_c_double
-    !> Sub-steps of a run by the hfrac command. Default 500.
+    !> Steps of a run by the hfrac command. Default 500.
     integer(c_int64_t) :: stepping_steps = 0_c_int64_t
     !> [s] Model time at which a run ends; 0: after stepping.steps. Default 0.0.
     real(c_double) :: stepping_end_time = 0.0_c_double
@@ -418,13 +418,14 @@ module hfrac_c
     !> [1] quasi-static: mean unbalanced over mean contact force, and error of a pressure over the largest pressure
     !> difference, at which equilibrium counts as found. Default 1e-6.
     real(c_double) :: solver_tolerance = 0.0_c_double
-    !> [1] Mode coupled: error of a pressure per increment of a step, over the largest pressure difference, that sets the
-    !> length of the increment. Default 0.05.
+    !> [1] Mode coupled: error of a pressure per increment of a step, over the largest pressure difference, that
+    !> sets the length of the increment. Default 0.05.
     real(c_double) :: solver_pressure_change = 0.0_c_double
-    !> [1] Mode coupled: an increment of a step in which a bond would exceed its strength by more than this is tried again
-    !> shorter. Default 0.02.
+    !> [1] Mode coupled: an increment of a step in which a bond would exceed its strength by more than this is tried
+    !> again shorter. Default 0.02.
     real(c_double) :: solver_strength_overshoot = 0.0_c_double
-    !> [s] Mode coupled: increments of a step are not made shorter; what happens within is taken as sudden. Default 1e-6.
+    !> [s] Mode coupled: increments of a step are not made shorter; what happens within is taken as sudden. Default
+    !> 1e-6.
     real(c_double) :: solver_smallest_step = 0.0_c_double
     !> 0: auto, 1: direct, 2: iterative. How the implicit scheme solves for pressures. direct: factorisation.
     !> iterative: conjugate gradients, for large models. auto: direct up to 60 000 domains. Default 0.
@@ -706,8 +707,8 @@ module hfrac_c
     real(c_double) :: host_volume = 0.0_c_double
   end type hfrac_balance
 
-  !> What the quasi-static solver did since the initial equilibration; all 0 with solver.kind "explicit". Set struct_size before the
-  !> call.
+  !> What the quasi-static solver did since the initial equilibration; all 0 with solver.kind "explicit". Set
+  !> struct_size before the call.
   type, bind(C) :: hfrac_solver_report
     !> sizeof(hfrac_solver_report) of the caller
     integer(c_int32_t) :: struct_size = 80_c_int32_t
@@ -1720,13 +1721,13 @@ module hfrac_c
       integer(c_int64_t), intent(out) :: count
       integer(c_int32_t) :: hfrac_grid_cells
     end function hfrac_grid_cells
-    !> From the next step on, pressure [Pa, as stress.convention says] beyond the model's edge: every pipe there feels
-    !> that of the nearest cell of which the model covers less than half (of all cells, if it covers more of each).
-    !> `count` values, one per cell (nx * ny); only those cells are looked at. It stays as it is, absolute, whatever
-    !> hfrac_set_formation_pressure says later, until it is set anew or taken back: with count 0 (pressure may be
-    !> NULL) the outer boundary feels the formation's pressure again. What passes is `outflow` by cell and `leaked_volume` in
-    !> all. The stress on the edge does not change. Part of the state; kept by the tries of an open step. Needs
-    !> flow.outer "formation". Unstable since 0.1.
+    !> From the next step on, pressure [Pa, as stress.convention says] beyond the model's edge: every pipe there
+    !> feels that of the nearest cell of which the model covers less than half (of all cells, if it covers more of
+    !> each). `count` values, one per cell (nx * ny); only those cells are looked at. It stays as it is, absolute,
+    !> whatever hfrac_set_formation_pressure says later, until it is set anew or taken back: with count 0 (pressure
+    !> may be NULL) the outer boundary feels the formation's pressure again. What passes is `outflow` by cell and
+    !> `leaked_volume` in all. The stress on the edge does not change. Part of the state; kept by the tries of an
+    !> open step. Needs flow.outer "formation". Unstable since 0.1.
     function hfrac_set_boundary_pressure(sim, pressure, count) bind(C, name="hfrac_set_boundary_pressure")
       import
       type(c_ptr), value :: sim
@@ -1734,10 +1735,10 @@ module hfrac_c
       integer(c_int64_t), value :: count
       integer(c_int32_t) :: hfrac_set_boundary_pressure
     end function hfrac_set_boundary_pressure
-    !> At once, gives the rock's pores the host's pressure [Pa, as stress.convention says]: each the mean of the cells
-    !> it lies in, by area. Pores beside cracks, wells, and pores outside the grid keep theirs; the rock answers in
-    !> the next step. `count` values, one per cell. `added` (may be NULL; `capacity` at least count) gets the fluid
-    !> [m2] that each cell gave, negative: took; their sum goes to `host_volume` of hfrac_balance.
+    !> At once, gives the rock's pores the host's pressure [Pa, as stress.convention says]: each the mean of the
+    !> cells it lies in, by area. Pores beside cracks, wells, and pores outside the grid keep theirs; the rock
+    !> answers in the next step. `count` values, one per cell. `added` (may be NULL; `capacity` at least count) gets
+    !> the fluid [m2] that each cell gave, negative: took; their sum goes to `host_volume` of hfrac_balance.
     !> HFRAC_ERR_ARGUMENT while a step is open. Unstable since 0.1.
     function hfrac_set_cell_pressure(sim, pressure, count, added, capacity) bind(C, name="hfrac_set_cell_pressure")
       import
@@ -1986,9 +1987,9 @@ module hfrac_c
       type(c_ptr), value :: sim
       integer(c_int32_t) :: hfrac_step_reject
     end function hfrac_step_reject
-    !> From the next step on, another far-field stress [Pa], as stress.convention says; needs boundary.kind stress, or
-    !> walls kept on their servo. sigma_hmin must not exceed sigma_Hmax, nor with walls, which only push, be below the
-    !> pressure in the pores outside (HFRAC_ERR_ARGUMENT, nothing changes). Stable since 0.1.
+    !> From the next step on, another far-field stress [Pa], as stress.convention says; needs boundary.kind stress,
+    !> or walls kept on their servo. sigma_hmin must not exceed sigma_Hmax, nor with walls, which only push, be
+    !> below the pressure in the pores outside (HFRAC_ERR_ARGUMENT, nothing changes). Stable since 0.1.
     function hfrac_set_far_field(sim, sigma_Hmax, sigma_hmin) bind(C, name="hfrac_set_far_field")
       import
       type(c_ptr), value :: sim
@@ -1997,11 +1998,12 @@ module hfrac_c
       integer(c_int32_t) :: hfrac_set_far_field
     end function hfrac_set_far_field
     !> From the next step on, another pressure [Pa, absolute, 0 to 1e10] in the pores outside the model, in both
-    !> readings; the paper's other pressures stay net of fluid.formation_pressure as defined. Total far-field
-    !> stresses stay as they are; pores inside follow by flow. Where a host's grid has said what the outer boundary feels
-    !> (hfrac_set_boundary_pressure), that stays until the host takes it back; what lies beyond still changes then, and
-    !> the load on the edge with it. Needs flow, and flow.outer formation. With total stresses it must not exceed
-    !> sigma_hmin where the far field acts, nor in either one leave walls to pull. Unstable since 0.1.
+    !> stress conventions; the paper's other pressures stay net of fluid.formation_pressure as defined. Total far-
+    !> field stresses stay as they are; pores inside follow by flow. Where a host's grid has said what the outer
+    !> boundary feels (hfrac_set_boundary_pressure), that stays until the host takes it back; what lies beyond still
+    !> changes then, and the load on the edge with it. Needs flow, and flow.outer formation. With total stresses it
+    !> must not exceed sigma_hmin where the far field acts, nor in either one leave walls to pull. Unstable since
+    !> 0.1.
     function hfrac_set_formation_pressure(sim, pressure) bind(C, name="hfrac_set_formation_pressure")
       import
       type(c_ptr), value :: sim

@@ -6,8 +6,6 @@ from c_subset import Variable
 # Fortran does not tell upper from lower case, C does. Where two C names differ in nothing else, one gets another name.
 RENAMED = {
     "HFRAC_ABI_VERSION": "HFRAC_ABI_NUMBER",  # beside the function hfrac_abi_version
-    "stress_sigma_Hmax": "stress_sigma_Hmax",  # beside stress_sigma_hmin
-    "sigma_Hmax": "sigma_Hmax",  # beside sigma_hmin
 }
 
 KINDS = {"int32_t": "integer(c_int32_t)", "int64_t": "integer(c_int64_t)", "double": "real(c_double)"}

@@ -10,6 +10,7 @@
 #include "field_values.hpp"
 #include "internal.hpp"
 #include "options/nearest.hpp"
+#include "options/options.hpp"
 #include "sim_handle.hpp"
 #include "utf8.hpp"
 
@@ -117,6 +118,8 @@ int32_t hfrac_field_find(const char* name, int32_t* field) {
     std::vector<std::string_view> names;
     for (const auto& entry : entries) names.emplace_back(entry.name);
     const std::string given = printable(name);
+    if (const std::string renamed = renamed_text(given); !renamed.empty())
+      throw Error(ErrorKind::unknown_key, renamed);
     const std::string_view nearest = nearest_name(given, names);
     throw Error(ErrorKind::unknown_key,
                 given + " is not a field" +

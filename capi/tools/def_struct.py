@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """Writes the option members of hfrac_sim_def into def.h from the one option table.
 
-The struct only grows at its end. Members of the oldest supported header (capi/abi/oldest) come first, in that header's
-order; then what def.h has beyond them, in the order it stands there; a new line of the table becomes the last member.
-So the table may be sorted as reads best, and an option can be added anywhere in it.
+The struct only grows at its end: members keep the order in which they stand in def.h, and a new line of the table becomes
+the last member. So the table may be sorted as reads best, and an option can be added anywhere in it. An option that the
+table has no more loses its member.
 
 usage: def_struct.py [--check]     --check: exit 1 if def.h differs from what would be written
 """
@@ -15,7 +15,6 @@ import textwrap
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TABLE = ROOT / "lib/options/option_list.inc"
 HEADER = ROOT / "capi/include/hfrac/def.h"
-OLDEST = ROOT / "capi/abi/oldest/include/hfrac/def.h"
 BODY = re.compile(r"(typedef struct hfrac_sim_def \{\n)(.*?)(\} hfrac_sim_def;)", re.S)
 NAME = re.compile(r"^  \w[^;/]*?(\w+)(?:\[\w+\])?;", re.M)
 
@@ -54,11 +53,9 @@ def members(header):
 
 def main():
     text, table, now = HEADER.read_text(), options(), members(HEADER)
-    oldest = list(members(OLDEST))
-    gone = [name for name in oldest if name not in now]
-    if gone:
-        sys.exit(f"def.h has lost {', '.join(gone)}: members of {OLDEST.relative_to(ROOT)} stay where they are")
-    order = oldest + [name for name in now if name not in oldest] + [name for name in table if name not in now]
+    # Options are told from other members by the default in their comment.
+    order = [name for name in now if name in table or not re.search(r"Default [^*]*\. \*/", now[name])]
+    order += [name for name in table if name not in now]
     lines, section = [], None
     for name in order:
         if name in table:

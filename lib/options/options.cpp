@@ -242,7 +242,26 @@ const WellOptionInfo* find_well_option(std::string_view name) noexcept {
   return find_in(well_rows, name);
 }
 
+std::string renamed_text(std::string_view old_name) {
+  struct Renamed {
+    std::string_view before, now, besides;
+  };
+  static constexpr Renamed all[] = {
+#define RENAMED(before, now, besides) {before, now, besides},
+#include "options/renamed_list.inc"
+#undef RENAMED
+  };
+  for (const auto& one : all) {
+    if (one.before != old_name) continue;
+    std::string text = std::string(old_name) + " is now called " + std::string(one.now);
+    if (!one.besides.empty()) text += ", and " + std::string(one.besides);
+    return text + ".";
+  }
+  return {};
+}
+
 std::string unknown_key_text(std::string_view key) {
+  if (std::string renamed = renamed_text(key); !renamed.empty()) return renamed;
   std::vector<std::string_view> keys;
   for (const auto& info : option_rows) keys.emplace_back(info.key);
   const std::string_view nearest = nearest_name(key, keys);

@@ -132,7 +132,10 @@ const WellOptionInfo* find_well_option(std::string_view name) noexcept;
 const JointInfo* find_joint_value(std::string_view name) noexcept;
 const ScheduleInfo* find_schedule_value(std::string_view name) noexcept;
 
-// "section.name is not a known key; did you mean section.other?"
+// "old is now called new.", for a name of renamed_list.inc; empty for any other.
+std::string renamed_text(std::string_view old_name);
+
+// "section.name is not a known key; did you mean section.other?", or renamed_text.
 std::string unknown_key_text(std::string_view key);
 
 // As a double; integers and choices converted.

@@ -164,8 +164,8 @@ class Field(enum.IntEnum):
     DOMAIN_CENTRE = 62
     #: 0 rock, 1 well, 2 outside
     DOMAIN_KIND = 63
-    #: share of the pore's volume that fluid fills; below 1 where the pressure is at the floor, as ahead of the
-    #: fluid in a fracture that opens faster than it fills
+    #: fluid saturation of the pore: volume of fluid over pore volume; below 1 where the pressure is at its
+    #: floor, as near the tip of a fracture that opens faster than fluid arrives
     DOMAIN_SATURATION = 67
     #: of the fluid; thermal.rock_temperature without a temperature in the model
     DOMAIN_TEMPERATURE = 66
@@ -555,8 +555,8 @@ class hfrac_balance(ctypes.Structure):
 
 
 class hfrac_solver_report(ctypes.Structure):
-    """What the quasi-static solver did since the initial equilibration; all 0 with solver.kind "explicit". Set struct_size before the
-    call.
+    """What the quasi-static solver did since the initial equilibration; all 0 with solver.kind "explicit". Set
+    struct_size before the call.
     """
 
     _fields_ = [

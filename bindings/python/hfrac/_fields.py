@@ -91,7 +91,7 @@ FIELDS: Tuple[FieldInfo, ...] = (
     ),
     FieldInfo(
         'domain.pressure', 'Pa', 'double', 1,
-        "pressure, as stress.convention says",
+        'pressure, as stress.convention says',
     ),
     FieldInfo(
         'domain.volume', 'm2', 'double', 1,
@@ -107,7 +107,7 @@ FIELDS: Tuple[FieldInfo, ...] = (
     ),
     FieldInfo(
         'domain.saturation', '1', 'double', 1,
-        "fluid saturation of the pore: volume of fluid over pore volume; below 1 where the pressure is at its floor, as near the tip of a fracture that opens faster than fluid arrives",
+        'fluid saturation of the pore: volume of fluid over pore volume; below 1 where the pressure is at its floor, as near the tip of a fracture that opens faster than fluid arrives',
     ),
     FieldInfo(
         'domain.temperature', 'K', 'double', 1,
@@ -248,8 +248,8 @@ class Domains(FieldGroup):
 
     @property
     def saturation(self) -> Array:
-        """[1] share of the pore's volume that fluid fills; below 1 where the pressure is at the floor, as ahead of
-        the fluid in a fracture that opens faster than it fills; shape (n,)
+        """[1] fluid saturation of the pore: volume of fluid over pore volume; below 1 where the pressure is at its
+        floor, as near the tip of a fracture that opens faster than fluid arrives; shape (n,)
         """
         return self._simulation.field("domain.saturation")
 

@@ -81,9 +81,10 @@ typedef struct hfrac_sim_def {
   double model_height;
   /** Seed of the packing; the same seed gives the same model, bit for bit. Default 1. */
   int64_t model_seed;
-  /** 0: total, 1: effective. How stresses and pressures are read. sound: total stresses, pores start at the
-   * formation pressure. paper: effective stresses, pressures net of the formation pressure (reproduces the
-   * paper's figures, no statement about stress in situ). Default 0. */
+
+  /** 0: total, 1: effective. How stresses and pressures are given. total: total stresses and absolute
+   * pressures; pores start at the formation pressure. effective: effective stresses, pressures net of the
+   * formation pressure (reproduces the paper's figures, no statement about stress in situ). Default 0. */
   int64_t stress_convention;
 
   /** Number of discs packed, before the well is cut. Default 10000. */
@@ -128,8 +129,8 @@ typedef struct hfrac_sim_def {
    * that the fracture toughness does not depend on resolution. 0: strengths as given. Default 0.0. */
   double bond_toughness_reference_radius;
 
-  /** [Pa] Far-field stress along x, compression positive; at least sigma_hmin. Total with total stresses,
-   * effective in the paper's. Default 33e6. */
+  /** [Pa] Far-field stress along x, compression positive; at least sigma_hmin. Total or effective, as
+   * stress.convention says. Default 33e6. */
   double stress_sigma_Hmax;
   /** [Pa] Far-field stress along y, compression positive. Default 25e6. */
   double stress_sigma_hmin;
@@ -172,12 +173,12 @@ typedef struct hfrac_sim_def {
 
   /** 0: substep, 1: dynamic, 2: coupled. substep: one flow step, then mechanics to rest, breakage included
    * (the paper's sub-step). dynamic: Newton's law in real time, flow_step seconds a step. coupled: flow,
-   * equilibrium and breakage together in the fluid's time, flow_step seconds a step in as many increments as it
-   * takes; needs the quasi-static solver. Default 0. */
+   * equilibrium and breakage together in the fluid's time, flow_step seconds a step in as many increments
+   * as it takes; needs the quasi-static solver. Default 0. */
   int64_t stepping_mode;
   /** [s] Fluid time of one step. Default 1.0. */
   double stepping_flow_step;
-  /** Sub-steps of a run by the hfrac command. Default 500. */
+  /** Steps of a run by the hfrac command. Default 500. */
   int64_t stepping_steps;
   /** [s] Model time at which a run ends; 0: after stepping.steps. Default 0.0. */
   double stepping_end_time;
@@ -231,11 +232,11 @@ typedef struct hfrac_sim_def {
   /** [1] quasi-static: mean unbalanced over mean contact force, and error of a pressure over the largest
    * pressure difference, at which equilibrium counts as found. Default 1e-6. */
   double solver_tolerance;
-  /** [1] Mode coupled: error of a pressure per increment of a step, over the largest pressure difference, that
-   * sets the length of the increment. Default 0.05. */
+  /** [1] Mode coupled: error of a pressure per increment of a step, over the largest pressure difference,
+   * that sets the length of the increment. Default 0.05. */
   double solver_pressure_change;
-  /** [1] Mode coupled: an increment of a step in which a bond would exceed its strength by more than this is
-   * tried again shorter. Default 0.02. */
+  /** [1] Mode coupled: an increment of a step in which a bond would exceed its strength by more than this
+   * is tried again shorter. Default 0.02. */
   double solver_strength_overshoot;
   /** [s] Mode coupled: increments of a step are not made shorter; what happens within is taken as sudden.
    * Default 1e-6. */
