@@ -55,7 +55,7 @@ module hfrac_c
   !> an error of the library itself; please report it
   integer(c_int32_t), parameter :: HFRAC_ERR_INTERNAL = -99
 
-  ! How much a message matters. A listener hears its level and what matters more.
+  ! How much a message matters. A callback gets the messages of its level and more important ones.
   !> a call failed; the text is that of hfrac_last_error
   integer(c_int32_t), parameter :: HFRAC_LOG_ERROR = 1
   !> the result may not be what was wanted: not at rest, bonds broken before injection
@@ -406,9 +406,9 @@ module hfrac_c
     !> handed to `progress`
     type(c_ptr) :: progress_user = c_null_ptr
     !> 0: relaxed, 1: tiled, 2: growth, 3: square. How discs are packed. relaxed: from a jittered lattice. growth:
-    !> grown at random places, knows of no lattice, takes longer. tiled: periodic bricks side by side, for more than
-    !> some 100 000 discs; disc_count is rounded to whole bricks and the frame of the bricks repeats. square: equal
-    !> discs in rows and columns, in which cracks and joints along them are smooth slits. Default 0.
+    !> grown at random places, without an underlying lattice, takes longer. tiled: periodic bricks side by side, for
+    !> more than some 100 000 discs; disc_count is rounded to whole bricks and the frame of the bricks repeats.
+    !> square: equal discs in rows and columns, in which cracks and joints along them are smooth slits. Default 0.
     integer(c_int64_t) :: packing_method = 0_c_int64_t
     !> Discs in one brick of a tiled packing. Default 5000.
     integer(c_int64_t) :: packing_brick_discs = 0_c_int64_t
@@ -440,7 +440,7 @@ module hfrac_c
     type(c_funptr) :: log = c_null_funptr
     !> handed to `log`
     type(c_ptr) :: log_user = c_null_ptr
-    !> enum hfrac_log_level, how much `log` hears. Default 3
+    !> enum hfrac_log_level, down to which level `log` gets messages. Default 3
     integer(c_int64_t) :: log_level = 0_c_int64_t
     !> 0: uniform, 1: seepage. Pore pressure before the treatment. uniform: the formation's. seepage: what one well
     !> held at initial.well_pressure leaves, found by the poroelastic continuum (eq. 1-3). Default 0.

@@ -48,7 +48,7 @@ class Status(enum.IntEnum):
 
 
 class LogLevel(enum.IntEnum):
-    """How much a message matters. A listener hears its level and what matters more."""
+    """How much a message matters. A callback gets the messages of its level and more important ones."""
 
     #: a call failed; the text is that of hfrac_last_error
     ERROR = 1

@@ -70,7 +70,7 @@ enum hfrac_status { HFRAC_STATUS_LIST(HFRAC_STATUS_ENUM_) HFRAC_STATUS_END_ = 0x
 extern "C" {
 #endif
 
-/** How much a message matters. A listener hears its level and what matters more. */
+/** How much a message matters. A callback gets the messages of its level and more important ones. */
 enum hfrac_log_level {
   HFRAC_LOG_ERROR = 1,   /**< a call failed; the text is that of hfrac_last_error */
   HFRAC_LOG_WARNING = 2, /**< the result may not be what was wanted: not at rest, bonds broken before injection */

@@ -217,9 +217,9 @@ typedef struct hfrac_sim_def {
   void *progress_user;        /**< handed to `progress` */
 
   /** 0: relaxed, 1: tiled, 2: growth, 3: square. How discs are packed. relaxed: from a jittered lattice.
-   * growth: grown at random places, knows of no lattice, takes longer. tiled: periodic bricks side by
-   * side, for more than some 100 000 discs; disc_count is rounded to whole bricks and the frame of the
-   * bricks repeats. square: equal discs in rows and columns, in which cracks and joints along them are
+   * growth: grown at random places, without an underlying lattice, takes longer. tiled: periodic bricks
+   * side by side, for more than some 100 000 discs; disc_count is rounded to whole bricks and the frame of
+   * the bricks repeats. square: equal discs in rows and columns, in which cracks and joints along them are
    * smooth slits. Default 0. */
   int64_t packing_method;
   /** Discs in one brick of a tiled packing. Default 5000. */
@@ -255,7 +255,7 @@ typedef struct hfrac_sim_def {
 
   hfrac_log_fn log;           /**< told what happens while the simulation is built; may be NULL. Later: hfrac_set_log */
   void *log_user;             /**< handed to `log` */
-  int64_t log_level;          /**< enum hfrac_log_level, how much `log` hears. Default 3 */
+  int64_t log_level;          /**< enum hfrac_log_level, down to which level `log` gets messages. Default 3 */
 
   /** 0: uniform, 1: seepage. Pore pressure before the treatment. uniform: the formation's. seepage: what
    * one well held at initial.well_pressure leaves, found by the poroelastic continuum (eq. 1-3). Default
