@@ -9,6 +9,7 @@
 #include "command/commands.hpp"
 #include "command/interrupt.hpp"
 #include "command/progress_line.hpp"
+#include "command/standard_streams.hpp"
 #include "output/engine_call.hpp"
 #include "output/safe_file.hpp"
 
@@ -76,7 +77,7 @@ ExitCode calibrate(CalibrateRequest request) {
   const int32_t status = hfrac_calibrate(&definition, &request.targets, show, &parts, &found);
   line.end();
   if (status == HFRAC_STOPPED) {
-    fmt::print(stderr, "hfrac: interrupted; nothing was found yet\n");
+    tell("hfrac: interrupted; nothing was found yet\n");
     return kInterrupted;
   }
   if (status == HFRAC_ERR_ARGUMENT || status == HFRAC_ERR_MODEL)
@@ -85,7 +86,7 @@ ExitCode calibrate(CalibrateRequest request) {
   print(definition, request.targets, found);
   if (!request.output.empty()) output::write_whole(request.output, output::case_text(definition));
   if (found.reached != 0) return kGood;
-  fmt::print(stderr, "hfrac: {}\n", found.text);
+  tell("hfrac: {}\n", found.text);
   return kRunFailed;
 }
 

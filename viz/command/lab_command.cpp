@@ -13,6 +13,7 @@
 #include "command/interrupt.hpp"
 #include "command/progress_line.hpp"
 #include "command/specimen_svg.hpp"
+#include "command/standard_streams.hpp"
 #include "output/engine_call.hpp"
 #include "output/safe_file.hpp"
 #ifdef HFRAC_WITH_RENDERER
@@ -166,7 +167,7 @@ ExitCode lab(LabRequest request) {
     if (!request.folder.empty())
       write_files(request.folder, one.get(), request.test, request.spec.seed, chart);
     if (status == HFRAC_STOPPED) {
-      fmt::print(stderr, "hfrac: interrupted in the test of seed {}; what it says is of an unfinished test\n",
+      tell("hfrac: interrupted in the test of seed {}; what it says is of an unfinished test\n",
                  request.spec.seed);
       return kInterrupted;
     }

@@ -11,6 +11,7 @@
 #include "command/drawing.hpp"
 #include "command/interrupt.hpp"
 #include "command/progress_line.hpp"
+#include "command/standard_streams.hpp"
 
 namespace hfrac::command {
 namespace {
@@ -92,7 +93,7 @@ ExitCode report(const ReportRequest& request) {
     draw_around_cracks(request);
   line.end();
   if (interrupt) {
-    fmt::print(stderr, "hfrac: interrupted; no report was written\n");
+    tell("hfrac: interrupted; no report was written\n");
     return kInterrupted;
   }
   const std::string target =

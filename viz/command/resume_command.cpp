@@ -13,6 +13,7 @@
 #include "command/interrupt.hpp"
 #include "command/run_to_end.hpp"
 #include "command/runner.hpp"
+#include "command/standard_streams.hpp"
 #include "output/disc_file.hpp"
 #include "output/host_cells.hpp"
 #include "output/known_files.hpp"
@@ -92,7 +93,7 @@ ExitCode go_on(const ResumeRequest& request) {
   catch_interrupts();
   std::vector<std::string> damaged;
   const auto checkpoint = output::CheckpointFolder(folder).newest(damaged);
-  for (const auto& text : damaged) fmt::print(stderr, "hfrac: {}\n", text);
+  for (const auto& text : damaged) tell("hfrac: {}\n", text);
   if (!checkpoint && !request.quiet) fmt::print("no checkpoint: the run starts from its beginning again\n");
   if (checkpoint && terms.steps >= 0 && checkpoint->step > terms.steps) {
     throw BadInput(
@@ -104,7 +105,7 @@ ExitCode go_on(const ResumeRequest& request) {
   output::RunFolder run(folder, terms);
   const auto sim = build_model(definition, line);
   if (!sim) {
-    fmt::print(stderr, "hfrac: interrupted during the initial equilibration; nothing was changed\n");
+    tell("hfrac: interrupted during the initial equilibration; nothing was changed\n");
     return kInterrupted;
   }
   if (!terms.grid.empty()) output::lay_grid(sim.get(), terms.grid);

@@ -6,12 +6,15 @@
 
 #include "command/commands.hpp"
 #include "command/runner.hpp"
+#include "command/standard_streams.hpp"
 #include "command/summary_text.hpp"
 #include "output/safe_file.hpp"
 
 namespace hfrac::command {
 
-void print_result(const std::filesystem::path& folder, bool complete) {
+namespace {
+
+void print_table(const std::filesystem::path& folder, bool complete) {
   const auto summary = nlohmann::json::parse(output::read_whole(folder / "summary.json"));
   fmt::print("{}", summary_text(summary));
   if (!complete) return;
@@ -21,6 +24,19 @@ void print_result(const std::filesystem::path& folder, bool complete) {
 #ifdef HFRAC_WITH_RENDERER
   fmt::print("  {:18} hfrac render {}\n", "pictures", folder.string());
 #endif
+}
+
+}  // namespace
+
+// The result of a run is its folder, and the exit code speaks of that: a workflow that is told of a failure removes it.
+void print_result(const std::filesystem::path& folder, bool complete) {
+  try {
+    print_table(folder, complete);
+    flush_results();
+  } catch (const std::exception& error) {
+    drop_results();
+    tell("hfrac: '{}' is written, but what is in it cannot be told: {}\n", folder.string(), error.what());
+  }
 }
 
 namespace {

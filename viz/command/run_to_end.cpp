@@ -13,6 +13,7 @@
 #include "output/safe_file.hpp"
 #ifdef HFRAC_WITH_RENDERER
 #include "command/movie_thread.hpp"
+#include "command/standard_streams.hpp"
 #endif
 
 namespace hfrac::command {
@@ -25,8 +26,8 @@ int32_t show_setup(void* line, double fraction, const char* what) {
 }
 
 ExitCode report_failure(const output::RunFolder& folder, const std::string& why) {
-  fmt::print(stderr, "hfrac: the run failed: {}\n", why);
-  fmt::print(stderr, "hfrac: {} complete snapshot(s) in '{}' stay readable\n", folder.snapshots(),
+  tell("hfrac: the run failed: {}\n", why);
+  tell("hfrac: {} complete snapshot(s) in '{}' stay readable\n", folder.snapshots(),
              folder.path().string());
   return kRunFailed;
 }
@@ -35,7 +36,7 @@ ExitCode report_failure(const output::RunFolder& folder, const std::string& why)
 /** A run without its movie is still a good run. */
 void report_movie(const std::string& failure) {
   if (!failure.empty())
-    fmt::print(stderr, "hfrac: the run is complete, but there is no movie: {}\n", failure);
+    tell("hfrac: the run is complete, but there is no movie: {}\n", failure);
 }
 #endif
 
@@ -55,7 +56,7 @@ ExitCode take_steps_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfra
   if (movie) report_movie(movie->finish());
 #endif
   if (!why.interrupted) return kGood;
-  fmt::print(stderr,
+  tell(
              "hfrac: interrupted; everything up to the last whole step is in '{0}'; hfrac resume {0}\n",
              folder.path().string());
   return kInterrupted;

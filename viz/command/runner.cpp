@@ -11,6 +11,7 @@
 #include "command/interrupt.hpp"
 #include "command/progress_line.hpp"
 #include "command/run_to_end.hpp"
+#include "command/standard_streams.hpp"
 #include "output/disc_file.hpp"
 #include "output/host_cells.hpp"
 #include "output/known_files.hpp"
@@ -52,7 +53,7 @@ ExitCode carry_out(const RunRequest& request) {
   output::RunFolder folder(request.folder, terms);
   const auto sim = build_model(definition, line);
   if (!sim) {
-    fmt::print(stderr, "hfrac: interrupted during the initial equilibration; nothing was written\n");
+    tell("hfrac: interrupted during the initial equilibration; nothing was written\n");
     return kInterrupted;
   }
   try {
