@@ -10,6 +10,7 @@
 #include "command/interrupt.hpp"
 #include "command/progress_line.hpp"
 #include "command/standard_streams.hpp"
+#include "command/unlikely_values.hpp"
 #include "output/engine_call.hpp"
 #include "output/safe_file.hpp"
 
@@ -70,6 +71,7 @@ ExitCode calibrate(CalibrateRequest request) {
   output::require(hfrac_sim_def_init(&definition, static_cast<int32_t>(sizeof definition)), nullptr);
   if (!request.case_file.empty()) definition = load_case(request.case_file, 0);
   request.targets.plane_slopes = request.slopes ? 1 : 0;
+  require_likely_targets(request.targets);
   catch_interrupts();
   ProgressLine line(request.quiet);
   PartsOfWork parts(line, "", 1);  // how many tests it takes is not known beforehand

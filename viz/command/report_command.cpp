@@ -9,6 +9,7 @@
 
 #include "command/commands.hpp"
 #include "command/drawing.hpp"
+#include "command/drawing_folder.hpp"
 #include "command/interrupt.hpp"
 #include "command/progress_line.hpp"
 #include "command/standard_streams.hpp"
@@ -69,8 +70,12 @@ int32_t wanted_pictures(const ReportRequest& request) {
   return wanted;
 }
 
-ExitCode report(const ReportRequest& request) {
+ExitCode report(ReportRequest request) {
   catch_interrupts();
+  const std::string target =
+      request.target.empty() ? (fs::path(request.folder) / "report.html").string() : request.target;
+  const DrawingFolder drawing(request.folder);
+  request.folder = drawing.path().string();
   ProgressLine line(request.quiet);
   DrawingError error;
   hfrac_viz_options pictures{};
@@ -96,8 +101,6 @@ ExitCode report(const ReportRequest& request) {
     tell("hfrac: interrupted; no report was written\n");
     return kInterrupted;
   }
-  const std::string target =
-      request.target.empty() ? (fs::path(request.folder) / "report.html").string() : request.target;
   drawing_stopped(
       hfrac_viz_write_report(folder, target.c_str(), error.text.data(), error.capacity(), nullptr), error);
   if (!request.quiet) fmt::print("{}\n", target);
