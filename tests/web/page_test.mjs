@@ -296,6 +296,8 @@ test('shows every control whole in a window of 800 x 600', async () => {
       .filter((one) => one.getBoundingClientRect().right > right - 8).map((one) => one.id || one.textContent);
   });
   assert.deepEqual(clipped, []);
+  const follow = await page.locator('.toggle').boundingBox();
+  assert.ok(follow.x + follow.width <= 796, 'Follow is cut off');
   assert.ok(await page.evaluate(() => {
     const panel = document.querySelector('#controls');
     return panel.scrollWidth <= panel.clientWidth;

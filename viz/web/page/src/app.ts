@@ -95,6 +95,8 @@ export class App {
     this.camera.clear();
     find('when').textContent = '';
     document.body.dataset.shown = '';
+    find('figures-section').hidden = true;
+    this.curves.draw();
     this.redraw();
   }
 
@@ -156,6 +158,7 @@ export class App {
       // Cracks keep a least width in pixels, so they depend on the zoom.
       const zoomed = this.view.metresPerPixel() / this.paintedAt;
       if (zoomed > 1.25 || zoomed < 0.8) this.paint();
+      find('gl').hidden = !this.moments.now;  // what is drawn there is of a run that is gone
       this.scene.draw();
       // Where the model is on the screen, for the page's tests.
       find('stage').dataset.view = `${this.view.x} ${this.view.y} ${this.view.metresPerPixel()}`;
