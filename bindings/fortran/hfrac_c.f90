@@ -1145,7 +1145,8 @@ module hfrac_c
   type, bind(C) :: hfrac_calibration
     !> sizeof(hfrac_calibration) of the caller
     integer(c_int32_t) :: struct_size = 1256_c_int32_t
-    !> 1: all targets reached; 0: `text` says which not
+    !> 1: all targets reached, within a tenth on other packings or two standard errors of their mean; 0: `text` says
+    !> which not
     integer(c_int32_t) :: reached = 0_c_int32_t
     !> mean over as many packings again, not those calibrated on
     real(c_double) :: achieved(6) = 0.0_c_double
