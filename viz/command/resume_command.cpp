@@ -15,6 +15,7 @@
 #include "command/run_to_end.hpp"
 #include "command/runner.hpp"
 #include "command/standard_streams.hpp"
+#include "command/unlikely_values.hpp"
 #include "command/warnings.hpp"
 #include "output/disc_file.hpp"
 #include "output/known_files.hpp"
@@ -106,6 +107,7 @@ ExitCode go_on(const ResumeRequest& request) {
   ProgressLine line(request.quiet);
   output::RunFolder run(folder, terms);
   Warnings warnings(run, line, request.quiet);
+  for (const auto& text : unlikely_values(definition)) warnings.add(text);
   const auto sim = build_model(definition, (folder / "case.toml").string(), line, warnings);
   if (!sim) {
     tell("hfrac: interrupted during the initial equilibration; nothing was changed\n");
