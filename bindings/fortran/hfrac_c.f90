@@ -1145,7 +1145,8 @@ module hfrac_c
   type, bind(C) :: hfrac_calibration
     !> sizeof(hfrac_calibration) of the caller
     integer(c_int32_t) :: struct_size = 1256_c_int32_t
-    !> 1: all targets reached; 0: `text` says which not
+    !> 1: all targets reached, within a tenth on other packings or two standard errors of their mean; 0: `text` says
+    !> which not
     integer(c_int32_t) :: reached = 0_c_int32_t
     !> mean over as many packings again, not those calibrated on
     real(c_double) :: achieved(6) = 0.0_c_double
@@ -1284,6 +1285,14 @@ module hfrac_c
       type(hfrac_sim_def), intent(in) :: def
       integer(c_int32_t) :: hfrac_sim_def_check
     end function hfrac_sim_def_check
+    !> The same for a definition that was read from the case file `path`: the text begins with the file, and with
+    !> the line of the first value it names that the file has (HFRAC_ERR_CASE_FILE). Unstable since 0.1.
+    function hfrac_sim_def_check_file(def, path) bind(C, name="hfrac_sim_def_check_file")
+      import
+      type(hfrac_sim_def), intent(in) :: def
+      character(kind=c_char), intent(in) :: path(*)
+      integer(c_int32_t) :: hfrac_sim_def_check_file
+    end function hfrac_sim_def_check_file
     !> Sets an option by its key, e.g. "bond.tensile_strength", "well[0].pressure", "joint[0].x1" or
     !> "schedule[0].time". The first value of the well, joint or entry after the last one adds it; a well's centre
     !> is then the model's, as wide and high as it is at that moment. Stable since 0.1.

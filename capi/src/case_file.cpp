@@ -278,7 +278,118 @@ class CaseReader {
   MostItems most_;
 };
 
+[[noreturn]] void refuse_line(const std::string& path, std::size_t line, const std::string& fault) {
+  throw Error(ErrorKind::case_file, printable(path, 400) + ":" + std::to_string(line) + ": " + fault);
+}
+
+// The first `count` lines of a text.
+std::string_view first_lines(std::string_view text, std::size_t count) {
+  std::size_t end = 0;
+  for (; count > 0 && end < text.size(); --count) end = std::min(text.find('\n', end), text.size() - 1) + 1;
+  return text.substr(0, end);
+}
+
+bool is_fault(std::string_view text) {
+  try {
+    (void)toml::parse(text);
+  } catch (const TomlFault&) {
+    return true;
+  } catch (const toml::parse_error&) {
+  }
+  return false;
+}
+
+// The line at which the parser met what it takes for impossible: the first that is enough for it to do so.
+std::size_t line_of_fault(std::string_view text) {
+  std::size_t good = 0, bad = 1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  while (bad - good > 1) {
+    const std::size_t middle = good + (bad - good) / 2;
+    (is_fault(first_lines(text, middle)) ? bad : good) = middle;
+  }
+  return bad;
+}
+
+std::string fault_text(std::string_view text, std::size_t line) {
+  const std::string_view before = first_lines(text, line - 1);
+  const std::string_view here = first_lines(text, line).substr(before.size());
+  const auto control = std::find_if(here.begin(), here.end(), [](char c) {
+    return (static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r') || c == 0x7f;
+  });
+  if (control == here.end()) return "not valid TOML: something stands here that no key or value begins with.";
+  return "not valid TOML: the line holds the control character " +
+         std::to_string(static_cast<unsigned char>(*control)) + "; remove it.";
+}
+
+toml::table parse(const std::string& path, const std::string& text) {
+  if (const std::size_t line = line_of_stray_character(text)) {
+    refuse_line(path, line,
+                "not a case file: a quote or a character beyond ASCII stands where a case file has none.");
+  }
+  try {
+    return toml::parse(std::string_view(text));
+  } catch (const TomlFault&) {
+    const std::size_t line = line_of_fault(text);
+    refuse_line(path, line, fault_text(text, line));
+  } catch (const toml::parse_error& error) {
+    refuse_line(path, error.source().begin.line,
+                "not valid TOML: " + printable(error.description(), 300) + ".");
+  }
+}
+
+// Adds the lines of a table's values, named as in the engine's sentences.
+void add_lines(KeyLines& lines, const std::string& name, const toml::table& table) {
+  for (const auto& [key, value] : table)
+    lines[name + "." + std::string(key.str())] = value.source().begin.line;
+}
+
+void add_items(KeyLines& lines, const std::string& name, const toml::array* items, std::size_t first) {
+  for (std::size_t k = 0; items != nullptr && k < items->size(); ++k) {
+    const std::string item = name + "[" + std::to_string(first + k) + "]";
+    lines[item] = (*items)[k].source().begin.line;
+    if (const toml::table* table = (*items)[k].as_table()) add_lines(lines, item, *table);
+  }
+}
+
 }  // namespace
+
+KeyLines lines_of_keys(const std::string& path) {
+  const toml::table root = parse(path, read_text_file(path));
+  KeyLines lines;
+  for (const auto& [section, node] : root)
+    if (const toml::table* table = node.as_table()) add_lines(lines, std::string(section.str()), *table);
+  add_items(lines, "joint", root["joint"].as_array(), 0);
+  const toml::array* wells = root["well"].as_array();
+  add_items(lines, "well", wells, 0);
+  std::size_t entries = 0;  // the engine counts those of all wells in one list
+  for (std::size_t k = 0; wells != nullptr && k < wells->size(); ++k) {
+    const toml::table* well = (*wells)[k].as_table();
+    const toml::array* schedule = well == nullptr ? nullptr : (*well)["schedule"].as_array();
+    add_items(lines, "schedule", schedule, entries);
+    if (schedule != nullptr) entries += schedule->size();
+  }
+  return lines;
+}
+
+std::string with_place(const std::string& path, const KeyLines& lines, std::string_view sentence) {
+  const auto of_a_key = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("_.[]").find(c) != std::string_view::npos;
+  };
+  std::string place = printable(path, 400);
+  for (std::size_t at = 0; at < sentence.size();) {
+    std::size_t end = at;
+    while (end < sentence.size() && of_a_key(sentence[end])) ++end;
+    std::string_view word = sentence.substr(at, end - at);
+    while (word.ends_with('.')) word.remove_suffix(1);
+    const auto found = lines.find(word);
+    if (found != lines.end()) {
+      place.append(":").append(std::to_string(found->second));
+      break;
+    }
+    at = end + 1;
+  }
+  return place + ": " + std::string(sentence);
+}
 
 std::string unknown_item_key_text(std::string_view list, std::string_view name) {
   std::vector<std::string_view> names;
@@ -295,22 +406,8 @@ std::string unknown_item_key_text(std::string_view list, std::string_view name) 
 }
 
 CaseDefinition load_case(const std::string& path, const CaseDefinition& base, const MostItems& most) {
-  const std::string text = read_text_file(path);
-  if (const std::size_t line = line_of_stray_character(text)) {
-    throw Error(
-        ErrorKind::case_file,
-        printable(path, 400) + ":" + std::to_string(line) +
-            ": not a case file: a quote or a character beyond ASCII stands where a case file has none.");
-  }
   CaseReader reader(path, base, most);
-  try {
-    return reader.read(toml::parse(std::string_view(text)));
-  } catch (const TomlFault&) {
-    throw Error(ErrorKind::case_file, printable(path, 400) + ": not valid TOML.");
-  } catch (const toml::parse_error& error) {
-    throw Error(ErrorKind::case_file, printable(path, 400) + ":" + std::to_string(error.source().begin.line) +
-                                          ": not valid TOML: " + printable(error.description(), 300) + ".");
-  }
+  return reader.read(parse(path, read_text_file(path)));
 }
 
 }  // namespace hfrac::capi

@@ -11,6 +11,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -26,6 +28,16 @@ struct MostItems {
 // Reads a case file over `base`. A file with wells replaces those of `base` with their schedules, one with joints its joints. Throws Error(case_file) with one
 // sentence "path:line: what is wrong and what is allowed".
 CaseDefinition load_case(const std::string& path, const CaseDefinition& base, const MostItems& most);
+
+// Where the values of a case file stand: "packing.disc_count", "well[0]", "well[0].radius", "schedule[2].time" and the line.
+using KeyLines = std::map<std::string, std::size_t, std::less<>>;
+
+// Of a file that load_case takes.
+KeyLines lines_of_keys(const std::string& path);
+
+// A sentence about a definition with the case file it came from before it, and the line of the first value named in the
+// sentence that the file has: "path:line: sentence".
+std::string with_place(const std::string& path, const KeyLines& lines, std::string_view sentence);
 
 // A case file with every value; loading it gives the same definition. Throws Error(argument) if a value is
 // out of range, so that what is written can be read.

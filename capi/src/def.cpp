@@ -210,6 +210,20 @@ std::int32_t hfrac_sim_def_check(const hfrac_sim_def* def) {
   });
 }
 
+std::int32_t hfrac_sim_def_check_file(const hfrac_sim_def* def, const char* path) {
+  return guarded([&] {
+    const hfrac_sim_def full = read_def(def);
+    require_not_null(path, "path");
+    try {
+      validate(case_of(full), given_discs_of(full), given_bonds_of(full));
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::argument && error.kind() != ErrorKind::model) throw;
+      const std::string text = with_place(path, lines_of_keys(path), error.what());
+      throw Error(ErrorKind::case_file, text);
+    }
+  });
+}
+
 std::int32_t hfrac_sim_def_set_f64(hfrac_sim_def* def, const char* key, double value) {
   return set_by_key(def, key, [&](auto& values, const auto& info) { set_real(values, info, key, value); });
 }

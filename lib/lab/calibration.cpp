@@ -246,7 +246,10 @@ class Calibrator {
       const auto k = static_cast<std::size_t>(m);
       result_.achieved[k] = mean.value;
       result_.spread[k] = mean.spread;
-      if (!result_.reachable[k]) explain(m);
+      if (!result_.reachable[k])
+        explain(m);
+      else if (std::abs(mean.value - target(m)) > tolerance(m, mean))
+        explain_miss(m);
     };
     if (asked(Macro::modulus) || asked(Macro::poisson)) {
       const Elasticity found = elasticity(o, true);
@@ -279,20 +282,35 @@ class Calibrator {
   }
 
   void explain(Macro m) {
-    static constexpr const char* name[macro_count] = {"E",    "nu",          "UCS", "tensile strength",
-                                                      "K_Ic", "permeability"};
-    static constexpr const char* unit[macro_count] = {" Pa", "", " Pa", " Pa", " Pa m^0.5", " m2"};
     const auto k = static_cast<std::size_t>(m);
-    std::string text = std::string(name[k]) + " = " + rounded_text(target(m)) + unit[k] +
+    std::string text = std::string(macro_name[k]) + " = " + rounded_text(target(m)) + macro_unit[k] +
                        " cannot be reached: the nearest set has " + rounded_text(result_.achieved[k]) +
-                       unit[k];
+                       macro_unit[k];
     if (!std::isnan(result_.lowest[k])) {
       text += "; with the other targets as they are it lies between " + rounded_text(result_.lowest[k]) +
-              " and " + rounded_text(result_.highest[k]) + unit[k];
+              " and " + rounded_text(result_.highest[k]) + macro_unit[k];
     }
     result_.text += (result_.text.empty() ? "" : ". ") + text;
   }
 
+  // Packings differ: a target is missed if those not calibrated on are further off than a tenth, and than two standard errors
+  // of their mean.
+  [[nodiscard]] double tolerance(Macro m, const Mean& mean) const {
+    const double error = mean.spread / std::sqrt(static_cast<double>(targets_.packings));
+    return std::max(0.1 * std::abs(target(m)), 2.0 * error);
+  }
+  void explain_miss(Macro m) {
+    const auto k = static_cast<std::size_t>(m);
+    const std::string text = std::string(macro_name[k]) + " = " + rounded_text(target(m)) + macro_unit[k] +
+                             " is missed: packings other than those calibrated on have " +
+                             rounded_text(result_.achieved[k]) + macro_unit[k] +
+                             " in the mean; calibrate on more packings or larger specimens";
+    result_.text += (result_.text.empty() ? "" : ". ") + text;
+  }
+
+  static constexpr const char* macro_name[macro_count] = {"E",    "nu",          "UCS", "tensile strength",
+                                                          "K_Ic", "permeability"};
+  static constexpr const char* macro_unit[macro_count] = {" Pa", "", " Pa", " Pa", " Pa m^0.5", " m2"};
   static constexpr double fewest_model_discs = 500.0, most_model_discs = 5e6;
 
   CalibrationTargets targets_;

@@ -97,8 +97,10 @@ const Fault faults[] = {
      "a quote or a character beyond ASCII"},
     {"QuoteInsideAWord", "[disc]\ndensity = 60z\'\'\'\xC3\xA4\n", ":2: not a case file: a quote"},
     {"EscapedLetter", "title = \"\\\xC3\xA4\"\n", ":1: not a case file: a quote"},
-    {"ControlCharacterAsName", "[\x1e[mo = 1\n", "not valid TOML"},
-    {"ControlCharacter", "[\x01]\n", "not valid TOML"},
+    {"ControlCharacterAsName", "[\x1e[mo = 1\n", ":1: not valid TOML: the line holds the control character 30"},
+    {"ControlCharacterFurtherDown", "[disc]\ndensity = 1.0\n\n[\x1e[mo = 1\n[bond]\n",
+     ":4: not valid TOML: the line holds the control character 30"},
+    {"ControlCharacter", "[\x01]\n", ":1: not valid TOML"},
 };
 
 class RefusedCase : public testing::TestWithParam<Fault> {};
@@ -179,6 +181,55 @@ TEST(CaseFileRefused, TruncatedAnywhere) {
     const int32_t status = hfrac_sim_def_load(&def, folder.write(whole.substr(0, length)).c_str());
     EXPECT_TRUE(status == HFRAC_OK || status == HFRAC_ERR_CASE_FILE) << status << " " << last_error();
   }
+}
+
+// What is wrong only together with other values: the line of the first one at fault that the file has.
+struct Contradiction {
+  const char* name;
+  const char* text;
+  const char* told;
+};
+void PrintTo(const Contradiction& one, std::ostream* out) {
+  *out << one.name;
+}
+
+const Contradiction contradictions[] = {
+    {"Option", "[bond]\nfracture_toughness = 1e6\n\ntoughness_reference_radius = 0.5\n",
+     ":2: bond.fracture_toughness = 1e6 Pa m^0.5 and bond.toughness_reference_radius"},
+    {"AgainstADefault", "title = \"a\"\n[flow]\n# r0\naperture_limit = 1e-9\nzero_stress_aperture = 1e-3\n",
+     ":5: flow.zero_stress_aperture"},
+    {"NamedOnlyAsTheFix", "[model]\nwidth = 1.0\nheight = 100.0\n", ":2: The smaller model side of 1 m"},
+    {"Well", "[[well]]\nradius = 6.0\npressure = 30e6\n\n[[well]]\nx = 55.0\nradius = 6.0\npressure = 30e6\n",
+     ":1: well[0] and well[1] overlap"},
+    {"ValueOfAWell", "[[well]]\npressure = 30e6\n\nradius = 60.0\n", ":4: well[0].radius = 60 m"},
+    {"Joint", "\n[[joint]]\nx1 = 1.0\ny1 = 1.0\nx2 = 1.0\ny2 = 1.0\n", ":2: joint[0] has no length"},
+    {"ScheduleOfTheSecondWell",
+     "[[well]]\nx = 30.0\nradius = 6.0\npressure = 30e6\n[[well.schedule]]\ntime = 5.0\npressure = 31e6\n"
+     "[[well]]\nx = 70.0\nradius = 6.0\npressure = 30e6\n[[well.schedule]]\ntime = 5.0\npressure = 31e6\n"
+     "[[well.schedule]]\ntime = 4.0\npressure = 31e6\n",
+     ":16: schedule[2].time = 4 s is not after 5 s"},
+};
+
+class ContradictoryCase : public testing::TestWithParam<Contradiction> {};
+TEST_P(ContradictoryCase, IsRefusedWithFileAndLine) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write(GetParam().text);
+  hfrac_sim_def def = new_def();
+  ASSERT_EQ(hfrac_sim_def_load(&def, path.c_str()), HFRAC_OK) << last_error();
+  EXPECT_EQ(hfrac_sim_def_check_file(&def, path.c_str()), HFRAC_ERR_CASE_FILE);
+  EXPECT_EQ(last_error().rfind(path + GetParam().told, 0), 0u) << last_error();
+}
+INSTANTIATE_TEST_SUITE_P(CaseFile, ContradictoryCase, testing::ValuesIn(contradictions),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST(ContradictoryCase, ValuesFromElsewhereNameTheFileAlone) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("title = \"only that\"\n");
+  hfrac_sim_def def = sound_def();
+  EXPECT_EQ(hfrac_sim_def_check_file(&def, path.c_str()), HFRAC_OK) << last_error();
+  def.wells[0].radius = 60.0;
+  EXPECT_EQ(hfrac_sim_def_check_file(&def, path.c_str()), HFRAC_ERR_CASE_FILE);
+  EXPECT_EQ(last_error().rfind(path + ": well[0].radius = 60 m", 0), 0u) << last_error();
 }
 
 }  // namespace

@@ -158,7 +158,7 @@ class FailingRun(unittest.TestCase):
             path.unlink()
         check_whole(self, self.folder)
         self.assertEqual(hfrac("info", self.folder).returncode, 0)
-        self.assertIn("running", hfrac("info", self.folder).stdout)
+        self.assertIn("unfinished", hfrac("info", self.folder).stdout)
 
 
 if __name__ == "__main__":

@@ -17,9 +17,12 @@ class Laboratory(unittest.TestCase):
     def test_elastic_says_both_readings(self):
         done = hfrac("lab", "elastic", "--discs", 400, "--time", "-q")
         self.assertEqual(done.returncode, 0, done.stderr)
-        modulus, poisson, slope = map(float, re.search(r"E ([\d.]+) GPa, nu ([\d.]+) \(slopes E' ([\d.]+)", done.stdout).groups())
+        modulus, poisson, slope = map(float, re.search(r"E \(plane strain\) ([\d.]+) GPa, nu ([\d.]+) \(slopes E' ([\d.]+)", done.stdout).groups())
         self.assertTrue(11 < modulus < 17 and 0.1 < poisson < 0.3 and slope > modulus, done.stdout)
         self.assertRegex(done.stdout, r"packing [\d.]+ s, test [\d.]+ s")
+        self.assertEqual(len(re.findall(r"\bE\b", done.stdout)), 1 + done.stdout.count("E'"), "E is told twice")
+        done = hfrac("lab", "elastic", "--discs", 400, "--packings", 2, "-q")
+        self.assertRegex(done.stdout, r"mean +E \(plane strain\) [\d.]+ \+- \S+ GPa, nu 0\.\d+ \+- ")
 
     def test_a_strength_test_leaves_curves_and_pictures(self):
         case = self.folder / "weak.toml"
@@ -57,6 +60,11 @@ class Laboratory(unittest.TestCase):
         done = hfrac("calibrate", "--nu", 0.49, "--discs", 500, "--packings", 1, "-q")
         self.assertEqual(done.returncode, 1)
         self.assertIn("nu = 0.49 cannot be reached: the nearest set has", done.stderr)
+
+    def test_a_missed_target_is_said(self):
+        done = hfrac("calibrate", "--tension", 10e6, "--strength-discs", 300, "--packings", 1, "-q")
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertIn("tensile strength = 1e7 Pa is missed", done.stderr)
 
     def test_wrong_use(self):
         for arguments in (("lab", "bending"), ("lab", "elastic", "--discs", 5), ("calibrate",), ("calibrate", "--E", -1),

@@ -285,6 +285,43 @@ test('fits a small window', async () => {
   await page.setViewportSize({ width: 1280, height: 800 });
 });
 
+test('shows every control whole in a window of 800 x 600', async () => {
+  await page.setViewportSize({ width: 800, height: 600 });
+  await settle();
+  await picture('low');
+  const clipped = await page.evaluate(() => {
+    const panel = document.querySelector('#controls');
+    const right = panel.getBoundingClientRect().left + panel.clientWidth;
+    return [...panel.querySelectorAll('select, button, label')]
+      .filter((one) => one.getBoundingClientRect().right > right - 8).map((one) => one.id || one.textContent);
+  });
+  assert.deepEqual(clipped, []);
+  const follow = await page.locator('.toggle').boundingBox();
+  assert.ok(follow.x + follow.width <= 796, 'Follow is cut off');
+  assert.ok(await page.evaluate(() => {
+    const panel = document.querySelector('#controls');
+    return panel.scrollWidth <= panel.clientWidth;
+  }), 'the panel is wider than its window');
+  await page.setViewportSize({ width: 1280, height: 800 });
+});
+
+test('closes the sheet of downloads by Escape, wherever the focus is', async () => {
+  for (const leave of [false, true]) {
+    await page.locator('#download').click();
+    await page.waitForSelector('#downloads:not([hidden])');
+    if (leave) await page.evaluate(() => document.activeElement.blur());
+    await page.keyboard.press('Escape');
+    await page.waitForSelector('#downloads', { state: 'hidden', timeout: 2000 });
+    assert.equal(await page.getAttribute('#download', 'aria-expanded'), 'false');
+  }
+});
+
+test('is found without the last slash of its address', async () => {
+  const answer = await page.request.get(server.address.replace(/\/$/, ''));
+  assert.equal(answer.status(), 200);
+  assert.equal(answer.url(), server.address);
+});
+
 test('has not complained, nor asked anybody else', async () => {
   assert.deepEqual(complaints, []);
 });
@@ -359,6 +396,29 @@ test('says what is wrong with a damaged file, and goes on', async () => {
   await picture('damaged');
   await page.locator('body').press('End');
   await page.waitForSelector('#notice', { state: 'hidden' });
+});
+
+test('says that the folder is gone, shows nothing old, and finds it again', async () => {
+  const live = path.join(scratch, 'live');
+  const moved = path.join(scratch, 'moved');
+  complaints.length = 0;
+  await shown(liveSteps);
+  const before = await picture();
+  fs.renameSync(live, moved);
+  await page.waitForSelector('#notice:has-text("The folder is gone")');
+  assert.equal(await page.textContent('#status'), 'folder is gone');
+  assert.equal(await page.textContent('#when'), '');
+  const gone = await picture('gone');
+  const paper = pixel(gone, 4, 200);
+  let inked = 0; // beside the notice, in the middle
+  for (let y = 10; y < gone.height - 10; y += 3)
+    for (let x = 10; x < gone.width * 0.2; x += 3) inked += pixel(gone, x, y).some((part, k) => Math.abs(part - paper[k]) > 8) ? 1 : 0;
+  assert.equal(inked, 0, 'the old picture is still there');
+  fs.renameSync(moved, live);
+  await shown(liveSteps);
+  await page.waitForSelector('#notice', { state: 'hidden' });
+  assert.ok(differing(await picture(), before) < 0.01);
+  assert.deepEqual(complaints, []);
 });
 
 let failed = 0;

@@ -3,7 +3,9 @@ import http.client
 import json
 import os
 import pathlib
+import random
 import re
+import resource
 import select
 import shutil
 import signal
@@ -200,13 +202,91 @@ class Served(unittest.TestCase):
             self.assertEqual(status, 404)
             self.assertNotIn(b"discs", body)
 
+    def test_answers_are_whole_whatever_range_is_asked_for(self):
+        files = [f"api/grid?file={path.name}" for path in RUN.glob("discs_00000.vtu")] + ["files/history.csv", "viewer.css"]
+        chance = random.Random(1)
+        for path in files:
+            status, headers, whole = self.get(path)
+            size = len(whole)
+            self.assertEqual((status, headers.get("Accept-Ranges")), (200, "none"))
+            ranges = ["0-0", f"{size - 1}-{size + 3000000}", f"{size // 2}-3000000000", "99999999999-", "-99999999999", f"{size}-",
+                      "0-0,1-1", f"0-10,{size * 2}-{size * 3}", "5-2", "18446744073709551615-18446744073709551615"]
+            numbers = (0, 1, size - 1, size, size + 1, 2 * size, 2**31, 2**32, 2**63 - 1)
+            for _ in range(100):
+                first, last = (chance.choice((chance.randrange(3 * size), *numbers, "")) for _ in range(2))
+                ranges.append(f"{first}-{last}" + chance.choice(("", "", f",{last}-{first}")))
+            for one in ranges:
+                status, headers, body = self.get(path, Range=f"bytes={one}")
+                self.assertIn(status, (200, 416), one)
+                if status == 200:
+                    self.assertEqual(body, whole, one)
+                else:  # words that are no range at all
+                    self.assertLess(len(body), 100, one)
+
+    def test_the_address_without_its_last_slash_leads_to_the_page(self):
+        status, headers, _ = self.view.get(self.view.base.rstrip("/"))
+        self.assertEqual((status, headers["Location"]), (302, self.view.base))
+
+    def test_a_connection_serves_many_requests(self):
+        connection = http.client.HTTPConnection("127.0.0.1", self.view.port, timeout=20)
+        self.addCleanup(connection.close)
+        sockets = set()
+        for _ in range(50):
+            connection.request("GET", self.view.base + "api/run")
+            self.assertEqual(connection.getresponse().read()[:1], b"{")
+            sockets.add(connection.sock)
+        self.assertEqual(len(sockets), 1)
+        one = f"GET {self.view.base}viewer.css HTTP/1.1\r\nHost: localhost\r\n\r\n".encode()
+        with socket.create_connection(("127.0.0.1", self.view.port), timeout=20) as plug:
+            plug.sendall(one + one[:20])  # two requests in three pieces
+            time.sleep(0.1)
+            plug.sendall(one[20:])
+            answers = b""
+            while answers.count(b"HTTP/1.1 200") < 2:
+                answers += plug.recv(65536)
+
+    def test_connections_without_the_key_keep_nobody_out(self):
+        soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+        resource.setrlimit(resource.RLIMIT_NOFILE, (min(hard, 4096), hard))
+        self.addCleanup(resource.setrlimit, resource.RLIMIT_NOFILE, (soft, hard))
+        plugs = []
+        self.addCleanup(lambda: [plug.close() for plug in plugs])
+
+        def plug_in(count, text):
+            for _ in range(count):
+                plugs.append(socket.create_connection(("127.0.0.1", self.view.port), timeout=20))
+                plugs[-1].sendall(text)
+
+        for count, text in ((24, b"G"), (1000, b""), (100, b"GET / HTTP/1.1\r\nHost: localhost\r\n"),
+                            (100, b"GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"), (50, b"x" * 20000),
+                            (50, b"POST / HTTP/1.1\r\nHost: localhost\r\nContent-Length: 1000000000\r\n\r\nx")):
+            plug_in(count, text)
+            for _ in range(3):
+                begin = time.monotonic()
+                self.assertEqual(self.get("api/run")[0], 200)
+                self.assertLess(time.monotonic() - begin, 3, (count, text[:20]))
+        slow = plugs[:12]
+        for _ in range(8):  # a byte now and then keeps no connection alive
+            for plug in slow:
+                try:
+                    plug.sendall(b"E")
+                except OSError:
+                    pass
+            time.sleep(1)
+        for plug in slow:
+            plug.settimeout(1)
+            try:
+                self.assertEqual(plug.recv(1), b"", "it is still open")
+            except ConnectionError:
+                pass
+
     def test_nonsense_does_not_end_it(self):
         for text in (b"\0\0\0\0\r\n\r\n", b"GET\r\n\r\n", b"GET " + b"a" * 100000 + b" HTTP/1.1\r\n\r\n",
                      b"GET / HTTP/1.1\r\nHost: x\r\nContent-Length: -5\r\n\r\n"):
             with socket.create_connection(("127.0.0.1", self.view.port), timeout=20) as plug:
-                plug.sendall(text)
-                plug.shutdown(socket.SHUT_WR)
                 try:
+                    plug.sendall(text)
+                    plug.shutdown(socket.SHUT_WR)
                     plug.recv(65536)
                 except OSError:
                     pass

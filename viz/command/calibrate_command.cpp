@@ -9,6 +9,8 @@
 #include "command/commands.hpp"
 #include "command/interrupt.hpp"
 #include "command/progress_line.hpp"
+#include "command/standard_streams.hpp"
+#include "command/unlikely_values.hpp"
 #include "output/engine_call.hpp"
 #include "output/safe_file.hpp"
 
@@ -69,6 +71,7 @@ ExitCode calibrate(CalibrateRequest request) {
   output::require(hfrac_sim_def_init(&definition, static_cast<int32_t>(sizeof definition)), nullptr);
   if (!request.case_file.empty()) definition = load_case(request.case_file, 0);
   request.targets.plane_slopes = request.slopes ? 1 : 0;
+  require_likely_targets(request.targets);
   catch_interrupts();
   ProgressLine line(request.quiet);
   PartsOfWork parts(line, "", 1);  // how many tests it takes is not known beforehand
@@ -76,7 +79,7 @@ ExitCode calibrate(CalibrateRequest request) {
   const int32_t status = hfrac_calibrate(&definition, &request.targets, show, &parts, &found);
   line.end();
   if (status == HFRAC_STOPPED) {
-    fmt::print(stderr, "hfrac: interrupted; nothing was found yet\n");
+    tell("hfrac: interrupted; nothing was found yet\n");
     return kInterrupted;
   }
   if (status == HFRAC_ERR_ARGUMENT || status == HFRAC_ERR_MODEL)
@@ -85,7 +88,7 @@ ExitCode calibrate(CalibrateRequest request) {
   print(definition, request.targets, found);
   if (!request.output.empty()) output::write_whole(request.output, output::case_text(definition));
   if (found.reached != 0) return kGood;
-  fmt::print(stderr, "hfrac: {}\n", found.text);
+  tell("hfrac: {}\n", found.text);
   return kRunFailed;
 }
 

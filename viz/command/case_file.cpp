@@ -32,7 +32,7 @@ hfrac_sim_def load_case(const std::string& file, int64_t workers, const std::vec
     definition.given_bonds = bonds.data();
     definition.given_bond_count = static_cast<int64_t>(bonds.size() / 2);
   }
-  require_good(hfrac_sim_def_check(&definition));
+  require_good(hfrac_sim_def_check_file(&definition, file.c_str()));
   return definition;
 }
 

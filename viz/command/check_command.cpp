@@ -6,6 +6,9 @@
 
 #include "command/case_file.hpp"
 #include "command/commands.hpp"
+#include "command/run_size.hpp"
+#include "command/standard_streams.hpp"
+#include "command/unlikely_values.hpp"
 
 namespace hfrac::command {
 namespace {
@@ -41,6 +44,8 @@ ExitCode check(const std::string& file) {
     fmt::print("  well {}     {}\n", i, well_line(definition.wells[i]));
   if (definition.well_count == 0) fmt::print("  wells      none\n");
   fmt::print("  run        {}, a snapshot every {}\n", length_line(definition), definition.output_every);
+  fmt::print("  writes     {}, unless it ends earlier\n", size_text(size_of_run(definition, -1)));
+  for (const auto& text : unlikely_values(definition)) tell("hfrac: warning: {}: {}\n", file, text);
   return kGood;
 }
 

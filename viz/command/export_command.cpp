@@ -11,6 +11,7 @@
 
 #include "command/case_file.hpp"
 #include "command/commands.hpp"
+#include "command/numbers.hpp"
 #include "output/disc_file.hpp"
 #include "output/field_tables.hpp"
 #include "output/host_cells.hpp"
@@ -133,7 +134,7 @@ void add_export(CLI::App& program, Action& action) {
       command->add_option("--cells", request->cells, "Cells over the whole model, for cells.csv and GRDECL");
   cells->type_name("NXxNY");
   command->add_option("--dx", request->dx, "Likewise, square cells of about this size [m]")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_length())
       ->excludes(cells);
   command->callback([request, &action] { action = [request] { return write_tables(*request); }; });
 }

@@ -7,12 +7,15 @@
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "command/case_file.hpp"
 #include "command/commands.hpp"
 #include "command/interrupt.hpp"
 #include "command/progress_line.hpp"
 #include "command/specimen_svg.hpp"
+#include "command/standard_streams.hpp"
 #include "output/engine_call.hpp"
 #include "output/safe_file.hpp"
 #ifdef HFRAC_WITH_RENDERER
@@ -69,8 +72,8 @@ std::string describe(const hfrac_lab_report& r, int32_t test, int64_t seed, bool
       fmt::format("  seed {:<3} {} {:.4g} {}", seed, name.value, r.value * name.scale, name.unit);
   auto out = std::back_inserter(text);
   if (r.plane_modulus > 0.0)
-    fmt::format_to(out, ", E {:.4g} GPa, nu {:.3f} (slopes E' {:.4g} GPa, nu' {:.3f})", r.modulus * 1e-9,
-                   r.poisson, r.plane_modulus * 1e-9, r.plane_poisson);
+    fmt::format_to(out, ", nu {:.3f} (slopes E' {:.4g} GPa, nu' {:.3f})", r.poisson, r.plane_modulus * 1e-9,
+                   r.plane_poisson);
   if (r.peak_stress > 0.0)
     fmt::format_to(out, ", first crack at {:.4g} of {:.4g} MPa", r.first_crack_stress * 1e-6,
                    r.peak_stress * 1e-6);
@@ -86,6 +89,15 @@ std::string describe(const hfrac_lab_report& r, int32_t test, int64_t seed, bool
     fmt::format_to(out, "\n           packing {:.2f} s, test {:.2f} s, {} sparse factors", r.packing_seconds,
                    r.test_seconds, r.factor_count);
   return text + "\n";
+}
+
+/** Mean and standard deviation of a sample. */
+std::pair<double, double> mean_and_spread(const std::vector<double>& values) {
+  const auto n = static_cast<double>(values.size());
+  double mean = 0.0, squares = 0.0;
+  for (const double value : values) mean += value / n;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return {mean, std::sqrt(squares / (n - 1.0))};
 }
 
 void write_files(const std::filesystem::path& folder, const hfrac_lab* lab, const std::string& test,
@@ -145,7 +157,7 @@ ExitCode lab(LabRequest request) {
   }
   const TestName& name = tests[static_cast<std::size_t>(request.spec.test)];
   catch_interrupts();
-  double sum = 0.0, squares = 0.0;
+  std::vector<double> values, ratios;  // the value of the test and nu, one of each packing
   std::string chart;
   const int64_t first = request.spec.seed;
   ProgressLine line(request.quiet);
@@ -166,18 +178,21 @@ ExitCode lab(LabRequest request) {
     if (!request.folder.empty())
       write_files(request.folder, one.get(), request.test, request.spec.seed, chart);
     if (status == HFRAC_STOPPED) {
-      fmt::print(stderr, "hfrac: interrupted in the test of seed {}; what it says is of an unfinished test\n",
+      tell("hfrac: interrupted in the test of seed {}; what it says is of an unfinished test\n",
                  request.spec.seed);
       return kInterrupted;
     }
-    sum += report.value;
-    squares += report.value * report.value;
+    values.push_back(report.value * name.scale);
+    if (report.plane_modulus > 0.0) ratios.push_back(report.poisson);
   }
   if (request.packings > 1) {
-    const auto n = static_cast<double>(request.packings);
-    const double mean = sum / n, spread = std::sqrt(std::max(0.0, squares / n - mean * mean) * n / (n - 1.0));
-    fmt::print("  mean     {} {:.4g} +- {:.2g} {} ({} packings)\n", name.value, mean * name.scale,
-               spread * name.scale, name.unit, request.packings);
+    const auto [mean, spread] = mean_and_spread(values);
+    std::string text = fmt::format("{} {:.4g} +- {:.2g} {}", name.value, mean, spread, name.unit);
+    if (ratios.size() == values.size()) {
+      const auto [ratio, scatter] = mean_and_spread(ratios);
+      text += fmt::format(", nu {:.3f} +- {:.2g}", ratio, scatter);
+    }
+    fmt::print("  mean     {} ({} packings)\n", text, request.packings);
   }
   if (!chart.empty()) draw_curves(request.folder, request.test, chart);
   return kGood;

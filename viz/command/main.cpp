@@ -2,9 +2,14 @@
 // The hfrac program: chooses a subcommand, turns failures into one sentence and an exit code.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "command/commands.hpp"
+#include "command/standard_streams.hpp"
 #include "output/engine_call.hpp"
 
 namespace {
@@ -18,8 +23,19 @@ std::string version_text() {
 }
 
 int complain(const char* text, ExitCode code) {
-  fmt::print(stderr, "hfrac: {}\n", text);
+  tell("hfrac: {}\n", text);
   return code;
+}
+
+/** CLI11 says of a word that it does not know only that a subcommand is required. */
+void refuse_unknown_command(const CLI::App& program, int argument_count, char** arguments) {
+  if (argument_count < 2 || arguments[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const auto* command : program.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), arguments[1]) != names.end()) return;
+  throw BadInput(
+      fmt::format("there is no command '{}'; the commands are {}", arguments[1], fmt::join(names, ", ")));
 }
 
 int run_program(int argument_count, char** arguments) {
@@ -44,17 +60,25 @@ int run_program(int argument_count, char** arguments) {
   add_plot(program, action);
   add_report(program, action);
 #endif
+  refuse_unknown_command(program, argument_count, arguments);
+  ExitCode code = kGood;
   try {
     program.parse(argument_count, arguments);
+    code = action();
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? kGood : kBadInput;
+    std::ostringstream results, complaints;
+    code = program.exit(error, results, complaints) == 0 ? kGood : kBadInput;
+    fmt::print("{}", results.str());
+    tell_text(complaints.str());
   }
-  return action();
+  if (code == kGood) flush_results();
+  return code;
 }
 
 }  // namespace
 
 int main(int argument_count, char** arguments) {
+  reserve_standard_streams();
   try {
     return run_program(argument_count, arguments);
   } catch (const BadInput& error) {

@@ -9,6 +9,7 @@
 #include "command/interrupt.hpp"
 #include "command/paper.hpp"
 #include "command/progress_line.hpp"
+#include "command/standard_streams.hpp"
 
 namespace hfrac::command {
 namespace {
@@ -48,7 +49,7 @@ ExitCode plot(const PlotRequest& request) {
                                                  error.text.data(), error.capacity(), nullptr);
   line.end();
   if (drawing_stopped(status, error)) {
-    fmt::print(stderr, "hfrac: interrupted; the charts finished so far stay\n");
+    tell("hfrac: interrupted; the charts finished so far stay\n");
     return kInterrupted;
   }
   if (!request.quiet) fmt::print("charts are in {}/pictures\n", request.folder);

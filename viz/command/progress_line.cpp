@@ -6,8 +6,9 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <utility>
+
+#include "command/standard_streams.hpp"
 
 namespace hfrac::command {
 namespace {
@@ -42,15 +43,14 @@ void ProgressLine::show_now(const std::string& text) {
   if (quiet_) return;
   next_ = Clock::now() + (terminal_ ? kTerminalPause : kLogPause);
   if (terminal_)
-    fmt::print(stderr, "\r{}\033[K", one_line(text));
+    tell("\r{}\033[K", one_line(text));
   else
-    fmt::print(stderr, "{}\n", text);
-  std::fflush(stderr);
+    tell("{}\n", text);
   line_open_ = terminal_;
 }
 
 void ProgressLine::end() {
-  if (line_open_) fmt::print(stderr, "\n");
+  if (line_open_) tell_text("\n");
   line_open_ = false;
 }
 

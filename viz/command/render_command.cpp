@@ -11,6 +11,7 @@
 #include "command/interrupt.hpp"
 #include "command/paper.hpp"
 #include "command/progress_line.hpp"
+#include "command/standard_streams.hpp"
 #include "command/view_request.hpp"
 
 namespace hfrac::command {
@@ -85,7 +86,7 @@ ExitCode render(const RenderRequest& request) {
                                   nullptr);
   line.end();
   if (drawing_stopped(status, error)) {
-    fmt::print(stderr,
+    tell(
                "hfrac: interrupted; the pictures finished so far stay, a movie goes on there next time\n");
     return kInterrupted;
   }

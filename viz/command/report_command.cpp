@@ -9,8 +9,10 @@
 
 #include "command/commands.hpp"
 #include "command/drawing.hpp"
+#include "command/drawing_folder.hpp"
 #include "command/interrupt.hpp"
 #include "command/progress_line.hpp"
+#include "command/standard_streams.hpp"
 
 namespace hfrac::command {
 namespace {
@@ -68,8 +70,12 @@ int32_t wanted_pictures(const ReportRequest& request) {
   return wanted;
 }
 
-ExitCode report(const ReportRequest& request) {
+ExitCode report(ReportRequest request) {
   catch_interrupts();
+  const std::string target =
+      request.target.empty() ? (fs::path(request.folder) / "report.html").string() : request.target;
+  const DrawingFolder drawing(request.folder);
+  request.folder = drawing.path().string();
   ProgressLine line(request.quiet);
   DrawingError error;
   hfrac_viz_options pictures{};
@@ -92,11 +98,9 @@ ExitCode report(const ReportRequest& request) {
     draw_around_cracks(request);
   line.end();
   if (interrupt) {
-    fmt::print(stderr, "hfrac: interrupted; no report was written\n");
+    tell("hfrac: interrupted; no report was written\n");
     return kInterrupted;
   }
-  const std::string target =
-      request.target.empty() ? (fs::path(request.folder) / "report.html").string() : request.target;
   drawing_stopped(
       hfrac_viz_write_report(folder, target.c_str(), error.text.data(), error.capacity(), nullptr), error);
   if (!request.quiet) fmt::print("{}\n", target);

@@ -11,10 +11,13 @@
 #include "command/case_file.hpp"
 #include "command/commands.hpp"
 #include "command/interrupt.hpp"
+#include "command/numbers.hpp"
 #include "command/run_to_end.hpp"
 #include "command/runner.hpp"
+#include "command/standard_streams.hpp"
+#include "command/unlikely_values.hpp"
+#include "command/warnings.hpp"
 #include "output/disc_file.hpp"
-#include "output/host_cells.hpp"
 #include "output/known_files.hpp"
 #include "output/safe_file.hpp"
 
@@ -68,6 +71,7 @@ ExitCode go_on(const ResumeRequest& request) {
   try {
     ended = summary.at("ended").get<std::string>();
     terms = output::terms_of(summary);
+    output::warnings_of(summary, 0);  // that they can be read
   } catch (const nlohmann::json::exception&) {
     throw BadInput(
         fmt::format("'{}' does not say what the run was asked for: it is of an older hfrac, or was changed",
@@ -92,7 +96,7 @@ ExitCode go_on(const ResumeRequest& request) {
   catch_interrupts();
   std::vector<std::string> damaged;
   const auto checkpoint = output::CheckpointFolder(folder).newest(damaged);
-  for (const auto& text : damaged) fmt::print(stderr, "hfrac: {}\n", text);
+  for (const auto& text : damaged) tell("hfrac: {}\n", text);
   if (!checkpoint && !request.quiet) fmt::print("no checkpoint: the run starts from its beginning again\n");
   if (checkpoint && terms.steps >= 0 && checkpoint->step > terms.steps) {
     throw BadInput(
@@ -102,13 +106,19 @@ ExitCode go_on(const ResumeRequest& request) {
 
   ProgressLine line(request.quiet);
   output::RunFolder run(folder, terms);
-  const auto sim = build_model(definition, line);
+  Warnings warnings(run, line, request.quiet);
+  for (const auto& text : unlikely_values(definition)) warnings.add(text);
+  const auto sim = build_model(definition, (folder / "case.toml").string(), line, warnings);
   if (!sim) {
-    fmt::print(stderr, "hfrac: interrupted during the initial equilibration; nothing was changed\n");
+    tell("hfrac: interrupted during the initial equilibration; nothing was changed\n");
     return kInterrupted;
   }
-  if (!terms.grid.empty()) output::lay_grid(sim.get(), terms.grid);
-  if (checkpoint) restore(sim.get(), *checkpoint, folder);
+  lay_grid(sim.get(), terms);
+  if (checkpoint) {
+    restore(sim.get(), *checkpoint, folder);
+    for (const auto& warning : output::warnings_of(summary, checkpoint->step))
+      run.add_warning(warning.step, warning.text);
+  }
   definition.given_discs = nullptr;  // the model has its own copy
   definition.given_disc_count = 0;
   definition.given_bonds = nullptr;
@@ -132,7 +142,7 @@ void add_resume(CLI::App& program, Action& action) {
   auto request = std::make_shared<ResumeRequest>();
   command->add_option("DIR", request->folder, "Run folder")->required();
   command->add_option("--steps", request->steps, "Go on to this step, also beyond the end of a complete run")
-      ->check(CLI::NonNegativeNumber);
+      ->check(count_number());
   command->add_option("--workers", request->workers, "Worker threads; results do not depend on it")
       ->check(CLI::Range(1, 256));
   command->add_flag("-q,--quiet", request->quiet, "Print nothing unless something goes wrong");

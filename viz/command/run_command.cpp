@@ -5,13 +5,17 @@
 #include <filesystem>
 
 #include "command/commands.hpp"
+#include "command/numbers.hpp"
 #include "command/runner.hpp"
+#include "command/standard_streams.hpp"
 #include "command/summary_text.hpp"
 #include "output/safe_file.hpp"
 
 namespace hfrac::command {
 
-void print_result(const std::filesystem::path& folder, bool complete) {
+namespace {
+
+void print_table(const std::filesystem::path& folder, bool complete) {
   const auto summary = nlohmann::json::parse(output::read_whole(folder / "summary.json"));
   fmt::print("{}", summary_text(summary));
   if (!complete) return;
@@ -21,6 +25,19 @@ void print_result(const std::filesystem::path& folder, bool complete) {
 #ifdef HFRAC_WITH_RENDERER
   fmt::print("  {:18} hfrac render {}\n", "pictures", folder.string());
 #endif
+}
+
+}  // namespace
+
+// The result of a run is its folder, and the exit code speaks of that: a workflow that is told of a failure removes it.
+void print_result(const std::filesystem::path& folder, bool complete) {
+  try {
+    print_table(folder, complete);
+    flush_results();
+  } catch (const std::exception& error) {
+    drop_results();
+    tell("hfrac: '{}' is written, but what is in it cannot be told: {}\n", folder.string(), error.what());
+  }
 }
 
 namespace {
@@ -57,10 +74,10 @@ void add_run(CLI::App& program, Action& action) {
                    "Cells of a reservoir simulator, for cells.csv and Eclipse include files: NX NY DX DY [X0 "
                    "Y0 [DEGREES]] in m; "
                    "in the middle of the model without X0 Y0")
-      ->expected(4, 7)
+      ->expected(4, 100)  // how many it takes is said in words
       ->type_name("NUMBERS");
   command->add_option("--steps", request->steps, "Take this many steps, whatever the case says")
-      ->check(CLI::NonNegativeNumber);
+      ->check(count_number());
   command->add_option("--workers", request->workers, "Worker threads; results do not depend on it")
       ->check(CLI::Range(1, 256));
   command
@@ -71,8 +88,10 @@ void add_run(CLI::App& program, Action& action) {
   command
       ->add_option("--checkpoint-steps", request->checkpoint_steps,
                    "Steps between checkpoints; 0: none by steps")
-      ->check(CLI::NonNegativeNumber)
+      ->check(count_number())
       ->type_name("STEPS");
+  command->add_flag("--no-space-check", request->no_space_check,
+                    "Begin even if the disk has no room for all that the case asks for");
   command->add_flag("--overwrite", request->overwrite, "Remove the files of an earlier run in DIR first");
 #ifdef HFRAC_WITH_RENDERER
   command->add_flag("--movie", request->movie, "Draw DIR/pictures/movie.mp4 while the run goes on");

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "command/interrupt.hpp"
@@ -13,6 +14,7 @@
 #include "output/safe_file.hpp"
 #ifdef HFRAC_WITH_RENDERER
 #include "command/movie_thread.hpp"
+#include "command/standard_streams.hpp"
 #endif
 
 namespace hfrac::command {
@@ -25,8 +27,8 @@ int32_t show_setup(void* line, double fraction, const char* what) {
 }
 
 ExitCode report_failure(const output::RunFolder& folder, const std::string& why) {
-  fmt::print(stderr, "hfrac: the run failed: {}\n", why);
-  fmt::print(stderr, "hfrac: {} complete snapshot(s) in '{}' stay readable\n", folder.snapshots(),
+  tell("hfrac: the run failed: {}\n", why);
+  tell("hfrac: {} complete snapshot(s) in '{}' stay readable\n", folder.snapshots(),
              folder.path().string());
   return kRunFailed;
 }
@@ -35,9 +37,21 @@ ExitCode report_failure(const output::RunFolder& folder, const std::string& why)
 /** A run without its movie is still a good run. */
 void report_movie(const std::string& failure) {
   if (!failure.empty())
-    fmt::print(stderr, "hfrac: the run is complete, but there is no movie: {}\n", failure);
+    tell("hfrac: the run is complete, but there is no movie: {}\n", failure);
 }
 #endif
+
+/** The state is safe by then, so `hfrac export` can write the cells once there is room for them. */
+bool write_cells(hfrac_sim* sim, const output::RunFolder& folder, const output::RunTerms& terms) {
+  if (terms.grid.empty()) return true;
+  try {
+    output::write_cells(sim, std::llround(terms.grid[0]), folder.path());
+    return true;
+  } catch (const std::runtime_error& error) {
+    tell("hfrac: the run is complete, but its cells are not written: {}\n", error.what());
+    return false;
+  }
+}
 
 ExitCode take_steps_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_def& definition,
                            const output::RunTerms& terms, ProgressLine& line) {
@@ -48,14 +62,14 @@ ExitCode take_steps_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfra
   const auto why = take_steps(sim, folder, definition, terms.steps, line);
   // Before the snapshot of the interruption, which an uninterrupted run would not have.
   if (why.interrupted) save_checkpoint(sim, folder, line);
-  if (!terms.grid.empty()) output::write_cells(sim, std::llround(terms.grid[0]), folder.path());
   folder.finish(sim, why.text);
   line.end();
+  if (!write_cells(sim, folder, terms)) return kRunFailed;
 #ifdef HFRAC_WITH_RENDERER
   if (movie) report_movie(movie->finish());
 #endif
   if (!why.interrupted) return kGood;
-  fmt::print(stderr,
+  tell(
              "hfrac: interrupted; everything up to the last whole step is in '{0}'; hfrac resume {0}\n",
              folder.path().string());
   return kInterrupted;
@@ -63,7 +77,9 @@ ExitCode take_steps_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfra
 
 }  // namespace
 
-Simulation build_model(hfrac_sim_def definition, ProgressLine& line) {
+Simulation build_model(hfrac_sim_def definition, const std::string& case_file, ProgressLine& line,
+                       Warnings& warnings) {
+  warnings.listen(definition);
   definition.progress = show_setup;
   definition.progress_user = &line;
   hfrac_sim* sim = nullptr;
@@ -72,9 +88,25 @@ Simulation build_model(hfrac_sim_def definition, ProgressLine& line) {
   line.end();
   if (status == HFRAC_STOPPED) return nullptr;
   if (status == HFRAC_ERR_MODEL || status == HFRAC_ERR_ARGUMENT)
-    throw BadInput(output::error_text(status, nullptr));
+    throw BadInput(fmt::format("{}: {}", case_file, output::error_text(status, nullptr)));
   output::require(status, nullptr);
+  warnings.listen(sim);
   return simulation;
+}
+
+void lay_grid(hfrac_sim* sim, const output::RunTerms& terms) {
+  if (terms.grid.empty()) return;
+  try {
+    output::lay_grid(sim, terms.grid);
+  } catch (const output::EngineError& error) {
+    throw BadInput(fmt::format("--grid: {}", error.what()));
+  }
+  if (output::grid_covers_model(sim)) return;
+  const auto definition = output::definition_of(sim);
+  throw BadInput(fmt::format(
+      "--grid: no cell covers any of the model, which reaches from (0, 0) to ({:g}, {:g}) m; leave X0 Y0 out to have the "
+      "grid in its middle",
+      definition.model_width, definition.model_height));
 }
 
 ExitCode run_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_def& definition,

@@ -7,9 +7,11 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "command/exit_code.hpp"
 #include "command/progress_line.hpp"
+#include "command/warnings.hpp"
 #include "output/run_folder.hpp"
 
 namespace hfrac::command {
@@ -19,8 +21,13 @@ struct DestroySimulation {
 };
 using Simulation = std::unique_ptr<hfrac_sim, DestroySimulation>;
 
-/** Builds the model; no simulation if the user interrupted. Throws BadInput or EngineError. */
-Simulation build_model(hfrac_sim_def definition, ProgressLine& line);
+/** Builds the model of `case_file`; no simulation if the user interrupted. Throws BadInput or EngineError. */
+Simulation build_model(hfrac_sim_def definition, const std::string& case_file, ProgressLine& line,
+                       Warnings& warnings);
+
+/** Lays the grid of the terms, if there is one. Throws BadInput if nothing of the model lies in it: at the end of the run there
+ * would be nothing to write. */
+void lay_grid(hfrac_sim* sim, const output::RunTerms& terms);
 
 /** Brings the folder to where `sim` is (`begin`), takes the steps, writes what there is to write, draws the movie if the
  * terms say so, and tells how it went. */

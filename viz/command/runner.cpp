@@ -9,10 +9,14 @@
 
 #include "command/case_file.hpp"
 #include "command/interrupt.hpp"
+#include "command/numbers.hpp"
 #include "command/progress_line.hpp"
+#include "command/run_size.hpp"
 #include "command/run_to_end.hpp"
+#include "command/standard_streams.hpp"
+#include "command/unlikely_values.hpp"
+#include "command/warnings.hpp"
 #include "output/disc_file.hpp"
-#include "output/host_cells.hpp"
 #include "output/known_files.hpp"
 #include "output/run_folder.hpp"
 #include "output/safe_file.hpp"
@@ -32,6 +36,7 @@ void refuse_earlier_run(const RunRequest& request) {
 }  // namespace
 
 ExitCode carry_out(const RunRequest& request) {
+  require_grid(request.grid);
   std::vector<double> discs;
   std::vector<int64_t> bonds;
   try {
@@ -44,22 +49,23 @@ ExitCode carry_out(const RunRequest& request) {
   if (request.checkpoint_every >= 0.0) definition.output_checkpoint_every = request.checkpoint_every;
   if (request.checkpoint_steps >= 0) definition.output_checkpoint_steps = request.checkpoint_steps;
   refuse_earlier_run(request);
+  const auto size = size_of_run(definition, request.steps);
+  if (!request.no_space_check) require_room(size, request.folder);
   output::FolderClaim claim(request.folder);
   catch_interrupts();
 
   ProgressLine line(request.quiet);
   const output::RunTerms terms{request.steps, request.grid, request.movie};
   output::RunFolder folder(request.folder, terms);
-  const auto sim = build_model(definition, line);
+  Warnings warnings(folder, line, request.quiet);
+  for (const auto& text : unlikely_values(definition)) warnings.add(text);
+  if (!request.quiet) tell("hfrac: will write {}\n", size_text(size));
+  const auto sim = build_model(definition, request.case_file, line, warnings);
   if (!sim) {
-    fmt::print(stderr, "hfrac: interrupted during the initial equilibration; nothing was written\n");
+    tell("hfrac: interrupted during the initial equilibration; nothing was written\n");
     return kInterrupted;
   }
-  try {
-    if (!request.grid.empty()) output::lay_grid(sim.get(), request.grid);
-  } catch (const output::EngineError& error) {
-    throw BadInput(fmt::format("--grid: {}", error.what()));
-  }
+  lay_grid(sim.get(), terms);
   output::remove_files_of_a_run(request.folder);
   definition.given_discs = nullptr;  // the model has its own copy
   definition.given_disc_count = 0;

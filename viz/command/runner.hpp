@@ -25,6 +25,7 @@ struct RunRequest {
   bool overwrite = false;
   bool quiet = false;
   bool movie = false;  ///< draw it while the run goes on
+  bool no_space_check = false;
 };
 
 /** Runs it. Failures that leave something readable are told here; others are thrown. */

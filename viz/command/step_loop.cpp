@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "command/interrupt.hpp"
+#include "command/standard_streams.hpp"
 
 namespace hfrac::command {
 namespace {
@@ -134,7 +135,7 @@ void save_checkpoint(hfrac_sim* sim, output::RunFolder& folder, ProgressLine& li
     folder.checkpoint(sim);
   } catch (const std::runtime_error& error) {
     line.end();
-    fmt::print(stderr, "hfrac: no checkpoint, the earlier ones stand: {}\n", error.what());
+    tell("hfrac: no checkpoint, the earlier ones stand: {}\n", error.what());
   }
 }
 

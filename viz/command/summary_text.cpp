@@ -14,6 +14,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr size_t kWarningsShown = 3;
+
 /** A number of the summary; NaN, which JSON writes as null, stays NaN. */
 double number(const json& part, const char* key) {
   const auto& value = part.at(key);
@@ -41,18 +43,31 @@ double energy_scale(const json& balance) {
 }  // namespace
 
 std::string summary_text(const json& summary) {
+  return summary_text(summary, summary.at("ended").get<std::string>());
+}
+
+std::string summary_text(const json& summary, const std::string& ended) {
   const auto& state = summary.at("state");
   const auto& balance = summary.at("balance");
   const auto& longest = summary.at("longest_fracture");
   std::string text;
   if (const auto title = summary.at("title").get<std::string>(); !title.empty()) text += line("title", title);
-  text += line("ended", summary.at("ended").get<std::string>());
+  text += line("ended", ended);
   text += line("steps", fmt::format("{} ({:g} s of model time, {} snapshots, {} of wall time)",
                                     state.at("step").get<int64_t>(), number(state, "time_s"),
                                     summary.at("snapshots").get<int64_t>(),
                                     readable_duration(number(summary, "wall_seconds"))));
   if (const auto restless = summary.at("steps_not_at_rest").get<int64_t>(); restless > 0)
     text += line("not at rest", fmt::format("{} steps ended before their mechanics came to rest", restless));
+  size_t told = 0;
+  const auto warnings = summary.value("warnings", json::array());
+  for (const auto& warning : warnings) {
+    if (told++ == kWarningsShown) {
+      text += line("", fmt::format("and {} more in summary.json", warnings.size() - kWarningsShown));
+      break;
+    }
+    text += line("warning", warning.at("text").get<std::string>());
+  }
   text += line("discs, bonds", fmt::format("{}, {}", state.at("disc_count").get<int64_t>(),
                                            state.at("bond_count").get<int64_t>()));
   text += line(

@@ -9,4 +9,7 @@ namespace hfrac::command {
 
 std::string summary_text(const nlohmann::json& summary);
 
+/** The same with other words for how the run ended. */
+std::string summary_text(const nlohmann::json& summary, const std::string& ended);
+
 }  // namespace hfrac::command

@@ -13,6 +13,7 @@
 
 #include "command/commands.hpp"
 #include "command/interrupt.hpp"
+#include "command/standard_streams.hpp"
 #include "web/server/page_server.hpp"
 
 namespace hfrac::command {
@@ -50,9 +51,9 @@ ExitCode view(const ViewPageRequest& request) {
                           request.port));
   catch_interrupts();
   fmt::print("{}\n", server.address());
-  std::fflush(stdout);
+  flush_results();
   if (isatty(STDERR_FILENO) != 0)
-    fmt::print(stderr, "The page shows '{}' as long as this program runs; Ctrl-C ends it.\n", request.folder);
+    tell("The page shows '{}' as long as this program runs; Ctrl-C ends it.\n", request.folder);
   if (!request.no_open) open_browser(server.address());
 
   std::thread answering([&server] { server.serve(); });

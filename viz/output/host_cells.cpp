@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -29,12 +30,27 @@ void lay_grid(hfrac_sim* sim, const std::vector<double>& numbers) {
   require(hfrac_set_grid(sim, &grid), sim);
 }
 
-std::string cell_table(hfrac_sim* sim, int64_t nx) {
+namespace {
+
+std::vector<hfrac_cell> cells_of(hfrac_sim* sim, int32_t method) {
   const auto size = static_cast<int32_t>(sizeof(hfrac_cell));
   int64_t count = 0;
-  require(hfrac_grid_cells(sim, HFRAC_UPSCALE_FLOW, size, nullptr, 0, &count), sim);
+  require(hfrac_grid_cells(sim, method, size, nullptr, 0, &count), sim);
   std::vector<hfrac_cell> cells(static_cast<size_t>(count));
-  require(hfrac_grid_cells(sim, HFRAC_UPSCALE_FLOW, size, cells.data(), count, &count), sim);
+  require(hfrac_grid_cells(sim, method, size, cells.data(), count, &count), sim);
+  return cells;
+}
+
+}  // namespace
+
+bool grid_covers_model(hfrac_sim* sim) {
+  const auto cells = cells_of(sim, HFRAC_UPSCALE_ODA);
+  return std::any_of(cells.begin(), cells.end(), [](const hfrac_cell& cell) { return cell.coverage > 0.0; });
+}
+
+std::string cell_table(hfrac_sim* sim, int64_t nx) {
+  const auto cells = cells_of(sim, HFRAC_UPSCALE_FLOW);
+  const auto count = static_cast<int64_t>(cells.size());
   std::string table =
       "i,j,area_m2,coverage,kxx_m2,kyy_m2,kxy_m2,matrix_permeability_m2,fracture_porosity,matrix_porosity,"
       "crack_count,crack_length_m,leak_off_m2_per_s,outflow_m2_per_s,pressure_Pa,fracture_pressure_Pa\n";

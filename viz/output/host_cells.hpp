@@ -14,6 +14,9 @@ namespace hfrac::output {
  * its angle [degrees]; without a corner it is put in the middle of the model. Throws EngineError if there is no such grid. */
 void lay_grid(hfrac_sim* sim, const std::vector<double>& numbers);
 
+/** Whether any of the model lies in the grid that was laid. */
+bool grid_covers_model(hfrac_sim* sim);
+
 /** Every cell of the grid as it is now, by flow through its pipes; one line each, i fastest. */
 std::string cell_table(hfrac_sim* sim, int64_t nx);
 

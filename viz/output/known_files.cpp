@@ -92,6 +92,14 @@ void FolderClaim::lock(const fs::path& folder) {
   throw FileError(fmt::format("another process is writing a run into '{}'", folder.string()));
 }
 
+bool FolderClaim::is_held(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool held = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return held;
+}
+
 FolderClaim::~FolderClaim() {
   if (lock_ >= 0) ::close(lock_);
   std::error_code ignored;

@@ -24,6 +24,9 @@ void remove_later_files(const std::filesystem::path& folder, const std::vector<i
  * run into it meanwhile; takes it back if not kept. */
 class FolderClaim {
  public:
+  /** Whether a process holds a claim on `folder` now, as far as its file system knows locks. */
+  static bool is_held(const std::filesystem::path& folder);
+
   explicit FolderClaim(const std::filesystem::path& folder);
   FolderClaim(const FolderClaim&) = delete;
   FolderClaim& operator=(const FolderClaim&) = delete;

@@ -80,6 +80,10 @@ void RunFolder::checkpoint(hfrac_sim* sim) {
   last_checkpoint_step_ = checkpoint.step;
 }
 
+void RunFolder::add_warning(int64_t step, std::string text) {
+  if (course_.warnings.size() < kMostWarnings) course_.warnings.push_back({step, std::move(text)});
+}
+
 void RunFolder::record_step(hfrac_sim* sim) {
   append_whole(folder_ / "history.csv", history_row(sim));
   if (state_of(sim).at_rest == 0) ++course_.steps_not_at_rest;

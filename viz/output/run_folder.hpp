@@ -36,6 +36,9 @@ class RunFolder {
   /** Writes a checkpoint of now; call it after whole steps only. Throws FileError or EngineError. */
   void checkpoint(hfrac_sim* sim);
 
+  /** Notes a warning for the summary. */
+  void add_warning(int64_t step, std::string text);
+
   /** Adds the line of the step just taken to the history. */
   void record_step(hfrac_sim* sim);
 

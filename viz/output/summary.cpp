@@ -102,6 +102,15 @@ json planned_part(const hfrac_sim_def& definition) {
 
 }  // namespace
 
+std::vector<Warning> warnings_of(const nlohmann::json& summary, int64_t last) {
+  std::vector<Warning> warnings;
+  for (const auto& one : summary.value("warnings", nlohmann::json::array())) {
+    const auto step = one.at("step").get<int64_t>();
+    if (step > 0 && step <= last) warnings.push_back({step, one.at("text").get<std::string>()});
+  }
+  return warnings;
+}
+
 RunTerms terms_of(const nlohmann::json& summary) {
   const auto& request = summary.at("request");
   return {request.at("steps").get_ref<const json::number_integer_t&>(),
@@ -121,6 +130,9 @@ json make_summary(const SnapshotFrame& frame, const RunCourse& course) {
   summary["wall_seconds"] = course.wall_seconds;
   summary["snapshots"] = course.snapshots;
   summary["steps_not_at_rest"] = course.steps_not_at_rest;
+  summary["warnings"] = json::array();
+  for (const auto& warning : course.warnings)
+    summary["warnings"].push_back({{"step", warning.step}, {"text", warning.text}});
   summary["request"] = {
       {"steps", course.terms.steps}, {"grid", course.terms.grid}, {"movie", course.terms.movie}};
   summary["planned"] = planned_part(definition);

@@ -17,14 +17,27 @@ struct RunTerms {
   bool movie = false;        ///< drawn while the run goes on
 };
 
+/** What the library warned of, or the program of the case. */
+struct Warning {
+  int64_t step = 0;  ///< steps taken then; 0: during the initial equilibration
+  std::string text;
+};
+
+/** So many warnings are kept; steps that did not come to rest are counted beside. */
+inline constexpr size_t kMostWarnings = 20;
+
 /** How the run itself went, beside what the engine knows. */
 struct RunCourse {
   std::string ended = "running";  ///< "running" while it goes on, else why it ended
   double wall_seconds = 0.0;      ///< since the start of set-up
   int64_t snapshots = 0;          ///< complete ones
   int64_t steps_not_at_rest = 0;  ///< steps whose mechanics did not reach stepping.force_ratio
+  std::vector<Warning> warnings;  ///< the first kMostWarnings
   RunTerms terms;
 };
+
+/** The warnings in a summary, up to step `last`; those of set-up, which is done anew, left out. */
+std::vector<Warning> warnings_of(const nlohmann::json& summary, int64_t last);
 
 /** The terms in a summary. Throws nlohmann::json::exception if there are none. */
 RunTerms terms_of(const nlohmann::json& summary);

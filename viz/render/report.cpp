@@ -100,6 +100,7 @@ std::string report_page(const std::filesystem::path& folder) {
   std::string page = page_head(title) + "<header>\n<h1>" + escaped(title) +
                      "</h1>\n<p>Ended: " + escaped(text_at(summary, "ended")) + "</p>\n" +
                      key_numbers(summary) + "</header>\n";
+  page += warning_list(summary);
   page += pictures(drawn) + movie(drawn) + charts(drawn);
   page += "<h2 id=\"fractures\">Fractures</h2>\n" + fracture_table(summary);
   page += "<h2 id=\"wells\">Wells</h2>\n" + well_table(summary);

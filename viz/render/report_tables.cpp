@@ -89,6 +89,12 @@ std::string key_numbers(const json& summary) {
          tile(shown_count(number_at(summary, "state.bond_count")), "bonds") + "</div>\n";
 }
 
+std::string warning_list(const json& summary) {
+  std::string text;
+  for (const json& one : list_at(summary, "warnings")) text += "<li>" + escaped(text_at(one, "text")) + "</li>\n";
+  return text.empty() ? text : "<h2 id=\"warnings\">Warnings</h2>\n<ul>\n" + text + "</ul>\n";
+}
+
 std::string fracture_table(const json& summary) {
   std::vector<std::vector<std::string>> rows = {{"fracture", "cracks", "in tension", "length (m)",
                                                  "extent (m)", "reach (m)", "wings", "azimuth (\xC2\xB0)",

@@ -13,6 +13,8 @@ double number_at(const nlohmann::json& summary, const std::string& path);
 std::string text_at(const nlohmann::json& summary, const std::string& path);
 
 std::string key_numbers(const nlohmann::json& summary);
+// What the library warned of; empty if of nothing.
+std::string warning_list(const nlohmann::json& summary);
 std::string fracture_table(const nlohmann::json& summary);
 std::string well_table(const nlohmann::json& summary);
 std::string balance_tables(const nlohmann::json& summary);

@@ -918,6 +918,10 @@ SIGNATURES = {
     "hfrac_sim_def_check": (
         ctypes.POINTER(hfrac_sim_def),
     ),
+    "hfrac_sim_def_check_file": (
+        ctypes.POINTER(hfrac_sim_def),
+        ctypes.c_char_p,
+    ),
     "hfrac_sim_def_set_f64": (
         ctypes.POINTER(hfrac_sim_def),
         ctypes.c_char_p,

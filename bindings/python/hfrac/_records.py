@@ -718,7 +718,8 @@ class LabReport(NamedTuple):
 class Calibration(NamedTuple):
     """What a calibration came to. Arrays are in the order of hfrac_targets, NaN where not asked."""
 
-    #: 1: all targets reached; 0: `text` says which not
+    #: 1: all targets reached, within a tenth on other packings or two standard errors of their mean; 0: `text`
+    #: says which not
     reached: int
     #: mean over as many packings again, not those calibrated on
     achieved: Tuple[float, float, float, float, float, float]

@@ -400,6 +400,9 @@ HFRAC_API int32_t hfrac_sim_def_write(const hfrac_sim_def *def, char *buffer, in
 /** Refuses what cannot be built: values out of range, contradictory stresses, wells outside the model or
  * overlapping, and so on; the text (hfrac_last_error(NULL, ...)) names the fix. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_def_check(const hfrac_sim_def *def);
+/** The same for a definition that was read from the case file `path`: the text begins with the file, and with the line of the
+ * first value it names that the file has (HFRAC_ERR_CASE_FILE). Unstable since 0.1. */
+HFRAC_UNSTABLE_API int32_t hfrac_sim_def_check_file(const hfrac_sim_def *def, const char *path);
 
 /** Sets an option by its key, e.g. "bond.tensile_strength", "well[0].pressure", "joint[0].x1" or "schedule[0].time". The first
  * value of the well, joint or entry after the last one adds it; a well's centre is then the model's, as wide and high as it is

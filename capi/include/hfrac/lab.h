@@ -140,7 +140,7 @@ HFRAC_UNSTABLE_API int32_t hfrac_targets_init(hfrac_targets *targets, int32_t st
 /** What a calibration came to. Arrays are in the order of hfrac_targets, NaN where not asked. Set struct_size before the call. */
 typedef struct hfrac_calibration {
   int32_t struct_size;                   /**< sizeof(hfrac_calibration) of the caller */
-  int32_t reached;                       /**< 1: all targets reached; 0: `text` says which not */
+  int32_t reached;                       /**< 1: all targets reached, within a tenth on other packings or two standard errors of their mean; 0: `text` says which not */
   double achieved[HFRAC_MACRO_COUNT];    /**< mean over as many packings again, not those calibrated on */
   double spread[HFRAC_MACRO_COUNT];      /**< standard deviation over them */
   double lowest[HFRAC_MACRO_COUNT];      /**< least that can be had with the other targets as they are; NaN: no bound known */

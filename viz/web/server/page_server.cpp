@@ -16,6 +16,7 @@
 #include "web/server/guards.hpp"
 #include "web/server/page_files.hpp"
 #include "web/server/run_index.hpp"
+#include "web/server/waiting_room.hpp"
 
 namespace hfrac::web {
 namespace fs = std::filesystem;
@@ -28,6 +29,7 @@ using httplib::Response;
 constexpr const char* kLoopback = "127.0.0.1";
 constexpr size_t kCacheBytes = 512U << 20U;
 constexpr size_t kThreads = 12;  // browsers keep six connections open
+constexpr int kMostRequests = 1000;  // on one connection
 constexpr const char* kPlain = "text/plain; charset=utf-8";
 constexpr const char* kCsv = "text/csv; charset=utf-8";
 constexpr const char* kJson = "application/json";
@@ -42,6 +44,7 @@ const httplib::Headers kHeaders = {{"Content-Security-Policy",
                                    {"Cross-Origin-Opener-Policy", "same-origin"},
                                    {"Referrer-Policy", "no-referrer"},
                                    {"X-Content-Type-Options", "nosniff"},
+                                   {"Accept-Ranges", "none"},
                                    {"Cache-Control", "no-store"}};
 
 void answer(Response& response, std::string body, const char* type) {
@@ -52,6 +55,7 @@ void answer(Response& response, std::string body, const char* type) {
   }
   response.set_content_provider(
       kept->size(), type, [kept](size_t offset, size_t length, httplib::DataSink& sink) {
+        if (offset > kept->size()) return false;
         return sink.write(kept->data() + offset, std::min(length, kept->size() - offset));
       });
 }
@@ -114,6 +118,48 @@ void answer_history(const fs::path& folder, const Request& request, Response& re
   answer(response, std::move(text), kCsv);
 }
 
+/** The library's server, with a waiting room in place of a thread for every connection. */
+class PatientServer : public httplib::Server {
+ public:
+  PatientServer() {
+    new_task_queue = [this] { return new Queue(room_, *this); };  // the server deletes it
+  }
+
+  /** The library has five connections wait to be accepted; one beyond that tries again after a second. */
+  void lengthen_queue() { ::listen(svr_sock_, 512); }
+
+ private:
+  /** The library queues the handling of each accepted socket, which here only hands it on. */
+  class Queue : public httplib::TaskQueue {
+   public:
+    Queue(std::unique_ptr<WaitingRoom>& room, PatientServer& server) : room_(room) {
+      room_ = std::make_unique<WaitingRoom>(
+          kThreads, [&server](Connection& connection) { return server.answer_one(connection); });
+    }
+    void enqueue(std::function<void()> hand_on) override { hand_on(); }
+    void shutdown() override { room_.reset(); }
+
+   private:
+    std::unique_ptr<WaitingRoom>& room_;
+  };
+
+  bool process_and_close_socket(socket_t socket) override {
+    room_->take(socket);
+    return true;
+  }
+
+  bool answer_one(Connection& connection) {
+    ConnectionStream stream(connection);
+    // What follows the head of any other request is its body, not the next request.
+    const bool reads = connection.received.starts_with("GET ") || connection.received.starts_with("HEAD ");
+    const bool last = !reads || ++connection.requests >= kMostRequests;
+    bool closed = last;
+    return process_request(stream, last, closed, nullptr) && !closed && !last;
+  }
+
+  std::unique_ptr<WaitingRoom> room_;
+};
+
 }  // namespace
 
 struct PageServer::Parts {
@@ -124,7 +170,7 @@ struct PageServer::Parts {
   int port = 0;
   std::atomic<bool> ended = false;
   GridCache cache{kCacheBytes};
-  httplib::Server http;
+  PatientServer http;
 
   std::shared_ptr<const Grid> grid_of(const Request& request) {
     const auto file = file_inside(folder, request.get_param_value("file"));
@@ -149,6 +195,8 @@ struct PageServer::Parts {
   }
 
   void add_page() {
+    // The page's own addresses are relative to the folder that its address names.
+    route("", [this](const Request&, Response& response) { response.set_redirect("/" + key + "/"); });
     for (const PageFile& file : page_files()) {
       const auto give = [file](const Request&, Response& response) {
         answer(response, std::string(file.bytes), file.type.data());
@@ -182,8 +230,8 @@ struct PageServer::Parts {
   }
 
   void set_up() {
-    http.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };  // the server deletes it
     http.set_default_headers(kHeaders);
+    http.set_keep_alive_max_count(kMostRequests);
     http.set_tcp_nodelay(true);
     // The library's own choice lets two servers share a port without a word.
     http.set_socket_options([](socket_t socket) {
@@ -199,6 +247,8 @@ struct PageServer::Parts {
         refuse(response, 405, "this server only reads");
         return httplib::Server::HandlerResponse::Handled;
       }
+      // The library sends what lies beyond an answer if a range says so; answers are whole, whatever is asked for.
+      const_cast<Request&>(request).ranges.clear();
       return httplib::Server::HandlerResponse::Unhandled;
     });
     http.set_error_handler([](const Request&, Response& response) {
@@ -218,7 +268,9 @@ PageServer::~PageServer() = default;
 bool PageServer::bind(int port) {
   parts_->port = port;
   if (port == 0) parts_->port = parts_->http.bind_to_any_port(kLoopback);
-  return port == 0 ? parts_->port > 0 : parts_->http.bind_to_port(kLoopback, port);
+  const bool bound = port == 0 ? parts_->port > 0 : parts_->http.bind_to_port(kLoopback, port);
+  if (bound) parts_->http.lengthen_queue();
+  return bound;
 }
 
 std::string PageServer::address() const {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The page's server: reads a run folder, writes nothing, listens on 127.0.0.1 only.
 //
-//   GET /KEY/                      the page; viewer.js and viewer.css beside it
+//   GET /KEY/                      the page; viewer.js and viewer.css beside it; without the last slash: sent there
 //   GET /KEY/api/run               what there is to show (run_index.hpp)
 //   GET /KEY/api/history?from=N    history.csv from byte N to its last whole line
 //   GET /KEY/api/grid?file=F       a VTU file as a message (grid.hpp); &arrays=A,B: only these
 //   GET /KEY/api/values?file=F&of=points|cells&index=I    all values of one disc, crack, bond or domain
 //   GET /KEY/files/F               a file of the run, to be saved
 //
-// Everything else is 404, other methods 405, other hosts 403 (guards.hpp). Errors are one sentence of text.
+// Answers are whole: ranges are not served. Everything else is 404, other methods 405, other hosts 403 (guards.hpp). Errors are one sentence of text.
 #pragma once
 
 #include <filesystem>

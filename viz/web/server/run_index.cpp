@@ -120,6 +120,8 @@ json describe_run(const fs::path& folder) {
   if (!summary.is_object()) summary = nullptr;
   json index;
   index["folder"] = fs::absolute(folder).lexically_normal().filename().string();
+  std::error_code error;
+  index["there"] = fs::is_directory(folder, error);
   index["identity"] = identity_of(folder);
   index["running"] = summary.is_object() && summary.value("ended", "") == "running";
   index["age_s"] = age_of(folder);

@@ -10,6 +10,7 @@ namespace hfrac::web {
 /** A folder in which nothing was written yet gives an index without snapshots; so does one of a run that is
  * about to be overwritten. Never throws for what is in the folder.
  *
+ *   there       whether the folder exists now
  *   identity    differs between two runs in the same folder, one after the other
  *   running     summary.json says so; a killed run says so for ever, hence
  *   age_s       seconds since the history was last written; -1 if there is none

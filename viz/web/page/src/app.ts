@@ -54,7 +54,8 @@ export class App {
   private async update(index: RunIndex): Promise<void> {
     const old = this.index;
     const another = old !== null && old.identity !== index.identity;
-    if (another) this.forget();
+    const emptied = !!old?.snapshots.length && !index.snapshots.length;
+    if (another || emptied) this.forget();
     const grown = another || !old || index.snapshots.length !== old.snapshots.length;
     this.index = index;
     const summary = index.summary;
@@ -63,10 +64,13 @@ export class App {
     document.title = `${summary?.title || index.folder} · hfrac`;
     showStateOf(index);
     if (await this.history.update()) this.curves.draw();
-    if (!grown && old && JSON.stringify(old.summary) === JSON.stringify(summary)) return;
+    if (!grown && old && old.there === index.there && JSON.stringify(old.summary) === JSON.stringify(summary)) return;
 
     if (!index.snapshots.length) {
       this.player.setCount(0);
+      showFractures(null, () => undefined);
+      if (!index.there)
+        return showNotice('The folder is gone', `${index.folder} is not there any more. This page shows the run as soon as it is back.`);
       return showNotice('Nothing to show yet', 'The run has not written a snapshot. This page shows it as soon as there is one.');
     }
     const follow = find<HTMLInputElement>('follow');
@@ -89,6 +93,11 @@ export class App {
     this.history.clear();
     this.selection.clear();
     this.camera.clear();
+    find('when').textContent = '';
+    document.body.dataset.shown = '';
+    find('figures-section').hidden = true;
+    this.curves.draw();
+    this.redraw();
   }
 
   // --- moments -------------------------------------------------------------------------------------------
@@ -149,6 +158,7 @@ export class App {
       // Cracks keep a least width in pixels, so they depend on the zoom.
       const zoomed = this.view.metresPerPixel() / this.paintedAt;
       if (zoomed > 1.25 || zoomed < 0.8) this.paint();
+      find('gl').hidden = !this.moments.now;  // what is drawn there is of a run that is gone
       this.scene.draw();
       // Where the model is on the screen, for the page's tests.
       find('stage').dataset.view = `${this.view.x} ${this.view.y} ${this.view.metresPerPixel()}`;

@@ -65,5 +65,11 @@ export function listenToDownloads(fill: () => void): void {
     if (!(event.target as Element).closest('.menu')) open(false);
   });
   sheet.addEventListener('click', () => open(false));
-  sheet.addEventListener('keydown', (event) => event.key === 'Escape' && open(false));
+  // Wherever the focus is, and before the page's own Escape, which clears the selection.
+  document.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape' || sheet.hidden) return;
+    event.stopPropagation();
+    open(false);
+    button.focus();
+  }, true);
 }

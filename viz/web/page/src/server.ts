@@ -41,6 +41,7 @@ export interface Summary {
 
 export interface RunIndex {
   folder: string;
+  there: boolean;
   identity: string;
   running: boolean;
   age_s: number;

@@ -16,7 +16,8 @@ export function showStatus(words: string, kind: Kind, title = ''): void {
 }
 
 /** What has become of the run, as far as its files tell. */
-export function showStateOf({ summary, running, age_s }: RunIndex): void {
+export function showStateOf({ there, summary, running, age_s }: RunIndex): void {
+  if (!there) return showStatus('folder is gone', 'lost');
   if (!summary) return showStatus('waiting', 'waiting');
   if (!running) {
     const failed = summary.ended?.startsWith('failed') || summary.ended === 'interrupted';

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command/unlikely_values.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "command/exit_code.hpp"
+#include "output/engine_call.hpp"
+
+namespace hfrac::command {
+namespace {
+
+/** A size that no rock, fluid or well has, and the power of ten that was forgotten below it. */
+struct Least {
+  double size;
+  const char* power;
+};
+constexpr Least kPressure = {1e4, "e6"};   // a tenth of the atmosphere's, against MPa
+constexpr Least kModulus = {1e6, "e9"};    // softer than rubber, against GPa
+constexpr Least kStiffness = {1e6, "e9"};  // N/m of a disc a metre thick, against GN/m
+constexpr Least kToughness = {1e3, "e6"};  // Pa m^0.5, against MPa m^0.5
+constexpr Least kForce = {1e3, "e6"};      // N, against MN
+
+bool too_small(double value, const Least& least) {
+  return value != 0.0 && std::abs(value) < least.size;
+}
+
+std::string did_you_mean(double value, const Least& least) {
+  return fmt::format("values are in SI units, did you mean {:g}{}?", value, least.power);
+}
+
+struct Suspect {
+  const char *key, *unit;
+  Least least;
+};
+constexpr std::array<Suspect, 13> suspects = {{{"stress.sigma_Hmax", "Pa", kPressure},
+                                               {"stress.sigma_hmin", "Pa", kPressure},
+                                               {"fluid.formation_pressure", "Pa", kPressure},
+                                               {"initial.well_pressure", "Pa", kPressure},
+                                               {"bond.tensile_strength", "Pa", kPressure},
+                                               {"bond.shear_strength", "Pa", kPressure},
+                                               {"bond.fracture_toughness", "Pa m^0.5", kToughness},
+                                               {"fluid.bulk_modulus", "Pa", kModulus},
+                                               {"initial.youngs_modulus", "Pa", kModulus},
+                                               {"contact.normal_stiffness", "N/m", kStiffness},
+                                               {"contact.shear_stiffness", "N/m", kStiffness},
+                                               {"bond.normal_stiffness", "N/m", kStiffness},
+                                               {"flow.half_aperture_force", "N", kForce}}};
+
+}  // namespace
+
+std::vector<std::string> unlikely_values(const hfrac_sim_def& definition) {
+  std::vector<std::string> told;
+  const auto look = [&](const std::string& key, double value, const char* unit, const Least& least) {
+    if (too_small(value, least))
+      told.push_back(fmt::format("{} = {:g} {} is very little; {}", key, value, unit, did_you_mean(value, least)));
+  };
+  for (const Suspect& one : suspects) {
+    double value = 0.0;
+    output::require(hfrac_sim_def_get_f64(&definition, one.key, &value), nullptr);
+    look(one.key, value, one.unit, one.least);
+  }
+  for (int64_t i = 0; i < definition.well_count; ++i)
+    if (definition.wells[i].control != HFRAC_WELL_RATE)
+      look(fmt::format("well[{}].pressure", i), definition.wells[i].pressure, "Pa", kPressure);
+  for (int64_t i = 0; i < definition.schedule_count; ++i)
+    if (definition.schedule[i].control != HFRAC_WELL_RATE)
+      look(fmt::format("schedule[{}].value", i), definition.schedule[i].value, "Pa", kPressure);
+  return told;
+}
+
+void require_likely_targets(const hfrac_targets& t) {
+  const auto look = [](const char* option, double value, const char* unit, const Least& least) {
+    if (!std::isnan(value) && value > 0.0 && too_small(value, least))
+      throw BadInput(fmt::format("{} {:g} is {:g} {}, which no rock has; {}", option, value, value, unit,
+                                 did_you_mean(value, least)));
+  };
+  look("--E", t.modulus, "Pa", kModulus);
+  look("--ucs", t.compressive_strength, "Pa", kPressure);
+  look("--tension", t.tensile_strength, "Pa", kPressure);
+  look("--K", t.toughness, "Pa m^0.5", kToughness);
+  constexpr double darcy = 9.869233e-13;  // m2
+  if (!std::isnan(t.permeability) && t.permeability > 1e-6)
+    throw BadInput(fmt::format("--permeability {:g} is {:g} m2, which no rock has; values are in SI units: {:g} mD are {:.4g} m2",
+                               t.permeability, t.permeability, t.permeability, t.permeability * 1e-3 * darcy));
+}
+
+}  // namespace hfrac::command
