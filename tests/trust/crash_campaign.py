@@ -249,8 +249,8 @@ def main():
     begin = shown = time.monotonic()
     wrong = []
     with tempfile.TemporaryDirectory(prefix="hfrac-crash-") as top:
+        campaign = Campaign(pathlib.Path(top), f"{request.seed}-{request.first}")
         for number in range(request.first, request.count):
-            campaign = Campaign(pathlib.Path(top), f"{request.seed}-{number}") if number == request.first else campaign
             campaign.dice = random.Random(f"{request.seed}-{number}")  # so that a trial can be had alone
             try:
                 campaign.trial(number)

@@ -169,16 +169,29 @@ double error_of(const Zone& zone, const LoadCase& load) {
          std::max(std::abs(zone.analytic), zone.weight * load.larger * (zone.sector == 2 ? 1.0 : 0.0));
 }
 
+constexpr std::array<const char*, 3> sectors{"all round", "about y", "about x"};
+
 void print(const Zone& zone, const LoadCase& load) {
-  static const char* const where[] = {"all round", "about y", "about x"};
   const double unit = zone.weight * load.larger;
   std::printf(
       "  r/a %.1f to %.1f, %-9s measured %7.4f  analytic %7.4f (no end %7.4f)  error %+5.1f %%, by measured "
       "far field %+5.1f %%\n",
-      zone.from, zone.to, where[zone.sector], zone.measured / unit, zone.analytic / unit, zone.kirsch / unit,
+      zone.from, zone.to, sectors[zone.sector], zone.measured / unit, zone.analytic / unit,
+      zone.kirsch / unit,
       100.0 * error_of(zone, load) + 100.0 * (1.0 - 1.0 / load.far_field()) * zone.measured /
                                          std::max(std::abs(zone.analytic), zone.sector == 2 ? unit : 0.0),
       100.0 * error_of(zone, load));
+}
+
+// The zone's mean hoop stress over the load; the tolerance is of the stress, about x of the load.
+void hold(const Zone& zone, const LoadCase& load, double tolerance) {
+  const double unit = zone.weight * load.larger;
+  std::array<char, 64> name{};
+  std::snprintf(name.data(), name.size(), "hoop stress over the load, r/a %.1f to %.1f, %s", zone.from,
+                zone.to, sectors[zone.sector]);
+  const double analytic = zone.analytic / unit;
+  report_absolute(name.data(), zone.measured / load.far_field() / unit, analytic,
+                  tolerance * std::max(std::abs(analytic), zone.sector == 2 ? 1.0 : 0.0));
 }
 
 void around_a_hole(int packings, double far, double near) {
@@ -213,16 +226,10 @@ void around_a_hole(int packings, double far, double near) {
         "  far field %.0f / %.0f MPa: (sigma_x + sigma_y) / 2 from 1.7 a to 5 a is %.4f of the analytic "
         "one\n",
         load->larger / 1e6, load->smaller / 1e6, load->far_field());
-    EXPECT_NEAR(load->far_field(), 1.0, 0.02);
+    report("far field as it arrives over the load", load->far_field(), 1.0, 0.02);
     for (const Zone& zone : load->zones) {
       print(zone, *load);
-      const double error = error_of(zone, *load);
-      if (zone.from >= 1.7) {
-        EXPECT_LT(std::abs(error), far)
-            << "r/a " << zone.from << " to " << zone.to << " sector " << zone.sector;
-      } else if (zone.from >= 1.3) {
-        EXPECT_LT(std::abs(error), near) << "sector " << zone.sector;
-      }
+      if (zone.from >= 1.3) hold(zone, *load, zone.from >= 1.7 ? far : near);
     }
   }
 }

@@ -3,7 +3,9 @@
 //
 // A hexagonal sheet of equal discs, elastic and isotropic, under total stresses with a seed of a well in the middle. Only the
 // bonds that cross the well's own line along sigma_Hmax may break, so the fracture is straight. The sheet's moduli follow from
-// its springs: C11 = sqrt(3)/4 (3 k_n + k_s), C12 = sqrt(3)/4 (k_n - k_s), and E' = C11 - C12^2 / C11.
+// its springs: C11 = sqrt(3)/4 (3 k_n + k_s), C12 = sqrt(3)/4 (k_n - k_s), and E' = C11 - C12^2 / C11 where pores are drained. In
+// the time a fracture takes they are not: their fluid stiffens the bulk modulus K = (C11 + C12) / 2 to K + K_f / phi (Biot
+// coefficient 1, phi the porosity), the shear modulus G = (C11 - C12) / 2 stays, and E'_u = 4 G K_u / (K_u + G).
 //
 // What the sheet makes of a slit of width w: its bonds lie at 30 degrees to the slit's normal, so their gap is w cos 30, and
 // on a length of 2 R fluid passes two pipes of length 2 R. It resists like a slit with fluid of viscosity
@@ -33,6 +35,7 @@ struct KgdCase {
 
 class KgdModel {
  public:
+  static constexpr double fluid_modulus = 1e10;  // Pa
   static constexpr double slit = 2.0 / (0.8660254037844386 * 0.8660254037844386 * 0.8660254037844386);
 
   explicit KgdModel(const KgdCase& c) : case_(c), radius_(0.5 * c.side / c.columns) {
@@ -57,7 +60,7 @@ class KgdModel {
     o.stress_sigma_hmin = c.stress;
     o.fluid_formation_pressure = c.formation;
     o.fluid_viscosity = c.viscosity;
-    o.fluid_bulk_modulus = 1e10;
+    o.fluid_bulk_modulus = fluid_modulus;
     o.contact_mode = static_cast<std::int64_t>(ContactMode::after_break);
     o.bond_normal_stiffness = o.contact_normal_stiffness = 16e9;
     o.bond_shear_stiffness = o.contact_shear_stiffness = 5.6e9;
@@ -88,10 +91,19 @@ class KgdModel {
 
   hfrac::Simulation& simulation() { return *sim_; }
   [[nodiscard]] double disc_radius() const { return radius_; }
-  static double modulus() {
+  // E' of the sheet [Pa] with drained pores, and with pores that keep their fluid.
+  struct Moduli {
+    double drained, undrained, porosity;
+  };
+  [[nodiscard]] Moduli moduli() const {
     const double kn = 16e9, ks = 5.6e9, s = std::sqrt(3.0) / 4.0;
     const double c11 = s * (3.0 * kn + ks), c12 = s * (kn - ks);
-    return c11 - c12 * c12 / c11;
+    const double bulk = 0.5 * (c11 + c12), shear = 0.5 * (c11 - c12);
+    // Every pore lies between three discs; one in the middle of the list stands for all.
+    const auto& volume = sim_->network().volume;
+    const double porosity = volume[volume.size() / 4] / (std::sqrt(3.0) * radius_ * radius_);
+    const double stiff = bulk + fluid_modulus / porosity;
+    return {c11 - c12 * c12 / c11, 4.0 * shear * stiff / (stiff + shear), porosity};
   }
   // Half length: the farthest bond that is open and has fluid beside it.
   [[nodiscard]] double half_length() const {

@@ -3,7 +3,7 @@
 // block, the line each case prints for every figure it checks, and the curves behind the pictures.
 //
 // Variants. Test suites ...Smoke take seconds at most, those without an ending some more, those ...Long minutes:
-// `hfrac verify V7 --smoke` runs the first, `hfrac verify V7` all but the last, `hfrac verify V7 --full` everything.
+// `tests/verify V7 --smoke` runs the first, `tests/verify V7` all but the last, `tests/verify V7 --full` everything.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -168,7 +168,7 @@ inline hfrac_sim_def paper_rock(int64_t seed) {
 
 // The curves behind a page's figure. With the environment variable HFRAC_CURVES a folder, they are written there as a table
 // that `hfrac plot --compare` draws: columns are the series' name, x and up to six quantities, names with their units.
-// `hfrac verify V5 --pictures DIR` sets the variable and draws; the line printed here tells it what there is. Tests of one
+// `tests/verify V5 --pictures DIR` sets the variable and draws; the line printed here tells it what there is. Tests of one
 // run that name the same figure add to it.
 class Curves {
  public:
@@ -210,12 +210,24 @@ class Curves {
   std::ofstream file_;
 };
 
+// Figures printed so far: a test that printed none fails (main.cpp).
+inline int figure_count = 0;
+
 // One line of the case's record: what, measured, analytic, error, tolerance (both relative to the analytic
-// value).
-inline void report(const char* what, double measured, double analytic, double tolerance) {
-  std::printf("  %-52s measured %12.6g  analytic %12.6g  error %+9.2e  tolerance %.1e\n", what, measured,
-              analytic, measured / analytic - 1.0, tolerance);
+// value). tests/verify reads these lines.
+inline void report(const std::string& what, double measured, double analytic, double tolerance) {
+  ++figure_count;
+  std::printf("  %-52s measured %12.6g  analytic %12.6g  error %+9.2e  tolerance %.1e\n", what.c_str(),
+              measured, analytic, measured / analytic - 1.0, tolerance);
   EXPECT_NEAR(measured, analytic, tolerance * std::abs(analytic)) << what;
+}
+
+// The same with error and tolerance in the figure's own unit: where the analytic value is zero, or passes through it.
+inline void report_absolute(const std::string& what, double measured, double analytic, double tolerance) {
+  ++figure_count;
+  std::printf("  %-52s measured %12.6g  analytic %12.6g  error %+9.2e  tolerance %.1e abs\n", what.c_str(),
+              measured, analytic, measured - analytic, tolerance);
+  EXPECT_NEAR(measured, analytic, tolerance) << what;
 }
 
 }  // namespace verification

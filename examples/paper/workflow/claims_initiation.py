@@ -1,7 +1,7 @@
 """Section 4: cracks at held pressures (Figures 5, 6), and what the first crack depends on (Figures 7 to 9)."""
 import numpy as np
 from claims import Answer, claim, listed, slope_of, span
-from estimates import interval, kink, r_squared, slope, spearman
+from estimates import interval, kink, r_squared, spearman
 
 TOTAL_7 = (("total stresses", {"family": "figure-07-total"}),)
 TOTAL_8 = (("total stresses", {"family": "figure-08-total"}),)

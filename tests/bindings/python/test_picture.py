@@ -37,10 +37,12 @@ class Picture(unittest.TestCase):
 
     def test_shows_how_it_stands_now(self):
         with small() as sim:
-            first = sim.picture("aperture", width=640) if sim.state.crack_count else sim.picture(width=640)
-            self.assertEqual(sim.picture(width=640), sim.picture(width=640))
-            sim.step(5)
-            self.assertNotEqual(sim.picture(width=640), first)
+            for view in ("pressure", "displacement"):
+                with self.subTest(view=view):
+                    first = sim.picture(view, width=640)
+                    self.assertEqual(sim.picture(view, width=640), first)
+                    sim.step(5)
+                    self.assertNotEqual(sim.picture(view, width=640), first, "the same picture after five steps")
 
     def test_a_notebook_gets_it(self):
         sim = small()

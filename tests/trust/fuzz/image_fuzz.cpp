@@ -7,9 +7,11 @@
 // schedule), and the rest are changes of five bytes each: place (3), kind and size (1), value (1).
 #include <hfrac/hfrac.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
@@ -20,8 +22,12 @@
 
 namespace {
 
+const char* cell = "";  // of the grid of edits below, while it is tried
+
 void demand(bool good) {
-  if (!good) std::abort();
+  if (good) return;
+  std::fprintf(stderr, "a demand of image_fuzz.cpp was not met%s\n", cell);
+  std::abort();
 }
 
 struct Model {
@@ -133,5 +139,33 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   demand(hfrac_state_restore(model.sim, model.image.data(), static_cast<int64_t>(model.image.size())) ==
          HFRAC_OK);
   demand(hash_of(model.sim) == model.hash);
+  return 0;
+}
+
+// Before any file: single edits of the images of three models, from their head to their end.
+extern "C" int LLVMFuzzerInitialize(int* /*count*/, char*** /*arguments*/) {
+  constexpr std::array<std::array<std::uint8_t, 5>, 12> edits{{{0x28, 0x00, 0x00, 2, 0xff},
+                                                               {0x30, 0x00, 0x00, 3, 0},
+                                                               {0x30, 0x00, 0x00, 3, 1},
+                                                               {0x30, 0x00, 0x00, 3, 2},
+                                                               {0x2c, 0x01, 0x00, 4, 0xc8},
+                                                               {0x88, 0x13, 0x00, 1, 0xc8},
+                                                               {0x28, 0x23, 0x00, 2, 9},
+                                                               {0x00, 0x00, 0x00, 0, 1},
+                                                               {0x08, 0x00, 0x00, 0, 3},
+                                                               {0x0c, 0x00, 0x00, 0, 9},
+                                                               {0x20, 0x4e, 0x00, 5, 0x11},
+                                                               {0x70, 0x11, 0x01, 3, 0}}};
+  for (std::size_t k = 0; k < edits.size(); ++k) {
+    for (std::uint8_t model = 1; model <= 3; ++model) {
+      std::array<char, 64> name{};
+      std::snprintf(name.data(), name.size(), ": edit %d of model %d", static_cast<int>(k), model % 3);
+      cell = name.data();
+      std::array<std::uint8_t, 6> input{model};
+      std::copy(edits[k].begin(), edits[k].end(), input.begin() + 1);
+      LLVMFuzzerTestOneInput(input.data(), input.size());
+    }
+  }
+  cell = "";
   return 0;
 }

@@ -9,6 +9,8 @@
 #include <vector>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments)
+    __attribute__((weak));  // a target may have none
 
 int main(int count, char** arguments) {
   namespace fs = std::filesystem;
@@ -21,6 +23,7 @@ int main(int count, char** arguments) {
     for (const auto& entry : fs::directory_iterator(arguments[k])) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
+  if (LLVMFuzzerInitialize != nullptr) LLVMFuzzerInitialize(&count, &arguments);
   for (const auto& file : files) {
     std::ifstream stream(file, std::ios::binary);
     const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
