@@ -414,6 +414,7 @@ int32_t hfrac_well_get(const hfrac_sim* sim, int32_t index, hfrac_well_state* st
     full.rate = well.rate;
     full.injected_volume = well.injected;
     full.domain = well.place.domain;
+    full.radius = sim->simulation->definition().wells[static_cast<std::size_t>(index)].radius;
     write_struct(state, full, "hfrac_well_state");
   });
 }

@@ -209,6 +209,7 @@ typedef struct hfrac_well_state {
   double rate;               /**< [m2/s] into the well in the last step */
   double injected_volume;    /**< [m2] since the initial equilibration, at formation pressure */
   int64_t domain;            /**< index of its domain */
+  double radius;             /**< [m] of the hole that was asked for; its wall follows discs (equivalent_radius) */
 } hfrac_well_state;
 /** Number of wells. Stable since 0.1. */
 HFRAC_API int32_t hfrac_well_count(const hfrac_sim *sim, int32_t *count);
