@@ -88,7 +88,7 @@ int32_t hfrac_cracks_since(hfrac_sim* sim, int64_t cursor, int32_t crack_size, h
     }
     if (capacity < 0) throw Error(ErrorKind::argument, "capacity is negative.");
     const std::int64_t taken = std::min(capacity, there - cursor);
-    if (taken > 0 && sim->numbered != sim->epoch) {  // fractures may have changed since
+    if (taken > 0 && (sim->in_callback || sim->numbered != sim->epoch)) {  // fractures may have changed since
       (void)sim->simulation->fractures();
       sim->numbered = sim->epoch;
     }
