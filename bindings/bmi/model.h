@@ -13,7 +13,7 @@ enum { VARIABLE_COUNT = 24 };
 
 typedef struct Variable {
   const char *name, *units;
-  const char* type; /* "double", "int32" or "int64", as numpy names them too */
+  const char* type; /* "double", "int" or "long", of 8, 4 and 8 bytes: C's own names, as BMI asks */
   enum place place;
   int direction;
   int field, component; /* of the rock's variables */

@@ -32,7 +32,7 @@ const Variable variables[VARIABLE_COUNT] = {
     ROCK("rock__xx_component_of_stress", "Pa", "double", AT_NODE, HFRAC_DISC_STRESS, 0),
     ROCK("rock__yy_component_of_stress", "Pa", "double", AT_NODE, HFRAC_DISC_STRESS, 1),
     ROCK("rock__xy_component_of_stress", "Pa", "double", AT_NODE, HFRAC_DISC_STRESS, 2),
-    ROCK("rock_bond__state", "1", "int32", AT_EDGE, HFRAC_BOND_STATE, 0),
+    ROCK("rock_bond__state", "1", "int", AT_EDGE, HFRAC_BOND_STATE, 0),
     ROCK("rock_bond__normal_force_per_thickness", "N m-1", "double", AT_EDGE, HFRAC_BOND_NORMAL_FORCE, 0),
     ROCK("rock_pipe__hydraulic_aperture", "m", "double", AT_EDGE, HFRAC_PIPE_APERTURE, 0),
     ROCK("rock_pipe_fluid__volume_flow_rate_per_thickness", "m2 s-1", "double", AT_EDGE, HFRAC_PIPE_FLOW, 0),
@@ -44,7 +44,7 @@ const Variable variables[VARIABLE_COUNT] = {
     MODEL("rock__maximum_horizontal_stress", "Pa", "double", BOTH),
     MODEL("rock__minimum_horizontal_stress", "Pa", "double", BOTH),
     MODEL("rock_formation_fluid__pressure", "Pa", "double", BOTH),
-    MODEL("rock_crack__count", "1", "int64", OUT),
+    MODEL("rock_crack__count", "1", "long", OUT),
     MODEL("rock_fracture__length", "m", "double", OUT),
     MODEL("rock_fracture__largest_aperture", "m", "double", OUT),
     MODEL("rock_fracture__volume_per_thickness", "m2", "double", OUT),
@@ -101,7 +101,7 @@ int64_t value_count(Model* model, int variable) {
 }
 
 size_t item_size(int variable) {
-  return strcmp(variables[variable].type, "int32") == 0 ? sizeof(int32_t) : sizeof(double);
+  return strcmp(variables[variable].type, "int") == 0 ? sizeof(int32_t) : sizeof(double);
 }
 
 static int get_field(Model* model, const Variable* v, void* to) {

@@ -48,6 +48,7 @@ module hfrac
     procedure, public :: c_handle
     generic, public :: step => step_int32, step_int64
     procedure, public :: advance
+    procedure, public :: set_stop
     procedure, public :: on_progress
     procedure, public :: on_step
     procedure, public :: on_log
@@ -88,6 +89,7 @@ module hfrac
     procedure, public :: load_file
     procedure, public :: prepare_step
     procedure, public :: do_step
+    procedure, public :: more_step
     procedure, public :: finalize_step
     procedure, public :: reject_step
     procedure, public :: cracks
@@ -104,12 +106,12 @@ module hfrac
     final :: finish
   end type hfrac_simulation
 
-  private :: create_from_definition, create_from_file, destroy, exists, c_handle, step_int32, step_int64, advance, &
+  private :: create_from_definition, create_from_file, destroy, exists, c_handle, step_int32, step_int64, advance, set_stop, &
     on_progress, on_step, on_log, state, setup, balance, solver, step_limits, walls, state_hash, epoch, definition, &
     wells, set_well_pressure, set_well_ramp, set_well_rate, set_well_schedule, set_far_field, &
     set_formation_pressure, &
     set_regular_grid, set_grid_corners, cells, set_boundary_pressure, set_cell_pressure, set_cell_stress, write_grdecl, &
-    save_image, restore, save_file, load_file, prepare_step, do_step, finalize_step, reject_step, cracks, fractures, &
+    save_image, restore, save_file, load_file, prepare_step, do_step, more_step, finalize_step, reject_step, cracks, fractures, &
     get_double_1, get_double_2, get_int32_1, get_int32_2, view_double, view_int32, refuse_copy, describe, &
     borrow, finish, ask_host, show_step, tell_host, set_temperature, set_disc_temperature, hold_disc_temperature, &
     set_well_temperature, well_temperature, heat, set_cell_temperature, cell_temperature
@@ -222,8 +224,8 @@ contains
 
   ! Running
 
-  !> Takes `count` steps, 1 if left out. stat: HFRAC_STOPPED if the progress procedure asked for it, HFRAC_NOT_AT_REST
-  !> if the last step's mechanics did not come to rest.
+  !> Takes `count` steps, 1 if left out. stat: HFRAC_STOPPED if the progress procedure asked for it, HFRAC_STOP_CONDITION
+  !> if stop.extent_fraction or stop.cracks is reached, HFRAC_NOT_AT_REST if the last step did not come to rest.
   subroutine step_int32(self, count, stat, errmsg)
     class(hfrac_simulation), intent(inout) :: self
     integer(c_int32_t), intent(in), optional :: count
@@ -243,18 +245,26 @@ contains
     call report(hfrac_step(self%handle, count), self%handle, stat, errmsg)
   end subroutine step_int64
 
-  !> Steps until model time `time` [s] is reached or a stop condition holds; `reached` [s] and `reason`
-  !> (HFRAC_REASON_...) say how far and why.
-  subroutine advance(self, time, reached, reason, stat, errmsg)
+  !> Steps until model time `time` [s] is reached, with `exact` at that time to the last bit, or a stop condition holds (stat:
+  !> HFRAC_STOP_CONDITION); `reached` [s] and `reason` (HFRAC_REASON_...) say how far and why.
+  subroutine advance(self, time, reached, reason, stat, errmsg, exact)
     class(hfrac_simulation), intent(inout) :: self
     real(c_double), intent(in) :: time
     real(c_double), intent(out), optional :: reached
     integer(c_int32_t), intent(out), optional :: reason
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
+    logical, intent(in), optional :: exact
     real(c_double) :: to
     integer(c_int32_t) :: status, why
-    status = hfrac_advance(self%handle, time, to, why)
+    logical :: at_that_time
+    at_that_time = .false.
+    if (present(exact)) at_that_time = exact
+    if (at_that_time) then
+      status = hfrac_advance_to(self%handle, time, to, why)
+    else
+      status = hfrac_advance(self%handle, time, to, why)
+    end if
     if (status < 0) then
       to = 0.0_c_double
       why = HFRAC_REASON_TARGET
@@ -263,6 +273,16 @@ contains
     if (present(reason)) reason = why
     call report(status, self%handle, stat, errmsg)
   end subroutine advance
+
+  !> Other limits than stop.extent_fraction and stop.cracks (0: none) from now on, so that a run that ended at one goes on.
+  subroutine set_stop(self, extent_fraction, cracks, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    real(c_double), intent(in) :: extent_fraction
+    integer(c_int64_t), intent(in) :: cracks
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_set_stop(self%handle, extent_fraction, cracks), self%handle, stat, errmsg)
+  end subroutine set_stop
 
   !> Has `progress` called about every `seconds` of wall time (0, if left out: between any two steps and often within
   !> one); no procedure: none any more.
@@ -813,6 +833,15 @@ contains
     character(*), intent(inout), optional :: errmsg
     call report(hfrac_step_do(self%handle, duration), self%handle, stat, errmsg)
   end subroutine do_step
+
+  !> Takes another step within the open one, from where do_step or more_step ended.
+  subroutine more_step(self, duration, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    real(c_double), intent(in) :: duration
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_step_more(self%handle, duration), self%handle, stat, errmsg)
+  end subroutine more_step
 
   !> Closes the open step and keeps what the last do_step gave.
   subroutine finalize_step(self, stat, errmsg)

@@ -30,6 +30,8 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_STOPPED = 1
   !> mechanics did not come to rest within stepping.max_cycles
   integer(c_int32_t), parameter :: HFRAC_NOT_AT_REST = 2
+  !> stop.extent_fraction or stop.cracks is reached; hfrac_set_stop lets the run go on
+  integer(c_int32_t), parameter :: HFRAC_STOP_CONDITION = 3
   !> an argument is NULL, not finite or out of range
   integer(c_int32_t), parameter :: HFRAC_ERR_ARGUMENT = -1
   !> the handle was never created or is destroyed
@@ -52,6 +54,8 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_ERR_POISONED = -10
   !> a file cannot be written, cannot be read, or is not what it should be
   integer(c_int32_t), parameter :: HFRAC_ERR_FILE = -11
+  !> a callback threw an exception; the simulation is at its last whole step
+  integer(c_int32_t), parameter :: HFRAC_ERR_CALLBACK = -12
   !> an error of the library itself; please report it
   integer(c_int32_t), parameter :: HFRAC_ERR_INTERNAL = -99
 
@@ -773,7 +777,7 @@ module hfrac_c
   !> One well as it stands. Set struct_size before the call.
   type, bind(C) :: hfrac_well_state
     !> sizeof(hfrac_well_state) of the caller
-    integer(c_int32_t) :: struct_size = 72_c_int32_t
+    integer(c_int32_t) :: struct_size = 80_c_int32_t
     !> enum hfrac_well_control in force
     integer(c_int32_t) :: control = 0_c_int32_t
     !> [m] centre
@@ -792,6 +796,8 @@ module hfrac_c
     real(c_double) :: injected_volume = 0.0_c_double
     !> index of its domain
     integer(c_int64_t) :: domain = 0_c_int64_t
+    !> [m] of the hole that was asked for; its wall follows discs (equivalent_radius)
+    real(c_double) :: radius = 0.0_c_double
   end type hfrac_well_state
 
   !> What a field is. Texts point into the library.
@@ -850,10 +856,14 @@ module hfrac_c
     real(c_double) :: energy = 0.0_c_double
     !> enum hfrac_crack_mode
     integer(c_int32_t) :: mode = 0_c_int32_t
-    !> index of its fracture when last found
+    !> index of its fracture now, as hfrac_fractures gives them
     integer(c_int32_t) :: fracture = 0_c_int32_t
     !> [m] between the centres of its discs when they were bonded
     real(c_double) :: distance = 0.0_c_double
+    !> [Pa] now, mean of the pores it lies between; 0 in a dry model
+    real(c_double) :: pressure = 0.0_c_double
+    !> [m] of its pipe now (eq. 7), which the cubic law takes; 0 in a dry model
+    real(c_double) :: hydraulic_aperture = 0.0_c_double
   end type hfrac_crack
 
   !> One fracture.
@@ -1006,6 +1016,10 @@ module hfrac_c
     real(c_double) :: fracture_pressure = 0.0_c_double
     !> cracks with some length in the cell
     integer(c_int64_t) :: crack_count = 0_c_int64_t
+    !> [m2/(Pa s)] of the pipes through the model's edge to this cell: `outflow` falls by so much for each Pa the
+    !> cell's pressure (hfrac_set_boundary_pressure) is raised while the pores inside keep theirs; over a long step
+    !> pores follow and it falls by less
+    real(c_double) :: conductance = 0.0_c_double
   end type hfrac_cell
 
   !> Heat of rock and pores, wells excluded, counted from thermal.rock_temperature. Set struct_size before the call.
@@ -1424,17 +1438,18 @@ module hfrac_c
       integer(c_int32_t) :: hfrac_sim_definition
     end function hfrac_sim_definition
     !> Takes `count` steps (sub-steps in mode "substep", stepping.flow_step seconds of real motion each in mode
-    !> "dynamic", stepping.flow_step seconds of flow and equilibrium together in mode "coupled"). HFRAC_STOPPED if
-    !> the progress callback asked for it: the simulation is then at its last whole step. HFRAC_NOT_AT_REST if the
-    !> last step did not reach stepping.force_ratio. Stable since 0.1.
+    !> "dynamic", stepping.flow_step seconds of flow and equilibrium together in mode "coupled"). All of them,
+    !> whatever stop conditions say; HFRAC_STOP_CONDITION if one holds at the end. Stable since 0.1.
     function hfrac_step(sim, count) bind(C, name="hfrac_step")
       import
       type(c_ptr), value :: sim
       integer(c_int64_t), value :: count
       integer(c_int32_t) :: hfrac_step
     end function hfrac_step
-    !> Steps until model time `target` [s] is reached or a stop condition holds; time moves in whole steps, so
-    !> *reached >= target on success. Stable since 0.1.
+    !> Steps until model time `target` [s] is reached: time moves in whole steps, so *reached >= target on success
+    !> (HFRAC_OK or HFRAC_NOT_AT_REST), and equal to it where whole steps add up to it, rounding or not. Ends
+    !> before, without a step if it holds already, at a stop condition (HFRAC_STOP_CONDITION). A target in the past
+    !> is reached. Stable since 0.1.
     function hfrac_advance(sim, target, reached, reason) bind(C, name="hfrac_advance")
       import
       type(c_ptr), value :: sim
@@ -1443,6 +1458,25 @@ module hfrac_c
       integer(c_int32_t), intent(out) :: reason
       integer(c_int32_t) :: hfrac_advance
     end function hfrac_advance
+    !> The same, with the last step shortened so that *reached == target on success. HFRAC_ERR_ARGUMENT: the target
+    !> lies before the model's time. Unstable since 0.1.
+    function hfrac_advance_to(sim, target, reached, reason) bind(C, name="hfrac_advance_to")
+      import
+      type(c_ptr), value :: sim
+      real(c_double), value :: target
+      real(c_double), intent(out) :: reached
+      integer(c_int32_t), intent(out) :: reason
+      integer(c_int32_t) :: hfrac_advance_to
+    end function hfrac_advance_to
+    !> Other limits than stop.extent_fraction (0.01 to 1) and stop.cracks (0: no limit) from now on, so that a run
+    !> that ended at one goes on. Unstable since 0.1.
+    function hfrac_set_stop(sim, extent_fraction, cracks) bind(C, name="hfrac_set_stop")
+      import
+      type(c_ptr), value :: sim
+      real(c_double), value :: extent_fraction
+      integer(c_int64_t), value :: cracks
+      integer(c_int32_t) :: hfrac_set_stop
+    end function hfrac_set_stop
     !> Sets the callback of hfrac_step and hfrac_advance, called about every `seconds` of wall time (0: between any
     !> two steps and often within one); NULL removes it. Stable since 0.1.
     function hfrac_set_progress(sim, progress, user, seconds) bind(C, name="hfrac_set_progress")
@@ -1984,7 +2018,15 @@ module hfrac_c
       real(c_double), value :: duration
       integer(c_int32_t) :: hfrac_step_do
     end function hfrac_step_do
-    !> Closes the open step and keeps what the last hfrac_step_do gave. Stable since 0.1.
+    !> Takes another step of `duration` [s] within the open one, from where the last hfrac_step_do or
+    !> hfrac_step_more ended. Fails or is stopped alone: what came before it stands. Unstable since 0.1.
+    function hfrac_step_more(sim, duration) bind(C, name="hfrac_step_more")
+      import
+      type(c_ptr), value :: sim
+      real(c_double), value :: duration
+      integer(c_int32_t) :: hfrac_step_more
+    end function hfrac_step_more
+    !> Closes the open step and keeps what the last hfrac_step_do gave and hfrac_step_more added. Stable since 0.1.
     function hfrac_step_finalize(sim) bind(C, name="hfrac_step_finalize")
       import
       type(c_ptr), value :: sim

@@ -9,6 +9,7 @@
 #include "couple/simulation.hpp"
 #include "internal.hpp"
 #include "items.hpp"
+#include "options/choices.hpp"
 #include "sim_handle.hpp"
 
 using namespace hfrac;
@@ -38,6 +39,13 @@ hfrac_crack describe(const Simulation& s, std::int64_t id) {
   c.energy = crack.energy;
   c.mode = static_cast<std::int32_t>(crack.mode);
   c.fracture = crack.fracture;
+  const Network& n = s.network();
+  const auto pipe = static_cast<std::size_t>(crack.bond);
+  if (FlowScheme{s.options().flow_scheme} != FlowScheme::off) {
+    c.pressure = 0.5 * (n.pressure[static_cast<std::size_t>(n.left[pipe])] +
+                        n.pressure[static_cast<std::size_t>(n.right[pipe])]);
+    c.hydraulic_aperture = n.aperture_of(pipe);
+  }
   c.distance = s.assembly().length(static_cast<std::size_t>(crack.bond));
   return c;
 }
@@ -80,6 +88,10 @@ int32_t hfrac_cracks_since(hfrac_sim* sim, int64_t cursor, int32_t crack_size, h
     }
     if (capacity < 0) throw Error(ErrorKind::argument, "capacity is negative.");
     const std::int64_t taken = std::min(capacity, there - cursor);
+    if (taken > 0 && (sim->in_callback || sim->numbered != sim->epoch)) {  // fractures may have changed since
+      (void)sim->simulation->fractures();
+      sim->numbered = sim->epoch;
+    }
     for (std::int64_t k = 0; k < taken; ++k) put_item(buffer, k, crack_size, describe(s, cursor + k));
     *count = taken;
     if (next != nullptr) *next = cursor + taken;
@@ -93,6 +105,7 @@ int32_t hfrac_fractures(hfrac_sim* sim, int32_t fracture_size, hfrac_fracture* b
     require_not_null(count, "count");
     require_item_size(fracture_size, "fracture_size");
     const std::vector<Fracture> found = sim->simulation->fractures();
+    sim->numbered = sim->epoch;
     *count = static_cast<std::int64_t>(found.size());
     if (buffer == nullptr) return;
     if (capacity < 0) throw Error(ErrorKind::argument, "capacity is negative.");

@@ -35,6 +35,7 @@ hfrac_cell describe(const CellReport& from) {
   to.crack_length = from.crack_length;
   to.leak_off = from.leak_off;
   to.outflow = from.outflow;
+  to.conductance = from.conductance;
   to.pressure = from.pressure;
   to.fracture_pressure = from.fracture_pressure;
   to.crack_count = from.crack_count;

@@ -83,6 +83,9 @@ std::int32_t status_of_current_exception(ErrorText& text) noexcept {
   } catch (const Error& error) {
     text.set(error.what());
     return status_of(error.kind());
+  } catch (const CallbackError& error) {
+    text.set(error.what());
+    return HFRAC_ERR_CALLBACK;
   } catch (const std::bad_alloc&) {
     text.set("Out of memory; lower packing.disc_count or free memory.");
     return HFRAC_ERR_MEMORY;
@@ -90,8 +93,18 @@ std::int32_t status_of_current_exception(ErrorText& text) noexcept {
     text.set(error.what());
     return HFRAC_ERR_INTERNAL;
   } catch (...) {
-    text.set("An exception that is not the library's own came through, maybe from a callback.");
+    text.set("An exception that is not the library's own came through.");
     return HFRAC_ERR_INTERNAL;
+  }
+}
+
+void rethrow_from_host() {
+  try {
+    throw;
+  } catch (const std::exception& error) {
+    throw CallbackError("a callback threw: " + std::string(error.what()));
+  } catch (...) {
+    throw CallbackError("a callback threw what is no std::exception.");
   }
 }
 

@@ -18,6 +18,8 @@
 #include <exception>
 #include <new>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -171,8 +173,16 @@ std::int32_t guarded_sim(Handle* handle, Function&& function) noexcept {
   return guarded_sim(handle, access, std::forward<Function>(function));
 }
 
+// A host's callback threw. The engine undoes the step that it interrupted.
+class CallbackError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+// What a host's callback threw, as that. Only inside a catch block.
+[[noreturn]] void rethrow_from_host();
+
 // Calls the host back in the host's own floating-point environment. With a handle, changing it meanwhile is
-// refused.
+// refused. Throws CallbackError if the callback throws.
 template <class Function>
 auto call_host(const HandleBase* handle, Function&& function) {
   struct Scope {
@@ -189,7 +199,11 @@ auto call_host(const HandleBase* handle, Function&& function) {
     std::fenv_t ours;
   };
   const Scope scope(handle);
-  return std::forward<Function>(function)();
+  try {
+    return std::forward<Function>(function)();
+  } catch (...) {
+    rethrow_from_host();
+  }
 }
 
 // Throws Error(argument) "name is NULL."

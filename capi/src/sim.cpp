@@ -36,12 +36,12 @@ void hfrac_sim::operator delete(void* place, std::size_t size) {
 
 namespace {
 
-// One step of a longer call; `fraction` of that call is done when it begins.
-std::int32_t take_step(hfrac_sim& sim, ProgressPoll& poll, double fraction) {
+// One step of a longer call, `duration` seconds long; `fraction` of that call is done when it begins.
+std::int32_t take_step(hfrac_sim& sim, ProgressPoll& poll, double fraction, double duration) {
   const Simulation& s = *sim.simulation;
   const std::size_t cracks_before = s.cracks().size();
   ++sim.epoch;
-  const auto outcome = sim.simulation->step([&] { return poll.stop(fraction, "stepping"); });
+  const auto outcome = sim.simulation->step_of_length(duration, [&] { return poll.stop(fraction, "stepping"); });
   ++sim.epoch;  // a callback may have looked at the middle of the step
   if (outcome.stopped) return HFRAC_STOPPED;
   tell_step(sim, cracks_before);
@@ -51,6 +51,47 @@ std::int32_t take_step(hfrac_sim& sim, ProgressPoll& poll, double fraction) {
     if (stop) return HFRAC_STOPPED;
   }
   return outcome.at_rest ? HFRAC_OK : HFRAC_NOT_AT_REST;
+}
+
+// The duration that brings the clock from `time` to `end` by an addition that rounds.
+double duration_to(double time, double end) {
+  double duration = end - time;
+  while (time + duration < end) duration = std::nextafter(duration, HUGE_VAL);
+  while (time + duration > end) duration = std::nextafter(duration, 0.0);
+  return duration;
+}
+
+// Of the next step on the way to `target`. Whole steps miss a time they add up to by rounding, so one that ends within a millionth
+// of a step of the target ends at it; `exact`: so does one that would pass it.
+double duration_towards(const Simulation& s, double target, bool exact) {
+  const double whole = s.next_step(), after = s.time() + whole;
+  const double slack = 1e-6 * s.options().stepping_flow_step;
+  const bool at_target = exact ? after > target - slack : after < target && after >= target - slack;
+  return at_target ? duration_to(s.time(), target) : whole;
+}
+
+std::int32_t advance(hfrac_sim& sim, double target, bool exact, double& reached, std::int32_t& reason) {
+  const Simulation& s = *sim.simulation;
+  const double start = s.time();
+  ProgressPoll poll(sim, sim.progress, sim.progress_user, sim.progress_seconds);
+  std::int32_t status = HFRAC_OK;
+  reached = start;
+  reason = HFRAC_REASON_TARGET;
+  while (s.time() < target) {
+    reason = static_cast<std::int32_t>(s.stop_reason());
+    if (reason != HFRAC_REASON_TARGET) return HFRAC_STOP_CONDITION;
+    const double fraction = (s.time() - start) / (target - start);
+    const bool stopped =
+        poll.stop(fraction, "stepping") ||
+        take_step(sim, poll, fraction, duration_towards(s, target, exact)) == HFRAC_STOPPED;
+    reached = s.time();
+    if (stopped) {
+      reason = HFRAC_REASON_CALLBACK;
+      return HFRAC_STOPPED;
+    }
+    if (!s.at_rest()) status = HFRAC_NOT_AT_REST;
+  }
+  return status;
 }
 
 Well const& well_at(const hfrac_sim& sim, std::int32_t index) {
@@ -142,40 +183,45 @@ int32_t hfrac_step(hfrac_sim* sim, int64_t count) {
     for (std::int64_t k = 0; k < count; ++k) {
       const double fraction = static_cast<double>(k) / static_cast<double>(count);
       if (poll.stop(fraction, "stepping")) return HFRAC_STOPPED;
-      status = take_step(*sim, poll, fraction);
+      status = take_step(*sim, poll, fraction, sim->simulation->next_step());
       if (status == HFRAC_STOPPED) return status;
     }
-    return status;
+    const bool at_stop = sim->simulation->stop_reason() != StopReason::target;
+    return at_stop ? HFRAC_STOP_CONDITION : status;
   });
 }
 
 int32_t hfrac_advance(hfrac_sim* sim, double target, double* reached, int32_t* reason) {
-  return guarded_sim(sim, [&]() -> std::int32_t {
+  return guarded_sim(sim, [&] {
     require_finite(target, "target");
     require_not_null(reached, "reached");
     require_not_null(reason, "reason");
     require_no_open_step(*sim);
-    const Simulation& s = *sim->simulation;
-    const double start = s.time();
-    ProgressPoll poll(*sim, sim->progress, sim->progress_user, sim->progress_seconds);
-    std::int32_t status = HFRAC_OK;
-    *reached = start;
-    *reason = HFRAC_REASON_TARGET;
-    // Half a step of slack: adding up steps must not cost one more by rounding.
-    while (s.time() < target - 0.5e-6 * s.options().stepping_flow_step) {
-      *reason = static_cast<std::int32_t>(s.stop_reason());
-      if (*reason != HFRAC_REASON_TARGET) return status;
-      const double fraction = (s.time() - start) / (target - start);
-      const bool stopped =
-          poll.stop(fraction, "stepping") || take_step(*sim, poll, fraction) == HFRAC_STOPPED;
-      *reached = s.time();
-      if (stopped) {
-        *reason = HFRAC_REASON_CALLBACK;
-        return HFRAC_STOPPED;
-      }
-      if (!s.at_rest()) status = HFRAC_NOT_AT_REST;
+    return advance(*sim, target, false, *reached, *reason);
+  });
+}
+
+int32_t hfrac_advance_to(hfrac_sim* sim, double target, double* reached, int32_t* reason) {
+  return guarded_sim(sim, [&] {
+    require_finite(target, "target");
+    require_not_null(reached, "reached");
+    require_not_null(reason, "reason");
+    require_no_open_step(*sim);
+    const double now = sim->simulation->time();
+    if (target < now) {
+      throw Error(ErrorKind::argument, "target = " + number_text(target) + " s lies before the model's time, " +
+                                           number_text(now) + " s; give that or more.");
     }
-    return status;
+    return advance(*sim, target, true, *reached, *reason);
+  });
+}
+
+int32_t hfrac_set_stop(hfrac_sim* sim, double extent_fraction, int64_t cracks) {
+  return guarded_sim(sim, [&] {
+    Options any;  // the ranges of the option table
+    set_real(any, *find_option("stop.extent_fraction"), "extent_fraction", extent_fraction);
+    set_integer(any, *find_option("stop.cracks"), "cracks", cracks);
+    sim->simulation->set_stop(extent_fraction, cracks);
   });
 }
 
@@ -368,6 +414,7 @@ int32_t hfrac_well_get(const hfrac_sim* sim, int32_t index, hfrac_well_state* st
     full.rate = well.rate;
     full.injected_volume = well.injected;
     full.domain = well.place.domain;
+    full.radius = sim->simulation->definition().wells[static_cast<std::size_t>(index)].radius;
     write_struct(state, full, "hfrac_well_state");
   });
 }

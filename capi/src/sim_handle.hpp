@@ -33,6 +33,7 @@ struct hfrac_sim : hfrac::capi::HandleBase {
 
   // Raised by every call that may change the simulation. Views are filled when asked for and hold for their epoch.
   std::int64_t epoch = 1;
+  std::int64_t numbered = 0;  // epoch in which cracks were last told which fracture they belong to
   struct View {
     std::int64_t epoch = 0;
     std::vector<double> values;

@@ -83,18 +83,39 @@ int32_t hfrac_step_prepare(hfrac_sim* sim) {
   });
 }
 
+namespace {
+
+// A step of the host's length: take(interrupt) does it.
+template <class Take>
+int32_t host_step(hfrac_sim& sim, double duration, const Take& take) {
+  if (!(duration > 0.0) || !std::isfinite(duration)) {
+    throw Error(ErrorKind::argument,
+                "duration = " + std::to_string(duration) + " s must be positive and finite.");
+  }
+  ++sim.epoch;
+  ProgressPoll poll(sim, sim.progress, sim.progress_user, sim.progress_seconds);
+  const auto outcome = take([&] { return poll.stop(0.0, "stepping"); });
+  ++sim.epoch;  // a callback may have looked at the middle of the step
+  if (outcome.stopped) return HFRAC_STOPPED;
+  return outcome.at_rest ? HFRAC_OK : HFRAC_NOT_AT_REST;
+}
+
+}  // namespace
+
 int32_t hfrac_step_do(hfrac_sim* sim, double duration) {
-  return guarded_sim(sim, [&]() -> std::int32_t {
-    if (!(duration > 0.0) || !std::isfinite(duration)) {
-      throw Error(ErrorKind::argument,
-                  "duration = " + std::to_string(duration) + " s must be positive and finite.");
-    }
-    ++sim->epoch;
-    ProgressPoll poll(*sim, sim->progress, sim->progress_user, sim->progress_seconds);
-    const auto outcome = sim->simulation->try_step(duration, [&] { return poll.stop(0.0, "stepping"); });
-    ++sim->epoch;  // a callback may have looked at the middle of the step
-    if (outcome.stopped) return HFRAC_STOPPED;
-    return outcome.at_rest ? HFRAC_OK : HFRAC_NOT_AT_REST;
+  return guarded_sim(sim, [&] {
+    return host_step(*sim, duration,
+                     [&](const auto& interrupt) { return sim->simulation->try_step(duration, interrupt); });
+  });
+}
+
+int32_t hfrac_step_more(hfrac_sim* sim, double duration) {
+  return guarded_sim(sim, [&] {
+    if (!sim->simulation->step_open())
+      throw Error(ErrorKind::argument, "no step is open; call hfrac_step_prepare first.");
+    return host_step(*sim, duration, [&](const auto& interrupt) {
+      return sim->simulation->step_of_length(duration, interrupt);
+    });
   });
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/workers.hpp"
 
+#include <pthread.h>
 #include <sched.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,7 +15,35 @@
 namespace hfrac {
 namespace {
 
-constexpr int most_spins = 4000, most_yields = 20;
+constexpr std::uint32_t most_workers = 1024;  // more than run.workers may be
+// Waiting, in nanoseconds. A worker that is about to come is spun for; beyond that one may have lost its core, and whoever
+// waits sleeps, so that the core goes to whom is waited for.
+constexpr std::int64_t patience = 50'000;
+// The watch: the share of a window's time spent waiting that makes the team smaller; windows; the pause after which a larger team is
+// tried, doubled by each try that fails, and what ends the doubling.
+constexpr double too_late = 0.3;
+constexpr std::int64_t window = 3'000'000, longest_wait = 1'500'000, shortest_pause = 20'000'000, longest_pause = 2'000'000'000,
+                       proven = 200'000'000;
+
+std::int64_t nanoseconds(std::chrono::steady_clock::duration time) {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(time).count();
+}
+
+// Every signal blocked on this thread until the end of the scope: threads begun in it inherit that.
+class NoSignals {
+ public:
+  NoSignals() {
+    sigset_t all;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+  }
+  ~NoSignals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  NoSignals(const NoSignals&) = delete;
+  NoSignals& operator=(const NoSignals&) = delete;
+
+ private:
+  sigset_t before_;
+};
 
 // Cores this process may use, which can be fewer than the machine has (taskset, a scheduler's cpuset).
 int usable_cores() {
@@ -27,8 +57,13 @@ int usable_cores() {
 }  // namespace
 
 Workers::Workers(int count)
-    : count_(std::max(1, count)), crowded_(count_ > usable_cores()), process_(::getpid()) {
+    : count_(std::max(1, count)),
+      cores_(usable_cores()),
+      active_(count_),
+      process_(::getpid()),
+      pause_(shortest_pause) {
   try {
+    const NoSignals here;
     threads_.reserve(static_cast<std::size_t>(count_ - 1));
     for (int worker = 1; worker < count_; ++worker) threads_.emplace_back([this, worker] { loop(worker); });
   } catch (const std::system_error&) {  // the system gives no more threads
@@ -48,27 +83,42 @@ Workers::~Workers() {
 
 void Workers::end_threads() {
   task_ = nullptr;
-  tasks_.fetch_add(1, std::memory_order_release);
-  tasks_.notify_all();
+  give(count_);
   for (auto& thread : threads_) thread.join();
 }
 
-// Waits until a number is no longer `old`. With a core for every worker what is waited for comes soon, and a few thousand
-// spins (tens to hundreds of microseconds) are all it takes. With fewer, spinning keeps it from coming: the core goes to
-// the next worker at once. Whoever waits longer sleeps, so that on a busy machine the core goes to whom is waited for.
+// The next task, to workers 0 to active - 1.
+void Workers::give(int active) {
+  const std::uint32_t given = tasks_.load(std::memory_order_relaxed) / most_workers;
+  tasks_.store((given + 1) * most_workers + static_cast<std::uint32_t>(active), std::memory_order_release);
+  tasks_.notify_all();
+}
+
+// Waits until a number is no longer `old`; returns for how long beyond patience [ns]. With more workers than cores whoever
+// spins keeps the core from whom it waits for.
 template <class Number>
-void Workers::wait_while(const std::atomic<Number>& number, Number old) const {
-  for (int spins = crowded_ ? 0 : most_spins; spins > 0; --spins) {
-    if (number.load(std::memory_order_acquire) != old) return;
+std::int64_t Workers::wait_while(const std::atomic<Number>& number, Number old) const {
+  constexpr int spins = 64;  // between looks at the clock
+  const auto came = [&] { return number.load(std::memory_order_acquire) != old; };
+  if (came()) return 0;
+  const auto begin = Clock::now();
+  const auto waited = [&] { return nanoseconds(Clock::now() - begin); };
+  while (active_ <= cores_ && waited() < patience) {
+    for (int k = 0; k < spins; ++k) {
+      if (came()) return 0;
 #if defined(__x86_64__)
-    __builtin_ia32_pause();
+      __builtin_ia32_pause();
 #endif
+    }
   }
-  for (int yields = 0; yields < most_yields; ++yields) {
-    if (number.load(std::memory_order_acquire) != old) return;
-    std::this_thread::yield();
-  }
-  while (number.load(std::memory_order_acquire) == old) number.wait(old, std::memory_order_acquire);
+  while (!came()) number.wait(old, std::memory_order_acquire);
+  return std::max<std::int64_t>(0, waited() - patience);
+}
+
+template <class Number>
+void Workers::wait_and_count(const std::atomic<Number>& number, Number old) const {
+  const std::int64_t late = wait_while(number, old);
+  if (late > 0) late_.fetch_add(late, std::memory_order_relaxed);
 }
 
 bool Workers::forked() const {
@@ -79,31 +129,65 @@ void Workers::Release::operator()(Workers* workers) const {
   if (!workers->forked()) delete workers;
 }
 
-void Workers::run(const std::function<void(int)>& task) {
-  if (count_ == 1) {
-    task(0);
-    return;
-  }
+void Workers::run(const std::function<void(int)>& task, bool even) {
   if (forked()) {
     throw Error(ErrorKind::argument,
                 "this simulation's workers stayed behind in the process that was forked; build it in the "
                 "child, or set "
                 "run.workers = 1.");
   }
-  running_.store(count_ - 1, std::memory_order_relaxed);
-  task_ = &task;
-  tasks_.fetch_add(1, std::memory_order_release);
-  tasks_.notify_all();
+  const auto begin = count_ > 1 ? Clock::now() : Clock::time_point{};
+  if (active_ < count_ && nanoseconds(begin - shrunk_) >= pause_) {
+    active_ = std::min(count_, 2 * active_);
+    shrunk_ = begin;
+    begin_window();
+  }
+  cut_short_ = false;
+  if (active_ > 1) {
+    running_.store(active_ - 1, std::memory_order_relaxed);
+    task_ = &task;
+    give(active_);
+  }
   task(0);
+  if (active_ == 1) return;
   for (int left = running_.load(std::memory_order_acquire); left != 0;
        left = running_.load(std::memory_order_acquire)) {
-    wait_while(running_, left);
+    wait_and_count(running_, left);
   }
+  watch(begin, even);
+}
+
+void Workers::begin_window() {
+  busy_ = 0;
+  late_.store(0, std::memory_order_relaxed);
+}
+
+// After a task: how much of the window the team stood waiting. All but one wait for one, so that is the unit.
+void Workers::watch(Clock::time_point begin, bool even) {
+  if (!even) {
+    begin_window();
+    return;
+  }
+  const auto now = Clock::now();
+  busy_ += nanoseconds(now - begin);
+  if (busy_ < window) return;
+  const auto stood = static_cast<double>(late_.load(std::memory_order_relaxed)) / (active_ - 1);
+  if (stood > too_late * static_cast<double>(busy_)) {
+    active_ = active_ > cores_ ? cores_ : active_ / 2;
+    pause_ = good_ < proven ? std::min(2 * pause_, longest_pause) : shortest_pause;
+    good_ = 0;
+    shrunk_ = now;
+  } else {
+    good_ += busy_;
+  }
+  begin_window();
 }
 
 void Workers::loop(int worker) {
-  for (std::uint32_t seen = 0;; ++seen) {
+  for (std::uint32_t seen = 0;;) {
     wait_while(tasks_, seen);
+    seen = tasks_.load(std::memory_order_acquire);
+    if (static_cast<std::uint32_t>(worker) >= seen % most_workers) continue;  // not of this one
     if (task_ == nullptr) return;
     (*task_)(worker);
     running_.fetch_sub(1, std::memory_order_release);
@@ -112,21 +196,31 @@ void Workers::loop(int worker) {
 }
 
 void Workers::barrier() {
-  if (count_ == 1) return;
+  if (active_ == 1) return;
   const std::uint32_t phase = phase_.load(std::memory_order_acquire);
-  if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == count_) {
+  if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == active_) {
     arrived_.store(0, std::memory_order_relaxed);
+    cut_short_ = late_.load(std::memory_order_relaxed) > (active_ - 1) * longest_wait;
     phase_.store(phase + 1, std::memory_order_release);
     phase_.notify_all();
   } else {
-    wait_while(phase_, phase);
+    wait_and_count(phase_, phase);
   }
 }
 
 void Workers::wait_for(const std::atomic<std::int32_t>& done, std::int32_t at_least) const {
   for (std::int32_t now = done.load(std::memory_order_acquire); now < at_least;
        now = done.load(std::memory_order_acquire)) {
-    wait_while(done, now);
+    wait_and_count(done, now);
+  }
+}
+
+void Workers::Pass::refill(const Workers& team, std::int64_t n) {
+  active_ = team.active();
+  for (int worker = 0; worker < active_; ++worker) {
+    const Range part = team.part(worker, n, 1);
+    next_[static_cast<std::size_t>(worker)].at.store(part.first, std::memory_order_relaxed);
+    next_[static_cast<std::size_t>(worker)].last = part.last;
   }
 }
 

@@ -79,4 +79,9 @@ StopReason Simulation::stop_reason() const {
   return StopReason::target;
 }
 
+void Simulation::set_stop(double extent_fraction, std::int64_t cracks) {
+  definition_.options.stop_extent_fraction = extent_fraction;
+  definition_.options.stop_cracks = cracks;
+}
+
 }  // namespace hfrac

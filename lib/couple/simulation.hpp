@@ -87,6 +87,10 @@ class Simulation {
   };
   // One step. If it is interrupted or fails, the state is as before it.
   StepOutcome step(const std::function<bool()>& interrupt = {}) { return step_for(next_step(), interrupt); }
+  // The same, `duration` seconds long instead.
+  StepOutcome step_of_length(double duration, const std::function<bool()>& interrupt = {}) {
+    return step_for(duration, interrupt);
+  }
   // stepping.flow_step, or as much of it as is left before the next entry of a schedule [s].
   [[nodiscard]] double next_step() const;
 
@@ -127,6 +131,8 @@ class Simulation {
   [[nodiscard]] Balance balance() const;
   [[nodiscard]] double tip_distance() const { return tip_distance_; }
   [[nodiscard]] StopReason stop_reason() const;
+  // Other limits than stop.extent_fraction and stop.cracks from now on.
+  void set_stop(double extent_fraction, std::int64_t cracks);
   [[nodiscard]] std::uint64_t state_hash() const;
 
   // The state as bytes, and back. A restored simulation goes on bit for bit as the saved one did. Images fit the model they

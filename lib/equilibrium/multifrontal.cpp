@@ -159,7 +159,7 @@ void Multifrontal<Real>::factorise(const FrontTree& tree, const std::vector<doub
   if (tree.top.empty())
     task(0);
   else
-    workers.run(task);
+    workers.run(task, false);
 }
 
 // Right side of a front: its own, and what its children handed up.
@@ -268,7 +268,7 @@ void Multifrontal<Real>::solve(const FrontTree& tree, double* x, Workers& worker
   if (tree.top.empty())
     task(0);
   else
-    workers.run(task);
+    workers.run(task, false);
   for (std::size_t k = 0; k < solution_.size(); ++k) x[k] = static_cast<double>(solution_[k]);
 }
 

@@ -108,8 +108,9 @@ std::vector<CellReport> report_cells(const HostGrid& grid, const Assembly& a, co
 
   for (std::size_t k = 0; k < n.outer_pipe.size(); ++k) {
     const auto e = static_cast<std::size_t>(n.outer_pipe[k]);
-    cells[static_cast<std::size_t>(grid.outer_cell()[k])].outflow +=
-        n.left[e] == 0 ? -n.flow_of(e) : n.flow_of(e);
+    CellReport& cell = cells[static_cast<std::size_t>(grid.outer_cell()[k])];
+    cell.outflow += n.left[e] == 0 ? -n.flow_of(e) : n.flow_of(e);
+    cell.conductance += n.conductance_of(e);
   }
 
   for (std::size_t c = 0; c < count; ++c) {

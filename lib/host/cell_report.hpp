@@ -35,8 +35,9 @@ struct CellReport {
   double matrix_porosity = 0.0;      // pore volume over area, of the part covered
   double crack_length = 0.0;         // m
   double leak_off = 0.0;             // m2/s out of cracks into rock, in the last step
-  double outflow = 0.0;   // m2/s out through the model's outer boundary into this cell, in the last step
-  double pressure = 0.0;  // Pa; of pores beside no crack, mean by pore volume
+  double outflow = 0.0;      // m2/s out through the model's outer boundary into this cell, in the last step
+  double conductance = 0.0;  // m2/(Pa s) of the pipes through the rim to this cell
+  double pressure = 0.0;     // Pa; of pores beside no crack, mean by pore volume
   double fracture_pressure =
       0.0;                       // Pa; of pores beside a crack, mean by opening; as `pressure` without cracks
   std::int64_t crack_count = 0;  // cracks with some length in the cell

@@ -44,6 +44,9 @@ ExplicitSolver::ExplicitSolver(Assembly& assembly, Network& network, Boundary& b
       non_bonded_(options),
       options_(options),
       workers_(workers),
+      bonds_left_(workers.count()),
+      domains_left_(workers.count()),
+      tiles_left_(workers.count()),
       kernels_(kernels()) {
   const auto discs = static_cast<std::size_t>(assembly.disc_count());
   inverse_mass_.resize(discs);
@@ -300,17 +303,17 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
       no_memory = true;
     }
   };
+  std::int64_t done = 0;
   const std::function<void(int)> task = [&](int worker) {
     const auto w = static_cast<std::size_t>(worker);
     double* scratch = scratch_[w].data();
-    const auto bonds = workers_.part(worker, plan_.bond_blocks, 1),
-               domains = workers_.part(worker, domain_blocks, 1),
-               tiles = workers_.part(worker, arrays_.tile_count, 1);
-    for (std::int64_t cycle = total_cycles_; cycle < total_cycles_ + cycles; ++cycle) {
+    for (std::int64_t cycle = done; cycle < cycles; ++cycle) {
       watched([&] {
-        for (auto block = bonds.first; block < bonds.last; ++block) take_cross_block(block, cycle, found[w]);
+        bonds_left_.take(worker, [&](std::int64_t block) {
+          take_cross_block(block, total_cycles_ + cycle, found[w]);
+        });
       });
-      for (auto block = domains.first; block < domains.last; ++block) kernels_.cross_domains(arrays_, block);
+      domains_left_.take(worker, [&](std::int64_t block) { kernels_.cross_domains(arrays_, block); });
       if (worker == 0 && boundary_.reacts()) {
         boundary_.cycle(assembly_, arrays_.step, options_.stepping_safety, arrays_.damping);
       }
@@ -318,15 +321,31 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
       if (smooth) release_smooth(assembly_, boundary_);
       if (worker == 0 && !non_bonded_.empty())
         non_bonded_.cycle(assembly_, boundary_, arrays_.step, energies_.friction);
-      if (smooth) watched([&] { take_smooth_joints(cycle, found[w]); });
+      if (smooth) watched([&] { take_smooth_joints(total_cycles_ + cycle, found[w]); });
       workers_.barrier();
+      if (worker == 0) {
+        bonds_left_.refill(workers_, plan_.bond_blocks);
+        domains_left_.refill(workers_, domain_blocks);
+      }
       watched([&] {
-        for (auto tile = tiles.first; tile < tiles.last; ++tile) take_tile(tile, cycle, scratch, found[w]);
+        tiles_left_.take(worker, [&](std::int64_t tile) {
+          take_tile(tile, total_cycles_ + cycle, scratch, found[w]);
+        });
       });
       workers_.barrier();
+      if (worker == 0) {
+        tiles_left_.refill(workers_, arrays_.tile_count);
+        done = cycle + 1;
+      }
+      if (workers_.cut_short()) return;
     }
   };
-  workers_.run(task);
+  while (done < cycles) {
+    bonds_left_.refill(workers_, plan_.bond_blocks);
+    domains_left_.refill(workers_, domain_blocks);
+    tiles_left_.refill(workers_, arrays_.tile_count);
+    workers_.run(task);
+  }
   assembly_.smooth.write_state(assembly_.intact, assembly_.slip);
   if (no_memory) throw std::bad_alloc();
   total_cycles_ += cycles;

@@ -135,6 +135,7 @@ class ExplicitSolver {
   NonBondedContacts non_bonded_;
   const Options& options_;
   Workers& workers_;
+  Workers::Pass bonds_left_, domains_left_, tiles_left_;  // of a cycle: blocks of bonds, of domains, tiles
   const KernelTable& kernels_;
   TilePlan plan_;
   KernelArrays arrays_{};

@@ -148,6 +148,8 @@ static void run(hfrac_sim* sim) {
   good(hfrac_step(sim, 1), sim, "step");
   expect(hfrac_advance(sim, 10.0, &reached, &reason), HFRAC_STOPPED, sim, "advance");
   check(reached == 3.0 && reason == HFRAC_REASON_CALLBACK, "stopped after the third step");
+  expect(hfrac_advance_to(sim, 2.0, &reached, &reason), HFRAC_ERR_ARGUMENT, sim, "advance_to");
+  good(hfrac_set_stop(sim, 1.0, 0), sim, "set_stop");
   good(hfrac_set_progress(sim, NULL, NULL, 0.0), sim, "set_progress");
   check(messages >= 3 && steps == 3, "callbacks were called");
   good(hfrac_set_on_step(sim, NULL, NULL), sim, "set_on_step");
@@ -285,6 +287,7 @@ static void go_back(hfrac_sim* sim) {
 
   good(hfrac_step_prepare(sim), sim, "step_prepare");
   good(hfrac_step_do(sim, 1.0), sim, "step_do");
+  good(hfrac_step_more(sim, 0.5), sim, "step_more");
   good(hfrac_step_reject(sim), sim, "step_reject");
   good(hfrac_state_hash(sim, &after), sim, "state_hash");
   check(before == after, "the step is undone");

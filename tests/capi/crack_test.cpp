@@ -258,6 +258,28 @@ TEST_F(Cracks, OfTheLargestFracturesAreCopiedFirst) {
   EXPECT_EQ(hfrac_fractures(sim, sizeof largest, &largest, -1, &count), HFRAC_ERR_ARGUMENT);
 }
 
+TEST(CrackRecord, CarriesPressureApertureAndTheFractureTheyAreOfNow) {
+  const Sim sim(cracking_def());
+  for (int round = 0; round < 2; ++round) {
+    ASSERT_GE(hfrac_step(sim, 1), 0);
+    const auto cracks = cracks_of(sim);  // nobody has asked for fractures since the step
+    const auto fractures = fractures_of(sim);
+    ASSERT_FALSE(cracks.empty());
+    std::vector<int64_t> members(fractures.size(), 0);
+    double highest = 0.0;
+    for (const auto& crack : cracks) {
+      ASSERT_GE(crack.fracture, 0);
+      ASSERT_LT(static_cast<std::size_t>(crack.fracture), fractures.size());
+      ++members[static_cast<std::size_t>(crack.fracture)];
+      EXPECT_GT(crack.hydraulic_aperture, 0.0);
+      highest = std::max(highest, crack.pressure);
+    }
+    for (std::size_t f = 0; f < fractures.size(); ++f) EXPECT_EQ(members[f], fractures[f].crack_count);
+    EXPECT_GT(highest, 0.0);
+    EXPECT_LE(highest, well_of(sim).pressure * (1.0 + 1e-9));
+  }
+}
+
 TEST(CracksOfSoundRock, AreNone) {
   const Sim sim(quiet_def());
   ASSERT_EQ(hfrac_step(sim, 1), HFRAC_OK);

@@ -5,6 +5,9 @@
 #include <fenv.h>
 #include <gtest/gtest.h>
 
+#include <signal.h>
+#include <unistd.h>
+
 #include <clocale>
 #include <cmath>
 #include <cstdlib>
@@ -14,7 +17,7 @@
 #include <xmmintrin.h>
 #endif
 
-#include "support.hpp"
+#include "sim_support.hpp"
 
 namespace {
 
@@ -63,6 +66,31 @@ TEST(Environment, DenormalsAreKeptInsideThoughTheHostFlushesThem) {
   EXPECT_EQ(def.wells[0].rate, 1e-310);
 }
 #endif
+
+// A signal that the host's thread holds back waits for it; no thread of ours takes it instead.
+TEST(Environment, SignalsOfTheHostStayWithItsThreads) {
+  static volatile sig_atomic_t handled = 0;
+  struct sigaction ours {}, before {};
+  ours.sa_handler = [](int) { handled = handled + 1; };
+  sigaction(SIGALRM, &ours, &before);
+  hfrac_sim_def def = cracking_def();
+  def.run_workers = 3;
+  const Sim sim(def);
+  sigset_t alarm_only;
+  sigemptyset(&alarm_only);
+  sigaddset(&alarm_only, SIGALRM);
+  pthread_sigmask(SIG_BLOCK, &alarm_only, nullptr);
+  handled = 0;
+  ::kill(::getpid(), SIGALRM);
+  ASSERT_GE(hfrac_step(sim, 1), 0);
+  EXPECT_EQ(handled, 0);
+  sigset_t waiting;
+  sigpending(&waiting);
+  EXPECT_EQ(sigismember(&waiting, SIGALRM), 1);
+  pthread_sigmask(SIG_UNBLOCK, &alarm_only, nullptr);
+  EXPECT_EQ(handled, 1);
+  sigaction(SIGALRM, &before, nullptr);
+}
 
 // A host in Germany: its C and its C++ locale write 1.234,5.
 class GermanNumbers : public std::numpunct<char> {

@@ -117,6 +117,8 @@ std::vector<Row> changing() {
   return {
       ROW(hfrac_step, changes, Optional(), g.sim, int64_t{1}),
       ROW(hfrac_advance, changes, Optional(), g.sim, 1e6, &g.real, &g.number),
+      ROW(hfrac_advance_to, changes, Optional(), g.sim, 1e6, &g.real, &g.number),
+      ROW(hfrac_set_stop, changes, Optional(), g.sim, 0.42, int64_t{0}),
       ROW(hfrac_set_progress, changes, Optional({1, 2}), g.sim, stop_at_once, static_cast<void*>(nullptr),
           0.0),
       ROW(hfrac_set_on_step, changes, Optional({1, 2}), g.sim, ignore_step, static_cast<void*>(nullptr)),
@@ -139,6 +141,7 @@ std::vector<Row> changing() {
       ROW(hfrac_state_load_file, changes, Optional(), g.sim, g.state_file.c_str()),
       ROW(hfrac_step_prepare, changes, Optional(), g.sim),
       ROW(hfrac_step_do, changes, Optional(), g.sim, 1.0),
+      ROW(hfrac_step_more, changes, Optional(), g.sim, 1.0),
       ROW(hfrac_step_finalize, changes, Optional(), g.sim),
       ROW(hfrac_step_reject, changes, Optional(), g.sim),
       ROW(hfrac_set_grid, changes, Optional(), g.sim, &g.grid),

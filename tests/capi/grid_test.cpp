@@ -133,6 +133,26 @@ TEST(Grid, OutflowIsWhatLeaks) {
   EXPECT_NE(balance_of(sim).leaked_volume, 0.0);
 }
 
+// What a Newton step of a coupled host needs: how `outflow` answers to the pressure beyond the edge.
+TEST(Grid, ConductanceIsTheDerivativeOfTheOutflow) {
+  hfrac_sim_def def = quiet_def();
+  def.flow_permeability = 1e-15;
+  def.stepping_flow_step = 1e-9;  // too short for the pores to follow
+  Sim low(def), high(def);
+  const auto grid = regular(2, 1, -50.0, -50.0, 100.0, 200.0);
+  const double p0 = def.fluid_formation_pressure, rise = 1e5;
+  for (hfrac_sim* sim : {static_cast<hfrac_sim*>(low), static_cast<hfrac_sim*>(high)}) {
+    ASSERT_EQ(hfrac_set_grid(sim, &grid), HFRAC_OK);
+    const double pressure[2] = {sim == high ? p0 + rise : p0, p0};
+    ASSERT_EQ(hfrac_set_boundary_pressure(sim, pressure, 2), HFRAC_OK) << last_error(sim);
+    ASSERT_GE(hfrac_step(sim, 1), 0);
+  }
+  const auto before = cells_of(low), after = cells_of(high);
+  ASSERT_GT(before[0].conductance, 0.0);
+  EXPECT_NEAR((before[0].outflow - after[0].outflow) / rise / before[0].conductance, 1.0, 1e-3);
+  EXPECT_EQ(before[1].outflow, after[1].outflow);
+}
+
 TEST(Grid, BoundaryPressureDrivesFlow) {
   for (const int32_t scheme : {0, 1}) {
     hfrac_sim_def def = quiet_def();

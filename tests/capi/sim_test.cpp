@@ -256,23 +256,66 @@ TEST(SimAdvance, ReachesItsTargetInWholeSteps) {
   EXPECT_EQ(hash_of(sim), before);
 }
 
+// Ten tenths add up to less than one.
+TEST(SimAdvance, ReachesWhatWholeStepsAddUpTo) {
+  hfrac_sim_def def = quiet_def();
+  def.stepping_flow_step = 0.1;
+  const Sim sim(def);
+  double reached = 0.0;
+  int32_t reason = -1, calls = 0;
+  while (reached < 1.0 && calls < 3) {
+    ASSERT_EQ(hfrac_advance(sim, 1.0, &reached, &reason), HFRAC_OK);
+    ++calls;
+  }
+  EXPECT_EQ(calls, 1);
+  EXPECT_EQ(reached, 1.0);
+  EXPECT_EQ(state_of(sim).step, 10);
+}
+
+TEST(SimAdvance, EndsAtATimeExactly) {
+  hfrac_sim_def def = quiet_def();
+  def.stepping_flow_step = 0.1;
+  const Sim sim(def);
+  double reached = 0.0;
+  int32_t reason = -1;
+  for (const double target : {0.25, 0.3, 1.0, 1.7000000000000002, 2.0}) {
+    ASSERT_EQ(hfrac_advance_to(sim, target, &reached, &reason), HFRAC_OK) << last_error(sim);
+    EXPECT_EQ(reason, HFRAC_REASON_TARGET);
+    EXPECT_EQ(reached, target);
+    EXPECT_EQ(state_of(sim).time, target);
+  }
+  EXPECT_EQ(state_of(sim).step, 3 + 1 + 7 + 7 + 3);
+  ASSERT_EQ(hfrac_advance_to(sim, 2.0, &reached, &reason), HFRAC_OK);
+  EXPECT_EQ(hfrac_advance_to(sim, 1.9, &reached, &reason), HFRAC_ERR_ARGUMENT);
+  EXPECT_NE(last_error(sim).find("lies before the model's time, 2 s"), std::string::npos) << last_error(sim);
+  EXPECT_EQ(hfrac_advance_to(sim, std::nan(""), &reached, &reason), HFRAC_ERR_ARGUMENT);
+}
+
 TEST(SimAdvance, StopsAtCracks) {
   hfrac_sim_def def = cracking_def();
   def.stop_cracks = 1;
   const Sim sim(def);
   double reached = 0.0;
   int32_t reason = -1;
-  EXPECT_EQ(hfrac_advance(sim, 100.0, &reached, &reason), HFRAC_OK);
+  EXPECT_EQ(hfrac_advance(sim, 100.0, &reached, &reason), HFRAC_STOP_CONDITION);
   EXPECT_EQ(reason, HFRAC_REASON_CRACKS);
   EXPECT_EQ(reached, 1.0);
   EXPECT_EQ(state_of(sim).stop_reason, HFRAC_REASON_CRACKS);
   EXPECT_GE(state_of(sim).crack_count, 1);
   // Asked again it takes no step; hfrac_step does, since the host asks for so many.
-  EXPECT_EQ(hfrac_advance(sim, 100.0, &reached, &reason), HFRAC_OK);
+  EXPECT_EQ(hfrac_advance(sim, 100.0, &reached, &reason), HFRAC_STOP_CONDITION);
   EXPECT_EQ(reason, HFRAC_REASON_CRACKS);
   EXPECT_EQ(reached, 1.0);
-  EXPECT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+  EXPECT_EQ(hfrac_step(sim, 1), HFRAC_STOP_CONDITION);
   EXPECT_EQ(state_of(sim).step, 2);
+  // It goes on when told to.
+  EXPECT_EQ(hfrac_set_stop(sim, 0.0, 0), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_set_stop(sim, 1.0, -1), HFRAC_ERR_ARGUMENT);
+  ASSERT_EQ(hfrac_set_stop(sim, 1.0, 0), HFRAC_OK);
+  EXPECT_EQ(state_of(sim).stop_reason, 0);
+  EXPECT_GE(hfrac_advance(sim, 4.0, &reached, &reason), HFRAC_OK);
+  EXPECT_EQ(reason, HFRAC_REASON_TARGET);
+  EXPECT_EQ(reached, 4.0);
 }
 
 TEST(SimAdvance, StopsAtTheExtent) {
@@ -281,7 +324,7 @@ TEST(SimAdvance, StopsAtTheExtent) {
   const Sim sim(def);
   double reached = 0.0;
   int32_t reason = -1;
-  EXPECT_EQ(hfrac_advance(sim, 100.0, &reached, &reason), HFRAC_OK);
+  EXPECT_EQ(hfrac_advance(sim, 100.0, &reached, &reason), HFRAC_STOP_CONDITION);
   EXPECT_EQ(reason, HFRAC_REASON_EXTENT);
   EXPECT_LT(reached, 100.0);
   EXPECT_EQ(state_of(sim).stop_reason, HFRAC_REASON_EXTENT);

@@ -124,6 +124,27 @@ TEST(OpenStep, TriesStartFromTheSamePlace) {
   EXPECT_EQ(hfrac_step_prepare(sim), HFRAC_ERR_ARGUMENT);
 }
 
+TEST(OpenStep, HoldsSeveralStepsThatAreRejectedAsOne) {
+  Sim sim(ramped_def()), plain(ramped_def());
+  const auto start = hash_of(sim);
+  EXPECT_EQ(hfrac_step_more(sim, 1e-2), HFRAC_ERR_ARGUMENT) << "no step is open";
+  ASSERT_EQ(hfrac_step_prepare(sim), HFRAC_OK);
+  ASSERT_GE(hfrac_step_do(sim, 1e-2), 0);
+  ASSERT_GE(hfrac_step_more(sim, 1e-2), 0);
+  EXPECT_EQ(hfrac_step_more(sim, 0.0), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(state_of(sim).step, 2);
+  ASSERT_EQ(hfrac_step_reject(sim), HFRAC_OK);
+  EXPECT_EQ(hash_of(sim), start);
+  ASSERT_EQ(hfrac_step_prepare(sim), HFRAC_OK);
+  for (int round = 0; round < 2; ++round) {
+    ASSERT_GE(hfrac_step_do(sim, 1e-2), 0);
+    ASSERT_GE(hfrac_step_more(sim, 1e-2), 0);
+  }
+  ASSERT_EQ(hfrac_step_finalize(sim), HFRAC_OK);
+  ASSERT_GE(hfrac_step(plain, 2), 0);
+  EXPECT_EQ(hash_of(sim), hash_of(plain));
+}
+
 TEST(FarField, MoreStressPressesTheModelTogether) {
   Sim sim(ramped_def());
   const auto width = [&] {

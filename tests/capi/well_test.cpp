@@ -9,6 +9,13 @@ namespace {
 
 using namespace testing_capi;
 
+TEST(WellState, TellsTheRadiusAskedForFromTheOneItGot) {
+  const Sim sim(quiet_def());
+  EXPECT_EQ(well_of(sim).radius, 10.0);
+  EXPECT_NE(well_of(sim).equivalent_radius, 10.0);
+  EXPECT_NEAR(well_of(sim).equivalent_radius, 10.0, 4.0);
+}
+
 TEST(Well, IsAsDefined) {
   hfrac_sim_def def = quiet_def();
   def.wells[0].x = 45.0;

@@ -86,7 +86,7 @@ TEST(CallHost, ReadingIsAllowedChangingIsNot) {
 
 TEST(CallHost, ExceptionsOfTheHostLeaveNoTrace) {
   HandleBase sim;
-  EXPECT_EQ(guarded_sim(&sim, [&] { call_host(&sim, [] { throw 1; }); }), HFRAC_ERR_INTERNAL);
+  EXPECT_EQ(guarded_sim(&sim, [&] { call_host(&sim, [] { throw 1; }); }), HFRAC_ERR_CALLBACK);
   EXPECT_FALSE(sim.in_callback);
 }
 

@@ -42,6 +42,7 @@ from .errors import (
     ArgumentError,
     BadHandleError,
     BusyError,
+    CallbackError,
     CaseFileError,
     DivergedError,
     FileError,
@@ -59,6 +60,7 @@ from .errors import (
 
 __all__ = [
     "FIELDS", "Advance", "ArgumentError", "BadHandleError", "Balance", "Bonds", "BusyError", "Calibration",
+    "CallbackError",
     "CaseFileError", "Crack", "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "Event", "FieldInfo",
     "FileError", "Fracture", "GrdeclKind", "Grid", "Heat", "HfracError", "InternalError", "JointState", "LabReport",
     "LabResult", "LibraryError", "LogLevel", "MagnitudeLaw", "ModelError", "OpenStep", "Option", "OutOfMemoryError",

@@ -21,6 +21,8 @@ class Status(enum.IntEnum):
     STOPPED = 1
     #: mechanics did not come to rest within stepping.max_cycles
     NOT_AT_REST = 2
+    #: stop.extent_fraction or stop.cracks is reached; hfrac_set_stop lets the run go on
+    STOP_CONDITION = 3
     #: an argument is NULL, not finite or out of range
     ERR_ARGUMENT = -1
     #: the handle was never created or is destroyed
@@ -43,6 +45,8 @@ class Status(enum.IntEnum):
     ERR_POISONED = -10
     #: a file cannot be written, cannot be read, or is not what it should be
     ERR_FILE = -11
+    #: a callback threw an exception; the simulation is at its last whole step
+    ERR_CALLBACK = -12
     #: an error of the library itself; please report it
     ERR_INTERNAL = -99
 
@@ -255,6 +259,7 @@ STATUS_TEXTS = {
     0: 'good',
     1: 'stopped by a callback; the simulation is at its last good step',
     2: 'mechanics did not come to rest within stepping.max_cycles',
+    3: 'stop.extent_fraction or stop.cracks is reached; hfrac_set_stop lets the run go on',
     -1: 'an argument is NULL, not finite or out of range',
     -2: 'the handle was never created or is destroyed',
     -3: 'struct_size is not set by the init function or unknown',
@@ -266,6 +271,7 @@ STATUS_TEXTS = {
     -9: 'called from inside a callback of the same simulation, or while another thread is in it',
     -10: 'an earlier error left the simulation unusable; only last_error and destroy work',
     -11: 'a file cannot be written, cannot be read, or is not what it should be',
+    -12: 'a callback threw an exception; the simulation is at its last whole step',
     -99: 'an error of the library itself; please report it',
 }
 
@@ -615,6 +621,7 @@ class hfrac_well_state(ctypes.Structure):
         ("rate", ctypes.c_double),
         ("injected_volume", ctypes.c_double),
         ("domain", ctypes.c_int64),
+        ("radius", ctypes.c_double),
     ]
 
 
@@ -656,6 +663,8 @@ class hfrac_crack(ctypes.Structure):
         ("mode", ctypes.c_int32),
         ("fracture", ctypes.c_int32),
         ("distance", ctypes.c_double),
+        ("pressure", ctypes.c_double),
+        ("hydraulic_aperture", ctypes.c_double),
     ]
 
 
@@ -763,6 +772,7 @@ class hfrac_cell(ctypes.Structure):
         ("pressure", ctypes.c_double),
         ("fracture_pressure", ctypes.c_double),
         ("crack_count", ctypes.c_int64),
+        ("conductance", ctypes.c_double),
     ]
 
 
@@ -1002,6 +1012,17 @@ SIGNATURES = {
         ctypes.c_double,
         ctypes.POINTER(ctypes.c_double),
         ctypes.POINTER(ctypes.c_int32),
+    ),
+    "hfrac_advance_to": (
+        ctypes.c_void_p,
+        ctypes.c_double,
+        ctypes.POINTER(ctypes.c_double),
+        ctypes.POINTER(ctypes.c_int32),
+    ),
+    "hfrac_set_stop": (
+        ctypes.c_void_p,
+        ctypes.c_double,
+        ctypes.c_int64,
     ),
     "hfrac_set_progress": (
         ctypes.c_void_p,
@@ -1301,6 +1322,10 @@ SIGNATURES = {
         ctypes.c_void_p,
     ),
     "hfrac_step_do": (
+        ctypes.c_void_p,
+        ctypes.c_double,
+    ),
+    "hfrac_step_more": (
         ctypes.c_void_p,
         ctypes.c_double,
     ),

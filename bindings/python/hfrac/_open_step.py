@@ -30,8 +30,13 @@ class OpenStep:
         with self._simulation._lock, self._simulation._progress.watched():
             return self._simulation._call("hfrac_step_do", duration)
 
+    def more(self, duration: float) -> _abi.Status:
+        """Takes another step of `duration` [s] within the open one, from where the last ``do`` or ``more`` ended."""
+        with self._simulation._lock, self._simulation._progress.watched():
+            return self._simulation._call("hfrac_step_more", duration)
+
     def finalize(self) -> None:
-        """Closes the step and keeps what the last ``do`` gave."""
+        """Closes the step and keeps what the last ``do`` gave and ``more`` added."""
         self._simulation._call("hfrac_step_finalize")
         self.open = False
 

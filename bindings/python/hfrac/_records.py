@@ -301,6 +301,8 @@ class WellState(NamedTuple):
     injected_volume: float
     #: index of its domain
     domain: int
+    #: [m] of the hole that was asked for; its wall follows discs (equivalent_radius)
+    radius: float
 
     @classmethod
     def of(cls, struct: _abi.hfrac_well_state) -> "WellState":
@@ -315,6 +317,7 @@ class WellState(NamedTuple):
             struct.rate,
             struct.injected_volume,
             struct.domain,
+            struct.radius,
         )
 
 
@@ -349,10 +352,14 @@ class Crack(NamedTuple):
     energy: float
     #: enum hfrac_crack_mode
     mode: CrackMode
-    #: index of its fracture when last found
+    #: index of its fracture now, as hfrac_fractures gives them
     fracture: int
     #: [m] between the centres of its discs when they were bonded
     distance: float
+    #: [Pa] now, mean of the pores it lies between; 0 in a dry model
+    pressure: float
+    #: [m] of its pipe now (eq. 7), which the cubic law takes; 0 in a dry model
+    hydraulic_aperture: float
 
     @classmethod
     def of(cls, struct: _abi.hfrac_crack) -> "Crack":
@@ -374,6 +381,8 @@ class Crack(NamedTuple):
             CrackMode(struct.mode),
             struct.fracture,
             struct.distance,
+            struct.pressure,
+            struct.hydraulic_aperture,
         )
 
 
@@ -562,6 +571,10 @@ class Cell(NamedTuple):
     fracture_pressure: float
     #: cracks with some length in the cell
     crack_count: int
+    #: [m2/(Pa s)] of the pipes through the model's edge to this cell: `outflow` falls by so much for each Pa
+    #: the cell's pressure (hfrac_set_boundary_pressure) is raised while the pores inside keep theirs; over a
+    #: long step pores follow and it falls by less
+    conductance: float
 
     @classmethod
     def of(cls, struct: _abi.hfrac_cell) -> "Cell":
@@ -579,6 +592,7 @@ class Cell(NamedTuple):
             struct.pressure,
             struct.fracture_pressure,
             struct.crack_count,
+            struct.conductance,
         )
 
 

@@ -130,17 +130,23 @@ class Simulation:
     # Running
 
     def step(self, count: int = 1) -> _abi.Status:
-        """Takes `count` steps. Status.STOPPED if the progress function asked for it, Status.NOT_AT_REST if the last
-        step's mechanics did not come to rest; both are notes, not errors."""
+        """Takes `count` steps. Status.STOPPED if the progress function asked for it, Status.STOP_CONDITION if
+        stop.extent_fraction or stop.cracks is reached, Status.NOT_AT_REST if the last step's mechanics did not come to
+        rest; all are notes, not errors."""
         with self._lock, self._progress.watched():
             return self._call("hfrac_step", count)
 
-    def advance(self, time: float) -> Advance:
-        """Steps until model time `time` [s] is reached or a stop condition holds."""
+    def advance(self, time: float, exact: bool = False) -> Advance:
+        """Steps until model time `time` [s] is reached or a stop condition holds (Status.STOP_CONDITION). With `exact`
+        the last step is shortened to end at that time."""
         reached, reason = ctypes.c_double(), ctypes.c_int32()
         with self._lock, self._progress.watched():
-            status = self._call("hfrac_advance", time, ctypes.byref(reached), ctypes.byref(reason))
+            status = self._call("hfrac_advance_to" if exact else "hfrac_advance", time, ctypes.byref(reached), ctypes.byref(reason))
         return Advance(reached.value, _abi.StopReason(reason.value), status)
+
+    def set_stop(self, extent_fraction: float = 1.0, cracks: int = 0) -> None:
+        """Other limits than stop.extent_fraction and stop.cracks (0: none) from now on, so that a run goes on past them."""
+        self._call("hfrac_set_stop", extent_fraction, cracks)
 
     def on_progress(self, function: Optional[ProgressFunction], seconds: float = _LOOK_EVERY) -> None:
         """Has `function` called about every `seconds` of wall time during step and advance; None: no function."""

@@ -77,6 +77,12 @@ class FileError(HfracError, OSError):
     status = Status.ERR_FILE
 
 
+class CallbackError(HfracError, RuntimeError):
+    """A callback threw an exception that is none of Python's; the simulation is at its last whole step."""
+
+    status = Status.ERR_CALLBACK
+
+
 class InternalError(HfracError, RuntimeError):
     """An error of the library itself; please report it."""
 

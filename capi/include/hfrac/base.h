@@ -4,6 +4,10 @@
  *
  * - Every function returns an int32_t status: 0 good, negative an error, positive a note (HFRAC_STOPPED).
  *   Results come back through pointers. After an error of kind ARGUMENT nothing has changed.
+ * - Callbacks return. What one throws ends the call with HFRAC_ERR_CALLBACK: the state is that of the last whole step, and the
+ *   simulation can be used on. A callback must not leave by longjmp or by ending its thread: the library's locks and memory of
+ *   that call are lost then, and the simulation answers HFRAC_ERR_BUSY to everything but reading. What stood at a whole step
+ *   can still be saved (hfrac_state_save) and restored into a new simulation.
  * - The library never ends the process, prints, changes directory, locale or signal handlers, and keeps no
  *   process-wide state. Different simulations may be used from different threads at once; one simulation belongs
  *   to one thread at a time: a call that finds another thread in it changes nothing and returns HFRAC_ERR_BUSY.
@@ -49,6 +53,7 @@
   X(HFRAC_OK, 0, "good")                                                                        \
   X(HFRAC_STOPPED, 1, "stopped by a callback; the simulation is at its last good step")         \
   X(HFRAC_NOT_AT_REST, 2, "mechanics did not come to rest within stepping.max_cycles")          \
+  X(HFRAC_STOP_CONDITION, 3, "stop.extent_fraction or stop.cracks is reached; hfrac_set_stop lets the run go on") \
   X(HFRAC_ERR_ARGUMENT, -1, "an argument is NULL, not finite or out of range")                  \
   X(HFRAC_ERR_BAD_HANDLE, -2, "the handle was never created or is destroyed")                   \
   X(HFRAC_ERR_STRUCT_SIZE, -3, "struct_size is not set by the init function or unknown")        \
@@ -60,6 +65,7 @@
   X(HFRAC_ERR_BUSY, -9, "called from inside a callback of the same simulation, or while another thread is in it") \
   X(HFRAC_ERR_POISONED, -10, "an earlier error left the simulation unusable; only last_error and destroy work") \
   X(HFRAC_ERR_FILE, -11, "a file cannot be written, cannot be read, or is not what it should be") \
+  X(HFRAC_ERR_CALLBACK, -12, "a callback threw an exception; the simulation is at its last whole step") \
   X(HFRAC_ERR_INTERNAL, -99, "an error of the library itself; please report it")
 
 #define HFRAC_STATUS_ENUM_(name, value, text) name = value,

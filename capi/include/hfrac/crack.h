@@ -32,8 +32,10 @@ typedef struct hfrac_crack {
   double shear_force;  /**< [N] per thickness at failure */
   double energy;       /**< [J/m] elastic energy of the bond at failure */
   int32_t mode;        /**< enum hfrac_crack_mode */
-  int32_t fracture;    /**< index of its fracture when last found */
+  int32_t fracture;    /**< index of its fracture now, as hfrac_fractures gives them */
   double distance;     /**< [m] between the centres of its discs when they were bonded */
+  double pressure;     /**< [Pa] now, mean of the pores it lies between; 0 in a dry model */
+  double hydraulic_aperture; /**< [m] of its pipe now (eq. 7), which the cubic law takes; 0 in a dry model */
 } hfrac_crack;
 
 /** Cracks with id >= cursor, at most `capacity` of them; *next is the cursor for the next call. `crack_size` is

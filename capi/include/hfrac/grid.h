@@ -67,6 +67,9 @@ typedef struct hfrac_cell {
   double pressure;            /**< [Pa] of pores beside no crack, mean by volume; formation pressure if there are none */
   double fracture_pressure;   /**< [Pa] of pores beside cracks, mean by opening; as `pressure` without cracks */
   int64_t crack_count;        /**< cracks with some length in the cell */
+  double conductance;         /**< [m2/(Pa s)] of the pipes through the model's edge to this cell: `outflow` falls by so much for each
+                                   Pa the cell's pressure (hfrac_set_boundary_pressure) is raised while the pores inside keep theirs;
+                                   over a long step pores follow and it falls by less */
 } hfrac_cell;
 
 /** Every cell as it is now. `method`: enum hfrac_upscaling. `cell_size` is sizeof(hfrac_cell) in the caller. Copies up to

@@ -24,10 +24,14 @@ HFRAC_API int32_t hfrac_sim_destroy(hfrac_sim **sim);
 /** The definition the simulation was built from, defaults filled in; `def->struct_size` must be set. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_definition(const hfrac_sim *sim, hfrac_sim_def *def);
 
+/* A run goes on in one of three ways, and says in its status how it ended. Of several notes the first counts:
+ *   HFRAC_STOPPED         a callback asked for it; the simulation is at its last whole step
+ *   HFRAC_STOP_CONDITION  stop.extent_fraction or stop.cracks is reached (hfrac_set_stop lets the run go on)
+ *   HFRAC_NOT_AT_REST     the last step (hfrac_advance: a step) did not reach stepping.force_ratio */
+
 /** Takes `count` steps (sub-steps in mode "substep", stepping.flow_step seconds of real motion each in mode "dynamic",
  * stepping.flow_step seconds of flow and equilibrium together in mode "coupled").
- * HFRAC_STOPPED if the progress callback asked for it: the simulation is then at its last whole step.
- * HFRAC_NOT_AT_REST if the last step did not reach stepping.force_ratio. Stable since 0.1. */
+ * All of them, whatever stop conditions say; HFRAC_STOP_CONDITION if one holds at the end. Stable since 0.1. */
 HFRAC_API int32_t hfrac_step(hfrac_sim *sim, int64_t count);
 
 /** Why hfrac_advance returned. */
@@ -38,9 +42,18 @@ enum hfrac_stop_reason {
   HFRAC_REASON_CRACKS = 3    /**< stop.cracks reached */
 };
 
-/** Steps until model time `target` [s] is reached or a stop condition holds; time moves in whole steps, so
- * *reached >= target on success. Stable since 0.1. */
+/** Steps until model time `target` [s] is reached: time moves in whole steps, so *reached >= target on success (HFRAC_OK or
+ * HFRAC_NOT_AT_REST), and equal to it where whole steps add up to it, rounding or not. Ends before, without a step if it holds
+ * already, at a stop condition (HFRAC_STOP_CONDITION). A target in the past is reached. Stable since 0.1. */
 HFRAC_API int32_t hfrac_advance(hfrac_sim *sim, double target, double *reached, int32_t *reason);
+
+/** The same, with the last step shortened so that *reached == target on success. HFRAC_ERR_ARGUMENT: the target lies before
+ * the model's time. Unstable since 0.1. */
+HFRAC_UNSTABLE_API int32_t hfrac_advance_to(hfrac_sim *sim, double target, double *reached, int32_t *reason);
+
+/** Other limits than stop.extent_fraction (0.01 to 1) and stop.cracks (0: no limit) from now on, so that a run that ended at one
+ * goes on. Unstable since 0.1. */
+HFRAC_UNSTABLE_API int32_t hfrac_set_stop(hfrac_sim *sim, double extent_fraction, int64_t cracks);
 
 /** Sets the callback of hfrac_step and hfrac_advance, called about every `seconds` of wall time (0: between any two
  * steps and often within one); NULL removes it. Stable since 0.1. */
@@ -196,6 +209,7 @@ typedef struct hfrac_well_state {
   double rate;               /**< [m2/s] into the well in the last step */
   double injected_volume;    /**< [m2] since the initial equilibration, at formation pressure */
   int64_t domain;            /**< index of its domain */
+  double radius;             /**< [m] of the hole that was asked for; its wall follows discs (equivalent_radius) */
 } hfrac_well_state;
 /** Number of wells. Stable since 0.1. */
 HFRAC_API int32_t hfrac_well_count(const hfrac_sim *sim, int32_t *count);

@@ -9,7 +9,8 @@
  *   do { ... set wells or far field ...; hfrac_step_do(sim, dt); ... } while (not content, perhaps with a smaller dt);
  *   hfrac_step_finalize(sim);            or hfrac_step_reject(sim) to go back to where prepare was called
  *
- * Every hfrac_step_do starts from where prepare was called. While a step is open, hfrac_step, hfrac_advance and
+ * Every hfrac_step_do starts from where prepare was called. hfrac_step_more goes on from where the last one ended, so that a host's
+ * step may be several of ours (a longer one first, then another) and still be rejected as one. While a step is open, hfrac_step, hfrac_advance and
  * hfrac_state_restore are refused (HFRAC_ERR_ARGUMENT).
  *
  * An image holds all that a run changes. Restored into the simulation it was taken from, or one created from the same
@@ -47,7 +48,10 @@ HFRAC_API int32_t hfrac_step_prepare(hfrac_sim *sim);
 /** Takes the open step, `duration` [s] of fluid time long, from where it was opened; wells and far field as they are set
  * now. May be called again. Status as hfrac_step. Stable since 0.1. */
 HFRAC_API int32_t hfrac_step_do(hfrac_sim *sim, double duration);
-/** Closes the open step and keeps what the last hfrac_step_do gave. Stable since 0.1. */
+/** Takes another step of `duration` [s] within the open one, from where the last hfrac_step_do or hfrac_step_more ended. Fails or
+ * is stopped alone: what came before it stands. Unstable since 0.1. */
+HFRAC_UNSTABLE_API int32_t hfrac_step_more(hfrac_sim *sim, double duration);
+/** Closes the open step and keeps what the last hfrac_step_do gave and hfrac_step_more added. Stable since 0.1. */
 HFRAC_API int32_t hfrac_step_finalize(hfrac_sim *sim);
 /** Closes the open step and goes back to where it was opened, wells and far field included. Stable since 0.1. */
 HFRAC_API int32_t hfrac_step_reject(hfrac_sim *sim);

@@ -88,7 +88,7 @@ static void variable(Bmi* m, const char* name) {
   GOOD(m->get_var_type(m, name, type));
   GOOD(m->get_var_units(m, name, units));
   check(size > 0 && bytes > 0 && bytes % size == 0, name, m);
-  check(strcmp(type, "double") == 0 || strcmp(type, "int32") == 0 || strcmp(type, "int64") == 0, name, m);
+  check(strcmp(type, "double") == 0 || strcmp(type, "int") == 0 || strcmp(type, "long") == 0, name, m);
   check(units[0] != 0 && strstr(name, "__") != NULL, name, m);
   if (strcmp(location, "node") == 0) {
     GOOD(m->get_grid_node_count(m, grid, &there));

@@ -207,12 +207,13 @@ class BothFaces(Initialized):
     def test_c_says_the_same(self):
         said = subprocess.run([PROGRAM, CASE, "--table"], check=True, capture_output=True, text=True).stdout.split()
         inputs = self.bmi.get_input_var_names()
+        names_in_c = {"int32": "int", "int64": "long"}  # each face names types as its language does
         ours = [
             "|".join(
                 str(part)
                 for part in (
                     name,
-                    self.bmi.get_var_type(name),
+                    names_in_c.get(self.bmi.get_var_type(name), "double"),
                     self.bmi.get_var_units(name),
                     self.bmi.get_var_location(name),
                     self.bmi.get_var_grid(name),

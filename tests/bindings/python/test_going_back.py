@@ -67,8 +67,9 @@ class OpenSteps(unittest.TestCase):
                 with self.assertRaises(hfrac.ArgumentError):
                     sim.step()
                 step.do(5e-3)
+                self.assertGreaterEqual(step.more(2e-3), 0)
             self.assertFalse(step.open)
-            self.assertAlmostEqual(sim.time, 5e-3)
+            self.assertAlmostEqual(sim.time, 7e-3)
 
     def test_rejected_by_hand_and_by_an_exception(self):
         with small() as sim:

@@ -81,6 +81,9 @@ class Running(unittest.TestCase):
             self.assertIs(advance.reason, hfrac.StopReason.CRACKS)
             self.assertLess(advance.time, 10.0)
             self.assertIs(sim.state.stop_reason, hfrac.StopReason.CRACKS)
+            self.assertIs(advance.status, hfrac.Status.STOP_CONDITION)
+            sim.set_stop()
+            self.assertEqual(sim.advance(advance.time + 0.015, exact=True).time, advance.time + 0.015)
 
     def test_a_step_that_does_not_come_to_rest_is_a_note(self):
         with small(stepping_max_cycles=10) as sim:

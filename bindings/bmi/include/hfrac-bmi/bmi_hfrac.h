@@ -16,16 +16,32 @@
  *
  * Pointers of get_value_ptr stay the same until finalize; what they point to follows every update and every set_value.
  * update takes one step of stepping.flow_step; update_until takes as many as fit and a shorter one to end where it is told.
- * Stop conditions of the case (stop.*) are left to the framework.
+ * Stop conditions of the case (stop.*) are left to the framework. get_var_type names C types: "double", "int", "long".
  */
 #ifndef BMI_HFRAC_H
 #define BMI_HFRAC_H
 
+#include <bmi.h>
+
+/* The C++ face of the BMI (bmi.hxx) names constants as bmi.h names macros. In C++ these are constants here, too, so that both
+ * headers can be used in one file, in either order. */
 #if defined(__cplusplus)
+#undef BMI_SUCCESS
+#undef BMI_FAILURE
+#undef BMI_MAX_UNITS_NAME
+#undef BMI_MAX_TYPE_NAME
+#undef BMI_MAX_COMPONENT_NAME
+#undef BMI_MAX_VAR_NAME
+enum {
+  BMI_SUCCESS = 0,
+  BMI_FAILURE = 1,
+  BMI_MAX_UNITS_NAME = 2048,
+  BMI_MAX_TYPE_NAME = 2048,
+  BMI_MAX_COMPONENT_NAME = 2048,
+  BMI_MAX_VAR_NAME = 2048
+};
 extern "C" {
 #endif
-
-#include <bmi.h>
 
 #if defined(__GNUC__)
 #define BMI_HFRAC_API __attribute__((visibility("default")))
@@ -36,8 +52,8 @@ extern "C" {
 /** Fills `model` with this model's functions and returns it; NULL for NULL. */
 BMI_HFRAC_API Bmi* register_bmi_hfrac(Bmi* model);
 
-/** BMI has no texts for what went wrong; this copies the last one of `model` into `text` of `capacity` bytes, cut if it
- * has to be. Returns BMI_FAILURE for NULL or no room. */
+/** BMI has no texts for what went wrong; this copies the last one of `model` - before initialize and after it failed, the last one
+ * of this thread - into `text` of `capacity` bytes, cut if it has to be. Returns BMI_FAILURE for NULL or no room. */
 BMI_HFRAC_API int bmi_hfrac_last_error(const Bmi* model, char* text, int capacity);
 
 #if defined(__cplusplus)
