@@ -44,7 +44,8 @@ ExplicitSolver::ExplicitSolver(Assembly& assembly, Network& network, Boundary& b
       non_bonded_(options),
       options_(options),
       workers_(workers),
-      kernels_(kernels()) {
+      kernels_(kernels()),
+      fragments_(assembly, options) {
   const auto discs = static_cast<std::size_t>(assembly.disc_count());
   inverse_mass_.resize(discs);
   inverse_inertia_.resize(discs);
@@ -214,7 +215,7 @@ bool ExplicitSolver::break_bonds(std::int64_t first, std::int64_t last, std::int
   for (std::int64_t e = first; e < last; ++e) {
     if (assembly_.intact[e] == 0 || assembly_.smooth.of(e) != nullptr) continue;
     const BondView bond = view_bond(assembly_, options_, e);
-    if (bond.tensile_excess < 1.0 && bond.shear_excess < 1.0) continue;
+    if ((bond.tensile_excess < 1.0 && bond.shear_excess < 1.0) || fragments_.would_cut(assembly_, e)) continue;
     break_bond(bond, e, cycle, found);
   }
   return found.size() > before;
@@ -235,10 +236,13 @@ void ExplicitSolver::take_smooth_joints(std::int64_t cycle, CrackLog& found) {
 // After breakage the forces are computed again, as those of what is left.
 void ExplicitSolver::take_cross_block(std::int64_t block, std::int64_t cycle, CrackLog& found) {
   kernels_.cross_bonds(arrays_, block);
-  if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + block)].flagged == 0) return;
+  if (break_cross_block(block, cycle, found)) kernels_.cross_bonds(arrays_, block);
+}
+
+bool ExplicitSolver::break_cross_block(std::int64_t block, std::int64_t cycle, CrackLog& found) {
+  if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + block)].flagged == 0) return false;
   const auto first = arrays_.first_cross_bond + block * cross_block;
-  if (break_bonds(first, std::min(first + cross_block, arrays_.bond_count), cycle, found))
-    kernels_.cross_bonds(arrays_, block);
+  return break_bonds(first, std::min(first + cross_block, arrays_.bond_count), cycle, found);
 }
 
 void ExplicitSolver::take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, CrackLog& found) {
@@ -293,6 +297,7 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
   // A worker that finds no memory for its cracks may not leave the others waiting: it goes on to the end of the batch, and
   // then the step fails.
   std::atomic<bool> no_memory{false};
+  std::atomic<std::int64_t> flagged{-1};  // cycle in which a bond across tiles exceeds its strength
   const auto watched = [&no_memory](auto&& part) {
     try {
       part();
@@ -307,9 +312,17 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
                domains = workers_.part(worker, domain_blocks, 1),
                tiles = workers_.part(worker, arrays_.tile_count, 1);
     for (std::int64_t cycle = total_cycles_; cycle < total_cycles_ + cycles; ++cycle) {
-      watched([&] {
-        for (auto block = bonds.first; block < bonds.last; ++block) take_cross_block(block, cycle, found[w]);
-      });
+      // Whether a bond stays depends on others of its discs, maybe another worker's: then one worker breaks them all, in order.
+      if (fragments_.kept()) {
+        for (auto block = bonds.first; block < bonds.last; ++block) {
+          kernels_.cross_bonds(arrays_, block);
+          if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + block)].flagged != 0) flagged = cycle;
+        }
+      } else {
+        watched([&] {
+          for (auto block = bonds.first; block < bonds.last; ++block) take_cross_block(block, cycle, found[w]);
+        });
+      }
       for (auto block = domains.first; block < domains.last; ++block) kernels_.cross_domains(arrays_, block);
       if (worker == 0 && boundary_.reacts()) {
         boundary_.cycle(assembly_, arrays_.step, options_.stepping_safety, arrays_.damping);
@@ -320,6 +333,16 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
         non_bonded_.cycle(assembly_, boundary_, arrays_.step, energies_.friction);
       if (smooth) watched([&] { take_smooth_joints(cycle, found[w]); });
       workers_.barrier();
+      if (flagged == cycle) {
+        if (worker == 0) {
+          watched([&] {
+            for (std::int64_t block = 0; block < plan_.bond_blocks; ++block) {
+              if (break_cross_block(block, cycle, found[0])) kernels_.cross_bonds(arrays_, block);
+            }
+          });
+        }
+        workers_.barrier();
+      }
       watched([&] {
         for (auto tile = tiles.first; tile < tiles.last; ++tile) take_tile(tile, cycle, scratch, found[w]);
       });

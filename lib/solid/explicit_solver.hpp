@@ -20,6 +20,7 @@
 #include "frac/crack_log.hpp"
 #include "solid/assembly.hpp"
 #include "solid/boundary.hpp"
+#include "solid/fragments.hpp"
 #include "solid/kernels.hpp"
 #include "solid/non_bonded_contacts.hpp"
 #include "solid/temporal_blocking.hpp"
@@ -79,6 +80,8 @@ class ExplicitSolver {
   void search_contacts(const CrackLog& cracks);
   [[nodiscard]] const NonBondedContacts& non_bonded_contacts() const { return non_bonded_; }
 
+  // Whether a bond has to stay (fragments.hpp).
+  [[nodiscard]] bool stays(std::int64_t bond) const { return fragments_.would_cut(assembly_, bond); }
   // Breaks one bond as it stands (quasi-static solver).
   void break_bond(std::int64_t bond, CrackLog& log);
   // The kept force of a contact that was never bonded (quasi-static solver) [N].
@@ -118,6 +121,7 @@ class ExplicitSolver {
   [[nodiscard]] bool may_block() const;
   void mark_left_alone();
   void run_blocked(std::int64_t cycles, std::vector<CrackLog>& found);
+  bool break_cross_block(std::int64_t block, std::int64_t cycle, CrackLog& found);
   void take_cross_block(std::int64_t block, std::int64_t cycle, CrackLog& found);
   void take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, CrackLog& found);
   void break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, CrackLog& found);
@@ -136,6 +140,7 @@ class ExplicitSolver {
   const Options& options_;
   Workers& workers_;
   const KernelTable& kernels_;
+  Fragments fragments_;
   TilePlan plan_;
   KernelArrays arrays_{};
   Array<double> inverse_mass_, inverse_inertia_;
