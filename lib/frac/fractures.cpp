@@ -131,6 +131,36 @@ CrackLine crack_line(const Assembly& a, const Options& o, std::int64_t bond) {
   return {from + share * (to - from), view.normal, 2.0 * a.bond_radius(bond), std::max(0.0, view.gap)};
 }
 
+double farthest_tip(const Assembly& a, const Network& n, const Options& o, const std::vector<WellPlace>& wells,
+                    const CrackLog& log) {
+  std::map<std::int32_t, std::vector<std::size_t>> at;  // cracks by domain
+  for (std::size_t c = 0; c < log.size(); ++c) {
+    for (const auto d : {n.left[log[c].bond], n.right[log[c].bond]}) at[d].push_back(c);
+  }
+  double farthest = 0.0;
+  for (const auto& well : wells) {
+    std::vector<char> seen(log.size(), 0);
+    std::vector<std::int32_t> open{well.domain};
+    while (!open.empty()) {
+      const auto d = open.back();
+      open.pop_back();
+      const auto here = at.find(d);
+      if (d == 0 || here == at.end()) continue;  // the outside joins nothing
+      for (const auto c : here->second) {
+        if (seen[c] != 0) continue;
+        seen[c] = 1;
+        const auto bond = log[c].bond;
+        const CrackLine line = crack_line(a, o, bond);
+        const Vec2 along{-0.5 * line.length * line.normal.y, 0.5 * line.length * line.normal.x};
+        for (const Vec2 from : {line.middle + along - well.centre, line.middle - along - well.centre})
+          farthest = std::max(farthest, std::sqrt(dot(from, from)));
+        open.push_back(n.left[bond] == d ? n.right[bond] : n.left[bond]);
+      }
+    }
+  }
+  return farthest;
+}
+
 std::vector<Fracture> find_fractures(const Assembly& a, const Network& n, const Options& o,
                                      const std::vector<WellPlace>& wells, CrackLog& log) {
   const auto cracks = static_cast<std::int32_t>(log.size());

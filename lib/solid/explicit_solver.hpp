@@ -80,8 +80,11 @@ class ExplicitSolver {
   void search_contacts(const CrackLog& cracks);
   [[nodiscard]] const NonBondedContacts& non_bonded_contacts() const { return non_bonded_; }
 
-  // Whether a bond has to stay (fragments.hpp).
-  [[nodiscard]] bool stays(std::int64_t bond) const { return fragments_.would_cut(assembly_, bond); }
+  // Bonds of the outermost discs do not break while the far field is put on: a constant load on a disc that nothing holds has no
+  // equilibrium, and no rock ends there.
+  void hold_edge(bool hold);
+  // Whether a bond has to stay: of a held disc, or as fragments.hpp says.
+  [[nodiscard]] bool stays(std::int64_t bond) const;
   // Breaks one bond as it stands (quasi-static solver).
   void break_bond(std::int64_t bond, CrackLog& log);
   // The kept force of a contact that was never bonded (quasi-static solver) [N].
@@ -141,6 +144,7 @@ class ExplicitSolver {
   Workers& workers_;
   const KernelTable& kernels_;
   Fragments fragments_;
+  std::vector<char> held_;  // per disc: its bonds do not break; empty: none
   TilePlan plan_;
   KernelArrays arrays_{};
   Array<double> inverse_mass_, inverse_inertia_;

@@ -150,7 +150,7 @@ def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float) -> F
         path.reverse()
         hydraulic = mechanical = 0.0
         monotone, last = True, pressure[model.domain]
-        lowest = max(1e-4, 0.02 * max(jump.max(), 0.0))
+        lowest = max(1e-4, 0.15 * max(jump.max(), 0.0))
         for parent, node, k in path:
             if pressure[node] > last + 0.01 * abs(net):
                 monotone = False
