@@ -16,6 +16,8 @@ class Wing(NamedTuple):
 
     length: float  # m, from the middle of the well
     ratio: float  # effective hydraulic over mechanical aperture; nan: too short
+    by_gap: float  # what it would be if every pipe had the gap of its own two discs
+    by_pore: float  # and the volume gained by its two pores over their length along the fracture
     monotone: bool  # pressure falls from the well to the tip
 
 
@@ -115,7 +117,7 @@ def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float) -> F
     own = next((f for f in fractures if f.well == 0), None)
     intact = np.array(sim.discs.intact_bonds)
     if own is None:
-        nothing = Wing(0.0, math.nan, True)
+        nothing = Wing(0.0, math.nan, math.nan, math.nan, True)
         return Fracture(0.0, 0.0, net, volume, 0.0, sim.crack_count, 0, 0.0, int((intact == 0).sum()), (nothing, nothing))
     cracks = sim.cracks  # with their fractures
     mine = cracks[cracks.fracture == own.index]
@@ -123,6 +125,7 @@ def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float) -> F
     position, moved = np.array(sim.discs.position), np.array(sim.discs.displacement)
     pressure, centres = np.array(sim.domains.pressure), np.array(sim.domains.centre)
     aperture, flow = np.array(sim.pipes.aperture), np.array(sim.pipes.flow)
+    gap, floor = np.array(sim.bonds.gap), 1e-5
     jump = _jumps(model, middle, position, moved, intact)
     graph = _graph(model, bonds, middle, centres)
     far, before = _ways(graph, model.domain)
@@ -140,7 +143,7 @@ def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float) -> F
         reach = max([model.well_radius] + [float(d) for d in np.hypot(*mine_ends.T)])
         side = [d for d in far if d not in (0, model.domain) and sign * ((centres[d] - model.centre) @ axis) > 0]
         if not side:
-            wings.append(Wing(reach, math.nan, True))
+            wings.append(Wing(reach, math.nan, math.nan, math.nan, True))
             continue
         node, path = max(side, key=lambda d: far[d]), []
         while node != model.domain:
@@ -148,7 +151,11 @@ def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float) -> F
             path.append((parent, node, k))
             node = parent
         path.reverse()
-        hydraulic = mechanical = 0.0
+        hydraulic = mechanical = by_gap = by_pore = 0.0
+        ways = {d: 0.0 for step in path for d in step[:2]}  # of the fracture through each pore
+        for parent, node, k in path:
+            for d in (parent, node):
+                ways[d] += 0.0 if d == model.domain else math.dist(centres[d], middle[k])
         monotone, last = True, pressure[model.domain]
         lowest = max(1e-4, 0.15 * max(jump.max(), 0.0))
         for parent, node, k in path:
@@ -164,10 +171,19 @@ def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float) -> F
                 way += 0.0 if d == model.domain else math.dist(centres[d], middle[k])
             mechanical += way / jump[k] ** 3
             hydraulic += drop / (12.0 * viscosity * through)
+            discs = model.bond_discs[bond]
+            by_gap += float(model.radius[discs].sum()) / max(gap[bond], floor) ** 3
+            opened, along = 0.0, 0.0
+            for d in (parent, node):
+                if d != model.domain:
+                    opened += volume_now[d] - model.start_volume[d]
+                    along += ways[d]
+            if along > 0.0:
+                by_pore += way / max(opened / along, floor) ** 3
         length = sum(0.0 if p == model.domain else math.dist(centres[p], centres[n]) for p, n, _ in path)
         enough = len(path) >= 4 and mechanical > 0.0 and hydraulic > 0.0 and length > 0.0
-        ratio = (mechanical / hydraulic) ** (1.0 / 3.0) if enough else math.nan
-        wings.append(Wing(reach, ratio, monotone))
+        ratios = [(mechanical / each) ** (1.0 / 3.0) if enough else math.nan for each in (hydraulic, by_gap, by_pore)]
+        wings.append(Wing(reach, *ratios, monotone))
     return Fracture(
         0.5 * (wings[0].length + wings[1].length), float(max(jump.max(), 0.0)), net, volume, gained,
         len(cracks), own.wings, math.degrees(azimuth), int((intact == 0).sum()), (wings[0], wings[1]),
