@@ -157,7 +157,7 @@ def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float) -> F
             for d in (parent, node):
                 ways[d] += 0.0 if d == model.domain else math.dist(centres[d], middle[k])
         monotone, last = True, pressure[model.domain]
-        lowest = max(1e-4, 0.15 * max(jump.max(), 0.0))
+        lowest = max(1e-4, 0.3 * max(jump.max(), 0.0))
         for parent, node, k in path:
             if pressure[node] > last + 0.01 * abs(net):
                 monotone = False
