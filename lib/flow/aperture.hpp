@@ -30,8 +30,8 @@ struct CrackApertureResponse {
 CrackApertureResponse crack_aperture_response(const Options& options, double zero_stress_aperture, double opening,
                                               double normal, double normal_stiffness);
 
-// All apertures from the assembly as it stands, and conductances (fluid_law.hpp) from them and the pressures.
-void update_apertures(Network& network, const Assembly& assembly, const Options& options);  // planes of cracks before
+// All apertures from the assembly as it stands and the planes of its cracks, and conductances (fluid_law.hpp) from them and the pressures.
+void update_apertures(Network& network, const Assembly& assembly, const Options& options);
 
 // Permeability of the network as it stands, k = q eta L / dp [m2]: a steady solve between two bands of domains across the part
 // of the model left of the wells and, likewise, right of them; their mean. A large network is solved by iteration, from

@@ -36,6 +36,8 @@ struct CrackLine {
   double aperture;      // m, mechanical opening
 };
 CrackLine crack_line(const Assembly& assembly, const Options& options, std::int64_t bond);
+// The same with the opening across the crack's plane where there is one (crack_plane.hpp).
+CrackLine crack_line(const Network& network, const Assembly& assembly, const Options& options, std::int64_t bond);
 
 // Farthest crack end from the centre of its well, of cracks that are connected to one [m]; 0 if none is.
 double farthest_tip(const Assembly& assembly, const Network& network, const Options& options,

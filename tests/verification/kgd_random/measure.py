@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a fracture in a packing is, in the numbers of the KGD bench, read through the Python binding.
 
-A wing is the shortest way through broken bonds from the well's pore to the farthest pore of that side. Its mechanical opening u is
+A wing is the way of least resistance through broken bonds from the well's pore to the farthest pore of that side (round a disc that
+hangs in the fracture there are two, one of them shut). Its mechanical opening u is
 the jump of displacement across the local line of cracks, between the discs of either flank that still have two bonds.
 """
 import heapq
@@ -66,7 +67,7 @@ def _graph(model: Model, bonds: np.ndarray, middle: np.ndarray, centres: np.ndar
     return graph
 
 
-def _ways(graph: Dict[int, List[Tuple[int, float, int]]], start: int) -> Tuple[Dict[int, float], Dict[int, Tuple[int, int]]]:
+def _ways(graph: Dict[int, List[Tuple[int, float, int]]], start: int, resists: np.ndarray) -> Tuple[Dict[int, float], Dict[int, Tuple[int, int]]]:
     far: Dict[int, float] = {}
     before: Dict[int, Tuple[int, int]] = {}
     queue: List[Tuple[float, int, int, int]] = [(0.0, start, -1, -1)]
@@ -77,7 +78,7 @@ def _ways(graph: Dict[int, List[Tuple[int, float, int]]], start: int) -> Tuple[D
         far[node], before[node] = distance, (parent, crack)
         for other, way, k in graph.get(node, []):
             if other not in far:
-                heapq.heappush(queue, (distance + way, other, node, k))
+                heapq.heappush(queue, (distance + way * resists[k], other, node, k))
     return far, before
 
 
@@ -128,7 +129,8 @@ def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float) -> F
     gap, floor = np.array(sim.bonds.gap), 1e-5
     jump = _jumps(model, middle, position, moved, intact)
     graph = _graph(model, bonds, middle, centres)
-    far, before = _ways(graph, model.domain)
+    far, _ = _ways(graph, model.domain, np.ones(len(bonds)))
+    _, before = _ways(graph, model.domain, 1.0 / np.maximum(aperture[bonds], 1e-7) ** 3)
     pores = set(int(d) for d in model.pipe_domains[bonds].ravel()) - {0, model.domain}
     gained = sum(volume_now[d] - model.start_volume[d] for d in pores | {model.domain})
     wings = []
@@ -159,13 +161,13 @@ def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float) -> F
         monotone, last = True, pressure[model.domain]
         lowest = max(1e-4, 0.3 * max(jump.max(), 0.0))
         for parent, node, k in path:
-            if pressure[node] > last + 0.01 * abs(net):
-                monotone = False
-            last = pressure[node]
             bond = bonds[k]
             drop, through = abs(pressure[parent] - pressure[node]), abs(flow[bond])
             if jump[k] < lowest or through <= 0.0 or aperture[bond] <= 0.0:
-                continue  # the tip, closed
+                continue  # the tip
+            if pressure[node] > last + 0.01 * abs(net):
+                monotone = False
+            last = pressure[node]
             way = 0.0
             for d in (parent, node):
                 way += 0.0 if d == model.domain else math.dist(centres[d], middle[k])
