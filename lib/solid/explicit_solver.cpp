@@ -209,11 +209,10 @@ void ExplicitSolver::hold_edge(bool hold) {
   for (const auto i : boundary_.edge()) held_[static_cast<std::size_t>(i)] = 1;
 }
 
-bool ExplicitSolver::stays(std::int64_t bond) const {
+bool ExplicitSolver::is_held(std::int64_t bond) const {
   const auto e = static_cast<std::size_t>(bond);
   const auto held = [this](std::int32_t i) { return held_[static_cast<std::size_t>(i)] != 0; };
-  if (!held_.empty() && (held(assembly_.first[e]) || held(assembly_.second[e]))) return true;
-  return fragments_.would_cut(assembly_, bond);
+  return !held_.empty() && (held(assembly_.first[e]) || held(assembly_.second[e]));
 }
 
 void ExplicitSolver::break_bond(std::int64_t bond, CrackLog& log) {
@@ -228,7 +227,8 @@ bool ExplicitSolver::break_bonds(std::int64_t first, std::int64_t last, std::int
   for (std::int64_t e = first; e < last; ++e) {
     if (assembly_.intact[e] == 0 || assembly_.smooth.of(e) != nullptr) continue;
     const BondView bond = view_bond(assembly_, options_, e);
-    if ((bond.tensile_excess < 1.0 && bond.shear_excess < 1.0) || stays(e)) continue;
+    if ((bond.tensile_excess < 1.0 && bond.shear_excess < 1.0) || is_held(e) || fragments_.is_last(assembly_, e))
+      continue;
     break_bond(bond, e, cycle, found);
   }
   return found.size() > before;

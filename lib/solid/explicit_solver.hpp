@@ -84,7 +84,9 @@ class ExplicitSolver {
   // equilibrium, and no rock ends there.
   void hold_edge(bool hold);
   // Whether a bond has to stay: of a held disc, or as fragments.hpp says.
-  [[nodiscard]] bool stays(std::int64_t bond) const;
+  [[nodiscard]] bool stays(std::int64_t bond) const {
+    return is_held(bond) || fragments_.would_cut(assembly_, bond);
+  }
   // Breaks one bond as it stands (quasi-static solver).
   void break_bond(std::int64_t bond, CrackLog& log);
   // The kept force of a contact that was never bonded (quasi-static solver) [N].
@@ -124,6 +126,7 @@ class ExplicitSolver {
   [[nodiscard]] bool may_block() const;
   void mark_left_alone();
   void run_blocked(std::int64_t cycles, std::vector<CrackLog>& found);
+  [[nodiscard]] bool is_held(std::int64_t bond) const;
   bool break_cross_block(std::int64_t block, std::int64_t cycle, CrackLog& found);
   void take_cross_block(std::int64_t block, std::int64_t cycle, CrackLog& found);
   void take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, CrackLog& found);

@@ -23,12 +23,12 @@ Fragments::Fragments(const Assembly& a, const Options& o) : smallest_(o.bond_sma
   }
 }
 
-bool Fragments::would_cut(const Assembly& a, std::int64_t bond) const {
-  return kept() && (small(a, a.first[static_cast<std::size_t>(bond)], bond) ||
-                    small(a, a.second[static_cast<std::size_t>(bond)], bond));
+bool Fragments::would_cut(const Assembly& a, std::int64_t bond, std::int64_t smallest) const {
+  return small(a, a.first[static_cast<std::size_t>(bond)], bond, smallest) ||
+         small(a, a.second[static_cast<std::size_t>(bond)], bond, smallest);
 }
 
-bool Fragments::small(const Assembly& a, std::int32_t from, std::int64_t without) const {
+bool Fragments::small(const Assembly& a, std::int32_t from, std::int64_t without, std::int64_t smallest) const {
   std::array<std::int32_t, most> piece;
   piece[0] = from;
   std::int64_t count = 1;
@@ -40,7 +40,7 @@ bool Fragments::small(const Assembly& a, std::int32_t from, std::int64_t without
       const auto other = a.first[e] == static_cast<std::int32_t>(i) ? a.second[e] : a.first[e];
       const auto end = piece.begin() + count;
       if (std::find(piece.begin(), end, other) != end) continue;
-      if (count + 1 >= smallest_) return false;
+      if (count + 1 >= smallest) return false;
       piece[static_cast<std::size_t>(count++)] = other;
     }
   }

@@ -23,12 +23,21 @@ class Fragments {
 
   [[nodiscard]] bool kept() const { return smallest_ > 1; }
   // Whether one of the bond's discs would be left in a piece that is too small. Looks at intact bonds of the discs near it.
-  [[nodiscard]] bool would_cut(const Assembly& assembly, std::int64_t bond) const;
+  [[nodiscard]] bool would_cut(const Assembly& assembly, std::int64_t bond) const {
+    return kept() && would_cut(assembly, bond, smallest_);
+  }
+  // Whether it is the last bond of one of its discs: all that is asked on the way by motion. Looks at those two discs' bonds
+  // only, as workers have to that move tiles side by side.
+  [[nodiscard]] bool is_last(const Assembly& assembly, std::int64_t bond) const {
+    return kept() && would_cut(assembly, bond, 2);
+  }
 
   static constexpr std::int64_t most = 64;
 
  private:
-  [[nodiscard]] bool small(const Assembly& assembly, std::int32_t from, std::int64_t without) const;
+  [[nodiscard]] bool would_cut(const Assembly& assembly, std::int64_t bond, std::int64_t smallest) const;
+  [[nodiscard]] bool small(const Assembly& assembly, std::int32_t from, std::int64_t without,
+                           std::int64_t smallest) const;
 
   std::int64_t smallest_;
   std::vector<std::int32_t> bond_start_, bond_of_;  // bonds of each disc
