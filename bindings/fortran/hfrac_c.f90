@@ -570,6 +570,13 @@ module hfrac_c
     !> less to hold and to fetch, each off by at most 6e-8 of itself; all arithmetic, and what changes in a run,
     !> stays in double precision. Default 0.
     integer(c_int64_t) :: bond_geometry_storage = 0_c_int64_t
+    !> 0: bond, 1: plane. What the aperture of a broken bond is taken from. bond: the gap of its two discs, eq. 7 as
+    !> printed. plane: the opening across the local plane of the crack, with pipes as long as the way along it,
+    !> whatever the angle of the bond. Default 0.
+    integer(c_int64_t) :: flow_fracture_aperture = 0_c_int64_t
+    !> A bond does not break if that would cut fewer discs than this from the rest: a disc that no bond holds stops
+    !> the flow in the fracture it lies in. 1: every bond may break. Default 1.
+    integer(c_int64_t) :: bond_smallest_fragment = 0_c_int64_t
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.

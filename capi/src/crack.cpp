@@ -19,7 +19,7 @@ namespace {
 
 hfrac_crack describe(const Simulation& s, std::int64_t id) {
   const Crack& crack = s.cracks()[static_cast<std::size_t>(id)];
-  const CrackLine line = crack_line(s.assembly(), s.options(), crack.bond);
+  const CrackLine line = crack_line(s.network(), s.assembly(), s.options(), crack.bond);
   hfrac_crack c{};
   c.id = id;
   c.bond = crack.bond;

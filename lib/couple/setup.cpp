@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/error.hpp"
@@ -11,6 +12,7 @@
 #include "flow/aperture.hpp"
 #include "geom/packing.hpp"
 #include "options/choices.hpp"
+#include "options/number_text.hpp"
 #include "rock/seeping_well.hpp"
 #include "solid/joints.hpp"
 
@@ -153,8 +155,30 @@ std::vector<double> Simulation::initial_pressures() const {
   return pressure;
 }
 
+// The far field and what to do if rock does not bear it: in words, before anything is injected.
+void Simulation::require_rock_stands(std::size_t cracks_before, double share) const {
+  constexpr double most = 0.01;  // of all bonds
+  const auto bonds = static_cast<double>(assembly_.bond_count());
+  const auto broken = cracks_.size() - cracks_before;
+  if (static_cast<double>(broken) <= std::max(10.0, most * bonds)) return;
+  const Options& o = options();
+  throw Error(ErrorKind::model,
+              "the rock does not bear the far field: " + std::to_string(broken) + " of " +
+                  std::to_string(assembly_.bond_count()) + " bonds broke at " + rounded_text(100.0 * share) +
+                  " % of sigma_Hmax = " + rounded_text(o.stress_sigma_Hmax) +
+                  " Pa and sigma_hmin = " + rounded_text(o.stress_sigma_hmin) +
+                  " Pa, before any injection; at most 1 % may. Bonds bear " +
+                  rounded_text(o.bond_tensile_strength * assembly_.strength_factor) + " Pa in tension and " +
+                  rounded_text(o.bond_shear_strength * assembly_.strength_factor) +
+                  " Pa in shear: raise bond.tensile_strength and bond.shear_strength (or "
+                  "bond.fracture_toughness, which sets them), take smaller discs, or bring the stresses "
+                  "nearer to each other and to the pore pressure");
+}
+
 // Far field and formation pressure in stages, together: at every stage effective stresses are a share of the final ones.
-// Pores are drained, so breakage here is the far field's doing alone.
+// Pores are drained, so breakage here is the far field's doing alone. Under stress control the quasi-static solver finds each stage's
+// equilibrium and breaks bonds in order, the farthest beyond its strength first; damped motion, which can shake more loose than the
+// load breaks, serves the explicit solver, walls, and stages that have no equilibrium near.
 void Simulation::equilibrate(const Progress& progress) {
   const Options& o = options();
   constexpr int stages = 10;
@@ -163,6 +187,13 @@ void Simulation::equilibrate(const Progress& progress) {
   solver_->use_scaled_masses();
   solver_->set_damping(std::max(0.3, o.stepping_damping));
   solver_->set_undrained(false);
+  solver_->hold_edge(!boundary_->walled());
+  std::unique_ptr<EquilibriumSolver> rest;
+  if (SolverKind{o.solver_kind} == SolverKind::quasi_static && !boundary_->walled()) {
+    network_.stiffness.assign(network_.stiffness.size(), 0.0);  // pressures are given
+    rest = std::make_unique<EquilibriumSolver>(assembly_, network_, *boundary_, *solver_, o, *workers_);
+  }
+  const std::size_t cracks_before = cracks_.size();
   ExplicitSolver::Outcome outcome;
   for (int stage = 1; stage <= stages; ++stage) {
     const double share = static_cast<double>(stage) / stages;
@@ -170,19 +201,34 @@ void Simulation::equilibrate(const Progress& progress) {
     for (std::size_t d = 0; d < pressure.size(); ++d) network_.pressure[d] = share * pressure[d];
     const bool last = stage == stages;
     bool stop = false;
-    outcome = solver_->relax(
-        last ? o.stepping_force_ratio : 1e-2, (last ? 20 : 1) * o.stepping_max_cycles, cracks_, [&] {
-          return stop = progress &&
-                        progress(0.5 + 0.5 * (stage - 1) / stages, "finding equilibrium under the far field");
-        });
+    const auto asked = [&] {
+      require_rock_stands(cracks_before, share);
+      return stop = progress &&
+                    progress(0.5 + 0.5 * (stage - 1) / stages, "finding equilibrium under the far field");
+    };
+    bool found = false;
+    if (rest) {
+      std::vector<std::byte> before;
+      save_state(before);
+      const auto solved = rest->solve(0.0, {}, std::numeric_limits<double>::infinity(), cracks_, asked);
+      found = solved.end == EquilibriumSolver::End::rest;
+      outcome.force_ratio = solved.force_ratio;
+      outcome.at_rest = found;
+      if (found) solver_->search_contacts(cracks_);
+      else if (!stop) load_state(before);
+    }
+    if (!found && !stop)
+      outcome = solver_->relax(last ? o.stepping_force_ratio : 1e-2,
+                               (last ? 20 : 1) * o.stepping_max_cycles, cracks_, asked);
     if (stop) throw Stopped{};
+    require_rock_stands(cracks_before, share);
   }
+  solver_->hold_edge(false);
   require_joints_in_reach();
   setup_.force_ratio = force_ratio_ = outcome.force_ratio;
   setup_.cracks = static_cast<std::int64_t>(cracks_.size());
   at_rest_ = outcome.at_rest;
-  if (WallsAfterEquilibration{o.boundary_walls_after_equilibration} == WallsAfterEquilibration::fixed)
-    boundary_->fix_walls();
+  if (WallsAfterEquilibration{o.boundary_walls_after_equilibration} == WallsAfterEquilibration::fixed) boundary_->fix_walls();
   solver_->stop_motion();
   solver_->set_damping(o.stepping_damping);
 }

@@ -188,6 +188,7 @@ class Simulation {
              const Progress& progress);
   [[nodiscard]] std::vector<double> initial_pressures() const;
   void equilibrate(const Progress& progress);
+  void require_rock_stands(std::size_t cracks_before, double share) const;
   void begin_balance();
   // step.cpp
   StepOutcome step_for(double duration, const std::function<bool()>& interrupt);

@@ -142,6 +142,7 @@ void Simulation::load_state(std::span<const std::byte> image, bool whole) {
   if (loader.left() != 0)
     throw Error(ErrorKind::argument, "the state image is longer than this simulation's state.");
   feel_again();
+  network_.planes.refresh(network_, assembly_);
   solver_->after_restore(options().stress_sigma_Hmax, options().stress_sigma_hmin);
 }
 

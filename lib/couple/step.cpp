@@ -244,17 +244,11 @@ void Simulation::close_step(double duration, std::size_t cracks_before) {
   for (std::size_t c = cracks_before; c < cracks_.size(); ++c) {
     cracks_[c].step = step_;
     cracks_[c].time = time_;
-    const CrackLine line = crack_line(assembly_, options(), cracks_[c].bond);
-    const Vec2 along{-0.5 * line.length * line.normal.y, 0.5 * line.length * line.normal.x};
-    for (const Vec2 end : {line.middle + along, line.middle - along}) {
-      double nearest = wells_.empty() ? 0.0 : 1e300;
-      for (const auto& well : wells_) {
-        const Vec2 from = end - well.place.centre;
-        nearest = std::min(nearest, std::sqrt(dot(from, from)));
-      }
-      tip_distance_ = std::max(tip_distance_, nearest);
-    }
   }
+  // Cracks elsewhere, say at the outer boundary, are no part of what the wells drive.
+  if (cracks_.size() > cracks_before)
+    tip_distance_ =
+        std::max(tip_distance_, farthest_tip(assembly_, network_, options(), well_places(), cracks_));
 }
 
 void Simulation::begin_step() {

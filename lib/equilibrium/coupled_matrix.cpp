@@ -84,19 +84,19 @@ void CoupledSystem::each_entry(const Emit& emit) const {
     emit(at(r), at(r), -on_r * c);
     emit(at(l), at(r), on_l * c);
     emit(at(r), at(l), on_r * c);
-    const double x = aperture_change_[e] * opening_way_[e].x / length_scale_,
-                 y = aperture_change_[e] * opening_way_[e].y / length_scale_;
+    const Vec2 way = (aperture_change_[e] / length_scale_) * opening_way_[e].along +
+                     (squeeze_change_[e] / length_scale_) * bonds_[e].direction;
+    const double x = way.x, y = way.y;
     for (const auto& [disc, sign] : {std::pair{a.first[e], -1.0}, std::pair{a.second[e], 1.0}}) {
       emit(at(l), 3 * disc, -on_l * sign * x);
       emit(at(l), 3 * disc + 1, -on_l * sign * y);
       emit(at(r), 3 * disc, on_r * sign * x);
       emit(at(r), 3 * disc + 1, on_r * sign * y);
     }
-    const SmoothContact* smooth = a.smooth.of(static_cast<std::int64_t>(e));
-    if (smooth == nullptr) continue;
+    if (!turns_open_) continue;
     const double change = aperture_change_[e] / length_scale_ / length_scale_;
-    for (const auto& [disc, turn] : {std::pair{a.first[e], change * smooth->opens_by_first},
-                                     std::pair{a.second[e], change * smooth->opens_by_second}}) {
+    for (const auto& [disc, turn] : {std::pair{a.first[e], change * opening_way_[e].by_first},
+                                     std::pair{a.second[e], change * opening_way_[e].by_second}}) {
       emit(at(l), 3 * disc + 2, -on_l * turn);
       emit(at(r), 3 * disc + 2, on_r * turn);
     }

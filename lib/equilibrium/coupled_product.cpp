@@ -68,7 +68,12 @@ void CoupledSystem::products_of_bonds(const Vector& x, Workers::Range bonds) con
     if (!flows) continue;
     change.moved = 0.0;
     if (n.conductance[e] == 0.0) continue;
-    const double opened = aperture_change_[e] == 0.0 ? 0.0 : aperture_change_[e] * opens(e, x);
+    double opened = aperture_change_[e] == 0.0 ? 0.0 : aperture_change_[e] * opens(e, x);
+    if (squeeze_change_[e] != 0.0) {
+      const auto i = assembly_.first[e], j = assembly_.second[e];
+      const Vec2 way = bonds_[e].direction;
+      opened += squeeze_change_[e] * (way.x * (x[3 * j] - x[3 * i]) + way.y * (x[3 * j + 1] - x[3 * i + 1]));
+    }
     change.moved =
         (duration_ * slope_[e] * pressure_scale_ * (x[pressure_at(n.left[e])] - x[pressure_at(n.right[e])]) +
          opened) /

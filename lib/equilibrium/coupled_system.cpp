@@ -27,7 +27,9 @@ CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& bou
       pressure_scale_(force_scale_ / length_scale_),
       bonds_(static_cast<std::size_t>(assembly.bond_count())),
       aperture_change_(static_cast<std::size_t>(assembly.bond_count()), 0.0),
+      squeeze_change_(static_cast<std::size_t>(assembly.bond_count()), 0.0),
       slope_(static_cast<std::size_t>(assembly.bond_count()), 0.0),
+      turns_open_(network.planes.kept() || !assembly.smooth.empty()),
       law_(options),
       opening_(static_cast<std::size_t>(assembly.bond_count()), 0.0),
       opening_way_(static_cast<std::size_t>(assembly.bond_count())),
@@ -91,6 +93,7 @@ void CoupledSystem::add_pair(const BondResponse& r, std::int32_t i, std::int32_t
 }
 
 void CoupledSystem::evaluate() {
+  network_.planes.refresh(network_, assembly_);
   answer_all();
   evaluate_few();
   find_fragments();
@@ -238,22 +241,36 @@ void CoupledSystem::find_fragments() {
 void CoupledSystem::evaluate_pipe(std::size_t e) {
   auto& n = network_;
   const auto l = n.left[e], r = n.right[e];
-  aperture_change_[e] = slope_[e] = 0.0;
+  aperture_change_[e] = squeeze_change_[e] = slope_[e] = 0.0;
   if (l == r || (closed_outside_ && (l == 0 || r == 0))) {
     n.conductance[e] = 0.0;
     return;
   }
   const double joint = assembly_.joint_opening(static_cast<std::int64_t>(e));
-  opening_[e] = joint > 0.0 ? joint : bonds_[e].gap;
-  opening_way_[e] = joint > 0.0 ? assembly_.joint_normal[e] : bonds_[e].direction;
-  const auto w =
-      aperture_response(options_, n.zero_stress_aperture, opening_[e], joint > 0.0 ? 0.0 : bonds_[e].normal,
-                        bonds_[e].normal_stiffness, assembly_.intact[e] > 0.0);
+  const CrackPlane* plane = n.planes.of(e);
+  CrackApertureResponse w{};
+  if (plane != nullptr && joint <= 0.0) {
+    opening_[e] = CrackPlanes::opening(*plane, assembly_, e);
+    opening_way_[e] = {plane->normal, plane->by_first, plane->by_second};
+    w = crack_aperture_response(options_, n.zero_stress_aperture, opening_[e], bonds_[e].normal,
+                                bonds_[e].normal_stiffness);
+  } else {
+    opening_[e] = joint > 0.0 ? joint : bonds_[e].gap;
+    opening_way_[e] = {joint > 0.0 ? assembly_.joint_normal[e] : bonds_[e].direction, 0.0, 0.0};
+    if (const SmoothContact* smooth = assembly_.smooth.of(static_cast<std::int64_t>(e)))
+      opening_way_[e] = {opening_way_[e].along, smooth->opens_by_first, smooth->opens_by_second};
+    const auto of_gap =
+        aperture_response(options_, n.zero_stress_aperture, opening_[e], joint > 0.0 ? 0.0 : bonds_[e].normal,
+                          bonds_[e].normal_stiffness, assembly_.intact[e] > 0.0);
+    w = {of_gap.aperture, 0.0, of_gap.by_gap};
+  }
   n.aperture[e] = w.aperture;
-  const auto flow = law_.respond(w.aperture, assembly_.pipe_length(static_cast<std::int64_t>(e)), drop(e));
+  const auto flow = law_.respond(w.aperture, pipe_length(n, assembly_, e), drop(e));
   n.conductance[e] = flow.conductance;
   slope_[e] = flow.slope;
-  aperture_change_[e] = duration_ * flow.by_aperture * n.conductance[e] / w.aperture * w.by_gap * drop(e);
+  const double by_aperture = duration_ * flow.by_aperture * n.conductance[e] / w.aperture;
+  aperture_change_[e] = by_aperture * w.by_opening * drop(e);
+  squeeze_change_[e] = by_aperture * w.by_gap * drop(e);
 }
 
 void CoupledSystem::evaluate_domains() {
@@ -338,13 +355,10 @@ Vec2 CoupledSystem::worst_place() const {
 // What x adds to the opening that a pipe's aperture goes by [m].
 double CoupledSystem::opens(std::size_t e, const Vector& x) const {
   const auto i = assembly_.first[e], j = assembly_.second[e];
-  double opening =
-      opening_way_[e].x * (x[3 * j] - x[3 * i]) + opening_way_[e].y * (x[3 * j + 1] - x[3 * i + 1]);
-  if (const SmoothContact* smooth = assembly_.smooth.of(static_cast<std::int64_t>(e))) {
-    opening +=
-        (smooth->opens_by_first * x[3 * i + 2] + smooth->opens_by_second * x[3 * j + 2]) / length_scale_;
-  }
-  return opening;
+  const OpeningWay& way = opening_way_[e];
+  const double opening = way.along.x * (x[3 * j] - x[3 * i]) + way.along.y * (x[3 * j + 1] - x[3 * i + 1]);
+  if (!turns_open_) return opening;
+  return opening + (way.by_first * x[3 * i + 2] + way.by_second * x[3 * j + 2]) / length_scale_;
 }
 
 void CoupledSystem::limit(Vector& x, double longest) const {

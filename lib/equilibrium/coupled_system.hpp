@@ -107,8 +107,7 @@ class CoupledSystem {
   void each_entry(const Emit& emit) const;
   // Pressure that drives flow from left to right [Pa], with what a host set beyond the outer boundary.
   [[nodiscard]] double drop(std::size_t pipe) const {
-    return network_.pressure[network_.left[pipe]] - network_.pressure[network_.right[pipe]] +
-           outer_drop_[pipe];
+    return network_.pressure[network_.left[pipe]] - network_.pressure[network_.right[pipe]] + outer_drop_[pipe];
   }
   [[nodiscard]] double opens(std::size_t bond, const Vector& x) const;
   void evaluate_walls();
@@ -141,11 +140,17 @@ class CoupledSystem {
   // at the last evaluation
   std::vector<BondResponse> bonds_, pairs_;
   std::vector<double> aperture_change_;  // per pipe: d(flow) / d(gap) dt
+  std::vector<double> squeeze_change_;   // likewise d(gap of the discs), where the opening is not the gap
   std::vector<double> slope_;  // per pipe: d(flow) / d(pressure drop), the conductance unless the fluid thins
+  bool turns_open_;  // some rotation opens a pipe
   FluidLaw law_;
   std::vector<double>
       opening_;  // per pipe: m, what its aperture goes by: the gap, or that of the joint it belongs to
-  std::vector<Vec2> opening_way_;  // unit vector along which it is measured
+  struct OpeningWay {
+    Vec2 along;                  // unit vector along which it is measured
+    double by_first, by_second;  // m: its change by a disc's rotation
+  };
+  std::vector<OpeningWay> opening_way_;
   std::vector<std::int32_t> piece_;
   std::vector<char> adrift_;  // per disc: in a small piece that nothing holds
   std::vector<char> holds_,

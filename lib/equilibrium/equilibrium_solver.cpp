@@ -42,8 +42,7 @@ EquilibriumSolver::Outcome EquilibriumSolver::solve(double duration, const std::
                                                     const std::function<bool()>& interrupt) {
   Outcome outcome;
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
-  for (const auto& pair : mechanics_.non_bonded_contacts().pairs())
-    pairs.emplace_back(pair.first, pair.second);
+  for (const auto& pair : mechanics_.non_bonded_contacts().pairs()) pairs.emplace_back(pair.first, pair.second);
   if (pairs != pairs_ || (duration > 0.0) != flowed_) factor_.forget_pattern();
   flowed_ = duration > 0.0;
   pairs_.swap(pairs);
@@ -150,6 +149,7 @@ double EquilibriumSolver::find_exceeding() {
     if (assembly_.intact[e] == 0) continue;
     const BondView bond = view_bond(assembly_, options_, e);
     const double excess = std::max(bond.tensile_excess, bond.shear_excess);
+    if (excess >= 1.0 && mechanics_.stays(e)) continue;
     largest = std::max(largest, excess);
     if (excess >= 1.0) exceeding_.push_back({excess, e});
   }
@@ -178,7 +178,7 @@ void EquilibriumSolver::break_farthest(CrackLog& log) {
       const Vec2 between = middle - at;
       return dot(between, between) < apart * apart * assembly_.mean_radius * assembly_.mean_radius;
     });
-    if (near) continue;
+    if (near || mechanics_.stays(candidate.bond)) continue;  // some of its discs' other bonds may have broken just now
     broken.push_back(middle);
     mechanics_.break_bond(candidate.bond, log);
   }

@@ -133,6 +133,19 @@ ApertureResponse aperture_response(const Options& o, double zero_stress_aperture
   return r;
 }
 
+CrackApertureResponse crack_aperture_response(const Options& o, double zero_stress_aperture, double opening,
+                                              double normal, double normal_stiffness) {
+  const double squeeze = std::max(0.0, -normal), sum = o.flow_half_aperture_force + squeeze;
+  CrackApertureResponse r{zero_stress_aperture * o.flow_half_aperture_force / sum, 0.0, 0.0};
+  if (squeeze > 0.0) r.by_gap = r.aperture / sum * normal_stiffness;
+  if (opening > 0.0) {
+    r.aperture += o.flow_gap_factor * opening;
+    r.by_opening = o.flow_gap_factor;
+  }
+  if (r.aperture > o.flow_aperture_limit) r = {o.flow_aperture_limit, 0.0, 0.0};
+  return r;
+}
+
 double pipe_aperture(const Options& o, double zero_stress_aperture, const BondView& bond, bool intact) {
   return aperture_response(o, zero_stress_aperture, bond.gap, bond.normal_force(), 0.0, intact).aperture;
 }
@@ -140,16 +153,27 @@ double pipe_aperture(const Options& o, double zero_stress_aperture, const BondVi
 void update_apertures(Network& n, const Assembly& a, const Options& o) {
   const bool closed = OuterPores{o.flow_outer} == OuterPores::closed;
   const FluidLaw law(o);
+  n.planes.refresh(n, a);
   for (std::size_t e = 0; e < n.left.size(); ++e) {
     const BondView bond = view_bond(a, o, static_cast<std::int64_t>(e));
     const double joint = a.joint_opening(static_cast<std::int64_t>(e));
-    const double w = joint > 0.0
-                         ? aperture_response(o, n.zero_stress_aperture, joint, 0.0, 0.0, false).aperture
-                         : pipe_aperture(o, n.zero_stress_aperture, bond, a.intact[e] != 0);
+    const CrackPlane* plane = n.planes.of(e);
+    const double length = pipe_length(n, a, e);
+    double w;
+    if (joint > 0.0) {
+      w = aperture_response(o, n.zero_stress_aperture, joint, 0.0, 0.0, false).aperture;
+    } else if (plane != nullptr) {
+      w = crack_aperture_response(o, n.zero_stress_aperture, CrackPlanes::opening(*plane, a, e),
+                                  bond.normal_force(), 0.0)
+              .aperture;
+    } else {
+      w = pipe_aperture(o, n.zero_stress_aperture, bond, a.intact[e] != 0);
+    }
     n.aperture[e] = w;
+    if (!n.length.empty()) n.length[e] = length;
     const bool shut = n.left[e] == n.right[e] || (closed && (n.left[e] == 0 || n.right[e] == 0));
     n.conductance[e] = shut ? 0.0
-                            : law.respond(w, a.pipe_length(static_cast<std::int64_t>(e)),
+                            : law.respond(w, length,
                                           n.pressure[n.left[e]] - n.pressure[n.right[e]])
                                   .conductance;
   }

@@ -20,7 +20,17 @@ struct ApertureResponse {
 ApertureResponse aperture_response(const Options& options, double zero_stress_aperture, double gap,
                                    double normal, double normal_stiffness, bool intact);
 
-// All apertures from the assembly as it stands, and conductances (fluid_law.hpp) from them and the pressures.
+// Of a broken bond in a fracture with a plane (crack_plane.hpp): w = r0 F0 / (F + F0) + lambda max(0, U), the first factor 1 where
+// the discs are not pressed together.
+struct CrackApertureResponse {
+  double aperture;    // m
+  double by_gap;      // d aperture / d gap of the discs
+  double by_opening;  // d aperture / d U
+};
+CrackApertureResponse crack_aperture_response(const Options& options, double zero_stress_aperture, double opening,
+                                              double normal, double normal_stiffness);
+
+// All apertures from the assembly as it stands and the planes of its cracks, and conductances (fluid_law.hpp) from them and the pressures.
 void update_apertures(Network& network, const Assembly& assembly, const Options& options);
 
 // Permeability of the network as it stands, k = q eta L / dp [m2]: a steady solve between two bands of domains across the part

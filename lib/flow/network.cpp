@@ -64,6 +64,7 @@ Network build_network(Faces faces, const Assembly& a, const std::vector<std::int
     n.volume[d] = std::max(faces.polygon_area[d] - sectors, smallest_pore * a.mean_radius * a.mean_radius);
   }
 
+  if (wet && FractureAperture{options.flow_fracture_aperture} == FractureAperture::plane) n.planes.begin(n, a);
   n.volume_change.assign(domains, 0.0);
   n.content.assign(domains, 0.0);
   n.pressure.assign(domains, n.reference_pressure);

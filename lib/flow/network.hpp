@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/array.hpp"
+#include "flow/crack_plane.hpp"
 #include "geom/faces.hpp"
 #include "options/options.hpp"
 #include "solid/assembly.hpp"
@@ -44,6 +45,7 @@ struct Network {
   Array<double> outer_excess;                             // Pa
   double reference_pressure = 0.0, floor_pressure = 0.0;  // Pa
   double zero_stress_aperture = 0.0;                      // m, r0
+  CrackPlanes planes;                                     // with flow.fracture_aperture = "plane"
 
   // 0 in a dry model, for those who look at either.
   [[nodiscard]] double aperture_of(std::size_t pipe) const { return aperture.empty() ? 0.0 : aperture[pipe]; }

@@ -131,6 +131,43 @@ CrackLine crack_line(const Assembly& a, const Options& o, std::int64_t bond) {
   return {from + share * (to - from), view.normal, 2.0 * a.bond_radius(bond), std::max(0.0, view.gap)};
 }
 
+CrackLine crack_line(const Network& n, const Assembly& a, const Options& o, std::int64_t bond) {
+  CrackLine line = crack_line(a, o, bond);
+  if (const CrackPlane* plane = n.planes.of(static_cast<std::size_t>(bond)))
+    line.aperture = std::max(0.0, CrackPlanes::opening(*plane, a, static_cast<std::size_t>(bond)));
+  return line;
+}
+
+double farthest_tip(const Assembly& a, const Network& n, const Options& o, const std::vector<WellPlace>& wells,
+                    const CrackLog& log) {
+  std::map<std::int32_t, std::vector<std::size_t>> at;  // cracks by domain
+  for (std::size_t c = 0; c < log.size(); ++c) {
+    for (const auto d : {n.left[log[c].bond], n.right[log[c].bond]}) at[d].push_back(c);
+  }
+  double farthest = 0.0;
+  for (const auto& well : wells) {
+    std::vector<char> seen(log.size(), 0);
+    std::vector<std::int32_t> open{well.domain};
+    while (!open.empty()) {
+      const auto d = open.back();
+      open.pop_back();
+      const auto here = at.find(d);
+      if (d == 0 || here == at.end()) continue;  // the outside joins nothing
+      for (const auto c : here->second) {
+        if (seen[c] != 0) continue;
+        seen[c] = 1;
+        const auto bond = log[c].bond;
+        const CrackLine line = crack_line(a, o, bond);
+        const Vec2 along{-0.5 * line.length * line.normal.y, 0.5 * line.length * line.normal.x};
+        for (const Vec2 from : {line.middle + along - well.centre, line.middle - along - well.centre})
+          farthest = std::max(farthest, std::sqrt(dot(from, from)));
+        open.push_back(n.left[bond] == d ? n.right[bond] : n.left[bond]);
+      }
+    }
+  }
+  return farthest;
+}
+
 std::vector<Fracture> find_fractures(const Assembly& a, const Network& n, const Options& o,
                                      const std::vector<WellPlace>& wells, CrackLog& log) {
   const auto cracks = static_cast<std::int32_t>(log.size());
@@ -170,7 +207,10 @@ std::vector<Fracture> find_fractures(const Assembly& a, const Network& n, const 
     for (const auto c : members) {
       log[c].fracture = static_cast<std::int32_t>(fractures.size());
       const auto bond = log[c].bond;
-      const CrackLine line = crack_line(a, o, bond);
+      const CrackLine line = crack_line(n, a, o, bond);
+      // What it stands for of the fracture's length.
+      const auto e = static_cast<std::size_t>(bond);
+      const double length = n.planes.of(e) != nullptr ? pipe_length(n, a, e) : line.length;
       const Vec2 along{-line.normal.y, line.normal.x};
       ends.push_back(line.middle + (0.5 * line.length) * along);
       ends.push_back(line.middle - (0.5 * line.length) * along);
@@ -178,8 +218,8 @@ std::vector<Fracture> find_fractures(const Assembly& a, const Network& n, const 
       ++f.crack_count;
       f.tensile_cracks += log[c].mode == CrackMode::tension ? 1 : 0;
       f.largest_aperture = std::max(f.largest_aperture, line.aperture);
-      f.volume += line.aperture * line.length;
-      length_sum += line.length;
+      f.volume += line.aperture * length;
+      length_sum += length;
       const auto l = n.left[bond], r = n.right[bond];
       pressure_sum += 0.5 * (n.pressure[l] + n.pressure[r]);
       // From pore to pore through the contact; at a well or the outside the way begins at the contact.

@@ -36,6 +36,12 @@ struct CrackLine {
   double aperture;      // m, mechanical opening
 };
 CrackLine crack_line(const Assembly& assembly, const Options& options, std::int64_t bond);
+// The same with the opening across the crack's plane where there is one (crack_plane.hpp).
+CrackLine crack_line(const Network& network, const Assembly& assembly, const Options& options, std::int64_t bond);
+
+// Farthest crack end from the centre of its well, of cracks that are connected to one [m]; 0 if none is.
+double farthest_tip(const Assembly& assembly, const Network& network, const Options& options,
+                    const std::vector<WellPlace>& wells, const CrackLog& log);
 
 // All fractures, most cracks first; writes each crack's fracture into the log.
 std::vector<Fracture> find_fractures(const Assembly& assembly, const Network& network, const Options& options,

@@ -123,6 +123,8 @@ static_assert(is_word("boundary.walls_after_equilibration", "fixed", WallsAfterE
 static_assert(is_word("flow.scheme", "implicit", FlowScheme::implicit_scheme) &&
               is_word("flow.scheme", "explicit", FlowScheme::explicit_scheme) &&
               is_word("flow.scheme", "off", FlowScheme::off));
+static_assert(is_word("flow.fracture_aperture", "bond", FractureAperture::bond) &&
+              is_word("flow.fracture_aperture", "plane", FractureAperture::plane));
 static_assert(is_word("flow.outer", "formation", OuterPores::formation) &&
               is_word("flow.outer", "closed", OuterPores::closed));
 static_assert(is_word("stepping.mode", "substep", SteppingMode::substep) &&

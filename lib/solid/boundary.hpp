@@ -115,6 +115,8 @@ class Boundary {
     double velocity = 0.0;
     std::vector<std::int32_t> discs;
   };
+  // Outermost discs, or those at walls; ascending.
+  [[nodiscard]] const std::vector<std::int32_t>& edge() const { return edge_; }
   // How far a disc is pressed into a wall [m], with what it grew by temperature.
   [[nodiscard]] static double closing_of(const Assembly& a, const Wall& wall, std::int32_t i) {
     return wall.displacement - (a.ux[i] * wall.inward.x + a.uy[i] * wall.inward.y) + a.thermal.growth_of(i);

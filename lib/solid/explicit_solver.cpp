@@ -47,7 +47,8 @@ ExplicitSolver::ExplicitSolver(Assembly& assembly, Network& network, Boundary& b
       bonds_left_(workers.count()),
       domains_left_(workers.count()),
       tiles_left_(workers.count()),
-      kernels_(kernels()) {
+      kernels_(kernels()),
+      fragments_(assembly, options) {
   const auto discs = static_cast<std::size_t>(assembly.disc_count());
   inverse_mass_.resize(discs);
   inverse_inertia_.resize(discs);
@@ -205,6 +206,18 @@ void ExplicitSolver::break_bond(const BondView& bond, std::int64_t e, std::int64
   found.back().released -= view_bond(assembly_, options_, e).contact_energy;
 }
 
+void ExplicitSolver::hold_edge(bool hold) {
+  held_.assign(hold ? static_cast<std::size_t>(assembly_.disc_count()) : 0, 0);
+  if (!hold) return;
+  for (const auto i : boundary_.edge()) held_[static_cast<std::size_t>(i)] = 1;
+}
+
+bool ExplicitSolver::is_held(std::int64_t bond) const {
+  const auto e = static_cast<std::size_t>(bond);
+  const auto held = [this](std::int32_t i) { return held_[static_cast<std::size_t>(i)] != 0; };
+  return !held_.empty() && (held(assembly_.first[e]) || held(assembly_.second[e]));
+}
+
 void ExplicitSolver::break_bond(std::int64_t bond, CrackLog& log) {
   break_bond(view_bond(assembly_, options_, bond), bond, total_cycles_, log);
   assembly_.smooth.write_state(assembly_.intact, assembly_.slip);
@@ -217,7 +230,9 @@ bool ExplicitSolver::break_bonds(std::int64_t first, std::int64_t last, std::int
   for (std::int64_t e = first; e < last; ++e) {
     if (assembly_.intact[e] == 0 || assembly_.smooth.of(e) != nullptr) continue;
     const BondView bond = view_bond(assembly_, options_, e);
-    if (bond.tensile_excess < 1.0 && bond.shear_excess < 1.0) continue;
+    if ((bond.tensile_excess < 1.0 && bond.shear_excess < 1.0) || is_held(e) ||
+        fragments_.is_last(assembly_, e))
+      continue;
     break_bond(bond, e, cycle, found);
   }
   return found.size() > before;
@@ -238,10 +253,13 @@ void ExplicitSolver::take_smooth_joints(std::int64_t cycle, CrackLog& found) {
 // After breakage the forces are computed again, as those of what is left.
 void ExplicitSolver::take_cross_block(std::int64_t block, std::int64_t cycle, CrackLog& found) {
   kernels_.cross_bonds(arrays_, block);
-  if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + block)].flagged == 0) return;
+  if (break_cross_block(block, cycle, found)) kernels_.cross_bonds(arrays_, block);
+}
+
+bool ExplicitSolver::break_cross_block(std::int64_t block, std::int64_t cycle, CrackLog& found) {
+  if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + block)].flagged == 0) return false;
   const auto first = arrays_.first_cross_bond + block * cross_block;
-  if (break_bonds(first, std::min(first + cross_block, arrays_.bond_count), cycle, found))
-    kernels_.cross_bonds(arrays_, block);
+  return break_bonds(first, std::min(first + cross_block, arrays_.bond_count), cycle, found);
 }
 
 void ExplicitSolver::take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, CrackLog& found) {
@@ -296,6 +314,7 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
   // A worker that finds no memory for its cracks may not leave the others waiting: it goes on to the end of the batch, and
   // then the step fails.
   std::atomic<bool> no_memory{false};
+  std::atomic<std::int64_t> flagged{-1};  // cycle in which a bond across tiles exceeds its strength
   const auto watched = [&no_memory](auto&& part) {
     try {
       part();
@@ -308,9 +327,16 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
     const auto w = static_cast<std::size_t>(worker);
     double* scratch = scratch_[w].data();
     for (std::int64_t cycle = done; cycle < cycles; ++cycle) {
+      const std::int64_t now = total_cycles_ + cycle;
+      // Whether a bond stays depends on others of its discs, maybe another worker's: then one worker breaks them all, in order.
       watched([&] {
         bonds_left_.take(worker, [&](std::int64_t block) {
-          take_cross_block(block, total_cycles_ + cycle, found[w]);
+          if (!fragments_.kept()) {
+            take_cross_block(block, now, found[w]);
+            return;
+          }
+          kernels_.cross_bonds(arrays_, block);
+          if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + block)].flagged != 0) flagged = now;
         });
       });
       domains_left_.take(worker, [&](std::int64_t block) { kernels_.cross_domains(arrays_, block); });
@@ -321,16 +347,24 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
       if (smooth) release_smooth(assembly_, boundary_);
       if (worker == 0 && !non_bonded_.empty())
         non_bonded_.cycle(assembly_, boundary_, arrays_.step, energies_.friction);
-      if (smooth) watched([&] { take_smooth_joints(total_cycles_ + cycle, found[w]); });
+      if (smooth) watched([&] { take_smooth_joints(now, found[w]); });
       workers_.barrier();
       if (worker == 0) {
         bonds_left_.refill(workers_, plan_.bond_blocks);
         domains_left_.refill(workers_, domain_blocks);
       }
+      if (flagged == now) {
+        if (worker == 0) {
+          watched([&] {
+            for (std::int64_t block = 0; block < plan_.bond_blocks; ++block) {
+              if (break_cross_block(block, now, found[0])) kernels_.cross_bonds(arrays_, block);
+            }
+          });
+        }
+        workers_.barrier();
+      }
       watched([&] {
-        tiles_left_.take(worker, [&](std::int64_t tile) {
-          take_tile(tile, total_cycles_ + cycle, scratch, found[w]);
-        });
+        tiles_left_.take(worker, [&](std::int64_t tile) { take_tile(tile, now, scratch, found[w]); });
       });
       workers_.barrier();
       if (worker == 0) {

@@ -20,6 +20,7 @@
 #include "frac/crack_log.hpp"
 #include "solid/assembly.hpp"
 #include "solid/boundary.hpp"
+#include "solid/fragments.hpp"
 #include "solid/kernels.hpp"
 #include "solid/non_bonded_contacts.hpp"
 #include "solid/temporal_blocking.hpp"
@@ -79,6 +80,13 @@ class ExplicitSolver {
   void search_contacts(const CrackLog& cracks);
   [[nodiscard]] const NonBondedContacts& non_bonded_contacts() const { return non_bonded_; }
 
+  // Bonds of the outermost discs do not break while the far field is put on: a constant load on a disc that nothing holds has no
+  // equilibrium, and no rock ends there.
+  void hold_edge(bool hold);
+  // Whether a bond has to stay: of a held disc, or as fragments.hpp says.
+  [[nodiscard]] bool stays(std::int64_t bond) const {
+    return is_held(bond) || fragments_.would_cut(assembly_, bond);
+  }
   // Breaks one bond as it stands (quasi-static solver).
   void break_bond(std::int64_t bond, CrackLog& log);
   // The kept force of a contact that was never bonded (quasi-static solver) [N].
@@ -118,6 +126,8 @@ class ExplicitSolver {
   [[nodiscard]] bool may_block() const;
   void mark_left_alone();
   void run_blocked(std::int64_t cycles, std::vector<CrackLog>& found);
+  [[nodiscard]] bool is_held(std::int64_t bond) const;
+  bool break_cross_block(std::int64_t block, std::int64_t cycle, CrackLog& found);
   void take_cross_block(std::int64_t block, std::int64_t cycle, CrackLog& found);
   void take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, CrackLog& found);
   void break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, CrackLog& found);
@@ -137,6 +147,8 @@ class ExplicitSolver {
   Workers& workers_;
   Workers::Pass bonds_left_, domains_left_, tiles_left_;  // of a cycle: blocks of bonds, of domains, tiles
   const KernelTable& kernels_;
+  Fragments fragments_;
+  std::vector<char> held_;  // per disc: its bonds do not break; empty: none
   TilePlan plan_;
   KernelArrays arrays_{};
   Array<double> inverse_mass_, inverse_inertia_;

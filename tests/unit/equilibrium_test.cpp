@@ -270,11 +270,13 @@ struct CrackedModel {
 };
 
 TEST(CoupledSystem, ProductIsTheChangeOfTheResidual) {
-  for (const bool walls : {true, false}) {
+  for (const int number : {0, 1, 2, 3}) {
+    const bool walls = number % 2 == 0, planes = number >= 2;
     CaseDefinition definition = cracking_case();
     definition.options.packing_disc_count = 400;
     definition.wells[0].radius = 12.0;
     definition.options.stepping_flow_step = 1e-3;
+    if (planes) definition.options.flow_fracture_aperture = static_cast<std::int64_t>(FractureAperture::plane);
     // A contact that slid sits on the kink between sliding and sticking; BondResponse has a test of its own.
     definition.options.contact_shear_stiffness = 0.0;
     if (!walls) {
@@ -306,7 +308,7 @@ TEST(CoupledSystem, ProductIsTheChangeOfTheResidual) {
     system.move(x, 1.0);
     system.evaluate();
     const CoupledSystem::Vector change = before - system.residual();
-    EXPECT_LT((change - y).norm(), 1e-3 * y.norm()) << (walls ? "walls" : "stress boundary");
+    EXPECT_LT((change - y).norm(), 1e-3 * y.norm()) << (walls ? "walls" : "stress boundary") << (planes ? ", apertures of planes" : "");
   }
 }
 

@@ -163,6 +163,20 @@ TEST(Fractures, MeanPressureIsThatOfTheirPores) {
   EXPECT_NEAR(lattice.find()[0].mean_pressure, 35e6, 1e-6);
 }
 
+// What stops a run is the fracture of its wells: a crack elsewhere, however far, is none.
+TEST(Fractures, OnlyCracksJoinedToAWellReachOut) {
+  LatticeWithHole lattice;
+  const auto reach = [&] {
+    return farthest_tip(lattice.model().assembly, lattice.model().network, lattice.model().options,
+                        {lattice.well()}, lattice.log);
+  };
+  EXPECT_EQ(reach(), 0.0);
+  lattice.crack(17.5, 10.0);
+  EXPECT_EQ(reach(), 0.0);
+  lattice.crack(12.5, 10.0);
+  EXPECT_NEAR(reach(), 3.0, 1e-9);
+}
+
 TEST(Fractures, WithoutCracksThereAreNone) {
   LatticeWithHole lattice;
   EXPECT_TRUE(lattice.find().empty());

@@ -468,6 +468,8 @@ class hfrac_sim_def(ctypes.Structure):
         ("smooth_joint_normal_stiffness", ctypes.c_double),
         ("smooth_joint_shear_stiffness", ctypes.c_double),
         ("bond_geometry_storage", ctypes.c_int64),
+        ("flow_fracture_aperture", ctypes.c_int64),
+        ("bond_smallest_fragment", ctypes.c_int64),
     ]
 
 
