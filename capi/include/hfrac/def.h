@@ -386,12 +386,13 @@ typedef struct hfrac_sim_def {
    * in a run, stays in double precision. Default 0. */
   int64_t bond_geometry_storage;
 
-  /** 0: bond, 1: plane. What the aperture of a broken bond is taken from. bond: the gap of its two discs, eq. 7 as
-   * printed. plane: the opening across the local plane of the crack, with pipes as long as the way along it,
-   * whatever the angle of the bond. Default 0. */
+  /** 0: bond, 1: plane. What the aperture of a broken bond is taken from. bond: the gap of its two discs,
+   * eq. 7 as printed. plane: the opening across the local plane of the crack, with pipes as long as the
+   * way along it, whatever the angle of the bond. Default 0. */
   int64_t flow_fracture_aperture;
-  /** A bond does not break if that would cut fewer discs than this from the rest: a disc that no bond holds stops the
-   * flow in the fracture it lies in. 1: every bond may break. Default 1. */
+
+  /** A bond does not break if that would cut fewer discs than this from the rest: a disc that no bond holds
+   * stops the flow in the fracture it lies in. 1: every bond may break. Default 1. */
   int64_t bond_smallest_fragment;
 } hfrac_sim_def;
 
