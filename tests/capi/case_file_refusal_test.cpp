@@ -198,7 +198,7 @@ const Contradiction contradictions[] = {
      ":2: bond.fracture_toughness = 1e6 Pa m^0.5 and bond.toughness_reference_radius"},
     {"AgainstADefault", "title = \"a\"\n[flow]\n# r0\naperture_limit = 1e-9\nzero_stress_aperture = 1e-3\n",
      ":5: flow.zero_stress_aperture"},
-    {"NamedOnlyAsTheFix", "[model]\nwidth = 1.0\nheight = 100.0\n", ":2: The smaller model side of 1 m"},
+    {"NamedOnlyAsTheFix", "title = \"a\"\n[packing]\ndisc_count = 20\n[model]\nwidth = 10.0\n", ":3: The smaller model side of 10 m"},
     {"Well", "[[well]]\nradius = 6.0\npressure = 30e6\n\n[[well]]\nx = 55.0\nradius = 6.0\npressure = 30e6\n",
      ":1: well[0] and well[1] overlap"},
     {"ValueOfAWell", "[[well]]\npressure = 30e6\n\nradius = 60.0\n", ":4: well[0].radius = 60 m"},
