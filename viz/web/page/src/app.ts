@@ -158,8 +158,9 @@ export class App {
       // Cracks keep a least width in pixels, so they depend on the zoom.
       const zoomed = this.view.metresPerPixel() / this.paintedAt;
       if (zoomed > 1.25 || zoomed < 0.8) this.paint();
-      find('gl').hidden = !this.moments.now;  // what is drawn there is of a run that is gone
-      this.scene.draw();
+      // Without a moment what is drawn there is of a run that is gone; the renderer fails where it has no size.
+      find('gl').hidden = !this.moments.now;
+      if (this.moments.now) this.scene.draw();
       // Where the model is on the screen, for the page's tests.
       find('stage').dataset.view = `${this.view.x} ${this.view.y} ${this.view.metresPerPixel()}`;
       const overlay = find<HTMLCanvasElement>('overlay');
