@@ -1025,7 +1025,7 @@ module hfrac_c
     integer(c_int64_t) :: crack_count = 0_c_int64_t
     !> [m2/(Pa s)] of the pipes through the model's edge to this cell: `outflow` falls by so much for each Pa the
     !> cell's pressure (hfrac_set_boundary_pressure) is raised while the pores inside keep theirs; over a long step
-    !> pores follow and it falls by less
+    !> pores follow and it falls by less. At the apertures as they are now, those of the next step
     real(c_double) :: conductance = 0.0_c_double
   end type hfrac_cell
 

@@ -573,7 +573,7 @@ class Cell(NamedTuple):
     crack_count: int
     #: [m2/(Pa s)] of the pipes through the model's edge to this cell: `outflow` falls by so much for each Pa
     #: the cell's pressure (hfrac_set_boundary_pressure) is raised while the pores inside keep theirs; over a
-    #: long step pores follow and it falls by less
+    #: long step pores follow and it falls by less. At the apertures as they are now, those of the next step
     conductance: float
 
     @classmethod

@@ -69,7 +69,7 @@ typedef struct hfrac_cell {
   int64_t crack_count;        /**< cracks with some length in the cell */
   double conductance;         /**< [m2/(Pa s)] of the pipes through the model's edge to this cell: `outflow` falls by so much for each
                                    Pa the cell's pressure (hfrac_set_boundary_pressure) is raised while the pores inside keep theirs;
-                                   over a long step pores follow and it falls by less */
+                                   over a long step pores follow and it falls by less. At the apertures as they are now, those of the next step */
 } hfrac_cell;
 
 /** Every cell as it is now. `method`: enum hfrac_upscaling. `cell_size` is sizeof(hfrac_cell) in the caller. Copies up to
