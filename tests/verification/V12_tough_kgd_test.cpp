@@ -232,7 +232,8 @@ TEST(V12ToughKgdLong, AMuchFinerSheet) {
 // stress, and the more the stiffer their fluid is.
 TEST(V12ToughKgdLong, StiffPoreFluidUnderConfinementAddsToTheToughness) {
   const double free = grow(40, 80.0, 1e6, water, "radius 1 m").pressure,
-               stiff = grow(40, 80.0, 10e6, stiff_fluid, "radius 1 m under 10 MPa, stiff fluid").pressure;
+               stiff =
+                   grow(40, 80.0, 10e6, stiff_fluid, "radius 1 m under 10 MPa with a stiff fluid").pressure;
   report("p0 over the formula's, 10 MPa and stiff fluid, as measured", stiff, 1.27, 0.05);
   EXPECT_GT(stiff, 1.1 * free);
 }
