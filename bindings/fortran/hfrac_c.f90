@@ -686,8 +686,8 @@ module hfrac_c
   type, bind(C) :: hfrac_balance
     !> sizeof(hfrac_balance) of the caller
     integer(c_int32_t) :: struct_size = 120_c_int32_t
-    !> 0
-    integer(c_int32_t) :: struct_pad = 0_c_int32_t
+    !> 1: energy_error says something; 0: the quasi-static solver closes its balance by `damping`
+    integer(c_int32_t) :: energy_checked = 0_c_int32_t
     !> [J/m] kinetic energy now
     real(c_double) :: kinetic = 0.0_c_double
     !> [J/m] stored in intact bonds now
@@ -700,11 +700,11 @@ module hfrac_c
     real(c_double) :: boundary_work = 0.0_c_double
     !> [J/m] dissipated by sliding since the initial equilibration
     real(c_double) :: friction = 0.0_c_double
-    !> [J/m] dissipated by damping since the initial equilibration
+    !> [J/m] dissipated by damping since the initial equilibration; unless checked, whatever the works left over
     real(c_double) :: damping = 0.0_c_double
     !> [J/m] elastic energy of bonds lost as they broke since the initial equilibration
     real(c_double) :: fracture = 0.0_c_double
-    !> [J/m] what is missing in: works = change of stored + dissipated
+    !> [J/m] what is missing in: works = change of stored + dissipated; not a number unless checked
     real(c_double) :: energy_error = 0.0_c_double
     !> [m2] fluid put in through all wells, at formation pressure
     real(c_double) :: injected_volume = 0.0_c_double

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "couple/simulation.hpp"
 #include "internal.hpp"
 #include "items.hpp"
 #include "options/choices.hpp"
 #include "sim_handle.hpp"
+#include "step/simulation.hpp"
 
 using namespace hfrac;
 using namespace hfrac::capi;

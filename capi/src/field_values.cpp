@@ -6,49 +6,11 @@
 
 #include "core/error.hpp"
 #include "hfrac/field.h"
+#include "solid/bond_law.hpp"
+#include "solid/disc_stress.hpp"
 
 namespace hfrac::capi {
 namespace {
-
-// Mean stress of each disc's cell: sum of force times arm over its contacts, per cell area (Love's formula; Bagi
-// 1996). The cell is the disc with its share of the pores around it; wells and the outside are nobody's.
-void write_stress(const Simulation& s, double* to) {
-  const Assembly& a = s.assembly();
-  const auto discs = static_cast<std::size_t>(a.disc_count());
-  std::fill(to, to + 3 * discs, 0.0);
-  const auto add = [&](std::size_t disc, Vec2 force, Vec2 arm) {
-    to[3 * disc] -= force.x * arm.x;
-    to[3 * disc + 1] -= force.y * arm.y;
-    to[3 * disc + 2] -= 0.5 * (force.x * arm.y + force.y * arm.x);
-  };
-  for (std::size_t e = 0; e < a.first.size(); ++e) {
-    const BondView bond = view_bond(a, s.options(), static_cast<std::int64_t>(e));
-    const Vec2 tangent{-bond.normal.y, bond.normal.x};
-    const Vec2 on_first = bond.normal_force() * bond.normal + bond.shear_force() * tangent;
-    const auto i = static_cast<std::size_t>(a.first[e]), j = static_cast<std::size_t>(a.second[e]);
-    add(i, on_first, bond.first_arm);
-    add(j, -1.0 * on_first, bond.second_arm);
-  }
-  for (const auto& wall : s.boundary().walls()) {
-    for (const auto i : wall.discs) {
-      const double closing = Boundary::closing_of(a, wall, i);
-      const double force = s.options().contact_normal_stiffness * std::max(0.0, closing);
-      add(static_cast<std::size_t>(i), force * wall.inward, -a.radius[i] * wall.inward);
-    }
-  }
-  std::vector<double> cell(discs);
-  for (std::size_t i = 0; i < discs; ++i) cell[i] = 3.14159265358979323846 * a.radius[i] * a.radius[i];
-  const Network& n = s.network();
-  for (std::size_t d = 1; d < n.kind.size(); ++d) {
-    if (n.kind[d] != DomainKind::rock) continue;
-    const auto begin = n.corner_start[d], end = n.corner_start[d + 1];
-    for (auto k = begin; k < end; ++k)
-      cell[static_cast<std::size_t>(n.corner_disc[k])] += n.volume[d] / (end - begin);
-  }
-  for (std::size_t i = 0; i < discs; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) to[3 * i + k] /= cell[i];
-  }
-}
 
 template <class Get>
 void write_bonds(const Simulation& s, double* to, Get get) {
@@ -100,24 +62,24 @@ void write_values(const Simulation& s, std::int32_t field, double* to) {
       return;
     case HFRAC_DISC_DISPLACEMENT:
       for (std::size_t i = 0; i < a.x.size(); ++i) {
-        to[2 * i] = a.ux[i] - s.start_x()[i];
-        to[2 * i + 1] = a.uy[i] - s.start_y()[i];
+        to[2 * i] = a.ux[i] - s.model().start.x[i];
+        to[2 * i + 1] = a.uy[i] - s.model().start.y[i];
       }
       return;
     case HFRAC_DISC_ROTATION:
-      for (std::size_t i = 0; i < a.x.size(); ++i) to[i] = a.rotation[i] - s.start_rotation()[i];
+      for (std::size_t i = 0; i < a.x.size(); ++i) to[i] = a.rotation[i] - s.model().start.rotation[i];
       return;
     case HFRAC_DISC_VELOCITY:
       write_pairs(a.vx, a.vy, to);
       return;
     case HFRAC_DISC_STRESS:
-      write_stress(s, to);
+      find_disc_stress(s.model(), s.options(), to);
       return;
     case HFRAC_DISC_TEMPERATURE:
-      if (s.heat() == nullptr) {
+      if (!s.model().heat) {
         std::fill(to, to + a.disc_count(), s.options().thermal_rock_temperature);
       } else {
-        std::copy(s.heat()->state.disc.begin(), s.heat()->state.disc.end(), to);
+        std::copy(s.model().heat->disc.begin(), s.model().heat->disc.end(), to);
       }
       return;
     case HFRAC_BOND_NORMAL_FORCE:
@@ -148,10 +110,10 @@ void write_values(const Simulation& s, std::int32_t field, double* to) {
       write_saturation(s, to);
       return;
     case HFRAC_DOMAIN_TEMPERATURE:
-      if (s.heat() == nullptr) {
+      if (!s.model().heat) {
         std::fill(to, to + n.domain_count(), s.options().thermal_rock_temperature);
       } else {
-        std::copy(s.heat()->state.fluid.begin(), s.heat()->state.fluid.end(), to);
+        std::copy(s.model().heat->fluid.begin(), s.model().heat->fluid.end(), to);
       }
       return;
     case HFRAC_DOMAIN_CENTRE:

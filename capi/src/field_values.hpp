@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "couple/simulation.hpp"
+#include "step/simulation.hpp"
 
 namespace hfrac::capi {
 

@@ -62,7 +62,7 @@ struct Rock {
 };
 
 Rock rock_of(const Simulation& s, Upscaling rule, const GrdeclRequest& request) {
-  const std::vector<CellReport> cells = s.cells(rule);
+  const std::vector<CellReport> cells = report_cells(s, rule);
   double k_sum = 0.0, porosity_sum = 0.0, covered = 0.0;
   for (const auto& cell : cells) {
     k_sum += cell.area * cell.coverage * cell.matrix_permeability;
@@ -131,7 +131,7 @@ void write_grdecl(const Simulation& s, const std::string& path, Upscaling rule,
   std::string text = "-- Written by hfrac " + std::to_string(HFRAC_VERSION_MAJOR) + "." +
                      std::to_string(HFRAC_VERSION_MINOR) + "." + std::to_string(HFRAC_VERSION_PATCH) +
                      " (ABI " + std::to_string(HFRAC_ABI_VERSION) + "); include in the GRID section.\n";
-  text += "-- Step " + std::to_string(s.step_count()) + ", " + six_digits(s.time()) + " s; " +
+  text += "-- Step " + std::to_string(s.model().clock.step) + ", " + six_digits(s.time()) + " s; " +
           std::to_string(s.cracks().size()) + " cracks; state " + std::to_string(s.state_hash()) + ".\n";
   text += "-- " + std::to_string(grid.nx()) + " x " + std::to_string(grid.ny()) + " x " +
           std::to_string(request.layers) + " cells, i fastest.\n";

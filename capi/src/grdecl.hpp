@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "couple/simulation.hpp"
+#include "step/host_state.hpp"
 
 namespace hfrac::capi {
 

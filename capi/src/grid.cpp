@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <string>
 
-#include "couple/simulation.hpp"
 #include "grdecl.hpp"
 #include "internal.hpp"
 #include "sim_handle.hpp"
+#include "step/host_state.hpp"
+#include "step/impose.hpp"
+#include "step/simulation.hpp"
+#include "stepping.hpp"
 
 using namespace hfrac;
 using namespace hfrac::capi;
@@ -68,11 +71,12 @@ int32_t hfrac_grid_cells(hfrac_sim* sim, int32_t method, int32_t cell_size, hfra
   return guarded_sim(sim, Access::read, [&] {
     const Upscaling rule = upscaling_of(method);
     require_not_null(count, "count");
+    require_grid(*sim);
     const std::int64_t there = sim->simulation->grid().count();
     *count = there;
     if (buffer == nullptr) return;
     require_struct_size(cell_size, "hfrac_cell");
-    const std::vector<CellReport> cells = sim->simulation->cells(rule);
+    const std::vector<CellReport> cells = report_cells(*sim->simulation, rule);
     const auto stride = static_cast<std::size_t>(cell_size);
     auto* to = reinterpret_cast<unsigned char*>(buffer);
     for (std::int64_t c = 0; c < std::min(there, capacity); ++c) {
@@ -87,8 +91,8 @@ int32_t hfrac_grid_cells(hfrac_sim* sim, int32_t method, int32_t cell_size, hfra
 int32_t hfrac_set_boundary_pressure(hfrac_sim* sim, const double* pressure, int64_t count) {
   return guarded_sim(sim, [&] {
     const bool back = count == 0;
-    sim->simulation->set_boundary_pressure(back ? std::span<const double>()
-                                                : values_of(pressure, count, "pressure"));
+    set_boundary_pressure(*sim->simulation,
+                          back ? std::span<const double>() : values_of(pressure, count, "pressure"));
     ++sim->epoch;
   });
 }
@@ -106,14 +110,17 @@ int32_t hfrac_set_cell_pressure(hfrac_sim* sim, const double* pressure, int64_t 
       }
       taken = {added, given.size()};
     }
-    sim->simulation->set_cell_pressure(given, taken);
+    require_grid(*sim);
+    require_not_between_tries(*sim, "the pressures of pores");
+    set_cell_pressure(*sim->simulation, given, taken);
     ++sim->epoch;
   });
 }
 
 int32_t hfrac_set_cell_stress(hfrac_sim* sim, const double* stress, int64_t count) {
   return guarded_sim(sim, [&] {
-    sim->simulation->set_cell_stress(values_of(stress, count, "stress"));
+    require_grid(*sim);
+    set_cell_stress(*sim->simulation, values_of(stress, count, "stress"));
     ++sim->epoch;
   });
 }
@@ -123,6 +130,7 @@ int32_t hfrac_write_grdecl(hfrac_sim* sim, const char* path, int32_t method, int
   return guarded_sim(sim, Access::read, [&] {
     require_not_null(path, "path");
     const Upscaling rule = upscaling_of(method);
+    require_grid(*sim);
     write_grdecl(*sim->simulation, path, rule, {kind, layers, porosity, permeability});
   });
 }

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <string>
 
-#include "couple/simulation.hpp"
 #include "internal.hpp"
 #include "options/number_text.hpp"
 #include "sim_handle.hpp"
+#include "step/host_state.hpp"
+#include "step/impose.hpp"
+#include "step/simulation.hpp"
+#include "stepping.hpp"
 
 using namespace hfrac;
 using namespace hfrac::capi;
@@ -35,7 +38,8 @@ std::size_t require_well(const hfrac_sim& sim, std::int32_t index) {
 
 int32_t hfrac_set_temperature(hfrac_sim* sim, double temperature) {
   return guarded_sim(sim, [&] {
-    sim->simulation->set_temperature(temperature);
+    require_not_between_tries(*sim, "temperatures");
+    set_temperature(*sim->simulation, temperature);
     ++sim->epoch;
     tell(*sim, HFRAC_LOG_INFO, "rock and fluid at " + number_text(temperature) + " K");
   });
@@ -43,14 +47,17 @@ int32_t hfrac_set_temperature(hfrac_sim* sim, double temperature) {
 
 int32_t hfrac_set_disc_temperature(hfrac_sim* sim, const double* temperature, int64_t count) {
   return guarded_sim(sim, [&] {
-    sim->simulation->set_disc_temperature(values_of(temperature, count, "temperature"));
+    require_not_between_tries(*sim, "temperatures");
+    set_disc_temperature(*sim->simulation, values_of(temperature, count, "temperature"));
     ++sim->epoch;
   });
 }
 
 int32_t hfrac_set_cell_temperature(hfrac_sim* sim, const double* temperature, int64_t count) {
   return guarded_sim(sim, [&] {
-    sim->simulation->set_cell_temperature(values_of(temperature, count, "temperature"));
+    require_grid(*sim);
+    require_not_between_tries(*sim, "temperatures");
+    set_cell_temperature(*sim->simulation, values_of(temperature, count, "temperature"));
     ++sim->epoch;
   });
 }
@@ -58,7 +65,9 @@ int32_t hfrac_set_cell_temperature(hfrac_sim* sim, const double* temperature, in
 int32_t hfrac_get_cell_temperature(hfrac_sim* sim, double* buffer, int64_t capacity, int64_t* count) {
   return guarded_sim(sim, Access::read, [&] {
     require_not_null(count, "count");
-    const std::vector<double> cells = sim->simulation->cell_temperature();
+    require_heat(sim->simulation->engine());
+    require_grid(*sim);
+    const std::vector<double> cells = cell_temperature(*sim->simulation);
     *count = static_cast<std::int64_t>(cells.size());
     if (buffer == nullptr) return;
     std::copy_n(cells.begin(), std::clamp<std::int64_t>(capacity, 0, *count), buffer);
@@ -67,14 +76,15 @@ int32_t hfrac_get_cell_temperature(hfrac_sim* sim, double* buffer, int64_t capac
 
 int32_t hfrac_hold_disc_temperature(hfrac_sim* sim, const int32_t* held, int64_t count) {
   return guarded_sim(sim, [&] {
-    sim->simulation->hold_temperature(values_of(held, count, "held"));
+    require_not_between_tries(*sim, "held temperatures");
+    hold_temperature(*sim->simulation, values_of(held, count, "held"));
     ++sim->epoch;
   });
 }
 
 int32_t hfrac_well_set_temperature(hfrac_sim* sim, int32_t index, double temperature) {
   return guarded_sim(sim, [&] {
-    sim->simulation->set_well_temperature(require_well(*sim, index), temperature);
+    set_well_temperature(*sim->simulation, require_well(*sim, index), temperature);
     ++sim->epoch;
     tell(*sim, HFRAC_LOG_INFO,
          "well " + std::to_string(index) + ": injects at " + number_text(temperature) + " K");
@@ -85,18 +95,14 @@ int32_t hfrac_well_get_temperature(const hfrac_sim* sim, int32_t index, double* 
   return guarded_sim(sim, [&] {
     require_not_null(temperature, "temperature");
     const Well& well = sim->simulation->wells()[require_well(*sim, index)];
-    const Heat* heat = sim->simulation->heat();
-    if (heat == nullptr) {
-      throw Error(ErrorKind::argument,
-                  "this simulation has no temperature; set thermal.mode = \"uniform\" or \"transport\".");
-    }
-    *temperature = heat->state.fluid[static_cast<std::size_t>(well.place.domain)];
+    require_heat(sim->simulation->engine());
+    *temperature = sim->simulation->model().heat->fluid[static_cast<std::size_t>(well.place.domain)];
   });
 }
 
 int32_t hfrac_get_heat(const hfrac_sim* sim, hfrac_heat* heat) {
   return guarded_sim(sim, [&] {
-    const HeatBalance from = sim->simulation->heat_balance();
+    const HeatBalance from = heat_balance_of(sim->simulation->engine());
     hfrac_heat full{};
     full.mode = static_cast<std::int32_t>(sim->simulation->options().thermal_mode);
     full.stored = from.stored;

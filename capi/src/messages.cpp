@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "couple/simulation.hpp"
 #include "options/number_text.hpp"
+#include "step/simulation.hpp"
 
 namespace hfrac::capi {
 
@@ -35,7 +35,7 @@ void tell_setup(const hfrac_sim& sim) {
          number_text(setup.cracks) +
              " bonds broke before injection, while the model came to rest under the far field");
   }
-  if (!s.at_rest()) {
+  if (!s.model().clock.at_rest) {
     tell(sim, HFRAC_LOG_WARNING,
          "the model did not come to rest under the far field: force ratio " +
              rounded_text(setup.force_ratio) + "; raise stepping.max_cycles");
@@ -45,10 +45,10 @@ void tell_setup(const hfrac_sim& sim) {
 void tell_step(const hfrac_sim& sim, std::size_t cracks_before) {
   if (!sim.listener.hears(HFRAC_LOG_WARNING)) return;
   const Simulation& s = *sim.simulation;
-  const std::string step = "step " + number_text(s.step_count());
-  if (!s.at_rest()) {
+  const std::string step = "step " + number_text(s.model().clock.step);
+  if (!s.model().clock.at_rest) {
     tell(sim, HFRAC_LOG_WARNING,
-         step + " did not come to rest: force ratio " + rounded_text(s.force_ratio()));
+         step + " did not come to rest: force ratio " + rounded_text(s.model().clock.force_ratio));
   }
   const std::size_t cracks = s.cracks().size();
   if (cracks > cracks_before) {
@@ -58,8 +58,9 @@ void tell_step(const hfrac_sim& sim, std::size_t cracks_before) {
   }
   if (sim.listener.hears(HFRAC_LOG_DETAIL)) {
     tell(sim, HFRAC_LOG_DETAIL,
-         step + ", " + rounded_text(s.time()) + " s: force ratio " + rounded_text(s.force_ratio()) + ", " +
-             number_text(s.solver().total_cycles()) + " cycles so far");
+         step + ", " + rounded_text(s.time()) + " s: force ratio " +
+             rounded_text(s.model().clock.force_ratio) + ", " + number_text(s.model().clock.cycles) +
+             " cycles so far");
   }
 }
 

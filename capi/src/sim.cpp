@@ -9,13 +9,15 @@
 #include <new>
 #include <string>
 
-#include "couple/simulation.hpp"
 #include "def_image.hpp"
 #include "internal.hpp"
 #include "messages.hpp"
 #include "options/choices.hpp"
 #include "options/number_text.hpp"
 #include "sim_handle.hpp"
+#include "step/impose.hpp"
+#include "step/simulation.hpp"
+#include "step/step_limits.hpp"
 #include "stepping.hpp"
 
 using namespace hfrac;
@@ -41,13 +43,15 @@ std::int32_t take_step(hfrac_sim& sim, ProgressPoll& poll, double fraction, doub
   const Simulation& s = *sim.simulation;
   const std::size_t cracks_before = s.cracks().size();
   ++sim.epoch;
-  const auto outcome = sim.simulation->step_of_length(duration, [&] { return poll.stop(fraction, "stepping"); });
+  const auto outcome = sim.simulation->step(sim.simulation->loads(), duration,
+                                            [&] { return poll.stop(fraction, "stepping"); });
   ++sim.epoch;  // a callback may have looked at the middle of the step
   if (outcome.stopped) return HFRAC_STOPPED;
   tell_step(sim, cracks_before);
   if (sim.on_step != nullptr) {
-    const bool stop =
-        call_host(&sim, [&] { return sim.on_step(sim.on_step_user, &sim, s.step_count(), s.time()); }) != 0;
+    const bool stop = call_host(&sim, [&] {
+                        return sim.on_step(sim.on_step_user, &sim, s.model().clock.step, s.time());
+                      }) != 0;
     if (stop) return HFRAC_STOPPED;
   }
   return outcome.at_rest ? HFRAC_OK : HFRAC_NOT_AT_REST;
@@ -81,15 +85,14 @@ std::int32_t advance(hfrac_sim& sim, double target, bool exact, double& reached,
     reason = static_cast<std::int32_t>(s.stop_reason());
     if (reason != HFRAC_REASON_TARGET) return HFRAC_STOP_CONDITION;
     const double fraction = (s.time() - start) / (target - start);
-    const bool stopped =
-        poll.stop(fraction, "stepping") ||
-        take_step(sim, poll, fraction, duration_towards(s, target, exact)) == HFRAC_STOPPED;
+    const bool stopped = poll.stop(fraction, "stepping") ||
+                         take_step(sim, poll, fraction, duration_towards(s, target, exact)) == HFRAC_STOPPED;
     reached = s.time();
     if (stopped) {
       reason = HFRAC_REASON_CALLBACK;
       return HFRAC_STOPPED;
     }
-    if (!s.at_rest()) status = HFRAC_NOT_AT_REST;
+    if (!s.model().clock.at_rest) status = HFRAC_NOT_AT_REST;
   }
   return status;
 }
@@ -209,8 +212,9 @@ int32_t hfrac_advance_to(hfrac_sim* sim, double target, double* reached, int32_t
     require_no_open_step(*sim);
     const double now = sim->simulation->time();
     if (target < now) {
-      throw Error(ErrorKind::argument, "target = " + number_text(target) + " s lies before the model's time, " +
-                                           number_text(now) + " s; give that or more.");
+      throw Error(ErrorKind::argument, "target = " + number_text(target) +
+                                           " s lies before the model's time, " + number_text(now) +
+                                           " s; give that or more.");
     }
     return advance(*sim, target, true, *reached, *reason);
   });
@@ -248,12 +252,13 @@ int32_t hfrac_set_log(hfrac_sim* sim, hfrac_log_fn log, void* user, int32_t leve
 int32_t hfrac_sim_get_state(const hfrac_sim* sim, hfrac_sim_state* state) {
   return guarded_sim(sim, [&] {
     const Simulation& s = *sim->simulation;
+    const Clock& clock = s.model().clock;
     hfrac_sim_state full{};
-    full.at_rest = s.at_rest() ? 1 : 0;
-    full.time = s.time();
-    full.step = s.step_count();
-    full.cycles = s.solver().total_cycles();
-    full.force_ratio = s.force_ratio();
+    full.at_rest = clock.at_rest ? 1 : 0;
+    full.time = clock.time;
+    full.step = clock.step;
+    full.cycles = clock.cycles;
+    full.force_ratio = clock.force_ratio;
     for (const auto& crack : s.cracks()) {
       ++full.crack_count;
       ++(crack.mode == CrackMode::tension ? full.tensile_cracks : full.shear_cracks);
@@ -262,13 +267,13 @@ int32_t hfrac_sim_get_state(const hfrac_sim* sim, hfrac_sim_state* state) {
     full.disc_count = s.assembly().disc_count();
     full.bond_count = s.assembly().bond_count();
     full.domain_count = s.network().domain_count();
-    full.mechanical_step = s.solver().real_step();
-    full.tip_distance = s.tip_distance();
+    full.mechanical_step = s.engine().mechanics->real_step();
+    full.tip_distance = clock.tip_distance;
     full.stop_reason = static_cast<std::int32_t>(s.stop_reason());
-    full.flow_subcycles = s.flow_rounds();
-    full.sigma_Hmax = s.options().stress_sigma_Hmax;
-    full.sigma_hmin = s.options().stress_sigma_hmin;
-    full.formation_pressure = s.formation_pressure();
+    full.flow_subcycles = clock.flow_rounds;
+    full.sigma_Hmax = s.loads().sigma_Hmax;
+    full.sigma_hmin = s.loads().sigma_hmin;
+    full.formation_pressure = s.loads().formation_pressure;
     write_struct(state, full, "hfrac_sim_state");
   });
 }
@@ -309,6 +314,7 @@ int32_t hfrac_get_balance(const hfrac_sim* sim, hfrac_balance* balance) {
     full.damping = b.damping;
     full.fracture = b.fracture;
     full.energy_error = b.energy_error;
+    full.energy_checked = b.energy_checked ? 1 : 0;
     full.injected_volume = b.injected;
     full.stored_volume = b.stored;
     full.leaked_volume = b.leaked;
@@ -321,10 +327,10 @@ int32_t hfrac_get_balance(const hfrac_sim* sim, hfrac_balance* balance) {
 int32_t hfrac_sim_get_solver(const hfrac_sim* sim, hfrac_solver_report* report) {
   return guarded_sim(sim, [&] {
     const Simulation& s = *sim->simulation;
-    const SolverWork& work = s.work();
+    const SolverWork& work = s.model().work;
     hfrac_solver_report full{};
     full.kind = static_cast<std::int32_t>(s.options().solver_kind);
-    full.increment = s.increment();
+    full.increment = s.model().increment.length;
     full.increments = work.increments;
     full.rounds = work.rounds;
     full.newton_iterations = work.newton;
@@ -340,17 +346,12 @@ int32_t hfrac_sim_get_solver(const hfrac_sim* sim, hfrac_solver_report* report) 
 int32_t hfrac_get_step_limits(const hfrac_sim* sim, hfrac_step_limits* limits) {
   return guarded_sim(sim, [&] {
     const Simulation& s = *sim->simulation;
-    const Options& o = s.options();
+    const StepLimits from = step_limits(s);
     hfrac_step_limits full{};
-    full.flow_step = s.next_step();
-    full.mechanical_step = s.solver().real_step();
-    full.explicit_step = std::min(1e300, FlowSolver::explicit_limit(s.network()));
-    const double mechanics =
-        SteppingMode{o.stepping_mode} == SteppingMode::dynamic ? full.mechanical_step : 1e300;
-    const double flow =
-        FlowScheme{o.flow_scheme} == FlowScheme::explicit_scheme ? 0.5 * full.explicit_step : 1e300;
-    if (std::min(mechanics, flow) < full.flow_step)
-      full.binding = mechanics <= flow ? HFRAC_LIMIT_MECHANICS : HFRAC_LIMIT_FLOW;
+    full.flow_step = from.flow_step;
+    full.mechanical_step = from.mechanical_step;
+    full.explicit_step = from.explicit_step;
+    full.binding = static_cast<std::int32_t>(from.binding);
     write_struct(limits, full, "hfrac_step_limits");
   });
 }
@@ -358,28 +359,27 @@ int32_t hfrac_get_step_limits(const hfrac_sim* sim, hfrac_step_limits* limits) {
 int32_t hfrac_wall_count(const hfrac_sim* sim, int32_t* count) {
   return guarded_sim(sim, [&] {
     require_not_null(count, "count");
-    *count = sim->simulation->boundary().walled() ? 4 : 0;
+    *count = sim->simulation->engine().boundary->walled() ? 4 : 0;
   });
 }
 
 int32_t hfrac_wall_get(const hfrac_sim* sim, int32_t index, hfrac_wall_state* state) {
   return guarded_sim(sim, [&] {
     const Simulation& s = *sim->simulation;
-    const Boundary& boundary = s.boundary();
+    const Boundary& boundary = *s.engine().boundary;
     if (index < 0 || index >= (boundary.walled() ? 4 : 0)) {
       throw Error(ErrorKind::argument,
                   "wall " + std::to_string(index) + " is not there: this simulation has " +
                       (boundary.walled() ? "walls 0 to 3." : "no walls (boundary.kind stress)."));
     }
     const auto number = static_cast<std::size_t>(index);
-    const Boundary::Wall& wall = boundary.walls()[number];
+    const Wall& wall = boundary.walls()[number];
     hfrac_wall_state full{};
     full.moves = boundary.walls_move() ? 1 : 0;
     full.normal[0] = wall.inward.x;
     full.normal[1] = wall.inward.y;
     full.displacement = wall.displacement;
-    const double start = index == 1 ? s.options().model_width : (index == 3 ? s.options().model_height : 0.0);
-    full.position = start + (wall.inward.x + wall.inward.y) * wall.displacement;
+    full.position = boundary.wall_position(number);
     full.stress = boundary.wall_stress(s.assembly(), number);
     full.target = wall.target;
     full.disc_count = static_cast<std::int64_t>(wall.discs.size());
@@ -405,12 +405,12 @@ int32_t hfrac_well_get(const hfrac_sim* sim, int32_t index, hfrac_well_state* st
   return guarded_sim(sim, [&] {
     const Well& well = well_at(*sim, index);
     hfrac_well_state full{};
-    full.control = static_cast<std::int32_t>(well.control);
+    full.control = static_cast<std::int32_t>(well.drive.control);
     full.x = well.place.centre.x;
     full.y = well.place.centre.y;
     full.equivalent_radius = well.place.equivalent_radius;
     full.pressure = sim->simulation->network().pressure[static_cast<std::size_t>(well.place.domain)];
-    full.target_pressure = well.target_pressure;
+    full.target_pressure = well.drive.target_pressure;
     full.rate = well.rate;
     full.injected_volume = well.injected;
     full.domain = well.place.domain;
@@ -423,7 +423,7 @@ int32_t hfrac_well_set_pressure(hfrac_sim* sim, int32_t index, double pressure) 
   return guarded_sim(sim, [&] {
     well_at(*sim, index);
     require_in_range("pressure", pressure);
-    sim->simulation->set_well_pressure(static_cast<std::size_t>(index), pressure);
+    set_well_pressure(*sim->simulation, static_cast<std::size_t>(index), pressure);
     ++sim->epoch;
     tell_well(*sim, index, "held at " + number_text(pressure) + " Pa");
   });
@@ -437,7 +437,7 @@ int32_t hfrac_well_set_ramp(hfrac_sim* sim, int32_t index, double pressure, doub
     if (per_step <= 0.0)
       throw Error(ErrorKind::argument,
                   "per_step = " + std::to_string(per_step) + " must be positive, in Pa per step.");
-    sim->simulation->set_well_ramp(static_cast<std::size_t>(index), pressure, per_step);
+    set_well_ramp(*sim->simulation, static_cast<std::size_t>(index), pressure, per_step);
     ++sim->epoch;
     tell_well(*sim, index,
               "ramped by " + number_text(per_step) + " Pa a step to " + number_text(pressure) + " Pa");
@@ -452,7 +452,7 @@ int32_t hfrac_well_set_rate(hfrac_sim* sim, int32_t index, double rate) {
       throw Error(ErrorKind::argument,
                   "a well cannot be driven at a rate with flow.scheme = \"off\"; use implicit or explicit.");
     }
-    sim->simulation->set_well_rate(static_cast<std::size_t>(index), rate);
+    set_well_rate(*sim->simulation, static_cast<std::size_t>(index), rate);
     ++sim->epoch;
     tell_well(*sim, index, "takes " + number_text(rate) + " m2/s");
   });
@@ -486,7 +486,7 @@ int32_t hfrac_well_set_schedule(hfrac_sim* sim, int32_t index, int32_t count, co
       }
       entries.push_back(entry);
     }
-    sim->simulation->set_well_schedule(static_cast<std::size_t>(index), std::move(entries));
+    set_well_schedule(*sim->simulation, static_cast<std::size_t>(index), std::move(entries));
     ++sim->epoch;
     tell_well(*sim, index, "follows a schedule of " + std::to_string(count) + " entries");
   });

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "byte_file.hpp"
-#include "couple/simulation.hpp"
 #include "internal.hpp"
 #include "options/number_text.hpp"
 #include "sim_handle.hpp"
+#include "step/impose.hpp"
+#include "step/simulation.hpp"
 #include "stepping.hpp"
 
 using namespace hfrac;
@@ -54,7 +55,8 @@ int32_t hfrac_state_save_file(const hfrac_sim* sim, const char* path) {
     sim->simulation->write_image(image);
     write_whole_file(path, image);
     tell(*sim, HFRAC_LOG_INFO,
-         "state after step " + std::to_string(sim->simulation->step_count()) + " saved to '" + path + "'");
+         "state after step " + std::to_string(sim->simulation->model().clock.step) + " saved to '" + path +
+             "'");
   });
 }
 
@@ -72,7 +74,8 @@ int32_t hfrac_state_load_file(hfrac_sim* sim, const char* path) {
       throw Error(ErrorKind::file, "'" + std::string(path) + "': " + error.what());
     }
     tell(*sim, HFRAC_LOG_INFO,
-         "state after step " + std::to_string(sim->simulation->step_count()) + " loaded from '" + path + "'");
+         "state after step " + std::to_string(sim->simulation->model().clock.step) + " loaded from '" + path +
+             "'");
   });
 }
 
@@ -104,6 +107,7 @@ int32_t host_step(hfrac_sim& sim, double duration, const Take& take) {
 
 int32_t hfrac_step_do(hfrac_sim* sim, double duration) {
   return guarded_sim(sim, [&] {
+    require_open_step(*sim);
     return host_step(*sim, duration,
                      [&](const auto& interrupt) { return sim->simulation->try_step(duration, interrupt); });
   });
@@ -111,20 +115,23 @@ int32_t hfrac_step_do(hfrac_sim* sim, double duration) {
 
 int32_t hfrac_step_more(hfrac_sim* sim, double duration) {
   return guarded_sim(sim, [&] {
-    if (!sim->simulation->step_open())
-      throw Error(ErrorKind::argument, "no step is open; call hfrac_step_prepare first.");
+    require_open_step(*sim);
     return host_step(*sim, duration, [&](const auto& interrupt) {
-      return sim->simulation->step_of_length(duration, interrupt);
+      return sim->simulation->step(sim->simulation->loads(), duration, interrupt);
     });
   });
 }
 
 int32_t hfrac_step_finalize(hfrac_sim* sim) {
-  return guarded_sim(sim, [&] { sim->simulation->accept_step(); });
+  return guarded_sim(sim, [&] {
+    require_open_step(*sim);
+    sim->simulation->accept_step();
+  });
 }
 
 int32_t hfrac_step_reject(hfrac_sim* sim) {
   return guarded_sim(sim, [&] {
+    require_open_step(*sim);
     sim->simulation->reject_step();
     ++sim->epoch;
   });
@@ -134,7 +141,7 @@ int32_t hfrac_set_far_field(hfrac_sim* sim, double sigma_Hmax, double sigma_hmin
   return guarded_sim(sim, [&] {
     if (!std::isfinite(sigma_Hmax) || !std::isfinite(sigma_hmin))
       throw Error(ErrorKind::argument, "a stress is not a finite number.");
-    sim->simulation->set_far_field(sigma_Hmax, sigma_hmin);
+    set_far_field(*sim->simulation, sigma_Hmax, sigma_hmin);
     ++sim->epoch;
     tell(*sim, HFRAC_LOG_INFO,
          "far field: sigma_Hmax = " + number_text(sigma_Hmax) +
@@ -146,7 +153,7 @@ int32_t hfrac_set_formation_pressure(hfrac_sim* sim, double pressure) {
   return guarded_sim(sim, [&] {
     Options any;
     set_real(any, *find_option("fluid.formation_pressure"), "pressure", pressure);  // its range
-    sim->simulation->set_formation_pressure(pressure);
+    set_formation_pressure(*sim->simulation, pressure);
     ++sim->epoch;
     tell(*sim, HFRAC_LOG_INFO, "formation pressure: " + number_text(pressure) + " Pa");
   });

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the functions that step share: asking the host whether to go on, and the rule of the open step.
+// What the functions that step or take a host's values share: asking the host whether to go on, the rule of the open step, and that
+// there is a grid.
 #pragma once
 
 #include <chrono>
+#include <string>
 
-#include "couple/simulation.hpp"
 #include "internal.hpp"
 #include "sim_handle.hpp"
+#include "step/simulation.hpp"
 
 namespace hfrac::capi {
 
@@ -34,6 +36,24 @@ class ProgressPoll {
   Clock::time_point last_;
   bool stopped_ = false;
 };
+
+inline void require_open_step(const hfrac_sim& sim) {
+  if (!sim.simulation->step_open())
+    throw Error(ErrorKind::argument, "no step is open; call hfrac_step_prepare first.");
+}
+
+// For what takes effect at once: `what` names it.
+inline void require_not_between_tries(const hfrac_sim& sim, const char* what) {
+  if (!sim.simulation->step_open()) return;
+  throw Error(ErrorKind::argument,
+              std::string("a step is open, and tries start from where it was opened; set ") + what +
+                  " before hfrac_step_prepare.");
+}
+
+inline void require_grid(const hfrac_sim& sim) {
+  if (!sim.simulation->has_grid())
+    throw Error(ErrorKind::argument, "this simulation has no host grid; call hfrac_set_grid first.");
+}
 
 inline void require_no_open_step(const hfrac_sim& sim) {
   if (sim.simulation->step_open()) {

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "options/choices.hpp"
+#include "solid/bond_law.hpp"
+#include "solid/smooth_joints.hpp"
 
 namespace hfrac {
 namespace {
@@ -106,34 +107,28 @@ BondResponse respond_smooth(const Assembly& a, const Options& o, const SmoothCon
 
 BondResponse respond(const Assembly& a, const Options& o, std::int64_t e) {
   if (const SmoothContact* contact = a.smooth.of(e)) return respond_smooth(a, o, *contact);
-  const auto i = a.first[e], j = a.second[e];
-  const Vec2 du{a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, d0{a.dx(e), a.dy(e)}, d = d0 + du;
-  const double now = std::sqrt(dot(d, d)), length = a.length(e);
-  const double arm_i = a.arm(e), arm_j = length - arm_i;
+  const BondLaw law = bond_law(a, o, e);
+  const PairMotion& m = law.motion;
   BondResponse r;
-  r.gap = (2.0 * dot(d0, du) + dot(du, du)) / (now + length) - a.factors.growth_of(e);
-  const double sine = cross(d0, du) / now, s2 = sine * sine / (length * length);
-  const double shear = sine * (1.0 + s2 * (1.0 / 6.0 + s2 * (3.0 / 40.0 + s2 * (15.0 / 336.0)))) -
-                       (arm_i * a.rotation[i] + arm_j * a.rotation[j]);
-  const bool intact = a.intact[e] > 0.0;
+  r.gap = m.gap;
   Components c;
-  const double share = a.factors.stiffness_of(e);
-  if (intact) {
-    const double radius = a.bond_radius(e);
-    c.normal_stiffness = o.bond_normal_stiffness * share;
-    c.shear_stiffness = o.bond_shear_stiffness * share;
-    c.moment_stiffness = c.normal_stiffness * radius * radius / 3.0;
-    c.normal = c.normal_stiffness * r.gap;
-    c.shear = c.shear_stiffness * shear;
-    c.moment = c.moment_stiffness * (a.rotation[j] - a.rotation[i]);
+  c.normal = law.bond_normal;
+  c.shear = law.bond_shear;
+  c.moment = law.bond_moment;
+  c.normal_stiffness = law.bond_stiffness;
+  c.shear_stiffness = law.bond_shear_stiffness;
+  c.moment_stiffness = law.bond_moment_stiffness;
+  if (law.pressed) {
+    c.normal -= law.contact_normal;
+    c.shear += law.contact_shear;
+    c.normal_stiffness += law.contact_stiffness;
+    if (law.slides) {
+      c.shear_by_gap -= std::copysign(law.friction * law.contact_stiffness, law.contact_shear);
+    } else {
+      c.shear_stiffness += law.contact_shear_stiffness;
+    }
   }
-  const bool present = !intact || ContactMode{o.contact_mode} == ContactMode::parallel;
-  if (present && r.gap < 0.0) {
-    const ContactLaw law{o.contact_normal_stiffness * share, o.contact_shear_stiffness * share,
-                         a.factors.friction_of(e, o.contact_friction)};
-    add_contact(c, law, -law.normal_stiffness * r.gap, law.shear_stiffness * (shear - a.slip[e]));
-  }
-  fill(r, c, (1.0 / now) * d, now, length, arm_i, arm_j);
+  fill(r, c, m.normal, m.now, m.length, m.arm_i, m.arm_j);
   return r;
 }
 

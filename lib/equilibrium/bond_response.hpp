@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a bond or contact answers to a displacement: its forces, and how they change (the tangent).
 //
-// The law is the one of kernels_body.hpp. A pair of discs knows only d = x_j - x_i and the two rotations, so its answer is a
+// The law is bond_law.hpp. A pair of discs knows only d = x_j - x_i and the two rotations, so its answer is a
 // vector of four, q = (d_x, d_y, theta_i, theta_j), and its tangent four by four:
 //   gradient  along d: N n + S (L0/L) t     theta_i: -(S a_i + M)     theta_j: -(S a_j - M)
 //   tangent   dN/dg n n + dS/du_s (L0/L)^2 t t + dS/dg (L0/L) t n + N t t / L - S (L0/L^2) (n t + t n), and so on
@@ -11,8 +11,8 @@
 
 #include <array>
 
+#include "model/assembly.hpp"
 #include "options/options.hpp"
-#include "solid/assembly.hpp"
 #include "solid/non_bonded_contacts.hpp"
 
 namespace hfrac {

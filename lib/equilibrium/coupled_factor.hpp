@@ -11,8 +11,8 @@
 
 #include "core/workers.hpp"
 #include "equilibrium/coupled_system.hpp"
-#include "equilibrium/front_tree.hpp"
-#include "equilibrium/multifrontal.hpp"
+#include "linear/front_tree.hpp"
+#include "linear/multifrontal.hpp"
 
 namespace hfrac {
 

@@ -7,6 +7,7 @@
 
 #include "flow/aperture.hpp"
 #include "options/choices.hpp"
+#include "solid/smooth_joints.hpp"
 
 namespace hfrac {
 CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& boundary,
@@ -246,7 +247,7 @@ void CoupledSystem::evaluate_pipe(std::size_t e) {
     n.conductance[e] = 0.0;
     return;
   }
-  const double joint = assembly_.joint_opening(static_cast<std::int64_t>(e));
+  const double joint = joint_opening(assembly_, static_cast<std::int64_t>(e));
   const CrackPlane* plane = n.planes.of(e);
   CrackApertureResponse w{};
   if (plane != nullptr && joint <= 0.0) {

@@ -16,9 +16,9 @@
 
 #include "core/workers.hpp"
 #include "equilibrium/bond_response.hpp"
-#include "equilibrium/front_tree.hpp"
 #include "flow/fluid_law.hpp"
-#include "flow/network.hpp"
+#include "linear/front_tree.hpp"
+#include "model/network.hpp"
 #include "solid/boundary.hpp"
 #include "solid/non_bonded_contacts.hpp"
 
@@ -107,7 +107,8 @@ class CoupledSystem {
   void each_entry(const Emit& emit) const;
   // Pressure that drives flow from left to right [Pa], with what a host set beyond the outer boundary.
   [[nodiscard]] double drop(std::size_t pipe) const {
-    return network_.pressure[network_.left[pipe]] - network_.pressure[network_.right[pipe]] + outer_drop_[pipe];
+    return network_.pressure[network_.left[pipe]] - network_.pressure[network_.right[pipe]] +
+           outer_drop_[pipe];
   }
   [[nodiscard]] double opens(std::size_t bond, const Vector& x) const;
   void evaluate_walls();
@@ -142,7 +143,7 @@ class CoupledSystem {
   std::vector<double> aperture_change_;  // per pipe: d(flow) / d(gap) dt
   std::vector<double> squeeze_change_;   // likewise d(gap of the discs), where the opening is not the gap
   std::vector<double> slope_;  // per pipe: d(flow) / d(pressure drop), the conductance unless the fluid thins
-  bool turns_open_;  // some rotation opens a pipe
+  bool turns_open_;            // some rotation opens a pipe
   FluidLaw law_;
   std::vector<double>
       opening_;  // per pipe: m, what its aperture goes by: the gap, or that of the joint it belongs to

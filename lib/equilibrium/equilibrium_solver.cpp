@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solid/bond_law.hpp"
+
 namespace hfrac {
 namespace {
 
@@ -22,14 +24,14 @@ constexpr double apart = 6.0;         // mean radii between bonds that break in 
 
 }  // namespace
 
-EquilibriumSolver::EquilibriumSolver(Assembly& assembly, Network& network, Boundary& boundary,
-                                     ExplicitSolver& mechanics, const Options& options, Workers& workers)
-    : assembly_(assembly),
-      network_(network),
+EquilibriumSolver::EquilibriumSolver(Model& model, Boundary& boundary, ExplicitSolver& mechanics,
+                                     const Options& options, Workers& workers)
+    : assembly_(model.assembly),
+      network_(model.network),
       boundary_(boundary),
       mechanics_(mechanics),
       options_(options),
-      system_(assembly, network, boundary, mechanics.non_bonded_contacts(), options, workers),
+      system_(model.assembly, model.network, boundary, mechanics.non_bonded_contacts(), options, workers),
       factor_(workers),
       krylov_(workers) {}
 
@@ -42,7 +44,8 @@ EquilibriumSolver::Outcome EquilibriumSolver::solve(double duration, const std::
                                                     const std::function<bool()>& interrupt) {
   Outcome outcome;
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
-  for (const auto& pair : mechanics_.non_bonded_contacts().pairs()) pairs.emplace_back(pair.first, pair.second);
+  for (const auto& pair : mechanics_.non_bonded_contacts().pairs())
+    pairs.emplace_back(pair.first, pair.second);
   if (pairs != pairs_ || (duration > 0.0) != flowed_) factor_.forget_pattern();
   flowed_ = duration > 0.0;
   pairs_.swap(pairs);
@@ -78,6 +81,9 @@ EquilibriumSolver::Outcome EquilibriumSolver::solve(double duration, const std::
 
 bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>& interrupt) {
   const double tolerance = options_.solver_tolerance;
+  using Vector = CoupledSystem::Vector;
+  const Krylov::Apply product = [this](const Vector& x, Vector& y) { system_.product(x, y); };
+  const Krylov::Apply precondition = [this](const Vector& right, Vector& x) { factor_.solve(right, x); };
   CoupledSystem::Vector step;
   int uphill = 0, best_at = 0;
   system_.evaluate();
@@ -101,12 +107,12 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
       ++outcome.factors;
       fresh = true;
     }
-    auto linear = krylov_.solve(system_, factor_, right, linear_tolerance, most_krylov, step);
+    auto linear = krylov_.solve(product, precondition, right, linear_tolerance, most_krylov, step);
     outcome.krylov += linear.iterations;
     if ((!linear.converged && !fresh) || (fresh && linear.iterations > most_single && factor_.refine())) {
       factor_.compute(system_);
       ++outcome.factors;
-      linear = krylov_.solve(system_, factor_, right, linear_tolerance, most_krylov, step);
+      linear = krylov_.solve(product, precondition, right, linear_tolerance, most_krylov, step);
       outcome.krylov += linear.iterations;
     }
     krylov_rate_ = linear.iterations / -std::log10(linear_tolerance);
@@ -178,7 +184,8 @@ void EquilibriumSolver::break_farthest(CrackLog& log) {
       const Vec2 between = middle - at;
       return dot(between, between) < apart * apart * assembly_.mean_radius * assembly_.mean_radius;
     });
-    if (near || mechanics_.stays(candidate.bond)) continue;  // some of its discs' other bonds may have broken just now
+    if (near || mechanics_.stays(candidate.bond))
+      continue;  // some of its discs' other bonds may have broken just now
     broken.push_back(middle);
     mechanics_.break_bond(candidate.bond, log);
   }

@@ -15,16 +15,15 @@
 
 #include "equilibrium/coupled_factor.hpp"
 #include "equilibrium/coupled_system.hpp"
-#include "equilibrium/krylov.hpp"
-#include "frac/crack_log.hpp"
+#include "linear/krylov.hpp"
 #include "solid/explicit_solver.hpp"
 
 namespace hfrac {
 
 class EquilibriumSolver {
  public:
-  EquilibriumSolver(Assembly& assembly, Network& network, Boundary& boundary, ExplicitSolver& mechanics,
-                    const Options& options, Workers& workers);
+  EquilibriumSolver(Model& model, Boundary& boundary, ExplicitSolver& mechanics, const Options& options,
+                    Workers& workers);
 
   enum class End { rest, stopped, overshoot, not_converged };
   struct Outcome {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "flow/aperture.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 
-#include "flow/conjugate_gradient.hpp"
 #include "flow/fluid_law.hpp"
+#include "linear/conjugate_gradient.hpp"
+#include "linear/sparse.hpp"
 #include "options/choices.hpp"
+#include "solid/smooth_joints.hpp"
 
 namespace hfrac {
 namespace {
@@ -72,12 +73,12 @@ double band_permeability(const Network& n, const Assembly& a, double low, double
   double typical = 0.0;
   for (const auto& entry : entries) typical = std::max(typical, std::abs(entry.value()));
   for (std::int32_t d = 0; d < count; ++d) entries.emplace_back(d, d, 1e-14 * typical);
-  Eigen::SparseMatrix<double> matrix(count, count);
+  SparseMatrix matrix(count, count);
   matrix.setFromTriplets(entries.begin(), entries.end());
   entries = {};
   Eigen::VectorXd p = Eigen::VectorXd::Zero(count);
   if (count <= largest_to_factorise) {
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+    const SymmetricFactor solver(matrix);
     if (solver.info() != Eigen::Success) return 0.0;
     p = solver.solve(rhs);
   } else {
@@ -156,7 +157,7 @@ void update_apertures(Network& n, const Assembly& a, const Options& o) {
   n.planes.refresh(n, a);
   for (std::size_t e = 0; e < n.left.size(); ++e) {
     const BondView bond = view_bond(a, o, static_cast<std::int64_t>(e));
-    const double joint = a.joint_opening(static_cast<std::int64_t>(e));
+    const double joint = joint_opening(a, static_cast<std::int64_t>(e));
     const CrackPlane* plane = n.planes.of(e);
     const double length = pipe_length(n, a, e);
     double w;
@@ -172,10 +173,8 @@ void update_apertures(Network& n, const Assembly& a, const Options& o) {
     n.aperture[e] = w;
     if (!n.length.empty()) n.length[e] = length;
     const bool shut = n.left[e] == n.right[e] || (closed && (n.left[e] == 0 || n.right[e] == 0));
-    n.conductance[e] = shut ? 0.0
-                            : law.respond(w, length,
-                                          n.pressure[n.left[e]] - n.pressure[n.right[e]])
-                                  .conductance;
+    n.conductance[e] =
+        shut ? 0.0 : law.respond(w, length, n.pressure[n.left[e]] - n.pressure[n.right[e]]).conductance;
   }
 }
 

@@ -2,7 +2,8 @@
 // From forces and gaps to apertures and conductances of pipes (eq. 6 and 7).
 #pragma once
 
-#include "flow/network.hpp"
+#include "model/network.hpp"
+#include "solid/bond_law.hpp"
 
 namespace hfrac {
 
@@ -27,8 +28,8 @@ struct CrackApertureResponse {
   double by_gap;      // d aperture / d gap of the discs
   double by_opening;  // d aperture / d U
 };
-CrackApertureResponse crack_aperture_response(const Options& options, double zero_stress_aperture, double opening,
-                                              double normal, double normal_stiffness);
+CrackApertureResponse crack_aperture_response(const Options& options, double zero_stress_aperture,
+                                              double opening, double normal, double normal_stiffness);
 
 // All apertures from the assembly as it stands and the planes of its cracks, and conductances (fluid_law.hpp) from them and the pressures.
 void update_apertures(Network& network, const Assembly& assembly, const Options& options);

@@ -10,13 +10,13 @@
 //   explicit  the paper's eq. 8 as it stands, sub-cycled below its stability limit V / (K_f sum of conductances).
 #pragma once
 
-#include <Eigen/SparseCholesky>
 #include <cstdint>
 #include <vector>
 
-#include "flow/conjugate_gradient.hpp"
 #include "flow/fluid_law.hpp"
-#include "flow/network.hpp"
+#include "linear/conjugate_gradient.hpp"
+#include "linear/sparse.hpp"
+#include "model/network.hpp"
 
 namespace hfrac {
 
@@ -39,7 +39,7 @@ class FlowSolver {
   double follow_thinning(Network& network);
   int advance_explicit(Network& network, double step, const std::vector<double>& source);
 
-  using Matrix = Eigen::SparseMatrix<double>;
+  using Matrix = SparseMatrix;
   // Pressures of the system as it stands in matrix_ into p; uses rhs up.
   void solve_pressures(Eigen::VectorXd& rhs, Eigen::VectorXd& p);
 
@@ -49,7 +49,7 @@ class FlowSolver {
   double imposed_weight_ = 1.0;
   Matrix matrix_;                           // lower triangle, pattern of all domains
   std::vector<std::int32_t> off_diagonal_;  // per pipe, its place in the value array (-1: none)
-  Eigen::SimplicialLDLT<Matrix, Eigen::Lower> factor_;
+  SymmetricFactor factor_;
   ConjugateGradient conjugate_gradient_;
   Eigen::VectorXd rhs_, pressure_;
   std::vector<double> fill_;  // m2, content gained in the step

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <queue>
 
+#include "solid/bond_law.hpp"
+
 namespace hfrac {
 namespace {
 
@@ -138,8 +140,8 @@ CrackLine crack_line(const Network& n, const Assembly& a, const Options& o, std:
   return line;
 }
 
-double farthest_tip(const Assembly& a, const Network& n, const Options& o, const std::vector<WellPlace>& wells,
-                    const CrackLog& log) {
+double farthest_tip(const Assembly& a, const Network& n, const Options& o,
+                    const std::vector<WellPlace>& wells, const CrackLog& log) {
   std::map<std::int32_t, std::vector<std::size_t>> at;  // cracks by domain
   for (std::size_t c = 0; c < log.size(); ++c) {
     for (const auto d : {n.left[log[c].bond], n.right[log[c].bond]}) at[d].push_back(c);

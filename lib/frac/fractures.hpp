@@ -8,17 +8,12 @@
 
 #include <vector>
 
-#include "flow/network.hpp"
-#include "frac/crack_log.hpp"
-#include "solid/assembly.hpp"
+#include "model/assembly.hpp"
+#include "model/crack_log.hpp"
+#include "model/network.hpp"
+#include "model/well.hpp"
 
 namespace hfrac {
-
-struct WellPlace {
-  Vec2 centre;               // m
-  double equivalent_radius;  // m
-  std::int32_t domain;
-};
 
 struct Fracture {
   std::int64_t crack_count = 0, tensile_cracks = 0;
@@ -37,7 +32,8 @@ struct CrackLine {
 };
 CrackLine crack_line(const Assembly& assembly, const Options& options, std::int64_t bond);
 // The same with the opening across the crack's plane where there is one (crack_plane.hpp).
-CrackLine crack_line(const Network& network, const Assembly& assembly, const Options& options, std::int64_t bond);
+CrackLine crack_line(const Network& network, const Assembly& assembly, const Options& options,
+                     std::int64_t bond);
 
 // Farthest crack end from the centre of its well, of cracks that are connected to one [m]; 0 if none is.
 double farthest_tip(const Assembly& assembly, const Network& network, const Options& options,

@@ -212,7 +212,7 @@ ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y,
     graph.radius.push_back(cr[i]);
   }
   graph.removed_floaters = static_cast<std::int64_t>(cx.size() - graph.x.size());
-  const auto tile_of = [](std::int32_t disc) { return static_cast<std::size_t>(disc / discs_per_tile); };
+  const auto tile_of = [](std::int32_t disc) { return static_cast<std::size_t>(disc / tile_size); };
   std::size_t kept = 0;
   for (const auto& join : joins) {
     if (held[join.i] && held[join.j]) joins[kept++] = {number[join.i], number[join.j], join.gap, join.bonded};

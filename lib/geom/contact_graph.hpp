@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/array.hpp"
+#include "core/layout.hpp"
 
 namespace hfrac {
 
@@ -18,9 +19,6 @@ struct Hole {
   Vec2 centre;    // m
   double radius;  // m
 };
-
-// Neighbours are worked on together, this many at a time (solid/tiles.hpp).
-constexpr std::int32_t discs_per_tile = 512;
 
 // Where the edge of some rank (by first and second disc) among the `count` edges of a tile stands. Edges in a row that share
 // discs would make each addition to a disc's force wait for the one before; so eight stretches of the sorted list take turns.

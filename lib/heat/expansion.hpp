@@ -9,7 +9,7 @@
 #pragma once
 
 #include "heat/micro_table.hpp"
-#include "solid/assembly.hpp"
+#include "model/assembly.hpp"
 
 namespace hfrac {
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All a simulation with temperature has beyond one without.
+// What moves heat in a simulation with temperature; the temperatures themselves are model/heat_state.hpp.
 #pragma once
 
 #include <memory>
 
 #include "heat/heat_network.hpp"
 #include "heat/heat_solver.hpp"
-#include "heat/heat_state.hpp"
 #include "heat/micro_table.hpp"
 
 namespace hfrac {
@@ -16,7 +15,6 @@ struct Heat {
   MicroTable table;
   HeatNetwork network;
   std::unique_ptr<HeatSolver> solver;  // mode transport
-  HeatState state;
   std::vector<std::int32_t> well_domain;
 };
 

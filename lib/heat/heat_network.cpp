@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heat/heat_network.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "core/error.hpp"
-#include "flow/conjugate_gradient.hpp"
+#include "linear/conjugate_gradient.hpp"
 #include "options/choices.hpp"
 
 namespace hfrac {
@@ -109,10 +108,10 @@ class Conductivity {
         }
       }
     });
-    Eigen::SparseMatrix<double> matrix(count_, count_);
+    SparseMatrix matrix(count_, count_);
     matrix.setFromTriplets(entries.begin(), entries.end());
     if (count_ <= largest_to_factorise) {
-      const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(matrix);
+      const SymmetricFactor factor(matrix);
       if (factor.info() == Eigen::Success) t = factor.solve(rhs);
     } else {
       ConjugateGradient solver;

@@ -15,8 +15,8 @@
 #pragma once
 
 #include "core/array.hpp"
-#include "flow/network.hpp"
-#include "solid/assembly.hpp"
+#include "model/assembly.hpp"
+#include "model/network.hpp"
 
 namespace hfrac {
 

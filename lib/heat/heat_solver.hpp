@@ -16,15 +16,14 @@
 // made once.
 #pragma once
 
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseLU>
 #include <cstdint>
 #include <vector>
 
-#include "flow/network.hpp"
 #include "heat/heat_network.hpp"
-#include "heat/heat_state.hpp"
-#include "solid/assembly.hpp"
+#include "linear/sparse.hpp"
+#include "model/assembly.hpp"
+#include "model/heat_state.hpp"
+#include "model/network.hpp"
 
 namespace hfrac {
 
@@ -43,7 +42,7 @@ class HeatSolver {
   [[nodiscard]] double fluid_capacity(std::size_t domain) const;
 
  private:
-  using Matrix = Eigen::SparseMatrix<double>;
+  using Matrix = SparseMatrix;
   void choose_fixed(const HeatState& state, const std::vector<std::int32_t>& well_domain);
   void fill(const HeatState& state, double duration);
   void solve();
@@ -61,8 +60,8 @@ class HeatSolver {
   // places in the value array: diagonal per node; (first, second) and (second, first) per bond, (disc, domain) and (domain, disc)
   // per corner, (left, right) and (right, left) per pipe
   std::vector<std::int32_t> diagonal_, bond_place_, face_place_, pipe_place_;
-  Eigen::BiCGSTAB<Matrix, Eigen::DiagonalPreconditioner<double>> gradients_;
-  Eigen::SparseLU<Matrix, Eigen::AMDOrdering<int>> factor_;
+  BiconjugateGradients gradients_;
+  OrderedFactor factor_;
   bool analysed_ = false;
   Eigen::VectorXd rhs_, temperature_, residual_, change_;
   std::vector<char> fixed_;       // per node: keeps its temperature in this step

@@ -4,10 +4,10 @@
 // Unknown are the pressures of the pores whose centroid lies in the cell. A pipe that leaves the cell is cut where it does, and
 // has the pressure of the gradient there; so have walls of wells and the model's edge. More conductance anywhere then never
 // gives less permeability (Rayleigh's principle), so that of the cracks is not negative.
-#include <Eigen/SparseCholesky>
 #include <cmath>
 
 #include "host/cell_report.hpp"
+#include "linear/sparse.hpp"
 
 namespace hfrac {
 namespace {
@@ -45,9 +45,9 @@ void flow_energy(const std::vector<CellPipe>& pipes, std::int32_t unknowns, doub
     if (largest <= 0.0) return;
     // A pore that no open pipe reaches: something on the diagonal, far below the rest.
     for (std::int32_t k = 0; k < unknowns; ++k) entries.emplace_back(k, k, 1e-14 * largest);
-    Eigen::SparseMatrix<double> matrix(unknowns, unknowns);
+    SparseMatrix matrix(unknowns, unknowns);
     matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+    const SymmetricFactor solver(matrix);
     if (solver.info() != Eigen::Success) return;
     p = solver.solve(rhs);
   }

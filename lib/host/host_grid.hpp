@@ -13,9 +13,9 @@
 #include <functional>
 #include <vector>
 
-#include "flow/network.hpp"
 #include "host/quad.hpp"
-#include "solid/assembly.hpp"
+#include "model/assembly.hpp"
+#include "model/network.hpp"
 
 namespace hfrac {
 

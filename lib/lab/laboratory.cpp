@@ -32,7 +32,7 @@ void check(const LabSpec& spec) {
   const auto test = static_cast<std::int32_t>(spec.test);
   if (test < 0 || test >= lab_test_count) {
     refuse("test = " + number_text(static_cast<std::int64_t>(test)) + " is no test; give 0 to " +
-           number_text(static_cast<std::int64_t>(lab_test_count - 1)) + " (enum hfrac_lab_test).");
+           number_text(static_cast<std::int64_t>(lab_test_count - 1)) + ".");
   }
   if (spec.discs < 100 || spec.discs > 2000000)
     refuse("disc_count = " + number_text(spec.discs) + " is out of range; give 100 to 2000000.");

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "build/build_model.hpp"
 #include "core/error.hpp"
 #include "core/plane_fit.hpp"
-#include "geom/faces.hpp"
 #include "options/choices.hpp"
 
 namespace hfrac {
@@ -24,8 +24,7 @@ constexpr std::int64_t most_cycles = 40000;
 Options bench_options(Options o, const SpecimenShape& shape) {
   o.model_width = shape.width;
   o.model_height = shape.height;
-  o.stress_convention =
-      static_cast<std::int64_t>(StressConvention::effective);  // pressures count from the drained rock's
+  o.fluid_formation_pressure = 0.0;  // pressures count from the drained rock's
   o.boundary_kind = static_cast<std::int64_t>(BoundaryKind::stress);
   o.flow_scheme = static_cast<std::int64_t>(shape.wet ? FlowScheme::implicit_scheme : FlowScheme::off);
   o.stress_sigma_Hmax = shape.stress_x;
@@ -53,22 +52,21 @@ Specimen::Specimen(const Packing& packing, const Options& material, const Specim
     : options_(bench_options(material, shape)), shape_(shape) {
   const Packing cut = shape.round ? round_out(packing, shape.width) : Packing{};
   const Packing& taken = shape.round ? cut : packing;
-  ContactGraph graph = build_contact_graph(taken.x, taken.y, taken.radius, {}, options_.bond_gap_tolerance);
-  Faces faces = build_faces(graph);
-  assembly_ = build_assembly(std::move(graph), options_);
-  network_ = build_network(std::move(faces), assembly_, {}, options_);
-  boundary_ = std::make_unique<Boundary>(assembly_, network_, options_);
+  CaseDefinition definition;
+  definition.options = options_;
+  SetupReport report;
+  model_ = build_model(definition, taken, {}, report);
+  boundary_ = std::make_unique<Boundary>(model_, options_);
   workers_.reset(new Workers(1));
-  mechanics_ = std::make_unique<ExplicitSolver>(assembly_, network_, *boundary_, options_, *workers_);
+  mechanics_ = std::make_unique<ExplicitSolver>(model_, *boundary_, options_, *workers_);
   mechanics_->set_undrained(false);
   cut_slit();
-  equilibrium_ =
-      std::make_unique<EquilibriumSolver>(assembly_, network_, *boundary_, *mechanics_, options_, *workers_);
+  equilibrium_ = std::make_unique<EquilibriumSolver>(model_, *boundary_, *mechanics_, options_, *workers_);
 }
 
 void Specimen::cut_slit() {
   if (!(shape_.slit_end > shape_.slit_begin)) return;
-  const auto& a = assembly_;
+  const auto& a = model_.assembly;
   const double y = 0.5 * shape_.height;
   double before = -1.0, after = 2.0 * shape_.width, first = after, last = before;
   for (std::int64_t e = 0; e < a.bond_count(); ++e) {
@@ -78,7 +76,7 @@ void Specimen::cut_slit() {
     if (x < shape_.slit_begin) before = std::max(before, x);
     if (x > shape_.slit_end) after = std::min(after, x);
     if (x < shape_.slit_begin || x > shape_.slit_end) continue;
-    assembly_.intact[static_cast<std::size_t>(e)] = 0;
+    model_.assembly.intact[static_cast<std::size_t>(e)] = 0;
     first = std::min(first, x);
     last = std::max(last, x);
     slit_.push_back(e);
@@ -94,7 +92,7 @@ void Specimen::cut_slit() {
 }
 
 void Specimen::grip_ends(double half_angle) {
-  const auto& a = assembly_;
+  const auto& a = model_.assembly;
   const double reach = platen_reach * a.mean_radius, middle = 0.5 * shape_.height;
   auto& grips = boundary_->grips();
   grips.clear();
@@ -116,22 +114,22 @@ void Specimen::grip_ends(double half_angle) {
                 "no disc lies within " + std::to_string(reach) + " m of a platen; raise the number of discs");
   }
   grips.push_back({grips[lower_ / 2].disc, {1.0, 0.0}, 0.0});  // against drifting sideways; bears nothing
-  if (assembly_.strength_scale.empty()) assembly_.strength_scale.assign(a.first.size(), 1.0);
+  if (model_.assembly.strength_scale.empty()) model_.assembly.strength_scale.assign(a.first.size(), 1.0);
   std::vector<char> held(a.x.size(), 0);
   for (const auto& grip : grips) held[static_cast<std::size_t>(grip.disc)] = 1;
   const double cap = half_angle > 0.0 ? round_cap * shape_.height : 1e300;
   for (std::size_t e = 0; e < a.first.size(); ++e) {
     const double y =
         0.5 * (a.y[static_cast<std::size_t>(a.first[e])] + a.y[static_cast<std::size_t>(a.second[e])]);
-    if (std::abs(y - middle) > cap) assembly_.strength_scale[e] = unbreakable;
+    if (std::abs(y - middle) > cap) model_.assembly.strength_scale[e] = unbreakable;
     if (held[static_cast<std::size_t>(a.first[e])] != 0 || held[static_cast<std::size_t>(a.second[e])] != 0)
-      assembly_.strength_scale[e] = unbreakable;
+      model_.assembly.strength_scale[e] = unbreakable;
   }
-  combine_factors(assembly_, options_);
+  combine_factors(model_.assembly, options_);
 }
 
 void Specimen::make_unbreakable() {
-  assembly_.tensile_per_radius = assembly_.shear_per_radius = 1e30;
+  model_.assembly.tensile_per_radius = model_.assembly.shear_per_radius = 1e30;
 }
 
 void Specimen::lead_ends(double elongation) {
@@ -143,13 +141,13 @@ double Specimen::pull() const {
   double force = 0.0;
   const auto& grips = boundary_->grips();
   for (std::size_t k = 0; k < upper_; ++k)
-    force += (k < lower_ ? -0.5 : 0.5) * boundary_->grip_force(assembly_, grips[k]);
+    force += (k < lower_ ? -0.5 : 0.5) * boundary_->grip_force(model_.assembly, grips[k]);
   return force;
 }
 
 // The slit's pores, and those that broken bonds join to them.
 void Specimen::pressurise(double pressure) {
-  auto& n = network_;
+  auto& n = model_.network;
   std::vector<char> reached(n.kind.size(), 0);
   for (const auto e : slit_) {
     reached[static_cast<std::size_t>(n.left[static_cast<std::size_t>(e)])] = 1;
@@ -157,7 +155,7 @@ void Specimen::pressurise(double pressure) {
   }
   for (bool grew = true; grew;) {
     grew = false;
-    for (const auto& crack : log_) {
+    for (const auto& crack : model_.cracks) {
       auto& l = reached[static_cast<std::size_t>(n.left[static_cast<std::size_t>(crack.bond)])];
       auto& r = reached[static_cast<std::size_t>(n.right[static_cast<std::size_t>(crack.bond)])];
       grew = grew || l != r;
@@ -169,30 +167,30 @@ void Specimen::pressurise(double pressure) {
 
 EquilibriumSolver::Outcome Specimen::solve(double most_excess, const std::function<bool()>& interrupt) {
   using End = EquilibriumSolver::End;
-  auto outcome = equilibrium_->solve(0.0, {}, most_excess, log_, interrupt);
+  auto outcome = equilibrium_->solve(0.0, {}, most_excess, model_.cracks, interrupt);
   factors_ += outcome.factors;
   const bool held = !boundary_->grips().empty();
   for (int attempt = 0; held && outcome.end == End::not_converged && attempt < most_attempts; ++attempt) {
     ++relaxations_;
-    const auto moved = mechanics_->relax(relaxed_ratio, most_cycles, log_, interrupt);
+    const auto moved = mechanics_->relax(relaxed_ratio, most_cycles, model_.cracks, interrupt);
     if (moved.stopped) {
       outcome.end = End::stopped;
       break;
     }
-    mechanics_->search_contacts(log_);
-    outcome = equilibrium_->solve(0.0, {}, std::numeric_limits<double>::infinity(), log_, interrupt);
+    mechanics_->search_contacts(model_.cracks);
+    outcome = equilibrium_->solve(0.0, {}, std::numeric_limits<double>::infinity(), model_.cracks, interrupt);
     factors_ += outcome.factors;
     if (outcome.end == End::not_converged && moved.at_rest) {
       outcome.force_ratio = moved.force_ratio;
       outcome.end = End::rest;
     }
   }
-  if (outcome.end == EquilibriumSolver::End::rest) mechanics_->search_contacts(log_);
+  if (outcome.end == EquilibriumSolver::End::rest) mechanics_->search_contacts(model_.cracks);
   return outcome;
 }
 
 Strain Specimen::strain() const {
-  const auto& a = assembly_;
+  const auto& a = model_.assembly;
   PlaneFit along_x, along_y;
   for (std::int64_t i = 0; i < a.disc_count(); ++i) {
     const double x = a.x[i] - 0.5 * shape_.width, y = a.y[i] - 0.5 * shape_.height;
@@ -208,7 +206,7 @@ double Specimen::largest_excess() const {
 }
 
 std::vector<Vec2> Specimen::opening() const {
-  const auto& a = assembly_;
+  const auto& a = model_.assembly;
   const double middle = 0.5 * (shape_.slit_begin + shape_.slit_end), y = 0.5 * shape_.height;
   std::vector<Vec2> points;
   for (const auto e : slit_) {
@@ -223,11 +221,13 @@ std::vector<Vec2> Specimen::opening() const {
 }
 
 std::int64_t Specimen::cracks_in(CrackMode mode) const {
-  return std::count_if(log_.begin(), log_.end(), [&](const Crack& crack) { return crack.mode == mode; });
+  return std::count_if(model_.cracks.begin(), model_.cracks.end(),
+                       [&](const Crack& crack) { return crack.mode == mode; });
 }
 
 double Specimen::coordination() const {
-  return 2.0 * static_cast<double>(assembly_.bond_count()) / static_cast<double>(assembly_.disc_count());
+  return 2.0 * static_cast<double>(model_.assembly.bond_count()) /
+         static_cast<double>(model_.assembly.disc_count());
 }
 
 }  // namespace hfrac

@@ -17,9 +17,8 @@
 
 #include "core/workers.hpp"
 #include "equilibrium/equilibrium_solver.hpp"
-#include "flow/network.hpp"
 #include "geom/packing.hpp"
-#include "solid/assembly.hpp"
+#include "model/model.hpp"
 #include "solid/boundary.hpp"
 #include "solid/explicit_solver.hpp"
 
@@ -53,7 +52,7 @@ class Specimen {
   // Force with which the platens pull [N], mean of both.
   [[nodiscard]] double pull() const;
   // Tractions at `share` of those of the shape.
-  void load_sides(double share) { boundary_->set_load(assembly_, share); }
+  void load_sides(double share) { boundary_->set_load(model_.assembly, share); }
   // Pressure [Pa] in every pore that touches a broken bond of the slit or connected to it.
   void pressurise(double pressure);
   void make_unbreakable();
@@ -71,12 +70,12 @@ class Specimen {
   // Where the slit ends along x [m], each tip half way between the last bond cut and the first one that holds.
   [[nodiscard]] Vec2 tips() const { return tips_; }
 
-  [[nodiscard]] const Assembly& assembly() const { return assembly_; }
-  [[nodiscard]] const Network& network() const { return network_; }
-  Network& network() { return network_; }
+  [[nodiscard]] const Assembly& assembly() const { return model_.assembly; }
+  [[nodiscard]] const Network& network() const { return model_.network; }
+  Network& network() { return model_.network; }
   [[nodiscard]] const Options& options() const { return options_; }
   [[nodiscard]] const SpecimenShape& shape() const { return shape_; }
-  [[nodiscard]] const CrackLog& cracks() const { return log_; }
+  [[nodiscard]] const CrackLog& cracks() const { return model_.cracks; }
   [[nodiscard]] std::int64_t cracks_in(CrackMode mode) const;
   [[nodiscard]] double coordination() const;
   [[nodiscard]] int factors() const { return factors_; }
@@ -87,13 +86,11 @@ class Specimen {
 
   Options options_;
   SpecimenShape shape_;
-  Assembly assembly_;
-  Network network_;
+  Model model_;
   std::unique_ptr<Boundary> boundary_;
   std::unique_ptr<Workers, Workers::Release> workers_;
   std::unique_ptr<ExplicitSolver> mechanics_;
   std::unique_ptr<EquilibriumSolver> equilibrium_;
-  CrackLog log_;
   std::vector<std::int64_t> slit_;     // its bonds
   Vec2 tips_;                          // begin, end
   std::size_t lower_ = 0, upper_ = 0;  // grips of either platen: [0, lower_), [lower_, upper_)

@@ -10,11 +10,10 @@
 // Loads and results are compression-positive, as everywhere in hfrac. Not for the step loop: it allocates.
 #pragma once
 
-#include <Eigen/SparseCore>
-#include <Eigen/SparseLU>
 #include <array>
 #include <vector>
 
+#include "linear/sparse.hpp"
 #include "rock/biot_material.hpp"
 #include "rock/rock_mesh.hpp"
 
@@ -67,7 +66,7 @@ class BiotSolver {
   [[nodiscard]] Sample sample(std::size_t element, double s, double t) const;
 
  private:
-  using Matrix = Eigen::SparseMatrix<double>;
+  using Matrix = SparseMatrix;
   using Vector = Eigen::VectorXd;
 
   void number_motion(const std::vector<Side>& sides);
@@ -93,7 +92,7 @@ class BiotSolver {
   bool factored_imposed_ = false;
   std::vector<std::int32_t> unknown_;  // by pressure: its row after the motions; -1 imposed
   Matrix system_;
-  Eigen::SparseLU<Matrix> factor_;
+  GeneralFactor factor_;
 };
 
 }  // namespace hfrac

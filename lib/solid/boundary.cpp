@@ -8,16 +8,21 @@
 
 namespace hfrac {
 
-Boundary::Boundary(const Assembly& a, const Network& n, const Options& o)
-    : walled_(BoundaryKind{o.boundary_kind} == BoundaryKind::walls),
+Boundary::Boundary(Model& model, const Options& o)
+    : state_(model.boundary),
+      walled_(BoundaryKind{o.boundary_kind} == BoundaryKind::walls),
       wet_(FlowScheme{o.flow_scheme} != FlowScheme::off),
       stiffness_(o.contact_normal_stiffness) {
+  const Assembly& a = model.assembly;
+  const Network& n = model.network;
   if (!walled_) {
     const auto begin = n.corner_start[0], end = n.corner_start[1];
     edge_.assign(n.corner_disc.begin() + begin, n.corner_disc.begin() + end);
     std::sort(edge_.begin(), edge_.end());
     edge_.erase(std::unique(edge_.begin(), edge_.end()), edge_.end());
-    for (auto* values : {&pore_, &weight_, &host_, &load_on_}) values->assign(edge_.size(), Vec2{});
+    for (auto* values : {&pore_, &weight_, &state_.cell_load, &load_on_})
+      values->assign(edge_.size(), Vec2{});
+    state_.loaded_discs = edge_.size();
     for (auto k = begin; k < end; ++k) {
       const auto [i, from, to] = n.corner(0, k);
       const std::size_t at = place_of(i);
@@ -31,10 +36,11 @@ Boundary::Boundary(const Assembly& a, const Network& n, const Options& o)
   put_outside_pressure(n);
   // Walls carry effective stress: the pores outside push with the formation's pressure.
   const double width = o.model_width, height = o.model_height;
-  walls_[0] = {{1.0, 0.0}, height, 0.0, 0.0, 0.0, {}};
-  walls_[1] = {{-1.0, 0.0}, height, 0.0, 0.0, 0.0, {}};
-  walls_[2] = {{0.0, 1.0}, width, 0.0, 0.0, 0.0, {}};
-  walls_[3] = {{0.0, -1.0}, width, 0.0, 0.0, 0.0, {}};
+  state_.walls[0] = {{1.0, 0.0}, height, 0.0, 0.0, 0.0, {}};
+  state_.walls[1] = {{-1.0, 0.0}, height, 0.0, 0.0, 0.0, {}};
+  state_.walls[2] = {{0.0, 1.0}, width, 0.0, 0.0, 0.0, {}};
+  state_.walls[3] = {{0.0, -1.0}, width, 0.0, 0.0, 0.0, {}};
+  wall_start_ = {0.0, width, 0.0, height};
   put_far_field(o.stress_sigma_Hmax, o.stress_sigma_hmin);
   const double tolerance = std::max(o.bond_gap_tolerance, 0.01) * a.mean_radius;
   for (std::int32_t i = 0; i < a.disc_count(); ++i) {
@@ -42,7 +48,7 @@ Boundary::Boundary(const Assembly& a, const Network& n, const Options& o)
                                 height - a.y[i] - a.radius[i]};
     for (std::size_t w = 0; w < 4; ++w) {
       if (distance[w] >= tolerance) continue;
-      walls_[w].discs.push_back(i);
+      state_.walls[w].discs.push_back(i);
       if (edge_.empty() || edge_.back() != i) edge_.push_back(i);
     }
   }
@@ -62,15 +68,15 @@ void Boundary::put_outside_pressure(const Network& n) {
 
 void Boundary::put_far_field(double sigma_Hmax, double sigma_hmin) {
   if (walled_) {
-    walls_[0].target = walls_[1].target = sigma_Hmax - outside_pressure_;
-    walls_[2].target = walls_[3].target = sigma_hmin - outside_pressure_;
+    state_.walls[0].target = state_.walls[1].target = sigma_Hmax - outside_pressure_;
+    state_.walls[2].target = state_.walls[3].target = sigma_hmin - outside_pressure_;
     return;
   }
   for (std::size_t k = 0; k < edge_.size(); ++k) {
     load_on_[k] = pore_[k] +
                   Vec2{(sigma_Hmax - outside_pressure_) * weight_[k].x,
                        (sigma_hmin - outside_pressure_) * weight_[k].y} +
-                  host_[k];
+                  state_.cell_load[k];
   }
 }
 
@@ -81,7 +87,7 @@ std::size_t Boundary::place_of(std::int32_t disc) const {
 Vec2 Boundary::load_on(std::int32_t disc) const {
   if (walled_) return {};
   const std::size_t at = place_of(disc);
-  return at == edge_.size() || edge_[at] != disc ? Vec2{} : load_ * load_on_[at];
+  return at == edge_.size() || edge_[at] != disc ? Vec2{} : state_.load * load_on_[at];
 }
 
 bool Boundary::touches_wall(std::int32_t disc) const {
@@ -95,8 +101,8 @@ void Boundary::set_far_field(Assembly& a, double sigma_Hmax, double sigma_hmin) 
   const double before = load_work(a);
   put_far_field(sigma_Hmax, sigma_hmin);
   if (!walled_) {
-    set_load(a, load_);
-    carried_work_ += before - load_work(a);
+    set_load(a, state_.load);
+    state_.carried_work += before - load_work(a);
   }
 }
 
@@ -108,12 +114,12 @@ void Boundary::set_outside_pressure(Assembly& a, const Network& n, double sigma_
 void Boundary::restore_load(Assembly& a, const Network& n, double sigma_Hmax, double sigma_hmin) {
   put_outside_pressure(n);
   put_far_field(sigma_Hmax, sigma_hmin);
-  if (!walled_) set_load(a, load_);
+  if (!walled_) set_load(a, state_.load);
 }
 
-void Boundary::set_host_stress(Assembly& a, const Network& n, std::span<const double> stress,
-                               double sigma_Hmax, double sigma_hmin) {
-  std::fill(host_.begin(), host_.end(), Vec2{});
+std::vector<Vec2> Boundary::load_of_stress(const Assembly& a, const Network& n,
+                                           std::span<const double> stress) const {
+  std::vector<Vec2> load(edge_.size(), Vec2{});
   const auto begin = n.corner_start[0], end = n.corner_start[1];
   const auto discs = static_cast<double>(end - begin);
   Vec2 force{}, centre{};
@@ -122,7 +128,7 @@ void Boundary::set_host_stress(Assembly& a, const Network& n, std::span<const do
     const Vec2 inward{0.5 * (a.y[to] - a.y[from]), -0.5 * (a.x[to] - a.x[from])};  // times length
     const auto* s = stress.data() + 3 * static_cast<std::size_t>(k - begin);
     const Vec2 push{s[0] * inward.x + s[2] * inward.y, s[2] * inward.x + s[1] * inward.y};
-    host_[place_of(i)] = host_[place_of(i)] + push;
+    load[place_of(i)] = load[place_of(i)] + push;
     force = force + push;
     centre = centre + (1.0 / discs) * Vec2{a.x[i], a.y[i]};
   }
@@ -130,7 +136,7 @@ void Boundary::set_host_stress(Assembly& a, const Network& n, std::span<const do
   // force and as a turn about its middle for the moment.
   double moment = 0.0, inertia = 0.0;
   for (auto k = begin; k < end; ++k) {
-    Vec2& on_disc = host_[place_of(n.corner_disc[k])];
+    Vec2& on_disc = load[place_of(n.corner_disc[k])];
     on_disc = on_disc - (1.0 / discs) * force;
   }
   for (auto k = begin; k < end; ++k) {
@@ -138,18 +144,18 @@ void Boundary::set_host_stress(Assembly& a, const Network& n, std::span<const do
     const Vec2 arm = Vec2{a.x[i], a.y[i]} - centre;
     inertia += dot(arm, arm);
   }
-  for (std::size_t q = 0; q < host_.size(); ++q)
-    moment += cross(Vec2{a.x[edge_[q]], a.y[edge_[q]]} - centre, host_[q]);
+  for (std::size_t q = 0; q < load.size(); ++q)
+    moment += cross(Vec2{a.x[edge_[q]], a.y[edge_[q]]} - centre, load[q]);
   for (auto k = begin; k < end; ++k) {
     const auto i = n.corner_disc[k];
     const Vec2 arm = Vec2{a.x[i], a.y[i]} - centre;
-    host_[place_of(i)] = host_[place_of(i)] + (moment / inertia) * Vec2{arm.y, -arm.x};
+    load[place_of(i)] = load[place_of(i)] + (moment / inertia) * Vec2{arm.y, -arm.x};
   }
-  set_far_field(a, sigma_Hmax, sigma_hmin);
+  return load;
 }
 
 void Boundary::set_load(Assembly& a, double share) {
-  load_ = share;
+  state_.load = share;
   if (walled_) return;
   std::fill(a.external_x.begin(), a.external_x.end(), 0.0);
   std::fill(a.external_y.begin(), a.external_y.end(), 0.0);
@@ -196,7 +202,7 @@ void Boundary::remove_rigid_motion(Assembly& a) const {
 }
 
 void Boundary::cycle(Assembly& a, double step, double safety, double damping) {
-  for (auto& wall : walls_) {
+  for (auto& wall : state_.walls) {
     for (const auto i : wall.discs) a.external_x[i] = a.external_y[i] = 0.0;
   }
   for (const auto& grip : grips_) {
@@ -209,21 +215,20 @@ void Boundary::cycle(Assembly& a, double step, double safety, double damping) {
     a.external_x[grip.disc] += force * grip.along.x;
     a.external_y[grip.disc] += force * grip.along.y;
   }
-  imbalance_ = 0.0;
-  for (auto& wall : walls_) {
+  state_.imbalance = 0.0;
+  for (auto& wall : state_.walls) {
     double push = 0.0;
     for (const auto i : wall.discs) {
-      const double closing = closing_of(a, wall, i);
-      const double force = stiffness_ * std::max(0.0, closing);
+      const double force = push_of(a, wall, i, stiffness_);
       push += force;
       a.external_x[i] += force * wall.inward.x;
       a.external_y[i] += force * wall.inward.y;
     }
-    if (!servo_ || wall.discs.empty()) continue;
-    const double target = load_ * wall.target * wall.length;
+    if (!state_.servo || wall.discs.empty()) continue;
+    const double target = state_.load * wall.target * wall.length;
     const double force = target - push;
-    imbalance_ =
-        std::max(imbalance_, std::abs(force) / std::max(std::abs(target), 1e-9 * stiffness_ * wall.length));
+    state_.imbalance = std::max(
+        state_.imbalance, std::abs(force) / std::max(std::abs(target), 1e-9 * stiffness_ * wall.length));
     // Mass of the wall: stable with the step in use, as light as that allows (a servo has no inertia of its own).
     const double mass =
         0.5 * step * step * stiffness_ * static_cast<double>(wall.discs.size()) / (safety * safety);
@@ -231,7 +236,7 @@ void Boundary::cycle(Assembly& a, double step, double safety, double damping) {
         damping * std::abs(force) * (wall.velocity > 0.0 ? 1.0 : (wall.velocity < 0.0 ? -1.0 : 0.0));
     wall.velocity += step * (force - drag) / mass;
     wall.displacement += step * wall.velocity;
-    work_ += target * step * wall.velocity;
+    state_.work += target * step * wall.velocity;
   }
 }
 
@@ -241,12 +246,12 @@ void Boundary::press(Assembly& a, std::int64_t first, std::int64_t last) const {
                      std::lower_bound(discs.begin(), discs.end(), last));
   };
   if (!walled_ || among(edge_).empty()) return;
-  for (const auto& wall : walls_) {
+  for (const auto& wall : state_.walls) {
     for (const auto i : among(wall.discs)) a.external_x[i] = a.external_y[i] = 0.0;
   }
-  for (const auto& wall : walls_) {
+  for (const auto& wall : state_.walls) {
     for (const auto i : among(wall.discs)) {
-      const double force = stiffness_ * std::max(0.0, closing_of(a, wall, i));
+      const double force = push_of(a, wall, i, stiffness_);
       a.external_x[i] += force * wall.inward.x;
       a.external_y[i] += force * wall.inward.y;
     }
@@ -254,7 +259,7 @@ void Boundary::press(Assembly& a, std::int64_t first, std::int64_t last) const {
 }
 
 void Boundary::add_stiffness(std::vector<double>& row_x, std::vector<double>& row_y) const {
-  for (const auto& wall : walls_) {
+  for (const auto& wall : state_.walls) {
     for (const auto i : wall.discs) {
       row_x[i] += 2.0 * stiffness_ * std::abs(wall.inward.x);
       row_y[i] += 2.0 * stiffness_ * std::abs(wall.inward.y);
@@ -267,12 +272,9 @@ void Boundary::add_stiffness(std::vector<double>& row_x, std::vector<double>& ro
 }
 
 double Boundary::wall_stress(const Assembly& a, std::size_t w) const {
-  const Wall& wall = walls_[w];
+  const Wall& wall = state_.walls[w];
   double sum = 0.0;
-  for (const auto i : wall.discs) {
-    const double closing = closing_of(a, wall, i);
-    sum += stiffness_ * std::max(0.0, closing) / wall.length;
-  }
+  for (const auto i : wall.discs) sum += push_of(a, wall, i, stiffness_) / wall.length;
   return sum;
 }
 
@@ -282,7 +284,7 @@ Vec2 Boundary::wall_stress(const Assembly& a) const {
 
 double Boundary::wall_energy(const Assembly& a) const {
   double energy = 0.0;
-  for (const auto& wall : walls_) {
+  for (const auto& wall : state_.walls) {
     for (const auto i : wall.discs) {
       const double closing = std::max(0.0, closing_of(a, wall, i));
       energy += 0.5 * stiffness_ * closing * closing;
@@ -292,10 +294,10 @@ double Boundary::wall_energy(const Assembly& a) const {
 }
 
 double Boundary::load_work(const Assembly& a) const {
-  if (walled_) return work_;
-  double work = carried_work_;
+  if (walled_) return state_.work;
+  double work = state_.carried_work;
   for (std::size_t k = 0; k < edge_.size(); ++k)
-    work += load_ * (load_on_[k].x * a.ux[edge_[k]] + load_on_[k].y * a.uy[edge_[k]]);
+    work += state_.load * (load_on_[k].x * a.ux[edge_[k]] + load_on_[k].y * a.uy[edge_[k]]);
   return work;
 }
 

@@ -13,19 +13,21 @@
 // it and in rotation, by a spring of the contacts' stiffness.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "flow/network.hpp"
-#include "solid/assembly.hpp"
+#include "model/model.hpp"
+#include "options/options.hpp"
 
 namespace hfrac {
 
 class Boundary {
  public:
-  Boundary(const Assembly& assembly, const Network& network, const Options& options);
+  // Finds the discs it acts on; puts the far field of the options on, at load 0.
+  Boundary(Model& model, const Options& options);
 
   // Share of the far-field stress in force, 0 to 1 (for loading in stages).
   void set_load(Assembly& assembly, double share);
@@ -48,13 +50,13 @@ class Boundary {
   [[nodiscard]] Vec2 load_on(std::int32_t disc) const;
   [[nodiscard]] bool touches_wall(std::int32_t disc) const;
 
-  void fix_walls() { servo_ = false; }
+  void fix_walls() { state_.servo = false; }
   // Moves a servo-driven wall inward by `by` [m] (quasi-static solver).
   void shift_wall(std::size_t wall, double by) {
-    walls_[wall].displacement += by;
-    work_ += load_ * walls_[wall].target * walls_[wall].length * by;
+    state_.walls[wall].displacement += by;
+    state_.work += state_.load * state_.walls[wall].target * state_.walls[wall].length * by;
   }
-  [[nodiscard]] bool follows_far_field() const { return !walled_ || servo_; }
+  [[nodiscard]] bool follows_far_field() const { return !walled_ || state_.servo; }
   // New far-field stress [Pa], total where stress.convention is total; the share in force stays.
   void set_far_field(Assembly& assembly, double sigma_Hmax, double sigma_hmin);
   // Likewise another pressure in the pores outside, that of domain 0 [Pa]; the total far-field stress stays.
@@ -62,32 +64,20 @@ class Boundary {
   // The loads follow again from domain 0 and the far field after a state was loaded.
   void restore_load(Assembly& assembly, const Network& network, double sigma_Hmax, double sigma_hmin);
 
-  // Stress that a host adds to the far field at each disc of the outer loop, in its order [Pa; xx, yy, xy, compression
-  // positive]; stress boundaries only. What net force and moment the tractions leave is taken out.
-  void set_host_stress(Assembly& assembly, const Network& network, std::span<const double> stress,
-                       double sigma_Hmax, double sigma_hmin);
-  // The forces that came of it, to keep them while a state is loaded; set_far_field or restore_load puts them in force.
-  using HostLoad = std::vector<Vec2>;
-  [[nodiscard]] const HostLoad& host_load() const { return host_; }
-  void put_host_load(const HostLoad& load) { host_ = load; }
+  // What stress at each disc of the outer boundary, in its order [Pa; xx, yy, xy, compression positive], comes to as forces on those
+  // discs [N] (BoundaryState::cell_load; stress boundaries only). What net force and moment the tractions leave is taken out.
+  [[nodiscard]] std::vector<Vec2> load_of_stress(const Assembly& assembly, const Network& network,
+                                                 std::span<const double> stress) const;
 
-  template <class Archive>
-  void visit_state(Archive& archive) {
-    visit(archive, *this);
-  }
-  template <class Archive>
-  void visit_state(Archive& archive) const {
-    visit(archive, *this);
-  }
   [[nodiscard]] bool walled() const { return walled_; }
 
   // Mean normal stress on the walls along x and y [Pa], compression positive, without pore pressure outside.
   [[nodiscard]] Vec2 wall_stress(const Assembly& assembly) const;
   // Likewise on one wall [Pa].
   [[nodiscard]] double wall_stress(const Assembly& assembly, std::size_t wall) const;
-  [[nodiscard]] bool walls_move() const { return walled_ && servo_; }
+  [[nodiscard]] bool walls_move() const { return walled_ && state_.servo; }
   // Largest unbalanced force on a wall over its target, or 0 when fixed.
-  [[nodiscard]] double wall_imbalance() const { return servo_ ? imbalance_ : 0.0; }
+  [[nodiscard]] double wall_imbalance() const { return state_.servo ? state_.imbalance : 0.0; }
   // Energy stored in wall contacts now [J/m].
   [[nodiscard]] double wall_energy(const Assembly& assembly) const;
   // The constant force of the far field on each disc [N] (stress boundary), for the work it does.
@@ -107,56 +97,39 @@ class Boundary {
     return stiffness_ * (grip.target - (a.ux[grip.disc] * grip.along.x + a.uy[grip.disc] * grip.along.y));
   }
 
-  struct Wall {
-    Vec2 inward;                // unit normal into the model
-    double length = 0.0;        // m
-    double target = 0.0;        // Pa
-    double displacement = 0.0;  // m, inward
-    double velocity = 0.0;
-    std::vector<std::int32_t> discs;
-  };
   // Outermost discs, or those at walls; ascending.
   [[nodiscard]] const std::vector<std::int32_t>& edge() const { return edge_; }
   // How far a disc is pressed into a wall [m], with what it grew by temperature.
   [[nodiscard]] static double closing_of(const Assembly& a, const Wall& wall, std::int32_t i) {
     return wall.displacement - (a.ux[i] * wall.inward.x + a.uy[i] * wall.inward.y) + a.thermal.growth_of(i);
   }
-  [[nodiscard]] const std::array<Wall, 4>& walls() const { return walls_; }
-  std::array<Wall, 4>& walls() { return walls_; }
+  // Force of a wall on one of its discs [N]: contacts' stiffness, no tension.
+  [[nodiscard]] static double push_of(const Assembly& a, const Wall& wall, std::int32_t i, double stiffness) {
+    return stiffness * std::max(0.0, closing_of(a, wall, i));
+  }
+  // Where a wall stands along its normal's axis [m].
+  [[nodiscard]] double wall_position(std::size_t wall) const {
+    const Wall& w = state_.walls[wall];
+    return wall_start_[wall] + (w.inward.x + w.inward.y) * w.displacement;
+  }
+  [[nodiscard]] const std::array<Wall, 4>& walls() const { return state_.walls; }
+  std::array<Wall, 4>& walls() { return state_.walls; }
 
  private:
   void put_outside_pressure(const Network& network);
   [[nodiscard]] std::size_t place_of(std::int32_t disc) const;  // in edge_
   void put_far_field(double sigma_Hmax, double sigma_hmin);
 
-  template <class Archive, class Self>
-  static void visit(Archive& archive, Self& s) {
-    for (auto& wall : s.walls_) {
-      archive.value(wall.displacement);
-      archive.value(wall.velocity);
-    }
-    archive.value(s.servo_);
-    archive.value(s.load_);
-    archive.value(s.work_);
-    archive.value(s.imbalance_);
-    archive.value(s.carried_work_);
-    archive.list(s.host_, [](auto& ar, auto& force) {
-      ar.value(force.x);
-      ar.value(force.y);
-    });
-    archive.require(s.host_.size() == s.weight_.size());
-  }
-
-  bool walled_, wet_, servo_ = true;
-  double stiffness_, load_ = 0.0, work_ = 0.0, imbalance_ = 0.0, carried_work_ = 0.0;
-  double outside_pressure_ = 0.0;   // Pa, what walls leave to the pores outside
-  std::vector<std::int32_t> edge_;  // outermost discs, or those at walls; ascending
-  std::vector<Vec2> pore_;          // N: what balances the pores' pressure at the start
-  std::vector<Vec2> weight_;        // m: force per stress beyond that along x, y
-  std::vector<Vec2> host_;          // N: from the host's stress
-  std::vector<Vec2> load_on_;       // N at full load
-  std::array<Wall, 4> walls_;
-  std::vector<Grip> grips_;  // no part of a state: the laboratory takes none
+  BoundaryState& state_;
+  bool walled_, wet_;
+  double stiffness_;
+  std::array<double, 4> wall_start_{};  // m
+  double outside_pressure_ = 0.0;       // Pa, what walls leave to the pores outside
+  std::vector<std::int32_t> edge_;      // outermost discs, or those at walls; ascending
+  std::vector<Vec2> pore_;              // N: what balances the pores' pressure at the start
+  std::vector<Vec2> weight_;            // m: force per stress beyond that along x, y
+  std::vector<Vec2> load_on_;           // N at full load
+  std::vector<Grip> grips_;             // no part of a state: the laboratory takes none
 };
 
 }  // namespace hfrac

@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "options/choices.hpp"
+#include "solid/smooth_joints.hpp"
 #include "solid/stable_step.hpp"
 
 namespace hfrac {
@@ -36,24 +37,25 @@ double take_work(std::vector<TileSums>& sums) {
 
 }  // namespace
 
-ExplicitSolver::ExplicitSolver(Assembly& assembly, Network& network, Boundary& boundary,
-                               const Options& options, Workers& workers)
-    : assembly_(assembly),
-      network_(network),
+ExplicitSolver::ExplicitSolver(Model& model, Boundary& boundary, const Options& options, Workers& workers)
+    : assembly_(model.assembly),
+      network_(model.network),
+      energies_(model.accounts.energies),
+      total_cycles_(model.clock.cycles),
       boundary_(boundary),
-      non_bonded_(options),
+      non_bonded_(options, model.contact_pairs),
       options_(options),
       workers_(workers),
       bonds_left_(workers.count()),
       domains_left_(workers.count()),
       tiles_left_(workers.count()),
       kernels_(kernels()),
-      fragments_(assembly, options) {
-  const auto discs = static_cast<std::size_t>(assembly.disc_count());
+      fragments_(assembly_, options) {
+  const auto discs = static_cast<std::size_t>(assembly_.disc_count());
   inverse_mass_.resize(discs);
   inverse_inertia_.resize(discs);
   plan_ =
-      plan_tiles(assembly, network, FlowScheme{options.flow_scheme} != FlowScheme::off, boundary.walled());
+      plan_tiles(assembly_, network_, FlowScheme{options.flow_scheme} != FlowScheme::off, boundary.walled());
   const auto tiles = plan_.tiles.size();
   bond_sums_.assign(tiles + static_cast<std::size_t>(plan_.bond_blocks), {});
   disc_sums_.assign(tiles, {});
@@ -230,9 +232,7 @@ bool ExplicitSolver::break_bonds(std::int64_t first, std::int64_t last, std::int
   for (std::int64_t e = first; e < last; ++e) {
     if (assembly_.intact[e] == 0 || assembly_.smooth.of(e) != nullptr) continue;
     const BondView bond = view_bond(assembly_, options_, e);
-    if ((bond.tensile_excess < 1.0 && bond.shear_excess < 1.0) || is_held(e) ||
-        fragments_.is_last(assembly_, e))
-      continue;
+    if (!bond.breaks() || is_held(e) || fragments_.is_last(assembly_, e)) continue;
     break_bond(bond, e, cycle, found);
   }
   return found.size() > before;
@@ -243,8 +243,7 @@ void ExplicitSolver::take_smooth_joints(std::int64_t cycle, CrackLog& found) {
   for (auto& contact : assembly_.smooth.contacts) {
     if (contact.holds) {
       const BondView bond = view_smooth(assembly_, options_, contact);
-      if (bond.tensile_excess >= 1.0 || bond.shear_excess >= 1.0)
-        break_bond(bond, contact.bond, cycle, found);
+      if (bond.breaks()) break_bond(bond, contact.bond, cycle, found);
     }
     add_smooth_force(assembly_, options_, contact, energies_.friction);
   }

@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "core/workers.hpp"
-#include "flow/network.hpp"
-#include "frac/crack_log.hpp"
-#include "solid/assembly.hpp"
+#include "model/model.hpp"
+#include "options/options.hpp"
+#include "solid/bond_law.hpp"
 #include "solid/boundary.hpp"
 #include "solid/fragments.hpp"
 #include "solid/kernels.hpp"
@@ -28,14 +28,9 @@
 
 namespace hfrac {
 
-struct Energies {
-  double friction = 0.0, damping = 0.0, fluid = 0.0, fracture = 0.0;  // J/m since creation
-};
-
 class ExplicitSolver {
  public:
-  ExplicitSolver(Assembly& assembly, Network& network, Boundary& boundary, const Options& options,
-                 Workers& workers);
+  ExplicitSolver(Model& model, Boundary& boundary, const Options& options, Workers& workers);
 
   // How the next cycles run.
   void use_scaled_masses();
@@ -69,7 +64,6 @@ class ExplicitSolver {
 
   [[nodiscard]] double kinetic_energy() const;
   [[nodiscard]] const Energies& energies() const { return energies_; }
-  Energies& energies() { return energies_; }
   [[nodiscard]] std::int64_t total_cycles() const { return total_cycles_; }
   // Several cycles in one pass over the model where nothing couples all of it in every cycle (temporal_blocking.hpp); the bits are the same.
   // Models that no cache holds do so of themselves. For tests and benchmarks: in this shape; 1 cycle: never.
@@ -97,28 +91,12 @@ class ExplicitSolver {
   // After the state was restored: loads follow from the far field [Pa] and domain 0, the stable step from all (forces are found
   // anew in every cycle).
   void after_restore(double sigma_Hmax, double sigma_hmin);
-  template <class Archive>
-  void visit_state(Archive& archive) {
-    visit(archive, *this);
-  }
-  template <class Archive>
-  void visit_state(Archive& archive) const {
-    visit(archive, *this);
-  }
   const KernelArrays& arrays() const { return arrays_; }
 
   // Where a number of discs or pores is not finite, and by which equation it moves: ", at disc 7 near ..."; empty: nowhere.
   [[nodiscard]] std::string first_not_finite() const;
 
  private:
-  template <class Archive, class Self>
-  static void visit(Archive& archive, Self& s) {
-    auto& e = s.energies_;
-    for (auto* value : {&e.friction, &e.damping, &e.fluid, &e.fracture}) archive.value(*value);
-    archive.value(s.total_cycles_);
-    s.non_bonded_.visit_state(archive);
-  }
-
   void batch(std::int64_t cycles, std::vector<CrackLog>& found);
   template <class Visit>
   void each_pushed_disc(const Visit& visit) const;
@@ -141,6 +119,8 @@ class ExplicitSolver {
 
   Assembly& assembly_;
   Network& network_;
+  Energies& energies_;
+  std::int64_t& total_cycles_;
   Boundary& boundary_;
   NonBondedContacts non_bonded_;
   const Options& options_;
@@ -157,10 +137,8 @@ class ExplicitSolver {
   std::vector<std::atomic<std::int32_t>> tile_done_, block_done_;  // cycles of the batch
   std::atomic<std::int64_t> next_task_{0};
   std::vector<TileSums> bond_sums_, disc_sums_, domain_sums_;
-  Energies energies_;
   double real_step_ = 0.0;
   bool scaled_ = true, undrained_ = false;
-  std::int64_t total_cycles_ = 0;
   std::vector<Vec2> saved_push_;  // N, of a restore
 };
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "solid/assembly.hpp"
+#include "model/assembly.hpp"
 
 namespace hfrac {
 

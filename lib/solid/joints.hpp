@@ -14,9 +14,9 @@
 
 #include <vector>
 
-#include "frac/crack_log.hpp"
+#include "model/assembly.hpp"
+#include "model/crack_log.hpp"
 #include "options/options.hpp"
-#include "solid/assembly.hpp"
 
 namespace hfrac {
 

@@ -17,12 +17,10 @@
 
 #include <stdint.h>  // NOLINT(modernize-deprecated-headers): see above
 
+#include "core/layout.hpp"
+
 namespace hfrac {
 
-constexpr int64_t tile_size = 512;  // discs: displacements and forces of a tile fit the first-level cache
-// The values that make a bond, eight bonds side by side (bond_geometry.hpp): where in a block those of the first begin.
-constexpr int64_t block_bonds = 8, block_values = 40;
-constexpr int64_t block_dx = 0, block_dy = 8, block_length = 16, block_arm = 24, block_radius = 32;
 constexpr int64_t cross_block = 256;  // bonds or domains across tiles that are handed out together
 
 // Force of one bond on its discs: force on disc i (disc j gets the opposite), moment on i, moment on j.

@@ -63,24 +63,25 @@ std::vector<NonBondedContacts::Pair> pairs_near_cracks(const Assembly& a,
 
 bool NonBondedContacts::search(Assembly& a, const Boundary& boundary, const CrackLog& cracks) {
   if (cracks.empty()) return false;
-  bool due = cracks.size() != cracks_seen_;
+  bool due = cracks.size() != list_.cracks_seen;
   if (!due) {
     const double limit = search_move * a.mean_radius;
-    for (std::size_t k = 0; k < cracked_.size() && !due; ++k) {
-      due = std::hypot(a.ux[cracked_[k]] - searched_x_[k], a.uy[cracked_[k]] - searched_y_[k]) > limit;
+    for (std::size_t k = 0; k < list_.cracked.size() && !due; ++k) {
+      due = std::hypot(a.ux[list_.cracked[k]] - list_.searched_x[k],
+                       a.uy[list_.cracked[k]] - list_.searched_y[k]) > limit;
     }
   }
   if (!due) return false;
 
-  cracked_ = discs_with_broken_bonds(a, cracks);
-  cracks_seen_ = cracks.size();
-  searched_x_.clear();
-  searched_y_.clear();
-  for (const auto i : cracked_) {
-    searched_x_.push_back(a.ux[i]);
-    searched_y_.push_back(a.uy[i]);
+  list_.cracked = discs_with_broken_bonds(a, cracks);
+  list_.cracks_seen = cracks.size();
+  list_.searched_x.clear();
+  list_.searched_y.clear();
+  for (const auto i : list_.cracked) {
+    list_.searched_x.push_back(a.ux[i]);
+    list_.searched_y.push_back(a.uy[i]);
   }
-  std::vector<Pair> found = pairs_near_cracks(a, cracked_);
+  std::vector<Pair> found = pairs_near_cracks(a, list_.cracked);
   const auto before = [](const Pair& p, const Pair& q) {
     return p.first != q.first ? p.first < q.first : p.second < q.second;
   };
@@ -90,27 +91,27 @@ bool NonBondedContacts::search(Assembly& a, const Boundary& boundary, const Crac
                   [](const Pair& p, const Pair& q) { return p.first == q.first && p.second == q.second; }),
       found.end());
   for (auto& pair : found) {
-    const auto old = std::lower_bound(pairs_.begin(), pairs_.end(), pair, before);
-    if (old != pairs_.end() && old->first == pair.first && old->second == pair.second) {
+    const auto old = std::lower_bound(list_.pairs.begin(), list_.pairs.end(), pair, before);
+    if (old != list_.pairs.end() && old->first == pair.first && old->second == pair.second) {
       pair.shear_force = old->shear_force;
       pair.normal_force = old->normal_force;
     }
   }
   release(a, boundary);
-  pairs_.swap(found);
-  discs_.clear();
-  for (const auto& pair : pairs_) {
-    discs_.push_back(pair.first);
-    discs_.push_back(pair.second);
+  list_.pairs.swap(found);
+  list_.discs.clear();
+  for (const auto& pair : list_.pairs) {
+    list_.discs.push_back(pair.first);
+    list_.discs.push_back(pair.second);
   }
-  std::sort(discs_.begin(), discs_.end());
-  discs_.erase(std::unique(discs_.begin(), discs_.end()), discs_.end());
+  std::sort(list_.discs.begin(), list_.discs.end());
+  list_.discs.erase(std::unique(list_.discs.begin(), list_.discs.end()), list_.discs.end());
   return true;
 }
 
 // The boundary's own force back onto the discs of the list.
 void NonBondedContacts::release(Assembly& a, const Boundary& boundary) {
-  for (const auto i : discs_) {
+  for (const auto i : list_.discs) {
     a.external_moment[i] = 0.0;
     if (boundary.touches_wall(i)) continue;  // written anew in every cycle
     const Vec2 load = boundary.load_on(i);
@@ -121,7 +122,7 @@ void NonBondedContacts::release(Assembly& a, const Boundary& boundary) {
 
 void NonBondedContacts::cycle(Assembly& a, const Boundary& boundary, double step, double& friction) {
   release(a, boundary);
-  for (auto& pair : pairs_) {
+  for (auto& pair : list_.pairs) {
     const auto i = pair.first, j = pair.second;
     const double stiffness = a.thermal.pair_stiffness(i, j);
     const double kn = options_.contact_normal_stiffness * stiffness,
@@ -156,7 +157,7 @@ void NonBondedContacts::cycle(Assembly& a, const Boundary& boundary, double step
 
 void NonBondedContacts::add_stiffness(const Assembly& a, std::vector<double>& row_x,
                                       std::vector<double>& row_y, std::vector<double>& row_rotation) const {
-  for (const auto& pair : pairs_) {
+  for (const auto& pair : list_.pairs) {
     const double share = a.thermal.pair_stiffness(pair.first, pair.second);
     const double translation =
         2.0 * (options_.contact_normal_stiffness + options_.contact_shear_stiffness) * share;
@@ -168,23 +169,9 @@ void NonBondedContacts::add_stiffness(const Assembly& a, std::vector<double>& ro
   }
 }
 
-bool NonBondedContacts::fits(std::int64_t discs) const {
-  const auto ascending = [discs](const std::vector<std::int32_t>& list) {
-    for (std::size_t k = 0; k < list.size(); ++k) {
-      if (list[k] < 0 || list[k] >= discs || (k > 0 && list[k] <= list[k - 1])) return false;
-    }
-    return true;
-  };
-  for (const auto& pair : pairs_) {
-    if (pair.first < 0 || pair.second <= pair.first || pair.second >= discs) return false;
-  }
-  return ascending(discs_) && ascending(cracked_) && searched_x_.size() == cracked_.size() &&
-         searched_y_.size() == cracked_.size();
-}
-
 double NonBondedContacts::energy(const Assembly& a) const {
   double sum = 0.0;
-  for (const auto& pair : pairs_) {
+  for (const auto& pair : list_.pairs) {
     const double share = a.thermal.pair_stiffness(pair.first, pair.second);
     sum += 0.5 * pair.normal_force * pair.normal_force / (options_.contact_normal_stiffness * share);
     if (options_.contact_shear_stiffness > 0.0)

@@ -7,26 +7,21 @@
 // |F_s| <= mu F_n. Overlap that pairs had at bonding carries no force. There are few of them, so one worker does all.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include "frac/crack_log.hpp"
+#include "model/assembly.hpp"
+#include "model/contact_pairs.hpp"
+#include "model/crack_log.hpp"
 #include "options/options.hpp"
-#include "solid/assembly.hpp"
 #include "solid/boundary.hpp"
 
 namespace hfrac {
 
 class NonBondedContacts {
  public:
-  struct Pair {
-    std::int32_t first, second;
-    double reference_gap;       // m, 0 or the overlap at bonding
-    double shear_force = 0.0;   // N
-    double normal_force = 0.0;  // N, compression positive
-  };
+  using Pair = ContactPair;
 
-  explicit NonBondedContacts(const Options& options) : options_(options) {}
+  NonBondedContacts(const Options& options, ContactPairs& list) : options_(options), list_(list) {}
 
   // Looks for pairs if cracks were added or discs moved since the last time. True if the list changed.
   bool search(Assembly& assembly, const Boundary& boundary, const CrackLog& cracks);
@@ -40,49 +35,19 @@ class NonBondedContacts {
 
   // Forces found by another solver, in the order of pairs().
   void keep(std::size_t pair, double normal_force, double shear_force) {
-    pairs_[pair].normal_force = normal_force;
-    pairs_[pair].shear_force = shear_force;
+    list_.pairs[pair].normal_force = normal_force;
+    list_.pairs[pair].shear_force = shear_force;
   }
 
-  [[nodiscard]] bool empty() const { return pairs_.empty(); }
-  [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
+  [[nodiscard]] bool empty() const { return list_.pairs.empty(); }
+  [[nodiscard]] const std::vector<Pair>& pairs() const { return list_.pairs; }
   [[nodiscard]] double energy(const Assembly& assembly) const;  // J/m, stored now
-  // Whether lists that were read can be those of so many discs: in range, in order, of matching lengths.
-  [[nodiscard]] bool fits(std::int64_t discs) const;
-
-  template <class Archive>
-  void visit_state(Archive& archive) {
-    visit(archive, *this);
-  }
-  template <class Archive>
-  void visit_state(Archive& archive) const {
-    visit(archive, *this);
-  }
 
  private:
-  template <class Archive, class Self>
-  static void visit(Archive& archive, Self& s) {
-    archive.list(s.pairs_, [](auto& ar, auto& pair) {
-      ar.value(pair.first);
-      ar.value(pair.second);
-      for (auto* value : {&pair.reference_gap, &pair.shear_force, &pair.normal_force}) ar.value(*value);
-    });
-    const auto plain = [](auto& ar, auto& item) { ar.value(item); };
-    archive.list(s.discs_, plain);
-    archive.list(s.cracked_, plain);
-    archive.list(s.searched_x_, plain);
-    archive.list(s.searched_y_, plain);
-    archive.value(s.cracks_seen_);
-  }
-
   void release(Assembly& assembly, const Boundary& boundary);
 
   const Options& options_;
-  std::vector<Pair> pairs_;                      // sorted by (first, second)
-  std::vector<std::int32_t> discs_;              // discs of the pairs, each once
-  std::vector<std::int32_t> cracked_;            // discs with a broken bond
-  std::vector<double> searched_x_, searched_y_;  // m, displacement of cracked_ at the last search
-  std::size_t cracks_seen_ = 0;
+  ContactPairs& list_;
 };
 
 }  // namespace hfrac

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "options/options.hpp"
-#include "solid/assembly.hpp"
 #include "solid/boundary.hpp"
 
 namespace hfrac {
@@ -14,13 +12,6 @@ namespace {
 
 constexpr double widest_gap = 4.0;       // mean radii between contacts: beyond, the joint runs through a hole
 constexpr double smallest_piece = 0.01;  // mean radii
-
-bool crosses(Vec2 from, Vec2 to, Vec2 p, Vec2 q) {
-  const Vec2 along = to - from, bond = q - p;
-  const auto apart = [](double a, double b) { return (a > 0.0) != (b > 0.0); };
-  return apart(cross(along, p - from), cross(along, q - from)) &&
-         apart(cross(bond, from - p), cross(bond, to - p));
-}
 
 Vec2 turned(Vec2 v) {
   return {-v.y, v.x};
@@ -119,25 +110,6 @@ bool crosses(const JointOptions& joint, Vec2 p, Vec2 q) {
   return crosses({joint.x1, joint.y1}, {joint.x2, joint.y2}, p, q);
 }
 
-bool SmoothJoints::separate(Vec2 p, Vec2 q) const {
-  return std::any_of(lines.begin(), lines.end(),
-                     [&](const Line& line) { return crosses(line.from, line.to, p, q); });
-}
-
-void SmoothJoints::read_state(const Array<std::uint8_t>& intact, const Array<double>& slip) {
-  for (auto& contact : contacts) {
-    contact.holds = intact[contact.bond] != 0;
-    contact.slip = slip[contact.bond];
-  }
-}
-
-void SmoothJoints::write_state(Array<std::uint8_t>& intact, Array<double>& slip) const {
-  for (const auto& contact : contacts) {
-    intact[contact.bond] = contact.holds ? 1 : 0;
-    slip[contact.bond] = contact.slip;
-  }
-}
-
 void begin_smooth_joints(Assembly& a, const std::vector<JointOptions>& joints,
                          const std::vector<std::int32_t>& joint_of, const Options& o) {
   SmoothJoints& smooth = a.smooth;
@@ -187,6 +159,17 @@ void begin_smooth_joints(Assembly& a, const std::vector<JointOptions>& joints,
 
 double smooth_opening(const Assembly& a, const SmoothContact& contact) {
   return motion_of(a, contact).opening;
+}
+
+double joint_opening(const Assembly& a, std::int64_t bond) {
+  if (a.joint_normal.empty() || a.intact[bond] != 0) return 0.0;
+  if (const SmoothContact* contact = a.smooth.of(bond)) {
+    return std::max(0.0, smooth_opening(a, *contact));
+  }
+  const auto i = a.first[bond], j = a.second[bond];
+  const double opening =
+      dot({a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, a.joint_normal[static_cast<std::size_t>(bond)]);
+  return opening > 0.0 ? opening : 0.0;
 }
 
 SmoothResponse smooth_response(const Assembly& a, const Options& o, const SmoothContact& c) {

@@ -22,28 +22,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/array.hpp"
+#include "model/assembly.hpp"
+#include "options/options.hpp"
+#include "solid/bond_law.hpp"
 
 namespace hfrac {
 
-struct Assembly;
 class Boundary;
-struct BondResponse;
-struct BondView;
-struct JointOptions;
-struct Options;
-
-struct SmoothContact {
-  std::int64_t bond;
-  std::int64_t joint;                        // number in the definition
-  Vec2 normal;                               // unit, towards the bond's second disc
-  Vec2 first_arm, second_arm;                // m, from the centre of the disc to the contact
-  double opens_by_first, opens_by_second;    // m: change of U_n by a disc's rotation
-  double slides_by_first, slides_by_second;  // m: change of U_s
-  double area;                               // m2 per metre of thickness
-  double slip;                               // m
-  bool holds;
-};
 
 // What a contact answers to the displacements as they stand.
 struct SmoothResponse {
@@ -54,32 +39,6 @@ struct SmoothResponse {
   double shear_by_opening;                   // N/m, where sliding
 };
 
-struct SmoothJoints {
-  struct Line {
-    Vec2 from, to;
-  };
-  std::vector<SmoothContact> contacts;  // ascending by bond
-  std::vector<std::int32_t> place;      // per bond: in contacts, -1 of none; empty without smooth joints
-  std::vector<Line> lines;              // the joints themselves
-  double normal_stiffness = 0.0, shear_stiffness = 0.0;  // Pa/m
-
-  [[nodiscard]] bool empty() const { return contacts.empty(); }
-  [[nodiscard]] const SmoothContact* of(std::int64_t bond) const {
-    const std::int32_t at = empty() ? -1 : place[static_cast<std::size_t>(bond)];
-    return at < 0 ? nullptr : &contacts[static_cast<std::size_t>(at)];
-  }
-  [[nodiscard]] SmoothContact* of(std::int64_t bond) {
-    const std::int32_t at = empty() ? -1 : place[static_cast<std::size_t>(bond)];
-    return at < 0 ? nullptr : &contacts[static_cast<std::size_t>(at)];
-  }
-  // Whether a joint lies between two places.
-  [[nodiscard]] bool separate(Vec2 p, Vec2 q) const;
-  // Which contacts hold, and what they slid, is kept here while the step loop runs, where other workers hold the bonds' own
-  // numbers; those are the state.
-  void read_state(const Array<std::uint8_t>& intact, const Array<double>& slip);
-  void write_state(Array<std::uint8_t>& intact, Array<double>& slip) const;
-};
-
 bool crosses(const JointOptions& joint, Vec2 p, Vec2 q);
 
 // `joint_of`: the joint each bond belongs to, -1 of none. Fills assembly.smooth, if any is smooth.
@@ -87,6 +46,8 @@ void begin_smooth_joints(Assembly& assembly, const std::vector<JointOptions>& jo
                          const std::vector<std::int32_t>& joint_of, const Options& options);
 
 double smooth_opening(const Assembly& assembly, const SmoothContact& contact);  // m, U_n
+// Opening of the broken joint a bond belongs to, across the joint [m]; 0 if closed or of no joint.
+double joint_opening(const Assembly& assembly, std::int64_t bond);
 SmoothResponse smooth_response(const Assembly& assembly, const Options& options,
                                const SmoothContact& contact);
 BondView view_smooth(const Assembly& assembly, const Options& options, const SmoothContact& contact);

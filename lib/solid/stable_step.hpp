@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "flow/network.hpp"
-#include "solid/assembly.hpp"
+#include "model/assembly.hpp"
+#include "model/network.hpp"
 
 namespace hfrac {
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "core/array.hpp"
-#include "solid/assembly.hpp"
+#include "model/assembly.hpp"
 #include "solid/tiles.hpp"
 
 namespace hfrac {

@@ -6,8 +6,6 @@
 namespace hfrac {
 namespace {
 
-static_assert(tile_size == discs_per_tile);
-
 std::int64_t tile_of(std::int32_t disc) {
   return disc / tile_size;
 }

@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "core/array.hpp"
-#include "flow/network.hpp"
 #include "geom/contact_graph.hpp"
-#include "solid/assembly.hpp"
+#include "model/assembly.hpp"
+#include "model/network.hpp"
 #include "solid/kernels.hpp"
 
 namespace hfrac {

@@ -11,8 +11,8 @@
 // many ways lead to it. One bond's own two discs would make strength scatter from bond to bond, which weakens a rock by itself.
 #pragma once
 
+#include "model/assembly.hpp"
 #include "options/options.hpp"
-#include "solid/assembly.hpp"
 
 namespace hfrac {
 

@@ -119,8 +119,8 @@ void run(std::int64_t count, int worker_count, std::vector<Contender>& contender
   Assembly& a = sheet.assembly;
   Workers workers(worker_count);
   for (auto& c : contenders) {
-    c.boundary = std::make_unique<Boundary>(a, sheet.network, options);
-    c.solver = std::make_unique<ExplicitSolver>(a, sheet.network, *c.boundary, options, workers);
+    c.boundary = std::make_unique<Boundary>(sheet.model, options);
+    c.solver = std::make_unique<ExplicitSolver>(sheet.model, *c.boundary, options, workers);
     c.solver->set_blocking(c.shape);
     c.solver->use_real_masses();
   }

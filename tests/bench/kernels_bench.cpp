@@ -8,28 +8,27 @@
 #include <map>
 #include <memory>
 
-#include "couple/simulation.hpp"
 #include "machine.hpp"
 #include "options/choices.hpp"
+#include "step/simulation.hpp"
 
 using namespace hfrac;
 
 namespace {
 
 // One model per size, built once: the bonds of the paper's rock around one well, displaced a little.
-struct Model {
+struct Rock {
   CaseDefinition definition;
   std::unique_ptr<Simulation> simulation;
-  Assembly assembly;
-  Network network;
+  Model model;
   std::unique_ptr<Boundary> boundary;
 };
 
-Model& model(std::int64_t discs) {
-  static std::map<std::int64_t, std::unique_ptr<Model>> models;
+Rock& rock(std::int64_t discs) {
+  static std::map<std::int64_t, std::unique_ptr<Rock>> models;
   auto& entry = models[discs];
   if (entry) return *entry;
-  entry = std::make_unique<Model>();
+  entry = std::make_unique<Rock>();
   Options& o = entry->definition.options;
   o.packing_disc_count = discs;
   o.packing_residual = discs > 20000 ? 1e-2 : 1e-3;
@@ -39,18 +38,18 @@ Model& model(std::int64_t discs) {
   entry->definition.wells.push_back({50.0, 50.0, 8.5, 1e6, 0.0, 0.0, WellControl::pressure});
   entry->simulation = std::make_unique<Simulation>(entry->definition, std::span<const double>{}, Progress{});
   entry->simulation->step();
-  entry->assembly = entry->simulation->assembly();
-  entry->network = entry->simulation->network();
-  entry->boundary = std::make_unique<Boundary>(entry->assembly, entry->network, o);
+  entry->model = entry->simulation->model();
+  entry->boundary = std::make_unique<Boundary>(entry->model, o);
   return *entry;
 }
 
 void step(benchmark::State& state, bool wet) {
-  Model& m = model(state.range(0));
-  Options options = m.definition.options;
+  Rock& r = rock(state.range(0));
+  Model& m = r.model;
+  Options options = r.definition.options;
   if (!wet) options.flow_scheme = static_cast<std::int64_t>(FlowScheme::off);
   Workers workers(static_cast<int>(state.range(1)));
-  ExplicitSolver solver(m.assembly, m.network, *m.boundary, options, workers);
+  ExplicitSolver solver(m, *r.boundary, options, workers);
   solver.set_undrained(wet);
   CrackLog log;
   constexpr std::int64_t cycles = 200;
@@ -72,8 +71,9 @@ void coupled_step(benchmark::State& state) {
 }
 
 void flow_solve(benchmark::State& state) {
-  Model& m = model(state.range(0));
-  FlowSolver solver(m.network, m.definition.options);
+  Rock& r = rock(state.range(0));
+  Model& m = r.model;
+  FlowSolver solver(m.network, r.definition.options);
   Network network = m.network;
   for (auto _ : state) solver.advance(network, 1.0, {});
   state.counters["domains"] = static_cast<double>(network.domain_count());

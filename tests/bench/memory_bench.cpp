@@ -20,8 +20,8 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "couple/simulation.hpp"
 #include "options/choices.hpp"
+#include "step/simulation.hpp"
 
 using namespace hfrac;
 
@@ -80,7 +80,7 @@ void measure(std::int64_t count, bool coupled, int steps, int workers) {
                cpu_stepped = (processor_seconds() - cpu_at) / std::max(1, steps);
   const double bytes = peak_bytes() - empty;
   // Bonds a second over whole steps: on an irregular packing, with all that belongs to a step.
-  const double cycles = std::ceil(1e-3 / s.solver().step()),
+  const double cycles = std::ceil(1e-3 / s.engine().mechanics->step()),
                rate = static_cast<double>(s.assembly().bond_count()) * cycles / std::max(1e-9, stepped);
   std::printf(
       "hfrac-memory %lld %s %.0f %.4g | set-up %.1f s (processor %.1f s), step of %.0f cycles %.2f s "

@@ -14,9 +14,9 @@
 #include "core/error.hpp"
 #include "flow/aperture.hpp"
 #include "flow/flow_solver.hpp"
-#include "flow/network.hpp"
 #include "geom/faces.hpp"
 #include "geom/packing.hpp"
+#include "model/network.hpp"
 #include "solid/explicit_solver.hpp"
 
 using namespace hfrac;
@@ -79,14 +79,17 @@ void build(std::int64_t count, PackingMethod method) {
   stages.done("faces");
   const auto well = face_around(graph, faces, {50.0, 50.0});
   stages.done("well's face");
-  Assembly assembly = build_assembly(graph, o);
+  Model model;
+  Assembly& assembly = model.assembly;
+  assembly = build_assembly(graph, o);
   stages.done("assembly");
   graph = {};
-  Network network = build_network(std::move(faces), assembly, {well}, o);
+  Network& network = model.network;
+  network = build_network(std::move(faces), assembly, {well}, o);
   stages.done("network");
-  Boundary boundary(assembly, network, o);
+  Boundary boundary(model, o);
   Workers workers(1);
-  ExplicitSolver solver(assembly, network, boundary, o, workers);
+  ExplicitSolver solver(model, boundary, o, workers);
   stages.done("boundary, solver, temporal blocking");
   for (std::int64_t d = 1; d < network.domain_count(); ++d)
     network.stiffness[d] = d == well ? 0.0 : o.fluid_bulk_modulus / network.volume[d];

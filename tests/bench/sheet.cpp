@@ -43,11 +43,9 @@ int run(std::int64_t count, int worker_count, ContactMode mode, GeometryStorage 
   const Options options = bench::sheet_options(mode, storage);
   const double begin = now();
   bench::Sheet sheet(count, options);
-  Assembly& assembly = sheet.assembly;
-  Network& network = sheet.network;
-  Boundary boundary(assembly, network, options);
+  Boundary boundary(sheet.model, options);
   Workers workers(worker_count);
-  ExplicitSolver solver(assembly, network, boundary, options, workers);
+  ExplicitSolver solver(sheet.model, boundary, options, workers);
   solver.use_real_masses();
   sheet.stir();
   CrackLog cracks;
@@ -73,14 +71,14 @@ int run(std::int64_t count, int worker_count, ContactMode mode, GeometryStorage 
   std::sort(seconds.begin(), seconds.end());
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  const auto discs = static_cast<double>(assembly.disc_count()),
-             bonds = static_cast<double>(assembly.bond_count());
+  const auto discs = static_cast<double>(sheet.assembly.disc_count()),
+             bonds = static_cast<double>(sheet.assembly.bond_count());
   const double best = seconds.front();
   std::printf(
       "hfrac %lld %d %lld %.4g %.4g %.0f | s/step %.4g (median %.4g of %zu), set-up %.1f s, %s, contacts "
       "%s%s\n",
-      static_cast<long long>(assembly.disc_count()), worker_count,
-      static_cast<long long>(assembly.bond_count()), bonds / best, discs / best,
+      static_cast<long long>(sheet.assembly.disc_count()), worker_count,
+      static_cast<long long>(sheet.assembly.bond_count()), bonds / best, discs / best,
       static_cast<double>(usage.ru_maxrss) * 1024.0 / discs, best, seconds[seconds.size() / 2],
       seconds.size(), built, kernel_isa(), mode == ContactMode::parallel ? "parallel" : "after-break",
       storage == GeometryStorage::single_precision ? ", geometry in single precision" : "");

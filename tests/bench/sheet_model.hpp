@@ -9,10 +9,10 @@
 
 #include "core/random.hpp"
 #include "core/workers.hpp"
-#include "flow/network.hpp"
 #include "geom/contact_graph.hpp"
 #include "geom/faces.hpp"
 #include "geom/packing.hpp"
+#include "model/model.hpp"
 #include "options/choices.hpp"
 #include "solid/explicit_solver.hpp"
 
@@ -56,6 +56,8 @@ struct Sheet {
     graph = {};
     network = build_network(std::move(faces), assembly, {}, options);
   }
+  Sheet(const Sheet&) = delete;
+  Sheet& operator=(const Sheet&) = delete;
   // The solver moves discs from here on.
   void stir() {
     Random random(1);
@@ -64,8 +66,9 @@ struct Sheet {
       assembly.vy[i] = 2e-3 * (random.uniform() - 0.5);
     }
   }
-  Assembly assembly;
-  Network network;
+  Model model;
+  Assembly& assembly = model.assembly;
+  Network& network = model.network;
 };
 
 }  // namespace hfrac::bench

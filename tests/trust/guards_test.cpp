@@ -101,7 +101,8 @@ TEST(Guards, NothingNotFiniteGoesOnUnseen) {
             ASSERT_TRUE(std::isfinite(number)) << kind << " " << place;
         }
         const auto balance = balance_of(sim);
-        ASSERT_TRUE(std::isfinite(balance.energy_error) && std::isfinite(balance.fluid_error))
+        ASSERT_EQ(std::isfinite(balance.energy_error), balance.energy_checked != 0) << kind << " " << place;
+        ASSERT_TRUE(std::isfinite(balance.damping) && std::isfinite(balance.fluid_error))
             << kind << " " << place;
       }
       ASSERT_EQ(hfrac_state_restore(sim, good.data(), static_cast<int64_t>(good.size())), HFRAC_OK);

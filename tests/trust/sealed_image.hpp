@@ -13,7 +13,7 @@ namespace testing_trust {
 
 inline constexpr std::size_t image_head = 40;  // magic 8, format 4, byte order 4, model 8, size 8, checksum 8
 
-// Length and checksum as lib/couple/state.cpp makes them.
+// Length and checksum as lib/step/image.cpp makes them.
 inline void seal(std::vector<std::uint8_t>& image) {
   if (image.size() < image_head) return;
   const std::uint64_t size = image.size() - image_head;

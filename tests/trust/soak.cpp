@@ -59,7 +59,7 @@ Look look() {
                                   b.bond_elastic + b.contact_elastic});
   return {static_cast<long long>(state.step), static_cast<long long>(state.crack_count), resident_megabytes(),
           std::abs(b.fluid_error) / std::max(std::abs(b.stored_volume), 1e-3),
-          std::abs(b.energy_error) / energy};
+          b.energy_checked != 0 ? std::abs(b.energy_error) / energy : 0.0};
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ TEST(Aperture, IsCapped) {
 TEST(Aperture, SetsTheConductanceOfItsPipe) {
   Options o = dry_options(300);
   o.flow_scheme = choice(FlowScheme::implicit_scheme);
-  Model m(o, packed(o));
+  TestModel m(o, packed(o));
   m.network.zero_stress_aperture = 4e-5;
   m.shake(1e-4, 6);
   m.assembly.intact[7] = 0.0;

@@ -31,7 +31,7 @@ TEST(StressBoundary, HasNoNetForce) {
   Options o = dry_options(500);
   o.stress_sigma_Hmax = 3e7;
   o.stress_sigma_hmin = 1e7;
-  Model m(o, packed(o), {{{10.0, 10.0}, 3.0}});
+  TestModel m(o, packed(o), {{{10.0, 10.0}, 3.0}});
   m.boundary->set_load(m.assembly, 1.0);
   const Resultant r = resultant(m.assembly);
   EXPECT_GT(r.size, 0.0);
@@ -47,7 +47,7 @@ TEST(StressBoundary, HasNoNetTorque) {
     Options o = dry_options(500);
     o.stress_sigma_Hmax = 3e7;
     o.stress_sigma_hmin = smaller;
-    Model m(o, packed(o));
+    TestModel m(o, packed(o));
     m.boundary->set_load(m.assembly, 1.0);
     const Resultant r = resultant(m.assembly);
     const double relative = std::abs(r.torque) / (r.size * o.model_width);
@@ -60,7 +60,7 @@ TEST(StressBoundary, CarriesStressTimesLength) {
   Options o = dry_options(500);
   o.stress_sigma_Hmax = 3e7;
   o.stress_sigma_hmin = 1e7;
-  Model m(o, square_lattice(12, 10, 0.5));
+  TestModel m(o, square_lattice(12, 10, 0.5));
   m.boundary->set_load(m.assembly, 0.5);
   double west = 0.0, south = 0.0;
   for (std::int64_t i = 0; i < m.assembly.disc_count(); ++i) {
@@ -76,7 +76,7 @@ TEST(StressBoundary, DoesNotTurnTheBody) {
   Options o = dry_options(500);
   o.stress_sigma_Hmax = 4e7;
   o.stress_sigma_hmin = 3e7;
-  Model m(o, packed(o));
+  TestModel m(o, packed(o));
   m.boundary->set_load(m.assembly, 1.0);
   CrackLog log;
   ASSERT_TRUE(m.solver->relax(1e-4, 50000, log).at_rest);
@@ -105,7 +105,7 @@ TEST(Walls, ServoReachesItsStress) {
     o.stress_convention = choice(StressConvention::effective);
     o.stress_sigma_Hmax = 2e7;
     o.stress_sigma_hmin = smaller;
-    Model m(o, packed(o));
+    TestModel m(o, packed(o));
     EXPECT_TRUE(m.boundary->walled());
     m.boundary->set_load(m.assembly, 1.0);
     CrackLog log;
@@ -128,7 +128,7 @@ TEST(Walls, PushButNeverPull) {
   Options o = dry_options(500);
   o.boundary_kind = choice(BoundaryKind::walls);
   o.stress_convention = choice(StressConvention::effective);
-  Model m(o, packed(o));
+  TestModel m(o, packed(o));
   m.boundary->fix_walls();
   for (std::int64_t i = 0; i < m.assembly.disc_count(); ++i) m.assembly.ux[i] = 0.01;
   m.boundary->cycle(m.assembly, 1.0, 0.8, 0.0);
@@ -144,7 +144,7 @@ TEST(Walls, OfADryRockCarryTheWholeStress) {
   Options o = dry_options(500);
   o.boundary_kind = choice(BoundaryKind::walls);
   o.stress_sigma_Hmax = o.stress_sigma_hmin = 4e7;
-  const Model m(o, packed(o));
+  const TestModel m(o, packed(o));
   EXPECT_EQ(m.boundary->walls()[0].target, 4e7);
 }
 

@@ -54,7 +54,7 @@ TEST(ContactGraph, LatticeHasItsBondsAndFaces) {
 TEST(ContactGraph, EdgesGoByTilesOfDiscs) {
   const ContactGraph graph = graph_of(square_lattice(40, 40, 0.5));
   const auto tiles = static_cast<std::int32_t>(graph.tile_first_edge.size()) - 1;
-  ASSERT_EQ(tiles, (1600 + discs_per_tile - 1) / discs_per_tile);
+  ASSERT_EQ(tiles, (1600 + tile_size - 1) / tile_size);
   EXPECT_EQ(graph.tile_first_edge.front(), 0);
   std::set<std::pair<std::int32_t, std::int32_t>> all;
   for (std::int32_t t = 0; t <= tiles; ++t) {
@@ -62,9 +62,9 @@ TEST(ContactGraph, EdgesGoByTilesOfDiscs) {
                end = t < tiles ? graph.tile_first_edge[static_cast<std::size_t>(t) + 1]
                                : static_cast<std::int64_t>(graph.first.size());
     for (auto e = begin; e < end; ++e) {
-      const bool across = graph.first[e] / discs_per_tile != graph.second[e] / discs_per_tile;
+      const bool across = graph.first[e] / tile_size != graph.second[e] / tile_size;
       EXPECT_EQ(across, t == tiles);
-      EXPECT_EQ(graph.first[e] / discs_per_tile == t || across, true);
+      EXPECT_EQ(graph.first[e] / tile_size == t || across, true);
       EXPECT_TRUE(all.emplace(graph.first[e], graph.second[e]).second);
     }
   }

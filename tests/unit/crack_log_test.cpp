@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The log of broken bonds: in order of breakage, each bond once, with what it bore when it failed.
-#include "frac/crack_log.hpp"
+#include "model/crack_log.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ TEST(CrackLog, IsInOrderOfBreakage) {
   Options o = dry_options(500);
   o.bond_tensile_strength = 5e6;
   o.bond_shear_strength = 5e6;
-  Model m(o, packed(o), {}, 2);
+  TestModel m(o, packed(o), {}, 2);
   // Pulled apart from the middle, faster and faster.
   for (std::int64_t i = 0; i < m.assembly.disc_count(); ++i) {
     m.assembly.vx[i] = 2e-4 * (m.assembly.x[i] - 10.0) / 10.0;

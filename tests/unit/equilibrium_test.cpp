@@ -5,16 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "couple/simulation.hpp"
 #include "equilibrium/coupled_factor.hpp"
 #include "equilibrium/coupled_system.hpp"
-#include "equilibrium/dense_kernels.hpp"
-#include "equilibrium/dissection.hpp"
-#include "equilibrium/krylov.hpp"
-#include "equilibrium/multifrontal.hpp"
-#include "equilibrium/separator.hpp"
 #include "flow/aperture.hpp"
+#include "linear/dense_kernels.hpp"
+#include "linear/dissection.hpp"
+#include "linear/krylov.hpp"
+#include "linear/multifrontal.hpp"
+#include "linear/separator.hpp"
 #include "small_case.hpp"
+#include "step/simulation.hpp"
 
 namespace {
 
@@ -276,7 +276,8 @@ TEST(CoupledSystem, ProductIsTheChangeOfTheResidual) {
     definition.options.packing_disc_count = 400;
     definition.wells[0].radius = 12.0;
     definition.options.stepping_flow_step = 1e-3;
-    if (planes) definition.options.flow_fracture_aperture = static_cast<std::int64_t>(FractureAperture::plane);
+    if (planes)
+      definition.options.flow_fracture_aperture = static_cast<std::int64_t>(FractureAperture::plane);
     // A contact that slid sits on the kink between sliding and sticking; BondResponse has a test of its own.
     definition.options.contact_shear_stiffness = 0.0;
     if (!walls) {
@@ -288,8 +289,8 @@ TEST(CoupledSystem, ProductIsTheChangeOfTheResidual) {
     // Open to the test's hands; the simulation is not used afterwards.
     auto& assembly = const_cast<Assembly&>(model.s.assembly());
     auto& network = const_cast<Network&>(model.s.network());
-    auto& boundary = const_cast<Boundary&>(model.s.boundary());
-    const NonBondedContacts& loose = model.s.solver().non_bonded_contacts();
+    auto& boundary = *model.s.engine().boundary;
+    const NonBondedContacts& loose = model.s.engine().mechanics->non_bonded_contacts();
     for (std::size_t e = 50; e < 60; ++e) assembly.intact[e] = 0.0;
     Workers team(2);
     CoupledSystem system(assembly, network, boundary, loose, model.s.options(), team);
@@ -308,7 +309,8 @@ TEST(CoupledSystem, ProductIsTheChangeOfTheResidual) {
     system.move(x, 1.0);
     system.evaluate();
     const CoupledSystem::Vector change = before - system.residual();
-    EXPECT_LT((change - y).norm(), 1e-3 * y.norm()) << (walls ? "walls" : "stress boundary") << (planes ? ", apertures of planes" : "");
+    EXPECT_LT((change - y).norm(), 1e-3 * y.norm())
+        << (walls ? "walls" : "stress boundary") << (planes ? ", apertures of planes" : "");
   }
 }
 
@@ -319,10 +321,10 @@ TEST(CoupledFactor, SolvesTheTangent) {
   CrackedModel model(definition);
   auto& assembly = const_cast<Assembly&>(model.s.assembly());
   auto& network = const_cast<Network&>(model.s.network());
-  auto& boundary = const_cast<Boundary&>(model.s.boundary());
+  auto& boundary = *model.s.engine().boundary;
   Workers team(2);
-  CoupledSystem system(assembly, network, boundary, model.s.solver().non_bonded_contacts(), model.s.options(),
-                       team);
+  CoupledSystem system(assembly, network, boundary, model.s.engine().mechanics->non_bonded_contacts(),
+                       model.s.options(), team);
   system.begin(1e-3, {});
   system.evaluate();
   CoupledFactor factor(team);
@@ -330,7 +332,9 @@ TEST(CoupledFactor, SolvesTheTangent) {
   Random random(11);
   CoupledSystem::Vector right(system.size()), x, y;
   for (Eigen::Index k = 0; k < right.size(); ++k) right[k] = random.uniform() - 0.5;
-  const auto outcome = Krylov(team).solve(system, factor, right, 1e-10, 200, x);
+  const auto outcome =
+      Krylov(team).solve([&](const auto& in, auto& out) { system.product(in, out); },
+                         [&](const auto& in, auto& out) { factor.solve(in, out); }, right, 1e-10, 200, x);
   EXPECT_TRUE(outcome.converged);
   system.product(x, y);
   EXPECT_LT((y - right).norm(), 2e-10 * right.norm());

@@ -18,13 +18,13 @@ struct Velocities {
   Array<double> x, y, spin;
 };
 
-Velocities velocities(const Model& m) {
+Velocities velocities(const TestModel& m) {
   return {m.assembly.vx, m.assembly.vy, m.assembly.spin};
 }
 
 // Half of sum m v- v+ over the velocities half a step before and after: with the elastic energy between them,
 // what the leap-frog keeps exactly as long as forces are linear.
-double kinetic_between(const Model& m, const Velocities& before) {
+double kinetic_between(const TestModel& m, const Velocities& before) {
   double energy = 0.0;
   for (std::size_t i = 0; i < before.x.size(); ++i) {
     energy += 0.5 * m.assembly.mass(i) * (before.x[i] * m.assembly.vx[i] + before.y[i] * m.assembly.vy[i]) +
@@ -36,7 +36,7 @@ double kinetic_between(const Model& m, const Velocities& before) {
 TEST(ExplicitSolver, KeepsEnergyWithoutDamping) {
   Options o = dry_options(400);
   o.contact_mode = choice(ContactMode::after_break);
-  Model m(o, packed(o));
+  TestModel m(o, packed(o));
   m.solver->use_real_masses();
   m.solver->set_damping(0.0);
   EXPECT_EQ(m.solver->step(), m.solver->real_step());
@@ -61,7 +61,7 @@ TEST(ExplicitSolver, KeepsEnergyWithoutDamping) {
 
 TEST(ExplicitSolver, KeepsMomentum) {
   Options o = dry_options(300);
-  Model m(o, packed(o));
+  TestModel m(o, packed(o));
   m.solver->use_real_masses();
   m.solver->set_damping(0.0);
   m.shake(1e-5, 8);
@@ -81,7 +81,7 @@ TEST(ExplicitSolver, FindsRestUnderLoad) {
   Options o = dry_options(400);
   o.stress_sigma_Hmax = 2e7;
   o.stress_sigma_hmin = 1e7;
-  Model m(o, packed(o));
+  TestModel m(o, packed(o));
   m.boundary->set_load(m.assembly, 1.0);
   CrackLog log;
   const auto outcome = m.solver->relax(1e-4, 50000, log);
@@ -98,7 +98,7 @@ TEST(ExplicitSolver, FindsRestUnderLoad) {
 
 struct Ran {
   Ran(const Options& o, int workers) : model(o, packed(o), {{{10.0, 10.0}, 3.0}}, workers) {}
-  Model model;
+  TestModel model;
   CrackLog log;
 };
 
@@ -111,7 +111,7 @@ std::unique_ptr<Ran> run_with(int workers) {
   o.bond_tensile_strength = 4e6;
   o.bond_shear_strength = 2e7;
   auto ran = std::make_unique<Ran>(o, workers);
-  Model& m = ran->model;
+  TestModel& m = ran->model;
   m.boundary->set_load(m.assembly, 1.0);
   m.fill_pores();
   m.solver->set_undrained(true);
@@ -147,7 +147,7 @@ TEST(ExplicitSolver, GivesTheSameBitsWithAnyNumberOfWorkers) {
 
 TEST(ExplicitSolver, SaysSoWhenForcesAreNoNumbers) {
   Options o = dry_options(300);
-  Model m(o, packed(o));
+  TestModel m(o, packed(o));
   m.assembly.ux[5] = std::nan("");
   CrackLog log;
   EXPECT_THROW(m.solver->run(20, log), Error);
@@ -155,7 +155,7 @@ TEST(ExplicitSolver, SaysSoWhenForcesAreNoNumbers) {
 
 TEST(ExplicitSolver, CanBeInterrupted) {
   Options o = dry_options(300);
-  Model m(o, packed(o));
+  TestModel m(o, packed(o));
   m.shake(1e-4, 2);
   CrackLog log;
   int asked = 0;

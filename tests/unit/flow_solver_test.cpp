@@ -15,11 +15,11 @@ namespace {
 using namespace testing_unit;
 
 // Rigid rock of equal pipes, one of them wide; pores at the reference pressure.
-std::unique_ptr<Model> flow_model(FlowScheme scheme, double wide = 1e-3) {
+std::unique_ptr<TestModel> flow_model(FlowScheme scheme, double wide = 1e-3) {
   Options o = dry_options(400);
   o.flow_scheme = choice(scheme);
-  auto model = std::make_unique<Model>(o, packed(o), std::vector<Hole>{{{10.0, 10.0}, 3.0}});
-  Model& m = *model;
+  auto model = std::make_unique<TestModel>(o, packed(o), std::vector<Hole>{{{10.0, 10.0}, 3.0}});
+  TestModel& m = *model;
   m.fill_pores();
   for (std::size_t e = 0; e < m.network.left.size(); ++e) {
     const double w = e == m.network.left.size() / 2 ? wide : 5e-5;
@@ -31,13 +31,13 @@ std::unique_ptr<Model> flow_model(FlowScheme scheme, double wide = 1e-3) {
   return model;
 }
 
-void close_outside(Model& m) {
+void close_outside(TestModel& m) {
   for (std::size_t e = 0; e < m.network.left.size(); ++e) {
     if (m.network.left[e] == 0 || m.network.right[e] == 0) m.network.conductance[e] = 0.0;
   }
 }
 
-void set_pressure(Model& m, std::int64_t d, double p) {
+void set_pressure(TestModel& m, std::int64_t d, double p) {
   m.network.pressure[d] = p;
   if (m.network.stiffness[d] > 0.0)
     m.network.content[d] = content_at(m.network, d, m.options.fluid_bulk_modulus, p);
@@ -46,7 +46,7 @@ void set_pressure(Model& m, std::int64_t d, double p) {
 TEST(FlowSolver, KeepsContent) {
   for (const auto scheme : {FlowScheme::implicit_scheme, FlowScheme::explicit_scheme}) {
     const auto model = flow_model(scheme, 1e-4);
-    Model& m = *model;
+    TestModel& m = *model;
     close_outside(m);
     // The well as a pore like the others.
     const auto well = m.well_domains[0];
@@ -65,7 +65,7 @@ TEST(FlowSolver, KeepsContent) {
 TEST(FlowSolver, BalancesSourcesAndFlowsToTheOutside) {
   for (const auto scheme : {FlowScheme::implicit_scheme, FlowScheme::explicit_scheme}) {
     const auto model = flow_model(scheme, 1e-4);
-    Model& m = *model;
+    TestModel& m = *model;
     const auto well = m.well_domains[0];
     m.network.stiffness[well] = m.options.fluid_bulk_modulus / m.network.volume[well];
     std::vector<double> source(static_cast<std::size_t>(m.network.domain_count()), 0.0);
@@ -90,9 +90,9 @@ TEST(FlowSolver, BalancesSourcesAndFlowsToTheOutside) {
 TEST(FlowSolver, BothSchemesAgree) {
   const auto implicit_owner = flow_model(FlowScheme::implicit_scheme),
              explicit_owner = flow_model(FlowScheme::explicit_scheme);
-  Model &implicit_model = *implicit_owner, &explicit_model = *explicit_owner;
+  TestModel &implicit_model = *implicit_owner, &explicit_model = *explicit_owner;
   const auto well = implicit_model.well_domains[0];
-  for (Model* m : {&implicit_model, &explicit_model}) m->network.pressure[well] = 35e6;
+  for (TestModel* m : {&implicit_model, &explicit_model}) m->network.pressure[well] = 35e6;
   FlowSolver implicit_flow(implicit_model.network, implicit_model.options);
   FlowSolver explicit_flow(explicit_model.network, explicit_model.options);
   // Half a minute: pressure is a few pores into the rock. The wide pipe alone limits the explicit step.
@@ -113,7 +113,7 @@ TEST(FlowSolver, BothSchemesAgree) {
 
 TEST(FlowSolver, ImposedPressuresStayAndSteadyFlowIsReached) {
   const auto model = flow_model(FlowScheme::implicit_scheme, 5e-5);
-  Model& m = *model;
+  TestModel& m = *model;
   const auto well = m.well_domains[0];
   m.network.pressure[well] = 30e6;
   FlowSolver flow(m.network, m.options);
@@ -139,7 +139,7 @@ TEST(FlowSolver, ImposedPressuresStayAndSteadyFlowIsReached) {
 TEST(FlowSolver, CavitiesFillBeforeTheirPressureRises) {
   for (const auto scheme : {FlowScheme::implicit_scheme, FlowScheme::explicit_scheme}) {
     const auto model = flow_model(scheme, 1e-4);
-    Model& m = *model;
+    TestModel& m = *model;
     // Pores near the hole have opened by ten times what their fluid can follow.
     std::vector<std::int64_t> opened;
     for (std::int64_t d = 1; d < m.network.domain_count(); ++d) {
@@ -172,7 +172,7 @@ TEST(FlowSolver, CavitiesFillBeforeTheirPressureRises) {
 
 TEST(FlowSolver, TooManySubCyclesAreRefused) {
   const auto model = flow_model(FlowScheme::explicit_scheme, 0.1);
-  Model& m = *model;
+  TestModel& m = *model;
   FlowSolver flow(m.network, m.options);
   EXPECT_THROW(flow.advance(m.network, 1e6, {}), Error);
 }
@@ -183,7 +183,7 @@ TEST(FlowSolver, IterativeSolverAgreesWithTheFactorisation) {
                iterative = flow_model(FlowScheme::implicit_scheme);
     direct->options.flow_solver = static_cast<std::int64_t>(FlowMatrixSolver::direct);
     iterative->options.flow_solver = static_cast<std::int64_t>(FlowMatrixSolver::iterative);
-    for (Model* m : {direct.get(), iterative.get()}) {
+    for (TestModel* m : {direct.get(), iterative.get()}) {
       const auto well = m->well_domains[0];
       m->network.stiffness[well] = 0.0;
       m->network.pressure[well] = 60e6;

@@ -122,7 +122,7 @@ TEST(FluidLaw, TheCoupledTangentIsTheDerivative) {
   o.fluid_consistency = 0.5;
   o.fluid_power_index = 0.5;
   o.fluid_viscosity = 10.0;
-  Model m(o, packed(o));
+  TestModel m(o, packed(o));
   m.fill_pores();
   m.network.zero_stress_aperture = 1e-4;
   Random random(7);

@@ -58,7 +58,7 @@ class LatticeWithHole {
 
   CrackLog log;
   [[nodiscard]] const WellPlace& well() const { return well_; }
-  Model& model() { return model_; }
+  TestModel& model() { return model_; }
 
  private:
   static Options options() {
@@ -66,7 +66,7 @@ class LatticeWithHole {
     o.flow_scheme = choice(FlowScheme::implicit_scheme);
     return o;
   }
-  Model model_;
+  TestModel model_;
   WellPlace well_{};
 };
 

@@ -62,7 +62,7 @@ TEST(HostGrid, FindsCells) {
 
 TEST(HostGrid, DividesTheModelWithoutLoss) {
   const Options o = dry_options(400);
-  const Model model(o, packed(o));
+  const TestModel model(o, packed(o));
   const HostGrid base = HostGrid::regular(1, 1, {-100, -100}, {400, 400}, 0.0);
   for (HostGrid grid : {base, HostGrid::regular(13, 9, {-60, -50}, {20, 25}, 0.4)}) {
     grid.lay_over(model.assembly, model.network);

@@ -30,7 +30,7 @@ Options kernel_options(ContactMode mode, GeometryStorage storage = in_double) {
 }
 
 // A state with everything in it: broken bonds, sliding, pressures, motion.
-void stir(Model& m) {
+void stir(TestModel& m) {
   m.shake(1e-3, 11);
   Random random(12);
   for (std::int64_t e = 0; e < m.assembly.bond_count(); ++e) {
@@ -60,7 +60,7 @@ void cycle(const KernelTable& table, const KernelArrays& a) {
   }
 }
 
-std::vector<BondForce> forces_of(const Model& m) {
+std::vector<BondForce> forces_of(const TestModel& m) {
   std::vector<BondForce> forces(static_cast<std::size_t>(m.assembly.bond_count()));
   kernels().bond_forces(m.solver->arrays(), forces.data());
   return forces;
@@ -69,7 +69,7 @@ std::vector<BondForce> forces_of(const Model& m) {
 // What a cycle writes, as bytes.
 std::string outputs_of(const char* isa, ContactMode mode, GeometryStorage storage) {
   const Options o = kernel_options(mode, storage);
-  Model m(o, packed(o));
+  TestModel m(o, packed(o));
   stir(m);
   const KernelTable& table = *kernels_for(isa);
   KernelArrays a = m.solver->arrays();
@@ -121,7 +121,7 @@ TEST(Kernels, FollowTheLawOfViewBond) {
                                       {ContactMode::after_break, in_double}}) {
     Options o = kernel_options(mode, storage);
     o.bond_tensile_strength = o.bond_shear_strength = 5e6;  // so that some bonds fail
-    Model m(o, packed(o));
+    TestModel m(o, packed(o));
     stir(m);
     const Array<double> slip = m.assembly.slip;
     const auto forces = forces_of(m);
@@ -169,7 +169,7 @@ TEST(Kernels, GeometryInSinglePrecisionIsOffByItsRounding) {
     Options o = kernel_options(ContactMode::parallel),
             short_of = kernel_options(ContactMode::parallel, in_single);
     o.bond_fracture_toughness = short_of.bond_fracture_toughness = toughness;
-    Model exact(o, packed(o)), rounded(short_of, packed(short_of));
+    TestModel exact(o, packed(o)), rounded(short_of, packed(short_of));
     stir(exact);
     stir(rounded);
     EXPECT_EQ(rounded.solver->arrays().tensile_factor != nullptr, toughness > 0.0);
@@ -190,7 +190,7 @@ TEST(Kernels, GeometryInSinglePrecisionIsOffByItsRounding) {
 
 TEST(Kernels, ForcesAreTheGradientOfTheEnergy) {
   Options o = kernel_options(ContactMode::after_break);
-  Model m(o, packed(o));
+  TestModel m(o, packed(o));
   m.shake(1e-3, 21);
   const auto forces = forces_of(m);
   const auto force_on = [&](std::int64_t disc, int component) {
@@ -237,7 +237,7 @@ TEST(Kernels, ContactsBesideBondsPushByTheirEnergyToo) {
   // Compression without sliding: contacts are elastic then.
   Options o = kernel_options(ContactMode::parallel);
   o.contact_friction = 10.0;
-  Model m(o, square_lattice(4, 4, 0.5));
+  TestModel m(o, square_lattice(4, 4, 0.5));
   for (std::int64_t i = 0; i < m.assembly.disc_count(); ++i) {
     m.assembly.ux[i] = -1e-3 * m.assembly.x[i];
     m.assembly.uy[i] = -2e-3 * m.assembly.y[i] + 1e-5 * m.assembly.x[i] * m.assembly.x[i];
@@ -264,7 +264,7 @@ TEST(Kernels, TilesAddUpWhatActsOnADisc) {
   Options o = kernel_options(ContactMode::parallel);
   o.boundary_kind = choice(BoundaryKind::walls);  // the pressure outside pushes too
   o.stepping_damping = 0.0;
-  Model m(o, packed(o));
+  TestModel m(o, packed(o));
   stir(m);
   for (auto* v : {&m.assembly.vx, &m.assembly.vy, &m.assembly.spin}) std::fill(v->begin(), v->end(), 0.0);
   const auto forces = forces_of(m);
@@ -315,7 +315,7 @@ TEST(Kernels, TilesAddUpWhatActsOnADisc) {
 TEST(Kernels, InnerForcesAddUpToNothing) {
   for (const auto mode : {ContactMode::parallel, ContactMode::after_break}) {
     const Options o = kernel_options(mode);
-    Model m(o, packed(o));
+    TestModel m(o, packed(o));
     stir(m);
     double fx = 0.0, fy = 0.0, torque = 0.0, size = 0.0;
     std::vector<Vec2> on_disc(static_cast<std::size_t>(m.assembly.disc_count()));
@@ -342,7 +342,7 @@ TEST(Kernels, InnerForcesAddUpToNothing) {
 
 TEST(Kernels, TurningTheBodyStrainsNothing) {
   const Options o = kernel_options(ContactMode::after_break);
-  Model m(o, packed(o));
+  TestModel m(o, packed(o));
   constexpr double angle = 0.3;
   for (std::int64_t i = 0; i < m.assembly.disc_count(); ++i) {
     const double x = m.assembly.x[i], y = m.assembly.y[i];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A small model for the tests of the engine's parts: discs, graph, faces, bonds, pores, boundary and solver,
-// built the way setup.cpp does it but open to the test's hands.
+// built the way build_model.cpp does it but open to the test's hands.
 #pragma once
 
 #include <memory>
@@ -9,15 +9,16 @@
 
 #include "core/random.hpp"
 #include "core/workers.hpp"
-#include "flow/network.hpp"
 #include "geom/contact_graph.hpp"
 #include "geom/faces.hpp"
 #include "geom/packing.hpp"
+#include "model/model.hpp"
 #include "options/choices.hpp"
 #include "options/options.hpp"
-#include "solid/assembly.hpp"
+#include "solid/bond_law.hpp"
 #include "solid/boundary.hpp"
 #include "solid/explicit_solver.hpp"
+#include "solid/toughness.hpp"
 
 namespace testing_unit {
 
@@ -47,22 +48,24 @@ inline Discs packed(const Options& o) {
   return {packing.x, packing.y, packing.radius};
 }
 
-class Model {
+class TestModel {
  public:
-  Model(const Options& given, const Discs& discs, const std::vector<Hole>& holes = {}, int worker_count = 1)
+  TestModel(const Options& given, const Discs& discs, const std::vector<Hole>& holes = {},
+            int worker_count = 1)
       : options(given),
         graph(build_contact_graph(discs.x, discs.y, discs.radius, holes, given.bond_gap_tolerance)),
-        faces(build_faces(graph)),
-        assembly(build_assembly(graph, options)) {
+        faces(build_faces(graph)) {
+    assembly = build_assembly(graph, options);
+    if (options.bond_fracture_toughness > 0.0) apply_fracture_toughness(assembly, options);
     for (const auto& hole : holes) well_domains.push_back(face_around(graph, faces, hole.centre));
     network = build_network(faces, assembly, well_domains, options);
-    boundary = std::make_unique<Boundary>(assembly, network, options);
+    boundary = std::make_unique<Boundary>(data, options);
     workers = std::make_unique<Workers>(worker_count);
-    solver = std::make_unique<ExplicitSolver>(assembly, network, *boundary, options, *workers);
+    solver = std::make_unique<ExplicitSolver>(data, *boundary, options, *workers);
   }
 
-  Model(const Model&) = delete;  // the solver holds the parts' addresses
-  Model& operator=(const Model&) = delete;
+  TestModel(const TestModel&) = delete;  // the solver holds the parts' addresses
+  TestModel& operator=(const TestModel&) = delete;
 
   // Displacements and rotations at random, up to `size` radii and radians.
   void shake(double size, std::uint64_t seed) {
@@ -94,9 +97,10 @@ class Model {
   Options options;
   ContactGraph graph;
   Faces faces;
-  Assembly assembly;
+  hfrac::Model data;
+  Assembly& assembly = data.assembly;
+  Network& network = data.network;
   std::vector<std::int32_t> well_domains;
-  Network network;
   std::unique_ptr<Boundary> boundary;
   std::unique_ptr<Workers> workers;
   std::unique_ptr<ExplicitSolver> solver;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pores and pipes: the weights of eq. 10, by which pressure pushes discs and discs squeeze pores, and pore
 // volumes.
-#include "flow/network.hpp"
+#include "model/network.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ Options wet_options() {
   return o;
 }
 
-double polygon_area(const Model& m, std::int64_t domain) {
+double polygon_area(const TestModel& m, std::int64_t domain) {
   double area = 0.0;
   const auto begin = m.network.corner_start[domain], end = m.network.corner_start[domain + 1];
   for (auto k = begin; k < end; ++k) {
@@ -32,7 +32,7 @@ double polygon_area(const Model& m, std::int64_t domain) {
 
 TEST(Network, UniformPressurePushesNoDisc) {
   // With the outside among them the corners of every disc close.
-  const Model m(wet_options(), packed(wet_options()), {{{10.0, 10.0}, 3.0}});
+  const TestModel m(wet_options(), packed(wet_options()), {{{10.0, 10.0}, 3.0}});
   std::vector<Vec2> sum(static_cast<std::size_t>(m.assembly.disc_count()));
   for (std::size_t k = 0; k < m.network.corner_disc.size(); ++k) {
     Vec2& disc = sum[static_cast<std::size_t>(m.network.corner_disc[k])];
@@ -46,7 +46,7 @@ TEST(Network, UniformPressurePushesNoDisc) {
 
 TEST(Network, RigidTranslationChangesNoVolume) {
   const Options o = wet_options();
-  const Model m(o, packed(o), {{{10.0, 10.0}, 3.0}});
+  const TestModel m(o, packed(o), {{{10.0, 10.0}, 3.0}});
   for (std::int64_t d = 0; d < m.network.domain_count(); ++d) {
     double x = 0.0, y = 0.0;
     for (auto k = m.network.corner_start[d]; k < m.network.corner_start[d + 1]; ++k) {
@@ -61,7 +61,7 @@ TEST(Network, RigidTranslationChangesNoVolume) {
 TEST(Network, VolumeChangeIsThatOfThePolygonWhenRadiiAreEqual) {
   Options o = wet_options();
   o.packing_radius_ratio = 1.0;
-  Model m(o, packed(o));
+  TestModel m(o, packed(o));
   std::vector<double> before;
   for (std::int64_t d = 0; d < m.network.domain_count(); ++d) before.push_back(polygon_area(m, d));
   constexpr double size = 1e-6;
@@ -82,12 +82,12 @@ TEST(Network, VolumeChangeIsThatOfThePolygonWhenRadiiAreEqual) {
 
 TEST(Network, VolumesArePolygonLessDiscs) {
   const Options o = wet_options();
-  const Model lattice(o, square_lattice(5, 5, 0.5));
+  const TestModel lattice(o, square_lattice(5, 5, 0.5));
   for (std::int64_t d = 1; d < lattice.network.domain_count(); ++d) {
     EXPECT_NEAR(lattice.network.volume[d], 1.0 - 0.25 * pi, 1e-12);
   }
   const Discs discs = packed(o);
-  const Model m(o, discs);
+  const TestModel m(o, discs);
   double pores = 0.0, outline = 0.0;
   for (std::int64_t d = 1; d < m.network.domain_count(); ++d) {
     EXPECT_GT(m.network.volume[d], 0.0);
@@ -102,11 +102,11 @@ TEST(Network, VolumesArePolygonLessDiscs) {
 TEST(Network, ConventionSetsReferenceAndFloor) {
   Options o = wet_options();
   const Discs discs = square_lattice(5, 5, 0.5);
-  const Model sound(o, discs);
+  const TestModel sound(o, discs);
   EXPECT_EQ(sound.network.reference_pressure, 25e6);
   EXPECT_EQ(sound.network.floor_pressure, 0.0);
   o.stress_convention = choice(StressConvention::effective);
-  const Model paper(o, discs);
+  const TestModel paper(o, discs);
   EXPECT_EQ(paper.network.reference_pressure, 0.0);
   EXPECT_EQ(paper.network.floor_pressure, -25e6);
 }

@@ -24,7 +24,7 @@ TEST(Permeability, IsTheOneAskedFor) {
         holes.push_back({{50.0, 50.0}, 9.0});
         wells.push_back({50.0, 50.0, 9.0});
       }
-      Model m(o, packed(o), holes);
+      TestModel m(o, packed(o), holes);
       std::vector<double> pressure;
       calibrate_aperture(m.network, m.assembly, o, wells, pressure);
       EXPECT_NEAR(measure_permeability(m.network, m.assembly, wells, o.fluid_viscosity, pressure), asked,
@@ -46,7 +46,7 @@ TEST(Permeability, OfATiledPackingIsThatOfAPackedOne) {
       o.packing_method = static_cast<std::int64_t>(method);
       o.packing_brick_discs = 500;
       o.model_seed = seed;
-      Model m(o, packed(o));
+      TestModel m(o, packed(o));
       std::vector<double> pressure;
       calibrate_aperture(m.network, m.assembly, o, {}, pressure);
       sum += m.network.zero_stress_aperture / std::cbrt(m.assembly.mean_radius);
@@ -61,7 +61,7 @@ TEST(Permeability, IsReachedUnderStressToo) {
   Options o = dry_options(800);
   o.flow_scheme = choice(FlowScheme::implicit_scheme);
   o.flow_bonded_gap_factor = 0.2;  // not a pure cube of r0 any more
-  Model m(o, packed(o));
+  TestModel m(o, packed(o));
   m.shake(1e-6, 9);
   std::vector<double> pressure;
   calibrate_aperture(m.network, m.assembly, o, {}, pressure);
@@ -73,7 +73,7 @@ TEST(Permeability, GivenApertureIsTaken) {
   Options o = dry_options(300);
   o.flow_scheme = choice(FlowScheme::implicit_scheme);
   o.flow_zero_stress_aperture = 7e-5;
-  Model m(o, packed(o));
+  TestModel m(o, packed(o));
   std::vector<double> pressure;
   calibrate_aperture(m.network, m.assembly, o, {}, pressure);
   for (const double w : m.network.aperture) EXPECT_EQ(w, 7e-5);

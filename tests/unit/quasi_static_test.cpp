@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "couple/simulation.hpp"
 #include "small_case.hpp"
+#include "step/simulation.hpp"
 
 namespace {
 
@@ -28,13 +28,23 @@ TEST_P(QuasiStatic, StepsEndInEquilibriumAndTheFluidBalances) {
   Simulation s(quasi_static(GetParam()), {}, {});
   for (int k = 0; k < 5; ++k) {
     EXPECT_TRUE(s.step().at_rest);
-    EXPECT_LE(s.force_ratio(), 1e-6);
+    EXPECT_LE(s.model().clock.force_ratio, 1e-6);
     const Balance b = s.balance();
     EXPECT_LE(std::abs(b.fluid_error), 1e-12 * b.injected);
   }
   EXPECT_GT(s.cracks().size(), 0U);
-  EXPECT_GT(s.work().newton, 0);
+  EXPECT_GT(s.model().work.newton, 0);
   EXPECT_NEAR(s.time(), 5e-3, 1e-15);
+}
+
+// Its energy closes by what is accounted for as damping, which says nothing: the ledger says so instead of giving an error of 0.
+TEST_P(QuasiStatic, EnergyIsNotChecked) {
+  Simulation s(quasi_static(GetParam()), {}, {});
+  s.step();
+  const Balance b = s.balance();
+  EXPECT_FALSE(b.energy_checked);
+  EXPECT_TRUE(std::isnan(b.energy_error));
+  EXPECT_TRUE(std::isfinite(b.damping));
 }
 
 TEST_P(QuasiStatic, NothingIsBeyondItsStrengthAfterAStep) {
@@ -124,8 +134,8 @@ TEST(QuasiStaticParts, AreShortenedWhereBondsBreak) {
   definition.options.solver_pressure_change = 1.0;
   Simulation s(definition, {}, {});
   s.step();
-  EXPECT_GT(s.work().increments, 3);
-  EXPECT_GT(s.work().rejected_strength, 0);
+  EXPECT_GT(s.model().work.increments, 3);
+  EXPECT_GT(s.model().work.rejected_strength, 0);
   // However long the step, the first bond broke within solver.strength_overshoot of its strength.
   ASSERT_GT(s.cracks().size(), 0U);
   const Crack& first = s.cracks().front();
@@ -145,8 +155,8 @@ TEST(QuasiStaticParts, AJumpThatNewtonsMethodCannotFollowIsSettledByMotion) {
   definition.wells[0].pressure = 60e6;
   Simulation s(definition, {}, {});
   EXPECT_TRUE(s.step().at_rest);
-  EXPECT_GT(s.work().rejected_divergence, 0);
-  EXPECT_LE(s.force_ratio(), 1e-6);
+  EXPECT_GT(s.model().work.rejected_divergence, 0);
+  EXPECT_LE(s.model().clock.force_ratio, 1e-6);
   EXPECT_GT(s.cracks().size(), 0U);
   EXPECT_NEAR(s.time(), 0.02, 1e-15);
   const Balance b = s.balance();
@@ -167,7 +177,7 @@ TEST_P(QuasiStatic, AStepThatCannotBeSolvedEndsAtTheLastGoodStateAndSaysWhereAnd
   definition.wells[0].pressure = 5e6;
   Simulation s(definition, {}, {});
   s.step();
-  s.set_well_pressure(0, 1e12);
+  set_well_pressure(s, 0, 1e12);
   const auto before = s.state_hash();
   try {
     s.step();

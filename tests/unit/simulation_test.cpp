@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whole simulations: undo, repeatability, independence of the workers, and the two balances.
-#include "couple/simulation.hpp"
+#include "step/simulation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ TEST(Simulation, AnInterruptedStepLeavesNoTrace) {
     const auto outcome = s.step([&] { return ++asked >= patience; });
     if (!outcome.stopped) FAIL() << "the step ended before it was interrupted";
     EXPECT_EQ(s.state_hash(), before);
-    EXPECT_EQ(s.step_count(), 2);
+    EXPECT_EQ(s.model().clock.step, 2);
     EXPECT_EQ(s.time(), 2.0);
     const Balance balance = s.balance();
     EXPECT_EQ(balance.energy_error, balance_before.energy_error);
@@ -135,7 +135,7 @@ TEST(Simulation, EnergyClosesInRealTimeToo) {
 TEST(Simulation, SetUpComesToRestAndReportsItself) {
   Simulation s(quiet_case(), {}, {});
   const SetupReport& r = s.setup();
-  EXPECT_TRUE(s.at_rest());
+  EXPECT_TRUE(s.model().clock.at_rest);
   EXPECT_LE(r.force_ratio, s.options().stepping_force_ratio);
   EXPECT_EQ(r.packed, 500);
   EXPECT_EQ(r.cracks, 0);
@@ -168,7 +168,7 @@ TEST(Simulation, GivenDiscsReplaceThePacking) {
   Simulation s(definition, given, {});
   EXPECT_EQ(s.setup().packed, 1600);
   EXPECT_DOUBLE_EQ(s.assembly().mean_radius, 1.25);
-  EXPECT_TRUE(s.at_rest());
+  EXPECT_TRUE(s.model().clock.at_rest);
 }
 
 TEST(Simulation, ClosedOuterPoresLetNothingOut) {
@@ -188,7 +188,7 @@ TEST(Simulation, StopsAtTheCracksAskedFor) {
   EXPECT_EQ(s.stop_reason(), StopReason::target);
   for (int k = 0; k < 6 && s.stop_reason() == StopReason::target; ++k) s.step();
   EXPECT_NE(s.stop_reason(), StopReason::target);
-  EXPECT_GT(s.tip_distance(), 8.0);
+  EXPECT_GT(s.model().clock.tip_distance, 8.0);
 }
 
 TEST(Simulation, FluidBalanceClosesWithTheIterativeSolverToo) {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "couple/simulation.hpp"
 #include "small_case.hpp"
+#include "step/simulation.hpp"
 
 namespace {
 
@@ -23,7 +23,7 @@ TEST(Wells, HoldTheirPressure) {
   const double first = s.wells()[0].injected;
   EXPECT_GT(first, 0.0);
   EXPECT_NEAR(s.wells()[0].rate, first / s.options().stepping_flow_step, 1e-12 * first);
-  s.set_well_pressure(0, 28e6);
+  set_well_pressure(s, 0, 28e6);
   s.step();
   EXPECT_EQ(well_pressure(s), 28e6);
   EXPECT_LT(s.wells()[0].injected, first);
@@ -39,7 +39,7 @@ TEST(Wells, RampUpAndDownByTheStep) {
     s.step();
     EXPECT_DOUBLE_EQ(well_pressure(s), expected);
   }
-  s.set_well_ramp(0, 26e6, 3e6);
+  set_well_ramp(s, 0, 26e6, 3e6);
   for (const double expected : {27e6, 26e6, 26e6}) {
     s.step();
     EXPECT_DOUBLE_EQ(well_pressure(s), expected);
@@ -70,12 +70,12 @@ TEST(Wells, SwitchBetweenPressureAndRate) {
   Simulation s(quiet_case(), {}, {});
   s.step();
   const double injected = s.wells()[0].injected, pressure = well_pressure(s);
-  s.set_well_rate(0, 0.0);  // shut in
+  set_well_rate(s, 0, 0.0);  // shut in
   s.step();
   EXPECT_NEAR(s.wells()[0].injected, injected, 1e-14);
   EXPECT_LE(well_pressure(s), pressure);  // falls by what leaks off
   EXPECT_GT(well_pressure(s), pressure - 1e5);
-  s.set_well_pressure(0, 31e6);
+  set_well_pressure(s, 0, 31e6);
   s.step();
   EXPECT_EQ(well_pressure(s), 31e6);
   EXPECT_LE(std::abs(s.balance().fluid_error), 1e-6 * s.balance().injected);
@@ -83,7 +83,7 @@ TEST(Wells, SwitchBetweenPressureAndRate) {
 
 TEST(Wells, CannotGoBelowZeroPressure) {
   Simulation s(quiet_case(), {}, {});
-  s.set_well_pressure(0, -5e6);
+  set_well_pressure(s, 0, -5e6);
   s.step();
   EXPECT_EQ(well_pressure(s), 0.0);
 }

@@ -2,8 +2,10 @@
 // A small hydraulic-fracturing case that cracks within a few steps, for tests of whole simulations.
 #pragma once
 
-#include "couple/simulation.hpp"
 #include "model.hpp"
+#include "step/host_state.hpp"
+#include "step/impose.hpp"
+#include "step/simulation.hpp"
 
 namespace testing_unit {
 

@@ -9,6 +9,7 @@
 #include "equilibrium/bond_response.hpp"
 #include "small_case.hpp"
 #include "solid/joints.hpp"
+#include "solid/smooth_joints.hpp"
 
 namespace {
 
@@ -184,13 +185,16 @@ TEST(SmoothJoint, BothSolversFindTheSameRestAndTheBalanceCloses) {
     CaseDefinition definition = cut_case(JointState::smooth_broken, kind, 45.0, 0.2);
     definition.options.stress_sigma_Hmax = 14e6;
     Simulation s(definition, {}, {});
-    s.set_far_field(30e6, 10e6);
+    set_far_field(s, 30e6, 10e6);
     s.step();
-    EXPECT_TRUE(s.at_rest());
+    EXPECT_TRUE(s.model().clock.at_rest);
     slid[static_cast<int>(kind)] = largest_slide(s);
     const Balance b = s.balance();
     EXPECT_GT(b.friction, 0.0);
-    EXPECT_LE(std::abs(b.energy_error), 2e-3 * std::abs(b.boundary_work));
+    EXPECT_EQ(b.energy_checked, kind == SolverKind::explicit_solver);
+    if (b.energy_checked) {
+      EXPECT_LE(std::abs(b.energy_error), 2e-3 * std::abs(b.boundary_work));
+    }
     double moved = 0.0;  // friction never exceeds its coefficient
     for (const auto& contact : s.assembly().smooth.contacts) {
       const BondView view = view_bond(s.assembly(), s.options(), contact.bond);
@@ -229,7 +233,7 @@ TEST(SmoothJoint, GoesOnAfterARestoreBitForBitOnAnyNumberOfWorkers) {
     Simulation s(definition, {}, {});
     const std::size_t before = s.cracks().size();
     EXPECT_LT(before, s.assembly().smooth.contacts.size());
-    s.set_far_field(28e6, 10e6);
+    set_far_field(s, 28e6, 10e6);
     s.step();
     EXPECT_GT(s.cracks().size(), before);
     std::vector<std::byte> image(s.image_size());
@@ -238,7 +242,7 @@ TEST(SmoothJoint, GoesOnAfterARestoreBitForBitOnAnyNumberOfWorkers) {
     Simulation other(definition, {}, {});
     other.restore(image);
     for (Simulation* each : {&s, &other}) {
-      each->set_far_field(32e6, 10e6);
+      set_far_field(*each, 32e6, 10e6);
       each->step();
     }
     EXPECT_EQ(s.state_hash(), other.state_hash());
@@ -257,7 +261,7 @@ TEST(SmoothJoint, WhatPushesItsDiscsIsRestoredWithThem) {
   definition.options.stepping_mode = choice(SteppingMode::dynamic);
   definition.options.stepping_flow_step = 1e-3;
   Simulation s(definition, {}, {});
-  s.set_far_field(28e6, 10e6);
+  set_far_field(s, 28e6, 10e6);
   s.step();
   std::vector<std::byte> image(s.image_size());
   s.write_image(image);
@@ -277,7 +281,7 @@ TEST(SmoothJoint, SlidingPastItsPairsIsRefusedInWords) {
   definition.joints[0] = joint_at(45.0, 90.0, {50.0, 50.0}, 0.1, JointState::smooth_broken);  // right through
   definition.options.stress_sigma_Hmax = 10e6;
   Simulation s(definition, {}, {});
-  s.set_far_field(30e6, 10e6);
+  set_far_field(s, 30e6, 10e6);
   const auto before = s.state_hash();
   try {
     s.step();
@@ -314,7 +318,7 @@ double widest_after(const CaseDefinition& definition, int steps) {
   for (int k = 0; k < steps; ++k) s.step();
   double widest = 0.0, open = 0.0;
   for (const auto& contact : s.assembly().smooth.contacts) {
-    const double opening = s.assembly().joint_opening(contact.bond);
+    const double opening = joint_opening(s.assembly(), contact.bond);
     widest = std::max(widest, opening);
     if (opening <= 0.0) continue;
     open += 1.0;

@@ -41,7 +41,7 @@ struct Result {
   double friction = 0.0;
 };
 
-Result fingerprint(const Model& m, const CrackLog& log) {
+Result fingerprint(const TestModel& m, const CrackLog& log) {
   Hash hash;
   const auto& a = m.assembly;
   for (const auto* values : {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin, &a.external_x, &a.external_y,
@@ -61,7 +61,7 @@ Result fingerprint(const Model& m, const CrackLog& log) {
 }
 
 // Velocities at random [m/s].
-void stir(Model& m, double speed) {
+void stir(TestModel& m, double speed) {
   Random random(3);
   for (std::int64_t i = 0; i < m.assembly.disc_count(); ++i) {
     m.assembly.vx[i] = speed * (random.uniform() - 0.5);
@@ -74,7 +74,7 @@ Result sheet(const BlockingShape& shape, int workers) {
   static const Discs discs = hexagonal(104, 102);
   Options o = dry_options(100);
   o.bond_tensile_strength = o.bond_shear_strength = 6e6;
-  Model m(o, discs, {}, workers);
+  TestModel m(o, discs, {}, workers);
   m.solver->set_blocking(shape);
   m.solver->use_real_masses();
   stir(m, 40.0);
@@ -92,7 +92,7 @@ Result rock(const BlockingShape& shape, int workers) {
   o.boundary_kind = choice(BoundaryKind::walls);
   o.stress_sigma_Hmax = o.stress_sigma_hmin = 2e7;
   o.bond_tensile_strength = o.bond_shear_strength = 8e6;
-  Model m(o, discs, {{{10.0, 10.0}, 3.0}}, workers);
+  TestModel m(o, discs, {{{10.0, 10.0}, 3.0}}, workers);
   m.solver->set_blocking(shape);
   m.boundary->set_load(m.assembly, 1.0);
   CrackLog log;
@@ -125,7 +125,7 @@ TEST(TemporalBlocking, GivesTheBitsOfSingleCycles) {
 // The list holds every item once a cycle, and what an item needs before it.
 TEST(TemporalBlocking, ListsEverythingAfterWhatItNeeds) {
   Options o = dry_options(100);
-  Model m(o, hexagonal(104, 102));
+  TestModel m(o, hexagonal(104, 102));
   const TilePlan plan = plan_tiles(m.assembly, m.network, false, false);
   const TemporalBlocking blocking = plan_blocking(plan, m.assembly, {6, 2, 3});
   std::vector<std::int32_t> tiles(plan.tiles.size(), 0),
@@ -156,7 +156,7 @@ TEST(TemporalBlocking, LeavesMovingWallsToSingleCycles) {
     Options o = dry_options(1500);
     o.boundary_kind = choice(BoundaryKind::walls);
     o.stress_sigma_Hmax = o.stress_sigma_hmin = 1e7;
-    Model m(o, discs);
+    TestModel m(o, discs);
     m.solver->set_blocking(shape);
     m.boundary->set_load(m.assembly, 1.0);
     CrackLog log;

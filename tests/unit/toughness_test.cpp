@@ -18,7 +18,7 @@ TEST(FractureToughness, SetsTheStrengthOfTheMeanDisc) {
   o.bond_toughness_coefficient = 1.25;
   o.bond_tensile_strength = 40e6;
   o.bond_shear_strength = 60e6;
-  const Model m(o, packed(o));
+  const TestModel m(o, packed(o));
   const double sigma = 50e6 / (1.25 * std::sqrt(m.assembly.mean_radius));
   EXPECT_NEAR(0.5 * m.assembly.tensile_per_radius, sigma, 1e-9 * sigma);
   EXPECT_NEAR(m.assembly.shear_per_radius / m.assembly.tensile_per_radius, 1.5, 1e-12);
@@ -41,7 +41,7 @@ TEST(FractureToughness, GoesWithTheDiscsAroundABond) {
   Options o = dry_options(272);
   o.bond_gap_tolerance = 0.2;  // joins the two lattices
   o.bond_fracture_toughness = 50e6;
-  const Model m(o, discs);
+  const TestModel m(o, discs);
   const auto& a = m.assembly;
   const auto strength_at = [&](double x) {  // of the bond nearest to (x, 8)
     std::int64_t best = 0;
@@ -62,7 +62,7 @@ TEST(FractureToughness, GoesWithTheDiscsAroundABond) {
 TEST(FractureToughness, TheKernelAndTheViewBreakTheSameBonds) {
   Options o = dry_options(300);
   o.bond_fracture_toughness = 20e6;
-  Model m(o, packed(o));
+  TestModel m(o, packed(o));
   m.shake(2e-3, 3);
   std::int64_t beyond = 0;
   for (std::int64_t e = 0; e < m.assembly.bond_count(); ++e) {

@@ -79,7 +79,7 @@ TEST(V19FractureSectionSmoke, SlidesByItsContactsComplianceUntilFrictionYields) 
   Options o = lattice_options();
   o.contact_friction = 0.5;
   o.flow_scheme = static_cast<std::int64_t>(FlowScheme::off);
-  testing_unit::Model m(o, testing_unit::square_lattice(2, 2, radius));
+  testing_unit::TestModel m(o, testing_unit::square_lattice(2, 2, radius));
   auto& a = m.assembly;
   std::vector<std::int64_t> fracture;
   for (std::int64_t e = 0; e < a.bond_count(); ++e) {
@@ -127,7 +127,7 @@ class Fracture {
   }
   static constexpr double line = 6.0;  // m
 
-  testing_unit::Model& model() { return model_; }
+  testing_unit::TestModel& model() { return model_; }
   Network& network() { return model_.network; }
   [[nodiscard]] const std::vector<std::int32_t>& pores() const { return pores_; }  // from left to right
 
@@ -140,7 +140,7 @@ class Fracture {
     o.fluid_viscosity = viscosity;
     return o;
   }
-  testing_unit::Model model_;
+  testing_unit::TestModel model_;
   std::vector<std::int32_t> pores_;
 };
 

@@ -75,12 +75,14 @@ class TwoDiscs {
 
  private:
   [[nodiscard]] std::pair<bool, Failure> breaks(const Motion& motion, double factor) const {
-    Assembly a = build_assembly(graph_, options_);
+    hfrac::Model model;
+    Assembly& a = model.assembly;
+    a = build_assembly(graph_, options_);
     const Faces faces = build_faces(graph_);
-    Network network = build_network(faces, a, {}, options_);
-    Boundary boundary(a, network, options_);
+    model.network = build_network(faces, a, {}, options_);
+    Boundary boundary(model, options_);
     Workers workers(1);
-    ExplicitSolver solver(a, network, boundary, options_, workers);
+    ExplicitSolver solver(model, boundary, options_, workers);
     a.ux[1] = factor * motion.along;
     a.uy[1] = factor * motion.across;
     a.rotation[0] = factor * motion.turn_first;

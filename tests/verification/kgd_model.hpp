@@ -17,8 +17,8 @@
 #include <memory>
 #include <vector>
 
-#include "couple/simulation.hpp"
 #include "options/choices.hpp"
+#include "step/simulation.hpp"
 
 namespace verification {
 

@@ -79,7 +79,7 @@ class RigidNetwork {
     o.flow_scheme = testing_unit::choice(FlowScheme::implicit_scheme);
     return o;
   }
-  testing_unit::Model model_;
+  testing_unit::TestModel model_;
 };
 
 }  // namespace verification

@@ -42,8 +42,8 @@ std::string history_row(hfrac_sim* sim) {
   row += fmt::format(",{},{},{}", state.force_ratio, state.cycles, state.at_rest);
   row += fmt::format(",{},{},{},{},{}", balance.kinetic, balance.bond_elastic, balance.contact_elastic,
                      balance.fluid_work, balance.boundary_work);
-  row +=
-      fmt::format(",{},{},{},{}", balance.friction, balance.damping, balance.fracture, balance.energy_error);
+  row += fmt::format(",{},{},{},{}", balance.friction, balance.damping, balance.fracture,
+                     balance.energy_checked != 0 ? fmt::to_string(balance.energy_error) : "");
   row += fmt::format(",{},{},{}", balance.stored_volume, balance.leaked_volume, balance.fluid_error);
   const auto solver = solver_of(sim);
   row += fmt::format(",{},{},{},{},{}\n", solver.increments, solver.newton_iterations, solver.rejected_error,

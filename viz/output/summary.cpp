@@ -50,6 +50,7 @@ json state_part(const hfrac_sim_state& state) {
           {"stop_reason", state.stop_reason}};
 }
 
+// energy_error_J_per_m is null where it is not checked.
 json balance_part(const hfrac_balance& balance) {
   return {{"kinetic_J_per_m", balance.kinetic},
           {"bond_elastic_J_per_m", balance.bond_elastic},
@@ -59,7 +60,7 @@ json balance_part(const hfrac_balance& balance) {
           {"friction_J_per_m", balance.friction},
           {"damping_J_per_m", balance.damping},
           {"fracture_J_per_m", balance.fracture},
-          {"energy_error_J_per_m", balance.energy_error},
+          {"energy_error_J_per_m", balance.energy_checked != 0 ? json(balance.energy_error) : json()},
           {"injected_volume_m2", balance.injected_volume},
           {"stored_volume_m2", balance.stored_volume},
           {"leaked_volume_m2", balance.leaked_volume},

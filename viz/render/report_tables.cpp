@@ -133,15 +133,17 @@ std::string balance_tables(const json& summary) {
                       {"leaked off", shown(balance("leaked_volume_m2"), "m\xC2\xB2")},
                       {"in fractures", shown(number_at(summary, "fracture_volume_m2"), "m\xC2\xB2")},
                       {"missing", shown(balance("fluid_error_m2"), "m\xC2\xB2")}};
-  const Rows energies = {{"work of the fluid", energy("fluid_work_J_per_m")},
-                         {"work of the boundary", energy("boundary_work_J_per_m")},
-                         {"in bonds", energy("bond_elastic_J_per_m")},
-                         {"in contacts", energy("contact_elastic_J_per_m")},
-                         {"kinetic", energy("kinetic_J_per_m")},
-                         {"damped", energy("damping_J_per_m")},
-                         {"friction", energy("friction_J_per_m")},
-                         {"new cracks", energy("fracture_J_per_m")},
-                         {"missing", energy("energy_error_J_per_m")}};
+  const Rows energies = {
+      {"work of the fluid", energy("fluid_work_J_per_m")},
+      {"work of the boundary", energy("boundary_work_J_per_m")},
+      {"in bonds", energy("bond_elastic_J_per_m")},
+      {"in contacts", energy("contact_elastic_J_per_m")},
+      {"kinetic", energy("kinetic_J_per_m")},
+      {"damped", energy("damping_J_per_m")},
+      {"friction", energy("friction_J_per_m")},
+      {"new cracks", energy("fracture_J_per_m")},
+      {"missing",
+       std::isnan(balance("energy_error_J_per_m")) ? "not checked" : energy("energy_error_J_per_m")}};
   return "<div class=\"pair\"><div><h3>Fluid</h3>" + name_table(fluid) + "</div><div><h3>Energy</h3>" +
          name_table(energies) + "</div></div>\n";
 }

@@ -544,7 +544,7 @@ class hfrac_balance(ctypes.Structure):
 
     _fields_ = [
         ("struct_size", ctypes.c_int32),
-        ("struct_pad", ctypes.c_int32),
+        ("energy_checked", ctypes.c_int32),
         ("kinetic", ctypes.c_double),
         ("bond_elastic", ctypes.c_double),
         ("contact_elastic", ctypes.c_double),

@@ -132,6 +132,8 @@ class SetupReport(NamedTuple):
 class Balance(NamedTuple):
     """Energy and fluid mass since the end of the initial equilibration."""
 
+    #: 1: energy_error says something; 0: the quasi-static solver closes its balance by `damping`
+    energy_checked: int
     #: [J/m] kinetic energy now
     kinetic: float
     #: [J/m] stored in intact bonds now
@@ -144,11 +146,11 @@ class Balance(NamedTuple):
     boundary_work: float
     #: [J/m] dissipated by sliding since the initial equilibration
     friction: float
-    #: [J/m] dissipated by damping since the initial equilibration
+    #: [J/m] dissipated by damping since the initial equilibration; unless checked, whatever the works left over
     damping: float
     #: [J/m] elastic energy of bonds lost as they broke since the initial equilibration
     fracture: float
-    #: [J/m] what is missing in: works = change of stored + dissipated
+    #: [J/m] what is missing in: works = change of stored + dissipated; not a number unless checked
     energy_error: float
     #: [m2] fluid put in through all wells, at formation pressure
     injected_volume: float
@@ -165,6 +167,7 @@ class Balance(NamedTuple):
     def of(cls, struct: _abi.hfrac_balance) -> "Balance":
         """The struct's values."""
         return cls(
+            struct.energy_checked,
             struct.kinetic,
             struct.bond_elastic,
             struct.contact_elastic,

@@ -122,16 +122,16 @@ HFRAC_API int32_t hfrac_sim_get_setup(const hfrac_sim *sim, hfrac_setup_report *
 /** Energy and fluid mass since the end of the initial equilibration. Set struct_size before the call. */
 typedef struct hfrac_balance {
   int32_t struct_size;       /**< sizeof(hfrac_balance) of the caller */
-  int32_t struct_pad;        /**< 0 */
+  int32_t energy_checked;    /**< 1: energy_error says something; 0: the quasi-static solver closes its balance by `damping` */
   double kinetic;            /**< [J/m] kinetic energy now */
   double bond_elastic;       /**< [J/m] stored in intact bonds now */
   double contact_elastic;    /**< [J/m] stored in contacts now (discs and walls) */
   double fluid_work;         /**< [J/m] work of fluid pressure on the discs since the initial equilibration */
   double boundary_work;      /**< [J/m] work of the far field on the model since the initial equilibration */
   double friction;           /**< [J/m] dissipated by sliding since the initial equilibration */
-  double damping;            /**< [J/m] dissipated by damping since the initial equilibration */
+  double damping;            /**< [J/m] dissipated by damping since the initial equilibration; unless checked, whatever the works left over */
   double fracture;           /**< [J/m] elastic energy of bonds lost as they broke since the initial equilibration */
-  double energy_error;       /**< [J/m] what is missing in: works = change of stored + dissipated */
+  double energy_error;       /**< [J/m] what is missing in: works = change of stored + dissipated; not a number unless checked */
   double injected_volume;    /**< [m2] fluid put in through all wells, at formation pressure */
   double stored_volume;      /**< [m2] change of content of all domains, wells included */
   double leaked_volume;      /**< [m2] out through the outer boundary */

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "build/build_model.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/hash.hpp"
+#include "geom/faces.hpp"
+#include "solid/joints.hpp"
+#include "solid/toughness.hpp"
+
+namespace hfrac {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Packing take_given(std::span<const double> discs) {
+  Packing packing;
+  const std::size_t n = discs.size() / 3;
+  for (std::size_t i = 0; i < n; ++i) {
+    packing.x.push_back(discs[3 * i]);
+    packing.y.push_back(discs[3 * i + 1]);
+    packing.radius.push_back(discs[3 * i + 2]);
+  }
+  return packing;
+}
+
+}  // namespace
+
+Packing take_discs(const Options& o, std::span<const double> given_discs, const Progress& progress,
+                   SetupReport& report) {
+  const auto start = std::chrono::steady_clock::now();
+  bool stop = false;
+  Packing packing;
+  if (given_discs.empty()) {
+    packing = pack_discs(packing_options(o), [&](double done) {
+      return stop = progress && progress(0.5 * done, "packing the discs");
+    });
+    if (stop) throw Stopped{};
+  } else {
+    packing = take_given(given_discs);
+  }
+  report.packing_residual = packing.residual;
+  report.packed = static_cast<std::int64_t>(packing.x.size());
+  double solid = 0.0;
+  for (const double r : packing.radius) solid += std::numbers::pi * r * r;
+  report.porosity = 1.0 - solid / (o.model_width * o.model_height);
+  report.packing_seconds = seconds_since(start);
+  return packing;
+}
+
+Model build_model(const CaseDefinition& definition, Packing packing,
+                  std::span<const std::int64_t> given_bonds, SetupReport& report) {
+  const Options& o = definition.options;
+  Model model;
+  std::vector<Hole> holes;
+  for (const auto& well : definition.wells) holes.push_back({{well.x, well.y}, well.radius});
+  ContactGraph graph =
+      build_contact_graph(packing.x, packing.y, packing.radius, holes, o.bond_gap_tolerance, given_bonds);
+  packing = {};
+  report.removed_in_wells = graph.removed_in_wells;
+  report.removed_floaters = graph.removed_floaters;
+  report.removed_crossings = graph.removed_crossings;
+  report.unbonded = std::count(graph.bonded.begin(), graph.bonded.end(), 0);
+  Hash bonded;
+  bonded.add_all(graph.bonded);
+  report.bonded = bonded.value();
+  Faces faces = build_faces(graph);
+
+  std::vector<std::int32_t> well_domains;
+  for (std::size_t w = 0; w < definition.wells.size(); ++w) {
+    const auto& well = definition.wells[w];
+    const auto face = face_around(graph, faces, {well.x, well.y});
+    if (face < 0) {
+      throw Error(ErrorKind::model, "well[" + std::to_string(w) + "] at (" + std::to_string(well.x) + ", " +
+                                        std::to_string(well.y) +
+                                        ") m is not surrounded by rock; move it inward or make it smaller");
+    }
+    well_domains.push_back(face);
+  }
+  Assembly& assembly = model.assembly;
+  assembly = build_assembly(std::move(graph), o);
+  if (o.bond_fracture_toughness > 0.0) apply_fracture_toughness(assembly, o);
+  apply_joints(assembly, definition.joints, o, model.cracks);
+  report.coordination =
+      2.0 * static_cast<double>(assembly.bond_count()) / static_cast<double>(assembly.disc_count());
+  for (std::size_t w = 0; w < definition.wells.size(); ++w) {
+    const auto& given = definition.wells[w];
+    Well well;
+    well.place = {{given.x, given.y},
+                  std::sqrt(faces.polygon_area[well_domains[w]] / std::numbers::pi),
+                  well_domains[w]};
+    well.drive.control = given.control;
+    well.drive.target_pressure = given.pressure;
+    well.drive.ramp_per_step = given.ramp_per_step;
+    well.drive.set_rate = given.rate;
+    for (const auto& entry : definition.schedule) {
+      if (entry.well == static_cast<std::int64_t>(w)) well.schedule.push_back(entry);
+    }
+    model.wells.push_back(well);
+  }
+  model.network = build_network(std::move(faces), assembly, well_domains, o);
+  model.well_count = model.wells.size();
+  model.far_field = {o.stress_sigma_Hmax, o.stress_sigma_hmin, o.fluid_formation_pressure, false};
+  return model;
+}
+
+}  // namespace hfrac

@@ -1,5 +1,0 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// The dense kernels for one instruction set; the compiler flags that go with it stand in lib/CMakeLists.txt.
-#define HFRAC_DENSE_NAMESPACE dense_avx512
-#define HFRAC_DENSE_BYTES 64
-#include "equilibrium/dense_body.hpp"

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The dense kernels for one instruction set; the compiler flags that go with it stand in lib/CMakeLists.txt.
+#define HFRAC_DENSE_NAMESPACE dense_baseline
+#define HFRAC_DENSE_BYTES 16
+#include "linear/dense_body.hpp"

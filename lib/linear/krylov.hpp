@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// GMRES (Saad and Schultz 1986) for a matrix known by its products, preconditioned from the right by a factor of it or of one like
+// it, so that the residual watched is the true one. Modified Gram-Schmidt, Givens rotations.
+//
+// Workers share the vectors by chunks of fixed length. A dot product is the sum over chunks in order, whoever made them, so
+// results do not depend on the number of workers; taking away one direction and the product with the next go in one pass.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "core/workers.hpp"
+
+namespace hfrac {
+
+class Krylov {
+ public:
+  using Vector = Eigen::VectorXd;
+  using Apply = std::function<void(const Vector& to, Vector& result)>;
+
+  explicit Krylov(Workers& workers) : workers_(workers) {}
+
+  struct Outcome {
+    int iterations = 0;
+    bool converged = false;
+  };
+  // Solves A x = right to |A x - right| <= tolerance |right|, from x = 0; `product` gives A x, `precondition` about A^-1 x.
+  Outcome solve(const Apply& product, const Apply& precondition, const Vector& right, double tolerance,
+                int most, Vector& x);
+
+ private:
+  // Takes from `next` what it has along basis[0] to basis[k], noting how much in column[0..k], and its length then in
+  // column[k + 1]; that over its length becomes basis[k + 1].
+  void orthogonalise(int k, double* column);
+
+  Workers& workers_;
+  std::vector<Vector> basis_, directions_;
+  Vector next_;
+  std::vector<double> sums_[2];  // of chunks, in turns
+};
+
+}  // namespace hfrac

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model/assembly.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "options/choices.hpp"
+
+namespace hfrac {
+Assembly build_assembly(ContactGraph graph, const Options& options) {
+  Assembly a;
+  a.x = std::move(graph.x);
+  a.y = std::move(graph.y);
+  a.radius = std::move(graph.radius);
+  a.first = std::move(graph.first);
+  a.second = std::move(graph.second);
+  a.tile_first_bond = std::move(graph.tile_first_edge);
+  a.mean_radius = graph.mean_radius;
+  a.density = options.disc_density;
+  const std::size_t n = a.x.size(), bonds = a.first.size();
+  for (auto* values :
+       {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin, &a.external_x, &a.external_y, &a.external_moment})
+    values->assign(n, 0.0);
+
+  // Toughness of a bonded assembly goes with strength times sqrt(R) (Potyondy and Cundall 2004): strengths given for
+  // one mean radius serve any resolution of the same rock.
+  if (options.bond_toughness_reference_radius > 0.0) {
+    a.strength_factor = std::sqrt(options.bond_toughness_reference_radius / a.mean_radius);
+  }
+  a.tensile_per_radius = 2.0 * options.bond_tensile_strength * a.strength_factor;
+  a.shear_per_radius = 2.0 * options.bond_shear_strength * a.strength_factor;
+  a.geometry.lay_out(a.tile_first_bond, static_cast<std::int64_t>(bonds),
+                     GeometryStorage{options.bond_geometry_storage} == GeometryStorage::single_precision);
+  a.intact.assign(graph.bonded.begin(), graph.bonded.end());
+  a.slip.assign(bonds, 0.0);
+  for (std::size_t e = 0; e < bonds; ++e) {
+    const auto i = a.first[e], j = a.second[e];
+    const double dx = a.x[j] - a.x[i], dy = a.y[j] - a.y[i], length = std::sqrt(dx * dx + dy * dy);
+    const auto bond = static_cast<std::int64_t>(e);
+    a.geometry.put(a.part_of(bond), bond,
+                   {dx, dy, length, length * a.radius[i] / (a.radius[i] + a.radius[j]),
+                    options.bond_radius_factor * std::min(a.radius[i], a.radius[j])});
+  }
+  return a;
+}
+
+std::int64_t Assembly::bond_between(std::int32_t i, std::int32_t j) const {
+  if (i > j) std::swap(i, j);
+  // Those of a tile and those across tiles are each sorted by (first, second), the former by rank.
+  const bool across = i / tile_size != j / tile_size;
+  const auto tile = static_cast<std::size_t>(i / tile_size);
+  const std::int64_t begin = across ? tile_first_bond.back() : tile_first_bond[tile];
+  const std::int64_t count = (across ? bond_count() : tile_first_bond[tile + 1]) - begin;
+  const auto place = [&](std::int64_t rank) { return begin + (across ? rank : edge_at(rank, count)); };
+  std::int64_t low = 0, high = count;
+  while (low < high) {
+    const auto middle = low + (high - low) / 2, e = place(middle);
+    const bool before = first[e] != i ? first[e] < i : second[e] < j;
+    (before ? low : high) = before ? middle + 1 : middle;
+  }
+  if (low == count) return -1;
+  const auto e = place(low);
+  return first[e] == i && second[e] == j ? e : -1;
+}
+
+}  // namespace hfrac

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The fluid's side of the model: a domain in every pore, a pipe across every contact.
+//
+// What a domain stores is its content zeta: fluid taken in since the start, as a volume at reference pressure. The
+// pressure follows from content and the pore's change of volume,
+//     p = max(floor, p_ref + K_f (zeta - dV) / V)                                       (eq. 8 in total form)
+// so mass is never lost to linearisation. dV = sum of w.u over the discs around the domain, with the very weights
+// w = s1 n1 + s2 n2 by which the pressure pushes the discs (eq. 10): what the fluid loses the discs get, exactly. The
+// weights are taken at bonding (small rotations).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/array.hpp"
+#include "geom/faces.hpp"
+#include "model/assembly.hpp"
+#include "model/crack_plane.hpp"
+#include "options/options.hpp"
+
+namespace hfrac {
+
+enum class DomainKind : std::uint8_t { rock = 0, well = 1, outside = 2 };
+
+struct Network {
+  // pipes, one per bond, from the domain left of (first -> second) to the one right of it
+  std::vector<std::int32_t> left, right;
+  // Empty in a dry model:
+  Array<double> aperture;     // m, hydraulic
+  Array<double> conductance;  // m2/(Pa s): w^3 / (12 eta L)
+  Array<double> flow;         // m2/s, left to right, of the last flow step
+  Array<double> length;       // m, of pipes; only for a fluid that thins
+  // domains; 0 is the outside
+  std::vector<DomainKind> kind;
+  Array<double> volume;         // m2, pore volume at bonding
+  Array<double> volume_change;  // m2
+  Array<double> content;        // m2
+  Array<double> pressure;       // Pa
+  Array<double> stiffness;      // Pa/m2: K_f / V, 0 where the pressure is imposed
+  std::vector<std::int32_t> corner_start, corner_disc;
+  Array<double> corner_weight;  // m, (x, y) per corner; dry: those of domain 0 alone
+  std::vector<Vec2> centroid;   // m, at bonding
+  // pipes to the outside, and how far the pressure beyond each is above domain 0's: a host may say what lies there
+  std::vector<std::int32_t> outer_pipe;
+  Array<double> outer_excess;                             // Pa
+  double reference_pressure = 0.0, floor_pressure = 0.0;  // Pa
+  double zero_stress_aperture = 0.0;                      // m, r0
+  CrackPlanes planes;                                     // with flow.fracture_aperture = "plane"
+
+  // 0 in a dry model, for those who look at either.
+  [[nodiscard]] double aperture_of(std::size_t pipe) const { return aperture.empty() ? 0.0 : aperture[pipe]; }
+  [[nodiscard]] double flow_of(std::size_t pipe) const { return flow.empty() ? 0.0 : flow[pipe]; }
+  [[nodiscard]] double conductance_of(std::size_t pipe) const {
+    return conductance.empty() ? 0.0 : conductance[pipe];
+  }
+  [[nodiscard]] std::int64_t domain_count() const { return static_cast<std::int64_t>(kind.size()); }
+
+  // The disc at a domain's corner k (of corner_start), and those before and after it around the domain.
+  struct Corner {
+    std::int32_t disc, before, after;
+  };
+  [[nodiscard]] Corner corner(std::int64_t domain, std::int32_t k) const {
+    const auto begin = corner_start[static_cast<std::size_t>(domain)],
+               end = corner_start[static_cast<std::size_t>(domain) + 1];
+    const auto at = [this](std::int32_t place) { return corner_disc[static_cast<std::size_t>(place)]; };
+    return {at(k), at(k > begin ? k - 1 : end - 1), at(k + 1 < end ? k + 1 : begin)};
+  }
+};
+
+// `well_domain[k]` is the face of well k.
+// Takes the faces over.
+Network build_network(Faces faces, const Assembly& assembly, const std::vector<std::int32_t>& well_domain,
+                      const Options& options);
+
+// Content at which a domain has pressure p, given its volume change now.
+inline double content_at(const Network& n, std::int64_t domain, double bulk_modulus, double p) {
+  return n.volume_change[domain] + (p - n.reference_pressure) * n.volume[domain] / bulk_modulus;
+}
+
+}  // namespace hfrac

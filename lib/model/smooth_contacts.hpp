@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The contacts of smooth joints as data: where they lie, how they look, what they slid. Their law: solid/smooth_joints.hpp.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/array.hpp"
+
+namespace hfrac {
+
+struct SmoothContact {
+  std::int64_t bond;
+  std::int64_t joint;                        // number in the definition
+  Vec2 normal;                               // unit, towards the bond's second disc
+  Vec2 first_arm, second_arm;                // m, from the centre of the disc to the contact
+  double opens_by_first, opens_by_second;    // m: change of U_n by a disc's rotation
+  double slides_by_first, slides_by_second;  // m: change of U_s
+  double area;                               // m2 per metre of thickness
+  double slip;                               // m
+  bool holds;
+};
+
+struct SmoothJoints {
+  struct Line {
+    Vec2 from, to;
+  };
+  std::vector<SmoothContact> contacts;  // ascending by bond
+  std::vector<std::int32_t> place;      // per bond: in contacts, -1 of none; empty without smooth joints
+  std::vector<Line> lines;              // the joints themselves
+  double normal_stiffness = 0.0, shear_stiffness = 0.0;  // Pa/m
+
+  [[nodiscard]] bool empty() const { return contacts.empty(); }
+  [[nodiscard]] const SmoothContact* of(std::int64_t bond) const {
+    const std::int32_t at = empty() ? -1 : place[static_cast<std::size_t>(bond)];
+    return at < 0 ? nullptr : &contacts[static_cast<std::size_t>(at)];
+  }
+  [[nodiscard]] SmoothContact* of(std::int64_t bond) {
+    const std::int32_t at = empty() ? -1 : place[static_cast<std::size_t>(bond)];
+    return at < 0 ? nullptr : &contacts[static_cast<std::size_t>(at)];
+  }
+  // Whether a joint lies between two places.
+  [[nodiscard]] bool separate(Vec2 p, Vec2 q) const;
+  // Which contacts hold, and what they slid, is kept here while the step loop runs, where other workers hold the bonds' own
+  // numbers; those are the state.
+  void read_state(const Array<std::uint8_t>& intact, const Array<double>& slip);
+  void write_state(Array<std::uint8_t>& intact, Array<double>& slip) const;
+};
+
+// Whether the lines from `from` to `to` and from p to q cross.
+bool crosses(Vec2 from, Vec2 to, Vec2 p, Vec2 q);
+
+}  // namespace hfrac

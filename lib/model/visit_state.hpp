@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The one list of what the state of a model is. Whoever changes what is visited, or in which order, raises the format of images
+// (step/image.cpp) and changes every fingerprint.
+#pragma once
+
+#include <type_traits>
+
+#include "model/model.hpp"
+#include "state/archive.hpp"
+
+namespace hfrac {
+
+// Everything that a step, a well or the host can change. Derived values (forces, stable step) are found anew. This is kept
+// before every step, so what cannot change is left out: in a dry model (`wet` false) the pores, in any where the ledger begins.
+template <class Archive, class Self>
+void visit_state(Archive& archive, Self& s, bool wet) {
+  auto& a = s.assembly;
+  auto& n = s.network;
+  for (auto* values : {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin}) archive.array(*values);
+  archive.often_zero(a.slip);
+  for (auto* values : {&a.external_x, &a.external_y, &a.external_moment}) archive.mostly_zero(*values);
+  archive.flags(a.intact);
+  if (wet) {
+    for (auto* values : {&n.aperture, &n.conductance, &n.flow, &n.volume_change, &n.content, &n.pressure,
+                         &n.stiffness, &n.outer_excess}) {
+      archive.array(*values);
+    }
+  }
+  archive.value(n.zero_stress_aperture);
+  archive.often_zero(s.increment.pressure_rate);
+  for (auto* value : {&s.clock.time, &s.clock.force_ratio, &s.accounts.leaked, &s.clock.tip_distance,
+                      &s.accounts.host_added, &s.increment.length, &s.increment.excess,
+                      &s.far_field.formation_pressure, &s.accounts.outside_work, &s.accounts.outside_change,
+                      &s.far_field.sigma_Hmax, &s.far_field.sigma_hmin}) {
+    archive.value(*value);
+  }
+  auto& work = s.work;
+  for (auto* value : {&work.increments, &work.rounds, &work.newton, &work.krylov, &work.factors,
+                      &work.rejected_error, &work.rejected_strength, &work.rejected_divergence})
+    archive.value(*value);
+  archive.value(s.clock.step);
+  archive.value(s.clock.at_rest);
+  archive.value(s.far_field.boundary_pressure_set);
+  archive.value(s.clock.flow_rounds);
+  BoundaryState::visit(archive, s.boundary);
+  auto& e = s.accounts.energies;
+  for (auto* value : {&e.friction, &e.damping, &e.fluid, &e.fracture}) archive.value(*value);
+  archive.value(s.clock.cycles);
+  ContactPairs::visit(archive, s.contact_pairs);
+  archive.list(s.wells, [&n](auto& ar, auto& well) {
+    ar.value(well.place.centre.x);
+    ar.value(well.place.centre.y);
+    ar.value(well.place.equivalent_radius);
+    ar.value(well.place.domain);
+    ar.require(well.place.domain > 0 && well.place.domain < n.domain_count());
+    auto& drive = well.drive;
+    ar.value(drive.control);
+    ar.require(drive.control >= WellControl::pressure && drive.control <= WellControl::rate);
+    for (auto* value : {&drive.target_pressure, &drive.ramp_per_step, &drive.set_rate, &well.rate,
+                        &well.injected, &well.content, &well.taken})
+      ar.value(*value);
+    // Hashes of runs without a schedule are what they were before there were any.
+    constexpr bool hashing = std::is_same_v<std::decay_t<decltype(ar)>, Hasher>;
+    if (!hashing || !well.schedule.empty()) {
+      ar.value(well.next);
+      ar.list(well.schedule, [](auto& inner, auto& entry) {
+        inner.value(entry.time);
+        inner.value(entry.value);
+        inner.value(entry.control);
+      });
+    }
+    for (auto* values : {&n.pressure, &n.content, &n.stiffness}) ar.value((*values)[well.place.domain]);
+  });
+  archive.require(s.wells.size() == s.well_count);
+  archive.list(s.cracks, [&a](auto& ar, auto& crack) {
+    ar.value(crack.bond);
+    ar.require(crack.bond >= 0 && crack.bond < a.bond_count());
+    ar.value(crack.step);
+    ar.value(crack.cycle);
+    for (auto* value : {&crack.time, &crack.normal_force, &crack.shear_force, &crack.energy})
+      ar.value(*value);
+    ar.value(crack.mode);
+    ar.require(crack.mode == CrackMode::tension || crack.mode == CrackMode::shear);
+  });
+  // A model without temperature has the image, and the hash, that it had before there was any.
+  if (s.heat) HeatState::visit(archive, *s.heat);
+  archive.require(s.contact_pairs.fits(a.disc_count()));
+}
+
+// By domain in any image. In a dry model the start is what there is now but for the wells, and only those are kept.
+template <class Archive, class Self>
+void visit_start_content(Archive& archive, Self& s, bool wet) {
+  if (wet) {
+    archive.array(s.start.content);
+    return;
+  }
+  Array<double> content = s.network.content;
+  for (std::size_t w = 0; w < s.wells.size(); ++w) content[s.wells[w].place.domain] = s.start.content[w];
+  archive.array(content);
+  if constexpr (Archive::loading) {
+    for (std::size_t w = 0; w < s.wells.size(); ++w) s.start.content[w] = content[s.wells[w].place.domain];
+  }
+}
+
+// What is fixed once the model came to rest.
+template <class Archive, class Self>
+void visit_start(Archive& archive, Self& s, bool wet) {
+  for (auto* values : {&s.start.x, &s.start.y, &s.start.rotation}) archive.array(*values);
+  visit_start_content(archive, s, wet);
+  for (auto* value : {&s.start.bond_energy, &s.start.contact_energy, &s.start.boundary_work})
+    archive.value(*value);
+}
+
+}  // namespace hfrac

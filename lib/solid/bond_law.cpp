@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solid/bond_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "options/choices.hpp"
+#include "solid/smooth_joints.hpp"
+
+namespace hfrac {
+namespace {
+
+PairMotion motion_of(const Assembly& a, std::int64_t e) {
+  const auto i = a.first[e], j = a.second[e];
+  const Vec2 du{a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, d0{a.dx(e), a.dy(e)}, d = d0 + du;
+  PairMotion m{};
+  m.now = std::sqrt(dot(d, d));
+  m.length = a.length(e);
+  m.arm_i = a.arm(e);
+  m.arm_j = m.length - m.arm_i;
+  m.normal = (1.0 / m.now) * d;
+  m.gap = (2.0 * dot(d0, du) + dot(du, du)) / (m.now + m.length) - a.factors.growth_of(e);
+  // L0 asin(sine / L0) to the seventh order.
+  const double sine = cross(d0, du) / m.now, s2 = sine * sine / (m.length * m.length);
+  m.shear = sine * (1.0 + s2 * (1.0 / 6.0 + s2 * (3.0 / 40.0 + s2 * (15.0 / 336.0)))) -
+            (m.arm_i * a.rotation[i] + m.arm_j * a.rotation[j]);
+  m.bend = a.rotation[j] - a.rotation[i];
+  return m;
+}
+
+}  // namespace
+
+BondLaw bond_law(const Assembly& a, const Options& o, std::int64_t e) {
+  BondLaw law;
+  law.motion = motion_of(a, e);
+  const PairMotion& m = law.motion;
+  const double share = a.factors.stiffness_of(e);
+  const bool intact = a.intact[e] != 0;
+  if (intact) {
+    const double radius = a.bond_radius(e);
+    law.bond_stiffness = o.bond_normal_stiffness * share;
+    law.bond_shear_stiffness = o.bond_shear_stiffness * share;
+    law.bond_moment_stiffness = law.bond_stiffness * radius * radius / 3.0;
+    law.bond_normal = law.bond_stiffness * m.gap;
+    law.bond_shear = law.bond_shear_stiffness * m.shear;
+    law.bond_moment = law.bond_moment_stiffness * m.bend;
+  }
+  law.pressed = m.gap < 0.0 && (!intact || ContactMode{o.contact_mode} == ContactMode::parallel);
+  if (!law.pressed) return law;
+  law.contact_stiffness = o.contact_normal_stiffness * share;
+  law.contact_shear_stiffness = o.contact_shear_stiffness * share;
+  law.friction = a.factors.friction_of(e, o.contact_friction);
+  law.contact_normal = -law.contact_stiffness * m.gap;
+  const double limit = law.friction * law.contact_normal,
+               trial = law.contact_shear_stiffness * (m.shear - a.slip[e]);
+  law.slides = !(std::abs(trial) <= limit);
+  law.contact_shear = law.slides ? std::copysign(limit, trial) : trial;
+  return law;
+}
+
+BondView view_bond(const Assembly& a, const Options& o, std::int64_t e) {
+  if (const SmoothContact* contact = a.smooth.of(e)) return view_smooth(a, o, *contact);
+  const BondLaw law = bond_law(a, o, e);
+  const PairMotion& m = law.motion;
+  BondView v{};
+  v.gap = m.gap;
+  v.shear = m.shear;
+  v.normal = m.normal;
+  v.first_arm = m.arm_i * m.normal;
+  v.second_arm = -m.arm_j * m.normal;
+  v.bond_normal = law.bond_normal;
+  v.bond_shear = law.bond_shear;
+  v.bond_moment = law.bond_moment;
+  v.bond_energy = 0.5 * (v.bond_normal * m.gap + v.bond_shear * m.shear + v.bond_moment * m.bend);
+  v.contact_normal = law.contact_normal;
+  v.contact_shear = law.contact_shear;
+  v.contact_energy = 0.5 * v.contact_normal * std::max(0.0, -m.gap);
+  if (law.contact_shear_stiffness > 0.0)
+    v.contact_energy += 0.5 * v.contact_shear * v.contact_shear / law.contact_shear_stiffness;
+  const double pull =
+      v.bond_normal + o.bond_moment_contribution * 3.0 * std::abs(v.bond_moment) / a.bond_radius(e);
+  const double tensile = a.tensile_capacity(e), shearing = a.shear_capacity(e);
+  v.tensile_excess = tensile > 0.0 ? pull / tensile : (pull >= 0.0 ? 1.0 : 0.0);
+  v.shear_excess = shearing > 0.0 ? std::abs(v.bond_shear) / shearing : 1.0;
+  return v;
+}
+
+}  // namespace hfrac

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Steps in which flow, equilibrium and breakage are solved together (equilibrium/coupled_system.hpp), in increments as long as
+// increment.hpp allows. Where the shortest finds no equilibrium, damped motion leads on (relax_dynamically).
+//
+// Heat moves with the flow of an increment once that is known; the rock feels it in the next.
+#include "core/error.hpp"
+#include "options/number_text.hpp"
+#include "step/checks.hpp"
+#include "step/increment.hpp"
+#include "step/ledger.hpp"
+#include "step/rest.hpp"
+#include "step/snapshot.hpp"
+#include "step/stages.hpp"
+#include "step/steppers.hpp"
+
+namespace hfrac {
+namespace {
+
+using End = EquilibriumSolver::End;
+using Outcome = EquilibriumSolver::Outcome;
+
+// The state before the increment again; what was counted since stays counted.
+void put_back(Engine& e, const Outcome& outcome) {
+  const SolverWork work = e.model.work;
+  load_state(e, e.before_increment);
+  e.model.work = work;
+  count(e, outcome);
+}
+
+// The shortest increment found no equilibrium: on by damped motion.
+Outcome lead_on(Engine& e, const Outcome& stuck, IncrementControl& control, double length,
+                const Interrupt& interrupt) {
+  ++e.model.work.rejected_divergence;
+  put_back(e, stuck);
+  feel_heat(e);
+  const Outcome settled = relax_dynamically(e, length, interrupt);
+  if (settled.end == End::not_converged) {
+    throw Error(ErrorKind::diverged,
+                "no equilibrium was found at " + number_text(e.model.clock.time + control.done()) +
+                    " s, not even for a part of " + number_text(length) +
+                    " s: the unbalanced-force ratio stayed at " + rounded_text(stuck.force_ratio) +
+                    ", farthest from rest near " + place_text(stuck.where) +
+                    ", and damped motion left it at " + rounded_text(settled.force_ratio) +
+                    " (eq. 8, 11, 12); the state before the step stands. Use a "
+                    "lower pressure or rate, or change them in smaller steps");
+  }
+  control.was_sudden();
+  return settled;
+}
+
+}  // namespace
+
+StepOutcome coupled_step(Engine& e, double duration, const Interrupt& interrupt) {
+  Model& m = e.model;
+  const std::size_t cracks_before = m.cracks.size();
+  drive_wells(e);
+  IncrementControl control(e, duration);
+  while (!control.finished()) {
+    const double length = control.begin();
+    save_state(e, e.before_increment);
+    feel_heat(e);
+    Outcome outcome = e.equilibrium->solve(length, e.source, control.most_excess(), m.cracks, interrupt);
+    if (outcome.end == End::not_converged && control.shortest())
+      outcome = lead_on(e, outcome, control, length, interrupt);
+    if (outcome.end == End::stopped) return {true, m.clock.at_rest};
+    if (!control.accepts(outcome)) {
+      put_back(e, outcome);
+      control.reject(outcome);
+      continue;
+    }
+    count(e, outcome);
+    ++m.work.increments;
+    control.accept(outcome);
+    m.clock.force_ratio = outcome.force_ratio;
+    m.clock.at_rest = true;
+    accumulate_flow(e, length);
+    move_heat(e, length);
+    update_geometry(e);
+  }
+  close_step(e, duration, cracks_before);
+  check_step(e);
+  return {false, true};
+}
+
+}  // namespace hfrac

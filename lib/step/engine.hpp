@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What moves a model: the solvers over it and their work space. None of this is state; all of it can be made anew from the model.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "core/workers.hpp"
+#include "equilibrium/equilibrium_solver.hpp"
+#include "flow/flow_solver.hpp"
+#include "heat/heat.hpp"
+#include "model/model.hpp"
+#include "options/options.hpp"
+#include "solid/boundary.hpp"
+#include "solid/explicit_solver.hpp"
+
+namespace hfrac {
+
+// Asked now and then while a step goes on: true asks to stop.
+using Interrupt = std::function<bool()>;
+
+struct Engine {
+  // The model and the options must stay where they are.
+  Engine(const Options& options, Model& model);
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  [[nodiscard]] bool wet() const;  // with fluid
+
+  const Options& options;
+  Model& model;
+  std::unique_ptr<Workers, Workers::Release> workers;
+  std::unique_ptr<Heat> heat;  // none with thermal.mode = "off"
+  std::unique_ptr<Boundary> boundary;
+  std::unique_ptr<ExplicitSolver> mechanics;
+  std::unique_ptr<FlowSolver> flow;  // from the end of the initial equilibration on; none in a dry model
+  std::unique_ptr<EquilibriumSolver> equilibrium;  // likewise; none with solver.kind = "explicit"
+  std::vector<double> source;                      // m2/s per domain, from wells at a rate
+  bool well_jumped = false;                        // a well's imposed pressure changed in the step at hand
+  std::vector<std::byte> before_increment;         // state to go back to within a step
+};
+
+}  // namespace hfrac

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How long an increment of a coupled step may be.
+//
+// As long as three things allow: the error of backward Euler, estimated against a straight line through the increment before; no
+// bond farther beyond its strength than solver.strength_overshoot before it breaks; convergence. An increment that fails one of
+// them is rejected and tried again shorter, down to solver.smallest_step.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "step/engine.hpp"
+
+namespace hfrac {
+
+class IncrementControl {
+ public:
+  // For one step of `duration` seconds.
+  IncrementControl(Engine& engine, double duration);
+
+  [[nodiscard]] bool finished() const { return done_ >= duration_; }
+  [[nodiscard]] double done() const { return done_; }  // s of the step
+
+  // Begins the next increment and gives its length [s].
+  double begin();
+  [[nodiscard]] bool shortest() const { return length_ <= engine_.options.solver_smallest_step; }
+  // Stress over strength beyond which the increment is not to be kept.
+  [[nodiscard]] double most_excess() const;
+  // Damped motion led on: what pressures were heading for says nothing any more.
+  void was_sudden() { sudden_ = true; }
+
+  // Whether an increment that ended like this is kept.
+  [[nodiscard]] bool accepts(const EquilibriumSolver::Outcome& outcome);
+  // After the state was put back: what to count it as, and the length to try next.
+  void reject(const EquilibriumSolver::Outcome& outcome);
+  // After it was kept.
+  void accept(const EquilibriumSolver::Outcome& outcome);
+
+ private:
+  [[nodiscard]] double error() const;
+
+  Engine& engine_;
+  IncrementState& state_;
+  double duration_, done_ = 0.0, length_ = 0.0;
+  double error_ = 0.0;  // of backward Euler in the increment at hand
+  std::size_t cracks_before_ = 0;
+  double tried_length_ = 0.0, tried_rise_ = 0.0;
+  double stuck_length_ = std::numeric_limits<double>::infinity();
+  bool sudden_ = false;
+  std::vector<double> pressure_before_;  // Pa per domain
+};
+
+}  // namespace hfrac

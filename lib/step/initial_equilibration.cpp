@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "step/initial_equilibration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+
+#include "core/error.hpp"
+#include "flow/aperture.hpp"
+#include "host/cell_report.hpp"
+#include "options/choices.hpp"
+#include "options/number_text.hpp"
+#include "rock/seeping_well.hpp"
+#include "step/checks.hpp"
+#include "step/ledger.hpp"
+#include "step/snapshot.hpp"
+
+namespace hfrac {
+namespace {
+
+// What the pores hold before the treatment, by domain [Pa].
+std::vector<double> initial_pressures(const Engine& e) {
+  const Options& o = e.options;
+  const Network& n = e.model.network;
+  const auto& wells = e.model.wells;
+  std::vector<double> pressure(static_cast<std::size_t>(n.domain_count()), n.reference_pressure);
+  if (InitialState{o.initial_state} == InitialState::uniform) return pressure;
+  SeepingWell well;
+  well.width = o.model_width;
+  well.height = o.model_height;
+  well.centre = wells[0].place.centre;
+  well.radius = wells[0].place.equivalent_radius;
+  well.excess = o.initial_well_pressure - n.reference_pressure;
+  well.duration = o.initial_seepage_time;
+  well.outer_drained = OuterPores{o.flow_outer} == OuterPores::formation;
+  well.outer_held = BoundaryKind{o.boundary_kind} == BoundaryKind::walls;
+  double pores = 0.0;
+  for (std::size_t d = 1; d < n.volume.size(); ++d)
+    pores += n.kind[d] == DomainKind::rock ? n.volume[d] : 0.0;
+  BiotMaterial rock;
+  rock.youngs_modulus = o.initial_youngs_modulus;
+  rock.poissons_ratio = o.initial_poissons_ratio;
+  rock.biot = 1.0;  // discs do not shrink under the pressure of the pores around them
+  rock.storage = pores / (o.model_width * o.model_height) / o.fluid_bulk_modulus;
+  // What rests in the end does not depend on it; validate() asks for it where it matters.
+  if (o.flow_permeability > 0.0) rock.mobility = o.flow_permeability / o.fluid_viscosity;
+  const auto excess = seepage_pressure(well, rock, n.centroid);
+  for (std::size_t d = 1; d < pressure.size(); ++d)
+    pressure[d] = std::max(pressure[d] + excess[d], n.floor_pressure);
+  pressure[static_cast<std::size_t>(wells[0].place.domain)] = o.initial_well_pressure;
+  return pressure;
+}
+
+// The far field and what to do if rock does not bear it: in words, before anything is injected.
+void require_rock_stands(const Engine& e, std::size_t cracks_before, double share) {
+  constexpr double most = 0.01;  // of all bonds
+  const Assembly& a = e.model.assembly;
+  const auto bonds = static_cast<double>(a.bond_count());
+  const auto broken = e.model.cracks.size() - cracks_before;
+  if (static_cast<double>(broken) <= std::max(10.0, most * bonds)) return;
+  const Options& o = e.options;
+  throw Error(ErrorKind::model,
+              "the rock does not bear the far field: " + std::to_string(broken) + " of " +
+                  std::to_string(a.bond_count()) + " bonds broke at " + rounded_text(100.0 * share) +
+                  " % of sigma_Hmax = " + rounded_text(o.stress_sigma_Hmax) +
+                  " Pa and sigma_hmin = " + rounded_text(o.stress_sigma_hmin) +
+                  " Pa, before any injection; at most 1 % may. Bonds bear " +
+                  rounded_text(o.bond_tensile_strength * a.strength_factor) + " Pa in tension and " +
+                  rounded_text(o.bond_shear_strength * a.strength_factor) +
+                  " Pa in shear: raise bond.tensile_strength and bond.shear_strength (or "
+                  "bond.fracture_toughness, which sets them), take smaller discs, or bring the stresses "
+                  "nearer to each other and to the pore pressure");
+}
+
+}  // namespace
+
+// Far field and formation pressure in stages, together: at every stage effective stresses are a share of the final ones.
+// Pores are drained, so breakage here is the far field's doing alone. Under stress control the quasi-static solver finds each stage's
+// equilibrium and breaks bonds in order, the farthest beyond its strength first; damped motion, which can shake more loose than the
+// load breaks, serves the explicit solver, walls, and stages that have no equilibrium near.
+void equilibrate(Engine& e, const Progress& progress, SetupReport& report) {
+  const Options& o = e.options;
+  Model& m = e.model;
+  Network& network = m.network;
+  constexpr int stages = 10;
+  const std::vector<double> pressure = initial_pressures(e);
+  if (progress && progress(0.5, "finding equilibrium under the far field")) throw Stopped{};
+  e.mechanics->use_scaled_masses();
+  e.mechanics->set_damping(std::max(0.3, o.stepping_damping));
+  e.mechanics->set_undrained(false);
+  e.mechanics->hold_edge(!e.boundary->walled());
+  std::unique_ptr<EquilibriumSolver> rest;
+  if (SolverKind{o.solver_kind} == SolverKind::quasi_static && !e.boundary->walled()) {
+    network.stiffness.assign(network.stiffness.size(), 0.0);  // pressures are given
+    rest = std::make_unique<EquilibriumSolver>(m, *e.boundary, *e.mechanics, o, *e.workers);
+  }
+  const std::size_t cracks_before = m.cracks.size();
+  ExplicitSolver::Outcome outcome;
+  for (int stage = 1; stage <= stages; ++stage) {
+    const double share = static_cast<double>(stage) / stages;
+    e.boundary->set_load(m.assembly, share);
+    for (std::size_t d = 0; d < pressure.size(); ++d) m.network.pressure[d] = share * pressure[d];
+    const bool last = stage == stages;
+    bool stop = false;
+    const auto asked = [&] {
+      require_rock_stands(e, cracks_before, share);
+      return stop = progress &&
+                    progress(0.5 + 0.5 * (stage - 1) / stages, "finding equilibrium under the far field");
+    };
+    bool found = false;
+    if (rest) {
+      std::vector<std::byte> before;
+      save_state(e, before);
+      const auto solved = rest->solve(0.0, {}, std::numeric_limits<double>::infinity(), m.cracks, asked);
+      found = solved.end == EquilibriumSolver::End::rest;
+      outcome.force_ratio = solved.force_ratio;
+      outcome.at_rest = found;
+      if (found) {
+        e.mechanics->search_contacts(m.cracks);
+      } else if (!stop) {
+        load_state(e, before);
+      }
+    }
+    if (!found && !stop)
+      outcome = e.mechanics->relax(last ? o.stepping_force_ratio : 1e-2,
+                                   (last ? 20 : 1) * o.stepping_max_cycles, m.cracks, asked);
+    if (stop) throw Stopped{};
+    require_rock_stands(e, cracks_before, share);
+  }
+  e.mechanics->hold_edge(false);
+  require_joints_in_reach(e);
+  report.force_ratio = m.clock.force_ratio = outcome.force_ratio;
+  report.cracks = static_cast<std::int64_t>(m.cracks.size());
+  m.clock.at_rest = outcome.at_rest;
+  if (WallsAfterEquilibration{o.boundary_walls_after_equilibration} == WallsAfterEquilibration::fixed)
+    e.boundary->fix_walls();
+  e.mechanics->stop_motion();
+  e.mechanics->set_damping(o.stepping_damping);
+}
+
+double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& report) {
+  const Options& o = e.options;
+  Model& m = e.model;
+  Network& n = m.network;
+  m.start.x = m.assembly.ux;
+  m.start.y = m.assembly.uy;
+  m.start.rotation = m.assembly.rotation;
+  e.mechanics->evaluate();  // volumes and forces where they came to rest
+  const bool wet = e.wet();
+  for (std::int64_t d = 0; d < n.domain_count(); ++d) {
+    n.content[d] = content_at(n, d, o.fluid_bulk_modulus, n.pressure[d]);
+    const bool imposed = n.kind[d] == DomainKind::outside;
+    n.stiffness[d] = wet && !imposed ? o.fluid_bulk_modulus / n.volume[d] : 0.0;
+  }
+  if (wet) e.source.assign(static_cast<std::size_t>(n.domain_count()), 0.0);
+  for (auto& well : m.wells) {
+    n.stiffness[well.place.domain] = 0.0;
+    well.content = n.content[well.place.domain];
+  }
+  double oda_matrix = 1.0;
+  if (wet) {
+    std::vector<double> pressure;
+    calibrate_aperture(n, m.assembly, o, wells, pressure);
+    report.permeability = measure_permeability(n, m.assembly, wells, o.fluid_viscosity, pressure);
+    pressure = {};
+    const double uniform = uniform_gradient_permeability(m.assembly, n, o.fluid_viscosity);
+    if (uniform > 0.0 && report.permeability > 0.0) oda_matrix = report.permeability / uniform;
+    e.flow = std::make_unique<FlowSolver>(n, o);
+    e.mechanics->set_undrained(true);
+  }
+  if (wet) m.increment.pressure_rate.assign(static_cast<std::size_t>(n.domain_count()), 0.0);
+  if (SolverKind{o.solver_kind} == SolverKind::quasi_static)
+    e.equilibrium = std::make_unique<EquilibriumSolver>(m, *e.boundary, *e.mechanics, o, *e.workers);
+  begin_ledger(e);
+  if (SteppingMode{o.stepping_mode} == SteppingMode::dynamic) e.mechanics->use_real_masses();
+  return oda_matrix;
+}
+
+}  // namespace hfrac

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "step/rest.hpp"
+
+#include <limits>
+#include <string>
+
+#include "core/error.hpp"
+#include "options/number_text.hpp"
+#include "step/snapshot.hpp"
+
+namespace hfrac {
+namespace {
+
+using End = EquilibriumSolver::End;
+
+RestOutcome relax(Engine& e, const Interrupt& interrupt) {
+  const Options& o = e.options;
+  const auto motion =
+      e.mechanics->relax(o.stepping_force_ratio, o.stepping_max_cycles, e.model.cracks, interrupt);
+  if (motion.stopped) return {true};
+  e.model.clock.force_ratio = motion.force_ratio;
+  e.model.clock.at_rest = motion.at_rest;
+  e.mechanics->evaluate();
+  return {};
+}
+
+RestOutcome solve_for_rest(Engine& e, const Interrupt& interrupt) {
+  Model& m = e.model;
+  save_state(e, e.before_increment);
+  auto rest = e.equilibrium->solve(0.0, {}, std::numeric_limits<double>::infinity(), m.cracks, interrupt);
+  if (rest.end == End::not_converged) {
+    load_state(e, e.before_increment);
+    count(e, rest);
+    const auto settled = relax_dynamically(e, 0.0, interrupt);
+    if (settled.end == End::not_converged) {
+      throw Error(ErrorKind::diverged, "no equilibrium was found after " + number_text(m.clock.time) +
+                                           " s: the unbalanced-force ratio stayed at " +
+                                           rounded_text(rest.force_ratio) + ", farthest from rest near " +
+                                           place_text(rest.where) + ", and damped motion left it at " +
+                                           rounded_text(settled.force_ratio) +
+                                           " (eq. 11, 12); the state before the step stands. Use a shorter "
+                                           "stepping.flow_step, or a lower pressure or rate");
+    }
+    rest = settled;
+  }
+  if (rest.end == End::stopped) return {true};
+  count(e, rest);
+  m.clock.force_ratio = rest.force_ratio;
+  m.clock.at_rest = true;
+  return {};
+}
+
+}  // namespace
+
+std::string place_text(Vec2 at) {
+  std::string text = "(";  // in two steps: GCC 12 takes a literal plus a temporary for an overlap
+  text += rounded_text(at.x) + ", " + rounded_text(at.y) + ") m";
+  return text;
+}
+
+RestOutcome find_rest(Engine& e, const Interrupt& interrupt) {
+  return e.equilibrium ? solve_for_rest(e, interrupt) : relax(e, interrupt);
+}
+
+RestOutcome move_rock(Engine& e, double duration, const Interrupt& interrupt) {
+  const auto motion = e.mechanics->run_for(duration, e.model.cracks, interrupt);
+  if (motion.stopped) return {true};
+  e.model.clock.force_ratio = motion.force_ratio;
+  e.model.clock.at_rest = true;  // not asked for
+  e.mechanics->evaluate();
+  return {};
+}
+
+// Where Newton's method finds no equilibrium there may be none near: a bond that breaks can make the rock jump. Damped motion from
+// the last state leads where the jump ends (dynamic relaxation, Otter, Cassell and Hobbs 1966; damping of Cundall 1987), as the explicit
+// solver would; from there equilibrium is solved for to the same tolerance. Fluid flows first, while the rock
+// stands still: for as long as the shortest increment, so it hardly does.
+EquilibriumSolver::Outcome relax_dynamically(Engine& e, double increment, const Interrupt& interrupt) {
+  const Options& o = e.options;
+  Model& m = e.model;
+  if (e.flow && increment > 0.0) m.clock.flow_rounds = e.flow->advance(m.network, increment, e.source);
+  EquilibriumSolver::Outcome outcome;
+  auto motion = e.mechanics->relax(o.stepping_force_ratio, o.stepping_max_cycles, m.cracks, interrupt);
+  if (motion.at_rest) {
+    e.mechanics->evaluate();
+    std::vector<std::byte> settled;
+    save_state(e, settled);
+    outcome = e.equilibrium->solve(0.0, {}, std::numeric_limits<double>::infinity(), m.cracks, interrupt);
+    if (outcome.end != End::not_converged) return outcome;
+    load_state(e, settled);
+    motion = e.mechanics->relax(o.solver_tolerance, o.stepping_max_cycles, m.cracks, interrupt);
+    e.mechanics->stop_motion();
+    e.mechanics->evaluate();
+    e.boundary->remove_rigid_motion(m.assembly);
+    outcome.last_excess = e.equilibrium->find_exceeding();
+  }
+  outcome.end = motion.stopped ? End::stopped : (motion.at_rest ? End::rest : End::not_converged);
+  outcome.force_ratio = motion.force_ratio;
+  return outcome;
+}
+
+void count(Engine& e, const EquilibriumSolver::Outcome& outcome) {
+  SolverWork& work = e.model.work;
+  work.newton += outcome.newton;
+  work.krylov += outcome.krylov;
+  work.factors += outcome.factors;
+  work.rounds += outcome.rounds;
+}
+
+}  // namespace hfrac

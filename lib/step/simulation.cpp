@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "step/simulation.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "core/error.hpp"
+#include "step/checks.hpp"
+#include "step/image.hpp"
+#include "step/initial_equilibration.hpp"
+#include "step/snapshot.hpp"
+#include "step/stages.hpp"
+
+namespace hfrac {
+
+Simulation::Simulation(CaseDefinition definition, std::span<const double> given_discs,
+                       const Progress& progress, std::span<const std::int64_t> given_bonds)
+    : definition_(std::move(definition)) {
+  validate(definition_, given_discs, given_bonds);
+  set_stop(options().stop_extent_fraction, options().stop_cracks);
+  const auto start = std::chrono::steady_clock::now();
+  Packing packing = take_discs(options(), given_discs, progress, setup_);
+  if (progress && progress(0.5, "bonding")) throw Stopped{};
+  model_ = build_model(definition_, std::move(packing), given_bonds, setup_);
+  engine_ = std::make_unique<Engine>(options(), model_);
+  equilibrate(*engine_, progress, setup_);
+  oda_matrix_ = begin_run(*engine_, definition_.wells, setup_);
+  loads_ = loads_of(model_);
+  fingerprint_ = fingerprint_of(*engine_, setup_);
+  return_unused_pages();
+  setup_.setup_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+StepOutcome Simulation::step(const Loads& loads, double duration, const Interrupt& interrupt) {
+  Engine& e = *engine_;
+  impose(loads);
+  save_state(e, before_step_);
+  try {
+    // What a step does follows from the state alone, so no factor outlives the step before.
+    if (e.equilibrium) e.equilibrium->begin_step();
+    const StepOutcome outcome = stepper_of(options())(e, duration, interrupt);
+    if (!outcome.stopped) return outcome;
+    load_state(e, before_step_);
+    return {true, model_.clock.at_rest};
+  } catch (const Error& error) {
+    // A solver that could not go on may not know which number kept it from it.
+    const std::string what = error.kind() == ErrorKind::diverged ? not_finite(e) : std::string();
+    load_state(e, before_step_);
+    if (!what.empty()) throw Error(ErrorKind::diverged, what);
+    throw;
+  } catch (...) {
+    load_state(e, before_step_);
+    throw;
+  }
+}
+
+double Simulation::next_step() const {
+  double step = options().stepping_flow_step;
+  for (const auto& well : model_.wells) {
+    for (auto k = static_cast<std::size_t>(well.next); k < well.schedule.size(); ++k) {
+      if (!is_due(*engine_, well.schedule[k])) {
+        step = std::min(step, well.schedule[k].time - model_.clock.time);
+        break;
+      }
+    }
+  }
+  return step;
+}
+
+StopReason Simulation::stop_reason() const {
+  const Options& o = options();
+  if (model_.clock.tip_distance > stop_extent_fraction_ * std::min(o.model_width, o.model_height))
+    return StopReason::extent;
+  if (stop_cracks_ > 0 && static_cast<std::int64_t>(model_.cracks.size()) >= stop_cracks_)
+    return StopReason::cracks;
+  return StopReason::target;
+}
+
+void Simulation::set_stop(double extent_fraction, std::int64_t cracks) {
+  stop_extent_fraction_ = extent_fraction;
+  stop_cracks_ = cracks;
+}
+
+void Simulation::begin_step() {
+  save_state(*engine_, opened_);
+  opened_loads_ = loads_;
+  step_open_ = true;
+}
+
+void Simulation::require_open_step() const {
+  if (!step_open_) throw Error(ErrorKind::argument, "no step is open; begin one first.");
+}
+
+StepOutcome Simulation::try_step(double duration, const Interrupt& interrupt) {
+  require_open_step();
+  const Loads wanted = loads_;
+  load_state(*engine_, opened_);
+  loads_ = opened_loads_;
+  return step(wanted, duration, interrupt);
+}
+
+void Simulation::accept_step() {
+  require_open_step();
+  step_open_ = false;
+}
+
+void Simulation::reject_step() {
+  require_open_step();
+  load_state(*engine_, opened_);
+  loads_ = opened_loads_;
+  step_open_ = false;
+}
+
+std::size_t Simulation::image_size() const {
+  return hfrac::image_size(*engine_);
+}
+
+void Simulation::write_image(std::span<std::byte> image) const {
+  hfrac::write_image(*engine_, fingerprint_, image);
+}
+
+void Simulation::restore(std::span<const std::byte> image) {
+  restore_image(*engine_, fingerprint_, image);
+  loads_ = loads_of(model_);
+}
+
+std::uint64_t Simulation::state_hash() const {
+  return hash_of_state(*engine_);
+}
+
+std::vector<Fracture> Simulation::fractures() {
+  return find_fractures(model_.assembly, model_.network, options(), model_.well_places(), model_.cracks);
+}
+
+void Simulation::set_grid(HostGrid grid) {
+  grid.lay_over(model_.assembly, model_.network);
+  grid_ = std::move(grid);
+}
+
+const HostGrid& Simulation::grid() const {
+  if (!grid_) throw Error(ErrorKind::argument, "this simulation has no host grid; set one first.");
+  return *grid_;
+}
+
+}  // namespace hfrac

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A simulation: a model, what moves it, and the loads on it. It owns these and keeps the one promise that none of them can keep
+// alone: after a step that fails or is interrupted, everything is as before it. What a step does stands in steppers.hpp, what is
+// counted in ledger.hpp, what a host may impose in impose.hpp and put in at once in host_state.hpp.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "build/build_model.hpp"
+#include "frac/fractures.hpp"
+#include "host/host_grid.hpp"
+#include "step/engine.hpp"
+#include "step/ledger.hpp"
+#include "step/loads.hpp"
+#include "step/steppers.hpp"
+
+namespace hfrac {
+
+enum class StopReason : std::int32_t { target = 0, callback = 1, extent = 2, cracks = 3 };
+
+class Simulation {
+ public:
+  // Builds the model and brings it to rest under the far field. Throws Error; Stopped if progress asked for it.
+  // The host's own discs (x, y, radius each) instead of a packing, and which of them are bonded (two indices each; none: all
+  // that are near).
+  Simulation(CaseDefinition definition, std::span<const double> given_discs, const Progress& progress,
+             std::span<const std::int64_t> given_bonds = {});
+
+  // What was built. Loads that changed since stand in loads().
+  [[nodiscard]] const CaseDefinition& definition() const { return definition_; }
+  [[nodiscard]] const Options& options() const { return definition_.options; }
+  [[nodiscard]] const Model& model() const { return model_; }
+  [[nodiscard]] const Engine& engine() const { return *engine_; }
+  [[nodiscard]] Engine& engine() { return *engine_; }
+  [[nodiscard]] const SetupReport& setup() const { return setup_; }
+  [[nodiscard]] const Assembly& assembly() const { return model_.assembly; }
+  [[nodiscard]] const Network& network() const { return model_.network; }
+  [[nodiscard]] const std::vector<Well>& wells() const { return model_.wells; }
+  [[nodiscard]] const CrackLog& cracks() const { return model_.cracks; }
+  [[nodiscard]] double time() const { return model_.clock.time; }
+  [[nodiscard]] Balance balance() const { return balance_of(*engine_); }
+
+  // From the next step on.
+  [[nodiscard]] const Loads& loads() const { return loads_; }
+  void impose(const Loads& wanted) { hfrac::impose(*engine_, loads_, wanted); }
+
+  // One step. If it is interrupted or fails, the state is as before it.
+  StepOutcome step(const Interrupt& interrupt = {}) { return step(loads_, next_step(), interrupt); }
+  StepOutcome step(const Loads& loads, double duration, const Interrupt& interrupt = {});
+  // stepping.flow_step, or as much of it as is left before the next entry of a schedule [s].
+  [[nodiscard]] double next_step() const;
+  [[nodiscard]] StopReason stop_reason() const;
+  // Other limits than stop.extent_fraction and stop.cracks from now on.
+  void set_stop(double extent_fraction, std::int64_t cracks);
+
+  // A step in three parts, for hosts that iterate: try_step may be called again and again, with another duration or
+  // other loads, and always starts from where begin_step was called; accept_step keeps the last one, reject_step
+  // goes back.
+  void begin_step();
+  StepOutcome try_step(double duration, const Interrupt& interrupt = {});
+  void accept_step();
+  void reject_step();
+  [[nodiscard]] bool step_open() const { return step_open_; }
+
+  [[nodiscard]] std::size_t image_size() const;
+  void write_image(std::span<std::byte> image) const;  // of image_size() bytes
+  void restore(std::span<const std::byte> image);
+  [[nodiscard]] std::uint64_t state_hash() const;
+
+  // Numbers the cracks by fracture.
+  std::vector<Fracture> fractures();
+
+  // A reservoir simulator's grid over the model. It is no part of the state, what it brought is.
+  void set_grid(HostGrid grid);
+  [[nodiscard]] bool has_grid() const { return grid_.has_value(); }
+  [[nodiscard]] const HostGrid& grid() const;
+  [[nodiscard]] double oda_matrix() const { return oda_matrix_; }
+
+ private:
+  void require_open_step() const;
+
+  CaseDefinition definition_;
+  Model model_;
+  std::unique_ptr<Engine> engine_;
+  Loads loads_;
+  SetupReport setup_;
+  std::optional<HostGrid> grid_;
+  double oda_matrix_ = 1.0;  // the rock's permeability over that of a uniform gradient, at the start
+  std::uint64_t fingerprint_ = 0;
+  std::vector<std::byte> before_step_, opened_;  // states to go back to
+  Loads opened_loads_;
+  bool step_open_ = false;
+  double stop_extent_fraction_ = 0.0;
+  std::int64_t stop_cracks_ = 0;
+};
+
+}  // namespace hfrac

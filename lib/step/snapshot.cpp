@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "step/snapshot.hpp"
+
+#include "core/error.hpp"
+#include "model/visit_state.hpp"
+#include "step/stages.hpp"
+
+namespace hfrac {
+
+std::size_t state_size(const Engine& e, bool whole) {
+  Counter counter(!whole);
+  visit_state(counter, e.model, e.wet());
+  if (whole) visit_start(counter, e.model, e.wet());
+  return counter.size();
+}
+
+void write_state(const Engine& e, std::span<std::byte> state, bool whole) {
+  Saver saver(state, !whole);
+  visit_state(saver, e.model, e.wet());
+  if (whole) visit_start(saver, e.model, e.wet());
+}
+
+void save_state(const Engine& e, std::vector<std::byte>& state, bool whole) {
+  const std::size_t size = state_size(e, whole);
+  if (state.capacity() < size) {
+    // Not both at once; and room for the cracks to come.
+    state = {};
+    state.reserve(size + size / 64);
+  }
+  state.resize(size);
+  write_state(e, state, whole);
+}
+
+void load_state(Engine& e, std::span<const std::byte> image, bool whole) {
+  Loader loader(image, !whole);
+  visit_state(loader, e.model, e.wet());
+  if (whole) visit_start(loader, e.model, e.wet());
+  if (loader.left() != 0)
+    throw Error(ErrorKind::argument, "the state image is longer than this simulation's state.");
+  feel_heat_again(e);
+  e.model.network.planes.refresh(e.model.network, e.model.assembly);
+  e.mechanics->after_restore(e.model.far_field.sigma_Hmax, e.model.far_field.sigma_hmin);
+}
+
+bool is_finite(const Engine& e) {
+  FiniteCheck check;
+  visit_state(check, e.model, e.wet());
+  return check.finite();
+}
+
+std::uint64_t hash_of_state(const Engine& e) {
+  Hasher hasher;
+  visit_state(hasher, e.model, e.wet());
+  visit_start(hasher, e.model, e.wet());
+  return hasher.result();
+}
+
+}  // namespace hfrac

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "step/stages.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flow/aperture.hpp"
+#include "frac/fractures.hpp"
+#include "heat/expansion.hpp"
+#include "step/ledger.hpp"
+
+namespace hfrac {
+namespace {
+
+void follow_schedules(Engine& e) {
+  bool turned = false;
+  for (auto& well : e.model.wells) {
+    for (; well.next < static_cast<std::int64_t>(well.schedule.size()); ++well.next) {
+      const ScheduleEntry& entry = well.schedule[static_cast<std::size_t>(well.next)];
+      if (!is_due(e, entry)) break;
+      well.drive.control = WellControl{entry.control};
+      (well.drive.control == WellControl::rate ? well.drive.set_rate : well.drive.target_pressure) =
+          entry.value;
+      turned = true;
+    }
+  }
+  // What pressures were heading for before says nothing any more.
+  auto& rate = e.model.increment.pressure_rate;
+  if (turned) std::fill(rate.begin(), rate.end(), 0.0);
+}
+
+void impose_well_pressure(Engine& e, const Well& well, double pressure) {
+  Network& n = e.model.network;
+  n.stiffness[well.place.domain] = 0.0;
+  const double before = n.pressure[well.place.domain];
+  n.pressure[well.place.domain] = std::max(pressure, n.floor_pressure);
+  e.well_jumped = e.well_jumped || n.pressure[well.place.domain] != before;
+}
+
+}  // namespace
+
+// Adding up steps rounds: a billionth of a step early is on time.
+bool is_due(const Engine& e, const ScheduleEntry& entry) {
+  return entry.time <= e.model.clock.time + 1e-9 * e.options.stepping_flow_step;
+}
+
+void drive_wells(Engine& e) {
+  Network& n = e.model.network;
+  const double bulk_modulus = e.options.fluid_bulk_modulus;
+  follow_schedules(e);
+  e.well_jumped = false;
+  std::fill(e.source.begin(), e.source.end(), 0.0);
+  for (auto& well : e.model.wells) {
+    const auto d = well.place.domain;
+    switch (well.drive.control) {
+      case WellControl::pressure:
+        impose_well_pressure(e, well, well.drive.target_pressure);
+        break;
+      case WellControl::ramp: {
+        const double now = n.pressure[d], gap = well.drive.target_pressure - now;
+        impose_well_pressure(e, well,
+                             std::abs(gap) <= well.drive.ramp_per_step
+                                 ? well.drive.target_pressure
+                                 : now + std::copysign(well.drive.ramp_per_step, gap));
+        break;
+      }
+      case WellControl::rate:
+        if (n.stiffness[d] == 0.0) {
+          n.stiffness[d] = bulk_modulus / n.volume[d];
+          n.content[d] = content_at(n, d, bulk_modulus, n.pressure[d]);
+        }
+        if (e.flow) e.source[static_cast<std::size_t>(d)] = well.drive.set_rate;
+        break;
+    }
+  }
+}
+
+void move_fluid(Engine& e, double duration) {
+  if (e.flow) e.model.clock.flow_rounds = e.flow->advance(e.model.network, duration, e.source);
+  move_heat(e, duration);
+  feel_heat(e);
+}
+
+void move_heat(Engine& e, double duration) {
+  if (e.heat && e.heat->solver) e.heat->solver->advance(*e.model.heat, e.heat->well_domain, duration);
+}
+
+void feel_heat(Engine& e) {
+  if (!e.heat || e.model.heat->felt == e.model.heat->disc) return;
+  HeatState& state = *e.model.heat;
+  const ElasticEnergy before = elastic_energy(e);
+  state.felt = state.disc;
+  feel_heat_again(e);
+  const ElasticEnergy after = elastic_energy(e);
+  state.thermal_work += after.bonds + after.contacts - before.bonds - before.contacts;
+  if (!e.heat->table.empty()) e.mechanics->refresh_stiffness();
+}
+
+void feel_heat_again(Engine& e) {
+  if (e.heat) feel_temperature(e.model.assembly, e.model.heat->felt, e.heat->table, e.options);
+}
+
+void update_geometry(Engine& e) {
+  if (e.flow) update_apertures(e.model.network, e.model.assembly, e.options);
+  e.mechanics->search_contacts(e.model.cracks);
+}
+
+void close_step(Engine& e, double duration, std::size_t cracks_before) {
+  Model& m = e.model;
+  m.clock.time += duration;
+  ++m.clock.step;
+  for (auto& well : m.wells) {
+    well.rate = well.taken / duration;
+    well.taken = 0.0;
+  }
+  for (std::size_t c = cracks_before; c < m.cracks.size(); ++c) {
+    m.cracks[c].step = m.clock.step;
+    m.cracks[c].time = m.clock.time;
+  }
+  // Cracks elsewhere, say at the outer boundary, are no part of what the wells drive.
+  if (m.cracks.size() > cracks_before) {
+    m.clock.tip_distance = std::max(
+        m.clock.tip_distance, farthest_tip(m.assembly, m.network, e.options, m.well_places(), m.cracks));
+  }
+  if (e.equilibrium) book_damping(e);
+}
+
+}  // namespace hfrac
