@@ -3,6 +3,8 @@
 // increment.hpp allows. Where the shortest finds no equilibrium, damped motion leads on (relax_dynamically).
 //
 // Heat moves with the flow of an increment once that is known; the rock feels it in the next.
+#include <vector>
+
 #include "core/error.hpp"
 #include "options/number_text.hpp"
 #include "step/checks.hpp"
@@ -18,6 +20,23 @@ namespace {
 
 using End = EquilibriumSolver::End;
 using Outcome = EquilibriumSolver::Outcome;
+
+// The flow in every pipe is the increment's while a step goes on, for heat and ledger; what a host asks for afterwards (flow of pipes,
+// outflow and leak-off of cells) is the mean over the step.
+class MeanFlow {
+ public:
+  explicit MeanFlow(Network& network) : network_(network), passed_(network.flow.size(), 0.0) {}
+  void add(double length) {
+    for (std::size_t p = 0; p < passed_.size(); ++p) passed_[p] += length * network_.flow[p];
+  }
+  void put(double duration) {
+    for (std::size_t p = 0; p < passed_.size(); ++p) network_.flow[p] = passed_[p] / duration;
+  }
+
+ private:
+  Network& network_;
+  std::vector<double> passed_;  // m2 per pipe
+};
 
 // The state before the increment again; what was counted since stays counted.
 void put_back(Engine& e, const Outcome& outcome) {
@@ -55,6 +74,7 @@ StepOutcome coupled_step(Engine& e, double duration, const Interrupt& interrupt)
   const std::size_t cracks_before = m.cracks.size();
   drive_wells(e);
   IncrementControl control(e, duration);
+  MeanFlow flow(m.network);
   while (!control.finished()) {
     const double length = control.begin();
     save_state(e, e.before_increment);
@@ -74,9 +94,11 @@ StepOutcome coupled_step(Engine& e, double duration, const Interrupt& interrupt)
     m.clock.force_ratio = outcome.force_ratio;
     m.clock.at_rest = true;
     accumulate_flow(e, length);
+    flow.add(length);
     move_heat(e, length);
     update_geometry(e);
   }
+  flow.put(duration);
   close_step(e, duration, cracks_before);
   check_step(e);
   return {false, true};
