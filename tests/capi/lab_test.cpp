@@ -140,6 +140,7 @@ TEST(Calibration, GivesTheToughnessAskedFor) {
 TEST(Calibration, ToughnessAndStrengthTogetherFixTheDiscSize) {
   hfrac_targets targets = small_targets();
   targets.strength_disc_count = 600;
+  targets.packings = 4;  // fewer are more than a tenth off on others
   targets.tensile_strength = 17e6;
   targets.toughness = 40e6;
   hfrac_sim_def coarse = new_def(), fine = new_def();
