@@ -14,10 +14,7 @@ class Charts : public VizTest {
   Charts() { hfrac_viz_chart_options_init(&charts, sizeof charts); }
 
   Result render_charts(hfrac_viz_progress_fn progress = nullptr, void* user = nullptr) {
-    std::array<char, 2000> text{};
-    const std::int32_t status =
-        hfrac_viz_render_charts(folder().c_str(), &charts, progress, user, text.data(), text.size(), nullptr);
-    return {status, text.data()};
+    return result_of(hfrac_viz_render_charts(folder().c_str(), &charts, progress, user));
   }
   std::filesystem::path chart(const std::string& name) const { return file("pictures") / name; }
 

@@ -16,11 +16,7 @@ class Comparison : public VizTest {
 
   Result draw(const std::string& table, const std::string& picture) {
     std::ofstream(file("table.csv")) << table;
-    std::array<char, 2000> text{};
-    const std::int32_t status =
-        hfrac_viz_render_comparison(file("table.csv").c_str(), file(picture).c_str(), &compared, text.data(),
-                                    static_cast<std::int32_t>(text.size()), nullptr);
-    return {status, text.data()};
+    return result_of(hfrac_viz_render_comparison(file("table.csv").c_str(), file(picture).c_str(), &compared));
   }
 
   hfrac_viz_comparison_options compared;
@@ -107,7 +103,7 @@ TEST_F(Comparison, WhatCannotBeDrawnIsRefusedWithAReason) {
   EXPECT_EQ(draw("a,b,c\n,1,1\n", "c.gif").status, HFRAC_ERR_ARGUMENT);
   compared.width = 1;
   EXPECT_EQ(draw("a,b,c\n,1,1\n", "c.png").status, HFRAC_ERR_ARGUMENT);
-  EXPECT_EQ(hfrac_viz_render_comparison("/no/table.csv", file("c.png").c_str(), nullptr, nullptr, 0, nullptr),
+  EXPECT_EQ(hfrac_viz_render_comparison("/no/table.csv", file("c.png").c_str(), nullptr),
             HFRAC_VIZ_ERR_READ);
 }
 
