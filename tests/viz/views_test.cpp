@@ -38,7 +38,7 @@ TEST_F(Views, EveryKindIsDrawnAloneAndAllTogether) {
   std::vector<const char*> all;
   views.width = 700;
   for (const char* kind : {"discs", "forces", "crack-time", "aperture", "pressure", "displacement", "stress", "rotation",
-                           "crack-pressure", "displacement-x", "displacement-y", "shear", "intact-bonds"}) {
+                           "displacement-x", "displacement-y", "shear"}) {
     const Result result = render_views({kind});
     ASSERT_EQ(result.status, HFRAC_OK) << kind << ": " << result.text;
     EXPECT_EQ(picture().width, 700);
@@ -172,7 +172,8 @@ TEST_F(Views, BadRequestsAreRefusedWithAReason) {
   run.with_flow = false;
   write_run(folder(), run);
   EXPECT_EQ(render_views(std::vector<const char*>{}).status, HFRAC_ERR_ARGUMENT);
-  EXPECT_EQ(render_views({"no such view"}).status, HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(render_views({"file:"}).status, HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(render_views({"no such view"}).status, HFRAC_VIZ_ERR_READ);
   EXPECT_EQ(render_views(std::vector<const char*>(10, "discs")).status, HFRAC_ERR_ARGUMENT);
   const Result no_flow = render_views({"pressure"});
   EXPECT_EQ(no_flow.status, HFRAC_VIZ_ERR_READ);

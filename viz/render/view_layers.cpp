@@ -148,8 +148,8 @@ FoundArray find_array(const Job& job, const ViewSpec& spec) {
 std::pair<double, double> range_of(const Job& job, const ViewSpec& spec, const FoundArray& found, bool two_ways) {
   if (found.place->series == &RunFolder::discs && !spec.all_values)
     return usual_range(job.scene.discs, found.values, job.view.extent, two_ways);
+  if (found.values.empty()) return {0, 0};
   std::vector<double> values = found.values;
-  if (values.empty()) values.push_back(0);
   if (two_ways) {
     for (double& value : values) value = std::fabs(value);
   }
@@ -231,11 +231,11 @@ Key show_quantity(const Job& job, const ViewSpec& spec) {
     key.highest += 1;
   }
   key.map = map_of(spec.scale.value_or(two_ways ? ColourScale::two_ways : ColourScale::magnitude));
-  const std::string name = spec.label.empty() ? quantity.name + spec.component_text() : spec.label;
+  const std::string name = spec.label.empty() ? quantity.name : spec.label;
   key.label = quantity.unit.empty() ? name : name + " (" + quantity.unit + ")";
   key.second_label = spec.note;
   if (spec.label.empty()) {
-    key.title = name;
+    key.title = name + spec.component_text();
     key.title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(key.title[0])));
     key.second_label = std::string("of the ") +
                        (found.place->series == &RunFolder::flow ? "domains" : found.place->file);

@@ -34,8 +34,8 @@ constexpr std::array<NamedView, 19> views = {{
     {"stress-xy", "Shear stress", "stress xy", "", "discs", stress, component, 2, two_ways, false, true},
     {"shear", "Largest shear stress", "largest shear stress", "", "discs", stress, Combination::shear, 0, magnitude, false, true},
     {"intact-bonds", "Intact bonds", "intact bonds", "", "discs", "intact_bonds", component, 0, magnitude, true},
-    {"temperature", "Temperature of the rock", "temperature", "", "discs", "temperature_K", component, 0, magnitude, true},
-    {"fluid-temperature", "Temperature of the fluid", "temperature", "", "flow", "temperature_K", component, 0, magnitude, true},
+    {"temperature", "Temperature", "temperature", "of the discs", "discs", "temperature_K"},
+    {"fluid-temperature", "Temperature of the fluid", "temperature", "of the domains", "flow", "temperature_K"},
 }};
 
 }  // namespace
