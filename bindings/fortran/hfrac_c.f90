@@ -437,9 +437,6 @@ module hfrac_c
     !> 0: zlib, 1: lz4, 2: none. How arrays in VTU files are packed. lz4: twice as fast as zlib, files a fifth
     !> larger. Default 0.
     integer(c_int64_t) :: output_compression = 0_c_int64_t
-    !> 0: inline, 1: appended. Where arrays stand in VTU files. appended: as raw bytes at the end, a quarter
-    !> smaller; Debian 12's ParaView cannot read that. Default 0.
-    integer(c_int64_t) :: output_layout = 0_c_int64_t
     !> told what happens while the simulation is built; may be NULL. Later: hfrac_set_log
     type(c_funptr) :: log = c_null_funptr
     !> handed to `log`
@@ -566,10 +563,6 @@ module hfrac_c
     !> [Pa/m] Shear stiffness of smooth joints, per area. 0: contact.shear_stiffness over the mean disc diameter.
     !> Default 0.0.
     real(c_double) :: smooth_joint_shear_stiffness = 0.0_c_double
-    !> 0: double, 1: single. Precision in which lengths, arms and radii of bonds are kept. single: 20 bytes a bond
-    !> less to hold and to fetch, each off by at most 6e-8 of itself; all arithmetic, and what changes in a run,
-    !> stays in double precision. Default 0.
-    integer(c_int64_t) :: bond_geometry_storage = 0_c_int64_t
     !> 0: bond, 1: plane. What the aperture of a broken bond is taken from. bond: the gap of its two discs, eq. 7 as
     !> printed. plane: the opening across the local plane of the crack, with pipes as long as the way along it,
     !> whatever the angle of the bond. Default 0.

@@ -30,8 +30,7 @@ Assembly build_assembly(ContactGraph graph, const Options& options) {
   }
   a.tensile_per_radius = 2.0 * options.bond_tensile_strength * a.strength_factor;
   a.shear_per_radius = 2.0 * options.bond_shear_strength * a.strength_factor;
-  a.geometry.lay_out(a.tile_first_bond, static_cast<std::int64_t>(bonds),
-                     GeometryStorage{options.bond_geometry_storage} == GeometryStorage::single_precision);
+  a.geometry.lay_out(a.tile_first_bond, static_cast<std::int64_t>(bonds));
   a.intact.assign(graph.bonded.begin(), graph.bonded.end());
   a.slip.assign(bonds, 0.0);
   for (std::size_t e = 0; e < bonds; ++e) {

@@ -23,10 +23,8 @@ struct BondValues {
 
 class BondGeometry {
  public:
-  // Room for bonds that are numbered tile after tile, those across tiles last. With `single`, values are kept in single
-  // precision: 20 bytes a bond less, off by 6e-8 of themselves.
-  void lay_out(const std::vector<std::int64_t>& tile_first_bond, std::int64_t bonds, bool single) {
-    kept_single_ = single;
+  // Room for bonds that are numbered tile after tile, those across tiles last.
+  void lay_out(const std::vector<std::int64_t>& tile_first_bond, std::int64_t bonds) {
     std::int64_t blocks = 0;
     first_block_.clear();
     shift_.clear();
@@ -37,9 +35,7 @@ class BondGeometry {
       shift_.push_back(blocks * block_bonds - first);
       blocks += (last - first + block_bonds - 1) / block_bonds;
     }
-    const auto values = static_cast<std::size_t>(blocks * block_values);
-    values_.assign(single ? 0 : values, 0.0);
-    single_.assign(single ? values : 0, 0.0F);
+    values_.assign(static_cast<std::size_t>(blocks * block_values), 0.0);
   }
 
   // `part` is the bond's tile; of a bond across tiles, the number of tiles.
@@ -55,13 +51,10 @@ class BondGeometry {
     set(place(part, bond) + block_radius, radius);
   }
   [[nodiscard]] double at(std::size_t part, std::int64_t bond, std::int64_t row) const {
-    const auto k = static_cast<std::size_t>(place(part, bond) + row);
-    return kept_single_ ? static_cast<double>(single_[k]) : values_[k];
+    return values_[static_cast<std::size_t>(place(part, bond) + row)];
   }
 
-  // One of them is null.
-  [[nodiscard]] const double* data() const { return kept_single_ ? nullptr : values_.data(); }
-  [[nodiscard]] const float* single_data() const { return kept_single_ ? single_.data() : nullptr; }
+  [[nodiscard]] const double* data() const { return values_.data(); }
   [[nodiscard]] std::int64_t first_block(std::size_t part) const { return first_block_[part]; }
 
  private:
@@ -70,18 +63,9 @@ class BondGeometry {
     return slot / block_bonds * block_values + slot % block_bonds;
   }
 
-  void set(std::int64_t at, double value) {
-    const auto k = static_cast<std::size_t>(at);
-    if (kept_single_) {
-      single_[k] = static_cast<float>(value);
-    } else {
-      values_[k] = value;
-    }
-  }
+  void set(std::int64_t at, double value) { values_[static_cast<std::size_t>(at)] = value; }
 
-  bool kept_single_ = false;
   Array<double> values_;
-  Array<float> single_;
   std::vector<std::int64_t> first_block_, shift_;  // by part: its first block; slot of a bond less its number
 };
 

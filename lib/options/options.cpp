@@ -114,8 +114,6 @@ static_assert(is_word("flow.solver", "auto", FlowMatrixSolver::automatic) &&
               is_word("flow.solver", "iterative", FlowMatrixSolver::iterative));
 static_assert(is_word("contact.mode", "parallel", ContactMode::parallel) &&
               is_word("contact.mode", "after-break", ContactMode::after_break));
-static_assert(is_word("bond.geometry_storage", "double", GeometryStorage::double_precision) &&
-              is_word("bond.geometry_storage", "single", GeometryStorage::single_precision));
 static_assert(is_word("boundary.kind", "stress", BoundaryKind::stress) &&
               is_word("boundary.kind", "walls", BoundaryKind::walls));
 static_assert(is_word("boundary.walls_after_equilibration", "fixed", WallsAfterEquilibration::fixed) &&

@@ -86,7 +86,6 @@ void ExplicitSolver::bind_arrays() {
   k.first = a.first.data();
   k.second = a.second.data();
   k.geometry = a.geometry.data();
-  k.geometry_single = a.geometry.single_data();
   k.first_cross_geometry = a.geometry.first_block(plan_.tiles.size());
   k.intact = a.intact.data();
   k.slip = a.slip.data();

@@ -56,8 +56,7 @@ struct KernelArrays {
   int64_t disc_count;
   // bonds: those inside tiles by tile, then those across
   const int32_t *first, *second;
-  const double* geometry;        // m, in blocks of `block_values`; or
-  const float* geometry_single;  // the same in single precision, and the other null
+  const double* geometry;        // m, in blocks of `block_values`
   int64_t first_cross_geometry;  // block of the first bond across tiles
   const uint8_t* intact;         // 1, or 0 once broken
   double* slip;                  // m: shear displacement the contact has slid through

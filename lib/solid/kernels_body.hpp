@@ -62,11 +62,10 @@ struct alignas(64) Chunk {
   double slip[chunk];                                 // after this cycle
 };
 
-// The law, for bonds e to e + n - 1, whose geometry, in numbers of type Stored, begins with `block`. With `varied`, bonds differ
-// (bond_factors.hpp).
-template <bool varied, class Stored>
+// The law, for bonds e to e + n - 1, whose geometry begins with `block`. With `varied`, bonds differ (bond_factors.hpp).
+template <bool varied>
 __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, int64_t n,
-                                             const Stored* __restrict block, Chunk& c) {
+                                             const double* __restrict block, Chunk& c) {
   const double* __restrict slip_ = a.slip + e;
   const uint8_t* __restrict intact_ = a.intact + e;
   const double* __restrict growth_ = varied ? a.growth + e : nullptr;
@@ -136,42 +135,21 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
     const double excess = pull > push ? pull : push;
     c.over[k] = intact > 0.0 && excess >= 0.0 ? 1.0 : 0.0;
   };
-  // Single precision becomes double a block at a time, which is faster than lane by lane within the law.
-  alignas(64) double wide[sizeof(Stored) == sizeof(double) ? 1 : block_values] = {};
-  const auto in_double = [&]() __attribute__((always_inline))->const double* {
-    if constexpr (sizeof(Stored) == sizeof(double)) {
-      return block;
-    } else {
-      for (int64_t k = 0; k < block_values; ++k) wide[k] = static_cast<double>(block[k]);
-      return wide;
-    }
-  };
   int64_t begin = 0;
   for (; begin + block_bonds <= n; begin += block_bonds, block += block_values) {
     // What the next chunk's block here will hold: bit by bit, since memory takes only so many requests at a time.
-    for (int64_t line = 0; line < block_values; line += 64 / static_cast<int64_t>(sizeof(Stored)))
+    for (int64_t line = 0; line < block_values; line += 64 / static_cast<int64_t>(sizeof(double)))
       __builtin_prefetch(block + chunk / block_bonds * block_values + line);
-    const double* __restrict at = in_double();
 #pragma GCC ivdep
 #pragma GCC unroll 1
-    for (int64_t lane = 0; lane < block_bonds; ++lane) one(begin + lane, lane, at);
+    for (int64_t lane = 0; lane < block_bonds; ++lane) one(begin + lane, lane, block);
   }
-  if (begin < n) {
-    const double* __restrict at = in_double();
-    for (int64_t lane = 0; begin + lane < n; ++lane) one(begin + lane, lane, at);
-  }
+  for (int64_t lane = 0; begin + lane < n; ++lane) one(begin + lane, lane, block);
 }
 
 // The geometry of bond e is that of value `at` on.
 inline void bond_law(const KernelArrays& a, int64_t e, int64_t n, int64_t at, Chunk& c) {
-  const bool varied = a.tensile_factor != nullptr;
-  if (a.geometry_single != nullptr) {
-    if (varied) {
-      bond_law_with<true>(a, e, n, a.geometry_single + at, c);
-    } else {
-      bond_law_with<false>(a, e, n, a.geometry_single + at, c);
-    }
-  } else if (varied) {
+  if (a.tensile_factor != nullptr) {
     bond_law_with<true>(a, e, n, a.geometry + at, c);
   } else {
     bond_law_with<false>(a, e, n, a.geometry + at, c);

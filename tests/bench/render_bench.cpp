@@ -17,7 +17,7 @@
 #include "page.h"
 #include "png_file.h"
 #include "synthetic_run.h"
-#include "whole_file.h"
+#include "run/files.hpp"
 
 namespace {
 
@@ -101,10 +101,10 @@ void from_files(benchmark::State& state) {
   hfrac_viz_view_options_init(&options, sizeof options);
   options.width = width;
   options.height = height;
-  const std::int32_t view = HFRAC_VIZ_VIEW_DISCS;
+  const std::int32_t view = "discs";
   const std::string target = folder / "view.png";
   for (auto _ : state) {
-    if (hfrac_viz_render_views(folder.c_str(), &view, 1, target.c_str(), &options, nullptr, 0, nullptr) !=
+    if (hfrac_viz_render_views(folder.c_str(), &view, 1, target.c_str(), &options) !=
         HFRAC_OK) {
       state.SkipWithError("no picture");
       break;
@@ -127,8 +127,7 @@ void movie_of_60_frames(benchmark::State& state) {
   options.movie_height = height;
   const std::string target = folder / "movie.mp4";
   for (auto _ : state) {
-    if (hfrac_viz_render_movie(folder.c_str(), target.c_str(), &options, nullptr, nullptr, nullptr, 0,
-                               nullptr) != HFRAC_OK) {
+    if (hfrac_viz_render_movie(folder.c_str(), target.c_str(), &options, nullptr, nullptr) != HFRAC_OK) {
       state.SkipWithError("no movie");
       break;
     }

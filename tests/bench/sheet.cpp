@@ -39,8 +39,8 @@ double processor_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-int run(std::int64_t count, int worker_count, ContactMode mode, GeometryStorage storage) {
-  const Options options = bench::sheet_options(mode, storage);
+int run(std::int64_t count, int worker_count, ContactMode mode) {
+  const Options options = bench::sheet_options(mode);
   const double begin = now();
   bench::Sheet sheet(count, options);
   Boundary boundary(sheet.model, options);
@@ -76,12 +76,11 @@ int run(std::int64_t count, int worker_count, ContactMode mode, GeometryStorage 
   const double best = seconds.front();
   std::printf(
       "hfrac %lld %d %lld %.4g %.4g %.0f | s/step %.4g (median %.4g of %zu), set-up %.1f s, %s, contacts "
-      "%s%s\n",
+      "%s\n",
       static_cast<long long>(sheet.assembly.disc_count()), worker_count,
       static_cast<long long>(sheet.assembly.bond_count()), bonds / best, discs / best,
       static_cast<double>(usage.ru_maxrss) * 1024.0 / discs, best, seconds[seconds.size() / 2],
-      seconds.size(), built, kernel_isa(), mode == ContactMode::parallel ? "parallel" : "after-break",
-      storage == GeometryStorage::single_precision ? ", geometry in single precision" : "");
+      seconds.size(), built, kernel_isa(), mode == ContactMode::parallel ? "parallel" : "after-break");
   return 0;
 }
 
@@ -90,20 +89,18 @@ int run(std::int64_t count, int worker_count, ContactMode mode, GeometryStorage 
 int main(int argc, char** argv) {
   const std::int64_t count = argc > 1 ? std::atoll(argv[1]) : 0;
   const int workers = argc > 2 ? std::atoi(argv[2]) : 1;
-  bool parallel = true, single = false;
+  bool parallel = true;
   for (int k = 3; k < argc; ++k) {
     if (std::strcmp(argv[k], "after-break") == 0) parallel = false;
-    if (std::strcmp(argv[k], "single") == 0) single = true;
   }
   if (count < 16 || count > 5000000 || workers < 1 || workers > 256) {
     std::fprintf(stderr,
-                 "usage: sheet N WORKERS [parallel|after-break] [double|single]   16 to 5 000 000 discs, 1 "
-                 "to 256 workers\n");
+                 "usage: sheet N WORKERS [parallel|after-break]   16 to 5 000 000 discs, 1 to 256 "
+                 "workers\n");
     return 2;
   }
   try {
-    return run(count, workers, parallel ? ContactMode::parallel : ContactMode::after_break,
-               single ? GeometryStorage::single_precision : GeometryStorage::double_precision);
+    return run(count, workers, parallel ? ContactMode::parallel : ContactMode::after_break);
   } catch (const Error& error) {
     std::fprintf(stderr, "sheet: %s\n", error.what());
     return 1;

@@ -37,11 +37,10 @@ inline ContactGraph hexagonal(std::int64_t wanted) {
   return build_contact_graph(sorted_x, sorted_y, Array<double>(x.size(), 0.5), {}, 0.05);
 }
 
-inline Options sheet_options(ContactMode mode, GeometryStorage storage = GeometryStorage::double_precision) {
+inline Options sheet_options(ContactMode mode) {
   Options options;
   options.flow_scheme = static_cast<std::int64_t>(FlowScheme::off);
   options.contact_mode = static_cast<std::int64_t>(mode);
-  options.bond_geometry_storage = static_cast<std::int64_t>(storage);
   options.bond_tensile_strength = options.bond_shear_strength = 1e9;
   options.stepping_damping = 0.4;
   options.stress_sigma_Hmax = options.stress_sigma_hmin = 0.0;

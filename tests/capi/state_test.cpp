@@ -55,11 +55,9 @@ TEST(State, RestoreThenRunEqualsRun) {
   restore_then_run_equals_run(ramped_def());
 }
 
-TEST(State, RestoreThenRunEqualsRunWithGeometryInSinglePrecision) {
+TEST(State, RestoreThenRunEqualsRunQuasiStatic) {
   hfrac_sim_def def = ramped_def();
-  def.bond_geometry_storage = 1;
-  restore_then_run_equals_run(def);
-  def.solver_kind = 1;  // quasi-static: reads the same bonds one by one
+  def.solver_kind = 1;  // reads the bonds one by one
   restore_then_run_equals_run(def);
 }
 
@@ -88,10 +86,6 @@ TEST(State, RefusedImagesChangeNothing) {
   def.model_seed = 2;
   Sim other(def);
   refused(image_of(other));
-  def = ramped_def();
-  def.bond_geometry_storage = 1;  // other numbers in the same bonds
-  Sim rounded(def);
-  refused(image_of(rounded));
   std::int64_t size = 0;
   EXPECT_EQ(hfrac_state_save(sim, image.data(), 10, &size), HFRAC_ERR_ARGUMENT);
 }

@@ -7,7 +7,7 @@ from paraview import servermanager, simple
 ARRAYS = {
     "discs": ("PointData", {"radius_m": 1, "displacement_m": 3, "rotation_rad": 1, "stress_Pa": 3, "intact_bonds": 1,
                             "disc_id": 1}),
-    "bonds": ("CellData", {"state": 1, "normal_force_N": 1, "shear_force_N": 1, "moment_Nm": 1, "gap_m": 1,
+    "bonds": ("CellData", {"state": 1, "normal_force_N": 1, "shear_force_N": 1, "moment_N_m": 1, "gap_m": 1,
                            "aperture_m": 1, "flow_m2_per_s": 1, "bond_id": 1}),
     "cracks": ("CellData", {"mode": 1, "aperture_m": 1, "pressure_Pa": 1, "time_s": 1, "step": 1, "fracture": 1,
                             "crack_id": 1}),

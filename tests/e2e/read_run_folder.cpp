@@ -121,7 +121,7 @@ TEST(RunFolder, BondsAreLinesBetweenDiscCentres) {
                   {{"state", 1},
                    {"normal_force_N", 1},
                    {"shear_force_N", 1},
-                   {"moment_Nm", 1},
+                   {"moment_N_m", 1},
                    {"gap_m", 1},
                    {"aperture_m", 1},
                    {"flow_m2_per_s", 1},

@@ -117,8 +117,10 @@ class Resumed(unittest.TestCase):
         self.cut_short(case, 9)
         with open(self.folder / "history.csv", "a") as file:
             file.write("10,0.1,45")
-        (self.folder / ".discs_00012.vtu.tmp").write_text("half")
+        unfinished = self.folder / ".discs_00012.vtu.4711-3.tmp"
+        unfinished.write_text("half")
         self.run_good("resume", self.folder)
+        self.assertFalse(unfinished.exists())
         check_end(self.folder, self.whole)
 
     def test_own_discs_and_a_grid_come_along(self):
@@ -193,7 +195,7 @@ class Resumed(unittest.TestCase):
         victim.write_text("mine")
         elsewhere = self.top / "elsewhere"
         elsewhere.mkdir()
-        for link in (".case.toml.tmp", ".summary.json.tmp", ".discs_00000.vtu.tmp"):
+        for link in ("case.toml", "summary.json", "discs_00000.vtu"):
             shutil.rmtree(self.folder, ignore_errors=True)
             self.folder.mkdir()
             (self.folder / link).symlink_to(victim)

@@ -18,11 +18,8 @@ namespace {
 
 using namespace testing_unit;
 
-constexpr auto in_double = GeometryStorage::double_precision, in_single = GeometryStorage::single_precision;
-
-Options kernel_options(ContactMode mode, GeometryStorage storage = in_double) {
+Options kernel_options(ContactMode mode) {
   Options o = dry_options(700);
-  o.bond_geometry_storage = choice(storage);
   o.flow_scheme = choice(FlowScheme::implicit_scheme);
   o.contact_mode = choice(mode);
   o.bond_tensile_strength = o.bond_shear_strength = 42.5e6;
@@ -67,8 +64,8 @@ std::vector<BondForce> forces_of(const TestModel& m) {
 }
 
 // What a cycle writes, as bytes.
-std::string outputs_of(const char* isa, ContactMode mode, GeometryStorage storage) {
-  const Options o = kernel_options(mode, storage);
+std::string outputs_of(const char* isa, ContactMode mode) {
+  const Options o = kernel_options(mode);
   TestModel m(o, packed(o));
   stir(m);
   const KernelTable& table = *kernels_for(isa);
@@ -98,16 +95,14 @@ std::string outputs_of(const char* isa, ContactMode mode, GeometryStorage storag
 }
 
 TEST(Kernels, GiveTheSameBitsOnEveryInstructionSet) {
-  for (const auto& [mode, storage] : {std::pair{ContactMode::parallel, in_double},
-                                      {ContactMode::parallel, in_single},
-                                      {ContactMode::after_break, in_double}}) {
-    const std::string baseline = outputs_of("baseline", mode, storage);
+  for (const auto mode : {ContactMode::parallel, ContactMode::after_break}) {
+    const std::string baseline = outputs_of("baseline", mode);
     for (const char* isa : {"avx2", "avx512"}) {
       if (kernels_for(isa) == nullptr) {
         GTEST_LOG_(INFO) << isa << " is not available on this processor: not compared";
         continue;
       }
-      const std::string wide = outputs_of(isa, mode, storage);
+      const std::string wide = outputs_of(isa, mode);
       ASSERT_EQ(wide.size(), baseline.size());
       EXPECT_EQ(std::memcmp(wide.data(), baseline.data(), baseline.size()), 0) << isa;
     }
@@ -116,10 +111,8 @@ TEST(Kernels, GiveTheSameBitsOnEveryInstructionSet) {
 }
 
 TEST(Kernels, FollowTheLawOfViewBond) {
-  for (const auto& [mode, storage] : {std::pair{ContactMode::parallel, in_double},
-                                      {ContactMode::parallel, in_single},
-                                      {ContactMode::after_break, in_double}}) {
-    Options o = kernel_options(mode, storage);
+  for (const auto mode : {ContactMode::parallel, ContactMode::after_break}) {
+    Options o = kernel_options(mode);
     o.bond_tensile_strength = o.bond_shear_strength = 5e6;  // so that some bonds fail
     TestModel m(o, packed(o));
     stir(m);
@@ -160,31 +153,6 @@ TEST(Kernels, FollowTheLawOfViewBond) {
     EXPECT_LT(breaking, m.assembly.bond_count() / 2);
     for (std::size_t t = 0; t < breaks_in.size(); ++t)
       EXPECT_EQ(a.bond_sums[t].flagged, breaks_in[t]) << "tile " << t;
-  }
-}
-
-// A rock that is the same everywhere, and one whose bonds differ (bond_factors.hpp).
-TEST(Kernels, GeometryInSinglePrecisionIsOffByItsRounding) {
-  for (const double toughness : {0.0, 20e6}) {
-    Options o = kernel_options(ContactMode::parallel),
-            short_of = kernel_options(ContactMode::parallel, in_single);
-    o.bond_fracture_toughness = short_of.bond_fracture_toughness = toughness;
-    TestModel exact(o, packed(o)), rounded(short_of, packed(short_of));
-    stir(exact);
-    stir(rounded);
-    EXPECT_EQ(rounded.solver->arrays().tensile_factor != nullptr, toughness > 0.0);
-    const auto forces = forces_of(exact), near = forces_of(rounded);
-    double largest = 0.0, off = 0.0;
-    for (std::size_t e = 0; e < forces.size(); ++e) {
-      const auto bond = static_cast<std::int64_t>(e);
-      const double length = exact.assembly.length(bond), arm = exact.assembly.arm(bond);
-      EXPECT_NEAR(rounded.assembly.length(bond), length, 6e-8 * length);
-      EXPECT_NEAR(rounded.assembly.arm(bond), arm, 6e-8 * arm);
-      largest = std::max({largest, std::abs(forces[e].fx), std::abs(forces[e].fy)});
-      off = std::max({off, std::abs(near[e].fx - forces[e].fx), std::abs(near[e].fy - forces[e].fy)});
-    }
-    EXPECT_GT(off, 0.0);
-    EXPECT_LT(off, 3e-7 * largest);
   }
 }
 

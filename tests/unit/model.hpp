@@ -106,9 +106,6 @@ class TestModel {
   std::unique_ptr<ExplicitSolver> solver;
 };
 
-inline std::int64_t choice(GeometryStorage storage) {
-  return static_cast<std::int64_t>(storage);
-}
 inline std::int64_t choice(SolverKind kind) {
   return static_cast<std::int64_t>(kind);
 }

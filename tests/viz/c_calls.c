@@ -26,7 +26,7 @@ static int32_t no_news(void* user, double fraction, const char* what) {
 /* The call that failed, or NULL. */
 const char* hfrac_viz_test_from_c(const char* run_dir, const char* folder) {
   const int32_t capacity = (int32_t)sizeof error;
-  const int32_t views[2] = {HFRAC_VIZ_VIEW_DISCS, HFRAC_VIZ_VIEW_PRESSURE};
+  const char* views[2] = {"discs", "pressure"};
   int32_t snapshots[8];
   int32_t stages[5];
   int32_t count = 0;
@@ -46,24 +46,24 @@ const char* hfrac_viz_test_from_c(const char* run_dir, const char* folder) {
   options.movie_width = 320;
   options.pictures = HFRAC_VIZ_MODEL;
   GOOD(hfrac_viz_renderer_info(error, capacity, &needed));
-  GOOD(hfrac_viz_snapshot_count(run_dir, &count, error, capacity, NULL));
-  GOOD(hfrac_viz_snapshots(run_dir, snapshots, 8, &count, error, capacity, NULL));
-  GOOD(hfrac_viz_stages(run_dir, stages, &count, error, capacity, NULL));
-  GOOD(hfrac_viz_render_run(run_dir, &options, no_news, &share, error, capacity, NULL));
+  GOOD(hfrac_viz_snapshot_count(run_dir, &count));
+  GOOD(hfrac_viz_snapshots(run_dir, snapshots, 8, &count));
+  GOOD(hfrac_viz_stages(run_dir, stages, &count));
+  GOOD(hfrac_viz_render_run(run_dir, &options, no_news, &share));
   if (share != 1.0) return "the progress of hfrac_viz_render_run";
-  GOOD(hfrac_viz_render_picture(run_dir, HFRAC_VIZ_MODEL, in_folder(folder, "c.png"), &options, error,
-                                capacity, NULL));
-  GOOD(hfrac_viz_render_movie(run_dir, in_folder(folder, "c.mp4"), &options, NULL, NULL, error, capacity,
-                              NULL));
-  GOOD(hfrac_viz_render_charts(run_dir, &charts, NULL, NULL, error, capacity, NULL));
-  GOOD(hfrac_viz_render_views(run_dir, views, 2, in_folder(folder, "views.png"), &view, error, capacity,
-                              NULL));
+  GOOD(hfrac_viz_render_picture(run_dir, HFRAC_VIZ_MODEL, in_folder(folder, "c.png"), &options));
+  GOOD(hfrac_viz_render_movie(run_dir, in_folder(folder, "c.mp4"), &options, NULL, NULL));
+  GOOD(hfrac_viz_render_charts(run_dir, &charts, NULL, NULL));
+  GOOD(hfrac_viz_render_views(run_dir, views, 2, in_folder(folder, "views.png"), &view));
   GOOD(hfrac_viz_view_names(error, capacity, &needed));
   {
     const char* names[1] = {"radius_m"};
-    GOOD(hfrac_viz_render_named_views(run_dir, names, 1, in_folder(folder, "named.svg"), &view, error,
-                                      capacity, NULL));
+    hfrac_sim* none = NULL;
+    if (hfrac_viz_render_sim(none, names, 1, in_folder(folder, "sim.png"), &view) != HFRAC_ERR_ARGUMENT)
+      return "hfrac_viz_render_sim without a simulation";
   }
+  GOOD(hfrac_viz_last_error(error, capacity, &needed));
+  if (needed <= 1) return "hfrac_viz_last_error";
   table = fopen(in_folder(folder, "c.csv"), "w");
   if (table == NULL) return "fopen";
   fputs("series,x,y\n,1,1\n,2,2\n", table);
@@ -71,9 +71,9 @@ const char* hfrac_viz_test_from_c(const char* run_dir, const char* folder) {
   {
     char picture[1024];
     snprintf(picture, sizeof picture, "%s/compared.png", folder);
-    GOOD(hfrac_viz_render_comparison(in_folder(folder, "c.csv"), picture, &compared, error, capacity, NULL));
+    GOOD(hfrac_viz_render_comparison(in_folder(folder, "c.csv"), picture, &compared));
   }
-  GOOD(hfrac_viz_write_report(run_dir, in_folder(folder, "c.html"), error, capacity, NULL));
-  GOOD(hfrac_viz_write_paraview_script(run_dir, error, capacity, NULL));
+  GOOD(hfrac_viz_write_report(run_dir, in_folder(folder, "c.html")));
+  GOOD(hfrac_viz_write_paraview_script(run_dir));
   return NULL;
 }

@@ -2,6 +2,9 @@
 // The charts: which files, how large, and that curves are where their numbers say.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <fstream>
+
 #include "file_text.h"
 #include "picture_file.h"
 #include "viz_fixture.h"
@@ -14,10 +17,7 @@ class Charts : public VizTest {
   Charts() { hfrac_viz_chart_options_init(&charts, sizeof charts); }
 
   Result render_charts(hfrac_viz_progress_fn progress = nullptr, void* user = nullptr) {
-    std::array<char, 2000> text{};
-    const std::int32_t status =
-        hfrac_viz_render_charts(folder().c_str(), &charts, progress, user, text.data(), text.size(), nullptr);
-    return {status, text.data()};
+    return result_of(hfrac_viz_render_charts(folder().c_str(), &charts, progress, user));
   }
   std::filesystem::path chart(const std::string& name) const { return file("pictures") / name; }
 
@@ -91,9 +91,51 @@ TEST_F(Charts, MissingTablesAreLeftOut) {
   run.with_tables = false;
   write_run(folder(), run);
   const Result result = render_charts();
-  ASSERT_EQ(result.status, HFRAC_OK) << result.text;
+  ASSERT_EQ(result.status, HFRAC_VIZ_INCOMPLETE) << result.text;
+  for (const char* said : {"history.csv is missing, so there is no history", "events.csv is missing",
+                           "cracks.csv is missing, so there is no rose, profile, events"})
+    EXPECT_NE(result.text.find(said), std::string::npos) << result.text;
   EXPECT_FALSE(std::filesystem::exists(chart("history.png")));
   EXPECT_FALSE(std::filesystem::exists(chart("rose.png")));
+}
+
+// Nothing is drawn of what cannot be read, and the reason names file, line and column.
+TEST_F(Charts, DamagedTablesAreRefused) {
+  write_run(folder(), run);
+  const std::string whole = file_text(file("cracks.csv"));
+  const auto refused = [&](const std::string& content, const std::string& reason) {
+    std::ofstream(file("cracks.csv"), std::ios::binary) << content;
+    const Result result = render_charts();
+    EXPECT_EQ(result.status, HFRAC_VIZ_ERR_READ);
+    EXPECT_NE(result.text.find("cracks.csv"), std::string::npos) << result.text;
+    EXPECT_NE(result.text.find(reason), std::string::npos) << result.text;
+    EXPECT_FALSE(std::filesystem::exists(chart("rose.png")));
+  };
+  const std::size_t line = whole.find('\n') + 1;
+  refused("", "no line of names");
+  refused(whole.substr(0, line) + "1,2\n" + whole.substr(line), "line 2 has 2 cells");
+  std::string noise = whole.substr(line);
+  for (std::size_t i = 0; i < noise.size(); ++i)
+    if (noise[i] != '\n' && noise[i] != ',') noise[i] = static_cast<char>(0x80 + 37 * i % 128);
+  refused(whole.substr(0, line) + noise, "is no number");
+  refused("x" + whole, "has no column");
+}
+
+TEST_F(Charts, ThreeWingsHaveAPanelEach) {
+  write_run(folder(), run);
+  std::ofstream cracks(file("cracks.csv"));
+  cracks << "x_m,y_m,normal_x,normal_y,length_m,aperture_m,time_s,energy_J_per_m,mode\n";
+  for (const double direction : {0.0, 2.1, 4.2}) {
+    for (double r = run.well_radius; r < 6; r += 0.25)
+      cracks << run.well_x() + r * std::cos(direction) << ',' << run.well_y() + r * std::sin(direction) << ','
+             << -std::sin(direction) << ',' << std::cos(direction) << ",0.25,0.001,1,1,tension\n";
+  }
+  cracks.close();
+  charts.charts = HFRAC_VIZ_CHART_PROFILE;
+  charts.formats = HFRAC_VIZ_SVG | HFRAC_VIZ_PNG;
+  const Result result = render_charts();
+  ASSERT_EQ(result.status, HFRAC_OK) << result.text;
+  EXPECT_GT(read_picture(chart("profile.png")).height, 900);  // two rows of panels
 }
 
 TEST_F(Charts, ALineThatIsStillBeingWrittenIsLeftOut) {
@@ -127,7 +169,7 @@ TEST_F(Charts, CatalogueNeedsItsTable) {
     EXPECT_TRUE(std::filesystem::exists(chart(std::string("catalogue.") + ending))) << ending;
   std::filesystem::remove_all(file("pictures"));
   std::filesystem::remove(file("events.csv"));
-  ASSERT_EQ(render_charts().status, HFRAC_OK);
+  ASSERT_EQ(render_charts().status, HFRAC_VIZ_INCOMPLETE);
   EXPECT_FALSE(std::filesystem::exists(chart("catalogue.png")));
 }
 

@@ -16,11 +16,7 @@ class Comparison : public VizTest {
 
   Result draw(const std::string& table, const std::string& picture) {
     std::ofstream(file("table.csv")) << table;
-    std::array<char, 2000> text{};
-    const std::int32_t status =
-        hfrac_viz_render_comparison(file("table.csv").c_str(), file(picture).c_str(), &compared, text.data(),
-                                    static_cast<std::int32_t>(text.size()), nullptr);
-    return {status, text.data()};
+    return result_of(hfrac_viz_render_comparison(file("table.csv").c_str(), file(picture).c_str(), &compared));
   }
 
   hfrac_viz_comparison_options compared;
@@ -91,6 +87,19 @@ TEST_F(Comparison, LongCurvesGetABandAndNoDots) {
   EXPECT_NEAR(first_blue(picture, x, 214, 830), at_y(12), 3);
 }
 
+// A count over the steps of a run stays what it is until the next crack: no ramps.
+TEST_F(Comparison, CountsOverStepsAreSteps) {
+  std::string table = "series,step,crack_count\n";
+  for (int i = 0; i <= 100; ++i)
+    table.append(",").append(std::to_string(i)).append(",").append(i < 50 ? "2" : "10").append("\n");
+  for (const char* line : {",101,10\n", ",150,20\n", ",200,20\n"}) table += line;
+  ASSERT_EQ(draw(table, "c.png").status, HFRAC_OK);
+  const Picture picture = read_picture(file("c.png"));
+  // Between steps 101 and 150 the line is on 10, not half-way to 20.
+  const auto at_y = [](double y) { return static_cast<int>(212 + 620 * (1 - y / (1.06 * 20))); };
+  EXPECT_NEAR(first_blue(picture, 130 + 1420 * 140 / 200, 214, 830), at_y(10), 4);
+}
+
 TEST_F(Comparison, WhatCannotBeDrawnIsRefusedWithAReason) {
   const auto refused = [&](const std::string& table, const std::string& reason) {
     const Result result = draw(table, "c.png");
@@ -99,7 +108,8 @@ TEST_F(Comparison, WhatCannotBeDrawnIsRefusedWithAReason) {
     EXPECT_FALSE(std::filesystem::exists(file("c.png")));
   };
   refused("a,b\n1,2\n", "three columns");
-  refused("a,b,c\n,x,y\n", "no line with numbers");
+  refused("a,b,c\n,,\n", "no line with numbers");
+  refused("a,b,c\n,x,y\n", "'x' in line 2, column 'b', is no number");
   refused("a,b,c,d,e,f,g,h,i\n,1,1,1,1,1,1,1,1\n", "a page holds 6");
   std::string many = "a,b,c\n";
   for (int i = 0; i < 13; ++i) many.append(std::to_string(i)).append(",1,1\n");
@@ -107,7 +117,7 @@ TEST_F(Comparison, WhatCannotBeDrawnIsRefusedWithAReason) {
   EXPECT_EQ(draw("a,b,c\n,1,1\n", "c.gif").status, HFRAC_ERR_ARGUMENT);
   compared.width = 1;
   EXPECT_EQ(draw("a,b,c\n,1,1\n", "c.png").status, HFRAC_ERR_ARGUMENT);
-  EXPECT_EQ(hfrac_viz_render_comparison("/no/table.csv", file("c.png").c_str(), nullptr, nullptr, 0, nullptr),
+  EXPECT_EQ(hfrac_viz_render_comparison("/no/table.csv", file("c.png").c_str(), nullptr),
             HFRAC_VIZ_ERR_READ);
 }
 

@@ -16,11 +16,8 @@ class Drawing : public VizTest {
   Drawing() { hfrac_viz_view_options_init(&views, sizeof views); }
 
   Result draw(const std::vector<const char*>& names, const std::string& target) {
-    std::array<char, 2000> text{};
-    const std::int32_t status = hfrac_viz_render_named_views(
-        folder().c_str(), names.data(), static_cast<std::int32_t>(names.size()), file(target).c_str(), &views,
-        text.data(), static_cast<std::int32_t>(text.size()), nullptr);
-    return {status, text.data()};
+    return result_of(hfrac_viz_render_views(
+        folder().c_str(), names.data(), static_cast<std::int32_t>(names.size()), file(target).c_str(), &views));
   }
 
   hfrac_viz_view_options views;

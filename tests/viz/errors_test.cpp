@@ -60,11 +60,8 @@ class FileSizeLimit {
 };
 
 TEST_F(Errors, MissingFolder) {
-  std::array<char, 500> text{};
-  EXPECT_EQ(
-      hfrac_viz_render_run("/no/such/run", nullptr, nullptr, nullptr, text.data(), text.size(), nullptr),
-      HFRAC_VIZ_ERR_READ);
-  EXPECT_NE(std::string(text.data()).find("/no/such/run"), std::string::npos);
+  EXPECT_EQ(hfrac_viz_render_run("/no/such/run", nullptr, nullptr, nullptr), HFRAC_VIZ_ERR_READ);
+  EXPECT_NE(last_error().find("/no/such/run"), std::string::npos);
 }
 
 TEST_F(Errors, FolderThatIsNoRun) {
@@ -75,10 +72,10 @@ TEST_F(Errors, FolderThatIsNoRun) {
 
 TEST_F(Errors, Arguments) {
   write_run(folder(), run);
-  EXPECT_EQ(hfrac_viz_render_run(nullptr, nullptr, nullptr, nullptr, nullptr, 0, nullptr),
+  EXPECT_EQ(hfrac_viz_render_run(nullptr, nullptr, nullptr, nullptr),
             HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hfrac_viz_options_init(nullptr, 48), HFRAC_ERR_ARGUMENT);
-  EXPECT_EQ(hfrac_viz_snapshot_count(folder().c_str(), nullptr, nullptr, 0, nullptr), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_viz_snapshot_count(folder().c_str(), nullptr), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(render_picture(HFRAC_VIZ_STAGE | HFRAC_VIZ_GROWTH, file("picture.png")).status,
             HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(render_picture(HFRAC_VIZ_STAGE, file("picture.jpg")).status, HFRAC_ERR_ARGUMENT);
@@ -96,10 +93,22 @@ TEST_F(Errors, Arguments) {
   EXPECT_EQ(render_picture(HFRAC_VIZ_STAGE, file("picture.png")).status, HFRAC_ERR_STRUCT_SIZE);
 }
 
+TEST_F(Errors, TextIsThatOfTheLastCallOnThisThread) {
+  EXPECT_EQ(hfrac_viz_render_run("/no/such/run", nullptr, nullptr, nullptr), HFRAC_VIZ_ERR_READ);
+  std::string elsewhere = "?";
+  std::thread([&] { elsewhere = last_error(); }).join();
+  EXPECT_EQ(elsewhere, "");
+  write_run(folder(), run);
+  std::int32_t count = 0;
+  EXPECT_EQ(hfrac_viz_snapshot_count(folder().c_str(), &count), HFRAC_OK);
+  EXPECT_EQ(last_error(), "");
+}
+
 TEST_F(Errors, TextIsCutToTheBuffer) {
   std::array<char, 8> text{};
   std::int32_t needed = 0;
-  hfrac_viz_render_run("/no/such/run", nullptr, nullptr, nullptr, text.data(), text.size(), &needed);
+  hfrac_viz_render_run("/no/such/run", nullptr, nullptr, nullptr);
+  hfrac_viz_last_error(text.data(), text.size(), &needed);
   EXPECT_EQ(std::string(text.data()).size(), 7U);
   EXPECT_GT(needed, 8);
 }

@@ -160,48 +160,44 @@ class LongMovie : public VizTest {
     options.movie_width = 320;
   }
   std::int32_t render(const std::string& name, Stopper& stopper) {
-    return hfrac_viz_render_movie(folder().c_str(), file(name).c_str(), &options, Stopper::told, &stopper,
-                                  nullptr, 0, nullptr);
+    return hfrac_viz_render_movie(folder().c_str(), file(name).c_str(), &options, Stopper::told, &stopper);
   }
-  std::filesystem::path pieces(const std::string& name) const { return file("." + name + ".pieces"); }
 };
 
-TEST_F(LongMovie, GoesOnWhereItStoppedAndIsTheSame) {
+TEST_F(LongMovie, AStoppedOneLeavesNothingAndTwoAreTheSameBytes) {
   write_run(folder(), run);
   Stopper half{0.8};
   ASSERT_EQ(render("movie.mp4", half), HFRAC_STOPPED);
   EXPECT_FALSE(std::filesystem::exists(file("movie.mp4")));
-  EXPECT_TRUE(std::filesystem::exists(pieces("movie.mp4") / "000001.piece"));
-  Stopper rest;
-  ASSERT_EQ(render("movie.mp4", rest), HFRAC_OK);
-  EXPECT_GT(rest.first, 0.5);  // two pieces of ten frames were there
-  EXPECT_FALSE(std::filesystem::exists(pieces("movie.mp4")));
-  Stopper fresh;
-  ASSERT_EQ(render("fresh.mp4", fresh), HFRAC_OK);
-  EXPECT_EQ(fresh.first, 0.0);
-  // The encoder does not give the same bytes each time, but the same frames.
-  const Decoded resumed = decode(file("movie.mp4"));
-  const Decoded at_once = decode(file("fresh.mp4"));
-  EXPECT_EQ(resumed.frames, 34);
-  EXPECT_EQ(resumed.seconds, at_once.seconds);
-  ASSERT_EQ(resumed.light.size(), at_once.light.size());
-  for (std::size_t i = 0; i < resumed.light.size(); ++i)
-    EXPECT_NEAR(resumed.light[i], at_once.light[i], 0.1) << i;
-  EXPECT_NE(resumed.light.front(), resumed.light.back());
+  EXPECT_EQ(leftovers(folder()), 0);
+  Stopper first, second;
+  ASSERT_EQ(render("movie.mp4", first), HFRAC_OK);
+  ASSERT_EQ(render("again.mp4", second), HFRAC_OK);
+  EXPECT_EQ(file_text(file("movie.mp4")), file_text(file("again.mp4")));
+  const Decoded decoded = decode(file("movie.mp4"));
+  EXPECT_EQ(decoded.frames, 34);
+  EXPECT_NE(decoded.light.front(), decoded.light.back());
 }
 
-TEST_F(LongMovie, DamagedAndForeignPiecesAreMadeAgain) {
+// Whether the run goes on while it is followed, or was over before: the same movie.
+TEST_F(LongMovie, FollowedLateIsTheSameBytes) {
   write_run(folder(), run);
-  Stopper half{0.8};
-  ASSERT_EQ(render("movie.mp4", half), HFRAC_STOPPED);
-  std::filesystem::resize_file(pieces("movie.mp4") / "000000.piece", 1000);
-  options.movie_width = 400;  // the second piece is of another size
-  Stopper rest;
-  ASSERT_EQ(render("movie.mp4", rest), HFRAC_OK);
-  EXPECT_EQ(rest.first, 0.0);
-  const Decoded movie = decode(file("movie.mp4"));
-  EXPECT_EQ(movie.frames, 34);
-  EXPECT_EQ(movie.width, 400);
+  std::string summary = file_text(file("summary.json"));
+  summary.insert(1, "\"planned\": {\"time_s\": 90, \"snapshots\": 40}, ");
+  std::ofstream(file("summary.json"), std::ios::binary) << summary;
+  options.movie_follow = 1;
+  Stopper never, neither;
+  ASSERT_EQ(render("over.mp4", never), HFRAC_OK);
+  std::string running = summary;
+  running.replace(running.find("all steps taken"), 15, "running");
+  std::ofstream(file("summary.json"), std::ios::binary) << running;
+  std::thread follower([&] { EXPECT_EQ(render("meanwhile.mp4", neither), HFRAC_OK); });
+  while (!std::filesystem::exists(file("meanwhile.mp4")))
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  std::ofstream(file("summary.new"), std::ios::binary) << summary;
+  std::filesystem::rename(file("summary.new"), file("summary.json"));
+  follower.join();
+  EXPECT_EQ(file_text(file("over.mp4")), file_text(file("meanwhile.mp4")));
 }
 
 TEST_F(LongMovie, FollowsARunToItsEnd) {
@@ -235,7 +231,6 @@ TEST_F(LongMovie, FollowsARunToItsEnd) {
   follower.join();
   EXPECT_EQ(status, HFRAC_OK);
   EXPECT_EQ(decode(file("movie.mp4")).frames, 34);
-  EXPECT_FALSE(std::filesystem::exists(pieces("movie.mp4")));
 }
 
 TEST_F(LongMovie, FollowingIsForMp4) {

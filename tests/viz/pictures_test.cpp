@@ -192,7 +192,7 @@ TEST_F(Pictures, StagesRiseAndEndAtTheLastSnapshot) {
   write_run(folder(), run);
   std::array<std::int32_t, 5> stages{};
   std::int32_t count = 0;
-  ASSERT_EQ(hfrac_viz_stages(folder().c_str(), stages.data(), &count, nullptr, 0, nullptr), HFRAC_OK);
+  ASSERT_EQ(hfrac_viz_stages(folder().c_str(), stages.data(), &count), HFRAC_OK);
   ASSERT_EQ(count, 5);
   for (int i = 1; i < 5; ++i) EXPECT_GT(stages[i], stages[i - 1]);
   EXPECT_EQ(stages[4], 20);

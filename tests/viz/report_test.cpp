@@ -15,10 +15,7 @@ namespace {
 class Report : public VizTest {
  protected:
   Result write_report(const char* target = nullptr) {
-    std::array<char, 2000> text{};
-    const std::int32_t status =
-        hfrac_viz_write_report(folder().c_str(), target, text.data(), text.size(), nullptr);
-    return {status, text.data()};
+    return result_of(hfrac_viz_write_report(folder().c_str(), target));
   }
 
   void draw_everything() {
@@ -28,7 +25,7 @@ class Report : public VizTest {
     hfrac_viz_chart_options charts;
     hfrac_viz_chart_options_init(&charts, sizeof charts);
     charts.formats = HFRAC_VIZ_SVG;
-    ASSERT_EQ(hfrac_viz_render_charts(folder().c_str(), &charts, nullptr, nullptr, nullptr, 0, nullptr),
+    ASSERT_EQ(hfrac_viz_render_charts(folder().c_str(), &charts, nullptr, nullptr),
               HFRAC_OK);
   }
 };
@@ -110,9 +107,8 @@ TEST_F(Report, NeedsASummary) {
 
 TEST_F(Report, ParaviewScriptIsWrittenAndNamesNoPlace) {
   write_run(folder(), run);
-  std::array<char, 500> error{};
-  ASSERT_EQ(hfrac_viz_write_paraview_script(folder().c_str(), error.data(), error.size(), nullptr), HFRAC_OK)
-      << error.data();
+  ASSERT_EQ(hfrac_viz_write_paraview_script(folder().c_str()), HFRAC_OK)
+      << last_error();
   const std::string script = file_text(file("paraview_state.py"));
   EXPECT_TRUE(holds(script, "PVDReader"));
   EXPECT_TRUE(holds(script, "WIDTH, HEIGHT = 12, 12"));

@@ -57,7 +57,7 @@ TEST_F(Structs, AShorterStructMeansDefaultsForTheRest) {
   old[3] = 400;
   EXPECT_EQ(
       hfrac_viz_render_picture(folder().c_str(), HFRAC_VIZ_STAGE, file("old.png").c_str(),
-                               reinterpret_cast<const hfrac_viz_options*>(old.data()), nullptr, 0, nullptr),
+                               reinterpret_cast<const hfrac_viz_options*>(old.data())),
       HFRAC_OK);
   options.width = 400;
   EXPECT_EQ(render_picture(HFRAC_VIZ_STAGE, file("new.png")).status, HFRAC_OK);
@@ -73,8 +73,7 @@ TEST_F(Structs, ALongerStructMayNotAskForWhatIsUnknown) {
   hfrac_viz_options_init(&newer.known, sizeof newer);
   newer.known.width = 400;
   const auto draw = [&] {
-    return hfrac_viz_render_picture(folder().c_str(), HFRAC_VIZ_STAGE, file("p.png").c_str(), &newer.known,
-                                    nullptr, 0, nullptr);
+    return hfrac_viz_render_picture(folder().c_str(), HFRAC_VIZ_STAGE, file("p.png").c_str(), &newer.known);
   };
   EXPECT_EQ(draw(), HFRAC_OK);
   newer.unknown[1] = 1;

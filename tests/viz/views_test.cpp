@@ -17,12 +17,9 @@ class Views : public VizTest {
  protected:
   Views() { hfrac_viz_view_options_init(&views, sizeof views); }
 
-  Result render_views(const std::vector<std::int32_t>& kinds) {
-    std::array<char, 2000> text{};
-    const std::int32_t status =
-        hfrac_viz_render_views(folder().c_str(), kinds.data(), static_cast<std::int32_t>(kinds.size()),
-                               file("view.png").c_str(), &views, text.data(), text.size(), nullptr);
-    return {status, text.data()};
+  Result render_views(const std::vector<const char*>& kinds) {
+    return result_of(hfrac_viz_render_views(folder().c_str(), kinds.data(), static_cast<std::int32_t>(kinds.size()),
+                               file("view.png").c_str(), &views));
   }
   Picture picture() const { return read_picture(file("view.png")); }
 
@@ -38,13 +35,14 @@ bool bluish(Pixel p) {
 
 TEST_F(Views, EveryKindIsDrawnAloneAndAllTogether) {
   write_run(folder(), run);
-  std::vector<std::int32_t> all;
+  std::vector<const char*> all;
   views.width = 700;
-  for (int kind = HFRAC_VIZ_VIEW_DISCS; kind <= HFRAC_VIZ_VIEW_ROTATION; ++kind) {
+  for (const char* kind : {"discs", "forces", "crack-time", "aperture", "pressure", "displacement", "stress", "rotation",
+                           "displacement-x", "displacement-y", "shear"}) {
     const Result result = render_views({kind});
     ASSERT_EQ(result.status, HFRAC_OK) << kind << ": " << result.text;
     EXPECT_EQ(picture().width, 700);
-    all.push_back(kind);
+    if (all.size() < 9) all.push_back(kind);
   }
   views.width = 1600;
   const Result result = render_views(all);
@@ -54,7 +52,7 @@ TEST_F(Views, EveryKindIsDrawnAloneAndAllTogether) {
 
 TEST_F(Views, StressIsRedWherePressedAndBlueWherePulled) {
   write_run(folder(), run);
-  const Result result = render_views({HFRAC_VIZ_VIEW_STRESS});
+  const Result result = render_views({"stress"});
   ASSERT_EQ(result.status, HFRAC_OK) << result.text;
   const Picture drawn = picture();
   const FramedView view = find_view(drawn, run.width, run.height);
@@ -67,7 +65,7 @@ TEST_F(Views, StressIsRedWherePressedAndBlueWherePulled) {
 TEST_F(Views, TemperatureIsDarkAtTheWellAndLightFarAway) {
   run.with_temperature = true;
   write_run(folder(), run);
-  const Result result = render_views({HFRAC_VIZ_VIEW_TEMPERATURE});
+  const Result result = render_views({"temperature"});
   ASSERT_EQ(result.status, HFRAC_OK) << result.text;
   const Picture drawn = picture();
   const FramedView view = find_view(drawn, run.width, run.height);
@@ -86,15 +84,15 @@ TEST_F(Views, TemperatureIsDarkAtTheWellAndLightFarAway) {
 TEST_F(Views, CracksAreWhereTheyAreInEveryView) {
   run.with_temperature = true;
   write_run(folder(), run);
-  ASSERT_EQ(render_views({HFRAC_VIZ_VIEW_DISCS}).status, HFRAC_OK);
+  ASSERT_EQ(render_views({"discs"}).status, HFRAC_OK);
   const FramedView view = find_view(picture(), run.width, run.height);  // the same in all of them
   const auto alike = [](Pixel a, Pixel b) {
     return std::abs(a.red - b.red) < 60 && std::abs(a.green - b.green) < 60 && std::abs(a.blue - b.blue) < 60;
   };
-  for (const std::int32_t kind :
-       {HFRAC_VIZ_VIEW_DISCS, HFRAC_VIZ_VIEW_FORCES, HFRAC_VIZ_VIEW_PRESSURE, HFRAC_VIZ_VIEW_DISPLACEMENT,
-        HFRAC_VIZ_VIEW_STRESS, HFRAC_VIZ_VIEW_STRESS_XX, HFRAC_VIZ_VIEW_STRESS_XY, HFRAC_VIZ_VIEW_ROTATION,
-        HFRAC_VIZ_VIEW_TEMPERATURE, HFRAC_VIZ_VIEW_BONDS}) {
+  for (const char* kind :
+       {"discs", "forces", "pressure", "displacement",
+        "stress", "stress-xx", "stress-xy", "rotation",
+        "temperature", "bonds"}) {
     for (const std::int32_t dark : {0, 1}) {
       const Pixel tension = dark == 0 ? Pixel{12, 12, 16} : Pixel{255, 255, 250};
       const Pixel shear = dark == 0 ? Pixel{200, 20, 140} : Pixel{255, 92, 200};
@@ -126,7 +124,7 @@ TEST_F(Views, CracksAreWhereTheyAreInEveryView) {
 
 TEST_F(Views, ForcesAreBlueInRowsAndOrangeInColumns) {
   write_run(folder(), run);
-  const Result result = render_views({HFRAC_VIZ_VIEW_FORCES});
+  const Result result = render_views({"forces"});
   ASSERT_EQ(result.status, HFRAC_OK) << result.text;
   const Picture drawn = picture();
   const FramedView view = find_view(drawn, run.width, run.height);
@@ -141,7 +139,7 @@ TEST_F(Views, ZoomShowsThatPart) {
   views.bottom = 5.5;
   views.box_width = 1;
   views.box_height = 1;  // all of it inside the well
-  Result result = render_views({HFRAC_VIZ_VIEW_DISCS});
+  Result result = render_views({"discs"});
   ASSERT_EQ(result.status, HFRAC_OK) << result.text;
   Picture drawn = picture();
   FramedView view = find_view(drawn, 1, 1);
@@ -150,7 +148,7 @@ TEST_F(Views, ZoomShowsThatPart) {
             0.99);
   for (const int zoom : {HFRAC_VIZ_ZOOM_CRACKS, HFRAC_VIZ_ZOOM_WELL, HFRAC_VIZ_ZOOM_TIP}) {
     views.zoom = zoom;
-    result = render_views({HFRAC_VIZ_VIEW_DISCS});
+    result = render_views({"discs"});
     ASSERT_EQ(result.status, HFRAC_OK) << zoom << ": " << result.text;
     drawn = picture();
     view = find_view(drawn, 1, 1);
@@ -163,7 +161,7 @@ TEST_F(Views, ZoomShowsThatPart) {
 TEST_F(Views, DarkPaperIsDark) {
   write_run(folder(), run);
   views.dark = 1;
-  ASSERT_EQ(render_views({HFRAC_VIZ_VIEW_DISCS, HFRAC_VIZ_VIEW_PRESSURE}).status, HFRAC_OK);
+  ASSERT_EQ(render_views({"discs", "pressure"}).status, HFRAC_OK);
   EXPECT_TRUE(picture().at(3, 3).is_dark());
   // It does not stay for the pictures after it.
   ASSERT_EQ(render_picture(HFRAC_VIZ_STAGE, file("stage.png")).status, HFRAC_OK);
@@ -173,23 +171,24 @@ TEST_F(Views, DarkPaperIsDark) {
 TEST_F(Views, BadRequestsAreRefusedWithAReason) {
   run.with_flow = false;
   write_run(folder(), run);
-  EXPECT_EQ(render_views({}).status, HFRAC_ERR_ARGUMENT);
-  EXPECT_EQ(render_views({99}).status, HFRAC_ERR_ARGUMENT);
-  EXPECT_EQ(render_views({0, 0, 0, 0, 0, 0, 0, 0, 0, 0}).status, HFRAC_ERR_ARGUMENT);
-  const Result no_flow = render_views({HFRAC_VIZ_VIEW_PRESSURE});
+  EXPECT_EQ(render_views(std::vector<const char*>{}).status, HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(render_views({"file:"}).status, HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(render_views({"no such view"}).status, HFRAC_VIZ_ERR_READ);
+  EXPECT_EQ(render_views(std::vector<const char*>(10, "discs")).status, HFRAC_ERR_ARGUMENT);
+  const Result no_flow = render_views({"pressure"});
   EXPECT_EQ(no_flow.status, HFRAC_VIZ_ERR_READ);
-  EXPECT_NE(no_flow.text.find("no flow data"), std::string::npos) << no_flow.text;
+  EXPECT_NE(no_flow.text.find("no array 'pressure_Pa'"), std::string::npos) << no_flow.text;
   views.snapshot = 77;
-  EXPECT_EQ(render_views({0}).status, HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(render_views({"discs"}).status, HFRAC_ERR_ARGUMENT);
   views.snapshot = -1;
   views.zoom = HFRAC_VIZ_ZOOM_BOX;
   for (const double width : {0.0, -1.0, std::numeric_limits<double>::infinity(), 1000.0}) {
     views.box_width = width;
     views.box_height = 1;
-    EXPECT_EQ(render_views({0}).status, HFRAC_ERR_ARGUMENT) << width;
+    EXPECT_EQ(render_views({"discs"}).status, HFRAC_ERR_ARGUMENT) << width;
   }
   views.struct_size = 0;
-  EXPECT_EQ(render_views({0}).status, HFRAC_ERR_STRUCT_SIZE);
+  EXPECT_EQ(render_views({"discs"}).status, HFRAC_ERR_STRUCT_SIZE);
   EXPECT_EQ(hfrac_viz_view_options_init(nullptr, 48), HFRAC_ERR_ARGUMENT);
 }
 

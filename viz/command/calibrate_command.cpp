@@ -11,8 +11,8 @@
 #include "command/progress_line.hpp"
 #include "command/standard_streams.hpp"
 #include "command/unlikely_values.hpp"
-#include "output/engine_call.hpp"
-#include "output/safe_file.hpp"
+#include "run/engine_call.hpp"
+#include "run/files.hpp"
 
 namespace hfrac::command {
 namespace {
@@ -68,14 +68,14 @@ void print(const hfrac_sim_def& d, const hfrac_targets& t, const hfrac_calibrati
 
 ExitCode calibrate(CalibrateRequest request) {
   hfrac_sim_def definition{};
-  output::require(hfrac_sim_def_init(&definition, static_cast<int32_t>(sizeof definition)), nullptr);
+  run::require(hfrac_sim_def_init(&definition, static_cast<int32_t>(sizeof definition)), nullptr);
   if (!request.case_file.empty()) definition = load_case(request.case_file, 0);
   request.targets.plane_slopes = request.slopes ? 1 : 0;
   require_likely_targets(request.targets);
   catch_interrupts();
   ProgressLine line(request.quiet);
   PartsOfWork parts(line, "", 1);  // how many tests it takes is not known beforehand
-  auto found = output::sized<hfrac_calibration>();
+  auto found = run::sized<hfrac_calibration>();
   const int32_t status = hfrac_calibrate(&definition, &request.targets, show, &parts, &found);
   line.end();
   if (status == HFRAC_STOPPED) {
@@ -83,10 +83,10 @@ ExitCode calibrate(CalibrateRequest request) {
     return kInterrupted;
   }
   if (status == HFRAC_ERR_ARGUMENT || status == HFRAC_ERR_MODEL)
-    throw BadInput(output::error_text(status, nullptr));
-  output::require(status, nullptr);
+    throw BadInput(run::error_text(status, nullptr));
+  run::require(status, nullptr);
   print(definition, request.targets, found);
-  if (!request.output.empty()) output::write_whole(request.output, output::case_text(definition));
+  if (!request.output.empty()) run::write_whole(request.output, run::case_text(definition));
   if (found.reached != 0) return kGood;
   tell("hfrac: {}\n", found.text);
   return kRunFailed;

@@ -6,13 +6,13 @@
 #include <thread>
 
 #include "command/exit_code.hpp"
-#include "output/engine_call.hpp"
+#include "run/engine_call.hpp"
 
 namespace hfrac::command {
 namespace {
 
 void require_good(int32_t status) {
-  if (status < 0) throw BadInput(output::error_text(status, nullptr));
+  if (status < 0) throw BadInput(run::error_text(status, nullptr));
 }
 
 }  // namespace

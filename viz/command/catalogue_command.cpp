@@ -11,7 +11,7 @@
 #include <filesystem>
 
 #include "command/commands.hpp"
-#include "output/safe_file.hpp"
+#include "run/files.hpp"
 #include "output/tables.hpp"
 #ifdef HFRAC_WITH_RENDERER
 #include "command/drawing.hpp"
@@ -73,10 +73,8 @@ void draw(const CatalogueRequest& request) {
   options.dark = request.paper.dark ? 1 : 0;
   if (request.svg) options.formats |= HFRAC_VIZ_SVG;
   if (request.pdf) options.formats |= HFRAC_VIZ_PDF;
-  DrawingError error;
-  const int32_t status = hfrac_viz_render_charts(request.folder.c_str(), &options, nullptr, nullptr,
-                                                 error.text.data(), error.capacity(), nullptr);
-  drawing_stopped(status, error);
+  const int32_t status = hfrac_viz_render_charts(request.folder.c_str(), &options, nullptr, nullptr);
+  drawing_stopped(status);
 }
 #endif
 

@@ -19,7 +19,6 @@ void add_export(CLI::App& program, Action& action);
 void add_info(CLI::App& program, Action& action);
 void add_lab(CLI::App& program, Action& action);
 void add_calibrate(CLI::App& program, Action& action);
-void add_verify(CLI::App& program, Action& action);
 void add_catalogue(CLI::App& program, Action& action);
 void add_options(CLI::App& program, Action& action);
 void add_view(CLI::App& program, Action& action);

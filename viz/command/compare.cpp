@@ -10,7 +10,7 @@
 
 #include "command/drawing.hpp"
 #include "command/run_quantities.hpp"
-#include "output/safe_file.hpp"
+#include "run/files.hpp"
 
 namespace hfrac::command {
 namespace {
@@ -93,7 +93,7 @@ void draw_comparison(const CompareRequest& request, const Paper& paper) {
       throw BadInput("--compare of run folders needs --x and --y; the names for --y are\n" + quantity_help());
     const std::string content = table_of(request);
     table = fs::path(request.target).replace_extension(".csv");
-    output::write_whole(table, content);
+    run::write_whole(table, content);
   }
   hfrac_viz_comparison_options options{};
   hfrac_viz_comparison_options_init(&options, sizeof options);
@@ -101,10 +101,7 @@ void draw_comparison(const CompareRequest& request, const Paper& paper) {
   options.dots_per_inch = paper.dots_per_inch();
   options.dark = paper.dark ? 1 : 0;
   options.title = request.title.empty() ? nullptr : request.title.c_str();
-  DrawingError error;
-  drawing_stopped(hfrac_viz_render_comparison(table.c_str(), request.target.c_str(), &options,
-                                              error.text.data(), error.capacity(), nullptr),
-                  error);
+  drawing_stopped(hfrac_viz_render_comparison(table.c_str(), request.target.c_str(), &options));
 }
 
 }  // namespace hfrac::command

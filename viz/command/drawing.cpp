@@ -9,6 +9,7 @@
 #include "command/exit_code.hpp"
 #include "command/interrupt.hpp"
 #include "command/progress_line.hpp"
+#include "run/engine_call.hpp"
 
 namespace hfrac::command {
 
@@ -18,9 +19,16 @@ int32_t show_drawing(void* line, double fraction, const char* what) {
   return interrupted() ? 1 : 0;
 }
 
-bool drawing_stopped(int32_t status, const DrawingError& error) {
-  if (status == HFRAC_VIZ_ERR_READ || status == HFRAC_ERR_ARGUMENT) throw BadInput(error.text.data());
-  if (status < 0) throw std::runtime_error(error.text.data());
+std::string drawing_error() {
+  return run::whole_text([](char* buffer, int32_t capacity, int32_t* needed) {
+    return hfrac_viz_last_error(buffer, capacity, needed);
+  });
+}
+
+bool drawing_stopped(int32_t status) {
+  if (status == HFRAC_VIZ_ERR_READ || status == HFRAC_ERR_ARGUMENT) throw BadInput(drawing_error());
+  if (status < 0) throw std::runtime_error(drawing_error());
+  if (status == HFRAC_VIZ_INCOMPLETE) fmt::print(stderr, "hfrac: warning: {}\n", drawing_error());
   return status == HFRAC_STOPPED;
 }
 

@@ -2,21 +2,19 @@
 // What the commands that draw have in common: progress on one line, and what becomes of the renderer's answer.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <string>
 
 namespace hfrac::command {
 
-/** The reason of a failed call, as the renderer's functions fill it. */
-struct DrawingError {
-  std::array<char, 2048> text{};
-  int32_t capacity() const { return static_cast<int32_t>(text.size()); }
-};
+/** What the renderer says of its last call on this thread. */
+std::string drawing_error();
 
 /** For hfrac_viz_progress_fn; the user's pointer is a ProgressLine. Stops when the user interrupts. */
 int32_t show_drawing(void* line, double fraction, const char* what);
 
-/** Throws what a negative status means: BadInput, or a failure. True if the user stopped the drawing. */
-bool drawing_stopped(int32_t status, const DrawingError& error);
+/** Throws what a negative status means: BadInput, or a failure. Says on stderr what is left out for lack of data. True if the
+ * user stopped the drawing. */
+bool drawing_stopped(int32_t status);
 
 }  // namespace hfrac::command

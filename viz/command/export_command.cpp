@@ -15,7 +15,8 @@
 #include "output/disc_file.hpp"
 #include "output/field_tables.hpp"
 #include "output/host_cells.hpp"
-#include "output/safe_file.hpp"
+#include "run/files.hpp"
+#include "run/json_file.hpp"
 #include "output/tables.hpp"
 
 namespace hfrac::command {
@@ -83,8 +84,7 @@ std::vector<double> grid_of(const ExportRequest& request, const hfrac_sim* sim) 
 void check_hash(const fs::path& folder, const hfrac_sim* sim) {
   const auto file = folder / "summary.json";
   if (!fs::exists(file)) return;
-  const auto summary = nlohmann::json::parse(output::read_whole(file), nullptr, false);
-  const auto told = summary.is_object() ? summary.value("state_hash", std::string()) : std::string();
+  const auto told = run::text_at(run::read_json(file), "state_hash");
   const auto hash = fmt::format("{:016x}", static_cast<uint64_t>(output::state_hash_of(sim)));
   if (!told.empty() && told != hash)
     throw BadInput(

@@ -9,8 +9,9 @@
 #include "command/commands.hpp"
 #include "command/summary_text.hpp"
 #include "output/checkpoint.hpp"
-#include "output/known_files.hpp"
-#include "output/safe_file.hpp"
+#include "run/files.hpp"
+#include "run/json_file.hpp"
+#include "run/known_files.hpp"
 
 namespace hfrac::command {
 namespace {
@@ -46,15 +47,16 @@ ExitCode inform(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(file))
     throw BadInput(fmt::format("'{}' holds no run: there is no summary.json in it", folder.string()));
   try {
-    const auto summary = nlohmann::json::parse(output::read_whole(file));
+    const auto summary = run::read_json(file);
     fmt::print("{}\n{}", folder.string(), summary_text(summary, how_it_ended(folder, summary.at("ended").get<std::string>())));
     if (const auto steps = output::CheckpointFolder(folder).steps(); !steps.empty())
       fmt::print("  {:18} after step {}\n", steps.size() == 1 ? "checkpoint" : "checkpoints",
                  steps.size() == 1 ? fmt::to_string(steps[0]) : fmt::format("{} and {}", steps[1], steps[0]));
     const auto& versions = summary.at("versions");
-    fmt::print("  {:18} {}, VTK {}\n", "made by", versions.at("build").get<std::string>(),
-               versions.at("vtk").get<std::string>());
-  } catch (const nlohmann::json::exception& error) {
+    fmt::print("  {:18} {}\n", "made by", versions.at("build").get<std::string>());
+  } catch (const run::ReadError& error) {
+    throw BadInput(error.what());
+  } catch (const nlohmann::json::exception& error) {  // a member is missing, or of another kind
     throw BadInput(fmt::format("'{}' is not a summary that hfrac wrote: {}", file.string(), error.what()));
   }
   return kGood;

@@ -12,12 +12,15 @@
 
 #include "command/case_file.hpp"
 #include "command/commands.hpp"
+#ifdef HFRAC_WITH_RENDERER
+#include "command/drawing.hpp"
+#endif
 #include "command/interrupt.hpp"
 #include "command/progress_line.hpp"
 #include "command/specimen_svg.hpp"
 #include "command/standard_streams.hpp"
-#include "output/engine_call.hpp"
-#include "output/safe_file.hpp"
+#include "run/engine_call.hpp"
+#include "run/files.hpp"
 #ifdef HFRAC_WITH_RENDERER
 #include <hfrac/viz.h>
 #endif
@@ -55,9 +58,9 @@ using Lab = std::unique_ptr<hfrac_lab, Destroy>;
 
 std::vector<double> table(const hfrac_lab* lab, int32_t which) {
   int64_t count = 0;
-  output::require(hfrac_lab_copy_f64(lab, which, nullptr, 0, &count), nullptr);
+  run::require(hfrac_lab_copy_f64(lab, which, nullptr, 0, &count), nullptr);
   std::vector<double> values(static_cast<std::size_t>(count));
-  output::require(hfrac_lab_copy_f64(lab, which, values.data(), count, &count), nullptr);
+  run::require(hfrac_lab_copy_f64(lab, which, values.data(), count, &count), nullptr);
   return values;
 }
 
@@ -118,39 +121,36 @@ void write_files(const std::filesystem::path& folder, const hfrac_lab* lab, cons
       fmt::format_to(std::back_inserter(chart), "packing {},{},{},{:.0f}\n", seed, std::abs(curve[k + 2]),
                      curve[k + 1] * 1e-6, curve[k + 5] + curve[k + 6]);
     }
-    output::write_whole(folder / fmt::format("{}_{}.csv", test, seed), text);
+    run::write_whole(folder / fmt::format("{}_{}.csv", test, seed), text);
   }
   if (!opening.empty()) {
     std::string text = "x_m,opening_m,pressure_Pa\n";
     for (std::size_t k = 0; k + 3 <= opening.size(); k += 3)
       fmt::format_to(std::back_inserter(text), "{},{},{}\n", opening[k], opening[k + 1], opening[k + 2]);
-    output::write_whole(folder / fmt::format("{}_opening_{}.csv", test, seed), text);
+    run::write_whole(folder / fmt::format("{}_opening_{}.csv", test, seed), text);
   }
   if (!discs.empty())
-    output::write_whole(
+    run::write_whole(
         folder / fmt::format("{}_{}.svg", test, seed),
         specimen_svg(discs, table(lab, HFRAC_LAB_CRACKS), fmt::format("{}, packing {}", test, seed)));
 }
 
 void draw_curves(const std::filesystem::path& folder, const std::string& test, const std::string& chart) {
   const auto file = folder / fmt::format("{}_curves.csv", test);
-  output::write_whole(file, "packing,size of the axial strain (1),stress (MPa),broken bonds (1)\n" + chart);
+  run::write_whole(file, "packing,size of the axial strain (1),stress (MPa),broken bonds (1)\n" + chart);
 #ifdef HFRAC_WITH_RENDERER
   hfrac_viz_comparison_options options{};
   hfrac_viz_comparison_options_init(&options, sizeof options);
   const std::string title = fmt::format("hfrac lab {}", test);
   options.title = title.c_str();
-  std::array<char, 2048> error{};
   const auto picture = folder / fmt::format("{}_curves.png", test);
-  if (hfrac_viz_render_comparison(file.c_str(), picture.c_str(), &options, error.data(),
-                                  static_cast<int32_t>(error.size()), nullptr) < 0)
-    throw std::runtime_error(error.data());
+  drawing_stopped(hfrac_viz_render_comparison(file.c_str(), picture.c_str(), &options));
 #endif
 }
 
 ExitCode lab(LabRequest request) {
   hfrac_sim_def definition{};
-  output::require(hfrac_sim_def_init(&definition, static_cast<int32_t>(sizeof definition)), nullptr);
+  run::require(hfrac_sim_def_init(&definition, static_cast<int32_t>(sizeof definition)), nullptr);
   if (!request.case_file.empty()) definition = load_case(request.case_file, 0);
   for (std::size_t k = 0; k < tests.size(); ++k) {
     if (request.test == tests[k].word) request.spec.test = static_cast<int32_t>(k);
@@ -170,10 +170,10 @@ ExitCode lab(LabRequest request) {
     const Lab one(raw);
     line.end();
     if (status == HFRAC_ERR_ARGUMENT || status == HFRAC_ERR_MODEL)
-      throw BadInput(output::error_text(status, nullptr));
-    output::require(status, nullptr);
-    auto report = output::sized<hfrac_lab_report>();
-    output::require(hfrac_lab_get_report(one.get(), &report), nullptr);
+      throw BadInput(run::error_text(status, nullptr));
+    run::require(status, nullptr);
+    auto report = run::sized<hfrac_lab_report>();
+    run::require(hfrac_lab_get_report(one.get(), &report), nullptr);
     fmt::print("{}", describe(report, request.spec.test, request.spec.seed, request.time));
     if (!request.folder.empty())
       write_files(request.folder, one.get(), request.test, request.spec.seed, chart);

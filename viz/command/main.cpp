@@ -10,7 +10,7 @@
 
 #include "command/commands.hpp"
 #include "command/standard_streams.hpp"
-#include "output/engine_call.hpp"
+#include "run/engine_call.hpp"
 
 namespace {
 
@@ -18,8 +18,8 @@ using namespace hfrac::command;
 
 std::string version_text() {
   int32_t abi = 0;
-  hfrac::output::require(hfrac_abi_version(&abi), nullptr);
-  return fmt::format("{}, ABI {}", hfrac::output::build_of_library(), abi);
+  hfrac::run::require(hfrac_abi_version(&abi), nullptr);
+  return fmt::format("{}, ABI {}", hfrac::run::build_of_library(), abi);
 }
 
 int complain(const char* text, ExitCode code) {
@@ -54,7 +54,6 @@ int run_program(int argument_count, char** arguments) {
   add_view(program, action);
   add_lab(program, action);
   add_calibrate(program, action);
-  add_verify(program, action);
 #ifdef HFRAC_WITH_RENDERER
   add_render(program, action);
   add_plot(program, action);

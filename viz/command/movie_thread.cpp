@@ -3,7 +3,7 @@
 
 #include <hfrac/viz.h>
 
-#include <array>
+#include "command/drawing.hpp"
 
 namespace hfrac::command {
 namespace {
@@ -19,12 +19,11 @@ std::string draw(const std::filesystem::path& folder, std::atomic<bool>& give_up
   hfrac_viz_options options{};
   hfrac_viz_options_init(&options, sizeof options);
   options.movie_follow = 1;
-  std::array<char, 2048> text{};
   const int32_t status =
       hfrac_viz_render_movie(folder.c_str(), (folder / "pictures" / "movie.mp4").c_str(), &options,
-                             stop_if_told, &give_up, text.data(), static_cast<int32_t>(text.size()), nullptr);
+                             stop_if_told, &give_up);
   if (status == HFRAC_STOPPED) return "the run failed before it could be finished";
-  return status < 0 ? text.data() : "";
+  return status < 0 ? drawing_error() : "";
 }
 
 }  // namespace

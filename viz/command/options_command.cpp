@@ -8,7 +8,7 @@
 #include <array>
 
 #include "command/commands.hpp"
-#include "output/engine_call.hpp"
+#include "run/engine_call.hpp"
 
 namespace hfrac::command {
 namespace {
@@ -52,10 +52,10 @@ ExitCode list_options(const std::string& part) {
   int shown = 0;
   for (const Table& table : tables) {
     int32_t count = 0;
-    output::require(table.count(&count), nullptr);
+    run::require(table.count(&count), nullptr);
     for (int32_t i = 0; i < count; ++i) {
-      auto option = output::sized<hfrac_option_info>();
-      output::require(table.at(i, &option), nullptr);
+      auto option = run::sized<hfrac_option_info>();
+      run::require(table.at(i, &option), nullptr);
       const std::string key = key_in_case_file(table, option.key);
       if (key.empty() || key.find(part) == std::string::npos) continue;
       fmt::print("{:34} {}\n    {}\n", key, values_of(option), option.help);

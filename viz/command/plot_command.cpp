@@ -44,11 +44,9 @@ ExitCode plot(const PlotRequest& request) {
 
   catch_interrupts();
   ProgressLine line(request.quiet);
-  DrawingError error;
-  const int32_t status = hfrac_viz_render_charts(request.folder.c_str(), &options, show_drawing, &line,
-                                                 error.text.data(), error.capacity(), nullptr);
+  const int32_t status = hfrac_viz_render_charts(request.folder.c_str(), &options, show_drawing, &line);
   line.end();
-  if (drawing_stopped(status, error)) {
+  if (drawing_stopped(status)) {
     tell("hfrac: interrupted; the charts finished so far stay\n");
     return kInterrupted;
   }

@@ -75,17 +75,14 @@ ExitCode render(const RenderRequest& request) {
   const std::string movie = movie_file(request);
   catch_interrupts();
   ProgressLine line(request.quiet);
-  DrawingError error;
   const char* folder = request.folder.c_str();
   int32_t status = HFRAC_OK;
   if (!movie.empty())
-    status = hfrac_viz_render_movie(folder, movie.c_str(), &options, show_drawing, &line, error.text.data(),
-                                    error.capacity(), nullptr);
+    status = hfrac_viz_render_movie(folder, movie.c_str(), &options, show_drawing, &line);
   if (request.movie.empty() && status == HFRAC_OK)
-    status = hfrac_viz_render_run(folder, &options, show_drawing, &line, error.text.data(), error.capacity(),
-                                  nullptr);
+    status = hfrac_viz_render_run(folder, &options, show_drawing, &line);
   line.end();
-  if (drawing_stopped(status, error)) {
+  if (drawing_stopped(status)) {
     tell(
                "hfrac: interrupted; the pictures finished so far stay, a movie goes on there next time\n");
     return kInterrupted;

@@ -41,14 +41,15 @@ void draw_around_cracks(const ReportRequest& request) {
   hfrac_viz_view_options_init(&options, sizeof options);
   options.width = std::max(request.width, 1600);
   options.zoom = HFRAC_VIZ_ZOOM_CRACKS;
-  const std::array<int32_t, 4> views = {HFRAC_VIZ_VIEW_FORCES, HFRAC_VIZ_VIEW_STRESS,
-                                        HFRAC_VIZ_VIEW_DISPLACEMENT, HFRAC_VIZ_VIEW_CRACK_TIME};
+  const std::array<const char*, 4> views = {"forces", "stress", "displacement", "crack-time"};
   const auto target = (fs::path(request.folder) / "pictures" / "views.png").string();
-  DrawingError error;
   const int32_t status =
       hfrac_viz_render_views(request.folder.c_str(), views.data(), static_cast<int32_t>(views.size()),
-                             target.c_str(), &options, error.text.data(), error.capacity(), nullptr);
-  if (status != HFRAC_VIZ_ERR_READ) drawing_stopped(status, error);
+                             target.c_str(), &options);
+  if (status == HFRAC_VIZ_ERR_READ)
+    fmt::print(stderr, "hfrac: warning: no views around the cracks: {}\n", drawing_error());
+  else
+    drawing_stopped(status);
 }
 
 /** The pictures that are missing, or older than the last snapshot. */
@@ -77,7 +78,6 @@ ExitCode report(ReportRequest request) {
   const DrawingFolder drawing(request.folder);
   request.folder = drawing.path().string();
   ProgressLine line(request.quiet);
-  DrawingError error;
   hfrac_viz_options pictures{};
   hfrac_viz_options_init(&pictures, sizeof pictures);
   pictures.width = request.width;
@@ -88,12 +88,8 @@ ExitCode report(ReportRequest request) {
   const char* folder = request.folder.c_str();
   const bool interrupt =
       (pictures.pictures != 0 &&
-       drawing_stopped(hfrac_viz_render_run(folder, &pictures, show_drawing, &line, error.text.data(),
-                                            error.capacity(), nullptr),
-                       error)) ||
-      drawing_stopped(hfrac_viz_render_charts(folder, &charts, show_drawing, &line, error.text.data(),
-                                              error.capacity(), nullptr),
-                      error);
+       drawing_stopped(hfrac_viz_render_run(folder, &pictures, show_drawing, &line))) ||
+      drawing_stopped(hfrac_viz_render_charts(folder, &charts, show_drawing, &line));
   if (!interrupt && (request.fresh || older_than_data(request.folder, "views.png")))
     draw_around_cracks(request);
   line.end();
@@ -102,7 +98,7 @@ ExitCode report(ReportRequest request) {
     return kInterrupted;
   }
   drawing_stopped(
-      hfrac_viz_write_report(folder, target.c_str(), error.text.data(), error.capacity(), nullptr), error);
+      hfrac_viz_write_report(folder, target.c_str()));
   if (!request.quiet) fmt::print("{}\n", target);
   return kGood;
 }

@@ -18,8 +18,9 @@
 #include "command/unlikely_values.hpp"
 #include "command/warnings.hpp"
 #include "output/disc_file.hpp"
-#include "output/known_files.hpp"
-#include "output/safe_file.hpp"
+#include "run/known_files.hpp"
+#include "run/files.hpp"
+#include "run/json_file.hpp"
 
 namespace hfrac::command {
 namespace {
@@ -33,7 +34,7 @@ struct ResumeRequest {
   bool quiet = false;
 };
 
-nlohmann::json summary_in(const fs::path& folder) {
+nlohmann::ordered_json summary_in(const fs::path& folder) {
   const auto file = folder / "summary.json";
   if (!fs::exists(file)) {
     throw BadInput(
@@ -42,9 +43,9 @@ nlohmann::json summary_in(const fs::path& folder) {
                     folder.string()));
   }
   try {
-    return nlohmann::json::parse(output::read_whole(file));
-  } catch (const nlohmann::json::exception& error) {
-    throw BadInput(fmt::format("'{}' is not a summary that hfrac wrote: {}", file.string(), error.what()));
+    return run::read_json(file);
+  } catch (const run::ReadError& error) {
+    throw BadInput(error.what());
   }
 }
 

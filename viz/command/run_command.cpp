@@ -9,14 +9,14 @@
 #include "command/runner.hpp"
 #include "command/standard_streams.hpp"
 #include "command/summary_text.hpp"
-#include "output/safe_file.hpp"
+#include "run/json_file.hpp"
 
 namespace hfrac::command {
 
 namespace {
 
 void print_table(const std::filesystem::path& folder, bool complete) {
-  const auto summary = nlohmann::json::parse(output::read_whole(folder / "summary.json"));
+  const auto summary = run::read_json(folder / "summary.json");
   fmt::print("{}", summary_text(summary));
   if (!complete) return;
   fmt::print("  {:18} {}: discs.pvd, bonds.pvd, cracks.pvd, flow.pvd (ParaView), history.csv, cracks.csv,\n",

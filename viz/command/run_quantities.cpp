@@ -6,21 +6,21 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
 #include <string_view>
 
 #include "command/exit_code.hpp"
-#include "output/engine_call.hpp"
-#include "output/safe_file.hpp"
+#include "run/engine_call.hpp"
+#include "run/fields.hpp"
+#include "run/files.hpp"
+#include "run/json_file.hpp"
+#include "run/table_file.hpp"
+#include "run/text.hpp"
 
 namespace hfrac::command {
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 /** A name for `--y`: where it stands in summary.json and in history.csv; empty: not there. */
 struct Name {
@@ -59,83 +59,44 @@ const Name* find_name(const std::string& wanted) {
       fmt::format("'{}' is no number in '{}'; the names are\n{}", name, file.string(), quantity_help()));
 }
 
-/** The number at a path such as "state.crack_count"; NaN if there is none. */
-double number_at(const json& object, std::string_view path) {
-  const size_t dot = std::min(path.find('.'), path.size());
-  const std::string first(path.substr(0, dot));
-  if (dot == path.size()) {
-    const auto found = object.is_object() ? object.find(first) : object.end();
-    return object.is_object() && found != object.end() && found->is_number() ? found->get<double>()
-                                                                             : std::nan("");
+/** The number at a path; "*" in it: the largest of all items of a list. NaN if there is none. */
+double number_at(const json& summary, std::string_view path) {
+  const size_t star = path.find(".*.");
+  if (star == std::string_view::npos) return run::number_at(summary, path);
+  const json* list = run::member(summary, path.substr(0, star));
+  if (list == nullptr || !list->is_array()) return std::nan("");
+  double largest = 0.0;  // no fracture: nothing long, nothing wide
+  for (const json& one : *list) {
+    const double value = run::number_at(one, path.substr(star + 3));
+    if (std::isnan(value)) return value;
+    largest = std::max(largest, value);
   }
-  const std::string_view rest = path.substr(dot + 1);
-  if (object.is_array() && first == "*") {
-    double largest = 0.0;  // no fracture: nothing long, nothing wide
-    for (const json& one : object) {
-      const double value = number_at(one, rest);
-      if (std::isnan(value)) return value;
-      largest = std::max(largest, value);
-    }
-    return largest;
+  return largest;
+}
+
+/** What `read` gives of a run's file; damage is BadInput. */
+template <class Read>
+auto of_run(const std::filesystem::path& folder, const char* name, const Read& read) {
+  const auto file = folder / name;
+  if (!run::is_file(file))
+    throw BadInput(fmt::format("'{}' is not a run folder: it has no {}", folder.string(), name));
+  try {
+    return read(file);
+  } catch (const run::ReadError& error) {
+    throw BadInput(error.what());
   }
-  if (object.is_array()) {
-    size_t index = 0;
-    const auto [end, error] = std::from_chars(first.data(), first.data() + first.size(), index);
-    if (error != std::errc() || index >= object.size()) return std::nan("");
-    return number_at(object[index], rest);
-  }
-  if (!object.is_object() || !object.contains(first)) return std::nan("");
-  return number_at(object.at(first), rest);
 }
 
 json summary_of(const std::filesystem::path& folder) {
-  const auto file = folder / "summary.json";
-  if (std::error_code error; !std::filesystem::is_regular_file(file, error))
-    throw BadInput(fmt::format("'{}' is not a run folder: it has no summary.json", folder.string()));
-  auto summary = json::parse(output::read_whole(file), nullptr, false);
-  if (!summary.is_object()) throw BadInput(fmt::format("'{}' is not valid JSON", file.string()));
-  return summary;
+  return of_run(folder, "summary.json", [](const auto& file) { return run::read_json(file); });
 }
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells(1);
-  for (const char letter : line) {
-    if (letter == ',')
-      cells.emplace_back();
-    else
-      cells.back() += letter;
-  }
-  return cells;
-}
-
-/** A column of history.csv; empty if there is none of that name. A line still being written is left out. */
+/** A column of history.csv; empty if there is none of that name. */
 std::vector<double> history_column(const std::filesystem::path& folder, std::string_view column) {
-  const auto file = folder / "history.csv";
-  if (std::error_code error; !std::filesystem::is_regular_file(file, error))
-    throw BadInput(fmt::format("'{}' has no history.csv", folder.string()));
-  std::istringstream lines(output::read_whole(file));
-  std::string line;
-  std::getline(lines, line);
-  const auto head = cells_of(line);
-  const auto place = static_cast<size_t>(std::find(head.begin(), head.end(), column) - head.begin());
-  std::vector<double> values;
-  while (place < head.size() && std::getline(lines, line)) {
-    const auto cells = cells_of(line);
-    if (cells.size() != head.size() || lines.eof()) continue;
-    double value = 0.0;
-    const auto& cell = cells[place];
-    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    values.push_back(error == std::errc() ? value : std::nan(""));
-  }
-  return values;
-}
-
-/** "N/m" -> "_N_per_m" */
-std::string unit_ending(std::string unit) {
-  if (unit.empty() || unit == "1") return "";
-  if (const size_t slash = unit.find('/'); slash != std::string::npos) unit.replace(slash, 1, "_per_");
-  std::replace(unit.begin(), unit.end(), ' ', '_');
-  return "_" + unit;
+  return of_run(folder, "history.csv", [&](const auto& file) {
+    const run::TableFile table(file);
+    return table.has(column) ? table.numbers(column) : std::vector<double>();
+  });
 }
 
 }  // namespace
@@ -156,16 +117,16 @@ ComparedRun::ComparedRun(std::filesystem::path folder) : folder_(std::move(folde
 std::string ComparedRun::option(const std::string& key) const {
   const std::string file = (folder_ / "case.toml").string();
   hfrac_sim_def definition{};
-  output::require(hfrac_sim_def_init(&definition, static_cast<int32_t>(sizeof definition)), nullptr);
-  if (hfrac_sim_def_load(&definition, file.c_str()) < 0) throw BadInput(output::error_text(-1, nullptr));
+  run::require(hfrac_sim_def_init(&definition, static_cast<int32_t>(sizeof definition)), nullptr);
+  if (hfrac_sim_def_load(&definition, file.c_str()) < 0) throw BadInput(run::error_text(-1, nullptr));
   if (key == "title") {
-    std::string title = definition.title;
+    std::string title = run::printable(definition.title);
     std::replace(title.begin(), title.end(), ',', ';');  // the table has no quotes
     return title;
   }
   double value = 0.0;
   if (const int32_t status = hfrac_sim_def_get_f64(&definition, key.c_str(), &value); status < 0)
-    throw BadInput(output::error_text(status, nullptr));
+    throw BadInput(run::error_text(status, nullptr));
   return fmt::format("{}", value);
 }
 
@@ -197,7 +158,7 @@ double ComparedRun::initiation_pressure() const {
 std::string option_column(const std::string& key) {
   if (key == "title") return key;
   int32_t count = 0;
-  output::require(hfrac_option_count(&count), nullptr);
+  run::require(hfrac_option_count(&count), nullptr);
   // Keys of wells are not in the table of options; their units are those of hfrac_well_def.
   static constexpr std::array<std::array<std::string_view, 2>, 6> well_units = {{{"].x", "m"},
                                                                                  {"].y", "m"},
@@ -206,11 +167,11 @@ std::string option_column(const std::string& key) {
                                                                                  {"].ramp_per_step", "Pa"},
                                                                                  {"].rate", "m2/s"}}};
   for (const auto& [end, unit] : well_units)
-    if (key.starts_with("well[") && key.ends_with(end)) return key + unit_ending(std::string(unit));
+    if (key.starts_with("well[") && key.ends_with(end)) return key + run::unit_ending(unit);
   for (int32_t i = 0; i < count; ++i) {
-    auto option = output::sized<hfrac_option_info>();
-    output::require(hfrac_option_at(i, &option), nullptr);
-    if (key == option.key) return key + unit_ending(option.unit);
+    auto option = run::sized<hfrac_option_info>();
+    run::require(hfrac_option_at(i, &option), nullptr);
+    if (key == option.key) return key + run::unit_ending(option.unit);
   }
   return key;
 }

@@ -11,7 +11,7 @@
 #include "command/interrupt.hpp"
 #include "command/step_loop.hpp"
 #include "output/host_cells.hpp"
-#include "output/safe_file.hpp"
+#include "run/files.hpp"
 #ifdef HFRAC_WITH_RENDERER
 #include "command/movie_thread.hpp"
 #include "command/standard_streams.hpp"

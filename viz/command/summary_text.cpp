@@ -12,7 +12,7 @@
 namespace hfrac::command {
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 constexpr size_t kWarningsShown = 3;
 

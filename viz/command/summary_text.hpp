@@ -7,9 +7,9 @@
 
 namespace hfrac::command {
 
-std::string summary_text(const nlohmann::json& summary);
+std::string summary_text(const nlohmann::ordered_json& summary);
 
 /** The same with other words for how the run ended. */
-std::string summary_text(const nlohmann::json& summary, const std::string& ended);
+std::string summary_text(const nlohmann::ordered_json& summary, const std::string& ended);
 
 }  // namespace hfrac::command

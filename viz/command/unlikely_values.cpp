@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "command/exit_code.hpp"
-#include "output/engine_call.hpp"
+#include "run/engine_call.hpp"
 
 namespace hfrac::command {
 namespace {
@@ -59,7 +59,7 @@ std::vector<std::string> unlikely_values(const hfrac_sim_def& definition) {
   };
   for (const Suspect& one : suspects) {
     double value = 0.0;
-    output::require(hfrac_sim_def_get_f64(&definition, one.key, &value), nullptr);
+    run::require(hfrac_sim_def_get_f64(&definition, one.key, &value), nullptr);
     look(one.key, value, one.unit, one.least);
   }
   for (int64_t i = 0; i < definition.well_count; ++i)

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <spawn.h>
 #include <unistd.h>
-#include <vtkObject.h>
 
 #include <array>
 #include <chrono>
@@ -39,7 +38,6 @@ ExitCode view(const ViewPageRequest& request) {
   std::error_code error;
   if (!std::filesystem::is_directory(request.folder, error))
     throw BadInput(fmt::format("there is no folder '{}'", request.folder));
-  vtkObject::GlobalWarningDisplayOff();  // what is wrong with a file is told in the page
 
   web::PageServer server(request.folder);
   if (!server.bind(request.port))

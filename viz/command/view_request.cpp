@@ -78,11 +78,9 @@ void draw_views(const std::string& folder, const ViewRequest& request, const Pap
   set_zoom(request.zoom, options);
   std::vector<const char*> views;
   for (const std::string& name : request.names) views.push_back(name.c_str());
-  DrawingError error;
-  const int32_t status = hfrac_viz_render_named_views(
-      folder.c_str(), views.data(), static_cast<int32_t>(views.size()), request.target.c_str(), &options,
-      error.text.data(), error.capacity(), nullptr);
-  drawing_stopped(status, error);
+  const int32_t status = hfrac_viz_render_views(
+      folder.c_str(), views.data(), static_cast<int32_t>(views.size()), request.target.c_str(), &options);
+  drawing_stopped(status);
 }
 
 }  // namespace hfrac::command

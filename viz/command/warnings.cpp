@@ -2,7 +2,7 @@
 #include "command/warnings.hpp"
 
 #include "command/standard_streams.hpp"
-#include "output/engine_call.hpp"
+#include "run/engine_call.hpp"
 
 namespace hfrac::command {
 namespace {
@@ -22,11 +22,11 @@ void Warnings::listen(hfrac_sim_def& definition) {
 
 void Warnings::listen(hfrac_sim* sim) {
   sim_ = sim;
-  output::require(hfrac_set_log(sim, hear, this, HFRAC_LOG_WARNING), sim);
+  run::require(hfrac_set_log(sim, hear, this, HFRAC_LOG_WARNING), sim);
 }
 
 void Warnings::add(const std::string& text) {
-  folder_.add_warning(sim_ == nullptr ? 0 : output::state_of(sim_).step, text);
+  folder_.add_warning(sim_ == nullptr ? 0 : run::state_of(sim_).step, text);
   if (quiet_ || told_ > kMostTold) return;
   line_.end();
   if (told_++ < kMostTold)

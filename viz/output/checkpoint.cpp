@@ -6,13 +6,14 @@
 #include <libdeflate.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "output/safe_file.hpp"
+#include "run/files.hpp"
+#include "run/text.hpp"
 
 namespace hfrac::output {
+using namespace hfrac::run;
 namespace fs = std::filesystem;
 
 namespace {
@@ -66,10 +67,8 @@ Checkpoint checkpoint_of(const json& course) {
 int64_t step_of(const std::string& name) {
   constexpr std::string_view begin = "step_", end = ".checkpoint";
   if (!name.starts_with(begin) || !name.ends_with(end) || name.size() <= begin.size() + end.size()) return -1;
-  int64_t step = -1;
-  const char* last = name.data() + name.size() - end.size();
-  const auto result = std::from_chars(name.data() + begin.size(), last, step);
-  return result.ec == std::errc() && result.ptr == last ? step : -1;
+  const auto number = std::string_view(name).substr(begin.size(), name.size() - begin.size() - end.size());
+  return number_in<int64_t>(number).value_or(-1);
 }
 
 }  // namespace
@@ -152,11 +151,8 @@ std::optional<Checkpoint> CheckpointFolder::newest(std::vector<std::string>& dam
 }
 
 void CheckpointFolder::remove_after(int64_t step) const {
-  for (const int64_t there : steps()) {
-    std::error_code error;
-    if (there > step && !fs::remove(file(there), error) && error)
-      throw FileError(fmt::format("cannot remove '{}': {}", file(there).string(), error.message()));
-  }
+  for (const int64_t there : steps())
+    if (there > step) remove_file(file(there));
 }
 
 }  // namespace hfrac::output

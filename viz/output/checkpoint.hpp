@@ -16,13 +16,11 @@
 #include <string_view>
 #include <vector>
 
+#include "run/series.hpp"
+
 namespace hfrac::output {
 
-/** A snapshot in the lists of the run folder. */
-struct SnapshotEntry {
-  int64_t step = 0;
-  double time = 0.0;  ///< [s] model time
-};
+using run::SnapshotEntry;
 
 struct Checkpoint {
   int64_t step = 0;                      ///< steps taken; history.csv goes that far at least

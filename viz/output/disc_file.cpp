@@ -5,15 +5,14 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <fstream>
 #include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
 
-#include "render/failure.h"
-#include "render/grid_file.h"
+#include "run/grid_file.hpp"
+#include "run/text.hpp"
 
 namespace hfrac::output {
 namespace {
@@ -83,12 +82,11 @@ void read_columns(const std::filesystem::path& file, std::span<const std::string
 template <class Number>
 Number number_of(std::string_view word, const std::filesystem::path& file, size_t line,
                  std::string_view column) {
-  Number value{};
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc{} || end != word.data() + word.size())
+  const auto value = run::number_in<Number>(word);
+  if (!value)
     throw DiscFileError(fmt::format("{}:{}: {} is '{}', not a{} number", file.string(), line, column,
-                                    word.substr(0, 40), std::is_integral_v<Number> ? " whole" : ""));
-  return value;
+                                    run::printable(word.substr(0, 40)), std::is_integral_v<Number> ? " whole" : ""));
+  return *value;
 }
 
 std::vector<double> read_csv(const std::filesystem::path& file) {
@@ -100,28 +98,23 @@ std::vector<double> read_csv(const std::filesystem::path& file) {
   return discs;
 }
 
-// With the renderer's careful reading, since VTK's own ends the process on some damaged files.
 std::vector<double> read_vtu(const std::filesystem::path& file) {
-  try {
-    const viz::GridFile grid({file});
-    const auto arrays = grid.array_names("PointData");
-    const auto has = [&](const char* name) {
-      return std::find(arrays.begin(), arrays.end(), name) != arrays.end();
-    };
-    const char* radius_name = has("radius_m") ? "radius_m" : "radius";
-    if (grid.point_count() == 0) throw DiscFileError(fmt::format("{}: no points in it", file.string()));
-    if (!has(radius_name))
-      throw DiscFileError(fmt::format("{}: no point array radius or radius_m", file.string()));
-    const auto centres = grid.points();
-    const auto radii = grid.point_array(radius_name);
-    std::vector<double> discs;
-    discs.reserve(3 * centres.size());
-    for (std::size_t i = 0; i < centres.size(); ++i)
-      discs.insert(discs.end(), {centres[i].x, centres[i].y, radii[i]});
-    return discs;
-  } catch (const viz::Failure& failure) {
-    throw DiscFileError(failure.what());
-  }
+  const run::GridFile grid({file});
+  const auto arrays = grid.arrays("PointData");
+  const bool with_unit =
+      std::any_of(arrays.begin(), arrays.end(), [](const auto& array) { return array.name == "radius_m"; });
+  if (grid.point_count() == 0) throw DiscFileError(fmt::format("{}: no points in it", file.string()));
+  const char* radius_name = with_unit ? "radius_m" : "radius";
+  if (std::none_of(arrays.begin(), arrays.end(),
+                   [&](const auto& array) { return array.name == radius_name; }))
+    throw DiscFileError(fmt::format("{}: no point array radius or radius_m", file.string()));
+  const auto centres = grid.points();
+  const auto radii = grid.point_array(radius_name);
+  std::vector<double> discs;
+  discs.reserve(3 * centres.size());
+  for (std::size_t i = 0; i < centres.size(); ++i)
+    discs.insert(discs.end(), {centres[i].x, centres[i].y, radii[i]});
+  return discs;
 }
 
 }  // namespace

@@ -10,17 +10,15 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "run/files.hpp"
 
 namespace hfrac::output {
 
 /** The file is not what it should be; the text names file, line and fault. */
-class DiscFileError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+using DiscFileError = run::ReadError;
 
 /** x, y, radius [m] of each disc, in the file's order. */
 std::vector<double> read_discs(const std::filesystem::path& file);

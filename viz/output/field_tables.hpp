@@ -9,9 +9,10 @@
 
 #include <string>
 
-#include "output/engine_call.hpp"
+#include "run/engine_call.hpp"
 
 namespace hfrac::output {
+using namespace hfrac::run;
 
 /** Every field of the discs. */
 std::string disc_table(hfrac_sim* sim);

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/host_cells.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
-#include "output/engine_call.hpp"
-#include "output/safe_file.hpp"
+#include "output/tables.hpp"
+#include "run/files.hpp"
 
 namespace hfrac::output {
 
@@ -48,31 +45,13 @@ bool grid_covers_model(hfrac_sim* sim) {
   return std::any_of(cells.begin(), cells.end(), [](const hfrac_cell& cell) { return cell.coverage > 0.0; });
 }
 
-std::string cell_table(hfrac_sim* sim, int64_t nx) {
-  const auto cells = cells_of(sim, HFRAC_UPSCALE_FLOW);
-  const auto count = static_cast<int64_t>(cells.size());
-  std::string table =
-      "i,j,area_m2,coverage,kxx_m2,kyy_m2,kxy_m2,matrix_permeability_m2,fracture_porosity,matrix_porosity,"
-      "crack_count,crack_length_m,leak_off_m2_per_s,outflow_m2_per_s,pressure_Pa,fracture_pressure_Pa\n";
-  for (int64_t c = 0; c < count; ++c) {
-    const auto& cell = cells[static_cast<size_t>(c)];
-    auto out = std::back_inserter(table);
-    fmt::format_to(out, "{},{},{},{}", c % nx, c / nx, cell.area, cell.coverage);
-    fmt::format_to(out, ",{},{},{}", cell.permeability[0], cell.permeability[1], cell.permeability[2]);
-    fmt::format_to(out, ",{},{},{}", cell.matrix_permeability, cell.fracture_porosity, cell.matrix_porosity);
-    fmt::format_to(out, ",{},{},{},{}", cell.crack_count, cell.crack_length, cell.leak_off, cell.outflow);
-    fmt::format_to(out, ",{},{}\n", cell.pressure, cell.fracture_pressure);
-  }
-  return table;
-}
-
 void write_cells(hfrac_sim* sim, int64_t nx, const std::filesystem::path& folder) {
-  write_whole(folder / "cells.csv", cell_table(sim, nx));
+  write_whole(folder / "cells.csv", cell_table(cells_of(sim, HFRAC_UPSCALE_FLOW), nx));
   for (const auto& [name, kind] : {std::pair{"permeability.grdecl", HFRAC_GRDECL_PERM},
                                    std::pair{"multipliers.grdecl", HFRAC_GRDECL_MULT}}) {
     const int32_t status =
         hfrac_write_grdecl(sim, (folder / name).c_str(), HFRAC_UPSCALE_FLOW, kind, 1, 0.0, 0.0);
-    if (status < 0) throw FileError(error_text(status, sim));
+    if (status < 0) fail_writing(error_text(status, sim));
   }
 }
 

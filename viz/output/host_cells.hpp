@@ -17,10 +17,8 @@ void lay_grid(hfrac_sim* sim, const std::vector<double>& numbers);
 /** Whether any of the model lies in the grid that was laid. */
 bool grid_covers_model(hfrac_sim* sim);
 
-/** Every cell of the grid as it is now, by flow through its pipes; one line each, i fastest. */
-std::string cell_table(hfrac_sim* sim, int64_t nx);
-
-/** Writes cells.csv, permeability.grdecl and multipliers.grdecl into a run folder. */
+/** Writes every cell of the grid as it is now, by flow through its pipes: cells.csv, permeability.grdecl and
+ * multipliers.grdecl into a run folder. */
 void write_cells(hfrac_sim* sim, int64_t nx, const std::filesystem::path& folder);
 
 }  // namespace hfrac::output

@@ -7,9 +7,10 @@
 
 #include <utility>
 
-#include "output/known_files.hpp"
-#include "output/safe_file.hpp"
 #include "output/tables.hpp"
+#include "run/files.hpp"
+#include "run/known_files.hpp"
+#include "run/snapshot_grids.hpp"
 
 namespace hfrac::output {
 
@@ -25,7 +26,7 @@ RunFolder::RunFolder(std::filesystem::path folder, RunTerms terms)
 
 void RunFolder::open(hfrac_sim* sim) {
   write_whole(folder_ / "case.toml", case_text(definition_of(sim)));
-  write_whole(folder_ / "history.csv", history_header(wells_of(sim).size()) + history_row(sim));
+  write_whole(folder_ / "history.csv", history_header(sim) + history_row(sim));
   snapshot(sim);
   begun_ = true;
 }
@@ -63,7 +64,7 @@ void RunFolder::cut_history(int64_t step) const {
     write_whole(file, text);
     return;
   }
-  throw FileError(fmt::format("'{}' lacks lines of steps 0 to {}, so the run cannot go on where it was",
+  fail_reading(fmt::format("'{}' lacks lines of steps 0 to {}, so the run cannot go on where it was",
                               file.string(), step));
 }
 
@@ -101,8 +102,7 @@ void RunFolder::finish(hfrac_sim* sim, const std::string& why_ended) {
   write_series(frame);
   write_whole(folder_ / "fractures.csv", fracture_table(frame.fractures));
   write_whole(folder_ / "events.csv", event_table(events_of(frame.cracks, nullptr)));
-  const int32_t saved = hfrac_state_save_file(sim, (folder_ / "state.hfrac").c_str());
-  if (saved < 0) throw FileError(error_text(saved, sim));
+  write_whole(folder_ / "state.hfrac", state_image(sim));
   write_summary(frame);
 }
 
@@ -127,13 +127,14 @@ void RunFolder::note_failure(hfrac_sim* sim, const std::string& why) noexcept {
 void RunFolder::write_series(const SnapshotFrame& frame) {
   const int64_t step = frame.state.step;
   if (!snapshots_.empty() && step == snapshots_.back().step) return;
-  const double time = frame.state.time;
-  discs_.add(step, time, disc_vtu(frame));
-  bonds_.add(step, time, bond_vtu(frame));
-  flow_.add(step, time, flow_vtu(frame));
-  cracks_.add(step, time, crack_vtu(frame));
+  const SnapshotEntry entry{step, frame.state.time};
+  const auto packing = static_cast<Compression>(definition_of(frame.sim).output_compression);
+  discs_.add(entry, encode(disc_grid(frame), frame.moment, packing));
+  bonds_.add(entry, encode(bond_grid(frame), frame.moment, packing));
+  flow_.add(entry, encode(flow_grid(frame), frame.moment, packing));
+  cracks_.add(entry, encode(crack_grid(frame), frame.moment, packing));
   write_whole(folder_ / "cracks.csv", crack_table(frame.cracks));
-  snapshots_.push_back({step, time});
+  snapshots_.push_back(entry);
   ++course_.snapshots;
 }
 

@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "output/checkpoint.hpp"
-#include "output/series_file.hpp"
 #include "output/summary.hpp"
+#include "run/series.hpp"
 
 namespace hfrac::output {
 
@@ -65,7 +65,7 @@ class RunFolder {
 
   std::filesystem::path folder_;
   std::chrono::steady_clock::time_point start_;
-  SeriesFile discs_, bonds_, cracks_, flow_;
+  SeriesWriter discs_, bonds_, cracks_, flow_;
   RunCourse course_;
   std::vector<SnapshotEntry> snapshots_;
   double earlier_seconds_ = 0.0;  ///< [s] wall time before this process took over

@@ -4,10 +4,10 @@
 #include "output/summary.hpp"
 
 #include <fmt/format.h>
-#include <vtkVersion.h>
 
 #include <algorithm>
 
+#include "output/columns.hpp"
 #include "output/tables.hpp"
 
 namespace hfrac::output {
@@ -16,20 +16,14 @@ namespace {
 using json = nlohmann::ordered_json;
 
 json setup_part(const hfrac_setup_report& setup) {
-  return {{"mean_radius_m", setup.mean_radius},
-          {"porosity", setup.porosity},
-          {"packing_residual", setup.packing_residual},
-          {"coordination", setup.coordination},
-          {"packed_discs", setup.packed_discs},
-          {"removed_in_wells", setup.removed_in_wells},
-          {"removed_floaters", setup.removed_floaters},
-          {"removed_crossings", setup.removed_crossings},
-          {"strength_factor", setup.strength_factor},
-          {"zero_stress_aperture_m", setup.zero_stress_aperture},
-          {"permeability_m2", setup.permeability},
-          {"equilibration_force_ratio", setup.equilibration_force_ratio},
-          {"packing_seconds", setup.packing_seconds},
-          {"setup_seconds", setup.setup_seconds}};
+  return {
+      {"mean_radius_m", setup.mean_radius},         {"porosity", setup.porosity},
+      {"packing_residual", setup.packing_residual}, {"coordination", setup.coordination},
+      {"packed_discs", setup.packed_discs},         {"removed_in_wells", setup.removed_in_wells},
+      {"removed_floaters", setup.removed_floaters}, {"removed_crossings", setup.removed_crossings},
+      {"strength_factor", setup.strength_factor},   {"zero_stress_aperture_m", setup.zero_stress_aperture},
+      {"permeability_m2", setup.permeability},      {"equilibration_force_ratio", setup.equilibration_force_ratio},
+      {"packing_seconds", setup.packing_seconds},   {"setup_seconds", setup.setup_seconds}};
 }
 
 json state_part(const hfrac_sim_state& state) {
@@ -50,21 +44,14 @@ json state_part(const hfrac_sim_state& state) {
           {"stop_reason", state.stop_reason}};
 }
 
-// energy_error_J_per_m is null where it is not checked.
+// NaN, an error that is not checked, becomes null.
 json balance_part(const hfrac_balance& balance) {
-  return {{"kinetic_J_per_m", balance.kinetic},
-          {"bond_elastic_J_per_m", balance.bond_elastic},
-          {"contact_elastic_J_per_m", balance.contact_elastic},
-          {"fluid_work_J_per_m", balance.fluid_work},
-          {"boundary_work_J_per_m", balance.boundary_work},
-          {"friction_J_per_m", balance.friction},
-          {"damping_J_per_m", balance.damping},
-          {"fracture_J_per_m", balance.fracture},
-          {"energy_error_J_per_m", balance.energy_checked != 0 ? json(balance.energy_error) : json()},
-          {"injected_volume_m2", balance.injected_volume},
-          {"stored_volume_m2", balance.stored_volume},
-          {"leaked_volume_m2", balance.leaked_volume},
-          {"fluid_error_m2", balance.fluid_error}};
+  json part;
+  const auto add = [&](const char* name, double value) { part[name] = value; };
+  energy_columns(balance, add);
+  add("injected_volume_m2", balance.injected_volume);
+  fluid_columns(balance, add);
+  return part;
 }
 
 json well_part(const hfrac_well_state& well) {
@@ -78,18 +65,9 @@ json well_part(const hfrac_well_state& well) {
 }
 
 json fracture_part(const hfrac_fracture& fracture) {
-  return {{"crack_count", fracture.crack_count},
-          {"tensile_cracks", fracture.tensile_cracks},
-          {"length_m", fracture.length},
-          {"extent_m", fracture.extent},
-          {"reach_m", fracture.reach},
-          {"azimuth_rad", fracture.azimuth},
-          {"mean_aperture_m", fracture.mean_aperture},
-          {"largest_aperture_m", fracture.largest_aperture},
-          {"volume_m2", fracture.volume},
-          {"mean_pressure_Pa", fracture.mean_pressure},
-          {"well", fracture.well},
-          {"wings", fracture.wings}};
+  json part;
+  fracture_columns(fracture, [&](const char* name, const auto& value) { part[name] = value; });
+  return part;
 }
 
 /** Where the case means to end, as far as it says: what a movie of a running case plans its axes by. */
@@ -103,16 +81,16 @@ json planned_part(const hfrac_sim_def& definition) {
 
 }  // namespace
 
-std::vector<Warning> warnings_of(const nlohmann::json& summary, int64_t last) {
+std::vector<Warning> warnings_of(const nlohmann::ordered_json& summary, int64_t last) {
   std::vector<Warning> warnings;
-  for (const auto& one : summary.value("warnings", nlohmann::json::array())) {
+  for (const auto& one : summary.value("warnings", nlohmann::ordered_json::array())) {
     const auto step = one.at("step").get<int64_t>();
     if (step > 0 && step <= last) warnings.push_back({step, one.at("text").get<std::string>()});
   }
   return warnings;
 }
 
-RunTerms terms_of(const nlohmann::json& summary) {
+RunTerms terms_of(const nlohmann::ordered_json& summary) {
   const auto& request = summary.at("request");
   return {request.at("steps").get_ref<const json::number_integer_t&>(),
           request.at("grid").get<std::vector<double>>(), request.at("movie").get<bool>()};
@@ -149,8 +127,7 @@ json make_summary(const SnapshotFrame& frame, const RunCourse& course) {
   for (const auto& fracture : frame.fractures) summary["fractures"].push_back(fracture_part(fracture));
   summary["versions"] = {{"hfrac", version_of_library()},
                          {"abi", abi},
-                         {"build", build_of_library()},
-                         {"vtk", vtkVersion::GetVTKVersion()}};
+                         {"build", build_of_library()}};
   summary["state_hash"] = fmt::format("{:016x}", static_cast<uint64_t>(state_hash_of(frame.sim)));
   return summary;
 }

@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "output/snapshot_grids.hpp"
+#include "run/snapshot_grids.hpp"
 
 namespace hfrac::output {
+using namespace hfrac::run;
 
 /** What was asked for beside the case file; hfrac resume goes by it. */
 struct RunTerms {
@@ -37,10 +38,10 @@ struct RunCourse {
 };
 
 /** The warnings in a summary, up to step `last`; those of set-up, which is done anew, left out. */
-std::vector<Warning> warnings_of(const nlohmann::json& summary, int64_t last);
+std::vector<Warning> warnings_of(const nlohmann::ordered_json& summary, int64_t last);
 
 /** The terms in a summary. Throws nlohmann::json::exception if there are none. */
-RunTerms terms_of(const nlohmann::json& summary);
+RunTerms terms_of(const nlohmann::ordered_json& summary);
 
 nlohmann::ordered_json make_summary(const SnapshotFrame& frame, const RunCourse& course);
 

@@ -7,19 +7,20 @@
 #include <string>
 #include <vector>
 
-#include "output/engine_call.hpp"
+#include "run/engine_call.hpp"
 
 namespace hfrac::output {
+using namespace hfrac::run;
 
-/** First line of history.csv for a model with `wells` wells. */
-std::string history_header(size_t wells);
+/** First line of history.csv. */
+std::string history_header(hfrac_sim* sim);
 /** One line of history.csv: how the simulation stands after a step. */
 std::string history_row(hfrac_sim* sim);
 
 /** cracks.csv: the whole crack log. */
 std::string crack_table(const std::vector<hfrac_crack>& cracks);
 
-/** The crack log of a run folder, read back. Throws FileError. */
+/** The crack log of a run folder, read back. Throws ReadError. */
 std::vector<hfrac_crack> read_crack_table(const std::filesystem::path& file);
 
 /** The seismic catalogue of a crack log; `options` NULL: the defaults. */
@@ -30,6 +31,9 @@ std::string event_table(const std::vector<hfrac_event>& events);
 
 /** fractures.csv: the fractures as they are now. */
 std::string fracture_table(const std::vector<hfrac_fracture>& fractures);
+
+/** cells.csv: the cells of a reservoir simulator's grid, `nx` to a row, i fastest. */
+std::string cell_table(const std::vector<hfrac_cell>& cells, int64_t nx);
 
 /** What of all fractures goes into one line: the longest one, and the volume of all. */
 struct FractureMeasure {

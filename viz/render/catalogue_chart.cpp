@@ -110,7 +110,7 @@ std::vector<ChartSeries> course_of(const std::vector<LoggedEvent>& events) {
 }  // namespace
 
 void fill_catalogue(ChartPage& page, const ChartData& data) {
-  const std::vector<LoggedEvent> events = logged_events(data.events);
+  const std::vector<LoggedEvent> events = logged_events(*data.events);
   put_heading(page, *data.run,
               "Seismic catalogue: " + counted(static_cast<std::int64_t>(events.size()), "event"));
   page.text(96, 128,

@@ -2,38 +2,44 @@
 // The charts of a run: what stands on each page. Every function fills a page; page heights are in its units.
 #pragma once
 
+#include <optional>
+
 #include "chart_page.h"
-#include "run_folder.h"
-#include "table_file.h"
+#include "hfrac/viz.h"
+#include "render_run.h"
+#include "run/run_folder.hpp"
+#include "run/table_file.hpp"
 
 namespace hfrac::viz {
 
-// What charts are drawn from.
+// What charts are drawn from; a table that is not there is none.
 struct ChartData {
   const RunFolder* run = nullptr;
-  TableFile history;
-  TableFile cracks;
-  TableFile events;
+  std::optional<TableFile> history;
+  std::optional<TableFile> cracks;
+  std::optional<TableFile> events;
 
-  explicit ChartData(const RunFolder& folder)
-      : run(&folder),
-        history(folder.path / "history.csv"),
-        cracks(folder.path / "cracks.csv"),
-        events(folder.path / "events.csv") {}
+  // Throws ReadError if one is damaged.
+  explicit ChartData(const RunFolder& folder);
 };
 
 struct Chart {
   int kind;          // one value of enum hfrac_viz_chart
   const char* name;  // of the file, without ending
   const char* title;
-  double height;  // of the page
+  double (*height)(const ChartData& data);  // of the page
   void (*fill)(ChartPage& page, const ChartData& data);
-  TableFile ChartData::*table;  // without lines in it there is no chart
+  std::optional<TableFile> ChartData::*table;  // without lines in it there is no chart
+  const char* table_name;
 };
+
+// Draws what `options`, which have been checked, ask for into run.path/pictures. Throws Failure, FileError or Stopped.
+void render_charts(const RunFolder& run, const hfrac_viz_chart_options& options, const Progress& progress);
 
 void fill_history(ChartPage& page, const ChartData& data);
 void fill_rose(ChartPage& page, const ChartData& data);
 void fill_profile(ChartPage& page, const ChartData& data);
+double profile_height(const ChartData& data);
 void fill_events(ChartPage& page, const ChartData& data);
 void fill_catalogue(ChartPage& page, const ChartData& data);
 

@@ -45,7 +45,8 @@ ComparedPanel panel_of(const TableFile& table, const std::string& column) {
   const std::vector<double> x = table.numbers(names[1]);
   const std::vector<double> y = table.numbers(column);
   const std::string spread_column = column + std::string(spread_ending);
-  const std::vector<double> spread = table.numbers(spread_column);
+  const std::vector<double> spread = table.has(spread_column) ? table.numbers(spread_column)
+                                                              : std::vector<double>(table.rows(), NAN);
   struct Cell {
     ComparedPoint point;
     std::vector<double> given;
@@ -87,9 +88,6 @@ ComparedPanel panel_of(const TableFile& table, const std::string& column) {
 }  // namespace
 
 Comparison read_comparison(const std::filesystem::path& path) {
-  if (std::error_code ignored; !std::filesystem::is_regular_file(path, ignored)) {
-    fail_reading("there is no table " + path.string());
-  }
   const TableFile table(path);
   const std::vector<std::string>& names = table.names();
   if (names.size() < 3) {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "chart_page.h"
-#include "table_file.h"
+#include "hfrac/viz.h"
+#include "run/table_file.hpp"
 
 namespace hfrac::viz {
 
@@ -42,16 +42,11 @@ struct Comparison {
 };
 
 // The table's first column names the series, the second is x, each further one a quantity; NAME_spread is the
-// half length of NAME's error bar. Throws Failure(HFRAC_VIZ_ERR_READ).
+// half length of NAME's error bar. Throws ReadError.
 Comparison read_comparison(const std::filesystem::path& table);
 
-// Height of the page in its units.
-double comparison_height(const Comparison& comparison);
-
-struct ComparisonTexts {
-  std::string title;
-  std::string x_label;  // empty: made from the table's names
-};
-void fill_comparison(ChartPage& page, const Comparison& comparison, const ComparisonTexts& texts);
+// The table's picture: .png, .svg or .pdf. `options` have been checked. Throws Failure or FileError.
+void render_comparison(const std::filesystem::path& table, const std::filesystem::path& target,
+                       const hfrac_viz_comparison_options& options);
 
 }  // namespace hfrac::viz

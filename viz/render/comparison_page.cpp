@@ -8,7 +8,9 @@
 
 #include "charts.h"
 #include "comparison.h"
+#include "page_files.h"
 #include "quantity.h"
+#include "run/text.hpp"
 
 namespace hfrac::viz {
 namespace {
@@ -126,13 +128,15 @@ double largest_y(const ComparedPanel& panel) {
   return largest;
 }
 
-void add_series(Panel& panel, const ComparedSeries& series, Colour colour, double x_scale, double y_scale) {
+void add_series(Panel& panel, const ComparedSeries& series, Colour colour, double x_scale, double y_scale,
+                bool stepped) {
   const bool marks = series.points.size() <= most_marks;
   ChartSeries runs{"", "", mixed(colour, palette().paper, 0.62), {}, {}};
   runs.dots = true;
   runs.dot_radius = 4;
   ChartSeries line{"", "", colour, {}, {}};
   line.banded = !marks;
+  line.stepped = stepped;
   for (const ComparedPoint& point : series.points) {
     line.x.push_back(point.x * x_scale);
     line.y.push_back(point.mean * y_scale);
@@ -145,6 +149,7 @@ void add_series(Panel& panel, const ComparedSeries& series, Colour colour, doubl
   }
   ChartSeries means = line;
   means.dots = true;
+  means.stepped = false;
   means.dot_radius = 7;
   means.spread.clear();
   if (!runs.x.empty()) panel.series.push_back(std::move(runs));
@@ -169,19 +174,19 @@ std::string how_drawn(const Comparison& comparison) {
                                         : "bands: their standard deviation.");
 }
 
-}  // namespace
-
 double comparison_height(const Comparison& comparison) {
   const Grid grid = grid_of(comparison.panels.size());
   return panels_top(comparison) + grid.rows * (grid.box_height + panel_room) + 10;
 }
 
-void fill_comparison(ChartPage& page, const Comparison& comparison, const ComparisonTexts& texts) {
-  const std::string heading = texts.title.empty() ? "Runs compared" : texts.title;
-  put_heading(page, heading, how_drawn(comparison));
+void fill_comparison(ChartPage& page, const Comparison& comparison, const std::string& title,
+                     const std::string& x_label) {
+  put_heading(page, title, how_drawn(comparison));
   put_legend(page, comparison);
   const Grid grid = grid_of(comparison.panels.size());
   const double top = panels_top(comparison);
+  // A count stays what it is until the next crack.
+  const bool over_time = comparison.x_column == "step" || comparison.x_column == "time_s";
   for (std::size_t i = 0; i < comparison.panels.size(); ++i) {
     const ComparedPanel& compared = comparison.panels[i];
     const Quantity x = quantity_of(comparison.x_column, largest_x(compared));
@@ -193,11 +198,11 @@ void fill_comparison(ChartPage& page, const Comparison& comparison, const Compar
     if (!name.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
     panel.title = letter + name;
     panel.unit = y.unit;
-    panel.x_label = texts.x_label.empty() ? x.label() : texts.x_label;
+    panel.x_label = x_label.empty() ? x.label() : x_label;
     panel.whole_numbers = compared.column.ends_with("crack_count") || compared.column.ends_with("cracks");
     for (std::size_t k = 0; k < compared.series.size(); ++k) {
       add_series(panel, compared.series[k], series_colour(k, compared.series.size(), ordered(compared)),
-                 x.scale, y.scale);
+                 x.scale, y.scale, panel.whole_numbers && over_time);
     }
     const double left = i % 2 == 0 || grid.columns == 1 ? 130 : 960;
     page.panel(
@@ -205,6 +210,25 @@ void fill_comparison(ChartPage& page, const Comparison& comparison, const Compar
          grid.box_width, grid.box_height},
         panel);
   }
+}
+
+std::string printable_or(const char* text, const char* otherwise) {
+  return text != nullptr && text[0] != 0 ? printable(text) : otherwise;
+}
+
+}  // namespace
+
+void render_comparison(const std::filesystem::path& table, const std::filesystem::path& target,
+                       const hfrac_viz_comparison_options& options) {
+  const Comparison comparison = read_comparison(table);
+  const PaletteScope paper(options.dark != 0 ? dark_palette() : light_palette());
+  const auto window = make_offscreen_window();
+  const std::string title = printable_or(options.title, "Runs compared");
+  const std::string x_label = printable_or(options.x_label, "");
+  const PageContent content{title, comparison_height(comparison), [&](ChartPage& page) {
+                              fill_comparison(page, comparison, title, x_label);
+                            }};
+  write_page(target, content, window, {options.width, options.dots_per_inch});
 }
 
 }  // namespace hfrac::viz

@@ -90,23 +90,64 @@ void put_names_right(ChartPage& page, double left, double top,
   }
 }
 
-// The wall of the nearest well, and on which side of it the crack lies.
-double signed_distance(const LoggedCrack& crack, const RunFolder& run, double azimuth) {
-  double best = INFINITY;
-  double side = 1;
+// Where a crack is as seen from the nearest well, or from the model's middle where no well is known.
+struct FromWell {
+  double distance = 0;   // [m] from the well's wall
+  double direction = 0;  // [rad] in [-pi, pi]
+};
+
+FromWell from_well(const LoggedCrack& crack, const RunFolder& run) {
+  if (run.wells.empty()) {
+    const double dx = crack.place.x - run.model_width / 2;
+    const double dy = crack.place.y - run.model_height / 2;
+    return {std::hypot(dx, dy), std::atan2(dy, dx)};
+  }
+  FromWell nearest{INFINITY, 0};
   for (const WellPlace& well : run.wells) {
     const double dx = crack.place.x - well.x;
     const double dy = crack.place.y - well.y;
     const double distance = std::hypot(dx, dy) - well.radius;
-    if (distance >= best) continue;
-    best = distance;
-    side = dx * std::cos(azimuth) + dy * std::sin(azimuth) < 0 ? -1.0 : 1.0;
+    if (distance < nearest.distance) nearest = {distance, std::atan2(dy, dx)};
   }
-  if (!std::isfinite(best)) {  // no well known: along the mean direction from the model's middle
-    return (crack.place.x - run.model_width / 2) * std::cos(azimuth) +
-           (crack.place.y - run.model_height / 2) * std::sin(azimuth);
+  return {std::max(0.0, nearest.distance), nearest.direction};
+}
+
+// Directions of the wings from the wells: those in which cracks lie beyond a fifth of the longest distance, parted where
+// there are 40 degrees without one. Cracks nearer than that lie all around a well.
+std::vector<double> wing_directions(const std::vector<FromWell>& places) {
+  constexpr double near_well = 0.2;
+  constexpr double gap = 40 * pi / 180;
+  double farthest = 0;
+  for (const FromWell& place : places) farthest = std::max(farthest, place.distance);
+  std::vector<double> angles;
+  for (const FromWell& place : places)
+    if (place.distance > near_well * farthest) angles.push_back(place.direction);
+  std::sort(angles.begin(), angles.end());
+  if (angles.empty()) return {};
+  // Around the circle from behind a gap, so that no wing is cut at +-pi.
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < angles.size(); ++i)
+    if (angles[i] - angles[i - 1] > gap) first = i;
+  std::rotate(angles.begin(), angles.begin() + static_cast<std::ptrdiff_t>(first), angles.end());
+  std::vector<double> wings;
+  double x = 0, y = 0;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    x += std::cos(angles[i]);
+    y += std::sin(angles[i]);
+    const double next = i + 1 < angles.size() ? angles[i + 1] - angles[i] : 2 * pi;
+    if (std::fmod(next + 2 * pi, 2 * pi) > gap || i + 1 == angles.size()) {
+      wings.push_back(std::atan2(y, x));
+      x = y = 0;
+    }
   }
-  return side * std::max(0.0, best);
+  return wings;
+}
+
+std::size_t nearest_wing(const std::vector<double>& wings, double direction) {
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < wings.size(); ++k)
+    if (std::cos(direction - wings[k]) > std::cos(direction - wings[best])) best = k;
+  return best;
 }
 
 // One bond that broke is one event. Its elastic energy is what it could radiate at most; the energy magnitude of
@@ -131,7 +172,7 @@ void fill_rose(ChartPage& page, const ChartData& data) {
   constexpr int bins = 18;
   constexpr double radius = 440;
   const Point centre{620, 660};
-  const std::vector<LoggedCrack> cracks = logged_cracks(data.cracks);
+  const std::vector<LoggedCrack> cracks = logged_cracks(*data.cracks);
   std::array<std::array<double, 2>, bins> metres{};
   for (const LoggedCrack& crack : cracks) {
     metres[std::min(bins - 1, static_cast<int>(crack.azimuth / pi * bins))][crack.shear ? 1 : 0] +=
@@ -172,29 +213,67 @@ void fill_rose(ChartPage& page, const ChartData& data) {
             {24, palette().ink});
 }
 
-void fill_profile(ChartPage& page, const ChartData& data) {
-  const std::vector<LoggedCrack> cracks = logged_cracks(data.cracks);
-  const double azimuth = mean_azimuth(cracks);
-  Panel panel{"Aperture", "distance from the wall of the well (m), one wing negative", {}, false, false};
-  panel.series = {{"crack in tension", "mm", palette().water, {}, {}},
-                  {"crack in shear", "mm", palette().shear, {}, {}}};
-  for (const LoggedCrack& crack : cracks) {
-    const double distance = signed_distance(crack, *data.run, azimuth);
-    ChartSeries& series = panel.series[crack.shear ? 1 : 0];
-    series.dots = true;
-    series.x.push_back(distance);
-    series.y.push_back(crack.aperture * millimetres_per_metre);
+namespace {
+
+// Cracks as dots of aperture over distance. With up to two wings on one axis, one of them negative; more have a panel each.
+struct Profile {
+  std::vector<double> wings;
+  std::vector<Panel> panels;
+
+  explicit Profile(const ChartData& data) {
+    const std::vector<LoggedCrack> cracks = logged_cracks(*data.cracks);
+    std::vector<FromWell> places;
+    for (const LoggedCrack& crack : cracks) places.push_back(from_well(crack, *data.run));
+    wings = wing_directions(places);
+    const bool apart = wings.size() > 2;
+    const double azimuth = mean_azimuth(cracks);
+    for (std::size_t k = 0; k < (apart ? wings.size() : 1); ++k) {
+      Panel panel{"Aperture", "distance from the wall of the well (m), one wing negative", {}, false, false};
+      if (apart) {
+        const auto degrees = static_cast<std::int64_t>(std::lround(wings[k] * 180 / pi + 360)) % 360;
+        panel.title = "Aperture, wing at " + count_text(degrees) + "\xC2\xB0";
+        panel.x_label = "distance from the wall of the well (m)";
+      }
+      panel.series = {{"crack in tension", "mm", palette().water, {}, {}},
+                      {"crack in shear", "mm", palette().shear, {}, {}}};
+      panels.push_back(std::move(panel));
+    }
+    for (std::size_t i = 0; i < cracks.size(); ++i) {
+      const FromWell& place = places[i];
+      Panel& panel = panels[apart ? nearest_wing(wings, place.direction) : 0];
+      ChartSeries& series = panel.series[cracks[i].shear ? 1 : 0];
+      series.dots = true;
+      series.x.push_back(!apart && std::cos(place.direction - azimuth) < 0 ? -place.distance : place.distance);
+      series.y.push_back(cracks[i].aperture * millimetres_per_metre);
+    }
+    for (Panel& panel : panels)
+      std::erase_if(panel.series, [](const ChartSeries& series) { return series.x.empty(); });
   }
-  std::erase_if(panel.series, [](const ChartSeries& series) { return series.x.empty(); });
+};
+
+constexpr double wing_height = 450;  // of a panel for a wing with what stands around it
+
+}  // namespace
+
+double profile_height(const ChartData& data) {
+  const std::size_t panels = Profile(data).panels.size();
+  return panels > 1 ? 130 + wing_height * static_cast<double>((panels + 1) / 2) : 840;
+}
+
+void fill_profile(ChartPage& page, const ChartData& data) {
+  const Profile profile(data);
   put_heading(page, *data.run, "Aperture along the fracture");
-  page.panel({130, 200, 1420, 520}, panel);
+  if (profile.panels.size() == 1) return page.panel({130, 200, 1420, 520}, profile.panels.front());
+  for (std::size_t k = 0; k < profile.panels.size(); ++k)
+    page.panel({k % 2 == 0 ? 130.0 : 950.0, 220 + wing_height * static_cast<double>(k / 2), 600, 260},
+               profile.panels[k]);
 }
 
 void fill_events(ChartPage& page, const ChartData& data) {
   std::vector<double> magnitudes;
   std::vector<ChartSeries> over_time = {{"in tension", "", palette().water, {}, {}},
                                         {"in shear", "", palette().shear, {}, {}}};
-  for (const LoggedCrack& crack : logged_cracks(data.cracks)) {
+  for (const LoggedCrack& crack : logged_cracks(*data.cracks)) {
     if (!(crack.energy > 0)) continue;
     const double magnitude = magnitude_of(crack.energy);
     magnitudes.push_back(magnitude);

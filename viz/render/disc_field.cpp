@@ -102,7 +102,7 @@ std::pair<double, double> usual_range(const Discs& discs, std::span<const double
   for (std::size_t i = 0; i < discs.discs.size() && i < values.size(); ++i) {
     if (visible(discs.discs[i], extent)) seen.push_back(two_ways ? std::fabs(values[i]) : values[i]);
   }
-  if (seen.empty()) return {two_ways ? -1.0 : 0.0, 1.0};
+  if (seen.empty()) return {0.0, 0.0};
   const auto at_share = [&](double share) {
     const auto place =
         seen.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(seen.size() - 1));
@@ -111,8 +111,7 @@ std::pair<double, double> usual_range(const Discs& discs, std::span<const double
   };
   const double highest = at_share(0.99);
   const double lowest = two_ways ? -highest : at_share(0.01);
-  if (highest > lowest) return {lowest, highest};
-  return {lowest - 1, highest + 1};
+  return {lowest, highest};
 }
 
 }  // namespace hfrac::viz

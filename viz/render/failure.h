@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the renderer reports trouble inside: one exception with the status the C interface returns.
+// How the renderer reports trouble inside: an exception with the status the C interface returns, or those of files
+// (run/files.hpp), which become HFRAC_VIZ_ERR_READ and HFRAC_VIZ_ERR_WRITE.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +8,10 @@
 #include <string>
 
 #include "hfrac/viz.h"
+#include "run/files.hpp"
 
 namespace hfrac::viz {
+using namespace hfrac::run;
 
 class Failure : public std::runtime_error {
  public:
@@ -19,12 +22,6 @@ class Failure : public std::runtime_error {
   std::int32_t status_;
 };
 
-[[noreturn]] inline void fail_reading(const std::string& text) {
-  throw Failure(HFRAC_VIZ_ERR_READ, text);
-}
-[[noreturn]] inline void fail_writing(const std::string& text) {
-  throw Failure(HFRAC_VIZ_ERR_WRITE, text);
-}
 [[noreturn]] inline void fail_drawing(const std::string& text) {
   throw Failure(HFRAC_VIZ_ERR_DRAW, text);
 }

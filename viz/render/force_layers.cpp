@@ -27,19 +27,6 @@ vtkSmartPointer<vtkActor> force_layer(std::span<const BondForce> bonds, double l
   return mesh.actor(depth::bonds);
 }
 
-vtkSmartPointer<vtkActor> crack_time_layer(std::span<const Crack> cracks, double first, double last,
-                                           double half_width) {
-  std::vector<Crack> by_time(cracks.begin(), cracks.end());
-  std::stable_sort(by_time.begin(), by_time.end(),
-                   [](const Crack& a, const Crack& b) { return a.time < b.time; });
-  const double range = last > first ? last - first : 1.0;
-  Mesh mesh;
-  for (const Crack& crack : by_time) {
-    mesh.band(crack.line, half_width, half_width / 2, palette().narrow->at((crack.time - first) / range));
-  }
-  return mesh.actor(depth::cracks);
-}
-
 vtkSmartPointer<vtkActor> coloured_cracks(std::span<const Crack> cracks, std::span<const Colour> colours,
                                           double half_width) {
   Mesh mesh;

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What every function of the C interface does: arguments checked, one call at a time, no exception out, the
-// reason into the caller's buffer.
+// What every function of the C interface does: one call at a time, no exception out, the reason kept for
+// hfrac_viz_last_error.
 #pragma once
 
 #include <cstdint>
-#include <exception>
+#include <functional>
 #include <mutex>
-#include <new>
 #include <string>
-
-#include "failure.h"
-#include "hfrac/viz.h"
-#include "render_run.h"
-#include "vtk_messages.h"
 
 namespace hfrac::viz {
 
@@ -26,64 +20,18 @@ class DrawingPause {
   DrawingPause(const DrawingPause&) = delete;
   DrawingPause& operator=(const DrawingPause&) = delete;
 };
-// Whether this thread is inside a call.
-bool& inside_call();
 
 void copy_text(const std::string& text, char* buffer, std::int32_t capacity, std::int32_t* needed);
 
-struct InsideCall {
-  InsideCall() { inside_call() = true; }
-  ~InsideCall() { inside_call() = false; }
-  InsideCall(const InsideCall&) = delete;
-  InsideCall& operator=(const InsideCall&) = delete;
-};
+// The last error or note on this thread.
+const std::string& last_error();
 
-// Runs `work`, which may throw anything, and returns the status; `text` gets the reason.
-template <class Work>
-std::int32_t guarded(std::string& text, const Work& work) {
-  try {
-    if (inside_call()) {
-      text = "called from inside a progress callback of the renderer";
-      return HFRAC_ERR_BUSY;
-    }
-    const std::lock_guard lock(drawing_mutex());
-    const InsideCall inside;
-    VtkMessages messages;
-    work();
-    return HFRAC_OK;
-  } catch (const Stopped&) {
-    return HFRAC_STOPPED;
-  } catch (const Failure& failure) {
-    text = failure.what();
-    return failure.status();
-  } catch (const std::bad_alloc&) {
-    return HFRAC_ERR_MEMORY;
-  } catch (const std::exception& error) {
-    text = error.what();
-    return HFRAC_ERR_INTERNAL;
-  } catch (...) {
-    text = "an error without a description";
-    return HFRAC_ERR_INTERNAL;
-  }
-}
+// Something is not drawn because the run lacks its data: the call gives HFRAC_VIZ_INCOMPLETE and this sentence.
+void leave_out(const std::string& sentence);
 
-// As above, with the text copied to the caller.
-template <class Work>
-std::int32_t call(char* error, std::int32_t capacity, std::int32_t* needed, const Work& work) noexcept {
-  try {
-    std::string text;
-    const std::int32_t status = guarded(text, work);
-    if (status == HFRAC_ERR_MEMORY) text = "out of memory";
-    copy_text(text, error, capacity, needed);
-    return status;
-  } catch (...) {
-    copy_text({}, error, capacity, needed);
-    return HFRAC_ERR_MEMORY;
-  }
-}
+// Runs `work`, which may throw anything, and returns the status.
+std::int32_t call(const std::function<void()>& work) noexcept;
 
 std::string required_text(const char* text, const char* name);
-void check_range(const char* name, int value, int lowest, int highest, bool zero_allowed = false);
-Progress wrapped(hfrac_viz_progress_fn progress, void* user);
 
 }  // namespace hfrac::viz

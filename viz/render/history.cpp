@@ -5,14 +5,14 @@
 #include <cmath>
 
 #include "failure.h"
-#include "grid_file.h"
+#include "run/grid_file.hpp"
 
 namespace hfrac::viz {
 namespace {
 
 constexpr int stage_count = 5;
 
-HistoryPoint read_point(const RunFolder& run, int number, const SeriesFile& discs) {
+HistoryPoint read_point(const RunFolder& run, std::int64_t number, const SeriesFile& discs) {
   HistoryPoint point;
   point.number = number;
   point.moment.time = discs.time;
@@ -76,7 +76,7 @@ void extend_history(const RunFolder& run, std::vector<HistoryPoint>& history) {
   }
 }
 
-HistoryPoint history_point(const RunFolder& run, int number) {
+HistoryPoint history_point(const RunFolder& run, std::int64_t number) {
   if (number < 0) number = run.discs.rbegin()->first;
   const SeriesFile* discs = file_of(run.discs, number);
   if (discs == nullptr) fail_argument("the run has no snapshot " + std::to_string(number));

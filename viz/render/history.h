@@ -4,13 +4,13 @@
 
 #include <vector>
 
-#include "run_folder.h"
+#include "run/run_folder.hpp"
 #include "snapshot.h"
 
 namespace hfrac::viz {
 
 struct HistoryPoint {
-  int number = 0;  // of the snapshot
+  std::int64_t number = 0;  // of the snapshot
   Moment moment;
   int tensile_cracks = 0;
   int shear_cracks = 0;
@@ -25,7 +25,7 @@ std::vector<HistoryPoint> read_history(const RunFolder& run);
 void extend_history(const RunFolder& run, std::vector<HistoryPoint>& history);
 
 // The point of one snapshot, -1: of the last. Throws Failure if there is none of that number.
-HistoryPoint history_point(const RunFolder& run, int number);
+HistoryPoint history_point(const RunFolder& run, std::int64_t number);
 
 // Up to five snapshots (indices into the history) that show how the cracks grew: evenly over the run, as in
 // the paper; if the first of them would show no crack, or the cracks stand still in two of them, evenly over

@@ -150,7 +150,7 @@ void put_heading(ChartPage& page, const RunFolder& run, const std::string& what)
 }
 
 void fill_history(ChartPage& page, const ChartData& data) {
-  const Plotter plot(data.history);
+  const Plotter plot(*data.history);
   put_heading(page, *data.run, "The run against time");
   const std::array<Panel, 6> panels = {well_panel(plot, true, data.run->net_pressures),
                                        well_panel(plot, false, false),

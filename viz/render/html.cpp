@@ -2,12 +2,12 @@
 #include "html.h"
 
 #include <array>
-#include <fstream>
-#include <sstream>
+#include <span>
 #include <string_view>
 
 #include "colour.h"
 #include "failure.h"
+#include "run/text.hpp"
 #include "svg_text.h"
 
 namespace hfrac::viz {
@@ -40,56 +40,10 @@ constexpr std::array<NamedColour, 12> chart_colours = {{{"--paper", &Palette::pa
 
 }  // namespace
 
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      default:
-        safe += letter;
-    }
-  }
-  return safe;
-}
-
-std::string base64(std::span<const std::uint8_t> bytes) {
-  static constexpr std::string_view letters =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < count ? bytes[i + k] : 0U);
-    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? letters[group >> (18 - 6 * k) & 63U] : '=';
-  }
-  return text;
-}
-
-std::string file_content(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) return {};
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream content;
-  content << file.rdbuf();
-  if (!file) fail_reading("cannot read " + path.string());
-  return content.str();
-}
-
 std::string data_address(const std::string& kind, const std::string& content) {
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(content.data());
-  return "data:" + kind + ";base64," + base64({bytes, content.size()});
+  std::string text = "data:" + kind + ";base64,";
+  append_base64(text, std::as_bytes(std::span(content)));
+  return text;
 }
 
 std::string inline_svg(const std::string& svg, const std::string& prefix) {

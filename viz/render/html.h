@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pieces of HTML: text made safe, files turned into data addresses, tables.
+// Pieces of HTML: files turned into data addresses, tables.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,6 @@
 #include <vector>
 
 namespace hfrac::viz {
-
-// With &, <, > and " as entities.
-std::string escaped(const std::string& text);
-
-std::string base64(std::span<const std::uint8_t> bytes);
-
-// A file's content, empty if there is no such file. Throws Failure(HFRAC_VIZ_ERR_READ) if it cannot be read.
-std::string file_content(const std::filesystem::path& path);
 
 // "data:image/png;base64,..."
 std::string data_address(const std::string& kind, const std::string& content);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "colour.h"
-#include "run_folder.h"
+#include "run/run_folder.hpp"
 #include "snapshot.h"
 
 namespace hfrac::viz {
@@ -45,10 +45,6 @@ vtkSmartPointer<vtkActor> aperture_layer(std::span<const Crack> cracks, double w
 // Bonds as bands as wide as their force is large: half_width [m] at `largest` [N] and above; weaker ones than
 // a fiftieth of it are left out.
 vtkSmartPointer<vtkActor> force_layer(std::span<const BondForce> bonds, double largest, double half_width);
-
-// Cracks in the colour of the time they broke at, between two times.
-vtkSmartPointer<vtkActor> crack_time_layer(std::span<const Crack> cracks, double first, double last,
-                                           double half_width);
 
 // Cracks and bonds in colours of their own: that of cell i of their file is colours[i].
 vtkSmartPointer<vtkActor> coloured_cracks(std::span<const Crack> cracks, std::span<const Colour> colours,

@@ -13,7 +13,7 @@ extern "C" {
 #include <string>
 
 #include "failure.h"
-#include "whole_file.h"
+#include "run/files.hpp"
 
 namespace hfrac::viz {
 namespace {
@@ -92,13 +92,13 @@ MovieFile::MovieFile(const std::filesystem::path& target, const VideoFormat& for
 
 MovieFile::~MovieFile() = default;
 
-void MovieFile::add(const VideoPacket& packet, std::int64_t first_frame) {
+void MovieFile::add(const VideoPacket& packet) {
   AVPacket* out = parts_->packet.get();
   const auto size = static_cast<int>(packet.data.size());
   if (av_new_packet(out, size) < 0) throw std::bad_alloc();
   std::memcpy(out->data, packet.data.data(), packet.data.size());
-  out->pts = packet.shown + first_frame;
-  out->dts = packet.decoded + first_frame;
+  out->pts = packet.shown;
+  out->dts = packet.decoded;
   out->duration = 1;  // without it the last picture would last no time
   out->flags = packet.key ? AV_PKT_FLAG_KEY : 0;
   out->stream_index = parts_->stream->index;

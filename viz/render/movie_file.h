@@ -18,8 +18,8 @@ class MovieFile {
   MovieFile(const MovieFile&) = delete;
   MovieFile& operator=(const MovieFile&) = delete;
 
-  // In order of decoding; `first_frame` is added to the packet's times.
-  void add(const VideoPacket& packet, std::int64_t first_frame = 0);
+  // In order of decoding.
+  void add(const VideoPacket& packet);
   void finish();
 
  private:

@@ -3,10 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <memory>
-#include <optional>
 #include <string>
-#include <system_error>
 #include <thread>
 
 #include "failure.h"
@@ -14,7 +11,6 @@
 #include "history.h"
 #include "movie_file.h"
 #include "movie_picture.h"
-#include "movie_reel.h"
 #include "vtk_messages.h"
 
 namespace hfrac::viz {
@@ -22,9 +18,8 @@ namespace {
 
 constexpr int highest_frame_rate = 60;  // [1/s]
 constexpr int unknown_length_rate = 10;
-constexpr int piece_frames = 10;
+constexpr int piece_frames = 10;  // while a run goes on
 constexpr std::chrono::milliseconds poll_time{300};
-constexpr const char* drawing_version = "1";  // of the frames' look: pieces of another one are not used
 
 // A run of `count` snapshots in so many seconds: every stride-th one is a frame.
 struct Pace {
@@ -50,7 +45,7 @@ class MovieMaker {
         progress_(progress),
         window_(make_offscreen_window()),
         run_(open_run(folder)),
-        live_(options.movie_follow != 0 && run_.going_on) {
+        live_(options.movie_follow != 0) {
     extend_history(run_, history_);
     const int count = live_ ? run_.planned_snapshots : static_cast<int>(history_.size());
     pace_ = Pace(count, options.movie_seconds);
@@ -62,34 +57,32 @@ class MovieMaker {
     format_.height = size.height;
   }
 
+  // The packets of the whole movie are kept, a few megabytes. One that follows a run is encoded in pieces that can be decoded
+  // by themselves, since an encoder holds frames back, and written anew after each of them.
   void make() {
-    if (format_.kind == VideoKind::webp) {
-      if (live_) fail_argument("a movie that follows a run ends in .mp4; " + target_.string() + " does not");
-      make_at_once();
-      return;
-    }
-    const MovieReel reel(target_);
-    int pieces = 0;
-    while (true) {
+    if (format_.kind == VideoKind::webp && live_)
+      fail_argument("a movie that follows a run ends in .mp4; " + target_.string() + " does not");
+    std::vector<VideoPacket> packets;
+    for (int drawn = 0;;) {
       const bool over = !live_ || !run_.going_on;
       const std::vector<int> frames = frames_so_far(over);
       const auto count = static_cast<int>(frames.size());
-      for (; pieces * piece_frames < count && (over || (pieces + 1) * piece_frames <= count); ++pieces) {
-        const int first = pieces * piece_frames;
-        make_piece(reel, pieces, frames, first, std::min(count, first + piece_frames));
-        if (!over) reel.assemble(format_, pieces + 1);  // to be looked at meanwhile
+      while (drawn < count && (over || drawn + piece_frames <= count)) {
+        const int end = live_ ? std::min(count, drawn + piece_frames) : count;
+        encode(frames, drawn, end, packets);
+        drawn = end;
+        if (!over) write(packets);
       }
       if (over) break;
       wait(count);
       run_ = open_run(folder_);
       extend_history(run_, history_);
     }
-    reel.assemble(format_, pieces);
-    reel.remove();
+    write(packets);
   }
 
  private:
-  // Indices into the history. Of a finished run backwards from the end, so that the last snapshot is always the last
+  // Indices into the history. Of a whole run backwards from the end, so that the last snapshot is always the last
   // picture; of a running one forwards.
   std::vector<int> frames_so_far(bool over) const {
     const auto count = static_cast<int>(history_.size());
@@ -118,57 +111,29 @@ class MovieMaker {
     Image image;
     movie_frame(studio, load_scene(run_, history_[index], false, false), curves,
                 [&](Page& page) { image = page.draw(); });
-    const std::string errors = messages.take_errors();
-    if (!errors.empty()) fail_drawing("drawing failed: " + errors);
+    messages.demand_none();
     return image;
   }
 
-  // All that the frames of a piece depend on.
-  std::string signature(const std::vector<int>& frames, int first, int end, const MovieCurves& curves) const {
-    std::string text = std::string(drawing_version) + ' ' + std::to_string(format_.width) + 'x' +
-                       std::to_string(format_.height) + ' ' + std::to_string(format_.rate) + ' ' +
-                       std::to_string(options_.dark) + (live_ ? " live " : " whole ") +
-                       std::to_string(curves.end_time);
-    if (!live_) text += ' ' + std::to_string(curves.top_pressure) + ' ' + std::to_string(curves.top_cracks);
-    text += '\n' + run_.title;
-    for (int i = first; i < end; ++i) {
-      const int number = history_[frames[i]].number;
-      const std::filesystem::path& file = run_.discs.at(number).path;
-      std::error_code ignored;
-      text += '\n' + std::to_string(number) + ' ' +
-              std::to_string(std::filesystem::file_size(file, ignored)) + ' ' +
-              std::to_string(std::filesystem::last_write_time(file, ignored).time_since_epoch().count());
-    }
-    return text;
-  }
-
-  void make_piece(const MovieReel& reel, int piece, const std::vector<int>& frames, int first,
-                  int end) const {
-    const auto count = static_cast<int>(frames.size());
+  void encode(const std::vector<int>& frames, int first, int end, std::vector<VideoPacket>& packets) const {
     const MovieCurves curves = movie_curves(run_, history_, live_);
-    MoviePiece made{signature(frames, first, end, curves), end - first, {}};
-    if (reel.has(piece, made.signature)) return;
-    const auto keep = [&](const VideoPacket& packet) { made.packets.push_back(packet); };
+    const auto keep = [&](VideoPacket packet) {
+      packet.shown += first;
+      packet.decoded += first;
+      packets.push_back(std::move(packet));
+    };
     VideoEncoder encoder(format_);
     for (int i = first; i < end; ++i) {
-      tell(i, count);
+      tell(i, static_cast<int>(frames.size()));
       encoder.add(frame(frames[i], curves), keep);
     }
     encoder.finish(keep);
-    reel.put(piece, made);
   }
 
-  void make_at_once() const {
-    const std::vector<int> frames = frames_so_far(true);
-    const MovieCurves curves = movie_curves(run_, history_, false);
-    VideoEncoder encoder(format_);
+  void write(const std::vector<VideoPacket>& packets) const {
+    const VideoEncoder encoder(format_);  // for what the container has to know
     MovieFile movie(target_, format_, encoder);
-    const auto write = [&](const VideoPacket& packet) { movie.add(packet); };
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-      tell(static_cast<int>(i), static_cast<int>(frames.size()));
-      encoder.add(frame(frames[i], curves), write);
-    }
-    encoder.finish(write);
+    for (const VideoPacket& packet : packets) movie.add(packet);
     movie.finish();
   }
 

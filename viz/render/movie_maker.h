@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A movie of a run: which snapshots become frames, and in what order the work is done. Finished pieces stay on the disk
-// until the movie is, so a render that was killed goes on where it stopped, and one may follow a run that goes on.
+// A movie of a run: which snapshots become frames, and when the file is written. One that follows a run is paced by what the
+// run plans, whether it is over by then or not, so that the same run gives the same movie.
 #pragma once
 
 #include <filesystem>

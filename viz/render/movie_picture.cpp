@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "growth_layers.h"
 #include "number_text.h"
 #include "quantity.h"
 #include "sheet.h"
-#include "table_file.h"
+#include "run/files.hpp"
+#include "run/table_file.hpp"
 
 namespace hfrac::viz {
 namespace {
@@ -45,11 +47,12 @@ std::vector<Note> frame_notes(const HistoryPoint& point) {
 
 MovieCurves movie_curves(const RunFolder& run, const std::vector<HistoryPoint>& history, bool live) {
   MovieCurves curves;
-  const TableFile table(run.path / "history.csv");
-  if (table.rows() > 1 && table.has("time_s") && table.has("crack_count")) {
-    const std::vector<double> time = table.numbers("time_s");
-    const std::vector<double> pressure = table.numbers("well_pressure_Pa");
-    const std::vector<double> cracks = table.numbers("crack_count");
+  const auto path = run.path / "history.csv";
+  const auto table = is_file(path) ? std::optional<TableFile>(path) : std::nullopt;
+  if (table && table->rows() > 1) {
+    const std::vector<double> time = table->numbers("time_s");
+    const std::vector<double> pressure = table->numbers("well_pressure_Pa");
+    const std::vector<double> cracks = table->numbers("crack_count");
     for (std::size_t i = 0; i < time.size(); ++i) add_point(curves, time[i], pressure[i], cracks[i]);
   } else {
     for (const HistoryPoint& point : history) {

@@ -13,18 +13,22 @@
 #define APIENTRY
 #endif
 #include <GL/osmesa.h>
+#include <sys/resource.h>
+#include <unistd.h>
 #include <vtkObjectFactory.h>
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
 
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <mutex>
 #include <set>
 #include <string>
 
 #include "failure.h"
 #include "gl_dispatch.h"
+#include "number_text.h"
 
 namespace hfrac::viz {
 namespace {
@@ -183,7 +187,27 @@ const char* OffscreenWindow::ReportCapabilities() {
   return this->Capabilities;
 }
 
+namespace {
+
+// Mesa and x264 end the process where memory runs out under them. Under `ulimit -v` that is known before.
+void require_address_space() {
+  constexpr double megabyte = 1e6, needed = 700;  // [MB] measured: pictures 1600 and a movie 1280 pixels wide
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
+  long pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  const double allowed = static_cast<double>(limit.rlim_cur) / megabyte;
+  const double taken = static_cast<double>(pages) * static_cast<double>(::sysconf(_SC_PAGESIZE)) / megabyte;
+  if (allowed - taken >= needed) return;
+  throw Failure(HFRAC_ERR_MEMORY, "not enough memory to draw: this process may take " + value_text(allowed) +
+                                      " MB (ulimit -v), has " + value_text(taken) + " MB and needs " +
+                                      value_text(needed) + " MB more");
+}
+
+}  // namespace
+
 vtkSmartPointer<OffscreenWindow> make_offscreen_window() {
+  require_address_space();
   auto window = vtkSmartPointer<OffscreenWindow>::New();
   window->Initialize();
   return window;

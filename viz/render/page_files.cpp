@@ -10,7 +10,7 @@
 #include "png_file.h"
 #include "svg_text.h"
 #include "vtk_messages.h"
-#include "whole_file.h"
+#include "run/files.hpp"
 
 namespace hfrac::viz {
 namespace {
@@ -21,9 +21,8 @@ void export_whole(const std::filesystem::path& target, const Write& write) {
   WholeFile file(target);
   VtkMessages messages;
   write(file.working_path());
-  const std::string errors = messages.take_errors();
+  messages.demand_none();
   std::error_code missing;
-  if (!errors.empty()) fail_drawing("drawing failed: " + errors);
   if (std::filesystem::file_size(file.working_path(), missing) == 0 || missing) {
     fail_writing("cannot write " + target.string());
   }
@@ -47,8 +46,7 @@ Image page_image(const PageContent& content, OffscreenWindow* window, int width)
   ChartPage page(window, height, static_cast<double>(width) * factor / ChartPage::width);
   content.fill(page);
   Image image = page.draw(factor);
-  const std::string errors = messages.take_errors();
-  if (!errors.empty()) fail_drawing("drawing failed: " + errors);
+  messages.demand_none();
   return image;
 }
 

@@ -4,9 +4,10 @@
 
 #include <string>
 
-#include "run_folder.h"
+#include "run/run_folder.hpp"
 
 namespace hfrac::viz {
+using namespace hfrac::run;
 
 // It finds the run beside itself, so the folder may be moved.
 std::string paraview_script(const RunFolder& run);

@@ -10,7 +10,7 @@
 #include "history.h"
 #include "offscreen_window.h"
 #include "page.h"
-#include "run_folder.h"
+#include "run/run_folder.hpp"
 
 namespace hfrac::viz {
 
@@ -46,7 +46,7 @@ Scene load_scene(const RunFolder& run, const HistoryPoint& point, bool with_bond
 void model_picture(const Studio& studio, const Scene& scene, const PageSink& sink);
 void stage_picture(const Studio& studio, const Scene& scene, const PageSink& sink);
 void growth_picture(const Studio& studio, const std::vector<Scene>& scenes, const PageSink& sink);
-// Throws Failure(HFRAC_VIZ_ERR_READ) if the scene has no domains.
+// Throws ReadError if the scene has no domains.
 void pressure_picture(const Studio& studio, const Scene& scene, const PageSink& sink);
 void aperture_picture(const Studio& studio, const Scene& scene, const PageSink& sink);
 

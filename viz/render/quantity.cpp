@@ -25,8 +25,10 @@ constexpr std::array<Shown, 4> pascals = {
     {{1e9, 1e-9, "GPa"}, {1e5, 1e-6, "MPa"}, {1e2, 1e-3, "kPa"}, {0, 1, "Pa"}}};
 constexpr std::array<Shown, 4> metres = {
     {{1e4, 1e-3, "km"}, {0.5, 1, "m"}, {5e-4, 1e3, "mm"}, {0, 1e6, "\xC2\xB5m"}}};
-constexpr std::array<Shown, 3> square_metres = {
+constexpr std::array<Shown, 3> permeabilities = {
     {{1e-5, 1, "m\xC2\xB2"}, {1e-9, 1e6, "mm\xC2\xB2"}, {0, 1 / millidarcy, "mD"}}};
+constexpr std::array<Shown, 3> square_metres = {
+    {{1e-3, 1, "m\xC2\xB2"}, {1e-9, 1e6, "mm\xC2\xB2"}, {0, 1e12, "\xC2\xB5m\xC2\xB2"}}};
 constexpr std::array<Shown, 5> seconds = {{{2 * 86400.0, 1 / 86400.0, "d"},
                                            {2 * 3600.0, 1 / 3600.0, "h"},
                                            {600, 1 / 60.0, "min"},
@@ -43,11 +45,13 @@ constexpr std::array<Shown, 1> kelvins = {{{0, 1, "K"}}};
 constexpr std::array<Shown, 1> celsius = {{{0, 1,
                                             "\xC2\xB0"
                                             "C"}}};
-constexpr std::array<Shown, 1> rates = {{{0, 1, "m\xC2\xB2/s"}}};
+constexpr std::array<Shown, 3> rates = {
+    {{1e-2, 1, "m\xC2\xB2/s"}, {1e-8, 1e6, "mm\xC2\xB2/s"}, {0, 1e12, "\xC2\xB5m\xC2\xB2/s"}}};
 constexpr std::array<Shown, 1> speeds = {{{0, 1, "m/s"}}};
 constexpr std::array<Shown, 1> viscosities = {{{0, 1, "Pa s"}}};
 constexpr std::array<Shown, 1> densities = {{{0, 1, "kg/m\xC2\xB3"}}};
-constexpr std::array<Shown, 1> moments = {{{0, 1e-6, "MN m"}}};
+constexpr std::array<Shown, 4> moments = {
+    {{1e9, 1e-9, "GN m"}, {1e5, 1e-6, "MN m"}, {1e2, 1e-3, "kN m"}, {0, 1, "N m"}}};
 
 struct Ending {
   std::string_view text;
@@ -99,8 +103,11 @@ Quantity quantity_of(const std::string& column, double largest) {
   }
   for (const Ending& ending : endings()) {
     if (!column.ends_with(ending.text)) continue;
-    Shown way = ending.ways.back();
-    for (const Shown& one : ending.ways) {
+    // A permeability is an area too, and is told in darcys.
+    const bool permeable = ending.text == "_m2" && column.find("permeability") != std::string::npos;
+    const std::span<const Shown> ways = permeable ? permeabilities : ending.ways;
+    Shown way = ways.back();
+    for (const Shown& one : ways) {
       if (std::fabs(largest) < one.from) continue;
       way = one;
       break;

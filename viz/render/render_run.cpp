@@ -14,7 +14,7 @@
 #include "paraview_script.h"
 #include "pictures.h"
 #include "vtk_messages.h"
-#include "whole_file.h"
+#include "run/files.hpp"
 
 namespace hfrac::viz {
 namespace {
@@ -86,8 +86,7 @@ void save(const Workshop& shop, const std::filesystem::path& stem, const std::ve
     for (const std::string& ending : endings)
       contents.push_back(page_content(page, ending, shop.title(), shop.options.dots_per_inch));
   });
-  const std::string errors = messages.take_errors();
-  if (!errors.empty()) fail_drawing("drawing failed: " + errors);
+  messages.demand_none();
   for (std::size_t i = 0; i < endings.size(); ++i) write_whole(stem.string() + endings[i], contents[i]);
 }
 
@@ -97,12 +96,6 @@ std::vector<std::string> endings_of(int formats) {
   if ((formats & HFRAC_VIZ_SVG) != 0) endings.emplace_back(".svg");
   if ((formats & HFRAC_VIZ_PDF) != 0) endings.emplace_back(".pdf");
   return endings;
-}
-
-void write_script(const RunFolder& run) {
-  const std::string text = paraview_script(run);
-  write_whole(run.path / "paraview_state.py",
-              {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
 void tell(const Progress& progress, double fraction, const std::string& what) {
@@ -137,7 +130,7 @@ void render_run(const std::filesystem::path& folder, const hfrac_viz_options& op
   const std::vector<std::string> endings = endings_of(options.formats);
   const std::filesystem::path target = folder / "pictures";
   make_folder(target);
-  write_script(shop.run);
+  write_whole(shop.run.path / "paraview_state.py", paraview_script(shop.run));
   const auto wanted = [&](int pictures) { return (options.pictures & pictures) != 0; };
   const bool movie = wanted(HFRAC_VIZ_MOVIE);
   int done = 0;

@@ -8,11 +8,13 @@
 #include "number_text.h"
 #include "report_style.h"
 #include "report_tables.h"
+#include "run/json_file.hpp"
+#include "run/text.hpp"
 
 namespace hfrac::viz {
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 struct Picture {
   const char* file;
@@ -26,7 +28,7 @@ std::string figure(const std::string& content, const std::string& caption) {
 }
 
 std::string picture(const std::filesystem::path& folder, const Picture& wanted) {
-  const std::string content = file_content(folder / wanted.file);
+  const std::string content = read_if_there(folder / wanted.file);
   if (content.empty()) return {};
   return figure(
       "<img alt=\"" + std::string(wanted.caption) + "\" src=\"" + data_address("image/png", content) + "\">",
@@ -34,7 +36,7 @@ std::string picture(const std::filesystem::path& folder, const Picture& wanted) 
 }
 
 std::string movie(const std::filesystem::path& folder) {
-  const std::string content = file_content(folder / "movie.mp4");
+  const std::string content = read_if_there(folder / "movie.mp4");
   if (content.empty()) return {};
   return "<h2 id=\"movie\" class=\"screen\">Movie</h2>\n" +
          figure("<video controls loop muted playsinline src=\"" + data_address("video/mp4", content) +
@@ -52,7 +54,7 @@ std::string charts(const std::filesystem::path& folder) {
   std::string text;
   for (const Picture& chart : wanted) {
     const std::string name = chart.file;
-    text += figure(inline_svg(file_content(folder / (name + ".svg")), name + "-"), chart.caption);
+    text += figure(inline_svg(read_if_there(folder / (name + ".svg")), name + "-"), chart.caption);
   }
   return text.empty() ? text : "<h2 id=\"curves\">Curves</h2>\n" + text;
 }
@@ -89,14 +91,11 @@ std::string page_head(const std::string& title) {
 }  // namespace
 
 std::string report_page(const std::filesystem::path& folder) {
-  const std::string content = file_content(folder / "summary.json");
-  if (content.empty()) fail_reading(folder.string() + " has no summary.json");
-  const json summary = json::parse(content, nullptr, false);
-  if (!summary.is_object()) fail_reading((folder / "summary.json").string() + " is not valid JSON");
+  const json summary = read_json(folder / "summary.json");
   const std::string own_title = text_at(summary, "title");
   const std::string title = own_title.empty() ? "Hydraulic fracturing run" : own_title;
   const std::filesystem::path drawn = folder / "pictures";
-  const std::string definition = file_content(folder / "case.toml");
+  const std::string definition = read_if_there(folder / "case.toml");
   std::string page = page_head(title) + "<header>\n<h1>" + escaped(title) +
                      "</h1>\n<p>Ended: " + escaped(text_at(summary, "ended")) + "</p>\n" +
                      key_numbers(summary) + "</header>\n";

@@ -8,7 +8,7 @@
 namespace hfrac::viz {
 
 // The page, from case.toml, summary.json and the pictures, charts (SVG) and movie that are in `folder`/pictures.
-// Throws Failure(HFRAC_VIZ_ERR_READ).
+// Throws ReadError.
 std::string report_page(const std::filesystem::path& folder);
 
 }  // namespace hfrac::viz

@@ -8,29 +8,16 @@
 
 #include "html.h"
 #include "number_text.h"
+#include "run/text.hpp"
 
 namespace hfrac::viz {
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 constexpr double per_mega = 1e-6;
 constexpr double millimetres_per_metre = 1e3;
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
-
-const json* member(const json& object, const std::string& path) {
-  const json* found = &object;
-  std::size_t first = 0;
-  while (first <= path.size()) {
-    const std::size_t dot = std::min(path.find('.', first), path.size());
-    if (!found->is_object()) return nullptr;
-    const auto next = found->find(path.substr(first, dot - first));
-    if (next == found->end()) return nullptr;
-    found = &*next;
-    first = dot + 1;
-  }
-  return found;
-}
 
 std::string shown(double value, const std::string& unit = "") {
   if (!std::isfinite(value)) return "\xE2\x80\x93";
@@ -67,16 +54,6 @@ std::vector<json> list_at(const json& summary, const char* name) {
 }
 
 }  // namespace
-
-double number_at(const json& summary, const std::string& path) {
-  const json* found = member(summary, path);
-  return found != nullptr && found->is_number() ? found->get<double>() : std::nan("");
-}
-
-std::string text_at(const json& summary, const std::string& path) {
-  const json* found = member(summary, path);
-  return found != nullptr && found->is_string() ? found->get<std::string>() : std::string();
-}
 
 std::string key_numbers(const json& summary) {
   const double time = number_at(summary, "state.time_s");
@@ -151,7 +128,6 @@ std::string balance_tables(const json& summary) {
 std::string version_table(const json& summary) {
   return name_table({{"hfrac", text_at(summary, "versions.hfrac")},
                      {"build", text_at(summary, "versions.build")},
-                     {"VTK", text_at(summary, "versions.vtk")},
                      {"stresses", text_at(summary, "stress_convention")},
                      {"state hash", text_at(summary, "state_hash")}});
 }

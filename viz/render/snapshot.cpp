@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grid_file.h"
+#include "run/grid_file.hpp"
 
 namespace hfrac::viz {
 namespace {
@@ -128,11 +128,6 @@ Flow read_flow(const SeriesFile& file) {
     read.domains.push_back(domain);
   }
   return read;
-}
-
-const SeriesFile* file_of(const Series& series, int number) {
-  const auto found = series.find(number);
-  return found != series.end() ? &found->second : nullptr;
 }
 
 }  // namespace hfrac::viz

@@ -7,14 +7,11 @@
 #include <filesystem>
 #include <vector>
 
-#include "run_folder.h"
+#include "run/grid_file.hpp"
+#include "run/run_folder.hpp"
 
 namespace hfrac::viz {
-
-struct Point {
-  double x = 0;  // [m]
-  double y = 0;  // [m]
-};
+using namespace hfrac::run;
 
 struct Segment {
   Point from;
@@ -24,13 +21,6 @@ struct Segment {
 struct Disc {
   Point centre;
   double radius = 0;  // [m]
-};
-
-// When a file was written and how the wells stood.
-struct Moment {
-  double time = 0;                    // [s]
-  std::int64_t step = -1;             // -1 if unknown
-  std::vector<double> well_pressure;  // [Pa] one per well, may be empty
 };
 
 struct Discs {
@@ -76,7 +66,7 @@ struct Flow {
   std::vector<Point> corners;
 };
 
-// Each throws Failure(HFRAC_VIZ_ERR_READ) if the file is missing or damaged.
+// Each throws ReadError if the file is missing or damaged.
 Discs read_discs(const SeriesFile& file);
 Bonds read_bonds(const SeriesFile& file);
 Cracks read_cracks(const SeriesFile& file);
@@ -86,8 +76,5 @@ std::vector<BondForce> read_bond_forces(const SeriesFile& file);
 std::vector<Segment> read_bond_lines(const SeriesFile& file);
 // An array of the discs, `components` values per disc.
 std::vector<double> read_disc_array(const SeriesFile& file, const char* name, std::size_t components);
-
-// The file of snapshot `number`, or nullptr.
-const SeriesFile* file_of(const Series& series, int number);
 
 }  // namespace hfrac::viz

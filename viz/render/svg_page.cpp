@@ -2,14 +2,16 @@
 // A page as SVG. Every text says how long it is, so that it fits its place in whatever font the reader has.
 #include <charconv>
 #include <cmath>
+#include <span>
 
-#include "html.h"
+#include "run/text.hpp"
 #include "png_file.h"
 #include "svg_text.h"
 #include "vector_canvas.h"
 #include "vector_page.h"
 
 namespace hfrac::viz {
+using namespace hfrac::run;
 namespace {
 
 // Two decimals of a pixel, without the zeros behind them.
@@ -74,7 +76,10 @@ class SvgCanvas : public VectorCanvas {
 
   void picture(const Image& image, const Box& box) override {
     tag("image").with(box).with("preserveAspectRatio", std::string("none"));
-    with("href", std::string("data:image/png;base64,").append(base64(png(image)))).end();
+    std::string address = "data:image/png;base64,";
+    const std::vector<std::uint8_t> pixels = png(image);
+    append_base64(address, std::as_bytes(std::span(pixels)));
+    with("href", address).end();
   }
 
   void text(const PageText& text, double width) override {

@@ -53,12 +53,4 @@ struct Job {
   }
 };
 
-// Discs in the colour of a value, `scale` shown units per SI unit; `key` has what stands above the scale.
-Key show_field(const Job& job, std::vector<double> values, double scale, bool two_ways, Key key);
-
-// Any array of the snapshot's files: of discs, domains, cracks or bonds.
-Key show_array(const Job& job, const ViewSpec& spec);
-// temperature_K or temperature_degC, of the discs or the domains.
-Key show_temperature(const Job& job);
-
 }  // namespace hfrac::viz

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Quantities are drawn by what carries them - discs, domains, cracks, bonds - whether the list of views (run/views.hpp) names
+// them or the user names an array of the files; only discs, bonds and forces are drawings of their own.
 #include "view_layers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <tuple>
+#include <optional>
 
 #include "disc_field.h"
 #include "number_text.h"
+#include "quantity.h"
 #include "sheet.h"
 #include "view_job.h"
 
 namespace hfrac::viz {
 namespace {
 
-constexpr double pascal_per_megapascal = 1e6;
-constexpr double newton_per_meganewton = 1e6;
-constexpr double millimetres_per_metre = 1e3;
 constexpr double smoothing_radii = 5;  // of a disc
 
 Key show_discs(const Job& job) {
@@ -23,7 +24,6 @@ Key show_discs(const Job& job) {
   job.add_discs(palette().disc, palette().disc_rim);
   job.add_cracks(false);
   Key key;
-  key.title = "Discs and cracks";
   key.entries = job.crack_signs();
   key.entries.insert(key.entries.begin(), {Sign::disc, palette().disc, palette().disc_rim, "disc"});
   return key;
@@ -45,96 +45,14 @@ Key show_forces(const Job& job) {
   job.add(force_layer(bonds, largest, std::max(0.45 * job.radius, 1.2 * job.size.unit_metres)));
   job.add_cracks(true);
   Key key;
-  key.title = "Forces across bonds";
   key.entries = {{Sign::band, palette().push, {}, "compression"},
                  {Sign::band, palette().pull, {}, "tension"}};
   const std::vector<LegendEntry> signs = job.crack_signs();
   key.entries.insert(key.entries.end(), signs.begin(), signs.end());
-  key.label = "widest: " + value_text(largest / newton_per_meganewton) + " MN/m";
+  // Per metre of thickness.
+  const Quantity widest = quantity_of("normal_force_N", largest);
+  key.label = "widest: " + value_text(largest * widest.scale) + " " + widest.unit + "/m";
   return key;
-}
-
-Key show_crack_times(const Job& job) {
-  double first = INFINITY;
-  double last = -INFINITY;
-  for (const Crack& crack : job.scene.cracks.cracks) {
-    first = std::min(first, crack.time);
-    last = std::max(last, crack.time);
-  }
-  if (!(last > first)) {
-    first = std::isfinite(first) ? first : 0.0;
-    last = first + 1;
-  }
-  job.add_well();
-  job.add_quiet_discs();
-  job.add(crack_time_layer(job.scene.cracks.cracks, first, last, 1.4 * job.crack_half_width()));
-  return {"Cracks by time", palette().narrow, first, last, "broken at (s)", "", {}};
-}
-
-Key show_apertures(const Job& job) {
-  double widest = 0;
-  for (const Crack& crack : job.scene.cracks.cracks) widest = std::max(widest, crack.aperture);
-  job.add_well();
-  job.add_quiet_discs();
-  const double half = std::clamp(0.35 * job.radius, 4 * job.size.unit_metres, 12 * job.size.unit_metres);
-  job.add(aperture_layer(job.scene.cracks.cracks, widest, half));
-  const double highest = widest > 0 ? widest * millimetres_per_metre : 1.0;
-  return {"Crack aperture", palette().narrow, 0, highest, "aperture (mm)", "", {}};
-}
-
-Key show_pressure(const Job& job) {
-  if (job.scene.flow.domains.empty()) job.file(job.run.flow, "flow data");
-  double lowest = INFINITY;
-  double highest = -INFINITY;
-  for (const Domain& domain : job.scene.flow.domains) {
-    lowest = std::min(lowest, domain.pressure);
-    highest = std::max(highest, domain.pressure);
-  }
-  if (!(highest > lowest)) highest = lowest + pascal_per_megapascal;
-  job.add(domain_layer(job.scene.flow, lowest, highest));
-  job.add_cracks(true);
-  job.add_ring();
-  return {"Fluid pressure",
-          &pressure_map,
-          lowest / pascal_per_megapascal,
-          highest / pascal_per_megapascal,
-          "pressure (MPa)",
-          job.run.net_pressures ? "above the formation's" : "",
-          {}};
-}
-
-Key show_displacement(const Job& job) {
-  const std::vector<double> vectors = read_disc_array(job.file(job.run.discs, "discs"), "displacement_m", 3);
-  std::vector<double> lengths;
-  for (std::size_t i = 0; i + 2 < vectors.size(); i += 3)
-    lengths.push_back(std::hypot(vectors[i], vectors[i + 1]));
-  return show_field(
-      job, std::move(lengths), millimetres_per_metre, false,
-      {"Displacement", nullptr, 0, 1, "displacement (mm)", "since the initial equilibration", {}});
-}
-
-// Of the tensor xx, yy, xy the engine gives per disc.
-Key show_stress(const Job& job, double xx, double yy, double xy, bool signed_by_compression, Key key) {
-  const std::vector<double> tensors = read_disc_array(job.file(job.run.discs, "discs"), "stress_Pa", 3);
-  std::vector<double> values;
-  for (std::size_t i = 0; i + 2 < tensors.size(); i += 3)
-    values.push_back(xx * tensors[i] + yy * tensors[i + 1] + xy * tensors[i + 2]);
-  key.second_label = signed_by_compression ? "compression positive" : "";
-  return show_field(job, smoothed(job.scene.discs, values, smoothing_radii * job.radius),
-                    1 / pascal_per_megapascal, true, key);
-}
-
-Key show_stress(const Job& job, int kind) {
-  switch (kind) {
-    case HFRAC_VIZ_VIEW_STRESS_XX:
-      return show_stress(job, 1, 0, 0, true, {"Stress along x", nullptr, 0, 1, "stress xx (MPa)", "", {}});
-    case HFRAC_VIZ_VIEW_STRESS_YY:
-      return show_stress(job, 0, 1, 0, true, {"Stress along y", nullptr, 0, 1, "stress yy (MPa)", "", {}});
-    case HFRAC_VIZ_VIEW_STRESS_XY:
-      return show_stress(job, 0, 0, 1, false, {"Shear stress", nullptr, 0, 1, "stress xy (MPa)", "", {}});
-    default:
-      return show_stress(job, 0.5, 0.5, 0, true, {"Mean stress", nullptr, 0, 1, "mean stress (MPa)", "", {}});
-  }
 }
 
 Key show_bonds(const Job& job) {
@@ -147,67 +65,202 @@ Key show_bonds(const Job& job) {
   }
   job.add_cracks(false);
   Key key;
-  key.title = "Bonds and cracks";
   key.entries = job.crack_signs();
   key.entries.insert(key.entries.begin(), {{Sign::disc, palette().disc, palette().disc_rim, "disc"},
                                            {Sign::line, palette().bond, {}, "intact bond"}});
   return key;
 }
 
-Key show_rotation(const Job& job) {
-  constexpr double milliradians = 1e3;
-  return show_field(
-      job, read_disc_array(job.file(job.run.discs, "discs"), "rotation_rad", 1), milliradians, true,
-      {"Rotation of the discs", nullptr, 0, 1, "rotation (mrad)", "anticlockwise positive", {}});
+struct Place {
+  const char* file;
+  const char* section;
+  Series RunFolder::*series;
+};
+
+constexpr std::array<Place, 4> places = {{{"discs", "PointData", &RunFolder::discs},
+                                          {"flow", "CellData", &RunFolder::flow},
+                                          {"cracks", "CellData", &RunFolder::cracks},
+                                          {"bonds", "CellData", &RunFolder::bonds}}};
+
+// Everything there is, for the user who guessed.
+std::string names_of(const Job& job) {
+  std::string text;
+  for (const Place& place : places) {
+    const SeriesFile* file = file_of(job.run.*place.series, job.scene.point.number);
+    if (file == nullptr) continue;
+    text.append(text.empty() ? "" : "; ").append(place.file).append(":");
+    for (const ArrayHead& head : GridFile(*file).arrays(place.section)) text.append(" ").append(head.name);
+  }
+  return text;
+}
+
+struct FoundArray {
+  const Place* place = nullptr;
+  std::vector<double> values;  // one per item
+};
+
+double usable(double value) {
+  return std::fabs(value) < 1e30 ? value : 0.0;
+}
+
+// One number per item out of all components.
+std::vector<double> combined(const std::vector<double>& all, std::size_t components, const ViewSpec& spec) {
+  std::vector<double> values;
+  values.reserve(all.size() / components);
+  for (std::size_t i = 0; i + components <= all.size(); i += components) {
+    const auto at = [&](std::size_t k) { return usable(all[i + k]); };
+    switch (spec.how) {
+      case Combination::length:
+        values.push_back(std::hypot(at(0), at(1)));
+        break;
+      case Combination::mean:
+        values.push_back((at(0) + at(1)) / 2);
+        break;
+      case Combination::shear:
+        values.push_back(std::hypot((at(0) - at(1)) / 2, at(2)));
+        break;
+      case Combination::component:
+        values.push_back(at(static_cast<std::size_t>(spec.component)));
+        break;
+    }
+  }
+  return values;
+}
+
+FoundArray find_array(const Job& job, const ViewSpec& spec) {
+  for (const Place& place : places) {
+    if (!spec.file.empty() && spec.file != place.file) continue;
+    const SeriesFile* file = file_of(job.run.*place.series, job.scene.point.number);
+    if (file == nullptr) continue;
+    const GridFile grid(*file);
+    for (const ArrayHead& head : grid.arrays(place.section)) {
+      const std::size_t needed = spec.how == Combination::shear       ? 3
+                                 : spec.how == Combination::component ? static_cast<std::size_t>(spec.component) + 1
+                                                                      : 2;
+      if (head.name != spec.array || head.components < needed) continue;
+      return {&place, combined(grid.values(place.section, head.name), head.components, spec)};
+    }
+  }
+  return {};
+}
+
+// The ends of a colour scale, in the array's own unit.
+std::pair<double, double> range_of(const Job& job, const ViewSpec& spec, const FoundArray& found, bool two_ways) {
+  if (found.place->series == &RunFolder::discs && !spec.all_values)
+    return usual_range(job.scene.discs, found.values, job.view.extent, two_ways);
+  if (found.values.empty()) return {0, 0};
+  std::vector<double> values = found.values;
+  if (two_ways) {
+    for (double& value : values) value = std::fabs(value);
+  }
+  std::sort(values.begin(), values.end());
+  const auto last = static_cast<double>(values.size() - 1);
+  const double cut = spec.all_values ? 0.0 : 0.01;
+  const double highest = values[static_cast<std::size_t>((1 - cut) * last)];
+  return {two_ways ? -highest : values[static_cast<std::size_t>(cut * last)], highest};
+}
+
+const ColourMap* map_of(ColourScale scale) {
+  switch (scale) {
+    case ColourScale::two_ways:
+      return palette().two_ways;
+    case ColourScale::narrow:
+      return palette().narrow;
+    case ColourScale::pressure:
+      return &pressure_map;
+    case ColourScale::magnitude:
+      break;
+  }
+  return &magnitude_map;
+}
+
+void show_cracks(const Job& job, const ViewSpec& spec, std::span<const Colour> colours) {
+  job.add_well();
+  job.add_quiet_discs();
+  const auto& cracks = job.scene.cracks.cracks;
+  if (spec.by_width) {
+    double widest = 0;
+    for (const Crack& crack : cracks) widest = std::max(widest, crack.aperture);
+    const double half = std::clamp(0.35 * job.radius, 4 * job.size.unit_metres, 12 * job.size.unit_metres);
+    job.add(aperture_layer(cracks, widest, half));
+  } else {
+    job.add(coloured_cracks(cracks, colours, 1.4 * job.crack_half_width()));
+  }
+}
+
+void show_colours(const Job& job, const ViewSpec& spec, const FoundArray& found,
+                  const std::vector<Colour>& colours) {
+  const Series RunFolder::*series = found.place->series;
+  if (series == &RunFolder::discs) {
+    job.add_quiet_well();
+    job.add(discs_in_view(job.view, job.scene.discs, colours, job.size.drawn_pixel));
+    job.add_cracks(true);
+  } else if (series == &RunFolder::flow) {
+    job.add(domain_layer(job.scene.flow, colours));
+    job.add_cracks(true);
+    job.add_ring();
+  } else if (series == &RunFolder::cracks) {
+    show_cracks(job, spec, colours);
+  } else {
+    job.add_well();
+    job.add_quiet_discs();
+    const double half_width = std::max(0.16 * job.radius, 0.8 * job.size.unit_metres);
+    job.add(coloured_bonds(read_bond_lines(job.file(job.run.bonds, "bonds")), colours, half_width));
+  }
+}
+
+Key show_quantity(const Job& job, const ViewSpec& spec) {
+  FoundArray found = find_array(job, spec);
+  if (found.place == nullptr) {
+    fail_reading("snapshot " + std::to_string(job.scene.point.number) + " has no array '" + spec.full_name() +
+                 "'; it has " + names_of(job));
+  }
+  if (spec.smoothed) found.values = smoothed(job.scene.discs, found.values, smoothing_radii * job.radius);
+  const auto [least, largest] = std::minmax_element(found.values.begin(), found.values.end());
+  const bool two_ways = spec.scale ? *spec.scale == ColourScale::two_ways
+                                   : !found.values.empty() && *least < 0 && *largest > 0;
+  auto [lowest, highest] = range_of(job, spec, found, two_ways);
+  if (spec.by_width) lowest = 0;
+  const double size = std::max(std::fabs(lowest), std::fabs(highest));
+  const Quantity quantity = quantity_of(spec.array, size > 0 ? size : 1);
+  Key key;
+  key.lowest = lowest * quantity.scale;
+  key.highest = highest * quantity.scale;
+  if (!(key.highest > key.lowest)) {  // the same everywhere
+    key.lowest -= spec.by_width ? 0 : 1;
+    key.highest += 1;
+  }
+  key.map = map_of(spec.scale.value_or(two_ways ? ColourScale::two_ways : ColourScale::magnitude));
+  const std::string name = spec.label.empty() ? quantity.name : spec.label;
+  key.label = quantity.unit.empty() ? name : name + " (" + quantity.unit + ")";
+  key.second_label = spec.note;
+  if (spec.label.empty()) {
+    key.title = name + spec.component_text();
+    key.title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(key.title[0])));
+    key.second_label = std::string("of the ") +
+                       (found.place->series == &RunFolder::flow ? "domains" : found.place->file);
+  } else if (spec.array == "pressure_Pa" && job.run.net_pressures) {
+    key.second_label = "above the formation's";
+  }
+  std::vector<Colour> colours;
+  colours.reserve(found.values.size());
+  for (const double value : found.values)
+    colours.push_back(key.map->at((value * quantity.scale - key.lowest) / (key.highest - key.lowest)));
+  show_colours(job, spec, found, colours);
+  return key;
 }
 
 }  // namespace
 
-Key show_field(const Job& job, std::vector<double> values, double scale, bool two_ways, Key key) {
-  for (double& value : values) value *= scale;
-  std::tie(key.lowest, key.highest) = usual_range(job.scene.discs, values, job.view.extent, two_ways);
-  key.map = two_ways ? palette().two_ways : &magnitude_map;
-  std::vector<Colour> fills;
-  fills.reserve(values.size());
-  for (const double value : values) {
-    fills.push_back(key.map->at((value - key.lowest) / (key.highest - key.lowest)));
-  }
-  job.add_quiet_well();
-  job.add(discs_in_view(job.view, job.scene.discs, fills, job.size.drawn_pixel));
-  job.add_cracks(true);
-  return key;
-}
-
 Key add_view_layers(const View& view, const RunFolder& run, const Scene& scene, const ViewSpec& spec,
                     const ViewSize& size) {
   const Job job{view, run, scene, size, mean_radius(scene.discs)};
-  switch (spec.kind) {
-    case array_view:
-      return show_array(job, spec);
-    case HFRAC_VIZ_VIEW_TEMPERATURE:
-      return show_temperature(job);
-    case HFRAC_VIZ_VIEW_BONDS:
-      return show_bonds(job);
-    case HFRAC_VIZ_VIEW_FORCES:
-      return show_forces(job);
-    case HFRAC_VIZ_VIEW_CRACK_TIME:
-      return show_crack_times(job);
-    case HFRAC_VIZ_VIEW_APERTURE:
-      return show_apertures(job);
-    case HFRAC_VIZ_VIEW_PRESSURE:
-      return show_pressure(job);
-    case HFRAC_VIZ_VIEW_DISPLACEMENT:
-      return show_displacement(job);
-    case HFRAC_VIZ_VIEW_ROTATION:
-      return show_rotation(job);
-    case HFRAC_VIZ_VIEW_STRESS:
-    case HFRAC_VIZ_VIEW_STRESS_XX:
-    case HFRAC_VIZ_VIEW_STRESS_YY:
-    case HFRAC_VIZ_VIEW_STRESS_XY:
-      return show_stress(job, spec.kind);
-    default:
-      return show_discs(job);
-  }
+  Key key = spec.drawing == "discs"    ? show_discs(job)
+            : spec.drawing == "bonds"  ? show_bonds(job)
+            : spec.drawing == "forces" ? show_forces(job)
+                                       : show_quantity(job, spec);
+  if (!spec.title.empty()) key.title = spec.title;
+  return key;
 }
 
 }  // namespace hfrac::viz

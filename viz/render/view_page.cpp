@@ -7,8 +7,11 @@
 #include "failure.h"
 #include "number_text.h"
 #include "page_content.h"
+#include "pictures.h"
+#include "run/files.hpp"
 #include "sheet.h"
 #include "view_layers.h"
+#include "vtk_messages.h"
 
 namespace hfrac::viz {
 namespace {
@@ -146,8 +149,7 @@ void views_on_page(const Studio& studio, const Scene& scene, const std::vector<V
   sink(page);
 }
 
-}  // namespace
-
+// The part of the model that is asked for.
 Extent zoomed(const RunFolder& run, const Scene& scene, const hfrac_viz_view_options& options) {
   const Extent model = whole_model(run, scene.discs);
   switch (options.zoom) {
@@ -164,14 +166,23 @@ Extent zoomed(const RunFolder& run, const Scene& scene, const hfrac_viz_view_opt
   }
 }
 
-std::vector<std::uint8_t> view_file(const Studio& studio, const Scene& scene,
-                                    const std::vector<ViewSpec>& views, const Extent& extent,
-                                    const std::string& ending, int dots_per_inch) {
+}  // namespace
+
+void render_views(const RunFolder& run, const std::vector<ViewSpec>& specs, const std::filesystem::path& target,
+                  const hfrac_viz_view_options& options) {
+  const std::string ending = picture_ending(target);
+  const PaletteScope paper(options.dark != 0 ? dark_palette() : light_palette());
+  const auto window = make_offscreen_window();
+  const Scene scene = load_scene(run, history_point(run, options.snapshot), false, true);
+  const Studio studio{window, &run, {options.width, options.height}};
+  const Extent extent = zoomed(run, scene, options);
+  const std::string title = run.title.empty() ? "hfrac" : run.title;
+  VtkMessages messages;
   std::vector<std::uint8_t> content;
-  const std::string title = studio.run->title.empty() ? "hfrac" : studio.run->title;
-  views_on_page(studio, scene, views, extent,
-                [&](Page& page) { content = page_content(page, ending, title, dots_per_inch); });
-  return content;
+  views_on_page(studio, scene, specs, extent,
+                [&](Page& page) { content = page_content(page, ending, title, options.dots_per_inch); });
+  messages.demand_none();
+  write_whole(target, content);
 }
 
 }  // namespace hfrac::viz

@@ -2,23 +2,18 @@
 // Pictures of chosen views of one snapshot: one with a wide column beside it, or several side by side.
 #pragma once
 
-#include <string>
+#include <filesystem>
 #include <vector>
 
 #include "hfrac/viz.h"
-#include "page.h"
-#include "pictures.h"
+#include "run/run_folder.hpp"
 #include "view_spec.h"
 
 namespace hfrac::viz {
+using namespace hfrac::run;
 
-// The part of the model that is asked for: whole, around the cracks, on the first well, on the farthest tip, or
-// the given box.
-Extent zoomed(const RunFolder& run, const Scene& scene, const hfrac_viz_view_options& options);
-
-// The same as the content of a file: PNG, SVG or PDF, as its ending says.
-std::vector<std::uint8_t> view_file(const Studio& studio, const Scene& scene,
-                                    const std::vector<ViewSpec>& views, const Extent& extent,
-                                    const std::string& ending, int dots_per_inch);
+// To `target`, .png, .svg or .pdf. `options` have been checked. Throws Failure or FileError.
+void render_views(const RunFolder& run, const std::vector<ViewSpec>& specs, const std::filesystem::path& target,
+                  const hfrac_viz_view_options& options);
 
 }  // namespace hfrac::viz

@@ -6,6 +6,8 @@
 
 #include <thread>
 
+#include "failure.h"
+
 namespace hfrac::viz {
 namespace {
 
@@ -89,6 +91,11 @@ std::string VtkMessages::take_errors() {
   std::string taken;
   taken.swap(keeper_->errors);
   return taken;
+}
+
+void VtkMessages::demand_none() {
+  const std::string errors = take_errors();
+  if (!errors.empty()) fail_drawing("drawing failed: " + errors);
 }
 
 }  // namespace hfrac::viz

@@ -20,6 +20,8 @@ class VtkMessages {
 
   // The errors since the last call, in one line each without source positions; empty if there were none.
   std::string take_errors();
+  // Throws Failure(HFRAC_VIZ_ERR_DRAW) if there were any.
+  void demand_none();
 
  private:
   class Keeper;

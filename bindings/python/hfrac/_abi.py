@@ -412,7 +412,6 @@ class hfrac_sim_def(ctypes.Structure):
         ("solver_smallest_step", ctypes.c_double),
         ("flow_solver", ctypes.c_int64),
         ("output_compression", ctypes.c_int64),
-        ("output_layout", ctypes.c_int64),
         ("log", hfrac_log_fn),
         ("log_user", ctypes.c_void_p),
         ("log_level", ctypes.c_int64),
@@ -467,7 +466,6 @@ class hfrac_sim_def(ctypes.Structure):
         ("given_bond_count", ctypes.c_int64),
         ("smooth_joint_normal_stiffness", ctypes.c_double),
         ("smooth_joint_shear_stiffness", ctypes.c_double),
-        ("bond_geometry_storage", ctypes.c_int64),
         ("flow_fracture_aperture", ctypes.c_int64),
         ("bond_smallest_fragment", ctypes.c_int64),
     ]

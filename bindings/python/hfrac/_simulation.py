@@ -415,7 +415,10 @@ class Simulation:
         """A PNG picture of the simulation as it is now, by the renderer, which must be installed: "discs" if no views are
         named, or some of "discs", "aperture", "crack-time", "pressure", "displacement", "stress", "rotation", "forces",
         "bonds" side by side (`hfrac render --help` lists all). `width` [pixel] 320 to 8192."""
-        return _picture.draw(self, views or ("discs",), width)
+        with self._lock:
+            if self._handle is None:
+                raise BadHandleError("the simulation is closed")
+            return _picture.draw(self._handle.pointer, views or ("discs",), width)
 
     def _repr_png_(self) -> Optional[bytes]:
         """For notebooks: the picture, where there is a renderer; otherwise the text of repr."""

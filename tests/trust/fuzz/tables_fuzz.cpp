@@ -16,8 +16,8 @@
 #include <string_view>
 
 #include "output/disc_file.hpp"
-#include "output/safe_file.hpp"
 #include "output/tables.hpp"
+#include "run/files.hpp"
 
 namespace {
 

@@ -2,14 +2,12 @@
 /** @file
  * Pictures and a movie of a run, without a display.
  *
- * The renderer reads a run folder from disk (finished, or still being written) and makes no simulation: it is a library of
- * its own, libhfrac_viz, which asks libhfrac for one statistic, the law of magnitudes. What it reads: discs.pvd, bonds.pvd, cracks.pvd and flow.pvd with their
- * VTU files, summary.json (title, stress_convention, model, wells), history.csv and cracks.csv (charts). Only the discs are
- * required.
+ * The renderer reads a run folder from disk (finished, or still being written), or looks at a simulation through hfrac.h. It
+ * is a library of its own, libhfrac_viz. What it reads: discs.pvd, bonds.pvd, cracks.pvd and flow.pvd with their VTU files,
+ * summary.json (title, stress_convention, model, wells), history.csv, cracks.csv and events.csv (charts). Only the discs are required.
  *
- * - Statuses and texts follow base.h; the codes below are added to its list. Every function that can fail for a
- *   reason worth reading takes a text buffer: `error` (may be NULL) gets the reason, at most `capacity` bytes with the
- *   final 0, and an empty text on success.
+ * - Statuses and texts follow base.h; the codes below are added to its list. After a status below 0,
+ *   hfrac_viz_last_error has the reason.
  * - Nothing is printed, the process is never ended, no display is opened or needed. (Mesa, which draws, says one line on
  *   stderr where it cannot make the folder of its shader cache, as with a HOME that is read-only;
  *   MESA_SHADER_CACHE_DISABLE=true keeps it quiet.)
@@ -28,10 +26,15 @@ extern "C" {
 
 /** Statuses of the renderer, besides those of base.h. Values are never renumbered. */
 enum hfrac_viz_status {
+  HFRAC_VIZ_INCOMPLETE = 60,  /**< drawn, but for what the run lacks the data of: hfrac_viz_last_error says what */
   HFRAC_VIZ_ERR_READ = -60,  /**< the run folder, or a file in it, is missing or damaged */
   HFRAC_VIZ_ERR_WRITE = -61, /**< a picture or the movie cannot be written; nothing is left behind */
   HFRAC_VIZ_ERR_DRAW = -62   /**< the off-screen renderer or the video encoder cannot do what is asked */
 };
+
+/** The text of the last error or note of this library on this thread: the file, value or name at fault, and what is wrong
+ * with it. Empty if the last call that can fail was good. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_last_error(char *buffer, int32_t capacity, int32_t *needed);
 
 /** What can be drawn. Values may be added together for hfrac_viz_options.pictures. */
 enum hfrac_viz_picture {
@@ -65,8 +68,8 @@ typedef struct hfrac_viz_options {
                                aperture.png; -1: the last (HFRAC_VIZ_MODEL: the first); default -1 */
   int32_t dark;           /**< nonzero: light on dark paper; default 0 */
   int32_t dots_per_inch;  /**< noted in the PNG files for printing, 0: not; default 0 */
-  int32_t movie_follow;   /**< nonzero: while summary.json says that the run goes on, the movie follows it, a piece of ten
-                               snapshots at a time, and is done when the run is over. MP4 only; default 0 */
+  int32_t movie_follow;   /**< nonzero: while summary.json says that the run goes on, the movie follows it, written anew after
+                               every ten snapshots, and is done when the run is over. MP4 only; default 0 */
   int32_t formats;        /**< of the pictures hfrac_viz_render_run draws, sum of enum hfrac_viz_format; default HFRAC_VIZ_PNG */
 } hfrac_viz_options;
 
@@ -81,41 +84,34 @@ HFRAC_API int32_t hfrac_viz_options_init(hfrac_viz_options *options, int32_t str
  * progress may be NULL. A picture whose data the run does not have (pressure.png without flow.pvd) is left out.
  * Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_render_run(const char *run_dir, const hfrac_viz_options *options,
-                                       hfrac_viz_progress_fn progress, void *user, char *error, int32_t capacity,
-                                       int32_t *needed);
+                                       hfrac_viz_progress_fn progress, void *user);
 
 /** Draws one picture, a single value of enum hfrac_viz_picture, to the file `path`: .png, or .svg or .pdf for circles, lines
  * and letters instead of pixels (discs too many or too small to be told apart are a picture in it). HFRAC_VIZ_STAGE draws
  * options->snapshot; HFRAC_VIZ_MOVIE draws the movie's frame of it as a picture, options->width wide. Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_render_picture(const char *run_dir, int32_t picture, const char *path,
-                                           const hfrac_viz_options *options, char *error, int32_t capacity,
-                                           int32_t *needed);
+                                           const hfrac_viz_options *options);
 
 /** Draws the movie to the MP4 file `path` (H.264, yuv420p, index in front), or to an animated WebP that loops if `path`
- * ends in .webp: that suits small movies, say 640 pixels wide. Finished pieces of an MP4 lie in the folder .NAME.pieces
- * beside it until it is whole: a render that was killed or stopped goes on behind the last of them. With
+ * ends in .webp: that suits small movies, say 640 pixels wide. With
  * options->movie_follow the call returns when the run is over; while it waits for snapshots other threads may draw.
  * Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_render_movie(const char *run_dir, const char *path, const hfrac_viz_options *options,
-                                         hfrac_viz_progress_fn progress, void *user, char *error, int32_t capacity,
-                                         int32_t *needed);
+                                         hfrac_viz_progress_fn progress, void *user);
 
 /** Number of snapshots in the run so far. Stable since 0.1. */
-HFRAC_API int32_t hfrac_viz_snapshot_count(const char *run_dir, int32_t *count, char *error, int32_t capacity,
-                                           int32_t *needed);
+HFRAC_API int32_t hfrac_viz_snapshot_count(const char *run_dir, int32_t *count);
 
 /** Copies the numbers of the snapshots, in order of time, at most `capacity_snapshots` of them; *count is how many there
  * are. snapshots NULL: only *count. Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_snapshots(const char *run_dir, int32_t *snapshots, int32_t capacity_snapshots,
-                                      int32_t *count, char *error, int32_t capacity, int32_t *needed);
+                                      int32_t *count);
 
 /** Numbers of the snapshots that growth_1.png to growth_5.png show; fewer than five (*count) in a run of fewer snapshots.
  * Stable since 0.1. */
-HFRAC_API int32_t hfrac_viz_stages(const char *run_dir, int32_t stages[5], int32_t *count, char *error,
-                                   int32_t capacity, int32_t *needed);
+HFRAC_API int32_t hfrac_viz_stages(const char *run_dir, int32_t stages[5], int32_t *count);
 
-/** What draws: OpenGL renderer and version, VTK and H.264 library versions, as one line. On failure the text says why
- * nothing can be drawn here. Stable since 0.1. */
+/** What draws: OpenGL renderer and version, VTK and H.264 library versions, as one line. Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_renderer_info(char *buffer, int32_t capacity, int32_t *needed);
 
 /** Charts of a run. Values may be added together for hfrac_viz_chart_options.charts. */
@@ -146,8 +142,7 @@ HFRAC_API int32_t hfrac_viz_chart_options_init(hfrac_viz_chart_options *options,
 /** Draws charts of history.csv, cracks.csv and events.csv into run_dir/pictures/, which is made if missing. A chart whose table the
  * run does not have (yet) is left out. options NULL: the defaults. progress may be NULL. Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_render_charts(const char *run_dir, const hfrac_viz_chart_options *options,
-                                          hfrac_viz_progress_fn progress, void *user, char *error, int32_t capacity,
-                                          int32_t *needed);
+                                          hfrac_viz_progress_fn progress, void *user);
 
 /** How to draw a comparison. Fill with hfrac_viz_comparison_options_init first; members are only ever appended. */
 typedef struct hfrac_viz_comparison_options {
@@ -170,25 +165,7 @@ HFRAC_API int32_t hfrac_viz_comparison_options_init(hfrac_viz_comparison_options
  * Lines of equal series and x are runs of different packings: their mean is drawn, their standard deviation as its
  * spread, and the single runs faintly. At most 12 series. options NULL: the defaults. Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_render_comparison(const char *table, const char *path,
-                                              const hfrac_viz_comparison_options *options, char *error,
-                                              int32_t capacity, int32_t *needed);
-
-/** What a view shows. */
-enum hfrac_viz_view {
-  HFRAC_VIZ_VIEW_DISCS = 0,        /**< discs, cracks by mode */
-  HFRAC_VIZ_VIEW_FORCES = 1,       /**< force chains: bonds as wide as their normal force, colour by its sign */
-  HFRAC_VIZ_VIEW_CRACK_TIME = 2,   /**< cracks by the time they broke at */
-  HFRAC_VIZ_VIEW_APERTURE = 3,     /**< cracks by aperture */
-  HFRAC_VIZ_VIEW_PRESSURE = 4,     /**< fluid pressure in the domains */
-  HFRAC_VIZ_VIEW_DISPLACEMENT = 5, /**< length of the discs' displacement since the initial equilibration */
-  HFRAC_VIZ_VIEW_STRESS = 6,       /**< mean stress, smoothed over neighbouring discs, compression positive */
-  HFRAC_VIZ_VIEW_ROTATION = 7,     /**< rotation of the discs since the initial equilibration, anticlockwise positive */
-  HFRAC_VIZ_VIEW_TEMPERATURE = 8,  /**< temperature_K or temperature_degC of the discs or the domains */
-  HFRAC_VIZ_VIEW_STRESS_XX = 9,    /**< normal stress along x, smoothed, compression positive */
-  HFRAC_VIZ_VIEW_STRESS_YY = 10,   /**< normal stress along y, smoothed, compression positive */
-  HFRAC_VIZ_VIEW_STRESS_XY = 11,   /**< shear stress, smoothed */
-  HFRAC_VIZ_VIEW_BONDS = 12        /**< the network of intact bonds over the discs, cracks by mode */
-};
+                                              const hfrac_viz_comparison_options *options);
 
 /** Which part of the model a view shows. */
 enum hfrac_viz_zoom {
@@ -218,19 +195,18 @@ typedef struct hfrac_viz_view_options {
 /** Defaults into `options`; `struct_size` is sizeof(hfrac_viz_view_options) in the caller. Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_view_options_init(hfrac_viz_view_options *options, int32_t struct_size);
 
-/** Draws 1 to 9 views (values of enum hfrac_viz_view) of one snapshot side by side to the file `path`: .png, .svg or .pdf.
- * options NULL: the defaults. Fails with HFRAC_VIZ_ERR_READ if the run has no data for one of them. Stable since 0.1. */
-HFRAC_API int32_t hfrac_viz_render_views(const char *run_dir, const int32_t *views, int32_t view_count,
-                                         const char *path, const hfrac_viz_view_options *options, char *error,
-                                         int32_t capacity, int32_t *needed);
+/** Draws 1 to 9 views of one snapshot side by side to the file `path`: .png, or .svg or .pdf for circles, lines and letters
+ * instead of pixels (discs too many or too small to be told apart are a picture in it). A view is one that
+ * hfrac_viz_view_names lists, or any array of the snapshot's VTU files by its name: "radius_m", "stress_Pa[1]" (its second
+ * component), "flow:volume_m2" (of that file, if several have the name). Units come from the ends of names. options NULL:
+ * the defaults. Fails with HFRAC_VIZ_ERR_READ if the run has no data for one of them. Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_render_views(const char *run_dir, const char *const *views, int32_t view_count,
+                                         const char *path, const hfrac_viz_view_options *options);
 
-/** As hfrac_viz_render_views, by name: those that hfrac_viz_view_names lists, or any array of the snapshot's VTU files by
- * its own, "radius_m", "stress_Pa[1]" (its second component), "flow:volume_m2" (of that file, if several have the name).
- * Units come from the ends of names. `path` ends in .png, or in .svg or .pdf for circles, lines and letters instead of pixels
- * (discs too many or too small to be told apart are a picture in it). Stable since 0.1. */
-HFRAC_API int32_t hfrac_viz_render_named_views(const char *run_dir, const char *const *names, int32_t name_count,
-                                               const char *path, const hfrac_viz_view_options *options, char *error,
-                                               int32_t capacity, int32_t *needed);
+/** The same of a simulation as it stands; nothing but the picture is written. options->snapshot is not used. Not from inside
+ * a callback of `sim`. Errors of the simulation keep their status (HFRAC_ERR_BUSY, ...). Stable since 0.1. */
+HFRAC_API int32_t hfrac_viz_render_sim(hfrac_sim *sim, const char *const *views, int32_t view_count, const char *path,
+                                       const hfrac_viz_view_options *options);
 
 /** The names of the views with what they show, a line each. Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_view_names(char *buffer, int32_t capacity, int32_t *needed);
@@ -238,12 +214,11 @@ HFRAC_API int32_t hfrac_viz_view_names(char *buffer, int32_t capacity, int32_t *
 /** Writes one HTML file with everything in it (path NULL: run_dir/report.html): the case, pictures, movie and curves (those
  * that are in run_dir/pictures/; curves as SVG), fractures, wells, balances, versions, how to reproduce it. It refers
  * to nothing outside itself. Stable since 0.1. */
-HFRAC_API int32_t hfrac_viz_write_report(const char *run_dir, const char *path, char *error, int32_t capacity,
-                                         int32_t *needed);
+HFRAC_API int32_t hfrac_viz_write_report(const char *run_dir, const char *path);
 
 /** Writes run_dir/paraview_state.py, a state script that opens the run in ParaView as the pictures look.
  * Stable since 0.1. */
-HFRAC_API int32_t hfrac_viz_write_paraview_script(const char *run_dir, char *error, int32_t capacity, int32_t *needed);
+HFRAC_API int32_t hfrac_viz_write_paraview_script(const char *run_dir);
 
 #ifdef __cplusplus
 }

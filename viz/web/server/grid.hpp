@@ -20,18 +20,16 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "run/files.hpp"
+
 namespace hfrac::web {
 
 /** A file is not there, or is no grid that can be shown; the text says which and why. */
-class GridError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+using GridError = run::ReadError;
 
 struct GridArray {
   std::string name;

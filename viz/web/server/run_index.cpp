@@ -4,17 +4,16 @@
 
 #include <fmt/format.h>
 #include <sys/stat.h>
-#include <vtkSmartPointer.h>
-#include <vtkXMLDataElement.h>
-#include <vtkXMLUtilities.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <chrono>
-#include <fstream>
 #include <map>
-#include <sstream>
+
+#include "run/files.hpp"
+#include "run/json_file.hpp"
+#include "run/series.hpp"
+#include "run/views.hpp"
 
 namespace hfrac::web {
 namespace fs = std::filesystem;
@@ -23,60 +22,39 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 4> kSeries = {"discs", "bonds", "cracks", "flow"};
 constexpr std::array<const char*, 7> kTables = {"case.toml",     "history.csv",  "cracks.csv", "events.csv",
                                                 "fractures.csv", "summary.json", "report.html"};
 
-struct Snapshot {
-  double time = 0.0;
-  std::map<std::string, std::string> files;  ///< by series
-};
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
+// A damaged list or summary is as none: the page shows what there is.
+run::Series series_in(const fs::path& folder, const char* name) {
+  try {
+    return run::read_series(folder, name);
+  } catch (const run::ReadError&) {
+    return {};
+  }
 }
 
-/** "discs_00012.vtu" -> 12; -1 if there is no number. */
-int64_t step_of(const std::string& file) {
-  const size_t underscore = file.rfind('_');
-  const size_t dot = file.rfind('.');
-  if (underscore == std::string::npos || dot == std::string::npos || dot <= underscore) return -1;
-  int64_t step = -1;
-  const char* end = file.data() + dot;
-  const auto result = std::from_chars(file.data() + underscore + 1, end, step);
-  return result.ec == std::errc() && result.ptr == end ? step : -1;
-}
-
-void add_series(const fs::path& folder, const std::string& series, std::map<int64_t, Snapshot>& snapshots) {
-  const std::string list = text_of(folder / (series + ".pvd"));
-  if (list.empty()) return;
-  const auto root =
-      vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromString(list.c_str()));
-  vtkXMLDataElement* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
-  if (collection == nullptr) return;
-  for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i) {
-    vtkXMLDataElement* entry = collection->GetNestedElement(i);
-    const char* file = entry->GetAttribute("file");
-    double time = 0.0;
-    if (file == nullptr || entry->GetScalarAttribute("timestep", time) == 0) continue;
-    const int64_t step = step_of(file);
-    if (step < 0) continue;
-    snapshots[step].time = time;
-    snapshots[step].files[series] = file;
+json summary_in(const fs::path& folder) {
+  try {
+    return run::read_json(folder / "summary.json");
+  } catch (const run::ReadError&) {
+    return nullptr;
   }
 }
 
 json snapshot_list(const fs::path& folder) {
-  std::map<int64_t, Snapshot> snapshots;
-  for (const char* series : kSeries) add_series(folder, series, snapshots);
-  json list = json::array();
-  for (const auto& [step, snapshot] : snapshots) {
-    if (!snapshot.files.contains("discs")) continue;  // the lists are written one after the other
-    list.push_back({{"step", step}, {"time_s", snapshot.time}, {"files", snapshot.files}});
+  std::map<int64_t, json> snapshots;
+  for (const char* name : run::series_names) {
+    for (const auto& [step, file] : series_in(folder, name)) {
+      json& snapshot = snapshots[step];
+      snapshot["step"] = step;
+      snapshot["time_s"] = file.time;
+      snapshot["files"][name] = file.path.filename().string();
+    }
   }
+  json list = json::array();
+  for (auto& [step, snapshot] : snapshots)
+    if (snapshot["files"].contains("discs")) list.push_back(std::move(snapshot));  // lists are written in turn
   return list;
 }
 
@@ -98,6 +76,17 @@ json file_list(const fs::path& folder) {
   return list;
 }
 
+json view_list() {
+  json list = json::array();
+  for (const auto& view : run::all_views()) {
+    list.push_back({{"name", view.name}, {"title", view.title}, {"label", view.label}, {"note", view.note},
+                    {"mesh", view.mesh}, {"array", view.array}, {"how", run::name_of(view.how)},
+                    {"component", view.component}, {"scale", run::name_of(view.scale)},
+                    {"all_values", view.all_values}});
+  }
+  return list;
+}
+
 /** A run begins by writing its case, and does so once: the file's own number and moment tell runs apart. */
 std::string identity_of(const fs::path& folder) {
   struct stat status {};
@@ -116,18 +105,18 @@ int64_t age_of(const fs::path& folder) {
 }  // namespace
 
 json describe_run(const fs::path& folder) {
-  json summary = json::parse(text_of(folder / "summary.json"), nullptr, false);
-  if (!summary.is_object()) summary = nullptr;
+  json summary = summary_in(folder);
   json index;
   index["folder"] = fs::absolute(folder).lexically_normal().filename().string();
   std::error_code error;
   index["there"] = fs::is_directory(folder, error);
   index["identity"] = identity_of(folder);
-  index["running"] = summary.is_object() && summary.value("ended", "") == "running";
+  index["running"] = run::text_at(summary, "ended") == "running";
   index["age_s"] = age_of(folder);
   index["snapshots"] = snapshot_list(folder);
   index["summary"] = std::move(summary);
   index["files"] = file_list(folder);
+  index["views"] = view_list();
   return index;
 }
 

@@ -17,6 +17,7 @@ namespace hfrac::web {
  *   snapshots   [{step, time_s, files: {discs, bonds, cracks, flow}}], those with a file in every list it is in
  *   summary     summary.json as it is, or null
  *   files       [{name, bytes}]: tables, case and pictures
+ *   views       the list in run/views.hpp, by which the page colours what it shows
  */
 nlohmann::ordered_json describe_run(const std::filesystem::path& folder);
 

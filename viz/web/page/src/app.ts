@@ -3,6 +3,7 @@ import { palette } from './colours';
 import { Curves } from './curves';
 import { find } from './dom';
 import { listDownloads, listenToDownloads, savePicture } from './downloads';
+import { setViews } from './fields';
 import { drawAnnotations, headingWidth, keysWidth, Standing } from './annotations';
 import { History } from './history';
 import { listenToKeys } from './keyboard';
@@ -58,6 +59,7 @@ export class App {
     if (another || emptied) this.forget();
     const grown = another || !old || index.snapshots.length !== old.snapshots.length;
     this.index = index;
+    setViews(index.views);
     const summary = index.summary;
     find('title').textContent = summary?.title || index.folder;
     find('folder').textContent = summary?.title ? index.folder : '';

@@ -1,9 +1,8 @@
-// What discs and cracks can be coloured by: how a value comes out of the arrays of a grid, its unit, and the
-// scale that suits it. Arrays nobody wrote about here are offered by their own name, so a new one shows up by
-// itself.
+// What discs, pores and cracks can be coloured by. The list comes with the index of a run: it is the one that the pictures are
+// drawn by (viz/run/views.cpp). Other arrays of the discs are offered by their own name, so a new one shows up by itself.
 import { ColourMap, Palette } from './colours';
 import { nameOf } from './quantities';
-import { Grid, Numbers } from './server';
+import { ArrayHead, Grid, Numbers, NamedView } from './server';
 
 export interface Field {
   id: string;
@@ -20,85 +19,53 @@ export interface Field {
   map(palette: Palette): ColourMap;
 }
 
-const magnitude = (palette: Palette) => palette.magnitude;
-const twoWays = (palette: Palette) => palette.twoWays;
-const narrow = (palette: Palette) => palette.narrow;
-
-const stress = 'stress_Pa';
-
-export const discFields: Field[] = [
-  {
-    id: 'displacement', name: 'Displacement', unit: 'm', array: 'displacement_m', signed: false, map: magnitude,
-    value: (v, i) => Math.hypot(v[2 * i], v[2 * i + 1]), note: 'since the initial equilibration',
-  },
-  {
-    id: 'displacement_x', name: 'Displacement along x', unit: 'm', array: 'displacement_m', signed: true,
-    map: twoWays, value: (v, i) => v[2 * i],
-  },
-  {
-    id: 'displacement_y', name: 'Displacement along y', unit: 'm', array: 'displacement_m', signed: true,
-    map: twoWays, value: (v, i) => v[2 * i + 1],
-  },
-  {
-    id: 'mean_stress', name: 'Mean stress', unit: 'Pa', array: stress, signed: true, map: twoWays,
-    value: (v, i) => (v[3 * i] + v[3 * i + 1]) / 2, note: 'compression positive',
-  },
-  {
-    id: 'shear_stress', name: 'Largest shear stress', unit: 'Pa', array: stress, signed: false, map: magnitude,
-    value: (v, i) => Math.hypot((v[3 * i] - v[3 * i + 1]) / 2, v[3 * i + 2]),
-  },
-  {
-    id: 'stress_xx', name: 'Stress xx', unit: 'Pa', array: stress, signed: true, map: twoWays,
-    value: (v, i) => v[3 * i], note: 'compression positive',
-  },
-  {
-    id: 'stress_yy', name: 'Stress yy', unit: 'Pa', array: stress, signed: true, map: twoWays,
-    value: (v, i) => v[3 * i + 1], note: 'compression positive',
-  },
-  {
-    id: 'stress_xy', name: 'Stress xy', unit: 'Pa', array: stress, signed: true, map: twoWays,
-    value: (v, i) => v[3 * i + 2],
-  },
-  {
-    id: 'rotation', name: 'Rotation', unit: 'rad', array: 'rotation_rad', signed: true, map: twoWays,
-    value: (v, i) => v[i], note: 'anticlockwise positive',
-  },
-  {
-    id: 'intact_bonds', name: 'Intact bonds', unit: '', array: 'intact_bonds', signed: false, whole: true,
-    map: magnitude, value: (v, i) => v[i],
-  },
-];
-
-export const crackFields: Field[] = [
-  {
-    id: 'aperture', name: 'Aperture', unit: 'm', array: 'aperture_m', signed: false, whole: true, map: narrow,
-    value: (v, i) => v[i],
-  },
-  {
-    id: 'time', name: 'Time of breaking', unit: 's', array: 'time_s', signed: false, whole: true, map: narrow,
-    value: (v, i) => v[i],
-  },
-  {
-    id: 'pressure', name: 'Pressure in cracks', unit: 'Pa', array: 'pressure_Pa', signed: false, whole: true,
-    map: narrow, value: (v, i) => v[i],
-  },
-];
-
-export const pressureField: Field = {
-  id: 'fluid', name: 'Fluid pressure', unit: 'Pa', array: 'pressure_Pa', signed: false, whole: true,
-  map: (palette) => palette.pressure, value: (v, i) => v[i],
+const maps: Record<NamedView['scale'], (palette: Palette) => ColourMap> = {
+  magnitude: (palette) => palette.magnitude,
+  'two-ways': (palette) => palette.twoWays,
+  narrow: (palette) => palette.narrow,
+  pressure: (palette) => palette.pressure,
 };
 
-const known = new Set(['radius_m', 'displacement_m', 'rotation_rad', stress, 'intact_bonds', 'disc_id']);
+let views: NamedView[] = [];
 
-/** The fields of the discs in this grid. */
-export function fieldsOfDiscs(grid: Grid): Field[] {
-  const fields = discFields.filter((field) => grid.heads.has(field.array));
+export function setViews(list: NamedView[]): void {
+  views = list;
+}
+
+/** The views that colour what `mesh` names: "discs", "cracks", "flow". */
+export function viewsOf(mesh: string): NamedView[] {
+  return views.filter((view) => view.mesh === mesh);
+}
+
+function valueOf({ how, component }: NamedView, width: number): Field['value'] {
+  if (how === 'length') return (v, i) => Math.hypot(v[width * i], v[width * i + 1]);
+  if (how === 'mean') return (v, i) => (v[width * i] + v[width * i + 1]) / 2;
+  if (how === 'shear') return (v, i) => Math.hypot((v[width * i] - v[width * i + 1]) / 2, v[width * i + 2]);
+  return (v, i) => v[width * i + component];
+}
+
+function fieldOf(view: NamedView, head: ArrayHead): Field {
+  return {
+    id: view.name, name: view.title, unit: head.unit, array: view.array, signed: view.scale === 'two-ways',
+    whole: view.all_values, note: view.note || undefined, map: maps[view.scale], value: valueOf(view, head.components),
+  };
+}
+
+/** The fields of `mesh` that this grid has the arrays of. */
+export function fieldsOf(mesh: string, grid: Grid): Field[] {
+  const fields: Field[] = [];
+  const told = new Set(['radius_m', 'disc_id']);
+  for (const view of viewsOf(mesh)) {
+    const head = grid.heads.get(view.array);
+    if (head) fields.push(fieldOf(view, head));
+    told.add(view.array);
+  }
+  if (mesh !== 'discs') return fields;
   for (const array of grid.heads.values()) {
-    if (array.of !== 'points' || array.components !== 1 || known.has(array.name)) continue;
+    if (array.of !== 'points' || array.components !== 1 || told.has(array.name)) continue;
     fields.push({
       id: array.name, name: nameOf(array.name, array.unit), unit: array.unit, array: array.name, signed: false,
-      map: magnitude, value: (v, i) => v[i],
+      map: maps.magnitude, value: (v, i) => v[i],
     });
   }
   return fields;
@@ -111,7 +78,9 @@ export interface Range {
 
 /** The range a scale shows: all values, or the middle 98 % where single discs stick out. Fields with a sign
  * are shown symmetrically. */
-export function usualRange(field: Field, values: Numbers, count: number): Range {
+export function usualRange(
+  field: Pick<Field, 'signed' | 'value' | 'whole'> & { id?: string }, values: Numbers, count: number,
+): Range {
   const step = Math.max(1, Math.floor(count / 100000));
   const sample: number[] = [];
   for (let i = 0; i < count; i += step) {

@@ -1,20 +1,17 @@
 // The list of layers at the left: each on or off, with what it is coloured by.
 import { make } from './dom';
-import { crackFields, fieldsOfDiscs } from './fields';
+import { fieldsOf, viewsOf } from './fields';
 import { Settings } from './paint';
 import { Grid } from './server';
 
 export class LayerList {
   private discSelect = make('select', { 'aria-label': 'Colour of discs', id: 'disc-colour' });
+  private crackSelect: HTMLSelectElement;
   private boxes: HTMLInputElement[] = [];
   private offered = '';
 
   constructor(container: HTMLElement, private settings: Settings, private changed: () => void) {
-    const cracks = this.select('crack-colour', 'Colour of cracks', 'crackColour', [
-      ['mode', 'by mode'],
-      ...crackFields.map(({ id, name }) => [id, `by ${name.toLowerCase()}`] as const),
-      ['fracture', 'by fracture'],
-    ]);
+    this.crackSelect = this.select('crack-colour', 'Colour of cracks', 'crackColour', this.crackChoices());
     const widths = this.select('crack-width', 'Width of cracks', 'crackWidth', [
       ['even', 'even width'],
       ['aperture', 'width by aperture'],
@@ -22,7 +19,7 @@ export class LayerList {
     this.discSelect.append(make('option', { value: 'plain' }, 'plain'));
     this.discSelect.addEventListener('change', () => this.colourDiscs(this.discSelect.value));
     container.append(
-      this.layer('cracks', 'Cracks', cracks, widths),
+      this.layer('cracks', 'Cracks', this.crackSelect, widths),
       this.layer('pores', 'Fluid pressure'),
       this.layer('bonds', 'Forces across bonds'),
       this.layer('discs', 'Discs', this.discSelect),
@@ -31,7 +28,7 @@ export class LayerList {
 
   /** Offers the fields that this grid has. */
   offer(grid: Grid): void {
-    const fields = fieldsOfDiscs(grid);
+    const fields = fieldsOf('discs', grid);
     const offered = fields.map(({ id }) => id).join();
     if (offered === this.offered) return;
     this.offered = offered;
@@ -39,6 +36,16 @@ export class LayerList {
     for (const { id, name } of fields) this.discSelect.append(make('option', { value: id }, name.toLowerCase()));
     if (!fields.some(({ id }) => id === this.settings.discColour)) this.settings.discColour = 'plain';
     this.discSelect.value = this.settings.discColour;
+    this.crackSelect.replaceChildren(...this.crackChoices().map(([value, text]) => make('option', { value }, text)));
+    this.crackSelect.value = this.settings.crackColour;
+  }
+
+  private crackChoices(): (readonly [string, string])[] {
+    return [
+      ['mode', 'by mode'],
+      ...viewsOf('cracks').map(({ name, label }) => [name, `by ${label}`] as const),
+      ['fracture', 'by fracture'],
+    ];
   }
 
   /** Turns the layer with this number, from above, on or off. */

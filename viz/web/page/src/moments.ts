@@ -1,6 +1,6 @@
 // The moment on the screen and how it gets there: which files and arrays are fetched, and that of several wishes the
 // last one is fulfilled.
-import { discFields } from './fields';
+import { viewsOf } from './fields';
 import { find } from './dom';
 import { forgetGrids, grid } from './grids';
 import { Moment, Settings } from './paint';
@@ -59,7 +59,7 @@ export class Moments {
   private async load(snapshot: Snapshot): Promise<Moment> {
     const { files } = snapshot;
     const many = this.many();
-    const field = discFields.find(({ id }) => id === this.settings.discColour);
+    const field = viewsOf('discs').find(({ name }) => name === this.settings.discColour);
     const chosen = many ? ['radius_m', field?.array ?? this.settings.discColour] : [];
     const wanted = (file: string | undefined, on: boolean, arrays: string[] = []): Promise<Grid | null> =>
       file && on ? grid(file, arrays) : Promise.resolve(null);

@@ -1,6 +1,6 @@
 // From the grids of a moment to colours and shapes, and to the keys that explain them.
 import { ColourMap, palette, Rgb } from './colours';
-import { colourAll, crackFields, Field, fieldsOfDiscs, pressureField, Range, usualRange } from './fields';
+import { colourAll, Field, fieldsOf, Range, usualRange } from './fields';
 import { figure } from './quantities';
 import { height, paint, Scene } from './scene';
 import { Grid, Snapshot } from './server';
@@ -40,7 +40,7 @@ export type Key =
 const shearMode = 2; // in the array mode; 1 is tension
 
 function fieldOfDiscs(grid: Grid, id: string): Field | null {
-  return fieldsOfDiscs(grid).find((field) => field.id === id) ?? null;
+  return fieldsOf('discs', grid).find((field) => field.id === id) ?? null;
 }
 
 export class Painter {
@@ -109,10 +109,11 @@ export class Painter {
   private paintPores(now: Moment, reference: Moment, settings: Settings, keys: Key[]): void {
     const grid = now.flow;
     if (!settings.pores || !grid) return this.scene.pores.show(null);
-    const pressures = grid.values('pressure_Pa');
-    const range = this.range(pressureField, grid, reference.flow ?? grid, settings.range, 'pores');
-    const map = this.scale(keys, pressureField, range, now.pressureNote);
-    const colours = colourAll(pressureField, pressures, grid.cells, range, map);
+    const field = fieldsOf('flow', grid).find(({ id }) => id === 'pressure');
+    if (!field) return this.scene.pores.show(null);
+    const range = this.range(field, grid, reference.flow ?? grid, settings.range, 'pores');
+    const map = this.scale(keys, field, range, now.pressureNote);
+    const colours = colourAll(field, grid.values(field.array), grid.cells, range, map);
     this.scene.pores.show(polygons(grid.positions, grid.values('#first'), grid.values('#corner'), colours));
   }
 
@@ -122,9 +123,7 @@ export class Painter {
     const force = grid.values('normal_force_N');
     const state = grid.values('state');
     const { pull, push } = palette();
-    const largest = usualRange(
-      { ...pressureField, whole: false, value: (v, i) => Math.abs(v[i]) }, force, force.length,
-    ).high;
+    const largest = usualRange({ signed: false, value: (v, i) => Math.abs(v[i]) }, force, force.length).high;
     const colours = new Uint8Array(4 * grid.cells);
     for (let i = 0; i < grid.cells; ++i) paint(colours, i, force[i] > 0 ? pull : push);
     const least = 0.5 * this.scene.view.metresPerPixel();
@@ -160,7 +159,7 @@ export class Painter {
   }
 
   private crackColours(grid: Grid, reference: Grid, settings: Settings, keys: Key[]): Uint8Array {
-    const field = crackFields.find(({ id }) => id === settings.crackColour);
+    const field = fieldsOf('cracks', grid).find(({ id }) => id === settings.crackColour);
     if (field && grid.arrays.has(field.array)) {
       const range = this.range(field, grid, reference, settings.range, `cracks ${field.id}`);
       return colourAll(field, grid.values(field.array), grid.cells, range, this.scale(keys, field, range));

@@ -57,18 +57,14 @@ export function timeText(seconds: number, step: number): string {
   return `${(seconds / scale.divisor).toFixed(decimals)} ${scale.unit}`;
 }
 
+/** Those that their own name does not tell. */
 const names: Record<string, string> = {
-  position: 'Centre', radius_m: 'Radius', displacement_m: 'Displacement', rotation_rad: 'Rotation',
-  stress_Pa: 'Stress', intact_bonds: 'Intact bonds', disc_id: 'Disc', mode: 'Mode', aperture_m: 'Aperture',
-  pressure_Pa: 'Pressure', time_s: 'Broken at', step: 'In step', fracture: 'Fracture', crack_id: 'Crack',
-  volume_m2: 'Volume per thickness', domain_id: 'Pore', kind: 'Kind', state: 'State',
-  normal_force_N: 'Normal force', shear_force_N: 'Shear force', moment_Nm: 'Moment', gap_m: 'Gap',
-  flow_m2_per_s: 'Flow', bond_id: 'Bond', temperature_K: 'Temperature',
+  position: 'Centre', time_s: 'Broken at', step: 'In step', volume_m2: 'Volume per thickness',
 };
 
-/** What an array is called; unknown ones by their own name without the unit. */
+/** What an array is called: by its own name without the unit. */
 export function nameOf(array: string, unit: string): string {
-  const suffix = unit ? `_${unit.replace('/', '_per_').replace(' ', '')}` : '';
+  const suffix = unit ? `_${unit.replace('/', '_per_').replace(' ', '_')}` : '';
   const bare = suffix && array.endsWith(suffix) ? array.slice(0, -suffix.length) : array;
   const words = bare.replace(/_/g, ' ');
   return names[array] ?? words.charAt(0).toUpperCase() + words.slice(1);

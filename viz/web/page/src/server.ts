@@ -39,6 +39,20 @@ export interface Summary {
   state?: { time_s: number };
 }
 
+/** One line of viz/run/views.cpp. */
+export interface NamedView {
+  name: string;
+  title: string;
+  label: string;
+  note: string;
+  mesh: string;
+  array: string;
+  how: 'component' | 'length' | 'mean' | 'shear';
+  component: number;
+  scale: 'magnitude' | 'two-ways' | 'narrow' | 'pressure';
+  all_values: boolean;
+}
+
 export interface RunIndex {
   folder: string;
   there: boolean;
@@ -48,6 +62,7 @@ export interface RunIndex {
   snapshots: Snapshot[];
   summary: Summary | null;
   files: { name: string; bytes: number }[];
+  views: NamedView[];
 }
 
 export interface Values {

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The columns of the run folder's tables, each list once: visit(name, value) for every column of an item, in the file's
+// order. Units are in the names, SI. What summary.json says of the same things has the same names.
+#pragma once
+
+#include <hfrac/hfrac.h>
+
+#include <cmath>
+
+namespace hfrac::output {
+
+/** cracks.csv. Of a crack that may be changed, the values may be. */
+template <class Crack, class Visit>
+void crack_columns(Crack& crack, const Visit& visit) {
+  visit("crack_id", crack.id);
+  visit("step", crack.step);
+  visit("cycle", crack.cycle);
+  visit("time_s", crack.time);
+  visit("mode", crack.mode);
+  visit("bond_id", crack.bond);
+  visit("disc_0", crack.disc[0]);
+  visit("disc_1", crack.disc[1]);
+  visit("x_m", crack.position[0]);
+  visit("y_m", crack.position[1]);
+  visit("normal_x", crack.normal[0]);
+  visit("normal_y", crack.normal[1]);
+  visit("length_m", crack.length);
+  visit("aperture_m", crack.aperture);
+  visit("normal_force_N", crack.normal_force);
+  visit("shear_force_N", crack.shear_force);
+  visit("energy_J_per_m", crack.energy);
+  visit("fracture", crack.fracture);
+  visit("distance_m", crack.distance);
+}
+
+/** fractures.csv but for the first column, the fracture's number. */
+template <class Visit>
+void fracture_columns(const hfrac_fracture& fracture, const Visit& visit) {
+  visit("crack_count", fracture.crack_count);
+  visit("tensile_cracks", fracture.tensile_cracks);
+  visit("length_m", fracture.length);
+  visit("extent_m", fracture.extent);
+  visit("reach_m", fracture.reach);
+  visit("azimuth_rad", fracture.azimuth);
+  visit("mean_aperture_m", fracture.mean_aperture);
+  visit("largest_aperture_m", fracture.largest_aperture);
+  visit("volume_m2", fracture.volume);
+  visit("mean_pressure_Pa", fracture.mean_pressure);
+  visit("well", fracture.well);
+  visit("wings", fracture.wings);
+}
+
+/** events.csv. */
+template <class Visit>
+void event_columns(const hfrac_event& event, const Visit& visit) {
+  visit("event", event.index);
+  visit("first_crack", event.first_crack);
+  visit("crack_count", event.crack_count);
+  visit("tensile_cracks", event.tensile_cracks);
+  visit("first_cycle", event.first_cycle);
+  visit("last_cycle", event.last_cycle);
+  visit("time_s", event.time);
+  visit("x_m", event.position[0]);
+  visit("y_m", event.position[1]);
+  visit("moment_xx_N_m", event.moment_tensor[0]);
+  visit("moment_yy_N_m", event.moment_tensor[1]);
+  visit("moment_xy_N_m", event.moment_tensor[2]);
+  visit("moment_N_m", event.moment);
+  visit("magnitude", event.magnitude);
+  visit("energy_J", event.energy);
+  visit("energy_magnitude", event.energy_magnitude);
+  visit("isotropic_fraction", event.isotropic_fraction);
+  visit("length_m", event.length);
+  visit("radius_m", event.radius);
+}
+
+/** cells.csv but for the first two columns, i and j. */
+template <class Visit>
+void cell_columns(const hfrac_cell& cell, const Visit& visit) {
+  visit("area_m2", cell.area);
+  visit("coverage", cell.coverage);
+  visit("kxx_m2", cell.permeability[0]);
+  visit("kyy_m2", cell.permeability[1]);
+  visit("kxy_m2", cell.permeability[2]);
+  visit("matrix_permeability_m2", cell.matrix_permeability);
+  visit("fracture_porosity", cell.fracture_porosity);
+  visit("matrix_porosity", cell.matrix_porosity);
+  visit("crack_count", cell.crack_count);
+  visit("crack_length_m", cell.crack_length);
+  visit("leak_off_m2_per_s", cell.leak_off);
+  visit("outflow_m2_per_s", cell.outflow);
+  visit("pressure_Pa", cell.pressure);
+  visit("fracture_pressure_Pa", cell.fracture_pressure);
+}
+
+/** Of history.csv and summary.json: the energies; the error is NaN where it is not checked. */
+template <class Visit>
+void energy_columns(const hfrac_balance& balance, const Visit& visit) {
+  visit("kinetic_J_per_m", balance.kinetic);
+  visit("bond_elastic_J_per_m", balance.bond_elastic);
+  visit("contact_elastic_J_per_m", balance.contact_elastic);
+  visit("fluid_work_J_per_m", balance.fluid_work);
+  visit("boundary_work_J_per_m", balance.boundary_work);
+  visit("friction_J_per_m", balance.friction);
+  visit("damping_J_per_m", balance.damping);
+  visit("fracture_J_per_m", balance.fracture);
+  visit("energy_error_J_per_m", balance.energy_checked != 0 ? balance.energy_error : std::nan(""));
+}
+
+/** Likewise, the fluid, but for what was injected. */
+template <class Visit>
+void fluid_columns(const hfrac_balance& balance, const Visit& visit) {
+  visit("stored_volume_m2", balance.stored_volume);
+  visit("leaked_volume_m2", balance.leaked_volume);
+  visit("fluid_error_m2", balance.fluid_error);
+}
+
+}  // namespace hfrac::output

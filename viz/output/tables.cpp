@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/tables.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+
+#include "output/columns.hpp"
+#include "run/files.hpp"
+#include "run/table_file.hpp"
+#include "run/text.hpp"
+
+namespace hfrac::output {
+namespace {
+
+constexpr std::string_view shear = "shear", tension = "tension";
+
+/** The columns with the mode as a word. */
+template <class Visit>
+void written_columns(const hfrac_crack& crack, const Visit& visit) {
+  crack_columns(crack, [&](std::string_view name, const auto& value) {
+    if (name == "mode") {
+      visit(name, crack.mode == HFRAC_CRACK_SHEAR ? shear : tension);
+    } else {
+      visit(name, value);
+    }
+  });
+}
+
+/** `well_...` is the first well; further ones are well_1_..., well_2_... as in the case file, where wells count from 0.
+ * A model without a well has the first one's columns, empty. */
+template <class Visit>
+void history_columns(hfrac_sim* sim, const Visit& visit) {
+  const auto state = state_of(sim);
+  const auto balance = balance_of(sim);
+  const auto solver = solver_of(sim);
+  const auto fracture = measure(fractures_of(sim));
+  const auto wells = wells_of(sim);
+  visit("step", state.step);
+  visit("time_s", state.time);
+  if (wells.empty()) {
+    visit("well_pressure_Pa", "");
+    visit("well_rate_m2_per_s", "");
+  }
+  for (size_t i = 0; i < wells.size(); ++i) {
+    const std::string prefix = i == 0 ? "well" : fmt::format("well_{}", i);
+    visit(prefix + "_pressure_Pa", wells[i].pressure);
+    visit(prefix + "_rate_m2_per_s", wells[i].rate);
+  }
+  visit("injected_volume_m2", balance.injected_volume);
+  visit("crack_count", state.crack_count);
+  visit("tensile_cracks", state.tensile_cracks);
+  visit("shear_cracks", state.shear_cracks);
+  visit("tip_distance_m", state.tip_distance);
+  visit("fracture_length_m", fracture.length);
+  visit("fracture_width_m", fracture.width);
+  visit("fracture_volume_m2", fracture.volume);
+  visit("force_ratio", state.force_ratio);
+  visit("cycles", state.cycles);
+  visit("at_rest", state.at_rest);
+  energy_columns(balance, [&](const char* name, double value) {
+    std::isnan(value) ? visit(name, "") : visit(name, value);
+  });
+  fluid_columns(balance, visit);
+  visit("solver_increments", solver.increments);
+  visit("newton_iterations", solver.newton_iterations);
+  visit("rejected_error", solver.rejected_error);
+  visit("rejected_strength", solver.rejected_strength);
+  visit("rejected_divergence", solver.rejected_divergence);
+}
+
+/** A line of names, then one per item; `columns` takes an item, its place in the list and a visitor. */
+template <class Item, class Columns>
+std::string table_of(const std::vector<Item>& items, const Columns& columns) {
+  run::TableText table;
+  table.head([&](const auto& visit) { columns(Item{}, size_t{0}, visit); });
+  for (size_t k = 0; k < items.size(); ++k)
+    table.row([&](const auto& visit) { columns(items[k], k, visit); });
+  return table.take();
+}
+
+}  // namespace
+
+std::string history_header(hfrac_sim* sim) {
+  run::TableText table;
+  table.head([&](const auto& visit) { history_columns(sim, visit); });
+  return table.take();
+}
+
+std::string history_row(hfrac_sim* sim) {
+  run::TableText table;
+  table.row([&](const auto& visit) { history_columns(sim, visit); });
+  return table.take();
+}
+
+std::string crack_table(const std::vector<hfrac_crack>& cracks) {
+  return table_of(cracks, [](const auto& crack, size_t, const auto& visit) { written_columns(crack, visit); });
+}
+
+std::vector<hfrac_crack> read_crack_table(const std::filesystem::path& file) {
+  const run::TableFile table(file);
+  std::vector<hfrac_crack> cracks(table.rows());
+  std::vector<std::vector<std::string>> columns;
+  hfrac_crack any{};
+  crack_columns(any, [&](std::string_view name, const auto&) { columns.push_back(table.words(name)); });
+  for (size_t row = 0; row < cracks.size(); ++row) {
+    size_t place = 0;
+    crack_columns(cracks[row], [&](std::string_view name, auto& member) {
+      const std::string& word = columns[place++][row];
+      if (name == "mode" && (word == shear || word == tension)) {
+        member = word == shear ? HFRAC_CRACK_SHEAR : HFRAC_CRACK_TENSION;
+      } else if (const auto value = run::number_in<std::decay_t<decltype(member)>>(word);
+                 value && name != "mode") {
+        member = *value;
+      } else {
+        run::fail_reading(fmt::format("'{}' is damaged: '{}' in line {}, column '{}', is no {}", file.string(),
+                                      run::printable(word.substr(0, 40)), row + 2, name,
+                                      name == "mode" ? "mode of a crack" : "number"));
+      }
+    });
+  }
+  return cracks;
+}
+
+std::string fracture_table(const std::vector<hfrac_fracture>& fractures) {
+  return table_of(fractures, [](const auto& fracture, size_t, const auto& visit) {
+    visit("fracture", fracture.index);
+    fracture_columns(fracture, visit);
+  });
+}
+
+std::vector<hfrac_event> events_of(const std::vector<hfrac_crack>& cracks,
+                                   const hfrac_catalogue_options* options) {
+  constexpr auto crack_size = static_cast<int32_t>(sizeof(hfrac_crack));
+  constexpr auto event_size = static_cast<int32_t>(sizeof(hfrac_event));
+  std::vector<hfrac_event> events(cracks.size());  // never more events than cracks
+  const auto most = static_cast<int64_t>(cracks.size());
+  int64_t count = 0;
+  require(
+      hfrac_find_events(cracks.data(), crack_size, most, options, event_size, events.data(), most, &count),
+      nullptr);
+  events.resize(static_cast<size_t>(count));
+  return events;
+}
+
+std::string event_table(const std::vector<hfrac_event>& events) {
+  return table_of(events, [](const auto& event, size_t, const auto& visit) { event_columns(event, visit); });
+}
+
+std::string cell_table(const std::vector<hfrac_cell>& cells, int64_t nx) {
+  return table_of(cells, [nx](const auto& cell, size_t k, const auto& visit) {
+    visit("i", static_cast<int64_t>(k) % nx);
+    visit("j", static_cast<int64_t>(k) / nx);
+    cell_columns(cell, visit);
+  });
+}
+
+FractureMeasure measure(const std::vector<hfrac_fracture>& fractures) {
+  FractureMeasure result;
+  for (const auto& fracture : fractures) {
+    result.volume += fracture.volume;
+    if (fracture.length > result.length) {
+      result.length = fracture.length;
+      result.width = fracture.largest_aperture;
+    }
+  }
+  return result;
+}
+
+}  // namespace hfrac::output

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One VTU file in memory, checked for damage. Only arrays that are asked for are decoded.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "run/array_coding.hpp"
+#include "run/series.hpp"
+#include "run/vtu_writer.hpp"
+#include "run/xml_tree.hpp"
+
+namespace hfrac::run {
+
+struct Point {
+  double x = 0;  ///< [m]
+  double y = 0;  ///< [m]
+};
+
+/** What a file says of one of its arrays. */
+struct ArrayHead {
+  std::string name;
+  std::string type;                ///< "Float32", ...
+  std::string unit;                ///< empty: a number without one
+  std::size_t components = 1;      ///< at most 64: more is damage
+  std::vector<std::string> parts;  ///< names of the components, if they have any
+};
+
+class GridFile {
+ public:
+  // Reads the file. Throws ReadError, as all below do.
+  explicit GridFile(const SeriesFile& file);
+
+  std::size_t point_count() const { return point_count_; }
+  std::size_t cell_count() const { return cell_count_; }
+  // All points, finite.
+  std::vector<Point> points() const;
+  // As many values as there are points or cells, times components.
+  std::vector<double> point_array(const char* name, std::size_t components = 1) const;
+  std::vector<double> cell_array(const char* name) const;
+  bool has_cell_array(const char* name) const { return find_array("CellData", name) != nullptr; }
+  // One component of an array in "PointData" or "CellData"; nothing if there is no such array or component.
+  std::optional<std::vector<double>> component(const char* section, const std::string& name,
+                                               std::size_t index) const;
+  /** Of the arrays of "PointData", "CellData" or "FieldData". */
+  std::vector<ArrayHead> arrays(std::string_view section) const;
+  /** All values of one of them; of a point or cell array, as many as there are points or cells. */
+  std::vector<double> values(std::string_view section, const std::string& name) const;
+  /** Whether every cell is a single point, as in files of discs. */
+  bool of_vertices() const;
+  Moment moment() const;
+
+  // Corners of the cells, all in range: those of cell i are corners[first[i]] to corners[first[i + 1] - 1].
+  struct Cells {
+    std::vector<std::uint32_t> first;
+    std::vector<std::uint32_t> corners;
+    std::span<const std::uint32_t> of(std::size_t cell) const {
+      return std::span<const std::uint32_t>(corners).subspan(first[cell], first[cell + 1] - first[cell]);
+    }
+  };
+  Cells cells() const;
+
+  /** Throws ReadError: the file is not as it should be. */
+  [[noreturn]] void damaged(const std::string& what) const;
+
+ private:
+  const XmlElement* section_named(std::string_view section) const;
+  const XmlElement* find_array(std::string_view section, std::string_view name) const;
+  std::vector<double> decode(const XmlElement& array, const std::string& name) const;
+  std::vector<double> scalars(std::string_view section, const std::string& name, std::size_t count) const;
+
+  std::filesystem::path path_;
+  double time_;
+  std::unique_ptr<XmlElement> root_;
+  const XmlElement* grid_ = nullptr;
+  const XmlElement* piece_ = nullptr;
+  ArrayCoding coding_;
+  std::size_t point_count_ = 0;
+  std::size_t cell_count_ = 0;
+};
+
+}  // namespace hfrac::run
