@@ -31,7 +31,7 @@ class Fracture(NamedTuple):
     volume: float  # m2, injected less what the hole stores
     pores: float  # m2, gained by hole and pores beside its cracks
     cracks: int
-    wings: int
+    wing_count: int
     azimuth: float  # degrees
     loose: int  # discs without an intact bond
     wings: Tuple[Wing, Wing]
