@@ -129,7 +129,8 @@ void equilibrate(Engine& e, const Progress& progress, SetupReport& report) {
     if (stop) throw Stopped{};
     require_rock_stands(e, cracks_before, share);
   }
-  e.mechanics->hold_edge(false);
+  // The quasi-static solver needs an equilibrium afterwards, too.
+  if (SolverKind{o.solver_kind} != SolverKind::quasi_static) e.mechanics->hold_edge(false);
   require_joints_in_reach(e);
   report.force_ratio = m.clock.force_ratio = outcome.force_ratio;
   report.cracks = static_cast<std::int64_t>(m.cracks.size());

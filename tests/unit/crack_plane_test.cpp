@@ -197,9 +197,14 @@ CaseDefinition deep_case(double toughness, std::int64_t discs) {
   o.stress_sigma_Hmax = 15e6;
   o.stress_sigma_hmin = 10e6;
   o.fluid_formation_pressure = 5e6;
+  o.fluid_bulk_modulus = 2.2e9;
+  o.fluid_viscosity = 0.01;
   o.flow_permeability = 1e-17;
   o.solver_kind = choice(SolverKind::quasi_static);
   o.stepping_mode = choice(SteppingMode::coupled);
+  o.solver_smallest_step = 1e-2;
+  o.solver_pressure_change = 0.3;
+  o.solver_strength_overshoot = 0.1;
   WellOptions well;
   well.x = well.y = 50.0;
   well.radius = discs > 2000 ? 1.65 : 4.0;
@@ -213,6 +218,13 @@ TEST(SetUp, DoesNotBreakRockThatBearsItsStress) {
   const Simulation s(deep_case(5e6, 4000), {}, {});
   EXPECT_LT(s.setup().cracks, 10);
   EXPECT_TRUE(s.model().clock.at_rest);
+}
+
+// Nor does the first step: a bond of an outermost disc broke then, and its dead load had no equilibrium.
+TEST(SetUp, LeavesAnEdgeThatHolds) {
+  Simulation s(deep_case(5e6, 4000), {}, {});
+  EXPECT_FALSE(s.step().stopped);
+  EXPECT_LT(s.cracks().size(), 10U);
 }
 
 TEST(SetUp, RefusesRockThatDoesNotInWords) {
