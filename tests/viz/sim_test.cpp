@@ -48,21 +48,5 @@ TEST_F(Simulated, ItsPictureIsThatOfItsRunFolder) {
   EXPECT_EQ(file_text(file("straight.png")), file_text(file("folder.png")));
 }
 
-TEST_F(Simulated, FromInsideItsCallbackIsRefused) {
-  static std::int32_t status;
-  static const char* const name = "discs";
-  static std::string target;
-  target = file("inside.png");
-  status = 0;
-  const auto look = [](void* user, double, const char*) -> std::int32_t {
-    status = hfrac_viz_render_sim(static_cast<hfrac_sim*>(user), &name, 1, target.c_str(), nullptr);
-    return 0;
-  };
-  ASSERT_EQ(hfrac_set_progress(sim, look, sim, 0.0), HFRAC_OK);
-  EXPECT_GE(hfrac_step(sim, 1), 0);
-  EXPECT_EQ(status, HFRAC_ERR_BUSY) << last_error();
-  EXPECT_FALSE(std::filesystem::exists(target));
-}
-
 }  // namespace
 }  // namespace hfrac::viz_test

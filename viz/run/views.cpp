@@ -13,7 +13,7 @@ constexpr auto magnitude = ColourScale::magnitude;
 constexpr auto two_ways = ColourScale::two_ways;
 constexpr auto narrow = ColourScale::narrow;
 constexpr std::string_view stress = "stress_Pa", moved = "displacement_m";
-constexpr std::string_view compression = "compression positive", since = "since the initial equilibration";
+constexpr std::string_view compression = "compression positive", since = "since equilibration";
 
 // name, title, label, note, mesh, array, how, component, scale, all values, smoothed
 constexpr std::array<NamedView, 19> views = {{
