@@ -20,7 +20,7 @@ namespace {
 int64_t last_step(const std::filesystem::path& folder) {
   const auto file = folder / "history.csv";
   if (!std::filesystem::exists(file)) return -1;
-  const auto text = output::read_whole(file);
+  const auto text = run::read_whole(file);
   const size_t end = text.rfind('\n');
   if (end == std::string::npos || end == 0) return -1;
   const size_t before = text.rfind('\n', end - 1);
@@ -35,7 +35,7 @@ std::string how_it_ended(const std::filesystem::path& folder, const std::string&
   if (ended == "running") {
     const int64_t step = last_step(folder);
     const auto so_far = step < 0 ? std::string() : fmt::format(", {} steps taken", step);
-    if (output::FolderClaim::is_held(folder)) return fmt::format("not yet: it goes on{}", so_far);
+    if (run::FolderClaim::is_held(folder)) return fmt::format("not yet: it goes on{}", so_far);
     return fmt::format("unfinished: it was killed{}; hfrac resume {} goes on", so_far, folder.string());
   }
   if (ended == "interrupted") return fmt::format("interrupted; hfrac resume {} goes on", folder.string());

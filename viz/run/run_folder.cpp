@@ -30,7 +30,7 @@ void read_summary(RunFolder& run) {
   if (std::error_code ignored; !fs::exists(path, ignored)) return;
   const auto summary = read_json(path);
   run.title = text_at(summary, "title");
-  run.net_pressures = text_at(summary, "reading") == "paper";
+  run.net_pressures = text_at(summary, "stress_convention") == "effective";
   run.model_width = positive_at(summary, "model.width_m");
   run.model_height = positive_at(summary, "model.height_m");
   run.going_on = text_at(summary, "ended") == "running";

@@ -13,7 +13,7 @@ constexpr auto magnitude = ColourScale::magnitude;
 constexpr auto two_ways = ColourScale::two_ways;
 constexpr auto narrow = ColourScale::narrow;
 constexpr std::string_view stress = "stress_Pa", moved = "displacement_m";
-constexpr std::string_view compression = "compression positive", since = "since the initial equilibration";
+constexpr std::string_view compression = "compression positive", since = "since equilibration";
 
 // name, title, label, note, mesh, array, how, component, scale, all values, smoothed
 constexpr std::array<NamedView, 19> views = {{
@@ -32,7 +32,7 @@ constexpr std::array<NamedView, 19> views = {{
     {"stress-xx", "Stress along x", "stress xx", compression, "discs", stress, component, 0, two_ways, false, true},
     {"stress-yy", "Stress along y", "stress yy", compression, "discs", stress, component, 1, two_ways, false, true},
     {"stress-xy", "Shear stress", "stress xy", "", "discs", stress, component, 2, two_ways, false, true},
-    {"shear", "Largest shear stress", "largest shear stress", "", "discs", stress, Combination::shear, 0, magnitude, false, true},
+    {"shear", "Largest shear stress", "largest shear", "", "discs", stress, Combination::shear, 0, magnitude, false, true},
     {"intact-bonds", "Intact bonds", "intact bonds", "", "discs", "intact_bonds", component, 0, magnitude, true},
     {"temperature", "Temperature", "temperature", "of the discs", "discs", "temperature_K"},
     {"fluid-temperature", "Temperature of the fluid", "temperature", "of the domains", "flow", "temperature_K"},
