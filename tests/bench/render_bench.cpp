@@ -101,7 +101,7 @@ void from_files(benchmark::State& state) {
   hfrac_viz_view_options_init(&options, sizeof options);
   options.width = width;
   options.height = height;
-  const std::int32_t view = "discs";
+  const char* view = "discs";
   const std::string target = folder / "view.png";
   for (auto _ : state) {
     if (hfrac_viz_render_views(folder.c_str(), &view, 1, target.c_str(), &options) !=
