@@ -203,7 +203,8 @@ HFRAC_API int32_t hfrac_viz_view_options_init(hfrac_viz_view_options *options, i
 HFRAC_API int32_t hfrac_viz_render_views(const char *run_dir, const char *const *views, int32_t view_count,
                                          const char *path, const hfrac_viz_view_options *options);
 
-/** The same of a simulation as it stands; nothing but the picture is written. options->snapshot is not used. Errors of the simulation keep their status (HFRAC_ERR_BUSY, ...). Stable since 0.1. */
+/** The same of a simulation as it stands; nothing but the picture is written. options->snapshot is not used. Errors of the
+ * simulation keep their status (HFRAC_ERR_BAD_HANDLE, ...). Stable since 0.1. */
 HFRAC_API int32_t hfrac_viz_render_sim(hfrac_sim *sim, const char *const *views, int32_t view_count, const char *path,
                                        const hfrac_viz_view_options *options);
 
