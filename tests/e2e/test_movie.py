@@ -1,4 +1,4 @@
-"""Movies made while the run goes on, and movies whose making was killed; and drawing in whatever environment."""
+"""Movies made while the run goes on, and movies whose making was killed; and drawing in whatever environment and limits."""
 import os
 import pathlib
 import re
@@ -31,25 +31,33 @@ class Movie(unittest.TestCase):
         self.assertEqual(movie.read_bytes()[4:8], b"ftyp")
         self.assertEqual([path.name for path in movie.parent.iterdir()], ["movie.mp4"])
 
-    def test_a_killed_render_goes_on(self):
+    def test_a_killed_render_leaves_no_movie_and_two_runs_the_same_bytes(self):
         movie = self.top / "killed.mp4"
-        pieces = self.top / ".killed.mp4.pieces"
         render = subprocess.Popen([COMMAND, "render", self.folder, "--movie", movie, "--width", "1600", "-q"])
-        end = time.monotonic() + 120
-        while not (pieces / "000000.piece").exists() and time.monotonic() < end and render.poll() is None:
-            time.sleep(0.005)
+        time.sleep(0.3)
         render.send_signal(signal.SIGKILL)
         render.wait()
         self.assertFalse(movie.exists())
-        kept = (pieces / "000000.piece").stat().st_mtime_ns
-        watched = subprocess.Popen([COMMAND, "render", self.folder, "--movie", movie, "--width", "1600", "-q"])
-        while not (pieces / "000001.piece").exists() and not movie.exists() and watched.poll() is None:
-            time.sleep(0.005)
-        if (pieces / "000000.piece").exists():
-            self.assertEqual((pieces / "000000.piece").stat().st_mtime_ns, kept, "the first piece was made again")
-        self.assertEqual(watched.wait(), 0)
+        self.assertEqual(hfrac("render", self.folder, "--movie", movie, "-q").returncode, 0)
         self.assertEqual(movie.read_bytes()[4:8], b"ftyp")
-        self.assertFalse(pieces.exists())
+        again = self.top / "again"
+        done = hfrac("run", self.folder / "case.toml", "-o", again, "--steps", STEPS, "--movie", "-q")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        of_the_run = pathlib.Path("pictures") / "movie.mp4"
+        self.assertEqual((again / of_the_run).read_bytes(), (self.folder / of_the_run).read_bytes())
+
+    def test_limits_of_the_system_end_with_words(self):
+        folder = self.top / "limited"
+        shutil.copytree(self.folder, folder)
+        limited = lambda kind, kilobytes: subprocess.run(
+            ["bash", "-c", f"ulimit -{kind} {kilobytes}; exec {COMMAND} render {folder} -q"], capture_output=True, text=True)
+        for kilobytes in (600000, 800000, 900000, 1000000):
+            done = limited("v", kilobytes)
+            self.assertEqual(done.returncode, 1, (kilobytes, done.stderr))
+            self.assertIn("memory", done.stderr)
+        done = limited("f", 10)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("File too large", done.stderr)
 
     def test_following_a_run_that_is_over_draws_everything(self):
         done = hfrac("render", self.folder, "--follow", "-q")

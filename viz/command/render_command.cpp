@@ -84,7 +84,7 @@ ExitCode render(const RenderRequest& request) {
   line.end();
   if (drawing_stopped(status)) {
     tell(
-               "hfrac: interrupted; the pictures finished so far stay, a movie goes on there next time\n");
+               "hfrac: interrupted; the pictures finished so far stay\n");
     return kInterrupted;
   }
   if (request.quiet) return kGood;
