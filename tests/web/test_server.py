@@ -138,9 +138,10 @@ class Served(unittest.TestCase):
                 self.assertLessEqual(end, len(body), array["name"])
             units = {array["name"]: array["unit"] for array in head["arrays"]}
             for name, unit in units.items():
-                for suffix in ("m", "Pa", "N", "rad", "s"):
+                for suffix in ("N_m", "m", "Pa", "N", "rad", "s"):
                     if name.endswith("_" + suffix) and not name.endswith("per_s"):
-                        self.assertEqual(unit, suffix, name)
+                        self.assertEqual(unit, suffix.replace("_", " "), name)
+                        break
         status, _, body = self.get(f"api/values?file={last['files']['discs']}&of=points&index=3")
         values = {item["name"]: item for item in json.loads(body)}
         self.assertEqual(status, 200)
