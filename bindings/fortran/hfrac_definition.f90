@@ -80,13 +80,19 @@ contains
     call report(hfrac_sim_def_load(self%values, to_c(path)), c_null_ptr, stat, errmsg)
   end subroutine load
 
-  !> Refuses what no simulation can be built from.
-  subroutine check(self, stat, errmsg)
+  !> Refuses what no simulation can be built from. With the path of the case file that was loaded the text also names the
+  !> file and the line of the value.
+  subroutine check(self, stat, errmsg, path)
     class(hfrac_definition), intent(inout) :: self
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
+    character(*), intent(in), optional :: path
     call self%init()
-    call report(hfrac_sim_def_check(self%values), c_null_ptr, stat, errmsg)
+    if (present(path)) then
+      call report(hfrac_sim_def_check_file(self%values, to_c(path)), c_null_ptr, stat, errmsg)
+    else
+      call report(hfrac_sim_def_check(self%values), c_null_ptr, stat, errmsg)
+    end if
   end subroutine check
 
   !> An option by its key, integers and choices as a double.

@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/loads.hpp"
 
+#include <cmath>
+
 #include "step/ledger.hpp"
 
 namespace hfrac {
+namespace {
+
+// Of two numbers of a load. What is no number, from a damaged image, is told by the step and not put on again.
+bool differ(double a, double b) {
+  return !(a == b || (std::isnan(a) && std::isnan(b)));
+}
+
+}  // namespace
 
 double outside_pressure(const Engine& engine, double formation) {
   return engine.model.network.reference_pressure + (formation - engine.options.fluid_formation_pressure);
@@ -34,12 +44,12 @@ void impose(Engine& engine, Loads& now, const Loads& wanted) {
     m.wells[w].schedule = wanted.wells[w].schedule;
     m.wells[w].next = 0;
   }
-  bool stress = now.sigma_Hmax != wanted.sigma_Hmax || now.sigma_hmin != wanted.sigma_hmin;
-  const auto same = [](Vec2 a, Vec2 b) { return a.x == b.x && a.y == b.y; };
+  bool stress = differ(now.sigma_Hmax, wanted.sigma_Hmax) || differ(now.sigma_hmin, wanted.sigma_hmin);
+  const auto same = [](Vec2 a, Vec2 b) { return !differ(a.x, b.x) && !differ(a.y, b.y); };
   for (std::size_t k = 0; k < wanted.cell_load.size(); ++k)
     stress = stress || !same(m.boundary.cell_load[k], wanted.cell_load[k]);
   m.boundary.cell_load = wanted.cell_load;
-  if (now.formation_pressure != wanted.formation_pressure) {
+  if (differ(now.formation_pressure, wanted.formation_pressure)) {
     keep_outside_work(m);
     m.network.pressure[0] = outside_pressure(engine, wanted.formation_pressure);
     engine.boundary->set_outside_pressure(m.assembly, m.network, wanted.sigma_Hmax, wanted.sigma_hmin);

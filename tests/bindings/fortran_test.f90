@@ -159,6 +159,7 @@ contains
     call def%load('/nonexistent/case.toml', stat, message)
     call expect(stat == HFRAC_ERR_CASE_FILE .and. index(message, 'case.toml') > 0, 'missing file')
     call def%set('well[0].radius', 1000.0_real64)
+    call def%check(stat, message, path='case.toml')
     call def%check(stat, message)
     call expect(stat < 0 .and. len_trim(message) > 0, 'a well larger than the model')
     call expect(def%get('no.such', stat) == 0.0_real64 .and. stat == HFRAC_ERR_UNKNOWN_KEY, 'get of an unknown key')

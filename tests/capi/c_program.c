@@ -98,6 +98,7 @@ static void define(hfrac_sim_def* def) {
 
   def->wells[0].radius = -1.0;
   expect(hfrac_sim_def_check(def), HFRAC_ERR_ARGUMENT, NULL, "negative radius");
+  expect(hfrac_sim_def_check_file(def, "case.toml"), HFRAC_ERR_CASE_FILE, NULL, "negative radius in a file");
   def->wells[0].radius = 10.0;
   expect(hfrac_sim_def_load(def, "/nonexistent/case.toml"), HFRAC_ERR_CASE_FILE, NULL, "missing file");
 }

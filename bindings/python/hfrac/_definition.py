@@ -238,9 +238,13 @@ class Definition:
         """The definition as a case file with every option filled in."""
         return _library.text("hfrac_sim_def_write", ctypes.byref(self._struct))
 
-    def check(self) -> None:
-        """Raises if no simulation can be built from this; the text names the fix."""
-        call("hfrac_sim_def_check", ctypes.byref(self._struct))
+    def check(self, path: Optional[PathLike] = None) -> None:
+        """Raises if no simulation can be built from this; the text names the fix, and with the `path` of the case file that
+        was loaded also the file and the line of the value."""
+        if path is None:
+            call("hfrac_sim_def_check", ctypes.byref(self._struct))
+        else:
+            call("hfrac_sim_def_check_file", ctypes.byref(self._struct), os.fsencode(path))
 
     def copy(self) -> "Definition":
         """An independent definition with the same values."""

@@ -78,6 +78,7 @@ class Definition(unittest.TestCase):
         with self.assertRaisesRegex(hfrac.HfracError, "well"):
             hfrac.Definition(wells=[{"radius": 1000.0}]).check()
         hfrac.Definition(CASE).check()
+        hfrac.Definition(CASE).check(CASE)
 
     def test_errors(self):
         for options, error, text in [
