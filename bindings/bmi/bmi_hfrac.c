@@ -416,9 +416,11 @@ int bmi_hfrac_last_error(const Bmi* model, char* text, int capacity) {
     strncat(text, inside->error, (size_t)capacity - 1);
     return BMI_SUCCESS;
   }
-  if (hfrac_last_error(inside != NULL ? inside->sim : NULL, text, capacity, NULL) != HFRAC_OK) return BMI_FAILURE;
+  if (hfrac_last_error(inside != NULL ? inside->sim : NULL, text, capacity, NULL) != HFRAC_OK)
+    return BMI_FAILURE;
   if (inside == NULL && text[0] == 0)
-    strncat(text, "the model is not initialized; call initialize with a case file first.", (size_t)capacity - 1);
+    strncat(text, "the model is not initialized; call initialize with a case file first.",
+            (size_t)capacity - 1);
   return BMI_SUCCESS;
 }
 

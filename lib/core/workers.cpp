@@ -22,8 +22,8 @@ constexpr std::int64_t patience = 50'000;
 // The watch: the share of a window's time spent waiting that makes the team smaller; windows; the pause after which a larger team is
 // tried, doubled by each try that fails, and what ends the doubling.
 constexpr double too_late = 0.3;
-constexpr std::int64_t window = 3'000'000, longest_wait = 1'500'000, shortest_pause = 20'000'000, longest_pause = 2'000'000'000,
-                       proven = 200'000'000;
+constexpr std::int64_t window = 3'000'000, longest_wait = 1'500'000, shortest_pause = 20'000'000,
+                       longest_pause = 2'000'000'000, proven = 200'000'000;
 
 std::int64_t nanoseconds(std::chrono::steady_clock::duration time) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(time).count();

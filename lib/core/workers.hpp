@@ -131,12 +131,13 @@ class Workers {
   // Tasks given so far times most_workers, plus how many do the last one: who does not take part reads one number only.
   std::atomic<std::uint32_t> tasks_{0};
   // The watch over the time that the team waits for one that lost its core; of the calling thread but for the first two.
-  mutable std::atomic<std::int64_t> late_{0};  // ns that workers waited beyond patience, since the window began
+  mutable std::atomic<std::int64_t> late_{
+      0};  // ns that workers waited beyond patience, since the window began
   bool cut_short_ = false;
-  std::int64_t busy_ = 0;                      // ns of tasks in the window
-  std::int64_t good_ = 0;                      // ns of tasks without a reason to shrink
-  std::int64_t pause_;                         // ns until a larger team is tried
-  Clock::time_point shrunk_;                   // when the team became smaller
+  std::int64_t busy_ = 0;     // ns of tasks in the window
+  std::int64_t good_ = 0;     // ns of tasks without a reason to shrink
+  std::int64_t pause_;        // ns until a larger team is tried
+  Clock::time_point shrunk_;  // when the team became smaller
   std::atomic<int> running_{0};
   std::atomic<int> arrived_{0};
   std::atomic<std::uint32_t> phase_{0};

@@ -110,7 +110,8 @@ std::vector<CellReport> report_cells(const HostGrid& grid, const Assembly& a, co
     const auto e = static_cast<std::size_t>(n.outer_pipe[k]);
     CellReport& cell = cells[static_cast<std::size_t>(grid.outer_cell()[k])];
     cell.outflow += n.left[e] == 0 ? -n.flow_of(e) : n.flow_of(e);
-    if (n.left[e] != n.right[e]) cell.conductance += n.conductance_of(e);  // else it lies outside with both ends
+    if (n.left[e] != n.right[e])
+      cell.conductance += n.conductance_of(e);  // else it lies outside with both ends
   }
 
   for (std::size_t c = 0; c < count; ++c) {

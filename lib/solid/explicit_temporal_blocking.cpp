@@ -18,8 +18,8 @@ void ExplicitSolver::set_blocking(const BlockingShape& shape) {
 // answer: the outside is one of them. Pores that keep their pressure push, and that is all.
 bool ExplicitSolver::may_block() const {
   const bool pores_answer = arrays_.with_pressure != 0 && arrays_.undrained != 0;
-  return !blocking_.empty() && !pores_answer && !fragments_.kept() && boundary_.acts_disc_by_disc() && non_bonded_.empty() &&
-         assembly_.smooth.empty();
+  return !blocking_.empty() && !pores_answer && !fragments_.kept() && boundary_.acts_disc_by_disc() &&
+         non_bonded_.empty() && assembly_.smooth.empty();
 }
 
 void ExplicitSolver::run_blocked(std::int64_t cycles, std::vector<CrackLog>& found) {

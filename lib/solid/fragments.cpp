@@ -19,7 +19,8 @@ Fragments::Fragments(const Assembly& a, const Options& o) : smallest_(o.bond_sma
   auto cursor = bond_start_;
   for (std::size_t e = 0; e < a.first.size(); ++e) {
     for (const auto i : {a.first[e], a.second[e]})
-      bond_of_[static_cast<std::size_t>(cursor[static_cast<std::size_t>(i)]++)] = static_cast<std::int32_t>(e);
+      bond_of_[static_cast<std::size_t>(cursor[static_cast<std::size_t>(i)]++)] =
+          static_cast<std::int32_t>(e);
   }
 }
 
@@ -28,7 +29,8 @@ bool Fragments::would_cut(const Assembly& a, std::int64_t bond, std::int64_t sma
          small(a, a.second[static_cast<std::size_t>(bond)], bond, smallest);
 }
 
-bool Fragments::small(const Assembly& a, std::int32_t from, std::int64_t without, std::int64_t smallest) const {
+bool Fragments::small(const Assembly& a, std::int32_t from, std::int64_t without,
+                      std::int64_t smallest) const {
   std::array<std::int32_t, most> piece;
   piece[0] = from;
   std::int64_t count = 1;

@@ -16,8 +16,8 @@
 #include "offscreen_window.h"
 #include "page.h"
 #include "png_file.h"
-#include "synthetic_run.h"
 #include "run/files.hpp"
+#include "synthetic_run.h"
 
 namespace {
 
@@ -104,8 +104,7 @@ void from_files(benchmark::State& state) {
   const char* view = "discs";
   const std::string target = folder / "view.png";
   for (auto _ : state) {
-    if (hfrac_viz_render_views(folder.c_str(), &view, 1, target.c_str(), &options) !=
-        HFRAC_OK) {
+    if (hfrac_viz_render_views(folder.c_str(), &view, 1, target.c_str(), &options) != HFRAC_OK) {
       state.SkipWithError("no picture");
       break;
     }

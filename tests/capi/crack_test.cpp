@@ -36,8 +36,8 @@ class Cracks : public testing::Test {
   static void TearDownTestSuite() { hfrac_sim_destroy(&sim); }
 
   static hfrac_sim* sim;
-  static std::vector<int64_t> counts;          // cracks after each step
-  static std::vector<hfrac_crack> cracks;      // after
+  static std::vector<int64_t> counts;      // cracks after each step
+  static std::vector<hfrac_crack> cracks;  // after
   static std::vector<hfrac_fracture> fractures;
 };
 hfrac_sim* Cracks::sim = nullptr;

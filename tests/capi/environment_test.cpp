@@ -70,7 +70,8 @@ TEST(Environment, DenormalsAreKeptInsideThoughTheHostFlushesThem) {
 // A signal that the host's thread holds back waits for it; no thread of ours takes it instead.
 TEST(Environment, SignalsOfTheHostStayWithItsThreads) {
   static volatile sig_atomic_t handled = 0;
-  struct sigaction ours {}, before {};
+  struct sigaction ours {
+  }, before{};
   ours.sa_handler = [](int) { handled = handled + 1; };
   sigaction(SIGALRM, &ours, &before);
   hfrac_sim_def def = cracking_def();

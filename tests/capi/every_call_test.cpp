@@ -103,7 +103,8 @@ TEST_F(EveryCall, IsInTheTable) {
 // Otherwise the bad arguments would be refused for another reason.
 TEST_F(EveryCall, IsGoodWithGoodArguments) {
   for (const auto& row : every_call()) {
-    if (row.name == "hfrac_step_do" || row.name == "hfrac_step_more" || row.name == "hfrac_step_finalize" || row.name == "hfrac_step_reject") {
+    if (row.name == "hfrac_step_do" || row.name == "hfrac_step_more" || row.name == "hfrac_step_finalize" ||
+        row.name == "hfrac_step_reject") {
       ASSERT_EQ(hfrac_step_prepare(g_.sim), HFRAC_OK);
     }
     const int32_t status = row.good(g_);

@@ -224,7 +224,9 @@ TEST(Misuse, WhatACallbackThrowsLosesNoWholeStep) {
   EXPECT_EQ(last_error(sim), "a callback threw: thrown by the host");
   EXPECT_EQ(hash_of(sim), hash_of(twin));
   ASSERT_EQ(hfrac_set_progress(sim, nullptr, nullptr, 0.0), HFRAC_OK);
-  ASSERT_EQ(hfrac_set_on_step(sim, [](void*, hfrac_sim*, int64_t, double) -> int32_t { throw 7; }, nullptr), HFRAC_OK);
+  ASSERT_EQ(hfrac_set_on_step(
+                sim, [](void*, hfrac_sim*, int64_t, double) -> int32_t { throw 7; }, nullptr),
+            HFRAC_OK);
   EXPECT_EQ(hfrac_step(sim, 2), HFRAC_ERR_CALLBACK);
   ASSERT_GE(hfrac_step(twin, 1), 0);
   EXPECT_EQ(hash_of(sim), hash_of(twin));

@@ -144,8 +144,7 @@ TEST_F(ChartOverlap, ChartsOfARun) {
     write_run(folder(), run);
     for (const std::int32_t dark : {0, 1}) {
       charts.dark = dark;
-      ASSERT_EQ(hfrac_viz_render_charts(folder().c_str(), &charts, nullptr, nullptr),
-                HFRAC_OK);
+      ASSERT_EQ(hfrac_viz_render_charts(folder().c_str(), &charts, nullptr, nullptr), HFRAC_OK);
       for (const char* name : {"history", "rose", "profile", "events", "catalogue"})
         expect_no_overlap(file("pictures") / (std::string(name) + ".svg"),
                           std::string(name) + " of '" + title + "'");

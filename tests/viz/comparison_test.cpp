@@ -16,7 +16,8 @@ class Comparison : public VizTest {
 
   Result draw(const std::string& table, const std::string& picture) {
     std::ofstream(file("table.csv")) << table;
-    return result_of(hfrac_viz_render_comparison(file("table.csv").c_str(), file(picture).c_str(), &compared));
+    return result_of(
+        hfrac_viz_render_comparison(file("table.csv").c_str(), file(picture).c_str(), &compared));
   }
 
   hfrac_viz_comparison_options compared;
@@ -117,8 +118,7 @@ TEST_F(Comparison, WhatCannotBeDrawnIsRefusedWithAReason) {
   EXPECT_EQ(draw("a,b,c\n,1,1\n", "c.gif").status, HFRAC_ERR_ARGUMENT);
   compared.width = 1;
   EXPECT_EQ(draw("a,b,c\n,1,1\n", "c.png").status, HFRAC_ERR_ARGUMENT);
-  EXPECT_EQ(hfrac_viz_render_comparison("/no/table.csv", file("c.png").c_str(), nullptr),
-            HFRAC_VIZ_ERR_READ);
+  EXPECT_EQ(hfrac_viz_render_comparison("/no/table.csv", file("c.png").c_str(), nullptr), HFRAC_VIZ_ERR_READ);
 }
 
 }  // namespace

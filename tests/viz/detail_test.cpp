@@ -20,8 +20,7 @@ class Detail : public VizTest {
     run.with_flow = false;
   }
   Result render_view(const char* kind) {
-    return result_of(hfrac_viz_render_views(folder().c_str(), &kind, 1, file("view.png").c_str(),
-                                                       &views));
+    return result_of(hfrac_viz_render_views(folder().c_str(), &kind, 1, file("view.png").c_str(), &views));
   }
 
   hfrac_viz_view_options views;

@@ -16,8 +16,9 @@ class Drawing : public VizTest {
   Drawing() { hfrac_viz_view_options_init(&views, sizeof views); }
 
   Result draw(const std::vector<const char*>& names, const std::string& target) {
-    return result_of(hfrac_viz_render_views(
-        folder().c_str(), names.data(), static_cast<std::int32_t>(names.size()), file(target).c_str(), &views));
+    return result_of(hfrac_viz_render_views(folder().c_str(), names.data(),
+                                            static_cast<std::int32_t>(names.size()), file(target).c_str(),
+                                            &views));
   }
 
   hfrac_viz_view_options views;

@@ -72,8 +72,7 @@ TEST_F(Errors, FolderThatIsNoRun) {
 
 TEST_F(Errors, Arguments) {
   write_run(folder(), run);
-  EXPECT_EQ(hfrac_viz_render_run(nullptr, nullptr, nullptr, nullptr),
-            HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_viz_render_run(nullptr, nullptr, nullptr, nullptr), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hfrac_viz_options_init(nullptr, 48), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hfrac_viz_snapshot_count(folder().c_str(), nullptr), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(render_picture(HFRAC_VIZ_STAGE | HFRAC_VIZ_GROWTH, file("picture.png")).status,

@@ -113,9 +113,9 @@ class Overlap : public VizTest {
     expect_no_overlap(svg, std::stod(size[1]), std::stod(size[2]), what);
   }
   void check_views(const std::vector<const char*>& names, const std::string& what) {
-    const std::int32_t status = hfrac_viz_render_views(
-        folder().c_str(), names.data(), static_cast<std::int32_t>(names.size()), file("page.svg").c_str(),
-        &views);
+    const std::int32_t status =
+        hfrac_viz_render_views(folder().c_str(), names.data(), static_cast<std::int32_t>(names.size()),
+                               file("page.svg").c_str(), &views);
     ASSERT_EQ(status, HFRAC_OK) << last_error();
     expect_free(std::string(names[0]) + " of " + std::to_string(names.size()) + what);
   }

@@ -112,16 +112,14 @@ class References : public VizTest {
     return file("p.png");
   }
   std::filesystem::path views_of(const std::vector<const char*>& names) {
-    EXPECT_EQ(
-        hfrac_viz_render_views(folder().c_str(), names.data(), static_cast<std::int32_t>(names.size()),
+    EXPECT_EQ(hfrac_viz_render_views(folder().c_str(), names.data(), static_cast<std::int32_t>(names.size()),
                                      file("p.png").c_str(), &views),
-        HFRAC_OK);
+              HFRAC_OK);
     return file("p.png");
   }
   std::filesystem::path chart_of(std::int32_t kind, const char* name) {
     charts.charts = kind;
-    EXPECT_EQ(hfrac_viz_render_charts(folder().c_str(), &charts, nullptr, nullptr),
-              HFRAC_OK);
+    EXPECT_EQ(hfrac_viz_render_charts(folder().c_str(), &charts, nullptr, nullptr), HFRAC_OK);
     return file("pictures") / (std::string(name) + ".png");
   }
   void compare(const std::filesystem::path& drawn, const std::string& name) {

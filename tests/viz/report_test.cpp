@@ -25,8 +25,7 @@ class Report : public VizTest {
     hfrac_viz_chart_options charts;
     hfrac_viz_chart_options_init(&charts, sizeof charts);
     charts.formats = HFRAC_VIZ_SVG;
-    ASSERT_EQ(hfrac_viz_render_charts(folder().c_str(), &charts, nullptr, nullptr),
-              HFRAC_OK);
+    ASSERT_EQ(hfrac_viz_render_charts(folder().c_str(), &charts, nullptr, nullptr), HFRAC_OK);
   }
 };
 
@@ -107,8 +106,7 @@ TEST_F(Report, NeedsASummary) {
 
 TEST_F(Report, ParaviewScriptIsWrittenAndNamesNoPlace) {
   write_run(folder(), run);
-  ASSERT_EQ(hfrac_viz_write_paraview_script(folder().c_str()), HFRAC_OK)
-      << last_error();
+  ASSERT_EQ(hfrac_viz_write_paraview_script(folder().c_str()), HFRAC_OK) << last_error();
   const std::string script = file_text(file("paraview_state.py"));
   EXPECT_TRUE(holds(script, "PVDReader"));
   EXPECT_TRUE(holds(script, "WIDTH, HEIGHT = 12, 12"));

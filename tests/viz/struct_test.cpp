@@ -55,10 +55,9 @@ TEST_F(Structs, AShorterStructMeansDefaultsForTheRest) {
   old[0] = sizeof old;
   old[1] = 1;
   old[3] = 400;
-  EXPECT_EQ(
-      hfrac_viz_render_picture(folder().c_str(), HFRAC_VIZ_STAGE, file("old.png").c_str(),
-                               reinterpret_cast<const hfrac_viz_options*>(old.data())),
-      HFRAC_OK);
+  EXPECT_EQ(hfrac_viz_render_picture(folder().c_str(), HFRAC_VIZ_STAGE, file("old.png").c_str(),
+                                     reinterpret_cast<const hfrac_viz_options*>(old.data())),
+            HFRAC_OK);
   options.width = 400;
   EXPECT_EQ(render_picture(HFRAC_VIZ_STAGE, file("new.png")).status, HFRAC_OK);
   EXPECT_EQ(std::filesystem::file_size(file("old.png")), std::filesystem::file_size(file("new.png")));

@@ -18,8 +18,9 @@ class Views : public VizTest {
   Views() { hfrac_viz_view_options_init(&views, sizeof views); }
 
   Result render_views(const std::vector<const char*>& kinds) {
-    return result_of(hfrac_viz_render_views(folder().c_str(), kinds.data(), static_cast<std::int32_t>(kinds.size()),
-                               file("view.png").c_str(), &views));
+    return result_of(hfrac_viz_render_views(folder().c_str(), kinds.data(),
+                                            static_cast<std::int32_t>(kinds.size()), file("view.png").c_str(),
+                                            &views));
   }
   Picture picture() const { return read_picture(file("view.png")); }
 
@@ -37,8 +38,8 @@ TEST_F(Views, EveryKindIsDrawnAloneAndAllTogether) {
   write_run(folder(), run);
   std::vector<const char*> all;
   views.width = 700;
-  for (const char* kind : {"discs", "forces", "crack-time", "aperture", "pressure", "displacement", "stress", "rotation",
-                           "displacement-x", "displacement-y", "shear"}) {
+  for (const char* kind : {"discs", "forces", "crack-time", "aperture", "pressure", "displacement", "stress",
+                           "rotation", "displacement-x", "displacement-y", "shear"}) {
     const Result result = render_views({kind});
     ASSERT_EQ(result.status, HFRAC_OK) << kind << ": " << result.text;
     EXPECT_EQ(picture().width, 700);
@@ -89,10 +90,8 @@ TEST_F(Views, CracksAreWhereTheyAreInEveryView) {
   const auto alike = [](Pixel a, Pixel b) {
     return std::abs(a.red - b.red) < 60 && std::abs(a.green - b.green) < 60 && std::abs(a.blue - b.blue) < 60;
   };
-  for (const char* kind :
-       {"discs", "forces", "pressure", "displacement",
-        "stress", "stress-xx", "stress-xy", "rotation",
-        "temperature", "bonds"}) {
+  for (const char* kind : {"discs", "forces", "pressure", "displacement", "stress", "stress-xx", "stress-xy",
+                           "rotation", "temperature", "bonds"}) {
     for (const std::int32_t dark : {0, 1}) {
       const Pixel tension = dark == 0 ? Pixel{12, 12, 16} : Pixel{255, 255, 250};
       const Pixel shear = dark == 0 ? Pixel{200, 20, 140} : Pixel{255, 92, 200};

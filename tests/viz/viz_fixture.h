@@ -45,8 +45,7 @@ class VizTest : public testing::Test {
   }
 
   Result render_movie(const std::filesystem::path& path) {
-    return result_of(hfrac_viz_render_movie(folder().c_str(), path.c_str(), &options, nullptr,
-                                                       nullptr));
+    return result_of(hfrac_viz_render_movie(folder().c_str(), path.c_str(), &options, nullptr, nullptr));
   }
 
   // Files in the folder that a failed or stopped call must not leave behind.

@@ -11,8 +11,8 @@
 #include <filesystem>
 
 #include "command/commands.hpp"
-#include "run/files.hpp"
 #include "output/tables.hpp"
+#include "run/files.hpp"
 #ifdef HFRAC_WITH_RENDERER
 #include "command/drawing.hpp"
 #include "command/paper.hpp"

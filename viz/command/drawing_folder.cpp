@@ -18,7 +18,8 @@ bool may_write(const fs::path& folder) {
 
 void link_files(const fs::path& from, const fs::path& to) {
   for (const auto& entry : fs::directory_iterator(from))
-    if (entry.is_regular_file()) fs::create_symlink(fs::canonical(entry.path()), to / entry.path().filename());
+    if (entry.is_regular_file())
+      fs::create_symlink(fs::canonical(entry.path()), to / entry.path().filename());
 }
 
 }  // namespace

@@ -15,9 +15,9 @@
 #include "output/disc_file.hpp"
 #include "output/field_tables.hpp"
 #include "output/host_cells.hpp"
+#include "output/tables.hpp"
 #include "run/files.hpp"
 #include "run/json_file.hpp"
-#include "output/tables.hpp"
 
 namespace hfrac::command {
 namespace {

@@ -48,7 +48,8 @@ ExitCode inform(const std::filesystem::path& folder) {
     throw BadInput(fmt::format("'{}' holds no run: there is no summary.json in it", folder.string()));
   try {
     const auto summary = run::read_json(file);
-    fmt::print("{}\n{}", folder.string(), summary_text(summary, how_it_ended(folder, summary.at("ended").get<std::string>())));
+    fmt::print("{}\n{}", folder.string(),
+               summary_text(summary, how_it_ended(folder, summary.at("ended").get<std::string>())));
     if (const auto steps = output::CheckpointFolder(folder).steps(); !steps.empty())
       fmt::print("  {:18} after step {}\n", steps.size() == 1 ? "checkpoint" : "checkpoints",
                  steps.size() == 1 ? fmt::to_string(steps[0]) : fmt::format("{} and {}", steps[1], steps[0]));

@@ -179,7 +179,7 @@ ExitCode lab(LabRequest request) {
       write_files(request.folder, one.get(), request.test, request.spec.seed, chart);
     if (status == HFRAC_STOPPED) {
       tell("hfrac: interrupted in the test of seed {}; what it says is of an unfinished test\n",
-                 request.spec.seed);
+           request.spec.seed);
       return kInterrupted;
     }
     values.push_back(report.value * name.scale);

@@ -19,9 +19,8 @@ std::string draw(const std::filesystem::path& folder, std::atomic<bool>& give_up
   hfrac_viz_options options{};
   hfrac_viz_options_init(&options, sizeof options);
   options.movie_follow = 1;
-  const int32_t status =
-      hfrac_viz_render_movie(folder.c_str(), (folder / "pictures" / "movie.mp4").c_str(), &options,
-                             stop_if_told, &give_up);
+  const int32_t status = hfrac_viz_render_movie(folder.c_str(), (folder / "pictures" / "movie.mp4").c_str(),
+                                                &options, stop_if_told, &give_up);
   if (status == HFRAC_STOPPED) return "the run failed before it could be finished";
   return status < 0 ? drawing_error() : "";
 }

@@ -47,17 +47,19 @@ void require_grid(const std::vector<double>& numbers) {
   if (numbers.empty()) return;
   const size_t count = numbers.size();
   if (count != 4 && count != 6 && count != 7)
-    throw BadInput(fmt::format("--grid has {} numbers; give NX NY DX DY, X0 Y0 after them or not, and DEGREES after those",
-                               count));
+    throw BadInput(fmt::format(
+        "--grid has {} numbers; give NX NY DX DY, X0 Y0 after them or not, and DEGREES after those", count));
   for (size_t i = 0; i < count; ++i)
-    if (!std::isfinite(numbers[i])) throw BadInput(fmt::format("--grid: {} is not a finite number", numbers[i]));
+    if (!std::isfinite(numbers[i]))
+      throw BadInput(fmt::format("--grid: {} is not a finite number", numbers[i]));
   for (size_t i = 0; i < 2; ++i)
     if (numbers[i] != std::floor(numbers[i]) || numbers[i] < 1.0 || numbers[i] > kMostCells)
-      throw BadInput(fmt::format("--grid: {} {} is not a whole number of cells from 1 to {:.0f}", i == 0 ? "NX" : "NY",
-                                 numbers[i], kMostCells));
+      throw BadInput(fmt::format("--grid: {} {} is not a whole number of cells from 1 to {:.0f}",
+                                 i == 0 ? "NX" : "NY", numbers[i], kMostCells));
   for (size_t i = 2; i < 4; ++i)
     if (!(numbers[i] > 0.0))
-      throw BadInput(fmt::format("--grid: {} {} is not a length above 0 m", i == 2 ? "DX" : "DY", numbers[i]));
+      throw BadInput(
+          fmt::format("--grid: {} {} is not a length above 0 m", i == 2 ? "DX" : "DY", numbers[i]));
 }
 
 }  // namespace hfrac::command

@@ -77,14 +77,12 @@ ExitCode render(const RenderRequest& request) {
   ProgressLine line(request.quiet);
   const char* folder = request.folder.c_str();
   int32_t status = HFRAC_OK;
-  if (!movie.empty())
-    status = hfrac_viz_render_movie(folder, movie.c_str(), &options, show_drawing, &line);
+  if (!movie.empty()) status = hfrac_viz_render_movie(folder, movie.c_str(), &options, show_drawing, &line);
   if (request.movie.empty() && status == HFRAC_OK)
     status = hfrac_viz_render_run(folder, &options, show_drawing, &line);
   line.end();
   if (drawing_stopped(status)) {
-    tell(
-               "hfrac: interrupted; the pictures finished so far stay\n");
+    tell("hfrac: interrupted; the pictures finished so far stay\n");
     return kInterrupted;
   }
   if (request.quiet) return kGood;

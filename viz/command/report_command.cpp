@@ -43,9 +43,8 @@ void draw_around_cracks(const ReportRequest& request) {
   options.zoom = HFRAC_VIZ_ZOOM_CRACKS;
   const std::array<const char*, 4> views = {"forces", "stress", "displacement", "crack-time"};
   const auto target = (fs::path(request.folder) / "pictures" / "views.png").string();
-  const int32_t status =
-      hfrac_viz_render_views(request.folder.c_str(), views.data(), static_cast<int32_t>(views.size()),
-                             target.c_str(), &options);
+  const int32_t status = hfrac_viz_render_views(request.folder.c_str(), views.data(),
+                                                static_cast<int32_t>(views.size()), target.c_str(), &options);
   if (status == HFRAC_VIZ_ERR_READ)
     fmt::print(stderr, "hfrac: warning: no views around the cracks: {}\n", drawing_error());
   else
@@ -86,10 +85,9 @@ ExitCode report(ReportRequest request) {
   hfrac_viz_chart_options_init(&charts, sizeof charts);
   charts.formats = HFRAC_VIZ_SVG;
   const char* folder = request.folder.c_str();
-  const bool interrupt =
-      (pictures.pictures != 0 &&
-       drawing_stopped(hfrac_viz_render_run(folder, &pictures, show_drawing, &line))) ||
-      drawing_stopped(hfrac_viz_render_charts(folder, &charts, show_drawing, &line));
+  const bool interrupt = (pictures.pictures != 0 &&
+                          drawing_stopped(hfrac_viz_render_run(folder, &pictures, show_drawing, &line))) ||
+                         drawing_stopped(hfrac_viz_render_charts(folder, &charts, show_drawing, &line));
   if (!interrupt && (request.fresh || older_than_data(request.folder, "views.png")))
     draw_around_cracks(request);
   line.end();
@@ -97,8 +95,7 @@ ExitCode report(ReportRequest request) {
     tell("hfrac: interrupted; no report was written\n");
     return kInterrupted;
   }
-  drawing_stopped(
-      hfrac_viz_write_report(folder, target.c_str()));
+  drawing_stopped(hfrac_viz_write_report(folder, target.c_str()));
   if (!request.quiet) fmt::print("{}\n", target);
   return kGood;
 }

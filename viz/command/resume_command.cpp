@@ -18,9 +18,9 @@
 #include "command/unlikely_values.hpp"
 #include "command/warnings.hpp"
 #include "output/disc_file.hpp"
-#include "run/known_files.hpp"
 #include "run/files.hpp"
 #include "run/json_file.hpp"
+#include "run/known_files.hpp"
 
 namespace hfrac::command {
 namespace {

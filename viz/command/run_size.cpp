@@ -57,8 +57,8 @@ RunSize size_of_run(const hfrac_sim_def& definition, int64_t steps) {
 }
 
 std::string size_text(const RunSize& size) {
-  return fmt::format("{} snapshots, about {} files and {}", count_text(size.snapshots), count_text(size.files),
-                     bytes_text(size.bytes));
+  return fmt::format("{} snapshots, about {} files and {}", count_text(size.snapshots),
+                     count_text(size.files), bytes_text(size.bytes));
 }
 
 void require_room(const RunSize& size, const std::filesystem::path& folder) {
@@ -72,11 +72,13 @@ void require_room(const RunSize& size, const std::filesystem::path& folder) {
   const bool no_bytes = size.bytes > kPlainly * room;
   const bool no_files = disk.f_files > 0 && size.files > kPlainly * static_cast<double>(disk.f_favail);
   if (!no_bytes && !no_files) return;
-  throw BadInput(fmt::format(
-      "the run would write {}, but the disk of '{}' has room for {}{}; raise output.every, take fewer steps, or say "
-      "--no-space-check if it will end earlier",
-      size_text(size), folder.string(), no_bytes ? bytes_text(room) : count_text(static_cast<double>(disk.f_favail)),
-      no_bytes ? "" : " files"));
+  throw BadInput(
+      fmt::format("the run would write {}, but the disk of '{}' has room for {}{}; raise output.every, take "
+                  "fewer steps, or say "
+                  "--no-space-check if it will end earlier",
+                  size_text(size), folder.string(),
+                  no_bytes ? bytes_text(room) : count_text(static_cast<double>(disk.f_favail)),
+                  no_bytes ? "" : " files"));
 }
 
 }  // namespace hfrac::command

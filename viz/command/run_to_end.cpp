@@ -28,16 +28,14 @@ int32_t show_setup(void* line, double fraction, const char* what) {
 
 ExitCode report_failure(const output::RunFolder& folder, const std::string& why) {
   tell("hfrac: the run failed: {}\n", why);
-  tell("hfrac: {} complete snapshot(s) in '{}' stay readable\n", folder.snapshots(),
-             folder.path().string());
+  tell("hfrac: {} complete snapshot(s) in '{}' stay readable\n", folder.snapshots(), folder.path().string());
   return kRunFailed;
 }
 
 #ifdef HFRAC_WITH_RENDERER
 /** A run without its movie is still a good run. */
 void report_movie(const std::string& failure) {
-  if (!failure.empty())
-    tell("hfrac: the run is complete, but there is no movie: {}\n", failure);
+  if (!failure.empty()) tell("hfrac: the run is complete, but there is no movie: {}\n", failure);
 }
 #endif
 
@@ -69,9 +67,8 @@ ExitCode take_steps_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfra
   if (movie) report_movie(movie->finish());
 #endif
   if (!why.interrupted) return kGood;
-  tell(
-             "hfrac: interrupted; everything up to the last whole step is in '{0}'; hfrac resume {0}\n",
-             folder.path().string());
+  tell("hfrac: interrupted; everything up to the last whole step is in '{0}'; hfrac resume {0}\n",
+       folder.path().string());
   return kInterrupted;
 }
 
@@ -103,10 +100,11 @@ void lay_grid(hfrac_sim* sim, const output::RunTerms& terms) {
   }
   if (output::grid_covers_model(sim)) return;
   const auto definition = output::definition_of(sim);
-  throw BadInput(fmt::format(
-      "--grid: no cell covers any of the model, which reaches from (0, 0) to ({:g}, {:g}) m; leave X0 Y0 out to have the "
-      "grid in its middle",
-      definition.model_width, definition.model_height));
+  throw BadInput(
+      fmt::format("--grid: no cell covers any of the model, which reaches from (0, 0) to ({:g}, {:g}) m; "
+                  "leave X0 Y0 out to have the "
+                  "grid in its middle",
+                  definition.model_width, definition.model_height));
 }
 
 ExitCode run_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_def& definition,

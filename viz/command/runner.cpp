@@ -17,9 +17,9 @@
 #include "command/unlikely_values.hpp"
 #include "command/warnings.hpp"
 #include "output/disc_file.hpp"
-#include "run/known_files.hpp"
 #include "output/run_folder.hpp"
 #include "run/files.hpp"
+#include "run/known_files.hpp"
 
 namespace hfrac::command {
 namespace {

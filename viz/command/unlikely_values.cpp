@@ -55,7 +55,8 @@ std::vector<std::string> unlikely_values(const hfrac_sim_def& definition) {
   std::vector<std::string> told;
   const auto look = [&](const std::string& key, double value, const char* unit, const Least& least) {
     if (too_small(value, least))
-      told.push_back(fmt::format("{} = {:g} {} is very little; {}", key, value, unit, did_you_mean(value, least)));
+      told.push_back(
+          fmt::format("{} = {:g} {} is very little; {}", key, value, unit, did_you_mean(value, least)));
   };
   for (const Suspect& one : suspects) {
     double value = 0.0;
@@ -83,8 +84,9 @@ void require_likely_targets(const hfrac_targets& t) {
   look("--K", t.toughness, "Pa m^0.5", kToughness);
   constexpr double darcy = 9.869233e-13;  // m2
   if (!std::isnan(t.permeability) && t.permeability > 1e-6)
-    throw BadInput(fmt::format("--permeability {:g} is {:g} m2, which no rock has; values are in SI units: {:g} mD are {:.4g} m2",
-                               t.permeability, t.permeability, t.permeability, t.permeability * 1e-3 * darcy));
+    throw BadInput(fmt::format(
+        "--permeability {:g} is {:g} m2, which no rock has; values are in SI units: {:g} mD are {:.4g} m2",
+        t.permeability, t.permeability, t.permeability, t.permeability * 1e-3 * darcy));
 }
 
 }  // namespace hfrac::command

@@ -28,7 +28,7 @@ class Warnings {
   output::RunFolder& folder_;
   ProgressLine& line_;
   bool quiet_;
-  int told_ = 0;                 ///< on the terminal
+  int told_ = 0;  ///< on the terminal
   const hfrac_sim* sim_ = nullptr;
 };
 

@@ -85,7 +85,8 @@ Number number_of(std::string_view word, const std::filesystem::path& file, size_
   const auto value = run::number_in<Number>(word);
   if (!value)
     throw DiscFileError(fmt::format("{}:{}: {} is '{}', not a{} number", file.string(), line, column,
-                                    run::printable(word.substr(0, 40)), std::is_integral_v<Number> ? " whole" : ""));
+                                    run::printable(word.substr(0, 40)),
+                                    std::is_integral_v<Number> ? " whole" : ""));
   return *value;
 }
 

@@ -37,7 +37,8 @@ std::string table(hfrac_sim* sim, std::string_view item, std::initializer_list<L
   text.end_line();
   if (columns.empty()) return text.take();
   const auto& first = columns.front();
-  const size_t count = (first.reals.size() + first.integers.size()) / static_cast<size_t>(first.what.components);
+  const size_t count =
+      (first.reals.size() + first.integers.size()) / static_cast<size_t>(first.what.components);
   for (size_t k = 0; k < count; ++k) {
     text.cell(k);
     for (const auto& column : columns) {

@@ -65,7 +65,7 @@ void RunFolder::cut_history(int64_t step) const {
     return;
   }
   fail_reading(fmt::format("'{}' lacks lines of steps 0 to {}, so the run cannot go on where it was",
-                              file.string(), step));
+                           file.string(), step));
 }
 
 void RunFolder::checkpoint(hfrac_sim* sim) {

@@ -16,14 +16,20 @@ namespace {
 using json = nlohmann::ordered_json;
 
 json setup_part(const hfrac_setup_report& setup) {
-  return {
-      {"mean_radius_m", setup.mean_radius},         {"porosity", setup.porosity},
-      {"packing_residual", setup.packing_residual}, {"coordination", setup.coordination},
-      {"packed_discs", setup.packed_discs},         {"removed_in_wells", setup.removed_in_wells},
-      {"removed_floaters", setup.removed_floaters}, {"removed_crossings", setup.removed_crossings},
-      {"strength_factor", setup.strength_factor},   {"zero_stress_aperture_m", setup.zero_stress_aperture},
-      {"permeability_m2", setup.permeability},      {"equilibration_force_ratio", setup.equilibration_force_ratio},
-      {"packing_seconds", setup.packing_seconds},   {"setup_seconds", setup.setup_seconds}};
+  return {{"mean_radius_m", setup.mean_radius},
+          {"porosity", setup.porosity},
+          {"packing_residual", setup.packing_residual},
+          {"coordination", setup.coordination},
+          {"packed_discs", setup.packed_discs},
+          {"removed_in_wells", setup.removed_in_wells},
+          {"removed_floaters", setup.removed_floaters},
+          {"removed_crossings", setup.removed_crossings},
+          {"strength_factor", setup.strength_factor},
+          {"zero_stress_aperture_m", setup.zero_stress_aperture},
+          {"permeability_m2", setup.permeability},
+          {"equilibration_force_ratio", setup.equilibration_force_ratio},
+          {"packing_seconds", setup.packing_seconds},
+          {"setup_seconds", setup.setup_seconds}};
 }
 
 json state_part(const hfrac_sim_state& state) {
@@ -125,9 +131,7 @@ json make_summary(const SnapshotFrame& frame, const RunCourse& course) {
   summary["balance"] = balance_part(balance_of(frame.sim));
   summary["fractures"] = json::array();
   for (const auto& fracture : frame.fractures) summary["fractures"].push_back(fracture_part(fracture));
-  summary["versions"] = {{"hfrac", version_of_library()},
-                         {"abi", abi},
-                         {"build", build_of_library()}};
+  summary["versions"] = {{"hfrac", version_of_library()}, {"abi", abi}, {"build", build_of_library()}};
   summary["state_hash"] = fmt::format("{:016x}", static_cast<uint64_t>(state_hash_of(frame.sim)));
   return summary;
 }

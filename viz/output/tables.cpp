@@ -95,7 +95,8 @@ std::string history_row(hfrac_sim* sim) {
 }
 
 std::string crack_table(const std::vector<hfrac_crack>& cracks) {
-  return table_of(cracks, [](const auto& crack, size_t, const auto& visit) { written_columns(crack, visit); });
+  return table_of(cracks,
+                  [](const auto& crack, size_t, const auto& visit) { written_columns(crack, visit); });
 }
 
 std::vector<hfrac_crack> read_crack_table(const std::filesystem::path& file) {
@@ -114,8 +115,8 @@ std::vector<hfrac_crack> read_crack_table(const std::filesystem::path& file) {
                  value && name != "mode") {
         member = *value;
       } else {
-        run::fail_reading(fmt::format("'{}' is damaged: '{}' in line {}, column '{}', is no {}", file.string(),
-                                      run::printable(word.substr(0, 40)), row + 2, name,
+        run::fail_reading(fmt::format("'{}' is damaged: '{}' in line {}, column '{}', is no {}",
+                                      file.string(), run::printable(word.substr(0, 40)), row + 2, name,
                                       name == "mode" ? "mode of a crack" : "number"));
       }
     });

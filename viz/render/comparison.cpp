@@ -45,8 +45,8 @@ ComparedPanel panel_of(const TableFile& table, const std::string& column) {
   const std::vector<double> x = table.numbers(names[1]);
   const std::vector<double> y = table.numbers(column);
   const std::string spread_column = column + std::string(spread_ending);
-  const std::vector<double> spread = table.has(spread_column) ? table.numbers(spread_column)
-                                                              : std::vector<double>(table.rows(), NAN);
+  const std::vector<double> spread =
+      table.has(spread_column) ? table.numbers(spread_column) : std::vector<double>(table.rows(), NAN);
   struct Cell {
     ComparedPoint point;
     std::vector<double> given;

@@ -225,9 +225,8 @@ void render_comparison(const std::filesystem::path& table, const std::filesystem
   const auto window = make_offscreen_window();
   const std::string title = printable_or(options.title, "Runs compared");
   const std::string x_label = printable_or(options.x_label, "");
-  const PageContent content{title, comparison_height(comparison), [&](ChartPage& page) {
-                              fill_comparison(page, comparison, title, x_label);
-                            }};
+  const PageContent content{title, comparison_height(comparison),
+                            [&](ChartPage& page) { fill_comparison(page, comparison, title, x_label); }};
   write_page(target, content, window, {options.width, options.dots_per_inch});
 }
 

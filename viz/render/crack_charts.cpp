@@ -243,7 +243,8 @@ struct Profile {
       Panel& panel = panels[apart ? nearest_wing(wings, place.direction) : 0];
       ChartSeries& series = panel.series[cracks[i].shear ? 1 : 0];
       series.dots = true;
-      series.x.push_back(!apart && std::cos(place.direction - azimuth) < 0 ? -place.distance : place.distance);
+      series.x.push_back(!apart && std::cos(place.direction - azimuth) < 0 ? -place.distance
+                                                                           : place.distance);
       series.y.push_back(cracks[i].aperture * millimetres_per_metre);
     }
     for (Panel& panel : panels)

@@ -38,7 +38,8 @@ std::vector<ViewSpec> specs_of(const char* const* views, std::int32_t count) {
   if (views == nullptr) fail_argument("views is NULL");
   check_range("view_count", count, 1, most_views);
   std::vector<ViewSpec> specs;
-  for (std::int32_t i = 0; i < count; ++i) specs.push_back(view_named(required_text(views[i], "a view's name")));
+  for (std::int32_t i = 0; i < count; ++i)
+    specs.push_back(view_named(required_text(views[i], "a view's name")));
   return specs;
 }
 
@@ -73,9 +74,8 @@ int32_t hfrac_viz_view_options_init(hfrac_viz_view_options* options, int32_t str
 
 int32_t hfrac_viz_render_run(const char* run_dir, const hfrac_viz_options* options,
                              hfrac_viz_progress_fn progress, void* user) {
-  return call([&] {
-    render_run(required_text(run_dir, "run_dir"), read_options(options), wrapped(progress, user));
-  });
+  return call(
+      [&] { render_run(required_text(run_dir, "run_dir"), read_options(options), wrapped(progress, user)); });
 }
 
 int32_t hfrac_viz_render_picture(const char* run_dir, int32_t picture, const char* path,

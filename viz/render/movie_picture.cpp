@@ -8,9 +8,9 @@
 #include "growth_layers.h"
 #include "number_text.h"
 #include "quantity.h"
-#include "sheet.h"
 #include "run/files.hpp"
 #include "run/table_file.hpp"
+#include "sheet.h"
 
 namespace hfrac::viz {
 namespace {

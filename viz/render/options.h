@@ -33,12 +33,12 @@ inline bool possible_struct_size(std::int32_t size) {
 template <class Options>
 struct OptionStruct;
 
-#define HFRAC_VIZ_OPTION_STRUCT_(type)   \
-  template <>                            \
-  struct OptionStruct<type> {            \
+#define HFRAC_VIZ_OPTION_STRUCT_(type)         \
+  template <>                                  \
+  struct OptionStruct<type> {                  \
     static constexpr const char* name = #type; \
-    static void set_defaults(type& o);   \
-    static void check(const type& o);    \
+    static void set_defaults(type& o);         \
+    static void check(const type& o);          \
   };
 HFRAC_VIZ_OPTION_STRUCT_(hfrac_viz_options)
 HFRAC_VIZ_OPTION_STRUCT_(hfrac_viz_chart_options)

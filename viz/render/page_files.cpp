@@ -8,9 +8,9 @@
 #include "failure.h"
 #include "page_content.h"
 #include "png_file.h"
+#include "run/files.hpp"
 #include "svg_text.h"
 #include "vtk_messages.h"
-#include "run/files.hpp"
 
 namespace hfrac::viz {
 namespace {

@@ -17,11 +17,16 @@ double fixed(const ChartData& /*data*/) {
 }
 
 constexpr std::array<Chart, 5> all_charts = {
-    {{HFRAC_VIZ_CHART_HISTORY, "history", "The run against time", fixed<1440>, fill_history, &ChartData::history, "history.csv"},
-     {HFRAC_VIZ_CHART_ROSE, "rose", "Directions of the cracks", fixed<1180>, fill_rose, &ChartData::cracks, "cracks.csv"},
-     {HFRAC_VIZ_CHART_PROFILE, "profile", "Aperture along the fracture", profile_height, fill_profile, &ChartData::cracks, "cracks.csv"},
-     {HFRAC_VIZ_CHART_EVENTS, "events", "Magnitudes of the cracks", fixed<790>, fill_events, &ChartData::cracks, "cracks.csv"},
-     {HFRAC_VIZ_CHART_CATALOGUE, "catalogue", "Seismic catalogue", fixed<1080>, fill_catalogue, &ChartData::events, "events.csv"}}};
+    {{HFRAC_VIZ_CHART_HISTORY, "history", "The run against time", fixed<1440>, fill_history,
+      &ChartData::history, "history.csv"},
+     {HFRAC_VIZ_CHART_ROSE, "rose", "Directions of the cracks", fixed<1180>, fill_rose, &ChartData::cracks,
+      "cracks.csv"},
+     {HFRAC_VIZ_CHART_PROFILE, "profile", "Aperture along the fracture", profile_height, fill_profile,
+      &ChartData::cracks, "cracks.csv"},
+     {HFRAC_VIZ_CHART_EVENTS, "events", "Magnitudes of the cracks", fixed<790>, fill_events,
+      &ChartData::cracks, "cracks.csv"},
+     {HFRAC_VIZ_CHART_CATALOGUE, "catalogue", "Seismic catalogue", fixed<1080>, fill_catalogue,
+      &ChartData::events, "events.csv"}}};
 
 void draw_chart(const Chart& chart, const ChartData& data, OffscreenWindow* window,
                 const hfrac_viz_chart_options& options) {

@@ -13,8 +13,8 @@
 #include "page_content.h"
 #include "paraview_script.h"
 #include "pictures.h"
-#include "vtk_messages.h"
 #include "run/files.hpp"
+#include "vtk_messages.h"
 
 namespace hfrac::viz {
 namespace {

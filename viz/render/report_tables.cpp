@@ -68,7 +68,8 @@ std::string key_numbers(const json& summary) {
 
 std::string warning_list(const json& summary) {
   std::string text;
-  for (const json& one : list_at(summary, "warnings")) text += "<li>" + escaped(text_at(one, "text")) + "</li>\n";
+  for (const json& one : list_at(summary, "warnings"))
+    text += "<li>" + escaped(text_at(one, "text")) + "</li>\n";
   return text.empty() ? text : "<h2 id=\"warnings\">Warnings</h2>\n<ul>\n" + text + "</ul>\n";
 }
 

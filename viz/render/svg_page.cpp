@@ -4,8 +4,8 @@
 #include <cmath>
 #include <span>
 
-#include "run/text.hpp"
 #include "png_file.h"
+#include "run/text.hpp"
 #include "svg_text.h"
 #include "vector_canvas.h"
 #include "vector_page.h"

@@ -134,9 +134,10 @@ FoundArray find_array(const Job& job, const ViewSpec& spec) {
     if (file == nullptr) continue;
     const GridFile grid(*file);
     for (const ArrayHead& head : grid.arrays(place.section)) {
-      const std::size_t needed = spec.how == Combination::shear       ? 3
-                                 : spec.how == Combination::component ? static_cast<std::size_t>(spec.component) + 1
-                                                                      : 2;
+      const std::size_t needed = spec.how == Combination::shear ? 3
+                                 : spec.how == Combination::component
+                                     ? static_cast<std::size_t>(spec.component) + 1
+                                     : 2;
       if (head.name != spec.array || head.components < needed) continue;
       return {&place, combined(grid.values(place.section, head.name), head.components, spec)};
     }
@@ -145,7 +146,8 @@ FoundArray find_array(const Job& job, const ViewSpec& spec) {
 }
 
 // The ends of a colour scale, in the array's own unit.
-std::pair<double, double> range_of(const Job& job, const ViewSpec& spec, const FoundArray& found, bool two_ways) {
+std::pair<double, double> range_of(const Job& job, const ViewSpec& spec, const FoundArray& found,
+                                   bool two_ways) {
   if (found.place->series == &RunFolder::discs && !spec.all_values)
     return usual_range(job.scene.discs, found.values, job.view.extent, two_ways);
   if (found.values.empty()) return {0, 0};
@@ -217,8 +219,8 @@ Key show_quantity(const Job& job, const ViewSpec& spec) {
   }
   if (spec.smoothed) found.values = smoothed(job.scene.discs, found.values, smoothing_radii * job.radius);
   const auto [least, largest] = std::minmax_element(found.values.begin(), found.values.end());
-  const bool two_ways = spec.scale ? *spec.scale == ColourScale::two_ways
-                                   : !found.values.empty() && *least < 0 && *largest > 0;
+  const bool two_ways =
+      spec.scale ? *spec.scale == ColourScale::two_ways : !found.values.empty() && *least < 0 && *largest > 0;
   auto [lowest, highest] = range_of(job, spec, found, two_ways);
   if (spec.by_width) lowest = 0;
   const double size = std::max(std::fabs(lowest), std::fabs(highest));
@@ -237,8 +239,8 @@ Key show_quantity(const Job& job, const ViewSpec& spec) {
   if (spec.label.empty()) {
     key.title = name + spec.component_text();
     key.title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(key.title[0])));
-    key.second_label = std::string("of the ") +
-                       (found.place->series == &RunFolder::flow ? "domains" : found.place->file);
+    key.second_label =
+        std::string("of the ") + (found.place->series == &RunFolder::flow ? "domains" : found.place->file);
   } else if (spec.array == "pressure_Pa" && job.run.net_pressures) {
     key.second_label = "above the formation's";
   }

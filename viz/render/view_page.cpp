@@ -168,8 +168,8 @@ Extent zoomed(const RunFolder& run, const Scene& scene, const hfrac_viz_view_opt
 
 }  // namespace
 
-void render_views(const RunFolder& run, const std::vector<ViewSpec>& specs, const std::filesystem::path& target,
-                  const hfrac_viz_view_options& options) {
+void render_views(const RunFolder& run, const std::vector<ViewSpec>& specs,
+                  const std::filesystem::path& target, const hfrac_viz_view_options& options) {
   const std::string ending = picture_ending(target);
   const PaletteScope paper(options.dark != 0 ? dark_palette() : light_palette());
   const auto window = make_offscreen_window();

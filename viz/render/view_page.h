@@ -13,7 +13,7 @@ namespace hfrac::viz {
 using namespace hfrac::run;
 
 // To `target`, .png, .svg or .pdf. `options` have been checked. Throws Failure or FileError.
-void render_views(const RunFolder& run, const std::vector<ViewSpec>& specs, const std::filesystem::path& target,
-                  const hfrac_viz_view_options& options);
+void render_views(const RunFolder& run, const std::vector<ViewSpec>& specs,
+                  const std::filesystem::path& target, const hfrac_viz_view_options& options);
 
 }  // namespace hfrac::viz

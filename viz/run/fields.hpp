@@ -17,11 +17,11 @@ namespace hfrac::run {
 enum class Location : int32_t { disc = 0, bond = 1, pipe = 2, domain = 3, corner = 4 };
 
 struct Field {
-  int32_t number;      ///< enum hfrac_field
+  int32_t number;         ///< enum hfrac_field
   std::string_view key;   ///< "domain.pressure"
   std::string_view unit;  ///< SI; "1" for none
   Location location;
-  bool real;           ///< doubles, else 32-bit integers
+  bool real;  ///< doubles, else 32-bit integers
   int32_t components;
 };
 

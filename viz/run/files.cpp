@@ -78,8 +78,8 @@ void fail_writing(const std::string& text) {
 
 WholeFile::WholeFile(std::filesystem::path target) : target_(std::move(target)) {
   static std::atomic<unsigned> serial{0};
-  working_ = target_.parent_path() /
-             fmt::format(".{}.{}-{}.tmp", target_.filename().string(), ::getpid(), ++serial);
+  working_ =
+      target_.parent_path() / fmt::format(".{}.{}-{}.tmp", target_.filename().string(), ::getpid(), ++serial);
 }
 
 WholeFile::~WholeFile() {

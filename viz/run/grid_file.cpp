@@ -100,7 +100,8 @@ std::vector<ArrayHead> GridFile::arrays(std::string_view section) const {
   const XmlElement* data = section_named(section);
   if (data == nullptr) return heads;
   for (const auto& array : data->children) {
-    ArrayHead head{array->attribute("Name"), array->attribute("type"), information(*array, "UNITS_LABEL"), 1, {}};
+    ArrayHead head{
+        array->attribute("Name"), array->attribute("type"), information(*array, "UNITS_LABEL"), 1, {}};
     if (array->name != "DataArray" || head.name.empty()) continue;
     if (const std::string told = array->attribute("NumberOfComponents"); !told.empty())
       head.components = std::clamp<std::size_t>(number_in<std::size_t>(told).value_or(1), 1, 64);

@@ -31,7 +31,8 @@ json read_json(const std::filesystem::path& file) {
   } catch (const json::exception&) {
     fail_reading(fmt::format("'{}' is not valid JSON", file.string()));
   }
-  if (!object.is_object()) fail_reading(fmt::format("'{}' is not valid JSON: it holds no object", file.string()));
+  if (!object.is_object())
+    fail_reading(fmt::format("'{}' is not valid JSON: it holds no object", file.string()));
   make_printable(object);
   return object;
 }

@@ -74,7 +74,8 @@ FolderClaim::FolderClaim(const fs::path& folder) {
   }
   make_folder(folder);
   std::error_code error;
-  if (!fs::is_directory(folder, error)) throw WriteError(fmt::format("'{}' is not a folder", folder.string()));
+  if (!fs::is_directory(folder, error))
+    throw WriteError(fmt::format("'{}' is not a folder", folder.string()));
   const auto probe = folder / "hfrac_probe";
   write_whole(probe, std::string_view());
   remove_file(probe);

@@ -44,8 +44,8 @@ Series read_series(const std::filesystem::path& folder, std::string_view name) {
     if (file.empty()) continue;
     const double time = number_in<double>(entry->attribute("timestep")).value_or(NAN);
     const int64_t number = snapshot_number(file);
-    series[number >= 0 ? number : position] = {
-        folder / file, std::isfinite(time) ? time : static_cast<double>(position)};
+    series[number >= 0 ? number : position] = {folder / file,
+                                               std::isfinite(time) ? time : static_cast<double>(position)};
     ++position;
   }
   return series;

@@ -19,8 +19,9 @@ inline constexpr std::array<const char*, 4> series_names = {"discs", "bonds", "c
 /** One VTU file of a series. */
 struct SeriesFile {
   std::filesystem::path path;
-  double time = 0.0;                                    ///< [s] as the list says
-  std::shared_ptr<const std::string> content = nullptr;  ///< what the file would hold, if it is not on the disk
+  double time = 0.0;  ///< [s] as the list says
+  std::shared_ptr<const std::string> content =
+      nullptr;  ///< what the file would hold, if it is not on the disk
 };
 /** By number of the snapshot, the N of NAME_N.vtu, which is the same in all series. */
 using Series = std::map<int64_t, SeriesFile>;

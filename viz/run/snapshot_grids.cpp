@@ -20,11 +20,13 @@ std::vector<int32_t> counted_up(size_t count) {
 
 /** The values of `all` that belong to the items in `chosen`, `components` values each. */
 template <class Value>
-std::vector<Value> pick(const std::vector<Value>& all, const std::vector<int32_t>& chosen, int32_t components) {
+std::vector<Value> pick(const std::vector<Value>& all, const std::vector<int32_t>& chosen,
+                        int32_t components) {
   std::vector<Value> values;
   values.reserve(chosen.size() * static_cast<size_t>(components));
   for (const int32_t i : chosen)
-    for (int32_t c = 0; c < components; ++c) values.push_back(all.at(static_cast<size_t>(i * components + c)));
+    for (int32_t c = 0; c < components; ++c)
+      values.push_back(all.at(static_cast<size_t>(i * components + c)));
   return values;
 }
 

@@ -56,8 +56,7 @@ std::vector<double> TableFile::numbers(std::string_view column) const {
   values.reserve(cells_.size());
   for (size_t row = 0; row < cells_.size(); ++row) {
     const auto& cell = cells_[row][place];
-    const auto value =
-        cell.empty() ? std::numeric_limits<double>::quiet_NaN() : number_in<double>(cell);
+    const auto value = cell.empty() ? std::numeric_limits<double>::quiet_NaN() : number_in<double>(cell);
     if (!value)
       fail_reading(fmt::format("'{}' is damaged: '{}' in line {}, column '{}', is no number", path_.string(),
                                printable(cell.substr(0, 40)), row + 2, column));

@@ -30,13 +30,15 @@ struct NamedView {
   std::string_view title;  ///< "Stress along x"
   std::string_view label;  ///< above the colour scale, where its unit follows: "stress xx"
   std::string_view note;   ///< below the label
-  std::string_view mesh;   ///< "discs", "cracks" or "flow": what is coloured; empty: no quantity, a drawing of its own
+  std::string_view
+      mesh;  ///< "discs", "cracks" or "flow": what is coloured; empty: no quantity, a drawing of its own
   std::string_view array;  ///< of the snapshot's files, with its unit at the end
   Combination how = Combination::component;
   int32_t component = 0;
   ColourScale scale = ColourScale::magnitude;
   bool all_values = false;  ///< the scale shows all values, not the middle 98 %
-  bool smoothed = false;    ///< in pictures: over neighbouring discs, since the stress of a single one says little
+  bool smoothed =
+      false;  ///< in pictures: over neighbouring discs, since the stress of a single one says little
 };
 
 std::span<const NamedView> all_views();

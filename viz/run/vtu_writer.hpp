@@ -18,7 +18,7 @@ namespace hfrac::run {
 /** An array with its unit as ParaView shows it. Values are flat, components innermost. */
 struct VtuArray {
   std::string name;
-  std::string unit;                     ///< empty: a number without one
+  std::string unit;                          ///< empty: a number without one
   std::vector<const char*> components = {};  ///< their names; empty for scalars
   std::variant<std::vector<float>, std::vector<double>, std::vector<int32_t>, std::vector<uint8_t>> values;
 };

@@ -38,7 +38,8 @@ class TreeBuilder {
     do {  // a piece at a time, for files of 2 GB and more
       const auto piece = document.substr(0, INT_MAX / 2);
       document.remove_prefix(piece.size());
-      status = XML_Parse(parser.get(), piece.data(), static_cast<int>(piece.size()), document.empty() ? 1 : 0);
+      status =
+          XML_Parse(parser.get(), piece.data(), static_cast<int>(piece.size()), document.empty() ? 1 : 0);
     } while (status == XML_STATUS_OK && !document.empty());
     const auto error = XML_GetErrorCode(parser.get());
     if (out_of_memory_ || error == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
@@ -85,7 +86,7 @@ class TreeBuilder {
 };
 
 // Raw bytes after the XML, which no XML parser takes, are cut off before and handed to their arrays after.
-    constexpr std::string_view appended_tag = "<AppendedData";
+constexpr std::string_view appended_tag = "<AppendedData";
 constexpr std::string_view appended_end = "</AppendedData>";
 
 std::size_t offset_of(const XmlElement& array) {

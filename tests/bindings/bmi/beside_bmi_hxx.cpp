@@ -32,7 +32,9 @@ int main() {
   if (model.get_current_time(&model, &time) != BMI_FAILURE) return 2;
   if (bmi_hfrac_last_error(&model, text, sizeof text) != BMI_SUCCESS || std::strlen(text) == 0) return 3;
   if (model.initialize(&model, "/nowhere/case.toml") != BMI_FAILURE) return 4;
-  if (bmi_hfrac_last_error(&model, text, sizeof text) != BMI_SUCCESS || std::strstr(text, "/nowhere/case.toml") == nullptr) return 5;
+  if (bmi_hfrac_last_error(&model, text, sizeof text) != BMI_SUCCESS ||
+      std::strstr(text, "/nowhere/case.toml") == nullptr)
+    return 5;
   std::printf("%s\n", text);
   return 0;
 }

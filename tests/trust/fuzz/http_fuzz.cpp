@@ -24,7 +24,8 @@ void demand(bool good) {
 
 /** A run folder with one table, and a server of it that lives as long as the process. */
 struct Served {
-  Served() : folder(fs::temp_directory_path() / ("hfrac-fuzz-" + std::to_string(::getpid()))), server(folder) {
+  Served()
+      : folder(fs::temp_directory_path() / ("hfrac-fuzz-" + std::to_string(::getpid()))), server(folder) {
     fs::create_directories(folder);
     std::ofstream(folder / "history.csv") << "step,time_s\n" << std::string(3000, '7') << "\n";
     demand(server.bind(0));

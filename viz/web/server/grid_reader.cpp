@@ -20,7 +20,8 @@ std::vector<Value> cast(const std::vector<double>& values, size_t given = 1, siz
     for (size_t j = 0; j < wanted; ++j) {
       const double value = values[i + j];
       if constexpr (std::is_integral_v<Value>)
-        result.push_back(std::abs(value) <= std::numeric_limits<Value>::max() ? static_cast<Value>(value) : -1);
+        result.push_back(std::abs(value) <= std::numeric_limits<Value>::max() ? static_cast<Value>(value)
+                                                                              : -1);
       else
         result.push_back(static_cast<Value>(value));
     }
@@ -66,7 +67,8 @@ std::shared_ptr<const Grid> read_grid(const std::filesystem::path& path) {
   }
   if (grid->cells > 0 && !file.of_vertices()) {  // a grid of vertices is its points and needs no cells
     const auto cells = file.cells();
-    grid->arrays.push_back({"first", "geometry", "", 1, {}, std::vector<int32_t>(cells.first.begin(), cells.first.end())});
+    grid->arrays.push_back(
+        {"first", "geometry", "", 1, {}, std::vector<int32_t>(cells.first.begin(), cells.first.end())});
     grid->arrays.push_back(
         {"corner", "geometry", "", 1, {}, std::vector<int32_t>(cells.corners.begin(), cells.corners.end())});
   }

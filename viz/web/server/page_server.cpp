@@ -28,7 +28,7 @@ using httplib::Response;
 
 constexpr const char* kLoopback = "127.0.0.1";
 constexpr size_t kCacheBytes = 512U << 20U;
-constexpr size_t kThreads = 12;  // browsers keep six connections open
+constexpr size_t kThreads = 12;      // browsers keep six connections open
 constexpr int kMostRequests = 1000;  // on one connection
 constexpr const char* kPlain = "text/plain; charset=utf-8";
 constexpr const char* kCsv = "text/csv; charset=utf-8";

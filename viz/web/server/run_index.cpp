@@ -54,7 +54,8 @@ json snapshot_list(const fs::path& folder) {
   }
   json list = json::array();
   for (auto& [step, snapshot] : snapshots)
-    if (snapshot["files"].contains("discs")) list.push_back(std::move(snapshot));  // lists are written in turn
+    if (snapshot["files"].contains("discs"))
+      list.push_back(std::move(snapshot));  // lists are written in turn
   return list;
 }
 
@@ -79,9 +80,15 @@ json file_list(const fs::path& folder) {
 json view_list() {
   json list = json::array();
   for (const auto& view : run::all_views()) {
-    list.push_back({{"name", view.name}, {"title", view.title}, {"label", view.label}, {"note", view.note},
-                    {"mesh", view.mesh}, {"array", view.array}, {"how", run::name_of(view.how)},
-                    {"component", view.component}, {"scale", run::name_of(view.scale)},
+    list.push_back({{"name", view.name},
+                    {"title", view.title},
+                    {"label", view.label},
+                    {"note", view.note},
+                    {"mesh", view.mesh},
+                    {"array", view.array},
+                    {"how", run::name_of(view.how)},
+                    {"component", view.component},
+                    {"scale", run::name_of(view.scale)},
                     {"all_values", view.all_values}});
   }
   return list;

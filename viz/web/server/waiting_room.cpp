@@ -20,10 +20,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Milliseconds = std::chrono::milliseconds;
 
-constexpr size_t kMostWaiting = 256;             // a page keeps six open
-constexpr size_t kLongestHead = 16384;           // bytes
-constexpr Milliseconds kHeadTime{5000};          // from the connection, or the answer before, to a whole head
-constexpr Milliseconds kStandstill{5000};        // nothing read or written for so long ends a request
+constexpr size_t kMostWaiting = 256;       // a page keeps six open
+constexpr size_t kLongestHead = 16384;     // bytes
+constexpr Milliseconds kHeadTime{5000};    // from the connection, or the answer before, to a whole head
+constexpr Milliseconds kStandstill{5000};  // nothing read or written for so long ends a request
 constexpr std::string_view kHeadEnd = "\r\n\r\n";
 
 bool ready(int socket, short events) {
