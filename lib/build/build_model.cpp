@@ -86,7 +86,8 @@ Model build_model(const CaseDefinition& definition, Packing packing,
   }
   Assembly& assembly = model.assembly;
   assembly = build_assembly(std::move(graph), o);
-  if (o.bond_fracture_toughness > 0.0) apply_fracture_toughness(assembly, o);
+  if (o.bond_fracture_toughness > 0.0 && FractureLaw{o.fracture_law} == FractureLaw::bond)
+    apply_fracture_toughness(assembly, o);
   apply_joints(assembly, definition.joints, o, model.cracks);
   report.coordination =
       2.0 * static_cast<double>(assembly.bond_count()) / static_cast<double>(assembly.disc_count());

@@ -154,4 +154,44 @@ BondResponse respond(const Assembly& a, const Options& o, const NonBondedContact
   return r;
 }
 
+BondResponse respond(const Assembly& a, const Options& o, const Network& network, const Facets& facets,
+                     const Facet& f) {
+  BondResponse r{};
+  r.gap = facets.opening(a, network, f);
+  r.direction = f.normal;
+  r.force[0] = f.locked.x;
+  r.force[1] = f.locked.y;
+  r.force[2] = f.locked_first;
+  r.force[3] = f.locked_second;
+  if (r.gap >= 0.0) return r;
+  const auto e = f.bond;
+  const auto i = a.first[e], j = a.second[e];
+  const Vec2 n = f.normal, t{-n.y, n.x};
+  const double arm_i = a.arm(e), arm_j = a.length(e) - arm_i;
+  const double k = facets.stiffness, k_s = o.contact_shear_stiffness;
+  r.normal = k * facets.jump(a, f, n) - f.initial_normal * f.length;
+  r.normal_stiffness = k;
+  const double push =
+      facets.pressure_before[f.left] * f.left_length + facets.pressure_before[f.right] * f.right_length;
+  const double limit = o.contact_friction * std::max(0.0, -r.normal - push);
+  const double slide = facets.jump(a, f, t) - arm_i * (a.rotation[i] - facets.start_rotation[i]) -
+                       arm_j * (a.rotation[j] - facets.start_rotation[j]);
+  const double trial = k_s * slide - f.initial_shear * f.length;
+  double shear_stiffness = k_s, by_gap = 0.0;
+  r.shear = trial;
+  if (std::abs(trial) > limit) {
+    r.shear = std::copysign(limit, trial);
+    shear_stiffness = 0.0;
+    by_gap = limit > 0.0 ? -std::copysign(o.contact_friction * k, trial) : 0.0;
+  }
+  const double opens[4] = {n.x, n.y, 0.0, 0.0}, slides[4] = {t.x, t.y, -arm_i, -arm_j};
+  for (int row = 0; row < 4; ++row) {
+    r.force[row] += r.normal * opens[row] + r.shear * slides[row];
+    for (int column = 0; column < 4; ++column)
+      r.tangent[4 * row + column] = k * opens[row] * opens[column] +
+                                    slides[row] * (shear_stiffness * slides[column] + by_gap * opens[column]);
+  }
+  return r;
+}
+
 }  // namespace hfrac

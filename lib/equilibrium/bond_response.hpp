@@ -12,6 +12,7 @@
 #include <array>
 
 #include "model/assembly.hpp"
+#include "frac/facets.hpp"
 #include "options/options.hpp"
 #include "solid/non_bonded_contacts.hpp"
 
@@ -35,5 +36,9 @@ struct PairStart {
 };
 BondResponse respond(const Assembly& assembly, const Options& options, const NonBondedContacts::Pair& pair,
                      const PairStart& start);
+
+// An open or closed facet of a fracture (frac/facets.hpp): its discs' forces but for the fluid's while open.
+BondResponse respond(const Assembly& assembly, const Options& options, const Network& network,
+                     const Facets& facets, const Facet& facet);
 
 }  // namespace hfrac

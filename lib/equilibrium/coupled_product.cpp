@@ -185,6 +185,17 @@ void CoupledSystem::product(const Vector& x, Vector& y) const {
     products_on_domains(x, y, member.part(domains_, grain));
   });
   products_of_few(x, y);
+  if (!wet_) return;
+  for (std::size_t k = 0; k < facet_open_.size(); ++k) {
+    if (facet_open_[k] == 0) continue;
+    const Facet& f = facets_.all()[k];
+    const double more = (x[pressure_at(f.left)] * f.left_length + x[pressure_at(f.right)] * f.right_length) *
+                        pressure_scale_ / facets_.stiffness / length_scale_;
+    if (network_.kind[f.left] == DomainKind::rock && at_floor_[f.left] == 0)
+      y[pressure_at(f.left)] -= f.left_length * more;
+    if (network_.kind[f.right] == DomainKind::rock && at_floor_[f.right] == 0)
+      y[pressure_at(f.right)] -= f.right_length * more;
+  }
 }
 
 }  // namespace hfrac

@@ -11,13 +11,15 @@
 
 namespace hfrac {
 CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& boundary,
-                             const NonBondedContacts& non_bonded, const Options& options, Workers& workers)
+                             const NonBondedContacts& non_bonded, const Options& options, Workers& workers,
+                             Facets& facets)
     : assembly_(assembly),
       network_(network),
       boundary_(boundary),
       non_bonded_(non_bonded),
       options_(options),
       workers_(workers),
+      facets_(facets),
       discs_(assembly.disc_count()),
       domains_(network.domain_count()),
       servo_walls_(boundary.walled() && boundary.follows_far_field() ? boundary.walls().size() : 0),
@@ -59,6 +61,7 @@ void CoupledSystem::begin(double duration, const std::vector<double>& source) {
   duration_ = duration;
   source_ = source;
   source_.resize(static_cast<std::size_t>(domains_), 0.0);
+  facets_.pressure_before = network_.pressure;
   content_start_.assign(network_.content.begin(), network_.content.end());
   outer_drop_.assign(bonds_.size(), 0.0);
   for (std::size_t k = 0; k < network_.outer_pipe.size(); ++k) {
@@ -93,8 +96,45 @@ void CoupledSystem::add_pair(const BondResponse& r, std::int32_t i, std::int32_t
   residual_[3 * j + 2] -= r.force[3];
 }
 
+// Pores of fractures push and are filled through their open facets alone.
+void CoupledSystem::open_facets() {
+  if (!facets_.active()) return;
+  auto& n = network_;
+  facet_change_.assign(static_cast<std::size_t>(domains_), 0.0);
+  facet_open_.assign(facets_.all().size(), 0);
+  for (const Facet& f : facets_.all()) {
+    for (const auto d : {f.left, f.right}) {
+      if (n.kind[d] != DomainKind::rock) continue;
+      facet_change_[static_cast<std::size_t>(d)] = n.facet_offset[d];
+      for (auto k = 2 * n.corner_start[d]; k < 2 * n.corner_start[d + 1]; ++k) n.corner_weight[k] = 0.0;
+    }
+  }
+  for (std::size_t k = 0; k < facets_.all().size(); ++k) {
+    const Facet& f = facets_.all()[k];
+    if (facets_.opening(assembly_, n, f) < 0.0) continue;
+    facet_open_[k] = 1;
+    const auto i = assembly_.first[f.bond], j = assembly_.second[f.bond];
+    const double more = n.pressure[f.left] * f.left_length + n.pressure[f.right] * f.right_length -
+                        f.initial_normal * f.length;
+    for (int side = 0; side < 2; ++side) {
+      const auto d = side == 0 ? f.left : f.right;
+      if (n.kind[d] != DomainKind::rock) continue;
+      const Vec2 part = side == 0 ? f.left_part : f.right_part;
+      const auto ci = f.corner[2 * side], cj = f.corner[2 * side + 1];
+      n.corner_weight[2 * ci] -= part.x;
+      n.corner_weight[2 * ci + 1] -= part.y;
+      n.corner_weight[2 * cj] += part.x;
+      n.corner_weight[2 * cj + 1] += part.y;
+      facet_change_[static_cast<std::size_t>(d)] +=
+          (side == 0 ? f.left_length : f.right_length) * more / facets_.stiffness -
+          dot(part, {facets_.start_x[j] - facets_.start_x[i], facets_.start_y[j] - facets_.start_y[i]});
+    }
+  }
+}
+
 void CoupledSystem::evaluate() {
   network_.planes.refresh(network_, assembly_);
+  open_facets();
   answer_all();
   evaluate_few();
   find_fragments();
@@ -121,7 +161,18 @@ void CoupledSystem::answer_all() {
       double force = 0.0;
       for (auto e = begin; e < std::min(begin + grain, mine.last); ++e) {
         auto& bond = bonds_[static_cast<std::size_t>(e)];
-        bond = respond(assembly_, options_, e);
+        const auto facet = facets_.of(e);
+        if (facet >= 0) {
+          bond =
+              respond(assembly_, options_, network_, facets_, facets_.all()[static_cast<std::size_t>(facet)]);
+        } else {
+          bond = respond(assembly_, options_, e);
+          if (facets_.active()) {
+            const Vec2 locked = facets_.locked_of(e);
+            bond.force[0] += locked.x;
+            bond.force[1] += locked.y;
+          }
+        }
         if (flows) evaluate_pipe(static_cast<std::size_t>(e));
         force += std::abs(bond.force[0]) + std::abs(bond.force[1]);
       }
@@ -247,6 +298,10 @@ void CoupledSystem::evaluate_pipe(std::size_t e) {
     n.conductance[e] = 0.0;
     return;
   }
+  if (const auto k = facets_.of(static_cast<std::int64_t>(e)); k >= 0) {
+    evaluate_facet_pipe(e, static_cast<std::size_t>(k));
+    return;
+  }
   const double joint = joint_opening(assembly_, static_cast<std::int64_t>(e));
   const CrackPlane* plane = n.planes.of(e);
   CrackApertureResponse w{};
@@ -312,7 +367,7 @@ double CoupledSystem::evaluate_domain(std::int64_t d) {
       n.content[d] += end % 2 == 0 ? -moved : moved;
     }
   }
-  double change = 0.0;
+  double change = facets_.fractured(d) ? facet_change_[at] : 0.0;
   for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
     change += n.corner_weight[2 * k] * assembly_.ux[n.corner_disc[k]] +
               n.corner_weight[2 * k + 1] * assembly_.uy[n.corner_disc[k]];
@@ -398,6 +453,42 @@ void CoupledSystem::move(const Vector& x, double share) {
     }
   }
   for (std::size_t w = 0; w < servo_walls_; ++w) boundary_.shift_wall(w, share * x[wall_at(w)]);
+}
+
+// A facet's pipe: as wide as the fracture is open across its plane, as long as the way along it.
+void CoupledSystem::evaluate_facet_pipe(std::size_t e, std::size_t facet) {
+  auto& n = network_;
+  const Facet& f = facets_.all()[facet];
+  opening_[e] = facets_.jump(assembly_, f, f.plane);
+  opening_way_[e] = {f.plane, 0.0, 0.0};
+  const auto w = aperture_response(options_, n.zero_stress_aperture, opening_[e], 0.0, 0.0, false);
+  n.aperture[e] = w.aperture;
+  const bool held = facet < held_.size();
+  const auto flow = law_.respond(held ? held_[facet] : w.aperture, f.way, drop(e));
+  n.conductance[e] = flow.conductance;
+  slope_[e] = flow.slope;
+  squeeze_change_[e] = 0.0;
+  if (!held)
+    aperture_change_[e] = duration_ * flow.by_aperture * n.conductance[e] / w.aperture * w.by_gap * drop(e);
+}
+
+double CoupledSystem::hold_apertures(double share) {
+  const auto& all = facets_.all();
+  double off = 0.0, largest = 1e-300;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const double now = network_.aperture[static_cast<std::size_t>(all[k].bond)];
+    if (k >= held_.size()) {
+      held_.push_back(now);
+      off = 1.0;
+      largest = std::max(largest, now);
+      continue;
+    }
+    off = std::max(off, std::abs(now - held_[k]));
+    largest = std::max(largest, now);
+    held_[k] += share * (now - held_[k]);
+  }
+  held_.resize(all.size());
+  return off / largest;
 }
 
 void CoupledSystem::keep_flow() {

@@ -17,6 +17,7 @@
 #include "core/workers.hpp"
 #include "equilibrium/bond_response.hpp"
 #include "flow/fluid_law.hpp"
+#include "frac/facets.hpp"
 #include "linear/front_tree.hpp"
 #include "model/network.hpp"
 #include "solid/boundary.hpp"
@@ -29,7 +30,7 @@ class CoupledSystem {
   using Vector = Eigen::VectorXd;
 
   CoupledSystem(Assembly& assembly, Network& network, Boundary& boundary, const NonBondedContacts& non_bonded,
-                const Options& options, Workers& workers);
+                const Options& options, Workers& workers, Facets& facets);
 
   // What the step starts from: contents, shear forces and pins as they stand now. `duration` [s] of flow, 0 for none;
   // source[d] [m2/s] into domain d.
@@ -73,6 +74,11 @@ class CoupledSystem {
   [[nodiscard]] double pair_normal_force(std::size_t pair) const { return -pairs_[pair].normal; }
   [[nodiscard]] double pair_shear_force(std::size_t pair) const { return pairs_[pair].shear; }
 
+  // Conductances of facets by the apertures held, not by the displacements at hand (Picard's iteration); hold() takes `share` of the way
+  // to those at hand and returns how far off they were, relative to the largest.
+  double hold_apertures(double share);
+  void release_apertures() { held_.clear(); }
+
   // Content of every domain and flow of every pipe after the step.
   void keep_flow();
 
@@ -112,6 +118,8 @@ class CoupledSystem {
   }
   [[nodiscard]] double opens(std::size_t bond, const Vector& x) const;
   void evaluate_walls();
+  void open_facets();
+  void evaluate_facet_pipe(std::size_t e, std::size_t facet);
   static constexpr std::int64_t grain = 64;  // discs, bonds or domains
   [[nodiscard]] bool worth_sharing() const { return discs_ >= 2048; }
   void answer_all();
@@ -129,6 +137,10 @@ class CoupledSystem {
   const NonBondedContacts& non_bonded_;
   const Options& options_;
   Workers& workers_;
+  Facets& facets_;
+  std::vector<double> facet_change_;  // per domain: volume change beside that of the corners [m2]
+  std::vector<char> facet_open_;
+  std::vector<double> held_;  // per facet: aperture its conductance goes by [m]
   std::int64_t discs_, domains_;
   std::size_t servo_walls_ = 0;
   bool wet_, closed_outside_;

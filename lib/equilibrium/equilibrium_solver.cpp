@@ -9,12 +9,14 @@
 namespace hfrac {
 namespace {
 
-constexpr int most_newton = 40;     // iterations of a round
-constexpr int most_uphill = 2;      // iterations of a round that lead nowhere
-constexpr int patience = 8;         // iterations in which the residual has to fall
-constexpr double fall = 0.7;        // by this factor at least
-constexpr int most_rounds = 2000;   // of a solve
-constexpr int most_krylov = 40;     // iterations of a linear solve
+constexpr int most_newton = 40;          // iterations of a round
+constexpr int most_uphill = 2;           // iterations of a round that lead nowhere
+constexpr int patience = 8;              // iterations in which the residual has to fall
+constexpr double fall = 0.7;             // by this factor at least
+constexpr int most_rounds = 2000;        // of a solve
+constexpr int most_turns = 40;           // between apertures and equilibrium
+constexpr double held_tolerance = 0.01;  // of the largest aperture
+constexpr int most_krylov = 40;          // iterations of a linear solve
 constexpr double renew_rate = 4.5;  // iterations per power of ten gained: a factor that needs more is renewed
 constexpr int most_single = 12;     // a fresh factor that needs more has too few digits
 // What a linear solve leaves of the residual: the first of a round meets kinks all the same, later ones are to be the last.
@@ -24,14 +26,16 @@ constexpr double apart = 6.0;         // mean radii between bonds that break in 
 
 }  // namespace
 
-EquilibriumSolver::EquilibriumSolver(Model& model, Boundary& boundary, ExplicitSolver& mechanics,
-                                     const Options& options, Workers& workers)
+EquilibriumSolver::EquilibriumSolver(Model& model, Facets& facets, Boundary& boundary,
+                                     ExplicitSolver& mechanics, const Options& options, Workers& workers)
     : assembly_(model.assembly),
       network_(model.network),
       boundary_(boundary),
       mechanics_(mechanics),
       options_(options),
-      system_(model.assembly, model.network, boundary, mechanics.non_bonded_contacts(), options, workers),
+      facets_(facets),
+      system_(model.assembly, model.network, boundary, mechanics.non_bonded_contacts(), options, workers,
+              facets),
       factor_(workers),
       krylov_(workers) {}
 
@@ -53,7 +57,8 @@ EquilibriumSolver::Outcome EquilibriumSolver::solve(double duration, const std::
   system_.begin(duration, source);
   pressure_start_.assign(network_.pressure.begin(), network_.pressure.end());
   for (outcome.rounds = 1; outcome.rounds <= most_rounds; ++outcome.rounds) {
-    const bool found = find_rest(outcome, interrupt);
+    const bool found = duration > 0.0 && !facets_.all().empty() ? find_rest_of_facets(outcome, interrupt)
+                                                                : find_rest(outcome, interrupt);
     outcome.force_ratio = system_.force_ratio();
     if (!found) {
       outcome.where = system_.worst_place();
@@ -77,6 +82,19 @@ EquilibriumSolver::Outcome EquilibriumSolver::solve(double duration, const std::
     break_farthest(log);
   }
   return outcome;
+}
+
+// Conductances of facets go with the cube of what the fluid opens, and Newton's method on both runs to and fro. With the apertures
+// held the equations are linear but for facets that close; apertures follow in turn (Picard's iteration).
+bool EquilibriumSolver::find_rest_of_facets(Outcome& outcome, const std::function<bool()>& interrupt) {
+  system_.release_apertures();
+  system_.evaluate();
+  system_.hold_apertures(1.0);
+  for (int turn = 0; turn < most_turns; ++turn) {
+    if (!find_rest(outcome, interrupt)) return false;
+    if (system_.hold_apertures(turn < 2 ? 1.0 : 0.5) < held_tolerance) return true;
+  }
+  return false;
 }
 
 bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>& interrupt) {
@@ -122,16 +140,24 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
     // The equations have kinks, where contacts open, close, stick and slide. Where no part of the step leads down, the whole of it
     // is taken all the same, to come out on the other side; every other time half of it, against going to and fro.
     const double before = right.norm();
-    const double longest = system_.share_for_apertures(step, 4.0);
+    const bool whole_steps = !facets_.all().empty();
+    const double longest = whole_steps ? 1.0 : system_.share_for_apertures(step, 4.0);
     double share = longest;
     system_.move(step, share);
     system_.evaluate();
-    for (int halving = 0; halving < 4 && !(system_.residual().norm() < before); ++halving) {
+    // Facets that open and close are the only kinks while apertures are held: the whole step is the best one, and half of it every
+    // other time leads out of a circle.
+    if (whole_steps && iteration >= 4 && iteration % 2 == 0 && !(system_.residual().norm() < 0.5 * before)) {
       system_.move(step, -0.5 * share);
       share *= 0.5;
       system_.evaluate();
     }
-    if (!(system_.residual().norm() < before)) {
+    for (int halving = 0; !whole_steps && halving < 4 && !(system_.residual().norm() < before); ++halving) {
+      system_.move(step, -0.5 * share);
+      share *= 0.5;
+      system_.evaluate();
+    }
+    if (!whole_steps && !(system_.residual().norm() < before)) {
       if (++uphill > most_uphill) return false;
       const double whole = uphill % 2 == 1 ? longest : 0.5 * longest;
       system_.move(step, whole - share);
@@ -141,7 +167,7 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
     if (system_.residual().norm() < fall * best) {
       best = system_.residual().norm();
       best_at = iteration;
-    } else if (iteration - best_at >= patience) {
+    } else if (iteration - best_at >= (whole_steps ? 2 * patience : patience)) {
       return false;
     }
   }
@@ -151,8 +177,21 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
 double EquilibriumSolver::find_exceeding() {
   exceeding_.clear();
   double largest = 0.0;
+  const bool tips = facets_.active() && options_.fracture_toughness > 0.0;
+  std::vector<char> at_tip;
+  if (tips) {
+    at_tip.assign(network_.kind.size(), 0);
+    for (const Tip& tip : find_tips(facets_, assembly_, network_, options_)) {
+      at_tip[static_cast<std::size_t>(tip.domain)] = 1;
+      if (tip.ahead < 0) continue;
+      const double excess = tip.intensity / options_.fracture_toughness;
+      largest = std::max(largest, excess);
+      if (excess >= 1.0) exceeding_.push_back({excess, tip.ahead});
+    }
+  }
   for (std::int64_t e = 0; e < assembly_.bond_count(); ++e) {
     if (assembly_.intact[e] == 0) continue;
+    if (tips && (at_tip[network_.left[e]] != 0 || at_tip[network_.right[e]] != 0)) continue;
     const BondView bond = view_bond(assembly_, options_, e);
     const double excess = std::max(bond.tensile_excess, bond.shear_excess);
     if (excess >= 1.0 && mechanics_.stays(e)) continue;
@@ -164,8 +203,11 @@ double EquilibriumSolver::find_exceeding() {
 
 void EquilibriumSolver::keep_round() {
   // The kernel's own passes: slip, volumes, pressures from contents, and the fluid's work from the pressure before.
+  const Array<double> found = network_.pressure;
   std::copy(pressure_start_.begin(), pressure_start_.end(), network_.pressure.begin());
   mechanics_.evaluate();
+  for (std::int64_t d = 0; d < network_.domain_count(); ++d)
+    if (facets_.fractured(d)) network_.pressure[d] = found[d];
   pressure_start_.assign(network_.pressure.begin(), network_.pressure.end());
   for (std::size_t k = 0; k < mechanics_.non_bonded_contacts().pairs().size(); ++k)
     mechanics_.keep_non_bonded_force(k, system_.pair_normal_force(k), system_.pair_shear_force(k));
@@ -188,7 +230,18 @@ void EquilibriumSolver::break_farthest(CrackLog& log) {
       continue;  // some of its discs' other bonds may have broken just now
     broken.push_back(middle);
     mechanics_.break_bond(candidate.bond, log);
+    if (facets_.active()) {
+      const auto l = network_.left[candidate.bond], r = network_.right[candidate.bond];
+      const bool lw = network_.kind[l] == DomainKind::well || facets_.fractured(l),
+                 rw = network_.kind[r] == DomainKind::well || facets_.fractured(r);
+      if (lw != rw) {
+        const auto from = lw ? l : r, to = lw ? r : l;
+        if (network_.stiffness[to] > 0.0)
+          network_.pressure[to] = std::max(network_.pressure[to], network_.pressure[from]);
+      }
+    }
   }
+  facets_.update(assembly_, network_);
 }
 
 }  // namespace hfrac

@@ -15,6 +15,7 @@
 
 #include "equilibrium/coupled_factor.hpp"
 #include "equilibrium/coupled_system.hpp"
+#include "frac/tip.hpp"
 #include "linear/krylov.hpp"
 #include "solid/explicit_solver.hpp"
 
@@ -22,8 +23,8 @@ namespace hfrac {
 
 class EquilibriumSolver {
  public:
-  EquilibriumSolver(Model& model, Boundary& boundary, ExplicitSolver& mechanics, const Options& options,
-                    Workers& workers);
+  EquilibriumSolver(Model& model, Facets& facets, Boundary& boundary, ExplicitSolver& mechanics,
+                    const Options& options, Workers& workers);
 
   enum class End { rest, stopped, overshoot, not_converged };
   struct Outcome {
@@ -47,6 +48,7 @@ class EquilibriumSolver {
   void begin_step();
 
  private:
+  bool find_rest_of_facets(Outcome& outcome, const std::function<bool()>& interrupt);
   bool find_rest(Outcome& outcome, const std::function<bool()>& interrupt);
   struct Exceeding {
     double excess;  // stress over strength, at least 1
@@ -60,6 +62,7 @@ class EquilibriumSolver {
   Boundary& boundary_;
   ExplicitSolver& mechanics_;
   const Options& options_;
+  Facets& facets_;
   CoupledSystem system_;
   CoupledFactor factor_;
   Krylov krylov_;

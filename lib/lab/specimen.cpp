@@ -61,7 +61,8 @@ Specimen::Specimen(const Packing& packing, const Options& material, const Specim
   mechanics_ = std::make_unique<ExplicitSolver>(model_, *boundary_, options_, *workers_);
   mechanics_->set_undrained(false);
   cut_slit();
-  equilibrium_ = std::make_unique<EquilibriumSolver>(model_, *boundary_, *mechanics_, options_, *workers_);
+  equilibrium_ =
+      std::make_unique<EquilibriumSolver>(model_, facets_, *boundary_, *mechanics_, options_, *workers_);
 }
 
 void Specimen::cut_slit() {

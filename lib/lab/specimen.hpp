@@ -90,6 +90,7 @@ class Specimen {
   std::unique_ptr<Boundary> boundary_;
   std::unique_ptr<Workers, Workers::Release> workers_;
   std::unique_ptr<ExplicitSolver> mechanics_;
+  Facets facets_;  // none: specimens break by strength
   std::unique_ptr<EquilibriumSolver> equilibrium_;
   std::vector<std::int64_t> slit_;     // its bonds
   Vec2 tips_;                          // begin, end

@@ -80,6 +80,12 @@ StepOutcome coupled_step(Engine& e, double duration, const Interrupt& interrupt)
     save_state(e, e.before_increment);
     feel_heat(e);
     Outcome outcome = e.equilibrium->solve(length, e.source, control.most_excess(), m.cracks, interrupt);
+    if (outcome.end == End::not_converged && control.shortest() && e.facets.active())
+      throw Error(ErrorKind::diverged,
+                  "no equilibrium was found at " + number_text(m.clock.time + control.done()) + " s near " +
+                      place_text(outcome.where) +
+                      "; the state before the step stands. Use a lower pressure or rate, or a "
+                      "shorter solver.smallest_step");
     if (outcome.end == End::not_converged && control.shortest())
       outcome = lead_on(e, outcome, control, length, interrupt);
     if (outcome.end == End::stopped) return {true, m.clock.at_rest};

@@ -10,6 +10,7 @@
 #include "core/workers.hpp"
 #include "equilibrium/equilibrium_solver.hpp"
 #include "flow/flow_solver.hpp"
+#include "frac/facets.hpp"
 #include "heat/heat.hpp"
 #include "model/model.hpp"
 #include "options/options.hpp"
@@ -35,6 +36,7 @@ struct Engine {
   std::unique_ptr<Heat> heat;  // none with thermal.mode = "off"
   std::unique_ptr<Boundary> boundary;
   std::unique_ptr<ExplicitSolver> mechanics;
+  Facets facets;  // of fractures, from the end of the initial equilibration on; law facet only
   std::unique_ptr<FlowSolver> flow;  // from the end of the initial equilibration on; none in a dry model
   std::unique_ptr<EquilibriumSolver> equilibrium;  // likewise; none with solver.kind = "explicit"
   std::vector<double> source;                      // m2/s per domain, from wells at a rate

@@ -94,7 +94,7 @@ void equilibrate(Engine& e, const Progress& progress, SetupReport& report) {
   std::unique_ptr<EquilibriumSolver> rest;
   if (SolverKind{o.solver_kind} == SolverKind::quasi_static && !e.boundary->walled()) {
     network.stiffness.assign(network.stiffness.size(), 0.0);  // pressures are given
-    rest = std::make_unique<EquilibriumSolver>(m, *e.boundary, *e.mechanics, o, *e.workers);
+    rest = std::make_unique<EquilibriumSolver>(m, e.facets, *e.boundary, *e.mechanics, o, *e.workers);
   }
   const std::size_t cracks_before = m.cracks.size();
   ExplicitSolver::Outcome outcome;
@@ -173,7 +173,12 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
   }
   if (wet) m.increment.pressure_rate.assign(static_cast<std::size_t>(n.domain_count()), 0.0);
   if (SolverKind{o.solver_kind} == SolverKind::quasi_static)
-    e.equilibrium = std::make_unique<EquilibriumSolver>(m, *e.boundary, *e.mechanics, o, *e.workers);
+    e.equilibrium =
+        std::make_unique<EquilibriumSolver>(m, e.facets, *e.boundary, *e.mechanics, o, *e.workers);
+  if (FractureLaw{o.fracture_law} == FractureLaw::facet) {
+    e.facets.begin(m.assembly, m.network, o);
+    e.facets.update(m.assembly, m.network);
+  }
   begin_ledger(e);
   if (SteppingMode{o.stepping_mode} == SteppingMode::dynamic) e.mechanics->use_real_masses();
   return oda_matrix;

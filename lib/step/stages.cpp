@@ -101,7 +101,7 @@ void feel_heat_again(Engine& e) {
 }
 
 void update_geometry(Engine& e) {
-  if (e.flow) update_apertures(e.model.network, e.model.assembly, e.options);
+  if (e.flow && !e.facets.active()) update_apertures(e.model.network, e.model.assembly, e.options);
   e.mechanics->search_contacts(e.model.cracks);
 }
 

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "frac/facets.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hfrac {
+namespace {
+
+constexpr int smoothing_passes = 4;  // means over neighbours, for the mean stress before the treatment
+constexpr double plane_reach = 4.0;  // mean radii to either side that a fracture's plane is fitted over
+constexpr double shortest_facet = 0.05, shortest_way = 0.2;  // mean radii
+
+Vec2 turned(Vec2 v) {
+  return {v.y, -v.x};
+}
+double size(Vec2 v) {
+  return std::sqrt(dot(v, v));
+}
+}  // namespace
+
+Vec2 Facets::part(std::int64_t e, bool left) const {
+  const Network& n = *network_;
+  const auto d = left ? n.left[e] : n.right[e];
+  if (n.kind[d] != DomainKind::rock) return {};
+  const Vec2 c = contact_[e], o = n.centroid[d];
+  // From the right pore to the left one, turned so that it points towards the second disc.
+  const Vec2 h = left ? turned(o - c) : turned(c - o);
+  return h;
+}
+
+Vec2 Facets::initial_traction(std::int64_t e, Vec2 n) const {
+  const Assembly& a = *assembly_;
+  const auto i = a.first[e], j = a.second[e];
+  double s[3];
+  for (int k = 0; k < 3; ++k) s[k] = 0.5 * (stress_[3 * i + k] + stress_[3 * j + k]);
+  return {s[0] * n.x + s[2] * n.y, s[2] * n.x + s[1] * n.y};
+}
+
+void Facets::begin(const Assembly& a, Network& n, const Options& o) {
+  active_ = true;
+  assembly_ = &a;
+  network_ = &n;
+  stiffness = o.contact_normal_stiffness;
+  const auto bonds = a.first.size();
+  start_x = a.ux;
+  start_y = a.uy;
+  start_rotation = a.rotation;
+  of_.assign(bonds, -1);
+  fractured_.assign(n.kind.size(), 0);
+  bonds_.assign(n.kind.size(), {});
+  n.facet_offset.assign(n.kind.size(), 0.0);
+  pressure_.assign(n.pressure.begin(), n.pressure.end());
+  pore_push_.assign(2 * bonds, 0.0);
+  weight_ = n.corner_weight;
+  force_.assign(4 * bonds, 0.0);
+  contact_.resize(bonds);
+  const auto discs = static_cast<std::size_t>(a.disc_count());
+  Array<double> area;
+  area.assign(discs, 0.0);
+  stress_.assign(3 * discs, 0.0);
+  std::vector<char> rim(discs, 0);
+  for (std::size_t e = 0; e < bonds; ++e) {
+    const auto i = a.first[e], j = a.second[e];
+    const auto b = static_cast<std::int64_t>(e);
+    const BondView v = view_bond(a, o, b);
+    const Vec2 d = (1.0 / a.length(b)) * Vec2{a.dx(b), a.dy(b)}, t{-d.y, d.x};
+    contact_[e] = Vec2{a.x[i], a.y[i]} + a.arm(b) * d;
+    bonds_[n.left[e]].push_back(static_cast<std::int32_t>(e));
+    if (n.right[e] != n.left[e]) bonds_[n.right[e]].push_back(static_cast<std::int32_t>(e));
+    const Vec2 f = v.normal_force() * d + v.shear_force() * t;
+    const double arm_i = a.arm(b), arm_j = a.length(b) - arm_i;
+    force_[4 * e] = f.x;
+    force_[4 * e + 1] = f.y;
+    force_[4 * e + 2] = -(v.shear_force() * arm_i + v.bond_moment);
+    force_[4 * e + 3] = -(v.shear_force() * arm_j - v.bond_moment);
+    for (const auto dom : {n.left[e], n.right[e]})
+      if (n.kind[dom] != DomainKind::rock) rim[i] = rim[j] = 1;
+    const Vec2 h_l = part(b, true), h_r = part(b, false);
+    const Vec2 total = f - (pressure_[n.left[e]] * h_l + pressure_[n.right[e]] * h_r);
+    // Love's mean over a disc and its share of the pores: wings times forces over the area to the facets.
+    const Vec2 arm_first = arm_i * d, arm_second = -arm_j * d;
+    const double facet = std::abs(dot(h_l + h_r, d));
+    area[i] += 0.5 * arm_i * facet;
+    area[j] += 0.5 * arm_j * facet;
+    const auto add = [&](std::size_t at, Vec2 arm, Vec2 force) {
+      stress_[3 * at] -= arm.x * force.x;
+      stress_[3 * at + 1] -= arm.y * force.y;
+      stress_[3 * at + 2] -= 0.5 * (arm.x * force.y + arm.y * force.x);
+    };
+    add(static_cast<std::size_t>(i), arm_first, total);
+    add(static_cast<std::size_t>(j), arm_second, -1.0 * total);
+  }
+  area_ = area;
+  disc_bonds_.assign(discs, {});
+  for (std::size_t e = 0; e < bonds; ++e) {
+    disc_bonds_[a.first[e]].push_back(static_cast<std::int32_t>(e));
+    disc_bonds_[a.second[e]].push_back(static_cast<std::int32_t>(e));
+  }
+  // Means over a disc's neighbourhood, area by area; discs at a hole or the outside take their neighbours'.
+  for (std::size_t i = 0; i < discs; ++i)
+    if (rim[i]) {
+      area[i] = 0.0;
+      for (int k = 0; k < 3; ++k) stress_[3 * i + k] = 0.0;
+    }
+  for (int pass = 0; pass < smoothing_passes; ++pass) {
+    Array<double> sum = stress_, weight = area;
+    for (std::size_t e = 0; e < bonds; ++e) {
+      const auto i = static_cast<std::size_t>(a.first[e]), j = static_cast<std::size_t>(a.second[e]);
+      for (int k = 0; k < 3; ++k) {
+        sum[3 * i + k] += stress_[3 * j + k];
+        sum[3 * j + k] += stress_[3 * i + k];
+      }
+      weight[i] += area[j];
+      weight[j] += area[i];
+    }
+    std::vector<double> count(discs, 1.0);
+    for (std::size_t e = 0; e < bonds; ++e) {
+      count[a.first[e]] += 1.0;
+      count[a.second[e]] += 1.0;
+    }
+    for (std::size_t i = 0; i < discs; ++i) {
+      for (int k = 0; k < 3; ++k) stress_[3 * i + k] = sum[3 * i + k] / count[i];
+      area[i] = weight[i] / count[i];
+    }
+  }
+  for (std::size_t i = 0; i < discs; ++i)
+    for (int k = 0; k < 3; ++k) stress_[3 * i + k] = area[i] > 0.0 ? stress_[3 * i + k] / area[i] : 0.0;
+}
+
+void Facets::stress_around(const Assembly& a, const Network& n, const Options& o, std::int32_t domain,
+                           double* stress) const {
+  std::vector<std::int32_t> discs;
+  const auto add = [&](std::int32_t i) {
+    if (std::find(discs.begin(), discs.end(), i) == discs.end()) discs.push_back(i);
+  };
+  for (auto k = n.corner_start[domain]; k < n.corner_start[domain + 1]; ++k) add(n.corner_disc[k]);
+  const auto ring = discs;
+  for (const auto i : ring)
+    for (const auto e : disc_bonds_[i])
+      if (a.intact[e] != 0) {
+        add(a.first[e]);
+        add(a.second[e]);
+      }
+  double area = 0.0;
+  stress[0] = stress[1] = stress[2] = 0.0;
+  for (const auto i : discs) {
+    area += area_[i];
+    for (int k = 0; k < 3; ++k) stress[k] += area_[i] * stress_[3 * i + k];
+    for (const auto e : disc_bonds_[i]) {
+      const Vec2 d = (1.0 / a.length(e)) * Vec2{a.dx(e), a.dy(e)};
+      const Vec2 h_l = part(e, true), h_r = part(e, false);
+      // Force on the first disc now less that at the initial equilibrium, fluid included.
+      Vec2 now;
+      if (of_[e] >= 0) {
+        const Facet& f = facets_[of_[e]];
+        const double push = n.pressure[f.left] * f.left_length + n.pressure[f.right] * f.right_length;
+        const double w = opening(a, n, f);
+        now = (w >= 0.0 ? -push : stiffness * jump(a, f, f.normal) - f.initial_normal * f.length) * f.normal +
+              f.locked;
+      } else {
+        const BondView v = view_bond(a, o, e);
+        const Vec2 t{-v.normal.y, v.normal.x};
+        now = v.normal_force() * v.normal + v.shear_force() * t;
+        now = now - ((fractured_[n.left[e]] ? pressure_[n.left[e]] : n.pressure[n.left[e]]) * h_l +
+                     (fractured_[n.right[e]] ? pressure_[n.right[e]] : n.pressure[n.right[e]]) * h_r);
+      }
+      const Vec2 before = initial_force(e) - (pressure_[n.left[e]] * h_l + pressure_[n.right[e]] * h_r);
+      Vec2 more = now - before;
+      const bool is_first = a.first[e] == i;
+      const Vec2 arm = is_first ? a.arm(e) * d : (a.arm(e) - a.length(e)) * d;
+      if (!is_first) more = -1.0 * more;
+      stress[0] -= arm.x * more.x;
+      stress[1] -= arm.y * more.y;
+      stress[2] -= 0.5 * (arm.x * more.y + arm.y * more.x);
+    }
+  }
+  for (int k = 0; k < 3; ++k) stress[k] /= area;
+}
+
+double Facets::jump(const Assembly& a, const Facet& f, Vec2 way) const {
+  const auto i = a.first[f.bond], j = a.second[f.bond];
+  return dot({a.ux[j] - start_x[j] - (a.ux[i] - start_x[i]), a.uy[j] - start_y[j] - (a.uy[i] - start_y[i])},
+             way);
+}
+
+double Facets::opening(const Assembly& a, const Network& n, const Facet& f) const {
+  const double push = n.pressure[f.left] * f.left_length + n.pressure[f.right] * f.right_length;
+  return jump(a, f, f.normal) + (push - f.initial_normal * f.length) / stiffness;
+}
+
+void Facets::update(const Assembly& a, Network& n, bool restored) {
+  if (!active_) return;
+  facets_.clear();
+  std::fill(of_.begin(), of_.end(), -1);
+  std::fill(pore_push_.begin(), pore_push_.end(), 0.0);
+  std::vector<char> before = fractured_;
+  std::fill(fractured_.begin(), fractured_.end(), 0);
+  for (std::size_t e = 0; e < a.first.size(); ++e) {
+    if (a.intact[e] != 0 || n.left[e] == n.right[e]) continue;
+    if (n.kind[n.left[e]] == DomainKind::outside || n.kind[n.right[e]] == DomainKind::outside) continue;
+    const auto b = static_cast<std::int64_t>(e);
+    Facet f;
+    f.bond = b;
+    f.left = n.left[e];
+    f.right = n.right[e];
+    f.left_part = part(b, true);
+    f.right_part = part(b, false);
+    const Vec2 whole = f.left_part + f.right_part;
+    f.length = size(whole);
+    const Vec2 d{a.dx(b), a.dy(b)};
+    if (f.length < shortest_facet * a.mean_radius ||
+        dot(whole, d) <= 0.0) {  // centroids that do not lie on either side
+      f.length = std::max(f.length, shortest_facet * a.mean_radius);
+      f.normal = (1.0 / a.length(b)) * d;
+    } else {
+      f.normal = (1.0 / f.length) * whole;
+    }
+    f.left_length = dot(f.left_part, f.normal);
+    f.right_length = dot(f.right_part, f.normal);
+    f.length = f.left_length + f.right_length;
+    const Vec2 traction = initial_traction(b, f.normal), t{-f.normal.y, f.normal.x};
+    f.initial_normal = dot(traction, f.normal);
+    f.initial_shear = dot(traction, t);
+    // F_tot of the bond, and the mean traction's release.
+    f.locked = initial_force(b) - (pressure_[f.left] * f.left_part + pressure_[f.right] * f.right_part) +
+               f.length * traction;
+    f.locked_first = force_[4 * e + 2];
+    f.locked_second = force_[4 * e + 3];
+    f.middle = contact_[e];
+    f.plane = f.normal;
+    f.way = f.length;
+    for (int side = 0; side < 2; ++side) {
+      const auto dom = side == 0 ? f.left : f.right;
+      if (n.kind[dom] != DomainKind::rock) continue;
+      for (auto k = n.corner_start[dom]; k < n.corner_start[dom + 1]; ++k) {
+        if (n.corner_disc[k] == a.first[e]) f.corner[2 * side] = k;
+        if (n.corner_disc[k] == a.second[e]) f.corner[2 * side + 1] = k;
+      }
+    }
+    of_[e] = static_cast<std::int32_t>(facets_.size());
+    facets_.push_back(f);
+    for (const auto dom : {f.left, f.right})
+      if (n.kind[dom] == DomainKind::rock) fractured_[dom] = 1;
+  }
+  for (std::size_t d = 1; d < fractured_.size(); ++d) {
+    if (fractured_[d] != before[d])
+      std::copy(weight_.begin() + 2 * n.corner_start[d], weight_.begin() + 2 * n.corner_start[d + 1],
+                n.corner_weight.begin() + 2 * n.corner_start[d]);
+    if (fractured_[d] == 0) continue;
+    if (before[d] == 0 && !restored) {
+      double change = 0.0;
+      for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k)
+        change += n.corner_weight[2 * k] * a.ux[n.corner_disc[k]] +
+                  n.corner_weight[2 * k + 1] * a.uy[n.corner_disc[k]];
+      n.facet_offset[d] = change;
+    }
+    for (auto k = 2 * n.corner_start[d]; k < 2 * n.corner_start[d + 1]; ++k) n.corner_weight[k] = 0.0;
+    for (const auto e : bonds_[d]) {
+      if (of_[e] >= 0) continue;
+      const Vec2 push = -pressure_[d] * part(e, n.left[e] == static_cast<std::int32_t>(d));
+      pore_push_[2 * e] += push.x;
+      pore_push_[2 * e + 1] += push.y;
+    }
+  }
+  fit_planes(a, n);
+}
+
+// Direction of the fracture around each facet: from the pores a few facets away on one side to those on the other.
+void Facets::fit_planes(const Assembly& a, const Network& n) {
+  const double reach = plane_reach * a.mean_radius;
+  for (auto& f : facets_) {
+    const auto walk = [&](std::int32_t from, std::int32_t to) -> Vec2 {
+      // The farthest point that is reached through broken bonds, starting into `to`.
+      Vec2 best = n.kind[to] == DomainKind::rock ? n.centroid[to] : f.middle;
+      if (n.kind[to] != DomainKind::rock) return best;
+      std::vector<std::pair<std::int32_t, std::int64_t>> stack{{to, f.bond}};
+      std::vector<std::int32_t> seen{from, to};
+      double far = size(best - f.middle);
+      while (!stack.empty()) {
+        const auto [d, by] = stack.back();
+        stack.pop_back();
+        for (const auto e : bonds_[d]) {
+          if (of_[e] < 0 || e == by) continue;
+          const auto other = n.left[e] == d ? n.right[e] : n.left[e];
+          if (std::find(seen.begin(), seen.end(), other) != seen.end()) continue;
+          seen.push_back(other);
+          const Vec2 at = n.kind[other] == DomainKind::rock ? n.centroid[other] : contact_[e];
+          const double way = size(at - f.middle);
+          if (way > far) {
+            far = way;
+            best = at;
+          }
+          if (way < reach && n.kind[other] == DomainKind::rock) stack.push_back({other, e});
+        }
+      }
+      return best;
+    };
+    const Vec2 along = walk(f.right, f.left) - walk(f.left, f.right);
+    Vec2 normal = turned(along);
+    if (size(normal) > 0.0) {
+      normal = (1.0 / size(normal)) * normal;
+      if (dot(normal, f.normal) < 0.0) normal = -1.0 * normal;
+      f.plane = normal;
+    }
+    const Vec2 way = (n.kind[f.left] == DomainKind::rock ? n.centroid[f.left] : f.middle) -
+                     (n.kind[f.right] == DomainKind::rock ? n.centroid[f.right] : f.middle);
+    f.way = std::max(std::abs(cross(f.plane, way)), shortest_way * a.mean_radius);
+  }
+}
+
+}  // namespace hfrac

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The faces of a fracture: one facet for each broken bond, from the centroid of the pore on one side to that on the other.
+//
+// A bonded packing lumps the compliance of two half discs in their contact, and its forces scatter from bond to bond although the
+// stress in the rock does not. If a broken bond simply becomes a contact, both come back as a toughness that grows with depth:
+// faces that the fluid opens swell by the contact's compression, and what the bond bore beyond the mean is released at the tip.
+// A facet releases what rock releases, by superposition on the state before the treatment:
+//
+//   - When a bond breaks, the mean traction of the initial stress on its facet is released, and no more: the difference to what
+//     this very bond bore (force and couple) stays, as a locked-in force.
+//   - The fluid pushes on the facets, p_A h_A + p_B h_B with the pores' parts h of the facet turned by 90 degrees; on intact bonds
+//     around a fracture's pore the pressure from before the treatment stays.
+//   - The opening is  w = n . (du - du_0) + (p - sigma_n) L / k_n:  displacement since the initial equilibrium, and the
+//     compression of the half discs at the face, which bear p where they bore sigma_n. Closed (w < 0) the facet transmits
+//     sigma_n L - k_n n . (du - du_0), with Coulomb friction on what exceeds p; open it transmits p.
+//   - Its volume is w L, shared by the two pores as L_A to L_B. So what a pore stores is what its facets are open.
+//
+// Facets of broken bonds as faces through which fluid flows: Asahina, Houseworth, Birkholzer, Rutqvist and Bolander 2014.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/array.hpp"
+#include "model/assembly.hpp"
+#include "model/network.hpp"
+#include "options/options.hpp"
+#include "solid/bond_law.hpp"
+
+namespace hfrac {
+
+struct Facet {
+  std::int64_t bond = -1;
+  std::int32_t left = 0, right = 0;  // pores
+  Vec2 left_part, right_part;        // m: h of either pore, turned: towards the second disc
+  Vec2 normal;                       // unit, towards the second disc
+  double length = 0.0;               // m
+  double left_length = 0.0, right_length = 0.0;
+  double initial_normal = 0.0,
+         initial_shear = 0.0;  // Pa: sigma_n (compression positive), traction along (-n.y, n.x)
+  Vec2 locked;                 // N on the first disc while open
+  double locked_first = 0.0, locked_second = 0.0;  // N m, as BondResponse::force[2], [3]
+  Vec2 plane;        // unit normal of the fracture around it, towards the second disc
+  double way = 0.0;  // m, along that plane between the two pores
+  Vec2 middle;       // m
+  std::int32_t corner[4] = {-1, -1, -1, -1};  // of left pore: first, second disc; of right pore
+};
+
+class Facets {
+ public:
+  // Records the initial state: to be called once, at the initial equilibrium.
+  void begin(const Assembly& assembly, Network& network, const Options& options);
+  [[nodiscard]] bool active() const { return active_; }
+  // After a bond broke, or after a restore.
+  void update(const Assembly& assembly, Network& network, bool restored = false);
+
+  [[nodiscard]] std::int32_t of(std::int64_t bond) const { return active_ ? of_[bond] : -1; }
+  [[nodiscard]] const std::vector<Facet>& all() const { return facets_; }
+  [[nodiscard]] bool fractured(std::int64_t domain) const { return active_ && fractured_[domain] != 0; }
+  [[nodiscard]] const std::vector<std::int32_t>& bonds_of(std::int64_t domain) const {
+    return bonds_[domain];
+  }
+  // m; n . (du - du_0) along `way`.
+  [[nodiscard]] double jump(const Assembly& a, const Facet& f, Vec2 way) const;
+  [[nodiscard]] double opening(const Assembly& a, const Network& n, const Facet& f) const;
+  // Force of the locked-in pressure on an intact bond of a fracture's pore, on its first disc [N].
+  [[nodiscard]] Vec2 locked_of(std::int64_t bond) const {
+    return {pore_push_[2 * bond], pore_push_[2 * bond + 1]};
+  }
+  [[nodiscard]] Vec2 part(std::int64_t bond, bool left) const;  // h of a bond
+  [[nodiscard]] Vec2 initial_force(std::int64_t bond) const {
+    return {force_[4 * bond], force_[4 * bond + 1]};
+  }
+  [[nodiscard]] Vec2 initial_traction(std::int64_t bond, Vec2 normal) const;  // compression positive [Pa]
+  // Mean total stress of the discs around a pore now, compression positive: xx, yy, xy [Pa].
+  void stress_around(const Assembly& a, const Network& n, const Options& o, std::int32_t domain,
+                     double* stress) const;
+  double stiffness = 0.0;  // k_n, N/m
+  Array<double> start_x, start_y, start_rotation;
+  Array<double> pressure_before;  // at the beginning of a solve; friction goes by it
+
+ private:
+  void fit_planes(const Assembly& a, const Network& n);
+  bool active_ = false;
+  const Network* network_ = nullptr;
+  std::vector<std::int32_t> of_;
+  std::vector<Facet> facets_;
+  std::vector<char> fractured_;
+  std::vector<std::vector<std::int32_t>> bonds_;  // of a domain
+  Array<double> force_;     // per bond at the initial state: force on the first disc, two couples
+  Array<double> stress_;    // per disc: mean total stress around it, xx, yy, xy, compression positive [Pa]
+  Array<double> pressure_;  // per domain, initial [Pa]
+  Array<double> pore_push_, weight_;
+  std::vector<Vec2> contact_;
+  std::vector<std::vector<std::int32_t>> disc_bonds_;
+  Array<double> area_;
+  const Assembly* assembly_ = nullptr;
+};
+
+}  // namespace hfrac

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "frac/tip.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace hfrac {
+namespace {
+
+constexpr std::size_t most_behind = 4;           // facets whose openings give K
+constexpr int fewest_ahead = 3, most_ahead = 5;  // facets of a chain ahead
+constexpr double widest_turn = 0.5;              // cosine
+
+double size(Vec2 v) {
+  return std::sqrt(dot(v, v));
+}
+}  // namespace
+
+std::vector<Tip> find_tips(const Facets& facets, const Assembly& a, const Network& n, const Options& o) {
+  std::vector<Tip> tips;
+  for (const Facet& first : facets.all()) {
+    for (const auto domain : {first.left, first.right}) {
+      if (n.kind[domain] != DomainKind::rock) continue;
+      int broken = 0;
+      for (const auto e : facets.bonds_of(domain)) broken += facets.of(e) >= 0 ? 1 : 0;
+      if (broken != 1) continue;
+      // Back along the fracture.
+      std::vector<const Facet*> path{&first};
+      auto at = first.left == domain ? first.right : first.left;
+      auto came = first.bond;
+      while (path.size() < most_behind && n.kind[at] == DomainKind::rock) {
+        const Facet* next = nullptr;
+        for (const auto e : facets.bonds_of(at)) {
+          if (e == came || facets.of(e) < 0) continue;
+          const Facet& f = facets.all()[facets.of(e)];
+          if (next == nullptr || facets.opening(a, n, f) > facets.opening(a, n, *next)) next = &f;
+        }
+        if (next == nullptr || std::find(path.begin(), path.end(), next) != path.end()) break;
+        path.push_back(next);
+        came = next->bond;
+        at = next->left == at ? next->right : next->left;
+      }
+      const Vec2 end = n.centroid[domain];
+      Vec2 ahead = end - (path.size() > 1 ? path.back()->middle
+                                          : (n.kind[at] == DomainKind::rock ? n.centroid[at] : first.middle));
+      ahead = (1.0 / size(ahead)) * ahead;
+      Vec2 normal{-ahead.y, ahead.x};
+      double sum_w = 0.0, sum_s = 0.0;
+      for (const Facet* f : path) {
+        const double s = std::max(dot(end - f->middle, ahead), 0.1 * a.mean_radius);
+        const Vec2 way = dot(normal, f->normal) >= 0.0 ? normal : -1.0 * normal;
+        const double push = n.pressure[f->left] * f->left_length + n.pressure[f->right] * f->right_length;
+        const double w = facets.jump(a, *f, way) + (push - f->initial_normal * f->length) / facets.stiffness;
+        sum_w += w * std::sqrt(s);
+        sum_s += s;
+      }
+      Tip tip;
+      tip.domain = domain;
+      tip.intensity = o.fracture_plane_modulus / 8.0 * std::sqrt(2.0 * std::numbers::pi) * sum_w / sum_s;
+      double stress[3];
+      facets.stress_around(a, n, o, domain, stress);
+      // Along the plane of largest mean tension (Erdogan and Sih 1963), by the chain of facets ahead that keeps to it best.
+      const double turn =
+          0.5 * std::atan2(2.0 * stress[2], stress[0] - stress[1]);  // of the largest compression
+      Vec2 along{std::cos(turn), std::sin(turn)};
+      if (dot(along, ahead) < 0.0) along = -1.0 * along;
+      if (dot(along, ahead) < widest_turn) along = ahead;
+      Vec2 base = end;
+      for (const Facet* f : path) base = base + f->middle;
+      base = (1.0 / static_cast<double>(path.size() + 1)) * base;
+      double best = -1e300;
+      std::vector<std::int32_t> chain{domain};
+      const std::function<void(std::int64_t, int)> look = [&](std::int64_t first_bond, int depth) {
+        const auto at_domain = chain.back();
+        if (depth > 0) {
+          const Vec2 to = n.centroid[at_domain] - end, off = n.centroid[at_domain] - base;
+          const double progress = dot(to, along), score = progress - std::abs(cross(along, off));
+          if (depth >= fewest_ahead && score > best) {
+            best = score;
+            tip.ahead = first_bond;
+          }
+        }
+        if (depth == most_ahead) return;
+        for (const auto e : facets.bonds_of(at_domain)) {
+          if (a.intact[e] == 0 || facets.of(e) >= 0) continue;
+          const auto other = n.left[e] == at_domain ? n.right[e] : n.left[e];
+          if (n.kind[other] != DomainKind::rock || facets.fractured(other)) continue;
+          if (std::find(chain.begin(), chain.end(), other) != chain.end()) continue;
+          chain.push_back(other);
+          look(depth == 0 ? e : first_bond, depth + 1);
+          chain.pop_back();
+        }
+      };
+      look(-1, 0);
+      tips.push_back(tip);
+    }
+  }
+  return tips;
+}
+
+}  // namespace hfrac
