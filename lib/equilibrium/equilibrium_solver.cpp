@@ -177,14 +177,14 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
 double EquilibriumSolver::find_exceeding() {
   exceeding_.clear();
   double largest = 0.0;
-  const bool tips = facets_.active() && options_.fracture_toughness > 0.0;
+  const bool tips = facets_.active() && options_.bond_fracture_toughness > 0.0;
   std::vector<char> at_tip;
   if (tips) {
     at_tip.assign(network_.kind.size(), 0);
     for (const Tip& tip : find_tips(facets_, assembly_, network_, options_)) {
       at_tip[static_cast<std::size_t>(tip.domain)] = 1;
-      if (tip.ahead < 0) continue;
-      const double excess = tip.intensity / options_.fracture_toughness;
+      if (tip.ahead < 0 || mechanics_.stays(tip.ahead)) continue;
+      const double excess = tip.intensity / options_.bond_fracture_toughness;
       largest = std::max(largest, excess);
       if (excess >= 1.0) exceeding_.push_back({excess, tip.ahead});
     }

@@ -7,7 +7,6 @@
 namespace hfrac {
 namespace {
 
-constexpr int smoothing_passes = 4;  // means over neighbours, for the mean stress before the treatment
 constexpr double plane_reach = 4.0;  // mean radii to either side that a fracture's plane is fitted over
 constexpr double shortest_facet = 0.05, shortest_way = 0.2;  // mean radii
 
@@ -29,15 +28,37 @@ Vec2 Facets::part(std::int64_t e, bool left) const {
   return h;
 }
 
-Vec2 Facets::initial_traction(std::int64_t e, Vec2 n) const {
-  const Assembly& a = *assembly_;
-  const auto i = a.first[e], j = a.second[e];
-  double s[3];
-  for (int k = 0; k < 3; ++k) s[k] = 0.5 * (stress_[3 * i + k] + stress_[3 * j + k]);
-  return {s[0] * n.x + s[2] * n.y, s[2] * n.x + s[1] * n.y};
+// The far field's, and what each hole makes of it (Kirsch 1898; total stresses, the fluid in the hole at the formation's pressure).
+Facets::Stress Facets::initial_stress(Vec2 at) const {
+  Stress s{far_xx_, far_yy_, 0.0};
+  const double sum = 0.5 * (far_xx_ + far_yy_), difference = 0.5 * (far_xx_ - far_yy_);
+  for (const auto& hole : holes_) {
+    const Vec2 d = at - hole.centre;
+    const double r2 = std::max(dot(d, d), hole.radius * hole.radius), k = hole.radius * hole.radius / r2;
+    const double c2 = (d.x * d.x - d.y * d.y) / r2, s2 = 2.0 * d.x * d.y / r2;  // of twice the angle
+    const double even = (hole.pressure - sum) * k;
+    // Changes of the radial, hoop and shear stress.
+    const double radial = even + difference * (3.0 * k * k - 4.0 * k) * c2;
+    const double hoop = -even - difference * 3.0 * k * k * c2;
+    const double shear = -difference * (2.0 * k - 3.0 * k * k) * s2;
+    const double mean = 0.5 * (radial + hoop), half = 0.5 * (radial - hoop);
+    s.xx += mean + half * c2 - shear * s2;
+    s.yy += mean - half * c2 + shear * s2;
+    s.xy += half * s2 + shear * c2;
+  }
+  return s;
 }
 
-void Facets::begin(const Assembly& a, Network& n, const Options& o) {
+Vec2 Facets::initial_traction(std::int64_t e, Vec2 n) const {
+  const Stress s = initial_stress(contact_[static_cast<std::size_t>(e)]);
+  return {s.xx * n.x + s.xy * n.y, s.xy * n.x + s.yy * n.y};
+}
+
+void Facets::begin(const Assembly& a, Network& n, const std::vector<WellPlace>& wells, const Options& o) {
+  far_xx_ = o.stress_sigma_Hmax;
+  far_yy_ = o.stress_sigma_hmin;
+  for (const auto& well : wells)
+    holes_.push_back({well.centre, well.equivalent_radius, n.pressure[well.domain]});
   active_ = true;
   assembly_ = &a;
   network_ = &n;
@@ -58,8 +79,6 @@ void Facets::begin(const Assembly& a, Network& n, const Options& o) {
   const auto discs = static_cast<std::size_t>(a.disc_count());
   Array<double> area;
   area.assign(discs, 0.0);
-  stress_.assign(3 * discs, 0.0);
-  std::vector<char> rim(discs, 0);
   for (std::size_t e = 0; e < bonds; ++e) {
     const auto i = a.first[e], j = a.second[e];
     const auto b = static_cast<std::int64_t>(e);
@@ -74,22 +93,11 @@ void Facets::begin(const Assembly& a, Network& n, const Options& o) {
     force_[4 * e + 1] = f.y;
     force_[4 * e + 2] = -(v.shear_force() * arm_i + v.bond_moment);
     force_[4 * e + 3] = -(v.shear_force() * arm_j - v.bond_moment);
-    for (const auto dom : {n.left[e], n.right[e]})
-      if (n.kind[dom] != DomainKind::rock) rim[i] = rim[j] = 1;
     const Vec2 h_l = part(b, true), h_r = part(b, false);
-    const Vec2 total = f - (pressure_[n.left[e]] * h_l + pressure_[n.right[e]] * h_r);
     // Love's mean over a disc and its share of the pores: wings times forces over the area to the facets.
-    const Vec2 arm_first = arm_i * d, arm_second = -arm_j * d;
     const double facet = std::abs(dot(h_l + h_r, d));
     area[i] += 0.5 * arm_i * facet;
     area[j] += 0.5 * arm_j * facet;
-    const auto add = [&](std::size_t at, Vec2 arm, Vec2 force) {
-      stress_[3 * at] -= arm.x * force.x;
-      stress_[3 * at + 1] -= arm.y * force.y;
-      stress_[3 * at + 2] -= 0.5 * (arm.x * force.y + arm.y * force.x);
-    };
-    add(static_cast<std::size_t>(i), arm_first, total);
-    add(static_cast<std::size_t>(j), arm_second, -1.0 * total);
   }
   area_ = area;
   disc_bonds_.assign(discs, {});
@@ -97,35 +105,6 @@ void Facets::begin(const Assembly& a, Network& n, const Options& o) {
     disc_bonds_[a.first[e]].push_back(static_cast<std::int32_t>(e));
     disc_bonds_[a.second[e]].push_back(static_cast<std::int32_t>(e));
   }
-  // Means over a disc's neighbourhood, area by area; discs at a hole or the outside take their neighbours'.
-  for (std::size_t i = 0; i < discs; ++i)
-    if (rim[i]) {
-      area[i] = 0.0;
-      for (int k = 0; k < 3; ++k) stress_[3 * i + k] = 0.0;
-    }
-  for (int pass = 0; pass < smoothing_passes; ++pass) {
-    Array<double> sum = stress_, weight = area;
-    for (std::size_t e = 0; e < bonds; ++e) {
-      const auto i = static_cast<std::size_t>(a.first[e]), j = static_cast<std::size_t>(a.second[e]);
-      for (int k = 0; k < 3; ++k) {
-        sum[3 * i + k] += stress_[3 * j + k];
-        sum[3 * j + k] += stress_[3 * i + k];
-      }
-      weight[i] += area[j];
-      weight[j] += area[i];
-    }
-    std::vector<double> count(discs, 1.0);
-    for (std::size_t e = 0; e < bonds; ++e) {
-      count[a.first[e]] += 1.0;
-      count[a.second[e]] += 1.0;
-    }
-    for (std::size_t i = 0; i < discs; ++i) {
-      for (int k = 0; k < 3; ++k) stress_[3 * i + k] = sum[3 * i + k] / count[i];
-      area[i] = weight[i] / count[i];
-    }
-  }
-  for (std::size_t i = 0; i < discs; ++i)
-    for (int k = 0; k < 3; ++k) stress_[3 * i + k] = area[i] > 0.0 ? stress_[3 * i + k] / area[i] : 0.0;
 }
 
 void Facets::stress_around(const Assembly& a, const Network& n, const Options& o, std::int32_t domain,
@@ -146,7 +125,10 @@ void Facets::stress_around(const Assembly& a, const Network& n, const Options& o
   stress[0] = stress[1] = stress[2] = 0.0;
   for (const auto i : discs) {
     area += area_[i];
-    for (int k = 0; k < 3; ++k) stress[k] += area_[i] * stress_[3 * i + k];
+    const Stress initial = initial_stress({a.x[i], a.y[i]});
+    stress[0] += area_[i] * initial.xx;
+    stress[1] += area_[i] * initial.yy;
+    stress[2] += area_[i] * initial.xy;
     for (const auto e : disc_bonds_[i]) {
       const Vec2 d = (1.0 / a.length(e)) * Vec2{a.dx(e), a.dy(e)};
       const Vec2 h_l = part(e, true), h_r = part(e, false);
@@ -297,10 +279,9 @@ void Facets::fit_planes(const Assembly& a, const Network& n) {
       return best;
     };
     const Vec2 along = walk(f.right, f.left) - walk(f.left, f.right);
-    Vec2 normal = turned(along);
+    Vec2 normal = turned(along);  // towards the second disc, as a facet's own
     if (size(normal) > 0.0) {
       normal = (1.0 / size(normal)) * normal;
-      if (dot(normal, f.normal) < 0.0) normal = -1.0 * normal;
       f.plane = normal;
     }
     const Vec2 way = (n.kind[f.left] == DomainKind::rock ? n.centroid[f.left] : f.middle) -

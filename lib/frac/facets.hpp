@@ -24,6 +24,7 @@
 #include "core/array.hpp"
 #include "model/assembly.hpp"
 #include "model/network.hpp"
+#include "model/well.hpp"
 #include "options/options.hpp"
 #include "solid/bond_law.hpp"
 
@@ -48,8 +49,13 @@ struct Facet {
 
 class Facets {
  public:
+  struct Stress {
+    double xx, yy, xy;  // Pa, compression positive
+  };
+  [[nodiscard]] Stress initial_stress(Vec2 at) const;
   // Records the initial state: to be called once, at the initial equilibrium.
-  void begin(const Assembly& assembly, Network& network, const Options& options);
+  void begin(const Assembly& assembly, Network& network, const std::vector<WellPlace>& wells,
+             const Options& options);
   [[nodiscard]] bool active() const { return active_; }
   // After a bond broke, or after a restore.
   void update(const Assembly& assembly, Network& network, bool restored = false);
@@ -80,7 +86,14 @@ class Facets {
   Array<double> pressure_before;  // at the beginning of a solve; friction goes by it
 
  private:
+  struct Hole {
+    Vec2 centre;      // m
+    double radius;    // m, equivalent
+    double pressure;  // Pa
+  };
   void fit_planes(const Assembly& a, const Network& n);
+  double far_xx_ = 0.0, far_yy_ = 0.0;  // Pa
+  std::vector<Hole> holes_;
   bool active_ = false;
   const Network* network_ = nullptr;
   std::vector<std::int32_t> of_;
@@ -88,7 +101,6 @@ class Facets {
   std::vector<char> fractured_;
   std::vector<std::vector<std::int32_t>> bonds_;  // of a domain
   Array<double> force_;     // per bond at the initial state: force on the first disc, two couples
-  Array<double> stress_;    // per disc: mean total stress around it, xx, yy, xy, compression positive [Pa]
   Array<double> pressure_;  // per domain, initial [Pa]
   Array<double> pore_push_, weight_;
   std::vector<Vec2> contact_;

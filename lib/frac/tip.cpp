@@ -28,6 +28,8 @@ std::vector<Tip> find_tips(const Facets& facets, const Assembly& a, const Networ
       if (broken != 1) continue;
       // Back along the fracture.
       std::vector<const Facet*> path{&first};
+      std::vector<double> side{
+          first.left == domain ? -1.0 : 1.0};  // its second disc is left or right of the way to the tip
       auto at = first.left == domain ? first.right : first.left;
       auto came = first.bond;
       while (path.size() < most_behind && n.kind[at] == DomainKind::rock) {
@@ -39,6 +41,7 @@ std::vector<Tip> find_tips(const Facets& facets, const Assembly& a, const Networ
         }
         if (next == nullptr || std::find(path.begin(), path.end(), next) != path.end()) break;
         path.push_back(next);
+        side.push_back(next->left == at ? -1.0 : 1.0);
         came = next->bond;
         at = next->left == at ? next->right : next->left;
       }
@@ -48,11 +51,12 @@ std::vector<Tip> find_tips(const Facets& facets, const Assembly& a, const Networ
       ahead = (1.0 / size(ahead)) * ahead;
       Vec2 normal{-ahead.y, ahead.x};
       double sum_w = 0.0, sum_s = 0.0;
-      for (const Facet* f : path) {
+      for (std::size_t k = 0; k < path.size(); ++k) {
+        const Facet* f = path[k];
         const double s = std::max(dot(end - f->middle, ahead), 0.1 * a.mean_radius);
-        const Vec2 way = dot(normal, f->normal) >= 0.0 ? normal : -1.0 * normal;
         const double push = n.pressure[f->left] * f->left_length + n.pressure[f->right] * f->right_length;
-        const double w = facets.jump(a, *f, way) + (push - f->initial_normal * f->length) / facets.stiffness;
+        const double w =
+            side[k] * facets.jump(a, *f, normal) + (push - f->initial_normal * f->length) / facets.stiffness;
         sum_w += w * std::sqrt(s);
         sum_s += s;
       }

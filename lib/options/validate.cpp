@@ -116,6 +116,29 @@ void check_packing(const Options& o, const Radii& radii) {
   }
 }
 
+// Facets of fractures: what they do not go with yet is refused.
+void check_facets(const CaseDefinition& definition) {
+  const Options& o = definition.options;
+  if (FractureLaw{o.fracture_law} != FractureLaw::facet) return;
+  if (SteppingMode{o.stepping_mode} != SteppingMode::coupled ||
+      SolverKind{o.solver_kind} != SolverKind::quasi_static) {
+    refuse(
+        "fracture.law = \"facet\" is for stepping.mode = \"coupled\" with solver.kind = \"quasi-static\" "
+        "only; "
+        "set both, or take fracture.law = \"bond\".");
+  }
+  if (!definition.joints.empty() || ThermalMode{o.thermal_mode} != ThermalMode::off) {
+    refuse(
+        "fracture.law = \"facet\" takes neither joints nor temperature; leave them out, or take "
+        "fracture.law = \"bond\".");
+  }
+  if (o.bond_fracture_toughness > 0.0 && !(o.fracture_plane_modulus > 0.0)) {
+    refuse(
+        "fracture.law = \"facet\" with bond.fracture_toughness needs fracture.plane_modulus above 0 Pa: the "
+        "openings behind a tip tell its stress intensity by E'.");
+  }
+}
+
 void check_stresses(const Options& o) {
   if (o.stress_sigma_hmin > o.stress_sigma_Hmax) {
     refuse(value_text("stress.sigma_hmin", o.stress_sigma_hmin, "Pa") + " is above " +
@@ -366,6 +389,7 @@ void validate(const CaseDefinition& definition, std::span<const double> given_di
   check_bonds(given_bonds, given_discs);
   check_packing(o, radii);
   check_stresses(o);
+  check_facets(definition);
   check_material(o);
   check_solver(o);
   check_initial(definition);

@@ -176,7 +176,7 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
     e.equilibrium =
         std::make_unique<EquilibriumSolver>(m, e.facets, *e.boundary, *e.mechanics, o, *e.workers);
   if (FractureLaw{o.fracture_law} == FractureLaw::facet) {
-    e.facets.begin(m.assembly, m.network, o);
+    e.facets.begin(m.assembly, m.network, m.well_places(), o);
     e.facets.update(m.assembly, m.network);
   }
   begin_ledger(e);

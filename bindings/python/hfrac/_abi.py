@@ -468,6 +468,8 @@ class hfrac_sim_def(ctypes.Structure):
         ("smooth_joint_shear_stiffness", ctypes.c_double),
         ("flow_fracture_aperture", ctypes.c_int64),
         ("bond_smallest_fragment", ctypes.c_int64),
+        ("fracture_law", ctypes.c_int64),
+        ("fracture_plane_modulus", ctypes.c_double),
     ]
 
 

@@ -386,6 +386,15 @@ typedef struct hfrac_sim_def {
   /** A bond does not break if that would cut fewer discs than this from the rest: a disc that no bond holds
    * stops the flow in the fracture it lies in. 1: every bond may break. Default 1. */
   int64_t bond_smallest_fragment;
+
+  /** 0: bond, 1: facet. What a broken bond becomes. bond: a contact of its two discs (the paper). facet: a
+   * face between two pores on which the rock's mean stress before the treatment is released, with
+   * bond.fracture_toughness judged at tips by the openings behind them and strengths as given elsewhere.
+   * Experimental; mode coupled only. Default 0. */
+  int64_t fracture_law;
+  /** [Pa] Law facet: E' = E / (1 - nu^2) of the rock at a tip, undrained where its pores are tight; 'hfrac
+   * lab elastic' gives the drained one. Needed with bond.fracture_toughness. Default 0.0. */
+  double fracture_plane_modulus;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Facets of fractures: breaking a bond changes nothing while the fluid's pressure is what the rock bears.
+#include "frac/facets.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "equilibrium/bond_response.hpp"
+#include "options/choices.hpp"
+#include "step/simulation.hpp"
+
+namespace hfrac {
+namespace {
+
+CaseDefinition confined(double stress) {
+  CaseDefinition definition;
+  Options& o = definition.options;
+  o.packing_disc_count = 600;
+  o.contact_mode = static_cast<std::int64_t>(ContactMode::after_break);
+  o.contact_normal_stiffness = o.bond_normal_stiffness = 16e9;
+  o.contact_shear_stiffness = o.bond_shear_stiffness = 5.6e9;
+  o.contact_friction = 5.0;
+  o.bond_tensile_strength = o.bond_shear_strength = 1e9;
+  o.stress_sigma_Hmax = o.stress_sigma_hmin = stress;
+  o.fluid_formation_pressure = 2e6;
+  o.stepping_mode = static_cast<std::int64_t>(SteppingMode::coupled);
+  o.solver_kind = static_cast<std::int64_t>(SolverKind::quasi_static);
+  o.fracture_law = static_cast<std::int64_t>(FractureLaw::facet);
+  return definition;
+}
+
+// Every inner bond in turn, broken at the initial equilibrium.
+template <class Visit>
+void each_facet(const Simulation& s, const Options& o, const Visit& visit) {
+  Assembly a = s.assembly();
+  Network n = s.network();
+  for (std::size_t e = 0; e < a.first.size(); e += 7) {
+    if (n.kind[n.left[e]] != DomainKind::rock || n.kind[n.right[e]] != DomainKind::rock) continue;
+    Facets facets;
+    facets.begin(a, n, {}, o);
+    a.intact[e] = 0;
+    facets.update(a, n);
+    facets.pressure_before = n.pressure;
+    ASSERT_EQ(facets.all().size(), 1U);
+    visit(facets, facets.all()[0], a, n);
+    a.intact[e] = 1;
+    facets.update(a, n);
+  }
+}
+
+TEST(Facets, ClosedTransmitsWhatTheBondBore) {
+  const CaseDefinition definition = confined(20e6);
+  const Simulation s(definition, {}, {});
+  int seen = 0;
+  each_facet(s, definition.options,
+             [&](const Facets& facets, const Facet& f, const Assembly& a, const Network& n) {
+               ++seen;
+               const BondResponse r = respond(a, definition.options, n, facets, f);
+               EXPECT_LT(r.gap, 0.0);  // below the stress it bears
+               const Vec2 bore = facets.initial_force(f.bond) -
+                                 (n.pressure[f.left] * f.left_part + n.pressure[f.right] * f.right_part);
+               const double size = f.initial_normal * f.length;
+               EXPECT_NEAR(r.force[0], bore.x, 1e-9 * size);
+               EXPECT_NEAR(r.force[1], bore.y, 1e-9 * size);
+             });
+  EXPECT_GT(seen, 50);
+}
+
+TEST(Facets, OpensAtTheInitialStressWithoutAJump) {
+  const CaseDefinition definition = confined(20e6);
+  const Simulation s(definition, {}, {});
+  each_facet(s, definition.options, [&](const Facets& facets, const Facet& f, const Assembly& a, Network& n) {
+    const double left = n.pressure[f.left], right = n.pressure[f.right];
+    n.pressure[f.left] = n.pressure[f.right] = f.initial_normal;
+    EXPECT_NEAR(facets.opening(a, n, f), 0.0, 1e-12);
+    n.pressure[f.left] = n.pressure[f.right] = f.initial_normal + 1e6;
+    // The half discs at the face give way by 1 MPa over the contact's stiffness.
+    EXPECT_NEAR(facets.opening(a, n, f), 1e6 * f.length / 16e9, 1e-9);
+    n.pressure[f.left] = left;
+    n.pressure[f.right] = right;
+  });
+}
+
+// Round a hole the hoop stress is twice the far field's less the fluid's, and what acts on its wall is the fluid.
+TEST(Facets, KnowTheStressRoundAHole) {
+  CaseDefinition definition = confined(20e6);
+  WellOptions well;
+  well.x = well.y = 50.0;
+  well.radius = 12.0;
+  well.pressure = 2e6;
+  definition.wells.push_back(well);
+  const Simulation s(definition, {}, {});
+  Assembly a = s.assembly();
+  Network n = s.network();
+  Facets facets;
+  facets.begin(a, n, s.model().well_places(), definition.options);
+  const double radius = s.wells()[0].place.equivalent_radius;
+  const auto wall = facets.initial_stress({50.0 + radius, 50.0});
+  EXPECT_NEAR(wall.xx, 2e6, 1e3);
+  EXPECT_NEAR(wall.yy, 38e6, 1e3);
+  const auto far = facets.initial_stress({50.0 + 100.0 * radius, 50.0});
+  EXPECT_NEAR(far.yy, 20e6, 1e4);
+}
+
+TEST(Facets, AreRefusedWhereTheyAreNotKnown) {
+  CaseDefinition definition = confined(20e6);
+  definition.options.stepping_mode = static_cast<std::int64_t>(SteppingMode::substep);
+  EXPECT_ANY_THROW(Simulation(definition, {}, {}));
+  definition = confined(20e6);
+  definition.options.bond_fracture_toughness = 1e6;
+  EXPECT_ANY_THROW(Simulation(definition, {}, {}));  // needs E'
+}
+
+}  // namespace
+}  // namespace hfrac
