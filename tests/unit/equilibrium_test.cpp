@@ -293,7 +293,8 @@ TEST(CoupledSystem, ProductIsTheChangeOfTheResidual) {
     const NonBondedContacts& loose = model.s.engine().mechanics->non_bonded_contacts();
     for (std::size_t e = 50; e < 60; ++e) assembly.intact[e] = 0.0;
     Workers team(2);
-    CoupledSystem system(assembly, network, boundary, loose, model.s.options(), team);
+    Facets facets;
+    CoupledSystem system(assembly, network, boundary, loose, model.s.options(), team, facets);
     system.begin(1e-3, {});
     system.evaluate();
     Random random(7);
@@ -323,8 +324,9 @@ TEST(CoupledFactor, SolvesTheTangent) {
   auto& network = const_cast<Network&>(model.s.network());
   auto& boundary = *model.s.engine().boundary;
   Workers team(2);
+  Facets facets;
   CoupledSystem system(assembly, network, boundary, model.s.engine().mechanics->non_bonded_contacts(),
-                       model.s.options(), team);
+                       model.s.options(), team, facets);
   system.begin(1e-3, {});
   system.evaluate();
   CoupledFactor factor(team);

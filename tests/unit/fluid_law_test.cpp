@@ -131,7 +131,9 @@ TEST(FluidLaw, TheCoupledTangentIsTheDerivative) {
     m.network.content[d] = content_at(m.network, d, o.fluid_bulk_modulus, m.network.pressure[d]);
   }
   Workers team(1);
-  CoupledSystem system(m.assembly, m.network, *m.boundary, m.solver->non_bonded_contacts(), m.options, team);
+  Facets facets;
+  CoupledSystem system(m.assembly, m.network, *m.boundary, m.solver->non_bonded_contacts(), m.options, team,
+                       facets);
   system.begin(10.0, {});
   system.evaluate();
   const CoupledSystem::Vector before = system.residual();
