@@ -11,8 +11,8 @@
 
 #include <array>
 
-#include "model/assembly.hpp"
 #include "frac/facets.hpp"
+#include "model/assembly.hpp"
 #include "options/options.hpp"
 #include "solid/non_bonded_contacts.hpp"
 

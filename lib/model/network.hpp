@@ -42,8 +42,9 @@ struct Network {
   std::vector<Vec2> centroid;   // m, at bonding
   // pipes to the outside, and how far the pressure beyond each is above domain 0's: a host may say what lies there
   std::vector<std::int32_t> outer_pipe;
-  Array<double> outer_excess;                             // Pa
-  Array<double> facet_offset;  // m2, per domain: of a fracture's pore before its facets open (frac/facets.hpp); empty without
+  Array<double> outer_excess;  // Pa
+  Array<double>
+      facet_offset;  // m2, per domain: of a fracture's pore before its facets open (frac/facets.hpp); empty without
   double reference_pressure = 0.0, floor_pressure = 0.0;  // Pa
   double zero_stress_aperture = 0.0;                      // m, r0
   CrackPlanes planes;                                     // with flow.fracture_aperture = "plane"
