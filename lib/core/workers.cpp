@@ -94,16 +94,16 @@ void Workers::give(int active) {
   tasks_.notify_all();
 }
 
-// Waits until a number is no longer `old`; returns for how long beyond patience [ns]. With more workers than cores whoever
-// spins keeps the core from whom it waits for.
+// Waits until a number is no longer `old`; returns for how long beyond patience [ns]. With more workers at work than cores
+// whoever spins keeps the core from whom it waits for.
 template <class Number>
-std::int64_t Workers::wait_while(const std::atomic<Number>& number, Number old) const {
+std::int64_t Workers::wait_while(const std::atomic<Number>& number, Number old, int at_work) const {
   constexpr int spins = 64;  // between looks at the clock
   const auto came = [&] { return number.load(std::memory_order_acquire) != old; };
   if (came()) return 0;
   const auto begin = Clock::now();
   const auto waited = [&] { return nanoseconds(Clock::now() - begin); };
-  while (active_ <= cores_ && waited() < patience) {
+  while (at_work <= cores_ && waited() < patience) {
     for (int k = 0; k < spins; ++k) {
       if (came()) return 0;
 #if defined(__x86_64__)
@@ -117,7 +117,7 @@ std::int64_t Workers::wait_while(const std::atomic<Number>& number, Number old) 
 
 template <class Number>
 void Workers::wait_and_count(const std::atomic<Number>& number, Number old) const {
-  const std::int64_t late = wait_while(number, old);
+  const std::int64_t late = wait_while(number, old, active_);
   if (late > 0) late_.fetch_add(late, std::memory_order_relaxed);
 }
 
@@ -184,10 +184,12 @@ void Workers::watch(Clock::time_point begin, bool even) {
 }
 
 void Workers::loop(int worker) {
+  int at_work = count_;  // in the last task; active_ is the calling thread's between tasks
   for (std::uint32_t seen = 0;;) {
-    wait_while(tasks_, seen);
+    wait_while(tasks_, seen, at_work);
     seen = tasks_.load(std::memory_order_acquire);
-    if (static_cast<std::uint32_t>(worker) >= seen % most_workers) continue;  // not of this one
+    at_work = static_cast<int>(seen % most_workers);
+    if (worker >= at_work) continue;  // not of this one
     if (task_ == nullptr) return;
     (*task_)(worker);
     running_.fetch_sub(1, std::memory_order_release);

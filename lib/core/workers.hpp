@@ -116,7 +116,7 @@ class Workers {
 
   [[nodiscard]] bool forked() const;
   template <class Number>
-  std::int64_t wait_while(const std::atomic<Number>& number, Number old) const;
+  std::int64_t wait_while(const std::atomic<Number>& number, Number old, int at_work) const;
   template <class Number>
   void wait_and_count(const std::atomic<Number>& number, Number old) const;
   void give(int active);
