@@ -408,12 +408,17 @@ test('says that the folder is gone, shows nothing old, and finds it again', asyn
   await page.waitForSelector('#notice:has-text("The folder is gone")');
   assert.equal(await page.textContent('#status'), 'folder is gone');
   assert.equal(await page.textContent('#when'), '');
-  const gone = await picture('gone');
-  const paper = pixel(gone, 4, 200);
-  let inked = 0; // beside the notice, in the middle
-  for (let y = 10; y < gone.height - 10; y += 3)
-    for (let x = 10; x < gone.width * 0.2; x += 3) inked += pixel(gone, x, y).some((part, k) => Math.abs(part - paper[k]) > 8) ? 1 : 0;
-  assert.equal(inked, 0, 'the old picture is still there');
+  const inked = (gone) => { // beside the notice, in the middle
+    const paper = pixel(gone, 4, 200);
+    let count = 0;
+    for (let y = 10; y < gone.height - 10; y += 3)
+      for (let x = 10; x < gone.width * 0.2; x += 3) count += pixel(gone, x, y).some((part, k) => Math.abs(part - paper[k]) > 8) ? 1 : 0;
+    return count;
+  };
+  let left = inked(await picture('gone'));
+  // The page is laid out anew without its curves, which on a busy machine takes some frames.
+  for (let turn = 0; left > 0 && turn < 20; ++turn) left = inked(await picture('gone'));
+  assert.equal(left, 0, 'the old picture is still there');
   fs.renameSync(moved, live);
   await shown(liveSteps);
   await page.waitForSelector('#notice', { state: 'hidden' });

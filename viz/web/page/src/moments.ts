@@ -20,6 +20,8 @@ export class Moments {
   constructor(private settings: Settings, private index: () => RunIndex | null, private shown: (moment: Moment) => void) {}
 
   clear(): void {
+    ++this.wish;  // what is still being fetched is of the run that is gone
+    find('busy').hidden = true;
     forgetGrids();
     this.now = this.reference = null;
   }
