@@ -578,6 +578,11 @@ module hfrac_c
     !> [Pa] Law facet: E' = E / (1 - nu^2) of the rock at a tip, undrained where its pores are tight; 'hfrac lab
     !> elastic' gives the drained one. Needed with bond.fracture_toughness. Default 0.0.
     real(c_double) :: fracture_plane_modulus = 0.0_c_double
+    !> [m] Law facet: slots of this length are cut into the wall of every hole, on two opposite sides, before
+    !> injection; fluid enters them freely. 0: none. Default 0.0.
+    real(c_double) :: fracture_perforation_length = 0.0_c_double
+    !> [rad] Direction of the slots, from the x axis, along which stress.sigma_Hmax acts. Default 0.0.
+    real(c_double) :: fracture_perforation_azimuth = 0.0_c_double
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.

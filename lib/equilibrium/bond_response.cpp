@@ -171,9 +171,8 @@ BondResponse respond(const Assembly& a, const Options& o, const Network& network
   const double k = facets.stiffness, k_s = o.contact_shear_stiffness;
   r.normal = k * facets.jump(a, f, n) - f.initial_normal * f.length;
   r.normal_stiffness = k;
-  const double push =
-      facets.pressure_before[f.left] * f.left_length + facets.pressure_before[f.right] * f.right_length;
-  const double limit = o.contact_friction * std::max(0.0, -r.normal - push);
+  // The grains bear what the facet transmits beyond the fluid's push, -k_n w: nothing where the facet opens.
+  const double limit = -o.contact_friction * k * r.gap;
   const double slide = facets.jump(a, f, t) - arm_i * (a.rotation[i] - facets.start_rotation[i]) -
                        arm_j * (a.rotation[j] - facets.start_rotation[j]);
   const double trial = k_s * slide - f.initial_shear * f.length;
@@ -182,7 +181,8 @@ BondResponse respond(const Assembly& a, const Options& o, const Network& network
   if (std::abs(trial) > limit) {
     r.shear = std::copysign(limit, trial);
     shear_stiffness = 0.0;
-    by_gap = limit > 0.0 ? -std::copysign(o.contact_friction * k, trial) : 0.0;
+    by_gap = -std::copysign(o.contact_friction * k, trial);
+    r.by_push = -std::copysign(o.contact_friction, trial);
   }
   const double opens[4] = {n.x, n.y, 0.0, 0.0}, slides[4] = {t.x, t.y, -arm_i, -arm_j};
   for (int row = 0; row < 4; ++row) {

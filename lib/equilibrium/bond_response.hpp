@@ -24,6 +24,7 @@ struct BondResponse {
   double gap = 0.0;                                          // m
   double normal = 0.0, shear = 0.0, normal_stiffness = 0.0;  // N tension positive, N, N/m
   Vec2 direction;                                            // from first to second disc
+  double by_push = 0.0;  // of a facet that slides: shear force by the fluid's push across it
 };
 
 // With the slip as it stands; nothing is changed.

@@ -186,15 +186,32 @@ void CoupledSystem::product(const Vector& x, Vector& y) const {
   });
   products_of_few(x, y);
   if (!wet_) return;
+  products_of_facets(x, y);
+}
+
+// What pressures do to facets: beside what domains' corners have, an open one is compressed at its faces, and a closed one slides.
+void CoupledSystem::products_of_facets(const Vector& x, Vector& y) const {
   for (std::size_t k = 0; k < facet_open_.size(); ++k) {
-    if (facet_open_[k] == 0) continue;
     const Facet& f = facets_.all()[k];
-    const double more = (x[pressure_at(f.left)] * f.left_length + x[pressure_at(f.right)] * f.right_length) *
-                        pressure_scale_ / facets_.stiffness / length_scale_;
-    if (network_.kind[f.left] == DomainKind::rock && at_floor_[f.left] == 0)
-      y[pressure_at(f.left)] -= f.left_length * more;
-    if (network_.kind[f.right] == DomainKind::rock && at_floor_[f.right] == 0)
-      y[pressure_at(f.right)] -= f.right_length * more;
+    const double push = x[pressure_at(f.left)] * f.left_length + x[pressure_at(f.right)] * f.right_length;
+    if (facet_open_[k] != 0) {
+      const double more = push * pressure_scale_ / facets_.stiffness / length_scale_;
+      for (const auto& [domain, length] : {std::pair{f.left, f.left_length}, std::pair{f.right, f.right_length}})
+        if (network_.kind[domain] == DomainKind::rock && at_floor_[domain] == 0)
+          y[pressure_at(domain)] -= length * more;
+      continue;
+    }
+    const double shear = bonds_[static_cast<std::size_t>(f.bond)].by_push * push / length_scale_;
+    if (shear == 0.0) continue;
+    const auto i = assembly_.first[f.bond], j = assembly_.second[f.bond];
+    const double arm_i = assembly_.arm(f.bond), arm_j = assembly_.length(f.bond) - arm_i;
+    const Vec2 t{-f.normal.y, f.normal.x};
+    y[3 * i] -= shear * t.x;
+    y[3 * i + 1] -= shear * t.y;
+    y[3 * j] += shear * t.x;
+    y[3 * j + 1] += shear * t.y;
+    y[3 * i + 2] -= shear * arm_i / length_scale_;
+    y[3 * j + 2] -= shear * arm_j / length_scale_;
   }
 }
 

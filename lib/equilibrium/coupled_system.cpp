@@ -10,6 +10,11 @@
 #include "solid/smooth_joints.hpp"
 
 namespace hfrac {
+namespace {
+
+constexpr double slot_width = 1e-3;  // m, that a cut slot lets fluid through by at least
+
+}  // namespace
 CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& boundary,
                              const NonBondedContacts& non_bonded, const Options& options, Workers& workers,
                              Facets& facets)
@@ -61,7 +66,6 @@ void CoupledSystem::begin(double duration, const std::vector<double>& source) {
   duration_ = duration;
   source_ = source;
   source_.resize(static_cast<std::size_t>(domains_), 0.0);
-  facets_.pressure_before = network_.pressure;
   content_start_.assign(network_.content.begin(), network_.content.end());
   outer_drop_.assign(bonds_.size(), 0.0);
   for (std::size_t k = 0; k < network_.outer_pipe.size(); ++k) {
@@ -119,14 +123,15 @@ void CoupledSystem::open_facets() {
     for (int side = 0; side < 2; ++side) {
       const auto d = side == 0 ? f.left : f.right;
       if (n.kind[d] != DomainKind::rock) continue;
-      const Vec2 part = side == 0 ? f.left_part : f.right_part;
+      const double length = side == 0 ? f.left_length : f.right_length;
+      const Vec2 part = length * f.normal;
       const auto ci = f.corner[2 * side], cj = f.corner[2 * side + 1];
       n.corner_weight[2 * ci] -= part.x;
       n.corner_weight[2 * ci + 1] -= part.y;
       n.corner_weight[2 * cj] += part.x;
       n.corner_weight[2 * cj + 1] += part.y;
       facet_change_[static_cast<std::size_t>(d)] +=
-          (side == 0 ? f.left_length : f.right_length) * more / facets_.stiffness -
+          length * more / facets_.stiffness -
           dot(part, {facets_.start_x[j] - facets_.start_x[i], facets_.start_y[j] - facets_.start_y[i]});
     }
   }
@@ -347,6 +352,16 @@ void CoupledSystem::evaluate_domains() {
   pressure_error_ = all.off / all.range;
 }
 
+double CoupledSystem::volume_change(std::int64_t d) const {
+  const auto& n = network_;
+  double change = facets_.fractured(d) ? facet_change_[static_cast<std::size_t>(d)] : 0.0;
+  for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
+    change += n.corner_weight[2 * k] * assembly_.ux[n.corner_disc[k]] +
+              n.corner_weight[2 * k + 1] * assembly_.uy[n.corner_disc[k]];
+  }
+  return change;
+}
+
 // How far its pressure is from what its content asks for [Pa].
 double CoupledSystem::evaluate_domain(std::int64_t d) {
   auto& n = network_;
@@ -367,11 +382,7 @@ double CoupledSystem::evaluate_domain(std::int64_t d) {
       n.content[d] += end % 2 == 0 ? -moved : moved;
     }
   }
-  double change = facets_.fractured(d) ? facet_change_[at] : 0.0;
-  for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
-    change += n.corner_weight[2 * k] * assembly_.ux[n.corner_disc[k]] +
-              n.corner_weight[2 * k + 1] * assembly_.uy[n.corner_disc[k]];
-  }
+  const double change = volume_change(d);
   const double full = n.reference_pressure + n.stiffness[d] * (n.content[d] - change);
   const double target = std::max(full, n.floor_pressure);
   if (full > n.floor_pressure) at_floor_[at] = 0;
@@ -459,9 +470,10 @@ void CoupledSystem::move(const Vector& x, double share) {
 void CoupledSystem::evaluate_facet_pipe(std::size_t e, std::size_t facet) {
   auto& n = network_;
   const Facet& f = facets_.all()[facet];
-  opening_[e] = facets_.jump(assembly_, f, f.plane);
-  opening_way_[e] = {f.plane, 0.0, 0.0};
-  const auto w = aperture_response(options_, n.zero_stress_aperture, opening_[e], 0.0, 0.0, false);
+  opening_[e] = facets_.jump(assembly_, f, f.normal);
+  opening_way_[e] = {f.normal, 0.0, 0.0};
+  auto w = aperture_response(options_, n.zero_stress_aperture, opening_[e], 0.0, 0.0, false);
+  if (f.slot && w.aperture < slot_width) w = {slot_width, 0.0};
   n.aperture[e] = w.aperture;
   const bool held = facet < held_.size();
   const auto flow = law_.respond(held ? held_[facet] : w.aperture, f.way, drop(e));

@@ -74,6 +74,8 @@ class CoupledSystem {
   [[nodiscard]] double pair_normal_force(std::size_t pair) const { return -pairs_[pair].normal; }
   [[nodiscard]] double pair_shear_force(std::size_t pair) const { return pairs_[pair].shear; }
 
+  // Of a domain at the displacements and pressures at hand [m2].
+  [[nodiscard]] double volume_change(std::int64_t domain) const;
   // Conductances of facets by the apertures held, not by the displacements at hand (Picard's iteration); hold() takes `share` of the way
   // to those at hand and returns how far off they were, relative to the largest.
   double hold_apertures(double share);
@@ -109,6 +111,7 @@ class CoupledSystem {
   void products_on_discs(const Vector& x, Vector& y, Workers::Range discs) const;
   void products_on_domains(const Vector& x, Vector& y, Workers::Range domains) const;
   void products_of_few(const Vector& x, Vector& y) const;
+  void products_of_facets(const Vector& x, Vector& y) const;
   template <class Emit>
   void each_entry(const Emit& emit) const;
   // Pressure that drives flow from left to right [Pa], with what a host set beyond the outer boundary.

@@ -207,7 +207,10 @@ void EquilibriumSolver::keep_round() {
   std::copy(pressure_start_.begin(), pressure_start_.end(), network_.pressure.begin());
   mechanics_.evaluate();
   for (std::int64_t d = 0; d < network_.domain_count(); ++d)
-    if (facets_.fractured(d)) network_.pressure[d] = found[d];
+    if (facets_.fractured(d)) {  // the kernel knows no facets
+      network_.pressure[d] = found[d];
+      network_.volume_change[d] = system_.volume_change(d);
+    }
   pressure_start_.assign(network_.pressure.begin(), network_.pressure.end());
   for (std::size_t k = 0; k < mechanics_.non_bonded_contacts().pairs().size(); ++k)
     mechanics_.keep_non_bonded_force(k, system_.pair_normal_force(k), system_.pair_shear_force(k));

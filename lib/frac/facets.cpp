@@ -8,7 +8,7 @@ namespace hfrac {
 namespace {
 
 constexpr double plane_reach = 4.0;  // mean radii to either side that a fracture's plane is fitted over
-constexpr double shortest_facet = 0.05, shortest_way = 0.2;  // mean radii
+constexpr double shortest_way = 0.2;  // mean radii
 
 Vec2 turned(Vec2 v) {
   return {v.y, -v.x};
@@ -68,6 +68,7 @@ void Facets::begin(const Assembly& a, Network& n, const std::vector<WellPlace>& 
   start_y = a.uy;
   start_rotation = a.rotation;
   of_.assign(bonds, -1);
+  cut_.assign(bonds, 0);
   fractured_.assign(n.kind.size(), 0);
   bonds_.assign(n.kind.size(), {});
   n.facet_offset.assign(n.kind.size(), 0.0);
@@ -186,32 +187,8 @@ void Facets::update(const Assembly& a, Network& n, bool restored) {
     f.bond = b;
     f.left = n.left[e];
     f.right = n.right[e];
-    f.left_part = part(b, true);
-    f.right_part = part(b, false);
-    const Vec2 whole = f.left_part + f.right_part;
-    f.length = size(whole);
-    const Vec2 d{a.dx(b), a.dy(b)};
-    if (f.length < shortest_facet * a.mean_radius ||
-        dot(whole, d) <= 0.0) {  // centroids that do not lie on either side
-      f.length = std::max(f.length, shortest_facet * a.mean_radius);
-      f.normal = (1.0 / a.length(b)) * d;
-    } else {
-      f.normal = (1.0 / f.length) * whole;
-    }
-    f.left_length = dot(f.left_part, f.normal);
-    f.right_length = dot(f.right_part, f.normal);
-    f.length = f.left_length + f.right_length;
-    const Vec2 traction = initial_traction(b, f.normal), t{-f.normal.y, f.normal.x};
-    f.initial_normal = dot(traction, f.normal);
-    f.initial_shear = dot(traction, t);
-    // F_tot of the bond, and the mean traction's release.
-    f.locked = initial_force(b) - (pressure_[f.left] * f.left_part + pressure_[f.right] * f.right_part) +
-               f.length * traction;
-    f.locked_first = force_[4 * e + 2];
-    f.locked_second = force_[4 * e + 3];
     f.middle = contact_[e];
-    f.plane = f.normal;
-    f.way = f.length;
+    f.slot = cut_[e] != 0;
     for (int side = 0; side < 2; ++side) {
       const auto dom = side == 0 ? f.left : f.right;
       if (n.kind[dom] != DomainKind::rock) continue;
@@ -225,6 +202,7 @@ void Facets::update(const Assembly& a, Network& n, bool restored) {
     for (const auto dom : {f.left, f.right})
       if (n.kind[dom] == DomainKind::rock) fractured_[dom] = 1;
   }
+  for (auto& f : facets_) lay_along_fracture(a, n, f);
   for (std::size_t d = 1; d < fractured_.size(); ++d) {
     if (fractured_[d] != before[d])
       std::copy(weight_.begin() + 2 * n.corner_start[d], weight_.begin() + 2 * n.corner_start[d + 1],
@@ -245,49 +223,55 @@ void Facets::update(const Assembly& a, Network& n, bool restored) {
       pore_push_[2 * e + 1] += push.y;
     }
   }
-  fit_planes(a, n);
 }
 
-// Direction of the fracture around each facet: from the pores a few facets away on one side to those on the other.
-void Facets::fit_planes(const Assembly& a, const Network& n) {
+// The facet turned into the fracture around it, from the pores a few facets away on one side to those on the other, and what the mean
+// stress releases on it then.
+void Facets::lay_along_fracture(const Assembly& a, const Network& n, Facet& f) const {
   const double reach = plane_reach * a.mean_radius;
-  for (auto& f : facets_) {
-    const auto walk = [&](std::int32_t from, std::int32_t to) -> Vec2 {
-      // The farthest point that is reached through broken bonds, starting into `to`.
-      Vec2 best = n.kind[to] == DomainKind::rock ? n.centroid[to] : f.middle;
-      if (n.kind[to] != DomainKind::rock) return best;
-      std::vector<std::pair<std::int32_t, std::int64_t>> stack{{to, f.bond}};
-      std::vector<std::int32_t> seen{from, to};
-      double far = size(best - f.middle);
-      while (!stack.empty()) {
-        const auto [d, by] = stack.back();
-        stack.pop_back();
-        for (const auto e : bonds_[d]) {
-          if (of_[e] < 0 || e == by) continue;
-          const auto other = n.left[e] == d ? n.right[e] : n.left[e];
-          if (std::find(seen.begin(), seen.end(), other) != seen.end()) continue;
-          seen.push_back(other);
-          const Vec2 at = n.kind[other] == DomainKind::rock ? n.centroid[other] : contact_[e];
-          const double way = size(at - f.middle);
-          if (way > far) {
-            far = way;
-            best = at;
-          }
-          if (way < reach && n.kind[other] == DomainKind::rock) stack.push_back({other, e});
+  const auto walk = [&](std::int32_t from, std::int32_t to) -> Vec2 {
+    // The farthest point that is reached through broken bonds, starting into `to`.
+    Vec2 best = n.kind[to] == DomainKind::rock ? n.centroid[to] : f.middle;
+    if (n.kind[to] != DomainKind::rock) return best;
+    std::vector<std::pair<std::int32_t, std::int64_t>> stack{{to, f.bond}};
+    std::vector<std::int32_t> seen{from, to};
+    double far = size(best - f.middle);
+    while (!stack.empty()) {
+      const auto [d, by] = stack.back();
+      stack.pop_back();
+      for (const auto e : bonds_[d]) {
+        if (of_[e] < 0 || e == by) continue;
+        const auto other = n.left[e] == d ? n.right[e] : n.left[e];
+        if (std::find(seen.begin(), seen.end(), other) != seen.end()) continue;
+        seen.push_back(other);
+        const Vec2 at = n.kind[other] == DomainKind::rock ? n.centroid[other] : contact_[e];
+        const double way = size(at - f.middle);
+        if (way > far) {
+          far = way;
+          best = at;
         }
+        if (way < reach && n.kind[other] == DomainKind::rock) stack.push_back({other, e});
       }
-      return best;
-    };
-    const Vec2 along = walk(f.right, f.left) - walk(f.left, f.right);
-    Vec2 normal = turned(along);  // towards the second disc, as a facet's own
-    if (size(normal) > 0.0) {
-      normal = (1.0 / size(normal)) * normal;
-      f.plane = normal;
     }
-    const Vec2 way = (n.kind[f.left] == DomainKind::rock ? n.centroid[f.left] : f.middle) -
-                     (n.kind[f.right] == DomainKind::rock ? n.centroid[f.right] : f.middle);
-    f.way = std::max(std::abs(cross(f.plane, way)), shortest_way * a.mean_radius);
-  }
+    return best;
+  };
+  const Vec2 left = part(f.bond, true), right = part(f.bond, false);
+  const Vec2 along = walk(f.right, f.left) - walk(f.left, f.right);
+  f.normal = turned(along);  // towards the second disc's flank
+  if (!(size(f.normal) > 0.0)) f.normal = left + right;
+  f.normal = (1.0 / size(f.normal)) * f.normal;
+  // Negative where the way from pore to pore turns back: along a fracture they add up to the way from end to end.
+  f.left_length = dot(left, f.normal);
+  f.right_length = dot(right, f.normal);
+  f.length = f.left_length + f.right_length;
+  f.way = std::max(std::abs(f.length), shortest_way * a.mean_radius);
+  const Vec2 traction = initial_traction(f.bond, f.normal);
+  f.initial_normal = dot(traction, f.normal);
+  f.initial_shear = dot(traction, {-f.normal.y, f.normal.x});
+  // What the bond bore with the fluid around it, less the mean traction.
+  f.locked = initial_force(f.bond) - (pressure_[f.left] * left + pressure_[f.right] * right) + f.length * traction;
+  f.locked_first = force_[4 * f.bond + 2];
+  f.locked_second = force_[4 * f.bond + 3];
 }
 
 }  // namespace hfrac

@@ -8,7 +8,7 @@
 //
 //   - When a bond breaks, the mean traction of the initial stress on its facet is released, and no more: the difference to what
 //     this very bond bore (force and couple) stays, as a locked-in force.
-//   - The fluid pushes on the facets, p_A h_A + p_B h_B with the pores' parts h of the facet turned by 90 degrees; on intact bonds
+//   - The fluid pushes across the facets, p_A L_A + p_B L_B with the parts L of the facet in either pore; on intact bonds
 //     around a fracture's pore the pressure from before the treatment stays.
 //   - The opening is  w = n . (du - du_0) + (p - sigma_n) L / k_n:  displacement since the initial equilibrium, and the
 //     compression of the half discs at the face, which bear p where they bore sigma_n. Closed (w < 0) the facet transmits
@@ -33,17 +33,16 @@ namespace hfrac {
 struct Facet {
   std::int64_t bond = -1;
   std::int32_t left = 0, right = 0;  // pores
-  Vec2 left_part, right_part;        // m: h of either pore, turned: towards the second disc
-  Vec2 normal;                       // unit, towards the second disc
-  double length = 0.0;               // m
+  Vec2 normal;                       // unit, of the fracture around it, towards the second disc
+  double length = 0.0;               // m, along the fracture
+  double way = 0.0;                  // m, that its fluid flows
   double left_length = 0.0, right_length = 0.0;
   double initial_normal = 0.0,
          initial_shear = 0.0;  // Pa: sigma_n (compression positive), traction along (-n.y, n.x)
   Vec2 locked;                 // N on the first disc while open
   double locked_first = 0.0, locked_second = 0.0;  // N m, as BondResponse::force[2], [3]
-  Vec2 plane;        // unit normal of the fracture around it, towards the second disc
-  double way = 0.0;  // m, along that plane between the two pores
   Vec2 middle;       // m
+  bool slot = false;  // cut, not broken: the fluid passes whether the rock opens it or not
   std::int32_t corner[4] = {-1, -1, -1, -1};  // of left pore: first, second disc; of right pore
 };
 
@@ -57,6 +56,8 @@ class Facets {
   void begin(const Assembly& assembly, Network& network, const std::vector<WellPlace>& wells,
              const Options& options);
   [[nodiscard]] bool active() const { return active_; }
+  // This bond's facet, once it is broken, will be a slot.
+  void cut(std::int64_t bond) { cut_[bond] = 1; }
   // After a bond broke, or after a restore.
   void update(const Assembly& assembly, Network& network, bool restored = false);
 
@@ -83,7 +84,6 @@ class Facets {
                      double* stress) const;
   double stiffness = 0.0;  // k_n, N/m
   Array<double> start_x, start_y, start_rotation;
-  Array<double> pressure_before;  // at the beginning of a solve; friction goes by it
 
  private:
   struct Hole {
@@ -91,14 +91,14 @@ class Facets {
     double radius;    // m, equivalent
     double pressure;  // Pa
   };
-  void fit_planes(const Assembly& a, const Network& n);
+  void lay_along_fracture(const Assembly& a, const Network& n, Facet& f) const;
   double far_xx_ = 0.0, far_yy_ = 0.0;  // Pa
   std::vector<Hole> holes_;
   bool active_ = false;
   const Network* network_ = nullptr;
   std::vector<std::int32_t> of_;
   std::vector<Facet> facets_;
-  std::vector<char> fractured_;
+  std::vector<char> fractured_, cut_;
   std::vector<std::vector<std::int32_t>> bonds_;  // of a domain
   Array<double> force_;     // per bond at the initial state: force on the first disc, two couples
   Array<double> pressure_;  // per domain, initial [Pa]

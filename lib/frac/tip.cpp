@@ -3,14 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
+
+#include "frac/path.hpp"
 
 namespace hfrac {
 namespace {
 
 constexpr std::size_t most_behind = 4;           // facets whose openings give K
-constexpr int fewest_ahead = 3, most_ahead = 5;  // facets of a chain ahead
 constexpr double widest_turn = 0.5;              // cosine
 
 double size(Vec2 v) {
@@ -65,7 +65,7 @@ std::vector<Tip> find_tips(const Facets& facets, const Assembly& a, const Networ
       tip.intensity = o.fracture_plane_modulus / 8.0 * std::sqrt(2.0 * std::numbers::pi) * sum_w / sum_s;
       double stress[3];
       facets.stress_around(a, n, o, domain, stress);
-      // Along the plane of largest mean tension (Erdogan and Sih 1963), by the chain of facets ahead that keeps to it best.
+      // Along the plane of largest mean tension (Erdogan and Sih 1963), by the way that keeps to it best.
       const double turn =
           0.5 * std::atan2(2.0 * stress[2], stress[0] - stress[1]);  // of the largest compression
       Vec2 along{std::cos(turn), std::sin(turn)};
@@ -74,30 +74,7 @@ std::vector<Tip> find_tips(const Facets& facets, const Assembly& a, const Networ
       Vec2 base = end;
       for (const Facet* f : path) base = base + f->middle;
       base = (1.0 / static_cast<double>(path.size() + 1)) * base;
-      double best = -1e300;
-      std::vector<std::int32_t> chain{domain};
-      const std::function<void(std::int64_t, int)> look = [&](std::int64_t first_bond, int depth) {
-        const auto at_domain = chain.back();
-        if (depth > 0) {
-          const Vec2 to = n.centroid[at_domain] - end, off = n.centroid[at_domain] - base;
-          const double progress = dot(to, along), score = progress - std::abs(cross(along, off));
-          if (depth >= fewest_ahead && score > best) {
-            best = score;
-            tip.ahead = first_bond;
-          }
-        }
-        if (depth == most_ahead) return;
-        for (const auto e : facets.bonds_of(at_domain)) {
-          if (a.intact[e] == 0 || facets.of(e) >= 0) continue;
-          const auto other = n.left[e] == at_domain ? n.right[e] : n.left[e];
-          if (n.kind[other] != DomainKind::rock || facets.fractured(other)) continue;
-          if (std::find(chain.begin(), chain.end(), other) != chain.end()) continue;
-          chain.push_back(other);
-          look(depth == 0 ? e : first_bond, depth + 1);
-          chain.pop_back();
-        }
-      };
-      look(-1, 0);
+      tip.ahead = straightest(facets, a, n, domain, {base, along}, {});
       tips.push_back(tip);
     }
   }

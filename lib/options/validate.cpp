@@ -119,7 +119,11 @@ void check_packing(const Options& o, const Radii& radii) {
 // Facets of fractures: what they do not go with yet is refused.
 void check_facets(const CaseDefinition& definition) {
   const Options& o = definition.options;
-  if (FractureLaw{o.fracture_law} != FractureLaw::facet) return;
+  if (FractureLaw{o.fracture_law} != FractureLaw::facet) {
+    if (o.fracture_perforation_length > 0.0)
+      refuse("fracture.perforation_length needs fracture.law = \"facet\"; set it, or leave the length at 0 m.");
+    return;
+  }
   if (SteppingMode{o.stepping_mode} != SteppingMode::coupled ||
       SolverKind{o.solver_kind} != SolverKind::quasi_static) {
     refuse(

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "flow/aperture.hpp"
+#include "frac/path.hpp"
 #include "host/cell_report.hpp"
 #include "options/choices.hpp"
 #include "options/number_text.hpp"
@@ -72,6 +73,21 @@ void require_rock_stands(const Engine& e, std::size_t cracks_before, double shar
                   " Pa in shear: raise bond.tensile_strength and bond.shear_strength (or "
                   "bond.fracture_toughness, which sets them), take smaller discs, or bring the stresses "
                   "nearer to each other and to the pore pressure");
+}
+
+// Slots in the walls of holes, to either side, cut into rock at rest.
+void perforate(Engine& e) {
+  const Options& o = e.options;
+  if (o.fracture_perforation_length <= 0.0) return;
+  const Vec2 way{std::cos(o.fracture_perforation_azimuth), std::sin(o.fracture_perforation_azimuth)};
+  for (const auto& well : e.model.well_places())
+    for (const double side : {1.0, -1.0})
+      for (const auto bond : perforation(e.facets, e.model.assembly, e.model.network, well, side * way,
+                                         o.fracture_perforation_length))
+        if (e.model.assembly.intact[bond] != 0) {
+          e.facets.cut(bond);
+          e.mechanics->break_bond(bond, e.model.cracks);
+        }
 }
 
 }  // namespace
@@ -177,6 +193,7 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
         std::make_unique<EquilibriumSolver>(m, e.facets, *e.boundary, *e.mechanics, o, *e.workers);
   if (FractureLaw{o.fracture_law} == FractureLaw::facet) {
     e.facets.begin(m.assembly, m.network, m.well_places(), o);
+    perforate(e);
     e.facets.update(m.assembly, m.network);
   }
   begin_ledger(e);

@@ -41,7 +41,6 @@ void each_facet(const Simulation& s, const Options& o, const Visit& visit) {
     facets.begin(a, n, {}, o);
     a.intact[e] = 0;
     facets.update(a, n);
-    facets.pressure_before = n.pressure;
     ASSERT_EQ(facets.all().size(), 1U);
     visit(facets, facets.all()[0], a, n);
     a.intact[e] = 1;
@@ -59,7 +58,7 @@ TEST(Facets, ClosedTransmitsWhatTheBondBore) {
                const BondResponse r = respond(a, definition.options, n, facets, f);
                EXPECT_LT(r.gap, 0.0);  // below the stress it bears
                const Vec2 bore = facets.initial_force(f.bond) -
-                                 (n.pressure[f.left] * f.left_part + n.pressure[f.right] * f.right_part);
+                                 (n.pressure[f.left] * facets.part(f.bond, true) + n.pressure[f.right] * facets.part(f.bond, false));
                const double size = f.initial_normal * f.length;
                EXPECT_NEAR(r.force[0], bore.x, 1e-9 * size);
                EXPECT_NEAR(r.force[1], bore.y, 1e-9 * size);

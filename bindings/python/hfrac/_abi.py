@@ -470,6 +470,8 @@ class hfrac_sim_def(ctypes.Structure):
         ("bond_smallest_fragment", ctypes.c_int64),
         ("fracture_law", ctypes.c_int64),
         ("fracture_plane_modulus", ctypes.c_double),
+        ("fracture_perforation_length", ctypes.c_double),
+        ("fracture_perforation_azimuth", ctypes.c_double),
     ]
 
 

@@ -395,6 +395,11 @@ typedef struct hfrac_sim_def {
   /** [Pa] Law facet: E' = E / (1 - nu^2) of the rock at a tip, undrained where its pores are tight; 'hfrac
    * lab elastic' gives the drained one. Needed with bond.fracture_toughness. Default 0.0. */
   double fracture_plane_modulus;
+  /** [m] Law facet: slots of this length are cut into the wall of every hole, on two opposite sides, before
+   * injection; fluid enters them freely. 0: none. Default 0.0. */
+  double fracture_perforation_length;
+  /** [rad] Direction of the slots, from the x axis, along which stress.sigma_Hmax acts. Default 0.0. */
+  double fracture_perforation_azimuth;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */

@@ -26,9 +26,10 @@ class Fracture(NamedTuple):
     """The fracture of the well."""
 
     length: float  # m, half of tip to tip with the hole
-    width: float  # m, largest opening
+    width: float  # m, largest median opening of three cracks in a row, farther than two mean radii from the hole, whose mouth the larger stress opens, too
     pressure: float  # Pa, of the well over sigma_hmin
-    volume: float  # m2, injected less what the hole stores
+    volume: float  # m2, gained by the pores beside its cracks, and its opening times the hole's width
+    injected: float  # m2, less what the fluid in the hole is compressed by
     pores: float  # m2, gained by hole and pores beside its cracks
     cracks: int
     wing_count: int
@@ -105,6 +106,11 @@ def _jumps(model: Model, middle: np.ndarray, position: np.ndarray, moved: np.nda
     return result
 
 
+def _largest(jump: np.ndarray, along: np.ndarray, chosen: np.ndarray) -> float:
+    in_row = jump[chosen][np.argsort(along[chosen])]
+    return float(max((np.median(in_row[k : k + 3]) for k in range(len(in_row) - 2)), default=0.0))
+
+
 def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float) -> Fracture:
     """The well's fracture as it is now."""
     sim = model.sim
@@ -112,14 +118,13 @@ def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float) -> F
     net = state.pressure - sigma_min
     hole = model.start_volume[model.domain]
     volume_now = np.array(sim.domains.volume)
-    # What the hole opens by is part of the fracture through it; what its fluid is compressed by is not.
-    volume = state.injected_volume - (state.pressure - model.start_pressure[model.domain]) * hole / bulk
+    injected = state.injected_volume - (state.pressure - model.start_pressure[model.domain]) * hole / bulk
     fractures = sim.fractures
     own = next((f for f in fractures if f.well == 0), None)
     intact = np.array(sim.discs.intact_bonds)
     if own is None:
         nothing = Wing(0.0, math.nan, math.nan, math.nan, True)
-        return Fracture(0.0, 0.0, net, volume, 0.0, sim.crack_count, 0, 0.0, int((intact == 0).sum()), (nothing, nothing))
+        return Fracture(0.0, 0.0, net, 0.0, injected, 0.0, sim.crack_count, 0, 0.0, int((intact == 0).sum()), (nothing, nothing))
     cracks = sim.cracks  # with their fractures
     mine = cracks[cracks.fracture == own.index]
     middle, bonds = np.array(mine.position), np.array(mine.bond)
@@ -132,7 +137,14 @@ def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float) -> F
     far, _ = _ways(graph, model.domain, np.ones(len(bonds)))
     _, before = _ways(graph, model.domain, 1.0 / np.maximum(aperture[bonds], 1e-7) ** 3)
     pores = set(int(d) for d in model.pipe_domains[bonds].ravel()) - {0, model.domain}
-    gained = sum(volume_now[d] - model.start_volume[d] for d in pores | {model.domain})
+    along = sum(volume_now[d] - model.start_volume[d] for d in pores)
+    gained = along + volume_now[model.domain] - hole
+    # A hole widens under its pressure without a fracture, too: of it the fracture has what it opens on either side.
+    offset = middle - model.centre
+    distance = np.hypot(*offset.T)
+    heading = np.array([math.cos(own.azimuth), math.sin(own.azimuth)])
+    mouths = [jump[(sign * (offset @ heading) > 0) & (distance < model.well_radius + 5.0 * model.mean_radius)] for sign in (1.0, -1.0)]
+    volume = along + model.well_radius * sum(float(np.median(m)) for m in mouths if len(m) > 0)
     wings = []
     normal = np.array(mine.normal)
     half = 0.5 * np.array(mine.length)
@@ -175,18 +187,18 @@ def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float) -> F
             hydraulic += drop / (12.0 * viscosity * through)
             discs = model.bond_discs[bond]
             by_gap += float(model.radius[discs].sum()) / max(gap[bond], floor) ** 3
-            opened, along = 0.0, 0.0
+            opened, length_through = 0.0, 0.0
             for d in (parent, node):
                 if d != model.domain:
                     opened += volume_now[d] - model.start_volume[d]
-                    along += ways[d]
-            if along > 0.0:
-                by_pore += way / max(opened / along, floor) ** 3
+                    length_through += ways[d]
+            if length_through > 0.0:
+                by_pore += way / max(opened / length_through, floor) ** 3
         length = sum(0.0 if p == model.domain else math.dist(centres[p], centres[n]) for p, n, _ in path)
         enough = len(path) >= 4 and mechanical > 0.0 and hydraulic > 0.0 and length > 0.0
         ratios = [(mechanical / each) ** (1.0 / 3.0) if enough else math.nan for each in (hydraulic, by_gap, by_pore)]
         wings.append(Wing(reach, *ratios, monotone))
     return Fracture(
-        0.5 * (wings[0].length + wings[1].length), float(max(jump.max(), 0.0)), net, volume, gained,
+        0.5 * (wings[0].length + wings[1].length), _largest(jump, offset @ heading, distance > model.well_radius + 2.0 * model.mean_radius), net, volume, injected, gained,
         len(cracks), own.wings, math.degrees(azimuth), int((intact == 0).sum()), (wings[0], wings[1]),
     )

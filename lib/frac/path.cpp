@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "frac/path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hfrac {
+namespace {
+
+constexpr int fewest_ahead = 3, most_ahead = 5;  // bonds of a way
+constexpr double straightness = 2.0;             // metres of the way that a mean metre off the line is worth
+
+struct Search {
+  const Facets& facets;
+  const Assembly& assembly;
+  const Network& network;
+  const Line& line;
+  std::vector<std::int32_t> passed;  // pores
+  double best = -1e300;
+  std::int64_t first = -1;  // bond of the best way
+
+  [[nodiscard]] double progress(std::int32_t pore) const {
+    return dot(network.centroid[pore] - line.through, line.along);
+  }
+  // Goes on from the last pore passed; `off`: sum of what its pores are off the line [m].
+  void look(std::int64_t by, int depth, double off) {
+    const auto at = passed.back();
+    if (depth >= fewest_ahead) {
+      const double score = progress(at) - straightness * off / depth;
+      if (score > best) {
+        best = score;
+        first = by;
+      }
+    }
+    if (depth == most_ahead) return;
+    for (const auto e : facets.bonds_of(at)) {
+      if (assembly.intact[e] == 0) continue;
+      const auto next = network.left[e] == at ? network.right[e] : network.left[e];
+      if (network.kind[next] != DomainKind::rock || facets.fractured(next)) continue;
+      if (std::find(passed.begin(), passed.end(), next) != passed.end()) continue;
+      passed.push_back(next);
+      look(depth == 0 ? e : by, depth + 1,
+           off + std::abs(cross(line.along, network.centroid[next] - line.through)));
+      passed.pop_back();
+    }
+  }
+};
+
+}  // namespace
+
+std::int64_t straightest(const Facets& facets, const Assembly& assembly, const Network& network,
+                         std::int32_t from, const Line& line, const std::vector<std::int32_t>& passed) {
+  Search search{facets, assembly, network, line, passed};
+  search.passed.push_back(from);
+  search.look(-1, 0, 0.0);
+  return search.first;
+}
+
+std::vector<std::int64_t> perforation(const Facets& facets, const Assembly& assembly, const Network& network,
+                                      const WellPlace& well, Vec2 way, double length) {
+  std::vector<std::int64_t> bonds;
+  std::vector<std::int32_t> passed;
+  const Line line{well.centre, way};
+  for (std::int32_t at = well.domain;;) {
+    const auto bond = straightest(facets, assembly, network, at, line, passed);
+    if (bond < 0) return bonds;
+    bonds.push_back(bond);
+    passed.push_back(at);
+    at = network.left[bond] == at ? network.right[bond] : network.left[bond];
+    if (dot(network.centroid[at] - well.centre, way) >= well.equivalent_radius + length) return bonds;
+  }
+}
+
+}  // namespace hfrac
