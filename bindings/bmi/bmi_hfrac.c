@@ -67,9 +67,11 @@ static int initialize(Bmi* self, const char* config_file) {
   if (model == NULL) return BMI_FAILURE;
   if (hfrac_sim_def_init(&model->def, (int32_t)sizeof model->def) < 0 ||
       hfrac_sim_def_load(&model->def, config_file) < 0 || hfrac_sim_create(&model->def, &model->sim) < 0) {
+    hfrac_sim_def_free(&model->def);
     free(model);
     return BMI_FAILURE;
   }
+  hfrac_sim_def_free(&model->def); /* options are all that is asked for later */
   self->data = model;
   return BMI_SUCCESS;
 }

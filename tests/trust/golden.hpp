@@ -3,6 +3,7 @@
 #pragma once
 
 #include <hfrac/hfrac.h>
+#include <hfrac/definition.hpp>
 
 #include <cstdint>
 #include <string>
@@ -12,7 +13,7 @@ namespace golden {
 
 struct Case {
   std::string name;
-  hfrac_sim_def def;
+  hfrac::Definition def;
   int64_t steps;
 };
 

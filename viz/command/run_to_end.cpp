@@ -74,7 +74,7 @@ ExitCode take_steps_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfra
 
 }  // namespace
 
-Simulation build_model(hfrac_sim_def definition, const std::string& case_file, ProgressLine& line,
+Simulation build_model(Definition definition, const std::string& case_file, ProgressLine& line,
                        Warnings& warnings) {
   warnings.listen(definition);
   definition.progress = show_setup;

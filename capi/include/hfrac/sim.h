@@ -21,7 +21,8 @@ HFRAC_API int32_t hfrac_sim_create(const hfrac_sim_def *def, hfrac_sim **sim);
 /** Frees a simulation and sets *sim to NULL; NULL and *sim == NULL are fine. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_destroy(hfrac_sim **sim);
 
-/** The definition the simulation was built from, defaults filled in; `def->struct_size` must be set. Stable since 0.1. */
+/** The definition the simulation was built from, defaults filled in, into `def`, which hfrac_sim_def_init has filled; its lists
+ * are the library's then (hfrac_sim_def_free). Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_definition(const hfrac_sim *sim, hfrac_sim_def *def);
 
 /* A run goes on in one of three ways, and says in its status how it ended. Of several notes the first counts:
