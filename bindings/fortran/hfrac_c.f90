@@ -56,6 +56,8 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_ERR_FILE = -11
   !> a callback threw an exception; the simulation is at its last whole step
   integer(c_int32_t), parameter :: HFRAC_ERR_CALLBACK = -12
+  !> the rock fell apart: it does not bear its load, or a disc left its place in a step; state as before the step
+  integer(c_int32_t), parameter :: HFRAC_ERR_COLLAPSED = -13
   !> an error of the library itself; please report it
   integer(c_int32_t), parameter :: HFRAC_ERR_INTERNAL = -99
 
@@ -583,6 +585,9 @@ module hfrac_c
     !> [Pa] Law facet: E' = E / (1 - nu^2) of the rock at a tip, undrained where its pores are tight; 'hfrac lab
     !> elastic' gives the drained one. Needed with bond.fracture_toughness. Default 0.0.
     real(c_double) :: fracture_plane_modulus = 0.0_c_double
+    !> [1] Share of the bonds, or 10 of them if that is more, that may break in the initial equilibration; where
+    !> more break the rock does not bear the far field, and no simulation is built. Default 0.01.
+    real(c_double) :: initial_broken_fraction = 0.0_c_double
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.
@@ -1445,7 +1450,9 @@ module hfrac_c
       type(hfrac_option_info), intent(inout) :: info
       integer(c_int32_t) :: hfrac_schedule_option_at
     end function hfrac_schedule_option_at
-    !> Builds a simulation. On failure *sim is NULL and hfrac_last_error(NULL, ...) says why. Stable since 0.1.
+    !> Builds a simulation. On failure *sim is NULL and hfrac_last_error(NULL, ...) says why. HFRAC_ERR_COLLAPSED:
+    !> more than initial.broken_fraction of the bonds broke under the far field, or the rock found no rest at all.
+    !> Stable since 0.1.
     function hfrac_sim_create(def, sim) bind(C, name="hfrac_sim_create")
       import
       type(hfrac_sim_def), intent(in) :: def

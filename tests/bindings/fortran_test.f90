@@ -167,7 +167,10 @@ contains
   end subroutine definition
 
   subroutine long_lists()
-    type(hfrac_definition) :: def, other
+    type(hfrac_definition) :: def, other, torn
+    type(hfrac_simulation) :: apart
+    integer :: stat
+    character(400) :: message
     type(hfrac_well_def) :: wells(12)
     type(hfrac_joint_def) :: joints(100)
     type(hfrac_schedule_def) :: entries(200)
@@ -202,6 +205,15 @@ contains
     call expect(other%get_integer('well_count') == 12, 'a copy is on its own')
     call def%free()
     call expect(def%get_integer('joint_count') == 0, 'freed')
+    call torn%set('packing.disc_count', 60)
+    call torn%set('well[0].radius', 22.0_real64)
+    call torn%set('well[0].pressure', 30e6_real64)
+    call apart%create(torn)
+    call apart%step(1, stat, message)
+    call expect(stat == HFRAC_ERR_COLLAPSED, 'rock that falls apart')
+    call expect(index(message, 'the rock fell apart in step 1') == 1, message)
+    call apart%destroy()
+    call torn%free()
     call expect(other%get('joint[99].shear_factor') == 0.5_real64, 'freed')
     call other%free()
   end subroutine long_lists

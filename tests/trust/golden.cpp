@@ -74,7 +74,7 @@ std::vector<Case> cases() {
     def.contact_mode = 1;
     def.stress_sigma_Hmax = 33e6;
     def.stress_sigma_hmin = 28e6;
-    def.wells[0].pressure = 110e6;
+    def.wells[0].pressure = 80e6;
   });
   add("quasi_static_substep", 600, 3, [](auto& def) { def.solver_kind = 1; });
   add("quasi_static_coupled", 600, 3, [](auto& def) {

@@ -91,7 +91,9 @@ TEST(Guards, NothingNotFiniteGoesOnUnseen) {
       const int32_t status = hfrac_step(sim, 1);
       if (status < 0) {
         ++stopped;
-        ASSERT_EQ(status, HFRAC_ERR_DIVERGED) << kind << " " << place << ": " << last_error(sim);
+        // A finite number that means nothing throws discs about.
+        ASSERT_TRUE(status == HFRAC_ERR_DIVERGED || status == HFRAC_ERR_COLLAPSED)
+            << kind << " " << place << ": " << last_error(sim);
         ASSERT_EQ(hash_of(sim), before) << kind << " " << place;
         ASSERT_NE(last_error(sim).find("; "), std::string::npos) << "no hint: " << last_error(sim);
       } else {
@@ -165,7 +167,7 @@ TEST(Guards, IndicesInAnImageAreChecked) {
 
 TEST(OddModels, AFractureThatReachesTheBoundaryIsToldAndNothingBreaksDown) {
   hfrac::Definition def = cracking_def(400);
-  def.wells[0].pressure = 200e6;
+  def.wells[0].pressure = 100e6;
   def.stop_extent_fraction = 0.3;
   const Sim sim(def);
   double reached = 0.0;

@@ -32,7 +32,10 @@ hfrac::Definition model(std::vector<double>& discs) {
   def.wells[0].x = 50.0;
   def.wells[0].y = 48.0;
   def.wells[0].radius = 12.0;
-  def.wells[0].pressure = 150e6;
+  def.wells[0].pressure = 50e6;
+  // A weak line beside the well, since the lattice breaks as a whole or not at all.
+  hfrac_sim_def_set_i64(&def, "joint_count", 1);
+  def.joints[0] = {62.0, 44.0, 73.0, 44.0, 0.2, 0.2, -1.0, HFRAC_JOINT_BONDED};
   return def;
 }
 

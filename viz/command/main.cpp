@@ -82,6 +82,8 @@ int main(int argument_count, char** arguments) {
     return run_program(argument_count, arguments);
   } catch (const BadInput& error) {
     return complain(error.what(), kBadInput);
+  } catch (const run::EngineError& error) {
+    return complain(error.what(), error.status() == HFRAC_ERR_COLLAPSED ? kCollapsed : kRunFailed);
   } catch (const std::bad_alloc&) {
     return complain("out of memory", kRunFailed);
   } catch (const std::exception& error) {

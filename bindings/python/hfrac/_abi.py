@@ -47,6 +47,9 @@ class Status(enum.IntEnum):
     ERR_FILE = -11
     #: a callback threw an exception; the simulation is at its last whole step
     ERR_CALLBACK = -12
+    #: the rock fell apart: it does not bear its load, or a disc left its place in a step; state as before the
+    #: step
+    ERR_COLLAPSED = -13
     #: an error of the library itself; please report it
     ERR_INTERNAL = -99
 
@@ -269,6 +272,7 @@ STATUS_TEXTS = {
     -10: 'an earlier error left the simulation unusable; only last_error and destroy work',
     -11: 'a file cannot be written, cannot be read, or is not what it should be',
     -12: 'a callback threw an exception; the simulation is at its last whole step',
+    -13: 'the rock fell apart: it does not bear its load, or a disc left its place in a step; state as before the step',
     -99: 'an error of the library itself; please report it',
 }
 
@@ -471,6 +475,7 @@ class hfrac_sim_def(ctypes.Structure):
         ("bond_smallest_fragment", ctypes.c_int64),
         ("fracture_law", ctypes.c_int64),
         ("fracture_plane_modulus", ctypes.c_double),
+        ("initial_broken_fraction", ctypes.c_double),
     ]
 
 

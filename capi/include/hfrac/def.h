@@ -411,6 +411,10 @@ typedef struct hfrac_sim_def {
   /** [Pa] Law facet: E' = E / (1 - nu^2) of the rock at a tip, undrained where its pores are tight; 'hfrac
    * lab elastic' gives the drained one. Needed with bond.fracture_toughness. Default 0.0. */
   double fracture_plane_modulus;
+
+  /** [1] Share of the bonds, or 10 of them if that is more, that may break in the initial equilibration;
+   * where more break the rock does not bear the far field, and no simulation is built. Default 0.01. */
+  double initial_broken_fraction;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */

@@ -217,7 +217,7 @@ void call(Host& host, std::uint8_t what, std::uint8_t pick) {
       status = fuzz::host_call(sim, host.def, kind - 30, argument, number(what));
   }
   demand(status != HFRAC_ERR_INTERNAL);
-  demand(status == HFRAC_ERR_INTERNAL || (status >= HFRAC_ERR_CALLBACK && status <= HFRAC_STOP_CONDITION));
+  demand(status == HFRAC_ERR_INTERNAL || (status >= HFRAC_ERR_COLLAPSED && status <= HFRAC_STOP_CONDITION));
   if (status == HFRAC_ERR_ARGUMENT && sim != nullptr) demand(hash_of(sim) == before);
 }
 

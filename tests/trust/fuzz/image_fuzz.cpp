@@ -59,8 +59,8 @@ Model build(int64_t kind) {
   def.wells[0].pressure = 80e6;
   if (kind == 3) {
     def.thermal_mode = 2;
-    def.schedule[0] = {0, 0.05, 1e-3, HFRAC_WELL_RATE};
     hfrac_sim_def_set_i64(&def, "schedule_count", 1);
+    def.schedule[0] = {0, 0.05, 1e-3, HFRAC_WELL_RATE};
   }
   Model model;
   demand(hfrac_sim_create(&def, &model.sim) == HFRAC_OK);
