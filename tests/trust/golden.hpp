@@ -6,6 +6,7 @@
 #include <hfrac/definition.hpp>
 
 #include <cstdint>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct Case {
   std::string name;
   hfrac::Definition def;
   int64_t steps;
+  // What a test's list shows, instead of the bytes.
+  friend std::ostream& operator<<(std::ostream& out, const Case& which) { return out << which.name; }
 };
 
 /** Both solvers, all stepping modes, all ways of the flow, both boundaries; each breaks bonds, but for the dry one. */
