@@ -27,10 +27,11 @@ static Model* model_of(const Bmi* self) {
 #define WITH_GRID(result)                                    \
   Model* model = model_of(self);                             \
   if (model == NULL || (result) == NULL) return BMI_FAILURE; \
-  if (!has_grid(model, grid)) return done(fail(model, "the model has no such grid; they are 0 to 2."))
+  if (!has_grid(model, grid)) return done(fail(model, "the model has no such grid; they are 0 to 3."))
 
 static int has_grid(const Model* model, int grid) {
-  return grid == GRID_ROCK || grid == GRID_SCALAR || (grid == GRID_WELLS && well_count(model) > 0);
+  return grid == GRID_ROCK || grid == GRID_SCALAR || (grid == GRID_WELLS && well_count(model) > 0) ||
+         (grid == GRID_CELLS && cell_count(model) > 0);
 }
 
 static int put_text(char* to, const char* text) {
@@ -54,6 +55,7 @@ static int finalize(Bmi* self) {
   if (self == NULL) return BMI_FAILURE;
   if (model == NULL) return BMI_SUCCESS;
   for (v = 0; v < VARIABLE_COUNT; ++v) free(model->shared[v]);
+  free(model->boundary);
   if (hfrac_sim_destroy(&model->sim) < 0) result = BMI_FAILURE;
   free(model);
   self->data = NULL;
@@ -67,9 +69,11 @@ static int initialize(Bmi* self, const char* config_file) {
   if (model == NULL) return BMI_FAILURE;
   if (hfrac_sim_def_init(&model->def, (int32_t)sizeof model->def) < 0 ||
       hfrac_sim_def_load(&model->def, config_file) < 0 || hfrac_sim_create(&model->def, &model->sim) < 0) {
+    hfrac_sim_def_free(&model->def);
     free(model);
     return BMI_FAILURE;
   }
+  hfrac_sim_def_free(&model->def); /* options are all that is asked for later */
   self->data = model;
   return BMI_SUCCESS;
 }
@@ -171,6 +175,7 @@ static int get_var_grid(Bmi* self, const char* name, int* grid) {
   WITH_VARIABLE(grid);
   *grid = variables[variable].place == AT_WELL    ? GRID_WELLS
           : variables[variable].place == AT_MODEL ? GRID_SCALAR
+          : variables[variable].place == AT_CELL  ? GRID_CELLS
                                                   : GRID_ROCK;
   return BMI_SUCCESS;
 }
@@ -309,6 +314,7 @@ static int get_grid_rank(Bmi* self, int grid, int* rank) {
 static int get_grid_node_count(Bmi* self, int grid, int* count) {
   WITH_GRID(count);
   if (grid == GRID_ROCK) return put_int(model, item_count(model, HFRAC_DISC_RADIUS), count);
+  if (grid == GRID_CELLS) return put_int(model, cell_count(model), count);
   return put_int(model, grid == GRID_WELLS ? well_count(model) : 1, count);
 }
 
@@ -318,28 +324,40 @@ static int get_grid_size(Bmi* self, int grid, int* size) {
 
 static int get_grid_type(Bmi* self, int grid, char* type) {
   WITH_GRID(type);
-  return put_text(type, grid == GRID_SCALAR ? "scalar" : "unstructured");
+  return put_text(type, grid == GRID_SCALAR  ? "scalar"
+                        : grid == GRID_CELLS ? "uniform_rectilinear"
+                                             : "unstructured");
 }
 
-static int no_lattice(Bmi* self) {
+/* The model of a lattice, which only the grid of cells is; NULL with a text otherwise. */
+static const Model* lattice(Bmi* self, int grid, const void* result) {
   Model* model = model_of(self);
-  if (model != NULL) fail(model, "no grid of this model is a lattice; see get_grid_type.");
-  return BMI_FAILURE;
+  if (model == NULL || result == NULL) return NULL;
+  if (grid == GRID_CELLS && cell_count(model) > 0) return model;
+  fail(model, "this grid is no lattice; see get_grid_type.");
+  return NULL;
 }
+/* BMI has the axes from the slowest, y, to the fastest, x. Nodes are the middles of cells. */
 static int get_grid_shape(Bmi* self, int grid, int* shape) {
-  (void)grid;
-  (void)shape;
-  return no_lattice(self);
+  const Model* model = lattice(self, grid, shape);
+  if (model == NULL) return BMI_FAILURE;
+  shape[0] = (int)model->grid.ny;
+  shape[1] = (int)model->grid.nx;
+  return BMI_SUCCESS;
 }
 static int get_grid_spacing(Bmi* self, int grid, double* spacing) {
-  (void)grid;
-  (void)spacing;
-  return no_lattice(self);
+  const Model* model = lattice(self, grid, spacing);
+  if (model == NULL) return BMI_FAILURE;
+  spacing[0] = model->grid.dy;
+  spacing[1] = model->grid.dx;
+  return BMI_SUCCESS;
 }
 static int get_grid_origin(Bmi* self, int grid, double* origin) {
-  (void)grid;
-  (void)origin;
-  return no_lattice(self);
+  const Model* model = lattice(self, grid, origin);
+  if (model == NULL) return BMI_FAILURE;
+  origin[0] = model->grid.origin[1] + 0.5 * model->grid.dy;
+  origin[1] = model->grid.origin[0] + 0.5 * model->grid.dx;
+  return BMI_SUCCESS;
 }
 
 /* Coordinates of a grid's nodes; axis 0: x, 1: y. */
@@ -350,6 +368,12 @@ static int coordinates(Bmi* self, int grid, int axis, double* to) {
   int w;
   WITH_GRID(to);
   if (grid == GRID_SCALAR) return done(fail(model, "one value for the model has no coordinates."));
+  if (grid == GRID_CELLS) {
+    const double step = axis == 0 ? model->grid.dx : model->grid.dy;
+    for (k = 0; k < (axis == 0 ? model->grid.nx : model->grid.ny); ++k)
+      to[k] = model->grid.origin[axis] + ((double)k + 0.5) * step;
+    return BMI_SUCCESS;
+  }
   if (grid == GRID_WELLS) {
     for (w = 0; w < well_count(model); ++w) {
       state.struct_size = (int32_t)sizeof state;
@@ -422,6 +446,12 @@ int bmi_hfrac_last_error(const Bmi* model, char* text, int capacity) {
     strncat(text, "the model is not initialized; call initialize with a case file first.",
             (size_t)capacity - 1);
   return BMI_SUCCESS;
+}
+
+int bmi_hfrac_set_grid(Bmi* model, int nx, int ny, const double* origin, const double* spacing) {
+  Model* inside = model_of(model);
+  if (inside == NULL || origin == NULL || spacing == NULL) return BMI_FAILURE;
+  return done(lay_cells(inside, nx, ny, origin, spacing));
 }
 
 Bmi* register_bmi_hfrac(Bmi* model) {

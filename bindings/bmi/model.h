@@ -6,10 +6,10 @@
 #include <hfrac/hfrac.h>
 #include <stddef.h>
 
-enum grid { GRID_ROCK = 0, GRID_SCALAR = 1, GRID_WELLS = 2 };
-enum place { AT_NODE, AT_EDGE, AT_FACE, AT_WELL, AT_MODEL };
+enum grid { GRID_ROCK = 0, GRID_SCALAR = 1, GRID_WELLS = 2, GRID_CELLS = 3 };
+enum place { AT_NODE, AT_EDGE, AT_FACE, AT_WELL, AT_MODEL, AT_CELL };
 enum direction { OUT = 1, IN = 2, BOTH = 3 };
-enum { VARIABLE_COUNT = 24 };
+enum { VARIABLE_COUNT = 34 };
 
 typedef struct Variable {
   const char *name, *units;
@@ -17,7 +17,7 @@ typedef struct Variable {
   enum place place;
   int direction;
   int field, component; /* of the rock's variables */
-  size_t offset;        /* of a well's: member of hfrac_well_state */
+  size_t offset;        /* of a well's: member of hfrac_well_state; of a cell's: of hfrac_cell */
 } Variable;
 
 typedef struct Model {
@@ -25,13 +25,15 @@ typedef struct Model {
   hfrac_sim_def def;
   char error[1024];             /* of this layer; empty: the library has the text */
   void* shared[VARIABLE_COUNT]; /* what get_value_ptr gave out */
+  hfrac_grid grid;              /* of cells; nx 0: none is laid */
+  double* boundary;             /* Pa beyond the model's edge, by cell */
 } Model;
 
 extern const Variable variables[VARIABLE_COUNT];
 
 /* Index of a variable that this model has, -1 with a text if there is none. */
 int find_variable(Model* model, const char* name);
-/* Whether the model has the variable: those of wells need wells. */
+/* Whether the model has the variable: those of wells need wells, those of cells a grid. */
 int has_variable(const Model* model, int variable);
 /* Number of values; -1 with a text on failure. */
 int64_t value_count(Model* model, int variable);
@@ -42,6 +44,10 @@ int get_all(Model* model, int variable, void* to);
 int set_some(Model* model, int variable, const int* indices, int64_t count, const void* values);
 /* Renews what get_value_ptr gave out. */
 int renew_shared(Model* model);
+
+/* Lays cells over the model, in place of earlier ones. */
+int lay_cells(Model* model, int nx, int ny, const double* origin, const double* spacing);
+int64_t cell_count(const Model* model);
 
 /* Items of a field. */
 int64_t item_count(Model* model, int field);

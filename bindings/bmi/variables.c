@@ -10,6 +10,8 @@
   { name, units, type, place, OUT, field, component, 0 }
 #define WELL(name, units, direction, member) \
   { name, units, "double", AT_WELL, direction, -1, 0, offsetof(hfrac_well_state, member) }
+#define CELL(name, units, direction, member) \
+  { name, units, "double", AT_CELL, direction, -1, 0, offsetof(hfrac_cell, member) }
 #define MODEL(name, units, type, direction) \
   { name, units, type, AT_MODEL, direction, -1, 0, 0 }
 
@@ -21,7 +23,8 @@ enum { /* rows of MODEL, by their place in the table */
        FRACTURE_LENGTH,
        FRACTURE_APERTURE,
        FRACTURE_VOLUME,
-       LEAKED_VOLUME
+       LEAKED_VOLUME,
+       BOUNDARY_PRESSURE /* the first of CELL */
 };
 
 const Variable variables[VARIABLE_COUNT] = {
@@ -49,6 +52,16 @@ const Variable variables[VARIABLE_COUNT] = {
     MODEL("rock_fracture__largest_aperture", "m", "double", OUT),
     MODEL("rock_fracture__volume_per_thickness", "m2", "double", OUT),
     MODEL("rock_boundary_fluid__leaked_volume_per_thickness", "m2", "double", OUT),
+    CELL("cell_boundary_fluid__pressure", "Pa", BOTH, pressure), /* not the member: what was set */
+    CELL("cell_boundary_fluid__outflow_rate_per_thickness", "m2 s-1", OUT, outflow),
+    CELL("cell_boundary_fluid__conductance_per_thickness", "m2 Pa-1 s-1", OUT, conductance),
+    CELL("cell_rock_fluid__leak-off_rate_per_thickness", "m2 s-1", OUT, leak_off),
+    CELL("cell_rock_fluid__pressure", "Pa", OUT, pressure),
+    CELL("cell_rock_fracture_fluid__pressure", "Pa", OUT, fracture_pressure),
+    CELL("cell_rock_fracture__xx_component_of_permeability", "m2", OUT, permeability[0]),
+    CELL("cell_rock_fracture__yy_component_of_permeability", "m2", OUT, permeability[1]),
+    CELL("cell_rock_fracture__xy_component_of_permeability", "m2", OUT, permeability[2]),
+    CELL("cell_rock_matrix__permeability", "m2", OUT, matrix_permeability),
 };
 
 int fail(Model* model, const char* text) {
@@ -66,7 +79,12 @@ int well_count(const Model* model) {
   return hfrac_well_count(model->sim, &count) == HFRAC_OK ? count : 0;
 }
 
+int64_t cell_count(const Model* model) {
+  return model->grid.nx * model->grid.ny;
+}
+
 int has_variable(const Model* model, int variable) {
+  if (variables[variable].place == AT_CELL) return cell_count(model) > 0;
   return variables[variable].place != AT_WELL || well_count(model) > 0;
 }
 
@@ -93,6 +111,8 @@ int64_t value_count(Model* model, int variable) {
       return well_count(model);
     case AT_MODEL:
       return 1;
+    case AT_CELL:
+      return cell_count(model);
     default:
       count = item_count(model, variables[variable].field);
       /* Domain 0, the outside, is no face. */
@@ -131,6 +151,59 @@ static int get_wells(Model* model, const Variable* v, double* to) {
     state.struct_size = (int32_t)sizeof state;
     if (passed(model, hfrac_well_get(model->sim, w, &state)) != 0) return -1;
     memcpy(&to[w], (const char*)&state + v->offset, sizeof(double));
+  }
+  return 0;
+}
+
+static int get_cells(Model* model, int variable, double* to) {
+  const int64_t count = cell_count(model);
+  const size_t offset = variables[variable].offset;
+  /* The tensor of the flow is dear, all else is the same by either way. */
+  const int flow = strstr(variables[variable].name, "permeability") != NULL;
+  int64_t there = 0, c;
+  int result;
+  hfrac_cell* cells;
+  if (variable == BOUNDARY_PRESSURE) {
+    memcpy(to, model->boundary, (size_t)count * sizeof *to);
+    return 0;
+  }
+  cells = (hfrac_cell*)malloc((size_t)count * sizeof *cells);
+  if (cells == NULL) return fail(model, "out of memory.");
+  result = passed(model, hfrac_grid_cells(model->sim, flow ? HFRAC_UPSCALE_FLOW : HFRAC_UPSCALE_ODA,
+                                          (int32_t)sizeof *cells, cells, count, &there));
+  for (c = 0; result == 0 && c < count; ++c) memcpy(&to[c], (const char*)&cells[c] + offset, sizeof(double));
+  free(cells);
+  return result;
+}
+
+int lay_cells(Model* model, int nx, int ny, const double* origin, const double* spacing) {
+  hfrac_grid grid;
+  hfrac_sim_state state;
+  double* boundary;
+  int64_t c;
+  int v;
+  memset(&grid, 0, sizeof grid);
+  grid.struct_size = (int32_t)sizeof grid;
+  grid.nx = nx;
+  grid.ny = ny;
+  grid.origin[0] = origin[0];
+  grid.origin[1] = origin[1];
+  grid.dx = spacing[0];
+  grid.dy = spacing[1];
+  state.struct_size = (int32_t)sizeof state;
+  if (passed(model, hfrac_sim_get_state(model->sim, &state)) != 0 ||
+      passed(model, hfrac_set_grid(model->sim, &grid)) != 0)
+    return -1;
+  boundary = (double*)malloc((size_t)(grid.nx * grid.ny) * sizeof *boundary);
+  if (boundary == NULL) return fail(model, "out of memory.");
+  for (c = 0; c < grid.nx * grid.ny; ++c) boundary[c] = state.formation_pressure;
+  free(model->boundary);
+  model->boundary = boundary;
+  model->grid = grid;
+  for (v = 0; v < VARIABLE_COUNT; ++v) {
+    if (variables[v].place != AT_CELL) continue;
+    free(model->shared[v]);
+    model->shared[v] = NULL;
   }
   return 0;
 }
@@ -178,6 +251,7 @@ static int get_of_model(Model* model, int variable, void* to) {
 int get_all(Model* model, int variable, void* to) {
   const Variable* v = &variables[variable];
   if (v->place == AT_WELL) return get_wells(model, v, (double*)to);
+  if (v->place == AT_CELL) return get_cells(model, variable, (double*)to);
   if (v->place == AT_MODEL) return get_of_model(model, variable, to);
   return get_field(model, v, to);
 }
@@ -196,6 +270,23 @@ static int set_one(Model* model, int variable, int at, double value) {
                                            variable == SIGMA_H_MIN ? value : state.sigma_hmin));
 }
 
+/* All cells at once, as the library takes them; nothing changes if it refuses them. */
+static int set_boundary(Model* model, const int* indices, int64_t count, const double* values) {
+  const size_t size = (size_t)cell_count(model) * sizeof(double);
+  double* wanted = (double*)malloc(size);
+  int64_t k;
+  if (wanted == NULL) return fail(model, "out of memory.");
+  memcpy(wanted, model->boundary, size);
+  for (k = 0; k < count; ++k) wanted[indices != NULL ? indices[k] : (int)k] = values[k];
+  if (passed(model, hfrac_set_boundary_pressure(model->sim, wanted, cell_count(model))) != 0) {
+    free(wanted);
+    return -1;
+  }
+  free(model->boundary);
+  model->boundary = wanted;
+  return 0;
+}
+
 int set_some(Model* model, int variable, const int* indices, int64_t count, const void* values) {
   const int64_t there = value_count(model, variable);
   int64_t k;
@@ -207,6 +298,7 @@ int set_some(Model* model, int variable, const int* indices, int64_t count, cons
     if (indices[k] < 0 || indices[k] >= there)
       return fail(model, "an index is outside the variable's values.");
   }
+  if (variable == BOUNDARY_PRESSURE) return set_boundary(model, indices, count, (const double*)values);
   for (k = 0; k < count; ++k) {
     if (set_one(model, variable, indices != NULL ? indices[k] : (int)k, ((const double*)values)[k]) != 0)
       return -1;

@@ -182,6 +182,7 @@ contains
       call def%load(case_file)
     end if
     call self%create_from_definition(def, stat, errmsg)
+    load_stat = hfrac_sim_def_free(def%values)
   end subroutine create_from_file
 
   !> Ends the simulation; there may be none.
@@ -461,10 +462,10 @@ contains
     call report(hfrac_epoch(self%handle, now), self%handle, stat, errmsg)
   end function epoch
 
-  !> What the simulation was built from, defaults filled in.
+  !> What the simulation was built from, defaults filled in. Its lists are freed by def%free.
   subroutine definition(self, def, stat, errmsg)
     class(hfrac_simulation), intent(in) :: self
-    type(hfrac_definition), intent(out) :: def
+    type(hfrac_definition), intent(inout) :: def
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
     call def%init()

@@ -56,6 +56,8 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_ERR_FILE = -11
   !> a callback threw an exception; the simulation is at its last whole step
   integer(c_int32_t), parameter :: HFRAC_ERR_CALLBACK = -12
+  !> the rock fell apart: it does not bear its load, or a disc left its place in a step; state as before the step
+  integer(c_int32_t), parameter :: HFRAC_ERR_COLLAPSED = -13
   !> an error of the library itself; please report it
   integer(c_int32_t), parameter :: HFRAC_ERR_INTERNAL = -99
 
@@ -70,10 +72,7 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_LOG_DETAIL = 4
 
   ! hfrac_def_limits.
-  integer(c_int32_t), parameter :: HFRAC_MAX_WELLS = 8
   integer(c_int32_t), parameter :: HFRAC_TITLE_SIZE = 128
-  integer(c_int32_t), parameter :: HFRAC_MAX_JOINTS = 64
-  integer(c_int32_t), parameter :: HFRAC_MAX_SCHEDULE = 64
 
   ! How a well is driven.
   !> held at `pressure` from the first step
@@ -278,8 +277,28 @@ module hfrac_c
   type, bind(C) :: hfrac_sim_def
     !> sizeof(hfrac_sim_def) of the caller, set by init
     integer(c_int32_t) :: struct_size = 0_c_int32_t
-    !> set by init
+    !> set by init; 2 since lists are pointers
     integer(c_int32_t) :: struct_version = 0_c_int32_t
+    !> the library's own lists, not to be touched; NULL from init
+    type(c_ptr) :: lists = c_null_ptr
+    !> the first well; NULL if there is none
+    type(c_ptr) :: wells = c_null_ptr
+    !> wells
+    integer(c_int64_t) :: well_count = 0_c_int64_t
+    !> [bytes] from one well to the next: sizeof(hfrac_well_def) of whoever filled them
+    integer(c_int64_t) :: well_size = 0_c_int64_t
+    !> the first line of weakness; NULL if there is none
+    type(c_ptr) :: joints = c_null_ptr
+    !> joints
+    integer(c_int64_t) :: joint_count = 0_c_int64_t
+    !> [bytes] from one joint to the next
+    integer(c_int64_t) :: joint_size = 0_c_int64_t
+    !> the first entry of the wells' schedules; NULL if there is none
+    type(c_ptr) :: schedule = c_null_ptr
+    !> entries
+    integer(c_int64_t) :: schedule_count = 0_c_int64_t
+    !> [bytes] from one entry to the next
+    integer(c_int64_t) :: schedule_size = 0_c_int64_t
     !> [m] Extent of the model along x, the direction of sigma_Hmax. Default 100.0.
     real(c_double) :: model_width = 0.0_c_double
     !> [m] Extent of the model along y, the direction of sigma_hmin. Default 100.0.
@@ -394,10 +413,6 @@ module hfrac_c
     integer(c_int64_t) :: run_workers = 0_c_int64_t
     !> Steps between the snapshots of a run by the hfrac command. Default 10.
     integer(c_int64_t) :: output_every = 0_c_int64_t
-    !> wells used of the array below, 0 to HFRAC_MAX_WELLS
-    integer(c_int64_t) :: well_count = 0_c_int64_t
-    !> the wells
-    type(hfrac_well_def) :: wells(8)
     !> free text, ends up in the output
     character(kind=c_char) :: title(128) = c_null_char
     !> Own packing instead of ours: x, y, radius per disc [m], borrowed during hfrac_sim_create; NULL: the engine
@@ -463,14 +478,6 @@ module hfrac_c
     !> [1] K_Ic over sigma_c sqrt(R) of the packing, for bond.fracture_toughness; 'hfrac lab centre-crack' measures
     !> it. 0: what it measured on the default rock of contact.mode. Default 0.0.
     real(c_double) :: bond_toughness_coefficient = 0.0_c_double
-    !> joints used of the array below, 0 to HFRAC_MAX_JOINTS
-    integer(c_int64_t) :: joint_count = 0_c_int64_t
-    !> lines of weakness
-    type(hfrac_joint_def) :: joints(64)
-    !> entries used of the array below, 0 to HFRAC_MAX_SCHEDULE
-    integer(c_int64_t) :: schedule_count = 0_c_int64_t
-    !> how wells are driven over time
-    type(hfrac_schedule_def) :: schedule(64)
     !> [Pa s^n] Consistency K of a shear-thinning fluid: its rate of shear is tau / viscosity + (tau / K)^(1/n), so
     !> fluid.viscosity is that at rest. 0: Newtonian, with fluid.viscosity. Default 0.0.
     real(c_double) :: fluid_consistency = 0.0_c_double
@@ -578,6 +585,9 @@ module hfrac_c
     !> [Pa] Law facet: E' = E / (1 - nu^2) of the rock at a tip, undrained where its pores are tight; 'hfrac lab
     !> elastic' gives the drained one. Needed with bond.fracture_toughness. Default 0.0.
     real(c_double) :: fracture_plane_modulus = 0.0_c_double
+    !> [1] Share of the bonds, or 10 of them if that is more, that may break in the initial equilibration; where
+    !> more break the rock does not bear the far field, and no simulation is built. Default 0.01.
+    real(c_double) :: initial_broken_fraction = 0.0_c_double
     !> [m] Law facet: slots of this length are cut into the wall of every hole, on two opposite sides, before
     !> injection; fluid enters them freely. 0: none. Default 0.0.
     real(c_double) :: fracture_perforation_length = 0.0_c_double
@@ -1286,6 +1296,21 @@ module hfrac_c
       integer(c_int32_t), value :: struct_size
       integer(c_int32_t) :: hfrac_sim_def_init
     end function hfrac_sim_def_init
+    !> Ends the lists of `def` that belong to the library; they are empty then, and everything else stays. NULL and
+    !> a definition without such lists are fine. Stable since 0.1.
+    function hfrac_sim_def_free(def) bind(C, name="hfrac_sim_def_free")
+      import
+      type(hfrac_sim_def), intent(inout) :: def
+      integer(c_int32_t) :: hfrac_sim_def_free
+    end function hfrac_sim_def_free
+    !> Gives `to`, which hfrac_sim_def_init has filled, all values of `from` with lists of its own; lists that
+    !> belonged to `to` end. Given discs and bonds stay the caller's, shared by both. Stable since 0.1.
+    function hfrac_sim_def_copy(from, to) bind(C, name="hfrac_sim_def_copy")
+      import
+      type(hfrac_sim_def), intent(in) :: from
+      type(hfrac_sim_def), intent(inout) :: to
+      integer(c_int32_t) :: hfrac_sim_def_copy
+    end function hfrac_sim_def_copy
     !> Reads a TOML case file over `def`. Unknown keys, wrong types and values out of range are refused with file,
     !> line, key, allowed range and the nearest known key (HFRAC_ERR_CASE_FILE); `def` is then unchanged. Stable
     !> since 0.1.
@@ -1330,7 +1355,8 @@ module hfrac_c
       real(c_double), value :: value
       integer(c_int32_t) :: hfrac_sim_def_set_f64
     end function hfrac_sim_def_set_f64
-    !> Sets an integer option, or a choice by its index. Stable since 0.1.
+    !> Sets an integer option, or a choice by its index. "well_count", "joint_count", "schedule_count": makes the
+    !> list that long, as the library's own; items added have the keys' defaults. Stable since 0.1.
     function hfrac_sim_def_set_i64(def, key, value) bind(C, name="hfrac_sim_def_set_i64")
       import
       type(hfrac_sim_def), intent(inout) :: def
@@ -1429,7 +1455,9 @@ module hfrac_c
       type(hfrac_option_info), intent(inout) :: info
       integer(c_int32_t) :: hfrac_schedule_option_at
     end function hfrac_schedule_option_at
-    !> Builds a simulation. On failure *sim is NULL and hfrac_last_error(NULL, ...) says why. Stable since 0.1.
+    !> Builds a simulation. On failure *sim is NULL and hfrac_last_error(NULL, ...) says why. HFRAC_ERR_COLLAPSED:
+    !> more than initial.broken_fraction of the bonds broke under the far field, or the rock found no rest at all.
+    !> Stable since 0.1.
     function hfrac_sim_create(def, sim) bind(C, name="hfrac_sim_create")
       import
       type(hfrac_sim_def), intent(in) :: def
@@ -1442,8 +1470,8 @@ module hfrac_c
       type(c_ptr), intent(inout) :: sim
       integer(c_int32_t) :: hfrac_sim_destroy
     end function hfrac_sim_destroy
-    !> The definition the simulation was built from, defaults filled in; `def->struct_size` must be set. Stable
-    !> since 0.1.
+    !> The definition the simulation was built from, defaults filled in, into `def`, which hfrac_sim_def_init has
+    !> filled; its lists are the library's then (hfrac_sim_def_free). Stable since 0.1.
     function hfrac_sim_definition(sim, def) bind(C, name="hfrac_sim_definition")
       import
       type(c_ptr), value :: sim

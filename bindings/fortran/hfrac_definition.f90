@@ -51,7 +51,13 @@ module hfrac_definition_module
     procedure(hfrac_log), pointer, nopass :: log => null()
   contains
     procedure :: init
+    procedure :: free
+    procedure :: copy_to
     procedure :: load
+    !> Lists of any length at once: call def%set_wells([hfrac_well_def(...), ...]); by key they grow item by item.
+    procedure :: set_wells
+    procedure :: set_joints
+    procedure :: set_schedule
     procedure :: check
     procedure :: get
     procedure :: get_integer
@@ -69,6 +75,85 @@ contains
     if (self%values%struct_size /= 0) return
     call report(hfrac_sim_def_init(self%values, int(c_sizeof(self%values), c_int32_t)), c_null_ptr)
   end subroutine init
+
+  !> Ends the lists (wells, joints, schedule), which the library holds; they are empty then. Assigning a definition does not
+  !> copy them: of two such, one is used and freed, or the other is made with copy_to.
+  subroutine free(self, stat, errmsg)
+    class(hfrac_definition), intent(inout) :: self
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call self%init()
+    call report(hfrac_sim_def_free(self%values), c_null_ptr, stat, errmsg)
+  end subroutine free
+
+  !> The same values in another definition, with lists, discs and bonds of its own.
+  subroutine copy_to(self, other, stat, errmsg)
+    class(hfrac_definition), intent(inout) :: self
+    type(hfrac_definition), intent(inout) :: other
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call self%init()
+    call other%init()
+    if (allocated(self%discs)) other%discs = self%discs
+    if (allocated(self%bonds)) other%bonds = self%bonds
+    other%progress => self%progress
+    other%log => self%log
+    call report(hfrac_sim_def_copy(self%values, other%values), c_null_ptr, stat, errmsg)
+  end subroutine copy_to
+
+  !> These wells instead of those that are set.
+  subroutine set_wells(self, wells, stat, errmsg)
+    class(hfrac_definition), intent(inout) :: self
+    type(hfrac_well_def), intent(in), target, contiguous :: wells(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_sim_def) :: given
+    call self%init()
+    given = self%values
+    given%well_count = size(wells, kind=c_int64_t)
+    given%wells = c_null_ptr
+    if (size(wells) > 0) then
+      given%wells = c_loc(wells)
+      given%well_size = c_sizeof(wells(1))
+    end if
+    call report(hfrac_sim_def_copy(given, self%values), c_null_ptr, stat, errmsg)
+  end subroutine set_wells
+
+  !> These joints instead of those that are set. Set every value of each: zeros are not the defaults of the keys.
+  subroutine set_joints(self, joints, stat, errmsg)
+    class(hfrac_definition), intent(inout) :: self
+    type(hfrac_joint_def), intent(in), target, contiguous :: joints(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_sim_def) :: given
+    call self%init()
+    given = self%values
+    given%joint_count = size(joints, kind=c_int64_t)
+    given%joints = c_null_ptr
+    if (size(joints) > 0) then
+      given%joints = c_loc(joints)
+      given%joint_size = c_sizeof(joints(1))
+    end if
+    call report(hfrac_sim_def_copy(given, self%values), c_null_ptr, stat, errmsg)
+  end subroutine set_joints
+
+  !> This schedule of the wells instead of the one that is set.
+  subroutine set_schedule(self, entries, stat, errmsg)
+    class(hfrac_definition), intent(inout) :: self
+    type(hfrac_schedule_def), intent(in), target, contiguous :: entries(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_sim_def) :: given
+    call self%init()
+    given = self%values
+    given%schedule_count = size(entries, kind=c_int64_t)
+    given%schedule = c_null_ptr
+    if (size(entries) > 0) then
+      given%schedule = c_loc(entries)
+      given%schedule_size = c_sizeof(entries(1))
+    end if
+    call report(hfrac_sim_def_copy(given, self%values), c_null_ptr, stat, errmsg)
+  end subroutine set_schedule
 
   !> Reads a case file over what is set so far.
   subroutine load(self, path, stat, errmsg)

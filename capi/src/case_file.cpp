@@ -87,8 +87,8 @@ const char* wanted_name(ValueType type) {
 
 class CaseReader {
  public:
-  CaseReader(const std::string& path, const CaseDefinition& base, const MostItems& most)
-      : path_(printable(path, 400)), result_(base), most_(most) {}
+  CaseReader(const std::string& path, const CaseDefinition& base)
+      : path_(printable(path, 400)), result_(base) {}
 
   CaseDefinition read(const toml::table& root) {
     const toml::node* wells = nullptr;
@@ -162,17 +162,12 @@ class CaseReader {
     }
   }
 
-  // The tables of a list, at most `most` of them.
-  std::vector<const toml::table*> tables_of(const toml::node& node, const std::string& name,
-                                            const std::string& plural, std::size_t most) const {
+  // The tables of a list.
+  std::vector<const toml::table*> tables_of(const toml::node& node, const std::string& name) const {
     const std::string wrong =
         name + " must be a list of tables; write [[" + name + "]] above each one's keys.";
     const toml::array* list = node.as_array();
     if (list == nullptr) refuse(node, wrong);
-    if (list->size() > most) {
-      refuse(node, std::to_string(list->size()) + " " + plural + " are too many; at most " +
-                       std::to_string(most) + " can be defined.");
-    }
     std::vector<const toml::table*> tables;
     for (const toml::node& item : *list) {
       if (item.as_table() == nullptr) refuse(item, wrong);
@@ -184,7 +179,7 @@ class CaseReader {
   void read_wells(const toml::node& node) {
     result_.wells.clear();
     result_.schedule.clear();
-    for (const toml::table* table : tables_of(node, "well", "wells", most_.wells)) {
+    for (const toml::table* table : tables_of(node, "well")) {
       const std::string name = "well[" + std::to_string(result_.wells.size()) + "]";
       result_.wells.push_back(read_well(*table, name));
       if (const toml::node* schedule = table->get("schedule")) read_schedule(*schedule, name);
@@ -194,8 +189,7 @@ class CaseReader {
   // Entries of the well read last.
   void read_schedule(const toml::node& node, const std::string& well) {
     std::size_t number = 0;
-    for (const toml::table* table :
-         tables_of(node, "well.schedule", "entries", most_.schedule - result_.schedule.size())) {
+    for (const toml::table* table : tables_of(node, "well.schedule")) {
       const std::string name = well + ".schedule[" + std::to_string(number++) + "]";
       ScheduleEntry entry;
       entry.well = static_cast<std::int64_t>(result_.wells.size()) - 1;
@@ -224,7 +218,7 @@ class CaseReader {
 
   void read_joints(const toml::node& node) {
     result_.joints.clear();
-    for (const toml::table* table : tables_of(node, "joint", "joints", most_.joints)) {
+    for (const toml::table* table : tables_of(node, "joint")) {
       const std::string name = "joint[" + std::to_string(result_.joints.size()) + "]";
       JointOptions joint;
       for (const auto& [key, value] : entries_by_line(*table)) {
@@ -275,7 +269,6 @@ class CaseReader {
 
   std::string path_;
   CaseDefinition result_;
-  MostItems most_;
 };
 
 [[noreturn]] void refuse_line(const std::string& path, std::size_t line, const std::string& fault) {
@@ -405,8 +398,8 @@ std::string unknown_item_key_text(std::string_view list, std::string_view name) 
          did_you_mean(nearest.empty() ? "" : prefix + std::string(nearest));
 }
 
-CaseDefinition load_case(const std::string& path, const CaseDefinition& base, const MostItems& most) {
-  CaseReader reader(path, base, most);
+CaseDefinition load_case(const std::string& path, const CaseDefinition& base) {
+  CaseReader reader(path, base);
   return reader.read(parse(path, read_text_file(path)));
 }
 

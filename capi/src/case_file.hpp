@@ -20,14 +20,9 @@
 
 namespace hfrac::capi {
 
-// How many there may be.
-struct MostItems {
-  std::size_t wells, joints, schedule;
-};
-
 // Reads a case file over `base`. A file with wells replaces those of `base` with their schedules, one with joints its joints. Throws Error(case_file) with one
 // sentence "path:line: what is wrong and what is allowed".
-CaseDefinition load_case(const std::string& path, const CaseDefinition& base, const MostItems& most);
+CaseDefinition load_case(const std::string& path, const CaseDefinition& base);
 
 // Where the values of a case file stand: "packing.disc_count", "well[0]", "well[0].radius", "schedule[2].time" and the line.
 using KeyLines = std::map<std::string, std::size_t, std::less<>>;

@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <optional>
+#include <memory>
 #include <string>
 
 #include "case_file.hpp"
 #include "def_image.hpp"
+#include "def_lists.hpp"
 #include "internal.hpp"
 #include "options/number_text.hpp"
 #include "utf8.hpp"
@@ -22,43 +23,6 @@ namespace {
 [[noreturn]] void refuse_unknown(std::string_view key) {
   throw Error(ErrorKind::unknown_key, unknown_key_text(printable(key)));
 }
-
-// The lists of a definition, each the same way: "well[2].radius" is the value `radius` of item 2 of the list `well`.
-struct Wells {
-  static constexpr std::string_view name = "well", plural = "wells", count_key = "well_count";
-  static constexpr std::int64_t most = HFRAC_MAX_WELLS;
-  static auto& count(auto& def) { return def.well_count; }
-  static auto* items(auto& def) { return def.wells; }
-  static auto* find(std::string_view value) { return find_well_option(value); }
-  static WellOptions get(const hfrac_well_def& well) { return well_of(well); }
-  static void put(const WellOptions& from, hfrac_well_def& well) { put_well(from, well); }
-  static WellOptions fresh(const hfrac_sim_def& def) {
-    WellOptions well;
-    well.x = 0.5 * def.model_width;
-    well.y = 0.5 * def.model_height;
-    return well;
-  }
-};
-struct Joints {
-  static constexpr std::string_view name = "joint", plural = "joints", count_key = "joint_count";
-  static constexpr std::int64_t most = HFRAC_MAX_JOINTS;
-  static auto& count(auto& def) { return def.joint_count; }
-  static auto* items(auto& def) { return def.joints; }
-  static auto* find(std::string_view value) { return find_joint_value(value); }
-  static JointOptions get(const hfrac_joint_def& joint) { return joint_of(joint); }
-  static void put(const JointOptions& from, hfrac_joint_def& joint) { put_joint(from, joint); }
-  static JointOptions fresh(const hfrac_sim_def& /*def*/) { return {}; }
-};
-struct Schedule {
-  static constexpr std::string_view name = "schedule", plural = "entries", count_key = "schedule_count";
-  static constexpr std::int64_t most = HFRAC_MAX_SCHEDULE;
-  static auto& count(auto& def) { return def.schedule_count; }
-  static auto* items(auto& def) { return def.schedule; }
-  static auto* find(std::string_view value) { return find_schedule_value(value); }
-  static ScheduleEntry get(const hfrac_schedule_def& entry) { return entry_of(entry); }
-  static void put(const ScheduleEntry& from, hfrac_schedule_def& entry) { put_entry(from, entry); }
-  static ScheduleEntry fresh(const hfrac_sim_def& /*def*/) { return {}; }
-};
 
 // Calls use(list, index, entry of the list's table) if the key is of `List`.
 template <class List, class Use>
@@ -81,39 +45,69 @@ bool use_item(std::string_view key, const Use& use) {
   return use_item_of<Wells>(key, use) || use_item_of<Joints>(key, use) || use_item_of<Schedule>(key, use);
 }
 
-// The number of a list's items, nullptr if the key is no such number.
-std::int64_t* count_of(hfrac_sim_def& def, std::string_view key) {
-  if (key == Wells::count_key) return &def.well_count;
-  if (key == Joints::count_key) return &def.joint_count;
-  if (key == Schedule::count_key) return &def.schedule_count;
-  return nullptr;
+// Calls use(list) if the key is the number of a list's items.
+template <class Use>
+bool use_count(std::string_view key, const Use& use) {
+  bool found = false;
+  each_list([&](auto list) {
+    if (found || key != count_key(list)) return;
+    found = true;
+    use(list);
+  });
+  return found;
 }
 
 template <class List>
-[[noreturn]] void refuse_item(const hfrac_sim_def& def, std::int64_t index) {
-  throw Error(ErrorKind::argument,
-              std::string(List::name) + "[" + std::to_string(index) + "] is not there: " +
-                  std::string(List::count_key) + " is " + std::to_string(List::count(def)) + ", at most " +
-                  std::to_string(List::most) + "; " + std::string(List::plural) + " are added in order.");
+std::int64_t good_count(List list, const hfrac_sim_def& def) {
+  require_list(list, def);
+  return list.count(def);
+}
+
+template <class List>
+[[noreturn]] void refuse_item(List list, const hfrac_sim_def& def, std::int64_t index) {
+  throw Error(ErrorKind::argument, std::string(List::name) + "[" + std::to_string(index) +
+                                       "] is not there: " + count_key(list) + " is " +
+                                       std::to_string(list.count(def)) + "; " + std::string(List::plural) +
+                                       " are added in order.");
 }
 
 // The item of a key, to be read.
 template <class List>
-auto item_at(List /*list*/, const hfrac_sim_def& def, std::int64_t index) {
-  if (index >= std::min<std::int64_t>(List::count(def), List::most)) refuse_item<List>(def, index);
-  return List::get(List::items(def)[index]);
+auto item_at(List list, const hfrac_sim_def& def, std::int64_t index) {
+  if (index >= good_count(list, def)) refuse_item(list, def, index);
+  return item_of(list, def, index);
 }
 
-// The item of a key, to be set. One past the last is added, so that keys alone can define items.
-template <class List>
-auto& item_to_set(List /*list*/, hfrac_sim_def& def, std::int64_t index) {
-  const std::int64_t count = List::count(def);
-  if (count < 0 || index > count || index >= List::most) refuse_item<List>(def, index);
-  if (index == count) {
-    List::put(List::fresh(def), List::items(def)[index]);
-    ++List::count(def);
+// Changes one item with set(values); one past the last is added, so that keys alone can define items. Nothing changes if a value
+// is refused.
+template <class List, class Set>
+void set_item(List list, hfrac_sim_def& def, std::int64_t index, const Set& set) {
+  const std::int64_t count = good_count(list, def);
+  if (index > count || index >= most_items) refuse_item(list, def, index);
+  auto values = index == count ? List::fresh(def) : item_of(list, def, index);
+  set(values);
+  OwnedList* own = own_list(list, def);
+  if (own == nullptr || own->count() != count) {
+    auto items = items_of(list, def);
+    items.resize(static_cast<std::size_t>(std::max(count, index + 1)));
+    items[static_cast<std::size_t>(index)] = values;
+    put_items(list, items, def);
+    return;
   }
-  return List::items(def)[index];
+  if (index == count) add_item(*own);
+  write_item(list, *own, static_cast<std::size_t>(index), values);
+  show_list(list, *own, def);
+}
+
+template <class List>
+void set_count(List list, hfrac_sim_def& def, std::int64_t count) {
+  if (count < 0 || count > most_items) {
+    throw Error(ErrorKind::argument, count_key(list) + " = " + std::to_string(count) + " is outside 0 to " +
+                                         std::to_string(most_items) + ".");
+  }
+  auto items = items_of(list, def);
+  items.resize(static_cast<std::size_t>(count), List::fresh(def));
+  put_items(list, items, def);
 }
 
 std::int64_t integer_of(const WellOptions& values, const WellOptionInfo& /*info*/) {
@@ -161,10 +155,7 @@ std::int32_t set_by_key(hfrac_sim_def* def, const char* key, Set&& set) noexcept
     hfrac_sim_def full = read_def(def);
     require_not_null(key, "key");
     const bool of_a_list = use_item(key, [&](auto list, std::int64_t index, const auto& info) {
-      auto& item = item_to_set(list, full, index);
-      auto values = list.get(item);
-      set(values, info);
-      list.put(values, item);
+      set_item(list, full, index, [&](auto& values) { set(values, info); });
     });
     if (of_a_list) {
     } else if (const OptionInfo* info = find_option(key)) {
@@ -184,8 +175,36 @@ std::int32_t hfrac_sim_def_init(hfrac_sim_def* def, std::int32_t struct_size) {
   return guarded([&] {
     require_not_null(def, "def");
     require_struct_size(struct_size, "def");
+    require_def_size(struct_size);
     def->struct_size = struct_size;
     write_struct(def, default_def(), "def");
+  });
+}
+
+std::int32_t hfrac_sim_def_free(hfrac_sim_def* def) {
+  return guarded([&] {
+    if (def == nullptr) return;
+    hfrac_sim_def full = read_def(def);
+    const std::unique_ptr<OwnedLists> lists(static_cast<OwnedLists*>(full.lists));
+    each_list([&](auto list) {
+      if (own_list(list, full) == nullptr) return;
+      list.items(full) = nullptr;
+      list.count(full) = 0;
+    });
+    full.lists = nullptr;
+    write_struct(def, full, "def");
+  });
+}
+
+std::int32_t hfrac_sim_def_copy(const hfrac_sim_def* from, hfrac_sim_def* to) {
+  return guarded([&] {
+    hfrac_sim_def full = read_def(from);
+    const CaseDefinition definition = case_of(full);
+    const hfrac_sim_def old = read_def(to);
+    full.lists = old.lists;
+    each_list([&](auto list) { list.size(full) = list.size(old); });
+    put_case(definition, full);
+    write_struct(to, full, "to");
   });
 }
 
@@ -193,7 +212,7 @@ std::int32_t hfrac_sim_def_load(hfrac_sim_def* def, const char* path) {
   return guarded([&] {
     hfrac_sim_def full = read_def(def);
     require_not_null(path, "path");
-    put_case(load_case(path, case_of(full), {HFRAC_MAX_WELLS, HFRAC_MAX_JOINTS, HFRAC_MAX_SCHEDULE}), full);
+    put_case(load_case(path, case_of(full)), full);
     write_struct(def, full, "def");
   });
 }
@@ -229,15 +248,13 @@ std::int32_t hfrac_sim_def_set_f64(hfrac_sim_def* def, const char* key, double v
 }
 
 std::int32_t hfrac_sim_def_set_i64(hfrac_sim_def* def, const char* key, std::int64_t value) {
-  hfrac_sim_def any{};
-  if (key == nullptr || count_of(any, key) == nullptr) {
+  if (key == nullptr || !use_count(key, [](auto /*list*/) {})) {
     return set_by_key(def, key,
                       [&](auto& values, const auto& info) { set_integer(values, info, key, value); });
   }
   return guarded([&] {
     hfrac_sim_def full = read_def(def);
-    *count_of(full, key) = value;
-    (void)case_of(full);  // refuses a count out of range
+    use_count(key, [&](auto list) { set_count(list, full, value); });
     write_struct(def, full, "def");
   });
 }
@@ -265,8 +282,7 @@ std::int32_t hfrac_sim_def_get_f64(const hfrac_sim_def* def, const char* key, do
         })) {
     } else if (const OptionInfo* info = find_option(key)) {
       *value = get_value(options_of(full), *info);
-    } else if (const std::int64_t* count = count_of(full, key)) {
-      *value = static_cast<double>(*count);
+    } else if (use_count(key, [&](auto list) { *value = static_cast<double>(good_count(list, full)); })) {
     } else {
       refuse_unknown(key);
     }
@@ -286,8 +302,7 @@ std::int32_t hfrac_sim_def_get_i64(const hfrac_sim_def* def, const char* key, st
     } else if (const OptionInfo* info = find_option(key)) {
       if (info->real != nullptr) refuse_fraction(key);
       *value = options_of(full).*info->integer;
-    } else if (const std::int64_t* count = count_of(full, key)) {
-      *value = *count;
+    } else if (use_count(key, [&](auto list) { *value = good_count(list, full); })) {
     } else {
       refuse_unknown(key);
     }
@@ -307,8 +322,7 @@ std::int32_t hfrac_sim_def_get_str(const hfrac_sim_def* def, const char* key, ch
       const Options options = options_of(full);
       text = info->type == ValueType::integer ? number_text(options.*info->integer)
                                               : value_text(*info, get_value(options, *info));
-    } else if (const std::int64_t* count = count_of(full, key)) {
-      text = number_text(*count);
+    } else if (use_count(key, [&](auto list) { text = number_text(good_count(list, full)); })) {
     } else if (key == std::string_view("title")) {
       text = case_of(full).title;
     } else {

@@ -2,17 +2,20 @@
 #include "def_image.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
+#include <memory>
 #include <string>
 #include <type_traits>
 
+#include "def_lists.hpp"
 #include "internal.hpp"
 #include "utf8.hpp"
 
 namespace hfrac::capi {
 namespace {
 
-constexpr std::int32_t def_version = 1;
+constexpr std::int32_t def_version = 2;
 
 // Every line of the tables is a member of the C structs, of the right type.
 #define F64(section, name, unit, initial, min, max, help) \
@@ -60,12 +63,23 @@ hfrac_sim_def default_def() {
   return def;
 }
 
+void require_def_size(std::int32_t size) {
+  constexpr auto least = static_cast<std::int32_t>(offsetof(hfrac_sim_def, model_width));
+  if (size >= least) return;
+  throw Error(ErrorKind::struct_size, "def.struct_size = " + std::to_string(size) +
+                                          " is smaller than any hfrac_sim_def, at least " +
+                                          std::to_string(least) + " bytes; give sizeof(hfrac_sim_def).");
+}
+
 hfrac_sim_def read_def(const hfrac_sim_def* def) {
   const hfrac_sim_def full = read_struct(def, default_def(), "def");
-  if (full.struct_version < 1) {
-    throw Error(ErrorKind::struct_size,
-                "def.struct_version = " + std::to_string(full.struct_version) +
-                    " was never given out; fill the struct with hfrac_sim_def_init first.");
+  require_def_size(def->struct_size);
+  if (full.struct_version < def_version) {
+    throw Error(
+        ErrorKind::struct_size,
+        "def.struct_version = " + std::to_string(full.struct_version) +
+            (full.struct_version < 1 ? " was never given out" : " is of a library whose lists were arrays") +
+            "; fill the struct with hfrac_sim_def_init first.");
   }
   return full;
 }
@@ -92,48 +106,7 @@ void put_options(const Options& options, hfrac_sim_def& def) {
 #undef CHOICE
 }
 
-WellOptions well_of(const hfrac_well_def& well) {
-  return {
-      well.x, well.y, well.radius, well.pressure, well.ramp_per_step, well.rate, WellControl{well.control}};
-}
-
-void put_well(const WellOptions& from, hfrac_well_def& well) {
-  well = {from.x,
-          from.y,
-          from.radius,
-          from.pressure,
-          from.ramp_per_step,
-          from.rate,
-          static_cast<std::int64_t>(from.control)};
-}
-
-JointOptions joint_of(const hfrac_joint_def& j) {
-  return {j.x1, j.y1, j.x2, j.y2, j.tensile_factor, j.shear_factor, j.friction, j.state};
-}
-void put_joint(const JointOptions& j, hfrac_joint_def& joint) {
-  joint = {j.x1, j.y1, j.x2, j.y2, j.tensile_factor, j.shear_factor, j.friction, j.state};
-}
-ScheduleEntry entry_of(const hfrac_schedule_def& e) {
-  return {e.well, e.time, e.value, e.control};
-}
-void put_entry(const ScheduleEntry& e, hfrac_schedule_def& entry) {
-  entry = {e.well, e.time, e.value, e.control};
-}
-
-namespace {
-
-void require_count(const char* name, std::int64_t count, int most) {
-  if (count >= 0 && count <= most) return;
-  throw Error(ErrorKind::argument, std::string(name) + " = " + std::to_string(count) + " is outside 0 to " +
-                                       std::to_string(most) + ".");
-}
-
-}  // namespace
-
 CaseDefinition case_of(const hfrac_sim_def& def) {
-  require_count("well_count", def.well_count, HFRAC_MAX_WELLS);
-  require_count("joint_count", def.joint_count, HFRAC_MAX_JOINTS);
-  require_count("schedule_count", def.schedule_count, HFRAC_MAX_SCHEDULE);
   const char* end = std::find(std::begin(def.title), std::end(def.title), '\0');
   if (end == std::end(def.title)) {
     throw Error(ErrorKind::argument,
@@ -141,10 +114,7 @@ CaseDefinition case_of(const hfrac_sim_def& def) {
   }
   CaseDefinition definition{options_of(def), {}, std::string(std::begin(def.title), end), {}, {}};
   if (!is_utf8(definition.title)) throw Error(ErrorKind::argument, "title is not valid UTF-8.");
-  for (std::int64_t i = 0; i < def.well_count; ++i) definition.wells.push_back(well_of(def.wells[i]));
-  for (std::int64_t i = 0; i < def.joint_count; ++i) definition.joints.push_back(joint_of(def.joints[i]));
-  for (std::int64_t i = 0; i < def.schedule_count; ++i)
-    definition.schedule.push_back(entry_of(def.schedule[i]));
+  each_list([&](auto list) { list.in(definition) = items_of(list, def); });
   return definition;
 }
 
@@ -177,22 +147,14 @@ std::span<const std::int64_t> given_bonds_of(const hfrac_sim_def& def) {
 }
 
 void put_case(const CaseDefinition& definition, hfrac_sim_def& def) {
-  if (definition.wells.size() > HFRAC_MAX_WELLS) {
-    throw Error(ErrorKind::argument,
-                std::to_string(definition.wells.size()) + " wells are too many; at most " +
-                    std::to_string(static_cast<int>(HFRAC_MAX_WELLS)) + " can be defined.");
-  }
-  require_count("joint_count", static_cast<std::int64_t>(definition.joints.size()), HFRAC_MAX_JOINTS);
-  require_count("schedule_count", static_cast<std::int64_t>(definition.schedule.size()), HFRAC_MAX_SCHEDULE);
   put_title(definition.title, def);
+  auto lists = std::make_unique<OwnedLists>();
+  each_list([&](auto list) { list.in(*lists) = owned(list, list.in(definition), def); });
   put_options(definition.options, def);
-  def.well_count = static_cast<std::int64_t>(definition.wells.size());
-  for (std::size_t i = 0; i < definition.wells.size(); ++i) put_well(definition.wells[i], def.wells[i]);
-  def.joint_count = static_cast<std::int64_t>(definition.joints.size());
-  for (std::size_t i = 0; i < definition.joints.size(); ++i) put_joint(definition.joints[i], def.joints[i]);
-  def.schedule_count = static_cast<std::int64_t>(definition.schedule.size());
-  for (std::size_t i = 0; i < definition.schedule.size(); ++i)
-    put_entry(definition.schedule[i], def.schedule[i]);
+  delete static_cast<OwnedLists*>(def.lists);
+  def.lists = lists.get();
+  each_list([&](auto list) { show_list(list, list.in(*lists), def); });
+  static_cast<void>(lists.release());
 }
 
 void put_title(std::string_view title, hfrac_sim_def& def) {

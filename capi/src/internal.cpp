@@ -63,6 +63,8 @@ std::int32_t status_of(ErrorKind kind) noexcept {
       return HFRAC_ERR_MODEL;
     case ErrorKind::diverged:
       return HFRAC_ERR_DIVERGED;
+    case ErrorKind::collapsed:
+      return HFRAC_ERR_COLLAPSED;
     case ErrorKind::memory:
       return HFRAC_ERR_MEMORY;
     case ErrorKind::busy:

@@ -214,7 +214,7 @@ int32_t hfrac_calibrate(hfrac_sim_def* def, const hfrac_targets* targets, hfrac_
                         void* user, hfrac_calibration* calibration) {
   return guarded([&]() -> std::int32_t {
     hfrac_sim_def full = read_def(def);
-    CaseDefinition definition = case_of(full);
+    const CaseDefinition definition = case_of(full);
     check_ranges(definition);
     const hfrac_targets t = read_struct(targets, default_targets(), "hfrac_targets");
     CalibrationTargets wanted;
@@ -244,8 +244,7 @@ int32_t hfrac_calibrate(hfrac_sim_def* def, const hfrac_targets* targets, hfrac_
     copy_text(found.text, to.text, sizeof to.text, nullptr);
     write_struct(calibration, to, "hfrac_calibration");
     if (found.stopped) return HFRAC_STOPPED;
-    definition.options = found.options;
-    put_case(definition, full);
+    put_options(found.options, full);
     write_struct(def, full, "def");
     return HFRAC_OK;
   });

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "def_image.hpp"
+#include "def_lists.hpp"
 #include "internal.hpp"
 #include "messages.hpp"
 #include "options/choices.hpp"
@@ -169,7 +170,10 @@ int32_t hfrac_sim_destroy(hfrac_sim** sim) {
 
 int32_t hfrac_sim_definition(const hfrac_sim* sim, hfrac_sim_def* def) {
   return guarded_sim(sim, [&] {
+    const hfrac_sim_def given = read_def(def);
     hfrac_sim_def full = default_def();
+    full.lists = given.lists;
+    each_list([&](auto list) { list.size(full) = list.size(given); });
     put_case(sim->simulation->definition(), full);
     write_struct(def, full, "hfrac_sim_def");
   });

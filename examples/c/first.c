@@ -29,5 +29,6 @@ int main(int argc, char** argv) {
              1e3 * fracture.largest_aperture, (int)fracture.crack_count);
   }
   hfrac_sim_destroy(&sim);
+  hfrac_sim_def_free(&def);
   return 0;
 }

@@ -20,11 +20,12 @@ enum class ErrorKind {
   case_file,    // cannot be read or holds an invalid value
   model,        // options valid one by one, but nothing can be built from them together
   diverged,     // the solution left the range of finite numbers; the state is the one before the step
-  memory,       // out of memory
-  busy,         // called from inside a callback of the same simulation
-  poisoned,     // an earlier error left the simulation unusable
-  file,         // a file cannot be written, cannot be read, or is not what it should be
-  internal      // a fault of the library itself
+  collapsed,  // the rock fell apart: as it was loaded first, or in a step; the state is the one before the step
+  memory,     // out of memory
+  busy,       // called from inside a callback of the same simulation
+  poisoned,  // an earlier error left the simulation unusable
+  file,      // a file cannot be written, cannot be read, or is not what it should be
+  internal   // a fault of the library itself
 };
 
 class Error : public std::runtime_error {

@@ -260,6 +260,7 @@ void check_joint(const std::string& name, const JointOptions& joint) {
 
 void check_schedule(const CaseDefinition& definition) {
   const auto& entries = definition.schedule;
+  std::vector<const ScheduleEntry*> last(definition.wells.size());  // of each well
   for (std::size_t k = 0; k < entries.size(); ++k) {
     const std::string name = "schedule[" + std::to_string(k) + "]";
     const ScheduleEntry& entry = entries[k];
@@ -268,11 +269,12 @@ void check_schedule(const CaseDefinition& definition) {
              std::to_string(definition.wells.size()) + " wells, counted from 0.");
     }
     check_schedule_entry(name, entry, definition.options);
-    for (std::size_t j = 0; j < k; ++j) {
-      if (entries[j].well != entry.well || entries[j].time < entry.time) continue;
-      refuse(name + ".time = " + number_text(entry.time) + " s is not after " + number_text(entries[j].time) +
+    const ScheduleEntry*& before = last[static_cast<std::size_t>(entry.well)];
+    if (before != nullptr && before->time >= entry.time) {
+      refuse(name + ".time = " + number_text(entry.time) + " s is not after " + number_text(before->time) +
              " s, the time of the same well's entry before it; give them in order of time.");
     }
+    before = &entry;
   }
 }
 

@@ -99,9 +99,43 @@ void watch_energy(const Engine& e) {
                   ") m; lower stepping.safety, or a host's pressures and stresses");
 }
 
+void note_places(Engine& e) {
+  const Assembly& a = e.model.assembly;
+  e.moved_before.resize(a.ux.size());
+  for (std::size_t i = 0; i < a.ux.size(); ++i)
+    e.moved_before[i] = {static_cast<float>(a.ux[i]), static_cast<float>(a.uy[i])};
+}
+
+void require_discs_in_place(const Engine& e) {
+  constexpr double most_diameters = 1.0;
+  const Assembly& a = e.model.assembly;
+  std::size_t farthest = 0, beyond = 0;
+  double most = 0.0;
+  for (std::size_t i = 0; i < a.ux.size(); ++i) {
+    const double x = a.ux[i] - static_cast<double>(e.moved_before[i][0]),
+                 y = a.uy[i] - static_cast<double>(e.moved_before[i][1]), diameter = 2.0 * a.radius[i];
+    const double moved = std::sqrt(x * x + y * y) / diameter;
+    beyond += moved > most_diameters ? 1 : 0;
+    if (moved <= most) continue;
+    most = moved;
+    farthest = i;
+  }
+  if (most <= most_diameters) return;
+  const double diameter = 2.0 * a.radius[farthest];
+  throw Error(ErrorKind::collapsed,
+              "the rock fell apart in step " + std::to_string(e.model.clock.step) + ": disc " +
+                  std::to_string(farthest) + ", built at (" + rounded_text(a.x[farthest]) + ", " +
+                  rounded_text(a.y[farthest]) + ") m, moved by " + rounded_text(most * diameter) +
+                  " m in it, more than its diameter of " + rounded_text(diameter) + " m" +
+                  (beyond > 1 ? ", and so did " + std::to_string(beyond - 1) + " more" : std::string()) +
+                  "; the state before the step stands. Use a lower pressure or rate, or raise it in smaller "
+                  "steps, a smaller hole, more discs around it, or stronger bonds");
+}
+
 void check_step(Engine& e) {
   if (const std::string what = not_finite(e); !what.empty()) throw Error(ErrorKind::diverged, what);
   require_joints_in_reach(e);
+  require_discs_in_place(e);
   if (!e.equilibrium) watch_energy(e);
 }
 

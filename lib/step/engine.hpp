@@ -2,6 +2,7 @@
 // What moves a model: the solvers over it and their work space. None of this is state; all of it can be made anew from the model.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -41,7 +42,9 @@ struct Engine {
   std::unique_ptr<EquilibriumSolver> equilibrium;  // likewise; none with solver.kind = "explicit"
   std::vector<double> source;                      // m2/s per domain, from wells at a rate
   bool well_jumped = false;                        // a well's imposed pressure changed in the step at hand
-  std::vector<std::byte> before_increment;         // state to go back to within a step
+  std::vector<std::array<float, 2>>
+      moved_before;                         // m, displacement of each disc as the step began (checks.hpp)
+  std::vector<std::byte> before_increment;  // state to go back to within a step
 };
 
 }  // namespace hfrac

@@ -36,6 +36,7 @@ StepOutcome Simulation::step(const Loads& loads, double duration, const Interrup
   Engine& e = *engine_;
   impose(loads);
   save_state(e, before_step_);
+  note_places(e);
   try {
     // What a step does follows from the state alone, so no factor outlives the step before.
     if (e.equilibrium) e.equilibrium->begin_step();

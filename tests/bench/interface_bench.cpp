@@ -3,6 +3,7 @@
 //   bench_interface [--benchmark_...]     at 10 000 and 100 000 discs (tiled packing; building them takes a while)
 #include <benchmark/benchmark.h>
 #include <hfrac/hfrac.h>
+#include <hfrac/definition.hpp>
 
 #include <cstring>
 #include <map>
@@ -14,8 +15,7 @@ hfrac_sim* sim_of(std::int64_t discs) {
   static std::map<std::int64_t, hfrac_sim*> made;
   hfrac_sim*& sim = made[discs];
   if (sim != nullptr) return sim;
-  hfrac_sim_def def;
-  hfrac_sim_def_init(&def, sizeof def);
+  hfrac::Definition def;
   hfrac_sim_def_set_str(&def, "packing.method", "tiled");
   def.packing_disc_count = discs;
   def.packing_residual = 1e-2;

@@ -163,7 +163,60 @@ contains
     call def%check(stat, message)
     call expect(stat < 0 .and. len_trim(message) > 0, 'a well larger than the model')
     call expect(def%get('no.such', stat) == 0.0_real64 .and. stat == HFRAC_ERR_UNKNOWN_KEY, 'get of an unknown key')
+    call long_lists()
   end subroutine definition
+
+  subroutine long_lists()
+    type(hfrac_definition) :: def, other, torn
+    type(hfrac_simulation) :: apart
+    integer :: stat
+    character(400) :: message
+    type(hfrac_well_def) :: wells(12)
+    type(hfrac_joint_def) :: joints(100)
+    type(hfrac_schedule_def) :: entries(200)
+    integer :: k
+    wells%radius = 4.0_real64
+    wells%pressure = 30e6_real64
+    do k = 1, 12
+      wells(k)%x = 8.0_real64*k
+      wells(k)%y = 50.0_real64
+    end do
+    call def%set_wells(wells)
+    do k = 1, 100
+      joints(k) = hfrac_joint_def(10.0_real64, 0.9_real64*k, 90.0_real64, 0.9_real64*k, 1.0_real64, 0.5_real64, -1.0_real64, &
+        0_int64)
+    end do
+    call def%set_joints(joints)
+    do k = 1, 200
+      entries(k) = hfrac_schedule_def(mod(k, 12) + 0_int64, real(k, real64), 31e6_real64, 0_int64)
+    end do
+    call def%set_schedule(entries)
+    call expect(def%get_integer('well_count') == 12, 'twelve wells')
+    call expect(def%get('well[11].x') == 96.0_real64, 'twelve wells')
+    call expect(def%get_integer('joint_count') == 100, 'a hundred joints')
+    call expect(def%get('joint[99].y1') == 0.9_real64*100, 'a hundred joints')
+    call expect(def%get_integer('schedule_count') == 200, 'a schedule')
+    call expect(def%get('schedule[199].time') == 200.0_real64, 'a schedule')
+    call def%set('joint[100].y1', 5.0_real64)
+    call expect(def%get_integer('joint_count') == 101, 'one joint more, by its key')
+    call def%copy_to(other)
+    call def%set_wells(wells(1:0))
+    call expect(def%get_integer('well_count') == 0, 'a copy is on its own')
+    call expect(other%get_integer('well_count') == 12, 'a copy is on its own')
+    call def%free()
+    call expect(def%get_integer('joint_count') == 0, 'freed')
+    call torn%set('packing.disc_count', 60)
+    call torn%set('well[0].radius', 22.0_real64)
+    call torn%set('well[0].pressure', 30e6_real64)
+    call apart%create(torn)
+    call apart%step(1, stat, message)
+    call expect(stat == HFRAC_ERR_COLLAPSED, 'rock that falls apart')
+    call expect(index(message, 'the rock fell apart in step 1') == 1, message)
+    call apart%destroy()
+    call torn%free()
+    call expect(other%get('joint[99].shear_factor') == 0.5_real64, 'freed')
+    call other%free()
+  end subroutine long_lists
 
   subroutine building()
     type(hfrac_definition) :: def, found

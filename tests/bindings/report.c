@@ -61,6 +61,7 @@ int main(int argc, char** argv) {
   need(hfrac_sim_def_init(&def, (int32_t)sizeof def), NULL);
   need(hfrac_sim_def_load(&def, argv[1]), NULL);
   need(hfrac_sim_create(&def, &sim), NULL);
+  need(hfrac_sim_def_free(&def), NULL);
   need(hfrac_step(sim, 5), sim);
 
   need(hfrac_state_hash(sim, &hash), sim);

@@ -79,7 +79,7 @@ TEST(Base, TextBuffersUsedWronglyAreRefused) {
 }
 
 TEST(Base, TextsAreNotCutInsideACharacter) {
-  hfrac_sim_def def = new_def();
+  hfrac::Definition def = new_def();
   ASSERT_EQ(hfrac_sim_def_set_str(&def, "title", "\xC3\xA4\xC3\xA4"), HFRAC_OK);
   char buffer[12];
   ASSERT_EQ(hfrac_sim_def_write(&def, buffer, sizeof buffer, nullptr), HFRAC_OK);

@@ -59,7 +59,7 @@ static void list_options(const hfrac_sim_def* def) {
   }
 }
 
-static void define(hfrac_sim_def* def) {
+static void define(hfrac_sim_def* def, hfrac_well_def* well) {
   char text[8192];
   hfrac_option_info info;
   int64_t integer = 0;
@@ -73,11 +73,14 @@ static void define(hfrac_sim_def* def) {
   good(hfrac_sim_def_set_str(def, "stress.convention", "effective"), NULL, "set_str");
   good(hfrac_sim_def_set_str(def, "boundary.kind", "walls"), NULL, "set_str");
   good(hfrac_sim_def_set_str(def, "title", "from C"), NULL, "set_str");
+  memset(well, 0, sizeof *well);
+  well->x = well->y = 50.0;
+  well->radius = 10.0;
+  well->pressure = 60e6;
+  well->control = HFRAC_WELL_PRESSURE;
+  def->wells = well;
   def->well_count = 1;
-  def->wells[0].x = def->wells[0].y = 50.0;
-  def->wells[0].radius = 10.0;
-  def->wells[0].pressure = 60e6;
-  def->wells[0].control = HFRAC_WELL_PRESSURE;
+  def->well_size = sizeof *well;
   good(hfrac_sim_def_check(def), NULL, "def_check");
   good(hfrac_sim_def_get_i64(def, "packing.disc_count", &integer), NULL, "get_i64");
   good(hfrac_sim_def_get_str(def, "boundary.kind", text, (int32_t)sizeof text, NULL), NULL, "get_str");
@@ -96,10 +99,10 @@ static void define(hfrac_sim_def* def) {
   good(hfrac_sim_def_write(def, text, (int32_t)sizeof text, &needed), NULL, "def_write");
   check(needed == (int32_t)strlen(text) + 1, "the text has the size it says");
 
-  def->wells[0].radius = -1.0;
+  well->radius = -1.0;
   expect(hfrac_sim_def_check(def), HFRAC_ERR_ARGUMENT, NULL, "negative radius");
   expect(hfrac_sim_def_check_file(def, "case.toml"), HFRAC_ERR_CASE_FILE, NULL, "negative radius in a file");
-  def->wells[0].radius = 10.0;
+  well->radius = 10.0;
   expect(hfrac_sim_def_load(def, "/nonexistent/case.toml"), HFRAC_ERR_CASE_FILE, NULL, "missing file");
 }
 
@@ -123,7 +126,7 @@ static int32_t on_step(void* user, hfrac_sim* sim, int64_t step, double time) {
 }
 
 static void run(hfrac_sim* sim) {
-  hfrac_sim_def def;
+  hfrac_sim_def def, copy;
   hfrac_sim_state state;
   hfrac_setup_report setup;
   hfrac_balance balance;
@@ -137,6 +140,13 @@ static void run(hfrac_sim* sim) {
   good(hfrac_sim_def_init(&def, (int32_t)sizeof def), NULL, "def_init");
   good(hfrac_sim_definition(sim, &def), sim, "definition");
   check(def.packing_disc_count == 500 && strcmp(def.title, "from C") == 0, "the definition comes back");
+  check(def.well_count == 1 && def.wells[0].pressure == 60e6, "with its well");
+  good(hfrac_sim_def_init(&copy, (int32_t)sizeof copy), NULL, "def_init");
+  good(hfrac_sim_def_copy(&def, &copy), NULL, "def_copy");
+  good(hfrac_sim_def_free(&def), NULL, "def_free");
+  check(def.well_count == 0 && def.wells == NULL, "its list is gone");
+  check(copy.well_count == 1 && copy.wells[0].pressure == 60e6, "the copy has its own");
+  good(hfrac_sim_def_free(&copy), NULL, "def_free");
   setup.struct_size = (int32_t)sizeof setup;
   good(hfrac_sim_get_setup(sim, &setup), sim, "get_setup");
   check(setup.packed_discs == 500 && setup.mean_radius > 0.0, "the set-up is reported");
@@ -434,9 +444,10 @@ static void warm(hfrac_sim_def* def) {
 
 int main(void) {
   hfrac_sim_def def;
+  hfrac_well_def well;
   hfrac_sim* sim = NULL;
   library();
-  define(&def);
+  define(&def, &well);
   good(hfrac_sim_create(&def, &sim), NULL, "create");
   if (sim != NULL) {
     run(sim);

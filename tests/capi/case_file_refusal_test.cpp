@@ -16,8 +16,8 @@ namespace {
 using namespace testing_capi;
 
 void expect_refused(const std::string& path, const std::string& told) {
-  hfrac_sim_def def = sound_def();
-  const hfrac_sim_def before = def;
+  hfrac::Definition def = sound_def();
+  const hfrac_sim_def before = def;  // the bytes, pointers included
   const auto start = std::chrono::steady_clock::now();
   EXPECT_EQ(hfrac_sim_def_load(&def, path.c_str()), HFRAC_ERR_CASE_FILE);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
@@ -86,7 +86,10 @@ const Fault faults[] = {
      "control = \"rate\" but no rate"},
     {"WellPlaceNotANumber", "[[well]]\nradius = 1.0\npressure = 1e6\nx = nan\n",
      ":4: well[0].x = nan is not a finite number"},
-    {"NineWells", "well = [{},{},{},{},{},{},{},{},{}]\n", ":1: 9 wells are too many; at most 8"},
+    {"ElevenWells",
+     "well = [{radius=5,rate=1},{radius=5,rate=1},{radius=5,rate=1},{radius=5,rate=1},{radius=5,rate=1},"
+     "{radius=5,rate=1},{radius=5,rate=1},{radius=5,rate=1},{radius=5,rate=1},{radius=5,rate=1},{}]\n",
+     ":1: well[10] has no radius"},
     {"NotToml", "width: 100\n", ":1: not valid TOML"},
     {"DuplicateKey", "[disc]\ndensity = 1.0\ndensity = 2.0\n", ":3: not valid TOML"},
     {"UnclosedText", "title = \"abc\n", ":1: not valid TOML"},
@@ -178,7 +181,7 @@ TEST(CaseFileRefused, TruncatedAnywhere) {
   const TemporaryFolder folder;
   const std::string whole = written(sound_def());
   for (std::size_t length = 1; length < whole.size(); length += 7) {
-    hfrac_sim_def def = new_def();
+    hfrac::Definition def = new_def();
     const int32_t status = hfrac_sim_def_load(&def, folder.write(whole.substr(0, length)).c_str());
     EXPECT_TRUE(status == HFRAC_OK || status == HFRAC_ERR_CASE_FILE) << status << " " << last_error();
   }
@@ -216,7 +219,7 @@ class ContradictoryCase : public testing::TestWithParam<Contradiction> {};
 TEST_P(ContradictoryCase, IsRefusedWithFileAndLine) {
   const TemporaryFolder folder;
   const std::string path = folder.write(GetParam().text);
-  hfrac_sim_def def = new_def();
+  hfrac::Definition def = new_def();
   ASSERT_EQ(hfrac_sim_def_load(&def, path.c_str()), HFRAC_OK) << last_error();
   EXPECT_EQ(hfrac_sim_def_check_file(&def, path.c_str()), HFRAC_ERR_CASE_FILE);
   EXPECT_EQ(last_error().rfind(path + GetParam().told, 0), 0u) << last_error();
@@ -227,7 +230,7 @@ INSTANTIATE_TEST_SUITE_P(CaseFile, ContradictoryCase, testing::ValuesIn(contradi
 TEST(ContradictoryCase, ValuesFromElsewhereNameTheFileAlone) {
   const TemporaryFolder folder;
   const std::string path = folder.write("title = \"only that\"\n");
-  hfrac_sim_def def = sound_def();
+  hfrac::Definition def = sound_def();
   EXPECT_EQ(hfrac_sim_def_check_file(&def, path.c_str()), HFRAC_OK) << last_error();
   def.wells[0].radius = 60.0;
   EXPECT_EQ(hfrac_sim_def_check_file(&def, path.c_str()), HFRAC_ERR_CASE_FILE);

@@ -14,7 +14,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 class Catalogue : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    hfrac_sim_def def = cracking_def(1000);
+    hfrac::Definition def = cracking_def(1000);
     def.bond_tensile_strength = 30e6;
     def.bond_shear_strength = 15e6;
     def.stepping_flow_step = 0.5;

@@ -25,7 +25,7 @@ void PrintTo(const Contradiction& c, std::ostream* out) {
 }
 
 void second_well(hfrac_sim_def& def, double x) {
-  def.well_count = 2;
+  hfrac_sim_def_set_i64(&def, "well_count", 2);
   def.wells[1] = def.wells[0];
   def.wells[1].x = x;
 }
@@ -119,10 +119,22 @@ const Contradiction contradictions[] = {
      [](auto& d) { d.wells[0].pressure = -1.0; },
      HFRAC_ERR_MODEL,
      {"well[0].pressure = -1 Pa", "absolute"}},
-    {"TooManyWells",
+    {"MoreWellsThanTheListHas",
      [](auto& d) { d.well_count = 9; },
      HFRAC_ERR_ARGUMENT,
-     {"well_count = 9 is outside 0 to 8."}},
+     {"well_count = 9, but the library's list has 1;"}},
+    {"WellsOfNowhere",
+     [](auto& d) { d.wells = nullptr; },
+     HFRAC_ERR_ARGUMENT,
+     {"well_count = 1, but there are no items; point wells to"}},
+    {"JointsWithoutASize",
+     [](auto& d) {
+       static hfrac_joint_def joint{10.0, 10.0, 20.0, 20.0, 1.0, 1.0, -1.0, HFRAC_JOINT_BONDED};
+       d.joints = &joint;
+       d.joint_count = 1;
+     },
+     HFRAC_ERR_STRUCT_SIZE,
+     {"joint_size = 0 cannot be the size of an item; set it to sizeof(hfrac_joint_def)."}},
     {"NegativeWells", [](auto& d) { d.well_count = -1; }, HFRAC_ERR_ARGUMENT, {"well_count = -1"}},
     {"RockWithoutStiffness",
      [](auto& d) {
@@ -152,7 +164,7 @@ const Contradiction contradictions[] = {
 class Refused : public testing::TestWithParam<Contradiction> {};
 
 TEST_P(Refused, WithTheValueAndTheFix) {
-  hfrac_sim_def def = sound_def();
+  hfrac::Definition def = sound_def();
   GetParam().make(def);
   EXPECT_EQ(hfrac_sim_def_check(&def), GetParam().status);
   for (const auto& part : GetParam().told)
@@ -162,7 +174,7 @@ INSTANTIATE_TEST_SUITE_P(Check, Refused, testing::ValuesIn(contradictions),
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST(Check, AcceptsWhatCanBeBuilt) {
-  hfrac_sim_def def = sound_def();
+  hfrac::Definition def = sound_def();
   EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_OK) << last_error();
   second_well(def, 75.0);
   EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_OK) << last_error();
@@ -171,7 +183,7 @@ TEST(Check, AcceptsWhatCanBeBuilt) {
 }
 
 TEST(Check, EffectiveConventionTakesEffectiveStresses) {
-  hfrac_sim_def def = sound_def();
+  hfrac::Definition def = sound_def();
   def.stress_sigma_Hmax = def.stress_sigma_hmin = 0.0;
   EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_ERR_MODEL);
   def.stress_convention = 1;
@@ -187,7 +199,7 @@ std::vector<double> lattice(double radius) {
 
 TEST(Check, GivenDiscsAreLookedAt) {
   std::vector<double> discs = lattice(2.5);
-  hfrac_sim_def def = sound_def();
+  hfrac::Definition def = sound_def();
   def.given_discs = discs.data();
   def.given_disc_count = 400;
   EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_OK) << last_error();

@@ -20,7 +20,7 @@ constexpr std::size_t at(int64_t index) {
 class Cracks : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    hfrac_sim_def def = cracking_def(1000);
+    hfrac::Definition def = cracking_def(1000);
     def.bond_tensile_strength = 30e6;
     def.bond_shear_strength = 15e6;
     def.stepping_flow_step = 0.5;

@@ -14,7 +14,7 @@ namespace {
 using namespace testing_capi;
 
 TEST(DefInit, GivesTheTablesDefaults) {
-  const hfrac_sim_def def = new_def();
+  const hfrac::Definition def = new_def();
   EXPECT_EQ(def.struct_size, static_cast<int32_t>(sizeof def));
   EXPECT_EQ(def.model_width, 100.0);
   EXPECT_EQ(def.packing_disc_count, 10000);
@@ -36,7 +36,7 @@ TEST(DefInit, RefusesWrongSizes) {
 TEST(DefInit, FillsNoMoreThanAnOlderCallerHas) {
   std::vector<unsigned char> memory(sizeof(hfrac_sim_def), 0xEE);
   auto* def = reinterpret_cast<hfrac_sim_def*>(memory.data());
-  constexpr std::size_t older = offsetof(hfrac_sim_def, well_count);
+  constexpr std::size_t older = offsetof(hfrac_sim_def, title);
   ASSERT_EQ(hfrac_sim_def_init(def, older), HFRAC_OK);
   EXPECT_EQ(def->model_width, 100.0);
   EXPECT_EQ(memory[older], 0xEE);
@@ -44,9 +44,9 @@ TEST(DefInit, FillsNoMoreThanAnOlderCallerHas) {
   ASSERT_EQ(hfrac_sim_def_set_f64(def, "model.width", 50.0), HFRAC_OK);
   EXPECT_EQ(def->model_width, 50.0);
   EXPECT_EQ(memory[older], 0xEE);
-  double wells = -1.0;
-  ASSERT_EQ(hfrac_sim_def_get_f64(def, "well_count", &wells), HFRAC_OK);
-  EXPECT_EQ(wells, 0.0);
+  double count = -1.0;
+  ASSERT_EQ(hfrac_sim_def_get_f64(def, "packing.brick_discs", &count), HFRAC_OK);
+  EXPECT_EQ(count, 5000.0);
 }
 
 TEST(DefSize, NewerCallersAreAcceptedIfTheirTailIsZero) {
@@ -76,13 +76,16 @@ TEST(DefSize, StructsNeverInitialisedAreRefused) {
   EXPECT_EQ(hfrac_sim_def_load(&def, "/nowhere"), HFRAC_ERR_STRUCT_SIZE);
   std::memset(&def, 0xFF, sizeof def);
   EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_ERR_STRUCT_SIZE);
-  def = new_def();
+  ASSERT_EQ(hfrac_sim_def_init(&def, sizeof def), HFRAC_OK);
+  def.struct_version = 1;  // when lists were arrays inside
+  EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_ERR_STRUCT_SIZE);
+  EXPECT_NE(last_error().find("lists were arrays"), std::string::npos) << last_error();
   def.struct_version = 0;
   EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_ERR_STRUCT_SIZE);
 }
 
 TEST(DefKeys, EveryOptionCanBeSetAndReadByItsKey) {
-  hfrac_sim_def def = new_def();
+  hfrac::Definition def = new_def();
   int32_t count = 0;
   ASSERT_EQ(hfrac_option_count(&count), HFRAC_OK);
   ASSERT_GT(count, 40);
@@ -115,13 +118,13 @@ TEST(DefKeys, EveryOptionCanBeSetAndReadByItsKey) {
 }
 
 TEST(DefKeys, IntegersWillDoForReals) {
-  hfrac_sim_def def = new_def();
+  hfrac::Definition def = new_def();
   ASSERT_EQ(hfrac_sim_def_set_i64(&def, "model.width", 70), HFRAC_OK);
   EXPECT_EQ(def.model_width, 70.0);
 }
 
 TEST(DefKeys, ChoicesAreSetByWord) {
-  hfrac_sim_def def = new_def();
+  hfrac::Definition def = new_def();
   ASSERT_EQ(hfrac_sim_def_set_str(&def, "flow.scheme", "explicit"), HFRAC_OK);
   EXPECT_EQ(def.flow_scheme, 1);
   EXPECT_EQ(hfrac_sim_def_set_str(&def, "flow.scheme", "implict"), HFRAC_ERR_ARGUMENT);
@@ -133,7 +136,7 @@ TEST(DefKeys, ChoicesAreSetByWord) {
 }
 
 TEST(DefKeys, UnknownKeysNameTheNearest) {
-  hfrac_sim_def def = new_def();
+  hfrac::Definition def = new_def();
   EXPECT_EQ(hfrac_sim_def_set_f64(&def, "bond.tensile_strengh", 1.0), HFRAC_ERR_UNKNOWN_KEY);
   EXPECT_EQ(last_error(), "bond.tensile_strengh is not a known key; did you mean bond.tensile_strength?");
   EXPECT_EQ(hfrac_sim_def_set_f64(&def, "packing.density", 1.0), HFRAC_ERR_UNKNOWN_KEY);
@@ -151,7 +154,7 @@ TEST(DefKeys, UnknownKeysNameTheNearest) {
 }
 
 TEST(DefKeys, WellsAreAddedInOrder) {
-  hfrac_sim_def def = new_def();
+  hfrac::Definition def = new_def();
   EXPECT_EQ(hfrac_sim_def_set_f64(&def, "well[1].x", 50.0), HFRAC_ERR_ARGUMENT);
   ASSERT_EQ(hfrac_sim_def_set_f64(&def, "well[0].x", 50.0), HFRAC_OK);
   EXPECT_EQ(def.well_count, 1);
@@ -164,20 +167,18 @@ TEST(DefKeys, WellsAreAddedInOrder) {
   ASSERT_EQ(hfrac_sim_def_get_f64(&def, "well[0].x", &value), HFRAC_OK);
   EXPECT_EQ(value, 50.0);
   EXPECT_EQ(hfrac_sim_def_get_f64(&def, "well[1].x", &value), HFRAC_ERR_ARGUMENT);
-  EXPECT_EQ(hfrac_sim_def_set_i64(&def, "well_count", 9), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hfrac_sim_def_set_i64(&def, "well_count", -1), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(last_error(), "well_count = -1 is outside 0 to 100000000.");
   EXPECT_EQ(hfrac_sim_def_set_i64(&def, "well_count", 8), HFRAC_OK);
-  EXPECT_EQ(hfrac_sim_def_set_f64(&def, "well[8].x", 1.0), HFRAC_ERR_ARGUMENT);
-}
-
-TEST(DefKeys, WellsAssignedBeforeTheirCountSurviveASetter) {
-  hfrac_sim_def def = new_def();
-  def.wells[0].radius = 6.0;
-  ASSERT_EQ(hfrac_sim_def_set_f64(&def, "model.width", 70.0), HFRAC_OK);
-  EXPECT_EQ(def.wells[0].radius, 6.0);
+  EXPECT_EQ(def.wells[0].x, 50.0);
+  EXPECT_EQ(hfrac_sim_def_set_f64(&def, "well[9].x", 1.0), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(last_error(), "well[9] is not there: well_count is 8; wells are added in order.");
+  EXPECT_EQ(hfrac_sim_def_set_f64(&def, "well[8].x", 1.0), HFRAC_OK);
+  EXPECT_EQ(def.well_count, 9);
 }
 
 TEST(DefKeys, TitlesMustFit) {
-  hfrac_sim_def def = new_def();
+  hfrac::Definition def = new_def();
   ASSERT_EQ(hfrac_sim_def_set_str(&def, "title", std::string(127, 't').c_str()), HFRAC_OK);
   EXPECT_EQ(hfrac_sim_def_set_str(&def, "title", std::string(128, 't').c_str()), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hfrac_sim_def_set_str(&def, "title", "\xFF"), HFRAC_ERR_ARGUMENT);
@@ -187,7 +188,7 @@ TEST(DefKeys, TitlesMustFit) {
 }
 
 TEST(DefKeys, NullIsRefused) {
-  hfrac_sim_def def = new_def();
+  hfrac::Definition def = new_def();
   double value = 0.0;
   int32_t needed = 0;
   EXPECT_EQ(hfrac_sim_def_set_f64(nullptr, "model.width", 1.0), HFRAC_ERR_ARGUMENT);

@@ -26,7 +26,7 @@ using namespace testing_capi;
 TEST(Environment, TrapsOfTheHostDoNotFireInsideAndStayOn) {
   const TemporaryFolder folder;
   const std::string path = folder.write("[disc]\ndensity = nan\n");
-  hfrac_sim_def def = sound_def();
+  hfrac::Definition def = sound_def();
   feclearexcept(FE_ALL_EXCEPT);
   const int traps = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
   feenableexcept(traps);
@@ -38,7 +38,7 @@ TEST(Environment, TrapsOfTheHostDoNotFireInsideAndStayOn) {
 }
 
 TEST(Environment, FlagsAndRoundingOfTheHostStay) {
-  hfrac_sim_def def = sound_def();
+  hfrac::Definition def = sound_def();
   const std::string expected = written(def);
   feclearexcept(FE_ALL_EXCEPT);
   feraiseexcept(FE_OVERFLOW);
@@ -55,7 +55,7 @@ TEST(Environment, FlagsAndRoundingOfTheHostStay) {
 TEST(Environment, DenormalsAreKeptInsideThoughTheHostFlushesThem) {
   const TemporaryFolder folder;
   const std::string path = folder.write("[[well]]\nradius = 3\nrate = 1e-310\n");
-  hfrac_sim_def def = new_def();
+  hfrac::Definition def = new_def();
   const unsigned before = _mm_getcsr();
   _mm_setcsr(before | 0x8040U);  // flush to zero, denormals are zero
   const int32_t status = hfrac_sim_def_load(&def, path.c_str());
@@ -74,7 +74,7 @@ TEST(Environment, SignalsOfTheHostStayWithItsThreads) {
   }, before{};
   ours.sa_handler = [](int) { handled = handled + 1; };
   sigaction(SIGALRM, &ours, &before);
-  hfrac_sim_def def = cracking_def();
+  hfrac::Definition def = cracking_def();
   def.run_workers = 3;
   const Sim sim(def);
   sigset_t alarm_only;
@@ -115,13 +115,13 @@ TEST(Environment, LocaleOfTheHostChangesNothing) {
     GTEST_SKIP() << "no locale with a decimal comma can be had";
   }
   EXPECT_STREQ(std::localeconv()->decimal_point, ",");
-  hfrac_sim_def def = sound_def();
+  hfrac::Definition def = sound_def();
   def.model_width = 100.5;
   def.packing_disc_count = 1234567;
   const std::string text = written(def);
   EXPECT_NE(text.find("width = 100.5\n"), std::string::npos);
   EXPECT_NE(text.find("disc_count = 1234567\n"), std::string::npos);
-  hfrac_sim_def read = new_def();
+  hfrac::Definition read = new_def();
   EXPECT_EQ(hfrac_sim_def_load(&read, folder.write(text).c_str()), HFRAC_OK) << last_error();
   EXPECT_EQ(read.model_width, 100.5);
   def.packing_porosity = 0.9;

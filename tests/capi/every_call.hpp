@@ -19,8 +19,8 @@
 namespace testing_capi {
 
 // With temperature, so that what sets one has a meaning.
-inline hfrac_sim_def warm_def() {
-  hfrac_sim_def def = quiet_def(200);
+inline hfrac::Definition warm_def() {
+  hfrac::Definition def = quiet_def(200);
   def.thermal_mode = 2;
   return def;
 }
@@ -29,7 +29,7 @@ inline hfrac_sim_def warm_def() {
 struct Ground {
   hfrac_sim* sim = nullptr;
   hfrac_sim* made = nullptr;  // by hfrac_sim_create, or to be destroyed
-  hfrac_sim_def def = warm_def();
+  hfrac::Definition def = warm_def(), read;
   std::vector<double> reals = std::vector<double>(1U << 17U, 30e6);
   std::vector<int32_t> numbers = std::vector<int32_t>(1U << 17U);
   std::vector<unsigned char> bytes = std::vector<unsigned char>(1U << 23U);
@@ -55,6 +55,10 @@ struct Ground {
     std::memset(bytes.data(), 0, sizeof(Struct));
     made_of_bytes->struct_size = sizeof(Struct);
     return made_of_bytes;
+  }
+  hfrac_sim_def* empty_def() {
+    hfrac_sim_def_free(&read);
+    return &read;
   }
   template <class Struct>
   Struct* several() {
@@ -104,7 +108,7 @@ std::vector<Bad<T>> bad_values(std::vector<std::vector<unsigned char>>& kept) {
             {"/nonexistent/\xff\xfe", Fault::odd}};
   } else if constexpr (std::is_same_v<Pointed, hfrac_sim>) {
     hfrac_sim* gone = nullptr;
-    static const hfrac_sim_def def = quiet_def(200);
+    static const hfrac::Definition def = quiet_def(200);
     EXPECT_EQ(hfrac_sim_create(&def, &gone), HFRAC_OK);
     hfrac_sim* const copy = gone;
     EXPECT_EQ(hfrac_sim_destroy(&gone), HFRAC_OK);

@@ -28,7 +28,9 @@ std::vector<Row> without_a_simulation() {
       ROW(hfrac_abi_version, reads, Optional(), &g.number),
       ROW(hfrac_build_info, reads, Optional({2}), +g.text, 4096, &g.number),
       ROW(hfrac_status_text, reads, Optional({3}), -1, +g.text, 4096, &g.number),
-      ROW(hfrac_sim_def_init, reads, Optional(), &g.def, static_cast<int32_t>(sizeof(hfrac_sim_def))),
+      ROW(hfrac_sim_def_init, reads, Optional(), g.empty_def(), static_cast<int32_t>(sizeof(hfrac_sim_def))),
+      ROW(hfrac_sim_def_free, reads, Optional({0}), g.empty_def()),
+      ROW(hfrac_sim_def_copy, reads, Optional(), &g.def, g.empty_def()),
       ROW(hfrac_sim_def_load, reads, Optional(), &g.def, g.case_file.c_str()),
       ROW(hfrac_sim_def_write, reads, Optional({3}), &g.def, +g.text, 4096, &g.number),
       ROW(hfrac_sim_def_check, reads, Optional(), &g.def),
@@ -75,7 +77,7 @@ std::vector<Row> without_a_simulation() {
 std::vector<Row> reading() {
   return {
       ROW(hfrac_last_error, reads, Optional({0, 3}), g.sim, +g.text, 4096, &g.number),
-      ROW(hfrac_sim_definition, reads, Optional(), g.sim, g.sized<hfrac_sim_def>()),
+      ROW(hfrac_sim_definition, reads, Optional(), g.sim, g.empty_def()),
       ROW(hfrac_sim_get_state, reads, Optional(), g.sim, g.sized<hfrac_sim_state>()),
       ROW(hfrac_sim_get_setup, reads, Optional(), g.sim, g.sized<hfrac_setup_report>()),
       ROW(hfrac_get_balance, reads, Optional(), g.sim, g.sized<hfrac_balance>()),

@@ -79,7 +79,7 @@ class EveryCall : public testing::Test {
   }
 
   Ground g_;
-  hfrac_sim_def good_def_ = quiet_def(200);
+  hfrac::Definition good_def_ = quiet_def(200);
   hfrac_lab_spec good_spec_{};
   hfrac_targets good_targets_{};
   int64_t hash_ = 0;
@@ -290,6 +290,8 @@ void spoil_every_member(const Struct& good, const std::set<std::size_t>& pointer
 
 TEST_F(EveryCall, MembersOfADefinitionAreChecked) {
   const std::set<std::size_t> pointers = {
+      offsetof(hfrac_sim_def, lists),       offsetof(hfrac_sim_def, wells),
+      offsetof(hfrac_sim_def, joints),      offsetof(hfrac_sim_def, schedule),
       offsetof(hfrac_sim_def, given_discs), offsetof(hfrac_sim_def, progress),
       offsetof(hfrac_sim_def, log),         offsetof(hfrac_sim_def, progress_user),
       offsetof(hfrac_sim_def, log_user),    offsetof(hfrac_sim_def, given_bonds)};

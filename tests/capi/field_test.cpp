@@ -51,7 +51,7 @@ View viewed(hfrac_sim* sim, const Entry& entry) {
 class Fields : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    const hfrac_sim_def def = cracking_def(700);
+    const hfrac::Definition def = cracking_def(700);
     ASSERT_EQ(hfrac_sim_create(&def, &sim), HFRAC_OK) << last_error();
     start = doubles(sim, HFRAC_DISC_POSITION);
     ASSERT_EQ(hfrac_step(sim, 3), HFRAC_OK) << last_error(sim);
@@ -257,7 +257,7 @@ TEST(FieldStart, NothingHasMovedAtFirst) {
 }
 
 TEST(FieldStart, ContactsCarryTheFarFieldLessThePressure) {
-  hfrac_sim_def def = quiet_def(1000);
+  hfrac::Definition def = quiet_def(1000);
   def.stress_sigma_Hmax = 40e6;
   const Sim sim(def);
   const auto stress = doubles(sim, HFRAC_DISC_STRESS);
@@ -376,7 +376,7 @@ TEST_F(Fields, OneDomainIsOutsideAndOnePerWellIsAWell) {
 
 // A fracture that opens faster than it fills has a tip without fluid: the front is where domain.saturation falls below one.
 TEST(FieldSaturation, PoresAheadOfTheFluidHaveRoomLeft) {
-  hfrac_sim_def def = cracking_def();
+  hfrac::Definition def = cracking_def();
   def.stress_convention = 0;  // total: the floor is no pressure at all
   def.stress_sigma_Hmax = def.stress_sigma_hmin = 20e6;
   def.fluid_formation_pressure = 1e5;
@@ -399,7 +399,7 @@ TEST(FieldSaturation, PoresAheadOfTheFluidHaveRoomLeft) {
 }
 
 TEST(FieldFlow, WhatLeavesThroughPipesIsWhatTheBalanceSays) {
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   def.stepping_flow_step = 1e6;  // long enough to reach the boundary
   const Sim sim(def);
   ASSERT_EQ(hfrac_step(sim, 1), HFRAC_OK);

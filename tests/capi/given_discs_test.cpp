@@ -22,14 +22,14 @@ std::vector<double> hexagonal(double width, double height, double radius) {
   return discs;
 }
 
-hfrac_sim_def with_discs(hfrac_sim_def def, const std::vector<double>& discs) {
+hfrac::Definition with_discs(hfrac::Definition def, const std::vector<double>& discs) {
   def.given_discs = discs.data();
   def.given_disc_count = static_cast<int64_t>(discs.size() / 3);
   return def;
 }
 
 void expect_refused(const std::vector<double>& discs, const std::string& part) {
-  const hfrac_sim_def def = with_discs(cracking_def(), discs);
+  const hfrac::Definition def = with_discs(cracking_def(), discs);
   hfrac_sim* sim = nullptr;
   const int32_t status = hfrac_sim_create(&def, &sim);
   EXPECT_EQ(status, HFRAC_ERR_MODEL) << last_error();
@@ -43,7 +43,7 @@ void expect_refused(const std::vector<double>& discs, const std::string& part) {
 TEST(GivenDiscs, BuildAndStep) {
   std::vector<double> discs = hexagonal(100.0, 100.0, 2.0);
   const auto given = static_cast<int64_t>(discs.size() / 3);
-  hfrac_sim_def def = with_discs(cracking_def(), discs);
+  hfrac::Definition def = with_discs(cracking_def(), discs);
   def.bond_tensile_strength = def.bond_shear_strength = 15e6;
   EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_OK) << last_error();
   const Sim sim(def);
@@ -62,7 +62,7 @@ TEST(GivenDiscs, BuildAndStep) {
 
 TEST(GivenDiscs, GiveTheSameTwice) {
   const std::vector<double> discs = hexagonal(100.0, 100.0, 2.0);
-  hfrac_sim_def def = with_discs(cracking_def(), discs);
+  hfrac::Definition def = with_discs(cracking_def(), discs);
   const Sim one(def);
   def.packing_disc_count = 12345;  // of no matter
   def.model_seed = 99;
@@ -72,7 +72,7 @@ TEST(GivenDiscs, GiveTheSameTwice) {
 }
 
 TEST(GivenDiscs, OfTheEngineItselfFitAgain) {
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   def.well_count = 0;
   const Sim packed(def);
   const auto position = doubles(packed, HFRAC_DISC_POSITION), radius = doubles(packed, HFRAC_DISC_RADIUS);
@@ -147,15 +147,15 @@ std::vector<int64_t> bonds_of(const hfrac_sim* sim) {
   return bonds;
 }
 
-hfrac_sim_def with_bonds(hfrac_sim_def def, const std::vector<int64_t>& bonds) {
+hfrac::Definition with_bonds(hfrac::Definition def, const std::vector<int64_t>& bonds) {
   def.given_bonds = bonds.data();
   def.given_bond_count = static_cast<int64_t>(bonds.size() / 2);
   return def;
 }
 
 // A rock without a well, so that every disc given keeps its index.
-hfrac_sim_def plain_rock(const std::vector<double>& discs) {
-  hfrac_sim_def def = with_discs(quiet_def(), discs);
+hfrac::Definition plain_rock(const std::vector<double>& discs) {
+  hfrac::Definition def = with_discs(quiet_def(), discs);
   def.well_count = 0;
   return def;
 }
@@ -234,7 +234,7 @@ TEST(GivenBonds, ThatCannotBeAreRefused) {
   const auto refused = [&](std::size_t at, int64_t value, const std::string& part) {
     std::vector<int64_t> bonds = good;
     bonds[at] = value;
-    const hfrac_sim_def def = with_bonds(plain_rock(discs), bonds);
+    const hfrac::Definition def = with_bonds(plain_rock(discs), bonds);
     hfrac_sim* sim = nullptr;
     EXPECT_EQ(hfrac_sim_create(&def, &sim), HFRAC_ERR_MODEL);
     EXPECT_EQ(sim, nullptr);
@@ -248,7 +248,7 @@ TEST(GivenBonds, ThatCannotBeAreRefused) {
   std::vector<int64_t> twice = good;
   twice[14] = good[1];
   twice[15] = good[0];
-  const hfrac_sim_def def = with_bonds(plain_rock(discs), twice);
+  const hfrac::Definition def = with_bonds(plain_rock(discs), twice);
   EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_ERR_MODEL);
   EXPECT_NE(last_error().find("given_bonds[7]"), std::string::npos) << last_error();
   EXPECT_NE(last_error().find("again, after given_bonds[0]"), std::string::npos) << last_error();
@@ -259,12 +259,12 @@ TEST(GivenBonds, AndTheirCountMustAgree) {
   const std::vector<int64_t> bonds = {0, 1, 1, 2};
   hfrac_sim* sim = nullptr;
   for (const int64_t count : {int64_t{0}, int64_t{-1}, INT64_MAX, INT64_MIN, int64_t{1} << 40}) {
-    hfrac_sim_def def = with_bonds(plain_rock(discs), bonds);
+    hfrac::Definition def = with_bonds(plain_rock(discs), bonds);
     def.given_bond_count = count;
     EXPECT_EQ(hfrac_sim_create(&def, &sim), HFRAC_ERR_ARGUMENT) << count;
     EXPECT_NE(last_error().find("given_bond_count"), std::string::npos) << last_error();
   }
-  hfrac_sim_def def = with_bonds(plain_rock(discs), bonds);
+  hfrac::Definition def = with_bonds(plain_rock(discs), bonds);
   def.given_bonds = nullptr;
   EXPECT_EQ(hfrac_sim_create(&def, &sim), HFRAC_ERR_ARGUMENT);
   def = with_bonds(quiet_def(), bonds);  // without discs of their own
@@ -275,7 +275,7 @@ TEST(GivenBonds, AndTheirCountMustAgree) {
 TEST(GivenDiscs, AndTheirCountMustAgree) {
   const std::vector<double> discs = hexagonal(100.0, 100.0, 2.0);
   hfrac_sim* sim = nullptr;
-  hfrac_sim_def def = with_discs(cracking_def(), discs);
+  hfrac::Definition def = with_discs(cracking_def(), discs);
   def.given_discs = nullptr;
   EXPECT_EQ(hfrac_sim_create(&def, &sim), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(last_error(), "given_discs and given_disc_count disagree: one is set, the other is not.");

@@ -115,7 +115,7 @@ TEST(Grid, FlowNeverExceedsTheUniformGradient) {
 }
 
 TEST(Grid, OutflowIsWhatLeaks) {
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   def.flow_permeability = 1e-12;
   def.wells[0].pressure = 35e6;
   Sim sim(def);
@@ -135,7 +135,7 @@ TEST(Grid, OutflowIsWhatLeaks) {
 
 // What a Newton step of a coupled host needs: how `outflow` answers to the pressure beyond the edge.
 TEST(Grid, ConductanceIsTheDerivativeOfTheOutflow) {
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   def.flow_permeability = 1e-15;
   def.stepping_flow_step = 1e-9;  // too short for the pores to follow
   Sim low(def), high(def);
@@ -158,7 +158,7 @@ TEST(Grid, ConductanceIsTheDerivativeOfTheOutflow) {
 
 TEST(Grid, BoundaryPressureDrivesFlow) {
   for (const int32_t scheme : {0, 1}) {
-    hfrac_sim_def def = quiet_def();
+    hfrac::Definition def = quiet_def();
     def.flow_scheme = scheme;
     def.flow_permeability = 1e-12;
     def.stepping_flow_step = scheme == 0 ? 100.0 : 0.1;
@@ -189,7 +189,7 @@ TEST(Grid, BoundaryPressureDrivesFlow) {
 
 // Two ways to say the same: what a host's grid says of the outer boundary is absolute, whatever the formation's pressure is.
 TEST(Grid, ABoundaryPressureStaysUntilTheHostTakesItBack) {
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   def.flow_permeability = 1e-12;
   def.stepping_flow_step = 100.0;
   const double p0 = def.fluid_formation_pressure, rim[2] = {p0 + 1e6, p0};
@@ -233,7 +233,7 @@ TEST(Grid, ABoundaryPressureStaysUntilTheHostTakesItBack) {
 }
 
 TEST(Grid, CellPressureIsBookedAsTheHosts) {
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   def.flow_outer = 1;  // closed
   def.wells[0].rate = 0.0;
   def.wells[0].control = HFRAC_WELL_RATE;
@@ -269,7 +269,7 @@ TEST(Grid, CellPressureIsBookedAsTheHosts) {
 }
 
 TEST(Grid, UniformStressIsTheFarFields) {
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   Sim by_cells(def), by_far_field(def);
   const auto grid = regular(3, 2, 0.0, 0.0, 34.0, 50.0);
   ASSERT_EQ(hfrac_set_grid(by_cells, &grid), HFRAC_OK);
@@ -302,7 +302,7 @@ TEST(Grid, UniformStressIsTheFarFields) {
 // Stress that grows along y, as on the side of a depleted zone: xx linear in y is in equilibrium (div = 0), so the rock
 // inside must carry it row by row.
 TEST(Grid, StressThatChangesFromCellToCellArrivesInside) {
-  hfrac_sim_def def = quiet_def(1500);
+  hfrac::Definition def = quiet_def(1500);
   def.packing_residual = 1e-4;
   def.contact_mode = 1;  // linear rock
   def.flow_scheme = 2;   // dry
@@ -339,7 +339,7 @@ TEST(Grid, EverySolverTakesTheHostsValues) {
   double mean[3] = {};
   int k = 0;
   for (const Kind kind : {Kind{0, 0}, Kind{1, 0}, Kind{1, 2}}) {  // explicit, quasi-static, coupled
-    hfrac_sim_def def = quiet_def();
+    hfrac::Definition def = quiet_def();
     def.solver_kind = kind.solver;
     def.stepping_mode = kind.mode;
     Sim sim(def);
@@ -364,7 +364,7 @@ TEST(Grid, EverySolverTakesTheHostsValues) {
 }
 
 TEST(Grid, RejectedStepsTakeTheHostsValuesBack) {
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   def.flow_permeability = 1e-13;
   Sim sim(def);
   const auto grid = regular(2, 2, 0.0, 0.0, 50.0, 50.0);
@@ -445,7 +445,7 @@ TEST(Grid, MisuseIsRefused) {
   EXPECT_EQ(hfrac_write_grdecl(sim, "/tmp/x", 0, 0, 1, 0.0, -1.0), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hash_of(sim), before) << "nothing refused has left a trace";
 
-  hfrac_sim_def walled_def = quiet_def();
+  hfrac::Definition walled_def = quiet_def();
   walled_def.boundary_kind = 1;
   walled_def.flow_outer = 1;
   Sim walled(walled_def);

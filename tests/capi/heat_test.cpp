@@ -16,8 +16,8 @@ using namespace testing_capi;
 
 constexpr double rock = 573.15, cold = 293.15;
 
-hfrac_sim_def hot_def(int64_t mode = 2) {
-  hfrac_sim_def def = quiet_def();
+hfrac::Definition hot_def(int64_t mode = 2) {
+  hfrac::Definition def = quiet_def();
   def.thermal_mode = mode;
   def.thermal_rock_temperature = rock;
   def.thermal_fluid_temperature = cold;
@@ -106,7 +106,7 @@ TEST(Heat, CellsOfTheHostsGridGoInAndOut) {
 }
 
 TEST(Heat, ChangingTheTemperatureWhileRunningMovesTheRock) {
-  hfrac_sim_def def = hot_def(1);
+  hfrac::Definition def = hot_def(1);
   def.flow_scheme = 2;  // dry: fluid in pores would resist at first
   Sim sim(def);
   ASSERT_GE(hfrac_step(sim, 1), 0);
@@ -163,7 +163,7 @@ TEST(Heat, RefusesWhatItCannotTakeAndChangesNothing) {
 }
 
 TEST(Heat, TheTableRefusesTemperaturesOutsideIt) {
-  hfrac_sim_def def = hot_def(1);
+  hfrac::Definition def = hot_def(1);
   def.thermal_parameters = 1;
   Sim sim(def);
   EXPECT_EQ(hfrac_set_temperature(sim, 673.15), HFRAC_OK) << last_error(sim);

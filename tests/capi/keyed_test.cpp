@@ -27,7 +27,7 @@ int64_t integer_of(const hfrac_sim_def& def, const char* key) {
 }
 
 TEST(KeyedGet, GivesWhatWasSetInEveryType) {
-  hfrac_sim_def def = cracking_def();
+  hfrac::Definition def = cracking_def();
   def.model_seed = 9007199254740991;
   def.bond_tensile_strength = 0.1 + 0.2;
   def.wells[0].control = HFRAC_WELL_RATE;
@@ -47,8 +47,8 @@ TEST(KeyedGet, GivesWhatWasSetInEveryType) {
 
 // Every option, read as text and set from that text in its own type, comes back.
 TEST(KeyedGet, TextGivesTheValueBack) {
-  const hfrac_sim_def def = cracking_def();
-  hfrac_sim_def back = new_def();
+  const hfrac::Definition def = cracking_def();
+  hfrac::Definition back = new_def();
   int32_t count = 0;
   ASSERT_EQ(hfrac_option_count(&count), HFRAC_OK);
   for (int32_t i = 0; i < count; ++i) {
@@ -66,7 +66,7 @@ TEST(KeyedGet, TextGivesTheValueBack) {
 }
 
 TEST(KeyedGet, RefusesWhatItCannotGive) {
-  const hfrac_sim_def def = cracking_def();
+  const hfrac::Definition def = cracking_def();
   int64_t value = -77;
   char text[8];
   EXPECT_EQ(hfrac_sim_def_get_i64(&def, "bond.tensile_strength", &value), HFRAC_ERR_ARGUMENT);
@@ -82,7 +82,7 @@ TEST(KeyedGet, RefusesWhatItCannotGive) {
   EXPECT_EQ(hfrac_sim_def_get_i64(&def, nullptr, &value), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hfrac_sim_def_get_i64(&def, "model.seed", nullptr), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hfrac_sim_def_get_str(&def, nullptr, text, 8, nullptr), HFRAC_ERR_ARGUMENT);
-  hfrac_sim_def out = cracking_def();
+  hfrac::Definition out = cracking_def();
   out.boundary_kind = 7;  // by plain assignment; the text must not read beyond the words
   EXPECT_EQ(text_of(out, "boundary.kind"), "7");
   out.well_count = 1000;
@@ -93,7 +93,7 @@ TEST(WellOptions, AreListedLikeTheOthers) {
   int32_t count = 0;
   ASSERT_EQ(hfrac_well_option_count(&count), HFRAC_OK);
   ASSERT_GE(count, 7);
-  hfrac_sim_def def = new_def();
+  hfrac::Definition def = new_def();
   for (int32_t i = 0; i < count; ++i) {
     const auto info = read_struct<hfrac_option_info>([&](auto* to) { return hfrac_well_option_at(i, to); });
     EXPECT_NE(std::strlen(info.help), 0U) << info.key;
@@ -113,7 +113,7 @@ TEST(WellOptions, AreListedLikeTheOthers) {
 }
 
 TEST(WellOptions, AWellAddedByKeyLiesInTheMiddle) {
-  hfrac_sim_def def = new_def();
+  hfrac::Definition def = new_def();
   ASSERT_EQ(hfrac_sim_def_set_f64(&def, "model.width", 60.0), HFRAC_OK);
   ASSERT_EQ(hfrac_sim_def_set_f64(&def, "well[0].radius", 5.0), HFRAC_OK);
   EXPECT_EQ(def.well_count, 1);

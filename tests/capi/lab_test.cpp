@@ -35,7 +35,7 @@ std::vector<double> table_of(const hfrac_lab* lab, int32_t table) {
 }
 
 TEST(Lab, ATensionTestHasACurveAndItsCracks) {
-  const hfrac_sim_def def = new_def();
+  const hfrac::Definition def = new_def();
   const hfrac_lab_spec spec = new_spec(HFRAC_LAB_TENSION, 400);
   hfrac_lab* lab = nullptr;
   ASSERT_EQ(hfrac_lab_run(&def, &spec, nullptr, nullptr, &lab), HFRAC_OK) << last_error();
@@ -58,7 +58,7 @@ TEST(Lab, ATensionTestHasACurveAndItsCracks) {
 }
 
 TEST(Lab, RefusesWhatMakesNoSpecimen) {
-  const hfrac_sim_def def = new_def();
+  const hfrac::Definition def = new_def();
   hfrac_lab* lab = nullptr;
   const auto refused = [&](const hfrac_lab_spec& spec, const char* word) {
     EXPECT_EQ(hfrac_lab_run(&def, &spec, nullptr, nullptr, &lab), HFRAC_ERR_ARGUMENT);
@@ -80,7 +80,7 @@ TEST(Lab, RefusesWhatMakesNoSpecimen) {
 }
 
 TEST(Lab, StopsWhenAsked) {
-  const hfrac_sim_def def = new_def();
+  const hfrac::Definition def = new_def();
   const hfrac_lab_spec spec = new_spec(HFRAC_LAB_TENSION, 400);
   hfrac_lab* lab = nullptr;
   const auto stop = [](void*, double, const char*) -> int32_t { return 1; };
@@ -105,7 +105,7 @@ hfrac_calibration calibrated(hfrac_sim_def& def, const hfrac_targets& targets) {
 }
 
 TEST(Calibration, GivesTheModulusAndPoissonsRatioAskedFor) {
-  hfrac_sim_def def = new_def();
+  hfrac::Definition def = new_def();
   hfrac_targets targets = small_targets();
   targets.modulus = 21.9e9;
   targets.poisson = 0.2;
@@ -119,7 +119,7 @@ TEST(Calibration, GivesTheModulusAndPoissonsRatioAskedFor) {
 
 // Without a strength asked for, both strengths go to what gives K_Ic at the model's disc size.
 TEST(Calibration, GivesTheToughnessAskedFor) {
-  hfrac_sim_def def = new_def();
+  hfrac::Definition def = new_def();
   hfrac_targets targets = small_targets();
   targets.toughness = 20e6;
   targets.strength_disc_count = 600;
@@ -143,7 +143,7 @@ TEST(Calibration, ToughnessAndStrengthTogetherFixTheDiscSize) {
   targets.packings = 4;  // fewer are more than a tenth off on others
   targets.tensile_strength = 17e6;
   targets.toughness = 40e6;
-  hfrac_sim_def coarse = new_def(), fine = new_def();
+  hfrac::Definition coarse = new_def(), fine = new_def();
   EXPECT_EQ(calibrated(coarse, targets).reached, 1);
   targets.toughness = 20e6;
   EXPECT_EQ(calibrated(fine, targets).reached, 1);
@@ -152,7 +152,7 @@ TEST(Calibration, ToughnessAndStrengthTogetherFixTheDiscSize) {
               16.0, 0.1);
   // Rock that tough at that strength would be a handful of discs: the fewest there are come nearest.
   targets.toughness = 400e6;
-  hfrac_sim_def few = new_def();
+  hfrac::Definition few = new_def();
   const auto found = calibrated(few, targets);
   EXPECT_EQ(found.reached, 0);
   EXPECT_NE(std::string(found.text).find("K_Ic = 4e8"), std::string::npos) << found.text;
@@ -160,7 +160,7 @@ TEST(Calibration, ToughnessAndStrengthTogetherFixTheDiscSize) {
 }
 
 TEST(Calibration, SaysWhatTheModelCannotHave) {
-  hfrac_sim_def def = new_def();
+  hfrac::Definition def = new_def();
   hfrac_targets targets = small_targets();
   targets.poisson = 0.49;
   const auto found = calibrated(def, targets);
@@ -171,8 +171,8 @@ TEST(Calibration, SaysWhatTheModelCannotHave) {
 }
 
 TEST(Calibration, RefusesTargetsOutOfRangeAndNone) {
-  hfrac_sim_def def = new_def();
-  const hfrac_sim_def before = def;
+  hfrac::Definition def = new_def();
+  const hfrac::Definition before = def;
   hfrac_calibration found{};
   found.struct_size = sizeof found;
   hfrac_targets targets = small_targets();

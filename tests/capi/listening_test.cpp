@@ -40,7 +40,7 @@ struct Ear {
 
 TEST(Listening, HearsTheBuilding) {
   Ear ear;
-  hfrac_sim_def def = cracking_def();
+  hfrac::Definition def = cracking_def();
   def.log = Ear::hear;
   def.log_user = &ear;
   const Sim sim(def);
@@ -59,7 +59,7 @@ TEST(Listening, HearsTheBuilding) {
 
 TEST(Listening, HearsWhyThereIsNoSimulation) {
   Ear ear;
-  hfrac_sim_def def = cracking_def();
+  hfrac::Definition def = cracking_def();
   def.log = Ear::hear;
   def.log_user = &ear;
   def.log_level = HFRAC_LOG_ERROR;
@@ -105,7 +105,7 @@ TEST(Listening, NewCracksAreTold) {
 }
 
 TEST(Listening, AStepThatDoesNotComeToRestIsAWarning) {
-  hfrac_sim_def def = cracking_def();
+  hfrac::Definition def = cracking_def();
   def.stepping_max_cycles = 20;
   def.stepping_force_ratio = 1e-9;
   const Sim sim(def);

@@ -20,7 +20,7 @@ struct Call {
   std::function<int32_t(hfrac_sim*)> run;
 };
 std::vector<Call> all_calls() {
-  static hfrac_sim_def def;
+  static hfrac::Definition def;
   static hfrac_sim_state state;
   static hfrac_setup_report setup;
   static hfrac_balance balance;
@@ -237,7 +237,7 @@ TEST(Misuse, WhatACallbackThrowsLosesNoWholeStep) {
 }
 
 TEST(Misuse, AnExceptionWhileBuildingLeavesNothing) {
-  hfrac_sim_def def = quiet_def(20000);
+  hfrac::Definition def = quiet_def(20000);
   Host host([](double, const char*) -> int32_t { throw std::runtime_error("thrown by the host"); });
   def.progress = host.call;
   def.progress_user = &host;

@@ -13,8 +13,8 @@ namespace {
 using namespace testing_capi;
 
 // A shut well in rock that holds; steps long enough for pressure to cross the model.
-hfrac_sim_def patient_def() {
-  hfrac_sim_def def = quiet_def(300);
+hfrac::Definition patient_def() {
+  hfrac::Definition def = quiet_def(300);
   def.stepping_flow_step = 5e8;
   def.wells[0].control = HFRAC_WELL_RATE;
   def.wells[0].rate = 0.0;
@@ -93,7 +93,7 @@ TEST(FormationPressure, GoesBackWithARejectedStepAndWithAState) {
 }
 
 TEST(FormationPressure, InTheEffectiveConventionPressuresStayNetOfTheDefinition) {
-  hfrac_sim_def def = cracking_def(300);
+  hfrac::Definition def = cracking_def(300);
   def.bond_tensile_strength = def.bond_shear_strength = 1e12;
   def.wells[0].control = HFRAC_WELL_RATE;
   def.stepping_flow_step = 5e8;
@@ -114,7 +114,7 @@ TEST(FormationPressure, IsRefusedWhereItCannotAct) {
     EXPECT_FALSE(last_error(sim).empty());
   }
   EXPECT_EQ(hash_of(sim), before);
-  hfrac_sim_def def = quiet_def(300);
+  hfrac::Definition def = quiet_def(300);
   def.flow_outer = 1;  // closed
   const Sim closed(def);
   EXPECT_EQ(hfrac_set_formation_pressure(closed, 26e6), HFRAC_ERR_ARGUMENT);
@@ -126,7 +126,7 @@ TEST(FormationPressure, IsRefusedWhereItCannotAct) {
 }
 
 TEST(Walls, CarryTheFarFieldAndAreWhereTheyWerePut) {
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   def.boundary_kind = 1;
   def.boundary_walls_after_equilibration = 1;
   def.stress_sigma_Hmax = 40e6;
@@ -165,7 +165,7 @@ TEST(StepLimits, NameWhatBinds) {
     const Sim sim(def);
     return read_struct<hfrac_step_limits>([&](auto* to) { return hfrac_get_step_limits(sim, to); });
   };
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   def.stepping_flow_step = 1e4;
   hfrac_step_limits limits = limits_of(def);
   EXPECT_EQ(limits.binding, HFRAC_LIMIT_NONE) << "implicit flow, rock at rest";
@@ -184,7 +184,7 @@ TEST(StepLimits, NameWhatBinds) {
 
 // The limit is the one the solver keeps: a step just below half of it takes one sub-cycle, one above it two.
 TEST(StepLimits, TheFlowLimitIsTheSolversOwn) {
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   def.flow_scheme = 1;
   const Sim sim(def);
   const auto limits =

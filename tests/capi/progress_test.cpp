@@ -10,7 +10,7 @@ namespace {
 using namespace testing_capi;
 
 TEST(Progress, RunsThroughTheBuilding) {
-  hfrac_sim_def def = quiet_def(1500);
+  hfrac::Definition def = quiet_def(1500);
   def.packing_residual = 1e-6;  // long enough to be asked
   double last = -1.0;
   int calls = 0;
@@ -35,7 +35,7 @@ TEST(Progress, RunsThroughTheBuilding) {
 }
 
 TEST(Progress, StopsTheBuilding) {
-  hfrac_sim_def def = quiet_def(20000);
+  hfrac::Definition def = quiet_def(20000);
   int calls = 0;
   Host host([&](double, const char*) { return ++calls; });
   def.progress = host.call;
@@ -125,7 +125,7 @@ TEST(Progress, MayReadAndNotChange) {
     int32_t wells = 0;
     double reached = 0.0;
     const void* data = nullptr;
-    hfrac_sim_def def = new_def();
+    hfrac::Definition def = new_def();
     // Reading works.
     sight_of(sim);
     fractures_of(sim);

@@ -25,7 +25,7 @@ const Renamed all[] = {
 TEST(RenamedOptions, AreRefusedInCaseFilesWithTheNewName) {
   const TemporaryFolder folder;
   for (const auto& one : all) {
-    hfrac_sim_def def = new_def();
+    hfrac::Definition def = new_def();
     const std::string path = folder.write(one.case_file);
     EXPECT_EQ(hfrac_sim_def_load(&def, path.c_str()), HFRAC_ERR_CASE_FILE) << one.before;
     EXPECT_NE(last_error().find(":2: " + std::string(one.before) + " is now called " + one.now),
@@ -36,7 +36,7 @@ TEST(RenamedOptions, AreRefusedInCaseFilesWithTheNewName) {
 
 TEST(RenamedOptions, AreRefusedByKeyWithTheNewName) {
   for (const auto& one : all) {
-    hfrac_sim_def def = new_def();
+    hfrac::Definition def = new_def();
     double real = 0.0;
     const std::string told = std::string(one.before) + " is now called " + one.now;
     EXPECT_EQ(hfrac_sim_def_set_f64(&def, one.before, 1.0), HFRAC_ERR_UNKNOWN_KEY);
@@ -50,7 +50,7 @@ TEST(RenamedOptions, AreRefusedByKeyWithTheNewName) {
 
 TEST(RenamedOptions, TheNewNamesAreKnown) {
   for (const auto& one : all) {
-    hfrac_sim_def def = new_def();
+    hfrac::Definition def = new_def();
     double value = 0.0;
     EXPECT_EQ(hfrac_sim_def_get_f64(&def, one.now, &value), HFRAC_OK) << last_error();
   }
@@ -65,7 +65,7 @@ TEST(RenamedOptions, SoAreFields) {
 }
 
 TEST(RenamedOptions, NewWordsOfAChoiceAreNamed) {
-  hfrac_sim_def def = new_def();
+  hfrac::Definition def = new_def();
   EXPECT_NE(hfrac_sim_def_set_str(&def, "model.reading", "sound"), HFRAC_OK);
   EXPECT_EQ(last_error(),
             "model.reading is now called stress.convention, and \"sound\" is \"total\" and \"paper\" is "

@@ -13,14 +13,14 @@
 namespace testing_capi {
 
 // Effective stresses in rigid walls without a far field: cracks in its first step.
-inline hfrac_sim_def cracking_def(int64_t discs = 500) {
-  hfrac_sim_def def = new_def();
+inline hfrac::Definition cracking_def(int64_t discs = 500) {
+  hfrac::Definition def = new_def();
   def.stress_convention = 1;
   def.boundary_kind = 1;
   def.packing_disc_count = discs;
   def.packing_residual = 1e-3;
   def.stress_sigma_Hmax = def.stress_sigma_hmin = 0.0;
-  def.well_count = 1;
+  hfrac_sim_def_set_i64(&def, "well_count", 1);
   def.wells[0].x = def.wells[0].y = 50.0;
   def.wells[0].radius = 10.0;
   def.wells[0].pressure = 60e6;
@@ -28,8 +28,8 @@ inline hfrac_sim_def cracking_def(int64_t discs = 500) {
 }
 
 // Total stresses and rock too strong to break.
-inline hfrac_sim_def quiet_def(int64_t discs = 500) {
-  hfrac_sim_def def = cracking_def(discs);
+inline hfrac::Definition quiet_def(int64_t discs = 500) {
+  hfrac::Definition def = cracking_def(discs);
   def.stress_convention = 0;
   def.boundary_kind = 0;
   def.stress_sigma_Hmax = def.stress_sigma_hmin = 30e6;

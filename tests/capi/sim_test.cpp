@@ -50,14 +50,14 @@ TEST(SimCreate, ItsBalanceStartsAtZero) {
 TEST(SimCreate, TheSameDefinitionGivesTheSameModel) {
   const Sim one(quiet_def()), same(quiet_def());
   EXPECT_EQ(hash_of(one), hash_of(same));
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   def.model_seed = 2;
   const Sim other(def);
   EXPECT_NE(hash_of(one), hash_of(other));
 }
 
 TEST(SimCreate, GivesTheDefinitionBack) {
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   ASSERT_EQ(hfrac_sim_def_set_str(&def, "title", "kept"), HFRAC_OK);
   const std::string text = written(def);
   const Sim sim(def);
@@ -76,7 +76,7 @@ TEST(SimCreate, FailuresLeaveNullAndSayWhy) {
   EXPECT_EQ(sim, nullptr);
   EXPECT_EQ(last_error(), "def is NULL.");
 
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   EXPECT_EQ(hfrac_sim_create(&def, nullptr), HFRAC_ERR_ARGUMENT);
   def.packing_porosity = 0.5;
   sim = reinterpret_cast<hfrac_sim*>(&dummy);
@@ -96,7 +96,7 @@ TEST(SimCreate, FailuresLeaveNullAndSayWhy) {
 }
 
 TEST(SimCreate, ASimulationWithoutWellsStandsStill) {
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   def.well_count = 0;
   const Sim sim(def);
   int32_t wells = -1;
@@ -108,7 +108,7 @@ TEST(SimCreate, ASimulationWithoutWellsStandsStill) {
 }
 
 TEST(SimCreate, ADryModelRuns) {
-  hfrac_sim_def def = cracking_def();
+  hfrac::Definition def = cracking_def();
   ASSERT_EQ(hfrac_sim_def_set_str(&def, "flow.scheme", "off"), HFRAC_OK);
   const Sim sim(def);
   EXPECT_EQ(hfrac_step(sim, 2), HFRAC_OK) << last_error(sim);
@@ -122,7 +122,7 @@ TEST(SimDestroy, TakesNullAndMayComeTwice) {
   EXPECT_EQ(hfrac_sim_destroy(nullptr), HFRAC_OK);
   hfrac_sim* sim = nullptr;
   EXPECT_EQ(hfrac_sim_destroy(&sim), HFRAC_OK);
-  const hfrac_sim_def def = quiet_def();
+  const hfrac::Definition def = quiet_def();
   ASSERT_EQ(hfrac_sim_create(&def, &sim), HFRAC_OK);
   EXPECT_EQ(hfrac_sim_destroy(&sim), HFRAC_OK);
   EXPECT_EQ(sim, nullptr);
@@ -130,7 +130,7 @@ TEST(SimDestroy, TakesNullAndMayComeTwice) {
 }
 
 TEST(SimStep, CountsStepsAndTime) {
-  hfrac_sim_def def = cracking_def();
+  hfrac::Definition def = cracking_def();
   def.stepping_flow_step = 0.25;
   const Sim sim(def), twin(def);
   const int64_t before = hash_of(sim);
@@ -168,7 +168,7 @@ TEST(SimStep, BalancesClose) {
 }
 
 TEST(SimStep, SaysWhenItDidNotComeToRest) {
-  hfrac_sim_def def = cracking_def();
+  hfrac::Definition def = cracking_def();
   def.stepping_max_cycles = 20;
   const Sim sim(def);
   EXPECT_EQ(hfrac_step(sim, 1), HFRAC_NOT_AT_REST);
@@ -220,7 +220,7 @@ TEST(SimStep, NumbersThatOverflowAreNeverAccepted) {
 }
 
 TEST(SimStep, RealTimeRunsInWholeFlowSteps) {
-  hfrac_sim_def def = cracking_def();
+  hfrac::Definition def = cracking_def();
   ASSERT_EQ(hfrac_sim_def_set_str(&def, "stepping.mode", "dynamic"), HFRAC_OK);
   def.stepping_flow_step = 1e-3;
   const Sim sim(def);
@@ -234,7 +234,7 @@ TEST(SimStep, RealTimeRunsInWholeFlowSteps) {
 }
 
 TEST(SimAdvance, ReachesItsTargetInWholeSteps) {
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   def.stepping_flow_step = 0.1;
   const Sim sim(def);
   double reached = -1.0;
@@ -258,7 +258,7 @@ TEST(SimAdvance, ReachesItsTargetInWholeSteps) {
 
 // Ten tenths add up to less than one.
 TEST(SimAdvance, ReachesWhatWholeStepsAddUpTo) {
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   def.stepping_flow_step = 0.1;
   const Sim sim(def);
   double reached = 0.0;
@@ -273,7 +273,7 @@ TEST(SimAdvance, ReachesWhatWholeStepsAddUpTo) {
 }
 
 TEST(SimAdvance, EndsAtATimeExactly) {
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   def.stepping_flow_step = 0.1;
   const Sim sim(def);
   double reached = 0.0;
@@ -292,7 +292,7 @@ TEST(SimAdvance, EndsAtATimeExactly) {
 }
 
 TEST(SimAdvance, StopsAtCracks) {
-  hfrac_sim_def def = cracking_def();
+  hfrac::Definition def = cracking_def();
   def.stop_cracks = 1;
   const Sim sim(def);
   double reached = 0.0;
@@ -319,7 +319,7 @@ TEST(SimAdvance, StopsAtCracks) {
 }
 
 TEST(SimAdvance, StopsAtTheExtent) {
-  hfrac_sim_def def = cracking_def();
+  hfrac::Definition def = cracking_def();
   def.stop_extent_fraction = 0.12;
   const Sim sim(def);
   double reached = 0.0;
@@ -398,7 +398,16 @@ TEST(SimStructs, MayBeOlderOrNewer) {
   expect_any_size<hfrac_solver_report>([&](auto* to) { return hfrac_sim_get_solver(sim, to); });
   expect_any_size<hfrac_well_state>([&](auto* to) { return hfrac_well_get(sim, 0, to); });
   expect_any_size<hfrac_field_desc>([&](auto* to) { return hfrac_field_info(sim, HFRAC_DISC_RADIUS, to); });
-  expect_any_size<hfrac_sim_def>([&](auto* to) { return hfrac_sim_definition(sim, to); });
+  std::vector<unsigned char> memory(sizeof(hfrac_sim_def), 0xEE);
+  auto* def = reinterpret_cast<hfrac_sim_def*>(memory.data());
+  constexpr int32_t older = offsetof(hfrac_sim_def, title);
+  ASSERT_EQ(hfrac_sim_def_init(def, older), HFRAC_OK);
+  ASSERT_EQ(hfrac_sim_definition(sim, def), HFRAC_OK) << last_error(sim);
+  EXPECT_EQ(def->struct_size, older);
+  EXPECT_EQ(def->well_count, 1);
+  EXPECT_EQ(def->wells[0].pressure, 60e6);
+  EXPECT_EQ(memory[older], 0xEE);
+  EXPECT_EQ(hfrac_sim_def_free(def), HFRAC_OK);
 }
 
 }  // namespace

@@ -142,11 +142,11 @@ TEST_F(StateFile, AnotherModelIsRefused) {
   const Sim sim(quiet_def());
   ASSERT_EQ(hfrac_state_save_file(sim, file().c_str()), HFRAC_OK);
   const auto another = [&](auto&& change) {
-    hfrac_sim_def def = quiet_def();
+    hfrac::Definition def = quiet_def();
     change(def);
     return def;
   };
-  const hfrac_sim_def others[] = {
+  const hfrac::Definition others[] = {
       another([](auto& def) { def.model_seed = 2; }),
       another([](auto& def) { def.packing_disc_count = 400; }),
       another([](auto& def) { def.bond_normal_stiffness *= 1.0 + 1e-12; }),

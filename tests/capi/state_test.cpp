@@ -12,15 +12,15 @@ namespace {
 
 using namespace testing_capi;
 
-hfrac_sim_def ramped_def() {
-  hfrac_sim_def def = new_def();
+hfrac::Definition ramped_def() {
+  hfrac::Definition def = new_def();
   def.model_width = def.model_height = 40.0;
   def.packing_disc_count = 700;
   def.packing_residual = 1e-3;
   def.stepping_flow_step = 1e-2;
   def.stress_sigma_Hmax = 30e6;
   def.stress_sigma_hmin = 26e6;
-  def.well_count = 1;
+  hfrac_sim_def_set_i64(&def, "well_count", 1);
   def.wells[0] = {20.0, 20.0, 4.0, 75e6, 8e6, 0.0, HFRAC_WELL_RAMP};
   return def;
 }
@@ -56,7 +56,7 @@ TEST(State, RestoreThenRunEqualsRun) {
 }
 
 TEST(State, RestoreThenRunEqualsRunQuasiStatic) {
-  hfrac_sim_def def = ramped_def();
+  hfrac::Definition def = ramped_def();
   def.solver_kind = 1;  // reads the bonds one by one
   restore_then_run_equals_run(def);
 }
@@ -82,7 +82,7 @@ TEST(State, RefusedImagesChangeNothing) {
   auto foreign = image;
   foreign[0] = 'x';
   refused(foreign);
-  hfrac_sim_def def = ramped_def();
+  hfrac::Definition def = ramped_def();
   def.model_seed = 2;
   Sim other(def);
   refused(image_of(other));
@@ -160,7 +160,7 @@ TEST(FarField, MoreStressPressesTheModelTogether) {
   EXPECT_LT(std::abs(balance.energy_error), 1e-2 * balance.boundary_work);
   EXPECT_EQ(hfrac_set_far_field(sim, 10e6, 20e6), HFRAC_ERR_ARGUMENT);
 
-  hfrac_sim_def def = ramped_def();
+  hfrac::Definition def = ramped_def();
   def.boundary_kind = 1;  // walls, fixed after set-up
   Sim walled(def);
   EXPECT_EQ(hfrac_set_far_field(walled, 45e6, 26e6), HFRAC_ERR_ARGUMENT);

@@ -4,6 +4,7 @@
 
 #include <hfrac/hfrac.h>
 #include <unistd.h>
+#include <hfrac/definition.hpp>
 
 #include <cstdlib>
 #include <fstream>
@@ -11,19 +12,17 @@
 
 namespace testing_capi {
 
-inline hfrac_sim_def new_def() {
-  hfrac_sim_def def;
-  hfrac_sim_def_init(&def, sizeof def);
-  return def;
+inline hfrac::Definition new_def() {
+  return {};
 }
 
 // A definition that hfrac_sim_def_check accepts: one well in the middle, stresses above the formation's
 // pressure.
-inline hfrac_sim_def sound_def() {
-  hfrac_sim_def def = new_def();
+inline hfrac::Definition sound_def() {
+  hfrac::Definition def = new_def();
   def.stress_sigma_Hmax = 40e6;
   def.stress_sigma_hmin = 30e6;
-  def.well_count = 1;
+  hfrac_sim_def_set_i64(&def, "well_count", 1);
   def.wells[0].x = 50.0;
   def.wells[0].y = 50.0;
   def.wells[0].radius = 6.0;

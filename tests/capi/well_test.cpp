@@ -17,7 +17,7 @@ TEST(WellState, TellsTheRadiusAskedForFromTheOneItGot) {
 }
 
 TEST(Well, IsAsDefined) {
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   def.wells[0].x = 45.0;
   const Sim sim(def);
   int32_t count = 0;
@@ -50,7 +50,7 @@ TEST(Well, IsHeldAtItsPressure) {
 }
 
 TEST(Well, RampsUpAndDown) {
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   def.wells[0].control = HFRAC_WELL_RAMP;
   def.wells[0].ramp_per_step = 2e6;
   const Sim sim(def);
@@ -68,7 +68,7 @@ TEST(Well, RampsUpAndDown) {
 
 TEST(Well, TakesItsRate) {
   for (const double rate : {2e-3, -2e-3}) {
-    hfrac_sim_def def = quiet_def();
+    hfrac::Definition def = quiet_def();
     def.stepping_flow_step = 0.5;
     def.wells[0].control = HFRAC_WELL_RATE;
     def.wells[0].rate = rate;
@@ -106,8 +106,8 @@ TEST(Well, ChangesItsControlWhileRunning) {
 }
 
 TEST(Well, EachHasItsOwn) {
-  hfrac_sim_def def = quiet_def(800);
-  def.well_count = 2;
+  hfrac::Definition def = quiet_def(800);
+  hfrac_sim_def_set_i64(&def, "well_count", 2);
   def.wells[0].x = 30.0;
   def.wells[0].radius = 8.0;
   def.wells[1] = def.wells[0];
@@ -177,7 +177,7 @@ TEST(Well, RefusesWhatItsDefinitionWouldRefuse) {
 
 // hfrac_sim_def_check refuses a rate without flow; so must this, or volumes are counted that are nowhere.
 TEST(Well, RefusesARateWithoutFlow) {
-  hfrac_sim_def def = quiet_def();
+  hfrac::Definition def = quiet_def();
   ASSERT_EQ(hfrac_sim_def_set_str(&def, "flow.scheme", "off"), HFRAC_OK);
   const Sim sim(def);
   EXPECT_EQ(hfrac_well_set_rate(sim, 0, 1e-3), HFRAC_ERR_ARGUMENT);

@@ -2,6 +2,7 @@
 import ctypes
 import os
 import pathlib
+import re
 import resource
 import shutil
 import signal
@@ -46,6 +47,26 @@ class FailingRun(unittest.TestCase):
                 self.assertIn("bad.toml", done.stderr)
                 self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
             self.assertFalse(self.folder.exists())
+
+    def test_rock_that_falls_apart_is_no_result(self):
+        for discs, radius, pressure in ((60, 22, "30e6"), (300, 15, "60e6")):
+            case = self.bad_case(f"[packing]\ndisc_count = {discs}\n[[well]]\nradius = {radius}\npressure = {pressure}\n")
+            done = hfrac("run", case, "-o", self.folder, "--overwrite")
+            self.assertEqual(done.returncode, 3, done.stderr)
+            self.assertIn("the rock fell apart in step 1: disc ", done.stderr)
+            self.assertIn("more than its diameter of ", done.stderr)
+            length = re.search(r"longest fracture +(\S+) m long", done.stdout)
+            self.assertTrue(length is None or float(length[1]) < 100.0, done.stdout)
+            self.assertEqual([row["step"] for row in history(self.folder)], ["0"])
+            self.assertRegex(summary(self.folder)["ended"], "^failed: the rock fell apart in step 1: ")
+
+    def test_rock_that_cannot_bear_its_stress_is_not_built(self):
+        case = self.bad_case("[packing]\ndisc_count = 600\n[stress]\nsigma_Hmax = 60e6\nsigma_hmin = 30e6\n[bond]\ntensile_strength = 4e6\nshear_strength = 4e6\n")
+        done = hfrac("run", case, "-o", self.folder)
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("bad.toml: the rock does not bear the far field", done.stderr)
+        self.assertIn("initial.broken_fraction", done.stderr)
+        self.assertFalse(self.folder.exists())
 
     def test_a_missing_case(self):
         done = hfrac("run", self.top / "none.toml", "-o", self.folder)

@@ -16,15 +16,14 @@ void require(int32_t status, const hfrac_sim* sim) {
   throw std::runtime_error(text);
 }
 
-hfrac_sim_def base(int64_t discs) {
-  hfrac_sim_def def;
-  hfrac_sim_def_init(&def, sizeof def);
+hfrac::Definition base(int64_t discs) {
+  hfrac::Definition def;
   def.packing_disc_count = discs;
   def.stress_convention = 1;
   def.boundary_kind = 1;
   def.stress_sigma_Hmax = def.stress_sigma_hmin = 0.0;
   def.stepping_flow_step = 1e-2;
-  def.well_count = 1;
+  hfrac_sim_def_set_i64(&def, "well_count", 1);
   def.wells[0].x = def.wells[0].y = 50.0;
   def.wells[0].radius = 10.0;
   def.wells[0].pressure = 70e6;
@@ -55,7 +54,7 @@ void add_field(Fold& fold, hfrac_sim* sim, int32_t field) {
 std::vector<Case> cases() {
   std::vector<Case> all;
   const auto add = [&](const char* name, int64_t discs, int64_t steps, auto&& change) {
-    hfrac_sim_def def = base(discs);
+    hfrac::Definition def = base(discs);
     change(def);
     all.push_back({name, def, steps});
   };
@@ -75,7 +74,7 @@ std::vector<Case> cases() {
     def.contact_mode = 1;
     def.stress_sigma_Hmax = 33e6;
     def.stress_sigma_hmin = 28e6;
-    def.wells[0].pressure = 110e6;
+    def.wells[0].pressure = 80e6;
   });
   add("quasi_static_substep", 600, 3, [](auto& def) { def.solver_kind = 1; });
   add("quasi_static_coupled", 600, 3, [](auto& def) {
@@ -90,7 +89,7 @@ std::vector<Case> cases() {
 }
 
 std::uint64_t fingerprint(const Case& which, int64_t workers) {
-  hfrac_sim_def def = which.def;
+  hfrac::Definition def = which.def;
   def.run_workers = workers;
   hfrac_sim* sim = nullptr;
   require(hfrac_sim_create(&def, &sim), nullptr);

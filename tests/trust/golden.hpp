@@ -3,8 +3,10 @@
 #pragma once
 
 #include <hfrac/hfrac.h>
+#include <hfrac/definition.hpp>
 
 #include <cstdint>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -12,8 +14,10 @@ namespace golden {
 
 struct Case {
   std::string name;
-  hfrac_sim_def def;
+  hfrac::Definition def;
   int64_t steps;
+  // What a test's list shows, instead of the bytes.
+  friend std::ostream& operator<<(std::ostream& out, const Case& which) { return out << which.name; }
 };
 
 /** Both solvers, all stepping modes, all ways of the flow, both boundaries; each breaks bonds, but for the dry one. */

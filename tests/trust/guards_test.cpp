@@ -58,7 +58,7 @@ TEST(Guards, ANumberThatIsNotFiniteStopsAtThatStepAndNamesTheDisc) {
 TEST(Guards, NothingNotFiniteGoesOnUnseen) {
   enum Kind { substep, dynamic, quasi_static, coupled, warm };
   for (const int kind : {substep, dynamic, quasi_static, coupled, warm}) {
-    hfrac_sim_def def = cracking_def(60);
+    hfrac::Definition def = cracking_def(60);
     def.wells[0].radius = 20.0;
     def.stepping_max_cycles = 200;
     def.stepping_flow_step = kind == dynamic ? 1e-3 : 1e-2;
@@ -91,7 +91,9 @@ TEST(Guards, NothingNotFiniteGoesOnUnseen) {
       const int32_t status = hfrac_step(sim, 1);
       if (status < 0) {
         ++stopped;
-        ASSERT_EQ(status, HFRAC_ERR_DIVERGED) << kind << " " << place << ": " << last_error(sim);
+        // A finite number that means nothing throws discs about.
+        ASSERT_TRUE(status == HFRAC_ERR_DIVERGED || status == HFRAC_ERR_COLLAPSED)
+            << kind << " " << place << ": " << last_error(sim);
         ASSERT_EQ(hash_of(sim), before) << kind << " " << place;
         ASSERT_NE(last_error(sim).find("; "), std::string::npos) << "no hint: " << last_error(sim);
       } else {
@@ -116,7 +118,7 @@ TEST(Guards, NothingNotFiniteGoesOnUnseen) {
 
 // What an unstable step would do: motion that no work brought in.
 TEST(Guards, EnergyFromNowhereIsCaughtInItsStep) {
-  hfrac_sim_def def = quiet_def(300);
+  hfrac::Definition def = quiet_def(300);
   def.stepping_mode = 1;
   def.stepping_flow_step = 1e-3;
   def.stepping_damping = 0.0;
@@ -164,8 +166,8 @@ TEST(Guards, IndicesInAnImageAreChecked) {
 }
 
 TEST(OddModels, AFractureThatReachesTheBoundaryIsToldAndNothingBreaksDown) {
-  hfrac_sim_def def = cracking_def(400);
-  def.wells[0].pressure = 200e6;
+  hfrac::Definition def = cracking_def(400);
+  def.wells[0].pressure = 100e6;
   def.stop_extent_fraction = 0.3;
   const Sim sim(def);
   double reached = 0.0;
@@ -180,7 +182,7 @@ TEST(OddModels, AFractureThatReachesTheBoundaryIsToldAndNothingBreaksDown) {
 // A hundred times the strength in compression and in tension: what is open is never less than nothing.
 TEST(OddModels, AperturesAreNeverNegative) {
   for (const double far_field : {0.0, 500e6}) {
-    hfrac_sim_def def = quiet_def(400);
+    hfrac::Definition def = quiet_def(400);
     def.stress_convention = 1;
     def.fluid_formation_pressure = 0.0;
     def.stress_sigma_Hmax = def.stress_sigma_hmin = far_field;
@@ -197,7 +199,7 @@ TEST(OddModels, AperturesAreNeverNegative) {
 // Rock that lets nothing through: pores are alone, keep what they hold, and the balance closes.
 TEST(OddModels, IsolatedPoresKeepTheirFluid) {
   for (const int64_t solver : {1, 2}) {
-    hfrac_sim_def def = quiet_def(300);
+    hfrac::Definition def = quiet_def(300);
     def.flow_permeability = 1e-30;
     def.flow_outer = 1;
     def.flow_solver = solver;
@@ -220,8 +222,8 @@ std::vector<double> lattice(double left, int across, int up, double radius) {
   return discs;
 }
 
-hfrac_sim_def given_def(const std::vector<double>& discs) {
-  hfrac_sim_def def = cracking_def();
+hfrac::Definition given_def(const std::vector<double>& discs) {
+  hfrac::Definition def = cracking_def();
   def.boundary_kind = 0;
   def.stress_sigma_Hmax = def.stress_sigma_hmin = 1e6;
   def.well_count = 0;
@@ -233,7 +235,7 @@ hfrac_sim_def given_def(const std::vector<double>& discs) {
 TEST(OddModels, DiscsThatOverlapAreRefusedByName) {
   auto discs = lattice(0.0, 9, 11, 5.0);
   discs.insert(discs.end(), {46.0, 40.0, 5.0});
-  const hfrac_sim_def def = given_def(discs);
+  const hfrac::Definition def = given_def(discs);
   hfrac_sim* sim = nullptr;
   EXPECT_EQ(hfrac_sim_create(&def, &sim), HFRAC_ERR_MODEL);
   EXPECT_NE(last_error().find("overlap"), std::string::npos) << last_error();
@@ -246,7 +248,7 @@ TEST(OddModels, SeparatePiecesEndWithAStatus) {
   auto discs = lattice(0.0, 4, 11, 5.0);
   const auto other = lattice(52.0, 4, 11, 5.0);
   discs.insert(discs.end(), other.begin(), other.end());
-  const hfrac_sim_def def = given_def(discs);
+  const hfrac::Definition def = given_def(discs);
   hfrac_sim* sim = nullptr;
   ASSERT_EQ(hfrac_sim_create(&def, &sim), HFRAC_OK) << last_error();
   EXPECT_GE(hfrac_step(sim, 2), 0) << last_error(sim);
@@ -263,7 +265,7 @@ std::size_t threads_now() {
 TEST(Host, NoThreadStaysBehind) {
   const std::size_t before = threads_now();
   for (int round = 0; round < 3; ++round) {
-    hfrac_sim_def def = quiet_def(100);
+    hfrac::Definition def = quiet_def(100);
     def.wells[0].radius = 20.0;
     def.run_workers = 8;
     def.packing_residual = def.stepping_force_ratio = 1e-2;
@@ -273,7 +275,7 @@ TEST(Host, NoThreadStaysBehind) {
     ASSERT_GE(hfrac_step(sim, 1), 0);
   }
   EXPECT_EQ(threads_now(), before);
-  hfrac_sim_def bad = quiet_def(300);
+  hfrac::Definition bad = quiet_def(300);
   bad.run_workers = 8;
   bad.wells[0].x = -5.0;
   hfrac_sim* sim = nullptr;

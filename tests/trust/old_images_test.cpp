@@ -21,18 +21,21 @@ using namespace testing_capi;
 namespace fs = std::filesystem;
 
 // Given discs, so that no packing stands between the versions.
-hfrac_sim_def model(std::vector<double>& discs) {
+hfrac::Definition model(std::vector<double>& discs) {
   for (int j = 0; j < 11; ++j) {
     for (int i = 0; i < 9; ++i)
       discs.insert(discs.end(), {5.0 * (1 + 2 * i + j % 2), 5.0 * (1 + 1.7320508 * j), 5.0});
   }
-  hfrac_sim_def def = cracking_def();
+  hfrac::Definition def = cracking_def();
   def.given_discs = discs.data();
   def.given_disc_count = static_cast<int64_t>(discs.size() / 3);
   def.wells[0].x = 50.0;
   def.wells[0].y = 48.0;
   def.wells[0].radius = 12.0;
-  def.wells[0].pressure = 150e6;
+  def.wells[0].pressure = 50e6;
+  // A weak line beside the well, since the lattice breaks as a whole or not at all.
+  hfrac_sim_def_set_i64(&def, "joint_count", 1);
+  def.joints[0] = {62.0, 44.0, 73.0, 44.0, 0.2, 0.2, -1.0, HFRAC_JOINT_BONDED};
   return def;
 }
 

@@ -18,14 +18,14 @@ namespace {
 
 using namespace testing_capi;
 
-hfrac_sim_def small_def(int64_t workers = 1) {
-  hfrac_sim_def def = cracking_def(60);
+hfrac::Definition small_def(int64_t workers = 1) {
+  hfrac::Definition def = cracking_def(60);
   def.wells[0].radius = 20.0;
   def.run_workers = workers;
   return def;
 }
-hfrac_sim_def quasi_static_def() {
-  hfrac_sim_def def = small_def();
+hfrac::Definition quasi_static_def() {
+  hfrac::Definition def = small_def();
   def.solver_kind = 1;
   def.stepping_mode = 2;
   def.stepping_flow_step = 1e-2;
@@ -60,7 +60,7 @@ int run_out_everywhere(bool lasting, const std::function<void()>& prepare,
 TEST(OutOfMemory, CreateGivesAStatusAndLeaksNothing) {
   for (const int64_t workers : {1, 3}) {
     for (const bool lasting : {false, true}) {
-      const hfrac_sim_def def = small_def(workers);
+      const hfrac::Definition def = small_def(workers);
       hfrac_sim* sim = nullptr;
       long before = 0;
       const int times = run_out_everywhere(
@@ -140,7 +140,7 @@ TEST(OutOfMemory, ReadingGivesAStatusAndChangesNothing) {
   ASSERT_GE(::mkstemp(file.data()), 0);
   hfrac_balance balance{};
   balance.struct_size = sizeof balance;
-  hfrac_sim_def def = new_def();
+  hfrac::Definition def = new_def();
   char text[64];
   int32_t needed = 0;
   const std::function<int32_t()> calls[] = {
@@ -170,7 +170,7 @@ TEST(OutOfMemory, ReadingGivesAStatusAndChangesNothing) {
 
 // Restoring: done as a whole, or refused and the simulation says that it is unusable.
 TEST(OutOfMemory, RestoreGivesAStatus) {
-  const hfrac_sim_def def = small_def();
+  const hfrac::Definition def = small_def();
   const Sim saved(def);
   ASSERT_GE(hfrac_step(saved, 2), 0);
   const int64_t hash = hash_of(saved);
@@ -208,7 +208,7 @@ TEST(OutOfMemory, ALimitOnAddressSpaceIsAStatus) {
       const auto bytes = static_cast<rlim_t>(pages * ::sysconf(_SC_PAGESIZE) + (megabytes << 20U));
       const ::rlimit limit{bytes, bytes};
       ::setrlimit(RLIMIT_AS, &limit);
-      hfrac_sim_def def = cracking_def(8000);
+      hfrac::Definition def = cracking_def(8000);
       def.packing_residual = 1e-1;
       def.stepping_force_ratio = 1e-1;
       def.stepping_max_cycles = 20;

@@ -158,7 +158,7 @@ def try_model(model, deeds, strict):
         sim = hfrac.Simulation(**model)
     except (hfrac.ModelError, hfrac.ArgumentError) as refusal:
         return f"refused: {refusal}", ""
-    except hfrac.DivergedError as end:
+    except (hfrac.DivergedError, hfrac.CollapsedError) as end:
         return f"no rest in set-up: {end}", ""
     with sim:
         if not sim.state.at_rest:
@@ -172,14 +172,14 @@ def try_model(model, deeds, strict):
                 before = sim.state_hash
                 try:
                     sim.step()
-                except hfrac.DivergedError as end:
+                except (hfrac.DivergedError, hfrac.CollapsedError) as end:
                     if sim.state_hash != before:
                         return "failed", f"step {k}: a failed step changed the state ({end})"
                     if twin is not None:
                         try:
                             twin.step()
                             return "failed", f"step {k}: fails, but not in the restored one"
-                        except hfrac.DivergedError:
+                        except (hfrac.DivergedError, hfrac.CollapsedError):
                             pass
                     return f"failed: {end}", ""
                 torn = torn or not sim.state.at_rest and model["stepping_mode"] != "dynamic"

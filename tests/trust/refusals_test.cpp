@@ -69,7 +69,7 @@ TEST(Refusals, AModelThatCannotBeBuiltSaysWhatToChange) {
       {"well[0]", [](auto& def) { def.wells[0].x = def.wells[0].y = 1.0; }},
   };
   for (const auto& [words, change] : all) {
-    hfrac_sim_def def = quiet_def(200);
+    hfrac::Definition def = quiet_def(200);
     change(def);
     hfrac_sim* sim = nullptr;
     EXPECT_LT(hfrac_sim_create(&def, &sim), 0) << words;
@@ -79,7 +79,7 @@ TEST(Refusals, AModelThatCannotBeBuiltSaysWhatToChange) {
 }
 
 TEST(Refusals, WhatASimulationCannotTakeChangesNothing) {
-  hfrac_sim_def def = quiet_def(200);
+  hfrac::Definition def = quiet_def(200);
   set(def, "thermal.mode", "uniform");
   set(def, "thermal.outer", "held");
   const Sim uniform(def);
@@ -109,7 +109,7 @@ TEST(Refusals, WhatASimulationCannotTakeChangesNothing) {
 
 // Walls that would have to pull run away from the rock, for ever.
 TEST(Refusals, WallsAreNotAskedToPull) {
-  hfrac_sim_def def = quiet_def(200);
+  hfrac::Definition def = quiet_def(200);
   set(def, "boundary.kind", "walls");
   set(def, "boundary.walls_after_equilibration", "servo");
   set(def, "stress.convention", "effective");
@@ -155,7 +155,7 @@ TEST(Refusals, AScheduleThatIsNoneIsNamed) {
         std::string("[[well]]\nradius = 3.0\npressure = 1e6\n[[well.schedule]]\n") + entry;
     ASSERT_EQ(::write(descriptor, text.data(), text.size()), static_cast<::ssize_t>(text.size()));
     ::close(descriptor);
-    hfrac_sim_def def = new_def();
+    hfrac::Definition def = new_def();
     EXPECT_LT(hfrac_sim_def_load(&def, file.c_str()), 0) << entry;
     EXPECT_NE(last_error().find(words), std::string::npos) << last_error();
     ::unlink(file.c_str());
@@ -164,7 +164,7 @@ TEST(Refusals, AScheduleThatIsNoneIsNamed) {
 
 // A well that has seeped before the treatment: pressures lie between the formation's and the well's, and fall outward.
 TEST(OddModels, AWellThatSeepedStartsInBetween) {
-  hfrac_sim_def def = quiet_def(200);
+  hfrac::Definition def = quiet_def(200);
   set(def, "initial.state", "seepage");
   def.initial_well_pressure = def.wells[0].pressure = 5e6;
   const Sim sim(def);
@@ -178,7 +178,7 @@ TEST(OddModels, AWellThatSeepedStartsInBetween) {
 
 // A quasi-static model whose walls are driven by the far field, and whose pores nothing leaves.
 TEST(OddModels, ServoWallsAndClosedPoresComeToRest) {
-  hfrac_sim_def def = quiet_def(200);
+  hfrac::Definition def = quiet_def(200);
   set(def, "boundary.kind", "walls");
   set(def, "boundary.walls_after_equilibration", "servo");
   set(def, "solver.kind", "quasi-static");

@@ -13,6 +13,7 @@
 // 2 % of the largest of its entries.
 #include <hfrac/hfrac.h>
 #include <unistd.h>
+#include <hfrac/definition.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -80,8 +81,7 @@ int main(int count, char** arguments) {
     if (name == "--state") state_file = arguments[k + 1];
     if (name == "--solver") quasi_static = std::strcmp(arguments[k + 1], "quasi-static") == 0;
   }
-  hfrac_sim_def def;
-  require(hfrac_sim_def_init(&def, sizeof def));
+  hfrac::Definition def;
   def.packing_disc_count = discs;
   def.stress_convention = 1;
   def.boundary_kind = 1;
@@ -90,7 +90,7 @@ int main(int count, char** arguments) {
   def.run_workers = workers;
   def.solver_kind = quasi_static ? 1 : 0;
   require(hfrac_sim_def_set_str(&def, "stepping.mode", mode.c_str()));
-  def.well_count = 1;
+  hfrac_sim_def_set_i64(&def, "well_count", 1);
   def.wells[0].x = def.wells[0].y = 50.0;
   def.wells[0].radius = 10.0;
   def.wells[0].pressure = 30e6;

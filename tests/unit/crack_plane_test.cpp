@@ -233,6 +233,8 @@ TEST(SetUp, RefusesRockThatDoesNotInWords) {
     FAIL() << "stands with " << s.setup().cracks << " cracks";
   } catch (const Error& error) {
     const std::string text = error.what();
+    EXPECT_EQ(error.kind(), ErrorKind::collapsed);
+    EXPECT_NE(text.find("initial.broken_fraction"), std::string::npos) << text;
     EXPECT_NE(text.find("does not bear the far field"), std::string::npos) << text;
     EXPECT_NE(text.find("bond.tensile_strength"), std::string::npos) << text;
   }

@@ -16,7 +16,7 @@ double grow(int packings) {
   constexpr double degree = 57.29577951308232;
   double sum = 0.0;
   for (int seed = 1; seed <= packings; ++seed) {
-    hfrac_sim_def def = verification::paper_rock(seed);
+    hfrac::Definition def = verification::paper_rock(seed);
     def.stress_sigma_Hmax = 8e6;
     def.stepping_flow_step = 1e-2;
     def.wells[0].pressure = 45e6;

@@ -31,8 +31,8 @@ constexpr double viscosity = 0.01, rate = 0.01;       // Pa s, m2/s
 constexpr double water = 2.2e9, stiff_fluid = 1e10;   // Pa, bulk moduli
 constexpr double porosity = 1.0 - 0.25 * pi;          // of a square packing
 
-hfrac_sim_def square_rock() {
-  hfrac_sim_def def = new_def();
+hfrac::Definition square_rock() {
+  hfrac::Definition def = new_def();
   def.packing_method = 3;  // square
   def.contact_mode = 1;
   def.bond_normal_stiffness = def.bond_shear_stiffness = stiffness;
@@ -42,8 +42,8 @@ hfrac_sim_def square_rock() {
 }
 
 // Rock with `toughness`, by a coefficient from a test on discs of the radius used.
-hfrac_sim_def tough_rock(int columns, double side) {
-  hfrac_sim_def def = square_rock();
+hfrac::Definition tough_rock(int columns, double side) {
+  hfrac::Definition def = square_rock();
   const auto spec = specimen(HFRAC_LAB_CENTRE_CRACK, static_cast<int64_t>(1.5 * columns * columns), side);
   def.bond_toughness_coefficient = Lab(def, spec).report().toughness_coefficient;
   def.bond_fracture_toughness = toughness;
@@ -76,7 +76,7 @@ Moduli moduli() {
 }
 
 Ratios grow(int columns, double side, double stress, double fluid, const char* series) {
-  hfrac_sim_def def = tough_rock(columns, side);
+  hfrac::Definition def = tough_rock(columns, side);
   const double radius = 0.5 * side / columns, middle = 0.5 * side, notch = 5.0 * radius;
   const Moduli rock = moduli();
   const double modulus = rock.undrained(fluid);
@@ -96,12 +96,12 @@ Ratios grow(int columns, double side, double stress, double fluid, const char* s
   def.solver_kind = 1;
   def.stepping_mode = 2;
   def.stepping_flow_step = 1.0;
-  def.well_count = 1;
+  hfrac_sim_def_set_i64(&def, "well_count", 1);
   def.wells[0].x = def.wells[0].y = middle;
   def.wells[0].radius = 2.2 * radius;
   def.wells[0].control = HFRAC_WELL_RATE;
   def.wells[0].rate = rate;
-  def.joint_count = 1;
+  hfrac_sim_def_set_i64(&def, "joint_count", 1);
   def.joints[0].x1 = middle - notch;
   def.joints[0].x2 = middle + notch;
   def.joints[0].y1 = def.joints[0].y2 = middle;
@@ -190,7 +190,7 @@ void hold(const Ratios& found, bool exponent = true) {
 TEST(V12ToughKgdSmoke, PoresThatKeepTheirFluidStiffenABlock) {
   for (const double fluid : {water, stiff_fluid}) {
     constexpr double around = 50e6, more = 2e6;  // Pa; no pore is emptied
-    hfrac_sim_def def = square_rock();
+    hfrac::Definition def = square_rock();
     def.model_width = def.model_height = 100.0;
     def.packing_disc_count = 2500;
     def.bond_tensile_strength = def.bond_shear_strength = 1e12;

@@ -27,8 +27,8 @@ constexpr double push = 1e6;      // [Pa]
 constexpr double tick = 1e-4;     // [s]
 constexpr double density = 2320;  // of the discs [kg/m3]
 
-hfrac_sim_def rock(int64_t discs, int64_t seed) {
-  hfrac_sim_def def = new_def();
+hfrac::Definition rock(int64_t discs, int64_t seed) {
+  hfrac::Definition def = new_def();
   def.flow_scheme = 2;
   def.packing_disc_count = discs;
   def.model_seed = seed;
@@ -79,7 +79,7 @@ Front front(Simulation& wave, const std::vector<double>& place, const std::vecto
 void run(int64_t discs, int packings, double speed_tolerance) {
   double speeds = 0.0, velocities = 0.0;
   for (int64_t seed = 1; seed <= packings; ++seed) {
-    hfrac_sim_def def = rock(discs, seed);
+    hfrac::Definition def = rock(discs, seed);
     const auto [modulus, poisson] = elasticity(def, push);
     def.stepping_mode = 1;
     def.stepping_damping = 0.0;

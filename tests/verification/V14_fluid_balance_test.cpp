@@ -42,10 +42,10 @@ void check_balance(const char* name, const hfrac_sim_def& def) {
 }  // namespace
 
 TEST(V14FluidBalanceSmoke, ClosesByEverySolver) {
-  hfrac_sim_def def = paper_rock(1);
+  hfrac::Definition def = paper_rock(1);
   def.wells[0].pressure = 45e6;
   check_balance("explicit solver, implicit flow", def);
-  hfrac_sim_def narrow = def;
+  hfrac::Definition narrow = def;
   narrow.flow_scheme = 1;
   narrow.flow_aperture_limit = 1e-3;  // wide cracks would need a million explicit sub-cycles
   check_balance("explicit solver, explicit flow", narrow);

@@ -19,8 +19,8 @@ namespace {
 
 using verification::Simulation;
 
-hfrac_sim_def ramped_rock(int64_t seed) {
-  hfrac_sim_def def = verification::paper_rock(seed);
+hfrac::Definition ramped_rock(int64_t seed) {
+  hfrac::Definition def = verification::paper_rock(seed);
   def.wells[0].control = HFRAC_WELL_RAMP;
   return def;
 }
@@ -37,7 +37,7 @@ struct Rock {
   double friction, tolerance;
 };
 void compare_fields(const Rock& rock) {
-  hfrac_sim_def def = ramped_rock(1);
+  hfrac::Definition def = ramped_rock(1);
   def.bond_tensile_strength = def.bond_shear_strength = 1e12;
   def.contact_mode = rock.contact_mode;
   def.contact_friction = rock.friction;
@@ -45,7 +45,7 @@ void compare_fields(const Rock& rock) {
   def.wells[0].ramp_per_step = 5e6;
   def.stepping_force_ratio = 1e-7;
   def.stepping_max_cycles = 200000;
-  hfrac_sim_def other = def;
+  hfrac::Definition other = def;
   other.solver_kind = 1;
   other.solver_tolerance = 1e-9;
   Simulation by_motion(def), directly(other);
@@ -85,7 +85,7 @@ double initiation(const hfrac_sim_def& def) {
 
 TEST(V15Solvers, GiveTheSameInitiationPressure) {
   for (int64_t seed = 1; seed <= 3; ++seed) {
-    hfrac_sim_def def = ramped_rock(seed);
+    hfrac::Definition def = ramped_rock(seed);
     def.wells[0].pressure = 80e6;
     def.wells[0].ramp_per_step = 1e6;
     const double explicit_solver = initiation(def);

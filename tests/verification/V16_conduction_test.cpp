@@ -21,7 +21,7 @@ using namespace verification;
 constexpr double start = 523.15, step_down = -100.0, x0 = 10.0, bin_width = 2.0;
 
 void conduct(int64_t discs, int64_t seed, double tolerance) {
-  hfrac_sim_def def = warm_block(discs, seed);
+  hfrac::Definition def = warm_block(discs, seed);
   def.thermal_mode = 2;  // transport
   def.thermal_rock_temperature = start;
   HostedSimulation sim(def);

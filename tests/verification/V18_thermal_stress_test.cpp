@@ -21,8 +21,8 @@ using namespace verification;
 
 constexpr double alpha = 1e-5, rise = 50.0, start = 523.15, load = 20e6;
 
-hfrac_sim_def warm_def(int32_t contact_mode) {
-  hfrac_sim_def def = warm_block(2000, 1);
+hfrac::Definition warm_def(int32_t contact_mode) {
+  hfrac::Definition def = warm_block(2000, 1);
   def.packing_residual = 1e-5;
   def.thermal_mode = 1;
   def.thermal_rock_temperature = start;
@@ -45,7 +45,7 @@ struct Elastic {
 };
 
 // Pressed from `load` alike to `load` and half as much more along x (and alike).
-Elastic measure(hfrac_sim_def def) {
+Elastic measure(hfrac::Definition def) {
   def.boundary_kind = 0;
   def.thermal_mode = 0;
   def.stress_sigma_Hmax = def.stress_sigma_hmin = load;
@@ -75,7 +75,7 @@ double wall_stress(const HostedSimulation& sim) {
 }
 
 void in_fixed_walls(int32_t contact_mode, const char* what) {
-  hfrac_sim_def def = warm_def(contact_mode);
+  hfrac::Definition def = warm_def(contact_mode);
   const Elastic rock = measure(def);
   HostedSimulation sim(def);
   const double before = wall_stress(sim);
@@ -103,7 +103,7 @@ TEST(V18ThermalStress, InFixedWallsPaperSet) {
 }
 
 TEST(V18ThermalStress, FreeBlockJustGrows) {
-  hfrac_sim_def def = warm_def(1);
+  hfrac::Definition def = warm_def(1);
   def.boundary_kind = 0;
   def.stress_sigma_Hmax = def.stress_sigma_hmin = load;
   HostedSimulation sim(def);
@@ -122,7 +122,7 @@ TEST(V18ThermalStress, FreeBlockJustGrows) {
 }
 
 TEST(V18ThermalStress, HotCircleInAColdBlock) {
-  hfrac_sim_def def = warm_def(1);
+  hfrac::Definition def = warm_def(1);
   const Elastic rock = measure(def);
   def.boundary_kind = 0;
   def.thermal_mode = 2;

@@ -27,8 +27,8 @@ hfrac_joint_def line(double degrees, double half, double friction) {
           friction,       HFRAC_JOINT_SMOOTH_BROKEN};
 }
 
-hfrac_sim_def block(int64_t discs, bool square) {
-  hfrac_sim_def def = new_def();
+hfrac::Definition block(int64_t discs, bool square) {
+  hfrac::Definition def = new_def();
   def.model_width = def.model_height = side;
   def.packing_disc_count = discs;
   def.packing_method = square ? 3 : 0;
@@ -71,8 +71,8 @@ double outline(Simulation& sim, double degrees) {
 
 // sigma_1 over sigma_3 at which the joint gives way; `most` if it bears that.
 double strength(const hfrac_sim_def& given, double degrees, double friction, double& turned) {
-  hfrac_sim_def def = given;
-  def.joint_count = 1;
+  hfrac::Definition def = given;
+  hfrac_sim_def_set_i64(&def, "joint_count", 1);
   def.joints[0] = line(degrees, side, friction);
   Simulation sim(def);
   turned = outline(sim, degrees);

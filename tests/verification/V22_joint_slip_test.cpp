@@ -29,8 +29,8 @@ struct Slip {
   std::vector<double> at, slip;  // m
 };
 
-hfrac_sim_def plate(int64_t discs, bool square, int64_t seed) {
-  hfrac_sim_def def = new_def();
+hfrac::Definition plate(int64_t discs, bool square, int64_t seed) {
+  hfrac::Definition def = new_def();
   def.model_width = def.model_height = side;
   def.model_seed = seed;
   def.packing_disc_count = discs;
@@ -46,10 +46,10 @@ hfrac_sim_def plate(int64_t discs, bool square, int64_t seed) {
 }
 
 // What the joint of half length c at 45 degrees, `off` beside the middle, slips as sigma_Hmax rises.
-Slip slip_along(hfrac_sim_def def, double c, double off) {
+Slip slip_along(hfrac::Definition def, double c, double off) {
   const double t = std::sqrt(0.5);  // both parts of the joint's direction; its normal is (-t, t)
   const double x = 0.5 * side - off * t, y = 0.5 * side + off * t;
-  def.joint_count = 1;
+  hfrac_sim_def_set_i64(&def, "joint_count", 1);
   def.joints[0] = {x - c * t, y - c * t, x + c * t, y + c * t, 1.0, 1.0, 0.0, HFRAC_JOINT_SMOOTH_BROKEN};
   Simulation sim(def);
   sim.step(1);  // set-up moves the rock to rest; what it left of the slip is settled by the solver

@@ -33,8 +33,8 @@ struct Elastic : Elasticity {
   double arriving;  // sigma_x in the inner 70 % over the stress on the boundary
 };
 
-hfrac_sim_def block(int64_t discs, int64_t seed, const Set& set, double stiffness_factor) {
-  hfrac_sim_def def = new_def();
+hfrac::Definition block(int64_t discs, int64_t seed, const Set& set, double stiffness_factor) {
+  hfrac::Definition def = new_def();
   def.flow_scheme = 2;
   def.packing_disc_count = discs;
   def.model_seed = seed;
@@ -65,7 +65,7 @@ double share_inside(double x, double y, double radius) {
   return static_cast<double>(within) / all;
 }
 
-Elastic squeeze(hfrac_sim_def def, double stress_along_x, double stress_along_y) {
+Elastic squeeze(hfrac::Definition def, double stress_along_x, double stress_along_y) {
   const std::vector<double> before = Simulation(def).values(HFRAC_DISC_POSITION);
   def.stress_sigma_Hmax = stress_along_x;
   def.stress_sigma_hmin = stress_along_y;
@@ -97,7 +97,7 @@ Elastic mean_over_packings(int64_t discs, int64_t packings, const Set& set, int6
   Elastic mean{{0.0, 0.0}, 0.0};
   double least = 1e300, most = 0.0;
   for (int64_t seed = 1; seed <= packings; ++seed) {
-    hfrac_sim_def def = block(discs, seed, set, 1.0);
+    hfrac::Definition def = block(discs, seed, set, 1.0);
     if (brick > 0) {
       def.packing_method = 1;
       def.packing_brick_discs = brick;
@@ -125,7 +125,7 @@ Elastic mean_over_packings(int64_t discs, int64_t packings, const Set& set, int6
 // Between walls: a body under constant loads alone turns before it is at rest to seven digits. The paper's
 // reading keeps the walls' targets free of pore pressure.
 Elastic between_walls(const Set& set, double friction, double factor) {
-  hfrac_sim_def def = block(1000, 1, set, factor);
+  hfrac::Definition def = block(1000, 1, set, factor);
   def.stress_convention = 1;
   def.boundary_kind = 1;
   def.contact_friction = friction;

@@ -31,8 +31,8 @@ constexpr double centre = 50.0;        // m
 constexpr double outer_radius = 48.0;  // m
 constexpr double hole_radius = 7.5;    // m, nominal
 
-hfrac_sim_def rock(int64_t seed) {
-  hfrac_sim_def def = new_def();
+hfrac::Definition rock(int64_t seed) {
+  hfrac::Definition def = new_def();
   def.flow_scheme = 2;
   def.packing_disc_count = 10500;
   def.model_seed = seed;
@@ -114,10 +114,10 @@ struct Profile {
 };
 
 void add_packing(int64_t seed, const std::vector<double>& given, LoadCase& load, Profile& profile) {
-  hfrac_sim_def def = rock(seed);
+  hfrac::Definition def = rock(seed);
   def.given_discs = given.data();
   def.given_disc_count = static_cast<int64_t>(given.size() / 3);
-  def.well_count = 1;
+  hfrac_sim_def_set_i64(&def, "well_count", 1);
   def.wells[0].x = def.wells[0].y = centre;
   def.wells[0].radius = hole_radius;
   def.stress_sigma_Hmax = load.larger;

@@ -49,7 +49,7 @@ TEST(V4Darcy, RadialFlow) {
                 "distance from the well's middle (m),net pressure (kPa)");
   double mean_ratio = 0.0, mean_square = 0.0;
   for (int seed = 1; seed <= packings; ++seed) {
-    hfrac_sim_def def = new_def();
+    hfrac::Definition def = new_def();
     def.stress_convention = 1;
     def.boundary_kind = 1;
     def.stress_sigma_Hmax = def.stress_sigma_hmin = 0.0;
@@ -57,7 +57,7 @@ TEST(V4Darcy, RadialFlow) {
     def.model_seed = seed;
     def.flow_permeability = darcy_permeability;
     def.stepping_flow_step = 1e9;
-    def.well_count = 1;
+    hfrac_sim_def_set_i64(&def, "well_count", 1);
     def.wells[0].x = def.wells[0].y = 50.0;
     def.wells[0].radius = 7.0;
     def.wells[0].pressure = 1e5;

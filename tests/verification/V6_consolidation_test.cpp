@@ -278,8 +278,8 @@ TEST(V6Continuum, SeepingWellIsInEquilibrium) {
 
 namespace {
 
-hfrac_sim_def square_of_discs(int64_t discs) {
-  hfrac_sim_def def = verification::new_def();
+hfrac::Definition square_of_discs(int64_t discs) {
+  hfrac::Definition def = verification::new_def();
   def.packing_disc_count = discs;
   def.contact_mode = 1;
   def.bond_normal_stiffness = 16e9;
@@ -296,7 +296,7 @@ hfrac_sim_def square_of_discs(int64_t discs) {
 
 // E and nu of the packing, read as plane strain of a three-dimensional rock (V2).
 void measure_elasticity(const hfrac_sim_def& wet, BiotMaterial& m) {
-  hfrac_sim_def def = wet;
+  hfrac::Definition def = wet;
   def.flow_scheme = 2;
   def.solver_kind = 0;
   def.stepping_mode = 0;
@@ -353,7 +353,7 @@ double at(const BiotSolver& rock, const std::vector<double>& lines, double x, do
 
 // Greatest pressure in the middle over the first one.
 double consolidate(int64_t discs) {
-  hfrac_sim_def def = square_of_discs(discs);
+  hfrac::Definition def = square_of_discs(discs);
   BiotMaterial m;
   measure_elasticity(def, m);
   verification::Simulation rock(def);

@@ -23,8 +23,8 @@ using namespace hfrac;
 
 constexpr double excess = 10e6;  // [Pa]
 
-hfrac_sim_def rock_with_well() {
-  hfrac_sim_def def = verification::new_def();
+hfrac::Definition rock_with_well() {
+  hfrac::Definition def = verification::new_def();
   def.packing_disc_count = 6000;
   def.contact_mode = 1;
   def.bond_normal_stiffness = 16e9;
@@ -34,7 +34,7 @@ hfrac_sim_def rock_with_well() {
   def.stress_sigma_Hmax = def.stress_sigma_hmin = 45e6;
   def.stepping_force_ratio = 1e-6;
   def.stepping_max_cycles = 200000;
-  def.well_count = 1;
+  hfrac_sim_def_set_i64(&def, "well_count", 1);
   def.wells[0].x = def.wells[0].y = 50.0;
   def.wells[0].radius = 7.0;
   def.wells[0].pressure = 25e6;
@@ -70,7 +70,7 @@ std::vector<Ring> rings(verification::Simulation& rock) {
 }  // namespace
 
 TEST(V6Seepage, DiscsTakeOverTheContinuumsState) {
-  hfrac_sim_def def = rock_with_well();
+  hfrac::Definition def = rock_with_well();
   verification::Simulation before(def);
   const auto old_rings = rings(before);
   const double radius = before.well(0).equivalent_radius;
@@ -135,7 +135,7 @@ TEST(V6Seepage, DiscsTakeOverTheContinuumsState) {
 
 // A finite time lies between the untouched rock and the steady state, and comes near the latter.
 TEST(V6Seepage, GrowsWithTime) {
-  hfrac_sim_def def = rock_with_well();
+  hfrac::Definition def = rock_with_well();
   def.packing_disc_count = 2000;
   def.stepping_force_ratio = 1e-3;
   def.initial_state = 1;
@@ -161,7 +161,7 @@ TEST(V6Seepage, GrowsWithTime) {
 }
 
 TEST(V6Seepage, IsRefusedWhereItHasNoMeaning) {
-  const auto text_of = [](hfrac_sim_def def) -> std::string {
+  const auto text_of = [](hfrac::Definition def) -> std::string {
     try {
       const verification::Simulation rock(def);
     } catch (const std::exception& fault) {
@@ -169,21 +169,21 @@ TEST(V6Seepage, IsRefusedWhereItHasNoMeaning) {
     }
     return "";
   };
-  hfrac_sim_def def = rock_with_well();
+  hfrac::Definition def = rock_with_well();
   def.packing_disc_count = 1000;
   def.initial_state = 1;
   def.initial_well_pressure = 30e6;
   double refused = 0.0;
-  hfrac_sim_def dry = def;
+  hfrac::Definition dry = def;
   dry.flow_scheme = 2;
   refused += text_of(dry).find("needs flow") != std::string::npos ? 1.0 : 0.0;
-  hfrac_sim_def none = def;
+  hfrac::Definition none = def;
   none.well_count = 0;
   refused += text_of(none).find("around one well, the case has 0") != std::string::npos ? 1.0 : 0.0;
-  hfrac_sim_def empty = def;
+  hfrac::Definition empty = def;
   empty.initial_well_pressure = -1.0;
   refused += text_of(empty).find("below zero absolute pressure") != std::string::npos ? 1.0 : 0.0;
-  hfrac_sim_def tight = def;
+  hfrac::Definition tight = def;
   tight.flow_permeability = 0.0;
   tight.initial_seepage_time = 10.0;
   refused += text_of(tight).find("needs flow.permeability") != std::string::npos ? 1.0 : 0.0;

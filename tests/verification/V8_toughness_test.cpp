@@ -19,8 +19,8 @@ namespace {
 
 using namespace verification;
 
-hfrac_sim_def tough_rock() {
-  hfrac_sim_def def = new_def();
+hfrac::Definition tough_rock() {
+  hfrac::Definition def = new_def();
   def.bond_fracture_toughness = 50e6;
   return def;
 }

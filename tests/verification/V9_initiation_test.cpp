@@ -33,14 +33,15 @@ using hfrac::SideMotion;
 struct Initiation {
   double pressure, radius;
 };
-hfrac_sim_def with_hole(hfrac_sim_def def, int64_t seed, bool permeable, double effective, double per_step) {
+hfrac::Definition with_hole(hfrac::Definition def, int64_t seed, bool permeable, double effective,
+                            double per_step) {
   def.model_seed = seed;
   def.packing_disc_count = 2000;
   def.solver_kind = 1;
   def.stress_sigma_Hmax = def.stress_sigma_hmin = def.fluid_formation_pressure + effective;
   def.flow_permeability = permeable ? 5.527e-15 : 1e-30;
   def.stepping_flow_step = permeable ? 1e9 : 1e-3;
-  def.well_count = 1;
+  hfrac_sim_def_set_i64(&def, "well_count", 1);
   def.wells[0].x = def.wells[0].y = 50.0;
   def.wells[0].radius = 10.0 * 1.12;  // m; the mean radius is 1.12 m
   def.wells[0].control = HFRAC_WELL_RAMP;
@@ -49,7 +50,7 @@ hfrac_sim_def with_hole(hfrac_sim_def def, int64_t seed, bool permeable, double 
   return def;
 }
 Initiation initiate(const hfrac_sim_def& rock, int64_t seed, bool permeable, double effective) {
-  const hfrac_sim_def def = with_hole(rock, seed, permeable, effective, 0.5e6);
+  const hfrac::Definition def = with_hole(rock, seed, permeable, effective, 0.5e6);
   Simulation sim(def);
   while (sim.state().crack_count == 0 && sim.well(0).pressure < def.wells[0].pressure) sim.step(1);
   return {sim.well(0).pressure - def.fluid_formation_pressure, sim.well(0).equivalent_radius};
@@ -59,10 +60,10 @@ constexpr double near_wall = 4.0 * 1.12;  // m: two mean disc diameters
 
 // What a pressure of 2 MPa in the hole of unbreakable rock adds to the effective hoop stress of the discs near the wall, over that
 // pressure, tension positive: their mean by area.
-double hoop_of_discs(hfrac_sim_def rock, int64_t seed, bool permeable) {
+double hoop_of_discs(hfrac::Definition rock, int64_t seed, bool permeable) {
   rock.bond_tensile_strength = rock.bond_shear_strength = 1e12;
   constexpr double pressure = 2e6;
-  hfrac_sim_def def = with_hole(rock, seed, permeable, 0.0, pressure);
+  hfrac::Definition def = with_hole(rock, seed, permeable, 0.0, pressure);
   def.wells[0].pressure = def.fluid_formation_pressure + pressure;
   Simulation sim(def);
   const auto mean = [&] {

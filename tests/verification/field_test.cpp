@@ -15,8 +15,8 @@ namespace {
 
 using verification::Simulation;
 
-hfrac_sim_def example(const char* name) {
-  hfrac_sim_def def = verification::new_def();
+hfrac::Definition example(const char* name) {
+  hfrac::Definition def = verification::new_def();
   const std::string path = std::string(HFRAC_EXAMPLES) + "/field/" + name;
   if (hfrac_sim_def_load(&def, path.c_str()) != HFRAC_OK) throw std::runtime_error(path);
   return def;
@@ -44,7 +44,7 @@ Line fit(const std::vector<double>& x, const std::vector<double>& y, std::size_t
 
 // The reading of examples/field/minifrac.
 TEST(MinifracLong, ClosureIsTheSmallerStress) {
-  const hfrac_sim_def def = example("minifrac.toml");
+  const hfrac::Definition def = example("minifrac.toml");
   Simulation sim(def);
   std::vector<double> time, pressure;
   while (sim.state().time < def.stepping_end_time - 1e-9) {
@@ -105,7 +105,7 @@ double reach(const hfrac_sim_def& def, double until, double enough) {
 TEST(CrossingLong, FrictionAndStressDecideWhereTheCriterionIsFarFromItsLine) {
   const struct { double friction, difference; } cases[] = {{0.1, 0.0}, {0.5, 10e6}};
   for (const auto& c : cases) {
-    hfrac_sim_def def = example("crossing.toml");
+    hfrac::Definition def = example("crossing.toml");
     def.joints[1].friction = def.joints[2].friction = c.friction;
     def.stress_sigma_Hmax = def.stress_sigma_hmin + c.difference;
     const double ratio = (def.stress_sigma_Hmax - def.fluid_formation_pressure) /
@@ -144,7 +144,7 @@ double width_beside(const hfrac_sim_def& def) {
 }
 
 TEST(StressShadow, IsSneddons) {
-  hfrac_sim_def def = example("stress-shadow.toml");
+  hfrac::Definition def = example("stress-shadow.toml");
   const double beside = width_beside(def);
   def.wells[0].pressure = def.fluid_formation_pressure;
   const double alone = width_beside(def);

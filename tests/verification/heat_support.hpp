@@ -49,8 +49,8 @@ class HostedSimulation {
 };
 
 // A dry block of rock that does not break, in walls, with temperatures.
-inline hfrac_sim_def warm_block(int64_t discs, int64_t seed) {
-  hfrac_sim_def def = new_def();
+inline hfrac::Definition warm_block(int64_t discs, int64_t seed) {
+  hfrac::Definition def = new_def();
   def.packing_disc_count = discs;
   def.model_seed = seed;
   def.flow_scheme = 2;  // off

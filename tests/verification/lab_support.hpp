@@ -10,8 +10,8 @@
 namespace verification {
 
 // The linear rock of physics.md 2: contacts act once the bond is broken.
-inline hfrac_sim_def linear_rock() {
-  hfrac_sim_def def = new_def();
+inline hfrac::Definition linear_rock() {
+  hfrac::Definition def = new_def();
   def.contact_mode = 1;
   def.bond_normal_stiffness = 16e9;
   def.bond_shear_stiffness = 5.6e9;

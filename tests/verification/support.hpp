@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 #include <hfrac/hfrac.h>
+#include <hfrac/definition.hpp>
 
 #include <array>
 #include <cmath>
@@ -25,9 +26,8 @@ namespace verification {
 
 constexpr double pi = 3.14159265358979323846;
 
-inline hfrac_sim_def new_def() {
-  hfrac_sim_def def;
-  hfrac_sim_def_init(&def, sizeof def);
+inline hfrac::Definition new_def() {
+  hfrac::Definition def;
   return def;
 }
 
@@ -143,7 +143,7 @@ struct Elasticity {
     return modulus * (1.0 - plane_strain_poisson() * plane_strain_poisson());
   }
 };
-inline Elasticity elasticity(hfrac_sim_def def, double stress) {
+inline Elasticity elasticity(hfrac::Definition def, double stress) {
   def.stress_sigma_Hmax = def.stress_sigma_hmin = 0.0;
   const auto before = Simulation(def).values(HFRAC_DISC_POSITION);
   def.stress_sigma_Hmax = stress;
@@ -152,15 +152,15 @@ inline Elasticity elasticity(hfrac_sim_def def, double stress) {
 }
 
 // Table 1's rock with effective stresses, between walls without stress, a well of 8.5 m in the middle: 2 000 discs.
-inline hfrac_sim_def paper_rock(int64_t seed) {
-  hfrac_sim_def def = new_def();
+inline hfrac::Definition paper_rock(int64_t seed) {
+  hfrac::Definition def = new_def();
   def.model_seed = seed;
   def.stress_convention = 1;
   def.boundary_kind = 1;
   def.packing_disc_count = 2000;
   def.stress_sigma_Hmax = def.stress_sigma_hmin = 0.0;
   def.stepping_flow_step = 1e-3;
-  def.well_count = 1;
+  hfrac_sim_def_set_i64(&def, "well_count", 1);
   def.wells[0].x = def.wells[0].y = 50.0;
   def.wells[0].radius = 8.5;
   return def;

@@ -18,8 +18,7 @@ class Simulated : public VizTest {
   Simulated() {
     hfrac_viz_view_options_init(&views, sizeof views);
     views.width = 640;
-    hfrac_sim_def def{};
-    hfrac_sim_def_init(&def, sizeof def);
+    hfrac::Definition def;
     hfrac_sim_def_set_f64(&def, "packing.disc_count", 300);
     EXPECT_EQ(hfrac_sim_create(&def, &sim), HFRAC_OK);
     EXPECT_GE(hfrac_step(sim, 1), 0);

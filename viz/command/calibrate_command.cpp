@@ -67,8 +67,7 @@ void print(const hfrac_sim_def& d, const hfrac_targets& t, const hfrac_calibrati
 }
 
 ExitCode calibrate(CalibrateRequest request) {
-  hfrac_sim_def definition{};
-  run::require(hfrac_sim_def_init(&definition, static_cast<int32_t>(sizeof definition)), nullptr);
+  Definition definition;
   if (!request.case_file.empty()) definition = load_case(request.case_file, 0);
   request.targets.plane_slopes = request.slopes ? 1 : 0;
   require_likely_targets(request.targets);

@@ -17,10 +17,9 @@ void require_good(int32_t status) {
 
 }  // namespace
 
-hfrac_sim_def load_case(const std::string& file, int64_t workers, const std::vector<double>& discs,
-                        const std::vector<int64_t>& bonds) {
-  hfrac_sim_def definition{};
-  require_good(hfrac_sim_def_init(&definition, static_cast<int32_t>(sizeof definition)));
+Definition load_case(const std::string& file, int64_t workers, const std::vector<double>& discs,
+                     const std::vector<int64_t>& bonds) {
+  Definition definition;
   definition.run_workers = std::clamp<int64_t>(std::thread::hardware_concurrency(), 1, 4);
   require_good(hfrac_sim_def_load(&definition, file.c_str()));
   if (workers > 0) definition.run_workers = workers;

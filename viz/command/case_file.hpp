@@ -3,6 +3,7 @@
 #pragma once
 
 #include <hfrac/hfrac.h>
+#include <hfrac/definition.hpp>
 
 #include <cstdint>
 #include <string>
@@ -13,7 +14,7 @@ namespace hfrac::command {
 /** Reads and checks a case file; BadInput with the engine's own sentence if it is wrong. `workers` > 0
  * replaces run.workers; with 0 a case that does not say gets the machine's cores, at most four. The definition borrows
  * `discs` (x, y, radius each), if there are any, in place of a packing, and `bonds` (two indices each) between them. */
-hfrac_sim_def load_case(const std::string& file, int64_t workers, const std::vector<double>& discs = {},
-                        const std::vector<int64_t>& bonds = {});
+Definition load_case(const std::string& file, int64_t workers, const std::vector<double>& discs = {},
+                     const std::vector<int64_t>& bonds = {});
 
 }  // namespace hfrac::command

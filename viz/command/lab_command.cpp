@@ -149,8 +149,7 @@ void draw_curves(const std::filesystem::path& folder, const std::string& test, c
 }
 
 ExitCode lab(LabRequest request) {
-  hfrac_sim_def definition{};
-  run::require(hfrac_sim_def_init(&definition, static_cast<int32_t>(sizeof definition)), nullptr);
+  Definition definition;
   if (!request.case_file.empty()) definition = load_case(request.case_file, 0);
   for (std::size_t k = 0; k < tests.size(); ++k) {
     if (request.test == tests[k].word) request.spec.test = static_cast<int32_t>(k);

@@ -40,7 +40,9 @@ void refuse_unknown_command(const CLI::App& program, int argument_count, char** 
 
 int run_program(int argument_count, char** arguments) {
   CLI::App program("Hydraulic fracturing with bonded discs.", "hfrac");
-  program.footer("Exit codes: 0 good, 1 the run failed, 2 bad usage or case file, 130 interrupted.");
+  program.footer(
+      "Exit codes: 0 good, 1 the run failed, 2 bad usage or case file, 3 the rock fell apart, 130 "
+      "interrupted.");
   program.set_version_flag("--version", version_text);
   program.require_subcommand(1);
   Action action;
@@ -82,6 +84,8 @@ int main(int argument_count, char** arguments) {
     return run_program(argument_count, arguments);
   } catch (const BadInput& error) {
     return complain(error.what(), kBadInput);
+  } catch (const hfrac::run::EngineError& error) {
+    return complain(error.what(), error.status() == HFRAC_ERR_COLLAPSED ? kCollapsed : kRunFailed);
   } catch (const std::bad_alloc&) {
     return complain("out of memory", kRunFailed);
   } catch (const std::exception& error) {

@@ -132,7 +132,7 @@ ExitCode go_on(const ResumeRequest& request) {
       output::remove_later_files(folder, {0});
     }
   });
-  if (!request.quiet) print_result(folder, code != kRunFailed);
+  if (!request.quiet) print_result(folder, code == kGood || code == kInterrupted);
   return code;
 }
 

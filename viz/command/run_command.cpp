@@ -45,7 +45,7 @@ namespace {
 ExitCode run(const RunRequest& request) {
   const auto code = carry_out(request);
   if (!request.quiet && std::filesystem::exists(request.folder / "summary.json"))
-    print_result(request.folder, code != kRunFailed);
+    print_result(request.folder, code == kGood || code == kInterrupted);
   return code;
 }
 

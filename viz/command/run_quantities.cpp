@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <hfrac/hfrac.h>
+#include <hfrac/definition.hpp>
 
 #include <algorithm>
 #include <array>
@@ -116,8 +117,7 @@ ComparedRun::ComparedRun(std::filesystem::path folder) : folder_(std::move(folde
 
 std::string ComparedRun::option(const std::string& key) const {
   const std::string file = (folder_ / "case.toml").string();
-  hfrac_sim_def definition{};
-  run::require(hfrac_sim_def_init(&definition, static_cast<int32_t>(sizeof definition)), nullptr);
+  Definition definition;
   if (hfrac_sim_def_load(&definition, file.c_str()) < 0) throw BadInput(run::error_text(-1, nullptr));
   if (key == "title") {
     std::string title = run::printable(definition.title);

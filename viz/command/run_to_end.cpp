@@ -74,7 +74,7 @@ ExitCode take_steps_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfra
 
 }  // namespace
 
-Simulation build_model(hfrac_sim_def definition, const std::string& case_file, ProgressLine& line,
+Simulation build_model(Definition definition, const std::string& case_file, ProgressLine& line,
                        Warnings& warnings) {
   warnings.listen(definition);
   definition.progress = show_setup;
@@ -86,6 +86,8 @@ Simulation build_model(hfrac_sim_def definition, const std::string& case_file, P
   if (status == HFRAC_STOPPED) return nullptr;
   if (status == HFRAC_ERR_MODEL || status == HFRAC_ERR_ARGUMENT)
     throw BadInput(fmt::format("{}: {}", case_file, output::error_text(status, nullptr)));
+  if (status == HFRAC_ERR_COLLAPSED)
+    throw output::EngineError(status, fmt::format("{}: {}", case_file, output::error_text(status, nullptr)));
   output::require(status, nullptr);
   warnings.listen(sim);
   return simulation;
@@ -120,7 +122,8 @@ ExitCode run_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_d
     line.end();
     save_checkpoint(sim, folder, line);  // the engine is back at its last good step
     folder.finish_failed(sim, error.what());
-    return report_failure(folder, error.what());
+    report_failure(folder, error.what());
+    return error.status() == HFRAC_ERR_COLLAPSED ? kCollapsed : kRunFailed;
   }
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <hfrac/hfrac.h>
+#include <hfrac/definition.hpp>
 
 #include <functional>
 #include <memory>
@@ -22,7 +23,7 @@ struct DestroySimulation {
 using Simulation = std::unique_ptr<hfrac_sim, DestroySimulation>;
 
 /** Builds the model of `case_file`; no simulation if the user interrupted. Throws BadInput or EngineError. */
-Simulation build_model(hfrac_sim_def definition, const std::string& case_file, ProgressLine& line,
+Simulation build_model(Definition definition, const std::string& case_file, ProgressLine& line,
                        Warnings& warnings);
 
 /** Lays the grid of the terms, if there is one. Throws BadInput if nothing of the model lies in it: at the end of the run there

@@ -55,8 +55,10 @@ std::vector<int32_t> integers(hfrac_sim* sim, int32_t field) {
   });
 }
 
-hfrac_sim_def definition_of(const hfrac_sim* sim) {
-  return filled<hfrac_sim_def>(sim, hfrac_sim_definition);
+Definition definition_of(const hfrac_sim* sim) {
+  Definition definition;
+  require(hfrac_sim_definition(sim, &definition), sim);
+  return definition;
 }
 
 hfrac_sim_state state_of(const hfrac_sim* sim) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <hfrac/hfrac.h>
+#include <hfrac/definition.hpp>
 
 #include <stdexcept>
 #include <string>
@@ -50,7 +51,7 @@ Struct sized() {
 std::vector<double> doubles(hfrac_sim* sim, int32_t field);
 std::vector<int32_t> integers(hfrac_sim* sim, int32_t field);
 
-hfrac_sim_def definition_of(const hfrac_sim* sim);
+Definition definition_of(const hfrac_sim* sim);
 hfrac_sim_state state_of(const hfrac_sim* sim);
 hfrac_setup_report setup_of(const hfrac_sim* sim);
 hfrac_balance balance_of(const hfrac_sim* sim);

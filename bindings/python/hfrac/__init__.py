@@ -43,6 +43,7 @@ from .errors import (
     BadHandleError,
     BusyError,
     CallbackError,
+    CollapsedError,
     CaseFileError,
     DivergedError,
     FileError,
@@ -60,7 +61,7 @@ from .errors import (
 
 __all__ = [
     "FIELDS", "Advance", "ArgumentError", "BadHandleError", "Balance", "Bonds", "BusyError", "Calibration",
-    "CallbackError",
+    "CallbackError", "CollapsedError",
     "CaseFileError", "Crack", "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "Event", "FieldInfo",
     "FileError", "Fracture", "GrdeclKind", "Grid", "Heat", "HfracError", "InternalError", "JointState", "LabReport",
     "LabResult", "LibraryError", "LogLevel", "MagnitudeLaw", "ModelError", "OpenStep", "Option", "OutOfMemoryError",

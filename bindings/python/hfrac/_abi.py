@@ -47,6 +47,9 @@ class Status(enum.IntEnum):
     ERR_FILE = -11
     #: a callback threw an exception; the simulation is at its last whole step
     ERR_CALLBACK = -12
+    #: the rock fell apart: it does not bear its load, or a disc left its place in a step; state as before the
+    #: step
+    ERR_COLLAPSED = -13
     #: an error of the library itself; please report it
     ERR_INTERNAL = -99
 
@@ -67,10 +70,7 @@ class LogLevel(enum.IntEnum):
 class DefLimits(enum.IntEnum):
     """hfrac_def_limits"""
 
-    MAX_WELLS = 8
     TITLE_SIZE = 128
-    MAX_JOINTS = 64
-    MAX_SCHEDULE = 64
 
 
 class WellControl(enum.IntEnum):
@@ -272,6 +272,7 @@ STATUS_TEXTS = {
     -10: 'an earlier error left the simulation unusable; only last_error and destroy work',
     -11: 'a file cannot be written, cannot be read, or is not what it should be',
     -12: 'a callback threw an exception; the simulation is at its last whole step',
+    -13: 'the rock fell apart: it does not bear its load, or a disc left its place in a step; state as before the step',
     -99: 'an error of the library itself; please report it',
 }
 
@@ -348,6 +349,16 @@ class hfrac_sim_def(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_int32),
         ("struct_version", ctypes.c_int32),
+        ("lists", ctypes.c_void_p),
+        ("wells", ctypes.c_void_p),
+        ("well_count", ctypes.c_int64),
+        ("well_size", ctypes.c_int64),
+        ("joints", ctypes.c_void_p),
+        ("joint_count", ctypes.c_int64),
+        ("joint_size", ctypes.c_int64),
+        ("schedule", ctypes.c_void_p),
+        ("schedule_count", ctypes.c_int64),
+        ("schedule_size", ctypes.c_int64),
         ("model_width", ctypes.c_double),
         ("model_height", ctypes.c_double),
         ("model_seed", ctypes.c_int64),
@@ -396,8 +407,6 @@ class hfrac_sim_def(ctypes.Structure):
         ("stop_cracks", ctypes.c_int64),
         ("run_workers", ctypes.c_int64),
         ("output_every", ctypes.c_int64),
-        ("well_count", ctypes.c_int64),
-        ("wells", hfrac_well_def * 8),
         ("title", ctypes.c_char * 128),
         ("given_discs", ctypes.c_void_p),
         ("given_disc_count", ctypes.c_int64),
@@ -422,10 +431,6 @@ class hfrac_sim_def(ctypes.Structure):
         ("initial_poissons_ratio", ctypes.c_double),
         ("bond_fracture_toughness", ctypes.c_double),
         ("bond_toughness_coefficient", ctypes.c_double),
-        ("joint_count", ctypes.c_int64),
-        ("joints", hfrac_joint_def * 64),
-        ("schedule_count", ctypes.c_int64),
-        ("schedule", hfrac_schedule_def * 64),
         ("fluid_consistency", ctypes.c_double),
         ("fluid_power_index", ctypes.c_double),
         ("thermal_mode", ctypes.c_int64),
@@ -470,6 +475,7 @@ class hfrac_sim_def(ctypes.Structure):
         ("bond_smallest_fragment", ctypes.c_int64),
         ("fracture_law", ctypes.c_int64),
         ("fracture_plane_modulus", ctypes.c_double),
+        ("initial_broken_fraction", ctypes.c_double),
         ("fracture_perforation_length", ctypes.c_double),
         ("fracture_perforation_azimuth", ctypes.c_double),
     ]
@@ -918,6 +924,13 @@ SIGNATURES = {
     "hfrac_sim_def_init": (
         ctypes.POINTER(hfrac_sim_def),
         ctypes.c_int32,
+    ),
+    "hfrac_sim_def_free": (
+        ctypes.POINTER(hfrac_sim_def),
+    ),
+    "hfrac_sim_def_copy": (
+        ctypes.POINTER(hfrac_sim_def),
+        ctypes.POINTER(hfrac_sim_def),
     ),
     "hfrac_sim_def_load": (
         ctypes.POINTER(hfrac_sim_def),

@@ -108,12 +108,17 @@ class Definition:
         **options: Any,
     ) -> None:
         self._struct = _abi.hfrac_sim_def()
+        self._free = _library.load().hfrac_sim_def_free
         self._discs: Any = None  # what the struct's pointers point to
         self._bonds: Any = None
         call("hfrac_sim_def_init", ctypes.byref(self._struct), ctypes.sizeof(self._struct))
         if case is not None:
             self.load(case)
         self.update(wells=wells, joints=joints, schedule=schedule, title=title, discs=discs, bonds=bonds, **options)
+
+    def __del__(self) -> None:
+        if getattr(self, "_free", None) is not None:
+            self._free(ctypes.byref(self._struct))
 
     def load(self, path: PathLike) -> None:
         """Reads a case file over what is set so far."""
@@ -249,7 +254,7 @@ class Definition:
     def copy(self) -> "Definition":
         """An independent definition with the same values."""
         other = Definition()
-        ctypes.pointer(other._struct)[0] = self._struct
+        call("hfrac_sim_def_copy", ctypes.byref(self._struct), ctypes.byref(other._struct))
         other._discs = self._discs
         other._bonds = self._bonds
         return other

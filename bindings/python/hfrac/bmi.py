@@ -12,16 +12,19 @@
 
 The configuration file is a case file. SI units, unit thickness. Variables, units and grids are those of the C face
 (bindings/bmi); see there. Grid 0 is the rock, unstructured: discs are its nodes, bonds its edges, domains its faces; grid 1
-is one value for the model; grid 2 the wells. Needs numpy.
+is one value for the model; grid 2 the wells; grid 3, once set_grid has laid it, a framework's cells. Needs numpy.
 """
 from typing import Any, Callable, Dict, NamedTuple, Optional, Tuple
 
 import numpy
 
+from ._abi import Upscaling
+from ._grid import Grid
 from ._simulation import Simulation
 
-NODE, EDGE, FACE, WELL, MODEL = "node", "edge", "face", "well", "model"
-_ROCK_GRID, _MODEL_GRID, _WELL_GRID = 0, 1, 2
+NODE, EDGE, FACE, WELL, MODEL, CELL = "node", "edge", "face", "well", "model", "cell"
+_ROCK_GRID, _MODEL_GRID, _WELL_GRID, _CELL_GRID = 0, 1, 2, 3
+_BOUNDARY_PRESSURE = "cell_boundary_fluid__pressure"
 
 
 class _Variable(NamedTuple):
@@ -103,6 +106,21 @@ _VARIABLES: Dict[str, _Variable] = {
     "rock_boundary_fluid__leaked_volume_per_thickness": _Variable("m2", MODEL, lambda sim: [sim.balance.leaked_volume]),
 }
 
+#: Variables of cells: units, member of hfrac_cell, component.
+_CELL_VARIABLES: Dict[str, Tuple[str, str, Optional[int]]] = {
+    _BOUNDARY_PRESSURE: ("Pa", "", None),
+    "cell_boundary_fluid__outflow_rate_per_thickness": ("m2 s-1", "outflow", None),
+    "cell_boundary_fluid__conductance_per_thickness": ("m2 Pa-1 s-1", "conductance", None),
+    "cell_rock_fluid__leak-off_rate_per_thickness": ("m2 s-1", "leak_off", None),
+    "cell_rock_fluid__pressure": ("Pa", "pressure", None),
+    "cell_rock_fracture_fluid__pressure": ("Pa", "fracture_pressure", None),
+    "cell_rock_fracture__xx_component_of_permeability": ("m2", "permeability", 0),
+    "cell_rock_fracture__yy_component_of_permeability": ("m2", "permeability", 1),
+    "cell_rock_fracture__xy_component_of_permeability": ("m2", "permeability", 2),
+    "cell_rock_matrix__permeability": ("m2", "matrix_permeability", None),
+}
+_VARIABLES.update({name: _Variable(units, CELL, lambda sim: None) for name, (units, _, _) in _CELL_VARIABLES.items()})
+
 Array = Any
 
 
@@ -114,6 +132,9 @@ class BmiHfrac:
         self._step = 0.0
         self._end = 0.0
         self._shared: Dict[str, Array] = {}
+        self._grid: Optional[Grid] = None
+        self._lattice: Tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)  # origin x, y; spacing x, y
+        self._boundary: Array = numpy.empty(0)
 
     def _model(self) -> Simulation:
         if self._sim is None:
@@ -127,10 +148,22 @@ class BmiHfrac:
 
     def _names(self) -> Tuple[str, ...]:
         wells = bool(self._model().wells)
-        return tuple(name for name, row in _VARIABLES.items() if wells or row.place != WELL)
+        there = {WELL: wells, CELL: self._grid is not None}
+        return tuple(name for name, row in _VARIABLES.items() if there.get(row.place, True))
+
+    def _of_cells(self, name: str) -> Array:
+        if name == _BOUNDARY_PRESSURE or self._grid is None:
+            return self._boundary
+        _, member, component = _CELL_VARIABLES[name]
+        # The tensor of the flow is dear, all else is the same by either way.
+        method = Upscaling.FLOW if "permeability" in member else Upscaling.ODA
+        values = self._grid.cells(method)[member]
+        return (values if component is None else values[..., component]).ravel()
 
     def _values(self, name: str) -> Array:
         row = self._variable(name)
+        if row.place == CELL:
+            return numpy.ascontiguousarray(self._of_cells(name), dtype=row.type)
         return numpy.ascontiguousarray(row.get(self._model()), dtype=row.type)
 
     def _renew(self) -> None:
@@ -175,6 +208,15 @@ class BmiHfrac:
             self._sim.close()
         self._sim = None
         self._shared = {}
+        self._grid = None
+
+    def set_grid(self, nx: int, ny: int, origin: Tuple[float, float], spacing: Tuple[float, float]) -> None:
+        """Lays cells over the model, beside the BMI: first corner at `origin` (x, y) [m], each `spacing` (dx, dy) [m]
+        large. From then on there is grid 3, and variables "cell_..."; arrays of earlier cells follow no more."""
+        self._grid = self._model().set_grid(nx=nx, ny=ny, origin=origin, size=spacing)
+        self._lattice = (*origin, *spacing)
+        self._boundary = numpy.full(nx * ny, self._model().state.formation_pressure)
+        self._shared = {name: array for name, array in self._shared.items() if _VARIABLES[name].place != CELL}
 
     # Exchange items
 
@@ -192,7 +234,7 @@ class BmiHfrac:
 
     def get_input_var_names(self) -> Tuple[str, ...]:
         """Variables that can be set."""
-        return tuple(name for name in self._names() if _VARIABLES[name].set is not None)
+        return tuple(name for name in self._names() if _VARIABLES[name].set is not None or name == _BOUNDARY_PRESSURE)
 
     def get_output_var_names(self) -> Tuple[str, ...]:
         """Variables that can be read."""
@@ -202,7 +244,7 @@ class BmiHfrac:
 
     def get_var_grid(self, name: str) -> int:
         """Grid of a variable."""
-        return {WELL: _WELL_GRID, MODEL: _MODEL_GRID}.get(self._variable(name).place, _ROCK_GRID)
+        return {WELL: _WELL_GRID, MODEL: _MODEL_GRID, CELL: _CELL_GRID}.get(self._variable(name).place, _ROCK_GRID)
 
     def get_var_type(self, name: str) -> str:
         """Type of a variable's values, as numpy names it."""
@@ -222,7 +264,7 @@ class BmiHfrac:
 
     def get_var_location(self, name: str) -> str:
         """Where on its grid a variable lives: node, edge, face or none."""
-        return {WELL: "node", MODEL: "none"}.get(self._variable(name).place, self._variable(name).place)
+        return {WELL: "node", CELL: "node", MODEL: "none"}.get(self._variable(name).place, self._variable(name).place)
 
     # Time
 
@@ -283,12 +325,17 @@ class BmiHfrac:
     def set_value_at_indices(self, name: str, inds: Array, src: Array) -> None:
         """Sets the values at `inds`."""
         row = self._variable(name)
-        if row.set is None:
+        if row.set is None and name != _BOUNDARY_PRESSURE:
             raise ValueError(f"{name} is an output; what can be set: {', '.join(self.get_input_var_names())}")
         indices, values = self._checked(name, inds), numpy.asarray(src, dtype=float)
         if values.shape != indices.shape:
             raise ValueError(f"{values.size} values for {indices.size} places of {name}")
-        for index, value in zip(indices.tolist(), values.tolist()):
+        if name == _BOUNDARY_PRESSURE and self._grid is not None:
+            wanted = self._boundary.copy()
+            wanted[indices] = values
+            self._grid.set_boundary_pressure(wanted)
+            self._boundary = wanted
+        for index, value in zip(indices.tolist(), values.tolist()) if row.set is not None else ():
             row.set(self._model(), index, value)
         self._renew()
 
@@ -296,7 +343,8 @@ class BmiHfrac:
 
     def _rock(self, grid: int) -> bool:
         """Whether it is the rock's grid; refuses what is no grid."""
-        if grid not in (_ROCK_GRID, _MODEL_GRID, _WELL_GRID) or (grid == _WELL_GRID and not self._model().wells):
+        there = {_WELL_GRID: bool(self._model().wells), _CELL_GRID: self._grid is not None, _ROCK_GRID: True, _MODEL_GRID: True}
+        if not there.get(grid, False):
             raise KeyError(f"the model has no grid {grid}")
         return grid == _ROCK_GRID
 
@@ -312,22 +360,30 @@ class BmiHfrac:
     def get_grid_type(self, grid: int) -> str:
         """BMI's name for the kind of grid."""
         self._rock(grid)
-        return "scalar" if grid == _MODEL_GRID else "unstructured"
+        return {_MODEL_GRID: "scalar", _CELL_GRID: "uniform_rectilinear"}.get(grid, "unstructured")
 
-    def _no_lattice(self) -> Array:
-        raise NotImplementedError("no grid of this model is a lattice; see get_grid_type")
+    def _cells(self, grid: int) -> Grid:
+        if grid != _CELL_GRID or self._grid is None:
+            raise NotImplementedError("this grid is no lattice; see get_grid_type")
+        return self._grid
 
     def get_grid_shape(self, grid: int, shape: Array) -> Array:
-        """Of lattices only."""
-        return self._no_lattice()
+        """Nodes, the middles of cells, along y and x; of cells only."""
+        shape[:] = self._cells(grid).shape
+        return shape
 
     def get_grid_spacing(self, grid: int, spacing: Array) -> Array:
-        """Of lattices only."""
-        return self._no_lattice()
+        """[m] from node to node along y and x; of cells only."""
+        self._cells(grid)
+        spacing[:] = self._lattice[3], self._lattice[2]
+        return spacing
 
     def get_grid_origin(self, grid: int, origin: Array) -> Array:
-        """Of lattices only."""
-        return self._no_lattice()
+        """[m] y and x of the first node; of cells only."""
+        self._cells(grid)
+        x, y, dx, dy = self._lattice
+        origin[:] = y + 0.5 * dy, x + 0.5 * dx
+        return origin
 
     def _coordinates(self, grid: int, axis: int, to: Array) -> Array:
         sim = self._model()
@@ -335,6 +391,9 @@ class BmiHfrac:
             to[:] = sim.field("disc.position")[:, axis]
         elif grid == _WELL_GRID:
             to[:] = [(well.state.x, well.state.y)[axis] for well in sim.wells]
+        elif grid == _CELL_GRID:
+            cells = self._cells(grid)
+            to[:] = self._lattice[axis] + (numpy.arange((cells.nx, cells.ny)[axis]) + 0.5) * self._lattice[2 + axis]
         else:
             raise NotImplementedError("one value for the model has no coordinates")
         return to
@@ -356,6 +415,8 @@ class BmiHfrac:
         sim = self._model()
         if self._rock(grid):
             return sim.state.disc_count
+        if grid == _CELL_GRID and self._grid is not None:
+            return self._grid.nx * self._grid.ny
         return len(sim.wells) if grid == _WELL_GRID else 1
 
     def get_grid_edge_count(self, grid: int) -> int:

@@ -53,6 +53,12 @@ class DivergedError(HfracError, ArithmeticError):
     status = Status.ERR_DIVERGED
 
 
+class CollapsedError(HfracError, ArithmeticError):
+    """The rock fell apart: it does not bear its load, or a disc left its place in a step; the state is as before the step."""
+
+    status = Status.ERR_COLLAPSED
+
+
 class OutOfMemoryError(HfracError, MemoryError):
     """Out of memory."""
 

@@ -5,6 +5,17 @@
  * Order of calls: hfrac_sim_def_init, then any mix of plain assignment, hfrac_sim_def_set_*, and
  * hfrac_sim_def_load (a case file over what is set so far), then hfrac_sim_create (sim.h). The definition stays the
  * caller's; the library keeps a copy. All texts behind `const char *` are 0-terminated UTF-8.
+ *
+ * Wells, joints and schedule are lists: a pointer to the first item, how many there are, and the size of one item. There is no
+ * limit to their number. Items may gain members at their end, so the size says which of them the items have: a host that fills a
+ * list sets it to its own sizeof, what smaller items lack has its default, and larger ones with something in their unknown tail
+ * are refused (HFRAC_ERR_STRUCT_SIZE). A list belongs either
+ *   to the caller, who points the struct at an array: it is read while a call lasts, never written, never kept; or
+ *   to the library, after hfrac_sim_def_load, after a key of an item or a count was set, and in what hfrac_sim_definition and
+ *     hfrac_sim_def_copy give. Its items may be read and changed in place, and the count lowered, until the next call that changes
+ *     the definition. They lie the list's size apart: that of this library, or whatever the host had set before.
+ * hfrac_sim_def_free ends the library's lists; for a definition without, it does nothing. Assigning the struct copies pointers
+ * only: of two such structs one is used and freed, or the other is made with hfrac_sim_def_copy.
  */
 #ifndef HFRAC_DEF_H
 #define HFRAC_DEF_H
@@ -15,7 +26,7 @@
 extern "C" {
 #endif
 
-enum hfrac_def_limits { HFRAC_MAX_WELLS = 8, HFRAC_TITLE_SIZE = 128, HFRAC_MAX_JOINTS = 64, HFRAC_MAX_SCHEDULE = 64 };
+enum hfrac_def_limits { HFRAC_TITLE_SIZE = 128 };
 
 /** How a well is driven. */
 enum hfrac_well_control {
@@ -73,7 +84,18 @@ typedef int32_t (*hfrac_progress_fn)(void *user, double fraction, const char *wh
  * later ones stand at the end; capi/tools/def_struct.py writes them from the option table. */
 typedef struct hfrac_sim_def {
   int32_t struct_size;    /**< sizeof(hfrac_sim_def) of the caller, set by init */
-  int32_t struct_version; /**< set by init */
+  int32_t struct_version; /**< set by init; 2 since lists are pointers */
+
+  void *lists;                  /**< the library's own lists, not to be touched; NULL from init */
+  hfrac_well_def *wells;        /**< the first well; NULL if there is none */
+  int64_t well_count;           /**< wells */
+  int64_t well_size;            /**< [bytes] from one well to the next: sizeof(hfrac_well_def) of whoever filled them */
+  hfrac_joint_def *joints;      /**< the first line of weakness; NULL if there is none */
+  int64_t joint_count;          /**< joints */
+  int64_t joint_size;           /**< [bytes] from one joint to the next */
+  hfrac_schedule_def *schedule; /**< the first entry of the wells' schedules; NULL if there is none */
+  int64_t schedule_count;       /**< entries */
+  int64_t schedule_size;        /**< [bytes] from one entry to the next */
 
   /** [m] Extent of the model along x, the direction of sigma_Hmax. Default 100.0. */
   double model_width;
@@ -205,8 +227,6 @@ typedef struct hfrac_sim_def {
   /** Steps between the snapshots of a run by the hfrac command. Default 10. */
   int64_t output_every;
 
-  int64_t well_count;                    /**< wells used of the array below, 0 to HFRAC_MAX_WELLS */
-  hfrac_well_def wells[HFRAC_MAX_WELLS]; /**< the wells */
   char title[HFRAC_TITLE_SIZE];          /**< free text, ends up in the output */
 
   /** Own packing instead of ours: x, y, radius per disc [m], borrowed during hfrac_sim_create; NULL: the engine packs. */
@@ -276,10 +296,6 @@ typedef struct hfrac_sim_def {
   /** [1] K_Ic over sigma_c sqrt(R) of the packing, for bond.fracture_toughness; 'hfrac lab centre-crack'
    * measures it. 0: what it measured on the default rock of contact.mode. Default 0.0. */
   double bond_toughness_coefficient;
-  int64_t joint_count;                             /**< joints used of the array below, 0 to HFRAC_MAX_JOINTS */
-  hfrac_joint_def joints[HFRAC_MAX_JOINTS];        /**< lines of weakness */
-  int64_t schedule_count;                          /**< entries used of the array below, 0 to HFRAC_MAX_SCHEDULE */
-  hfrac_schedule_def schedule[HFRAC_MAX_SCHEDULE]; /**< how wells are driven over time */
 
   /** [Pa s^n] Consistency K of a shear-thinning fluid: its rate of shear is tau / viscosity + (tau /
    * K)^(1/n), so fluid.viscosity is that at rest. 0: Newtonian, with fluid.viscosity. Default 0.0. */
@@ -395,6 +411,11 @@ typedef struct hfrac_sim_def {
   /** [Pa] Law facet: E' = E / (1 - nu^2) of the rock at a tip, undrained where its pores are tight; 'hfrac
    * lab elastic' gives the drained one. Needed with bond.fracture_toughness. Default 0.0. */
   double fracture_plane_modulus;
+
+  /** [1] Share of the bonds, or 10 of them if that is more, that may break in the initial equilibration;
+   * where more break the rock does not bear the far field, and no simulation is built. Default 0.01. */
+  double initial_broken_fraction;
+
   /** [m] Law facet: slots of this length are cut into the wall of every hole, on two opposite sides, before
    * injection; fluid enters them freely. 0: none. Default 0.0. */
   double fracture_perforation_length;
@@ -404,6 +425,14 @@ typedef struct hfrac_sim_def {
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_def_init(hfrac_sim_def *def, int32_t struct_size);
+
+/** Ends the lists of `def` that belong to the library; they are empty then, and everything else stays. NULL and a definition
+ * without such lists are fine. Stable since 0.1. */
+HFRAC_API int32_t hfrac_sim_def_free(hfrac_sim_def *def);
+
+/** Gives `to`, which hfrac_sim_def_init has filled, all values of `from` with lists of its own; lists that belonged to `to` end.
+ * Given discs and bonds stay the caller's, shared by both. Stable since 0.1. */
+HFRAC_API int32_t hfrac_sim_def_copy(const hfrac_sim_def *from, hfrac_sim_def *to);
 
 /** Reads a TOML case file over `def`. Unknown keys, wrong types and values out of range are refused with file, line,
  * key, allowed range and the nearest known key (HFRAC_ERR_CASE_FILE); `def` is then unchanged. Stable since 0.1. */
@@ -423,7 +452,8 @@ HFRAC_UNSTABLE_API int32_t hfrac_sim_def_check_file(const hfrac_sim_def *def, co
  * value of the well, joint or entry after the last one adds it; a well's centre is then the model's, as wide and high as it is
  * at that moment. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_def_set_f64(hfrac_sim_def *def, const char *key, double value);
-/** Sets an integer option, or a choice by its index. Stable since 0.1. */
+/** Sets an integer option, or a choice by its index. "well_count", "joint_count", "schedule_count": makes the list that long, as
+ * the library's own; items added have the keys' defaults. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_def_set_i64(hfrac_sim_def *def, const char *key, int64_t value);
 /** Sets a choice by its word, or "title". Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_def_set_str(hfrac_sim_def *def, const char *key, const char *value);

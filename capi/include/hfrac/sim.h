@@ -15,19 +15,24 @@
 extern "C" {
 #endif
 
-/** Builds a simulation. On failure *sim is NULL and hfrac_last_error(NULL, ...) says why. Stable since 0.1. */
+/** Builds a simulation. On failure *sim is NULL and hfrac_last_error(NULL, ...) says why. HFRAC_ERR_COLLAPSED: more than
+ * initial.broken_fraction of the bonds broke under the far field, or the rock found no rest at all. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_create(const hfrac_sim_def *def, hfrac_sim **sim);
 
 /** Frees a simulation and sets *sim to NULL; NULL and *sim == NULL are fine. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_destroy(hfrac_sim **sim);
 
-/** The definition the simulation was built from, defaults filled in; `def->struct_size` must be set. Stable since 0.1. */
+/** The definition the simulation was built from, defaults filled in, into `def`, which hfrac_sim_def_init has filled; its lists
+ * are the library's then (hfrac_sim_def_free). Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_definition(const hfrac_sim *sim, hfrac_sim_def *def);
 
 /* A run goes on in one of three ways, and says in its status how it ended. Of several notes the first counts:
  *   HFRAC_STOPPED         a callback asked for it; the simulation is at its last whole step
  *   HFRAC_STOP_CONDITION  stop.extent_fraction or stop.cracks is reached (hfrac_set_stop lets the run go on)
  *   HFRAC_NOT_AT_REST     the last step (hfrac_advance: a step) did not reach stepping.force_ratio */
+
+/* HFRAC_ERR_COLLAPSED from any of them: in one step a disc moved by more than its diameter, so the discs are no rock any more and
+ * numbers made of them would mean nothing. The step is undone, earlier ones stand, and the text names disc and displacement. */
 
 /** Takes `count` steps (sub-steps in mode "substep", stepping.flow_step seconds of real motion each in mode "dynamic",
  * stepping.flow_step seconds of flow and equilibrium together in mode "coupled").

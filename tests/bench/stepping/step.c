@@ -20,5 +20,5 @@ int main(int argc, char** argv) {
   }
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &end);
   printf("%.6f\n", (double)(end.tv_sec - start.tv_sec) + 1e-9 * (double)(end.tv_nsec - start.tv_nsec));
-  return hfrac_sim_destroy(&sim) < 0;
+  return hfrac_sim_def_free(&def) < 0 || hfrac_sim_destroy(&sim) < 0;
 }

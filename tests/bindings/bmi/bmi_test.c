@@ -290,6 +290,61 @@ static void wrong_use(const char* file) {
   GOOD(m->finalize(m));
 }
 
+/* A framework's cells: laid once, then read and given boundary pressures. */
+static void cells(const char* file) {
+  Bmi model, *m = &model;
+  const double origin[2] = {-10.0, 0.0}, spacing[2] = {30.0, 50.0};
+  const char* boundary = "cell_boundary_fluid__pressure";
+  const int some[2] = {0, 7};
+  double x[4], y[2], values[8], pair[2], before[8], matrix[8];
+  double formation = 0.0, high[2] = {30e6, 31e6};
+  int shape[2], k, count = 0, outputs = 0, more = 0;
+  char text[BMI_MAX_TYPE_NAME];
+  void* shown = NULL;
+  register_bmi_hfrac(m);
+  BAD(bmi_hfrac_set_grid(m, 4, 2, origin, spacing));
+  GOOD(m->initialize(m, file));
+  BAD(m->get_value(m, boundary, values));
+  BAD(m->get_grid_type(m, 3, text));
+  BAD(m->get_grid_shape(m, 0, shape));
+  GOOD(m->get_output_item_count(m, &outputs));
+  BAD(bmi_hfrac_set_grid(m, 0, 2, origin, spacing));
+  BAD(bmi_hfrac_set_grid(m, 4, 2, NULL, spacing));
+  GOOD(bmi_hfrac_set_grid(m, 4, 2, origin, spacing));
+  GOOD(m->get_output_item_count(m, &more));
+  check(more == outputs + 10, "there are ten variables of cells", m);
+  GOOD(m->get_grid_type(m, 3, text));
+  check(strcmp(text, "uniform_rectilinear") == 0, "cells are a lattice", m);
+  GOOD(m->get_grid_size(m, 3, &count));
+  GOOD(m->get_grid_shape(m, 3, shape));
+  check(count == 8 && shape[0] == 2 && shape[1] == 4, "of so many rows and columns", m);
+  GOOD(m->get_grid_spacing(m, 3, pair));
+  check(pair[0] == 50.0 && pair[1] == 30.0, "so far apart", m);
+  GOOD(m->get_grid_origin(m, 3, pair));
+  check(pair[0] == 25.0 && pair[1] == 5.0, "from the middle of the first", m);
+  GOOD(m->get_grid_x(m, 3, x));
+  GOOD(m->get_grid_y(m, 3, y));
+  check(x[3] == 95.0 && y[1] == 75.0, "to the middle of the last", m);
+  GOOD(m->get_value(m, "rock_formation_fluid__pressure", &formation));
+  GOOD(m->get_value_ptr(m, boundary, &shown));
+  for (k = 0; k < 8; ++k) check(((double*)shown)[k] == formation, "the formation's pressure at first", m);
+  GOOD(m->set_value_at_indices(m, boundary, (int*)some, 2, high));
+  check(((double*)shown)[0] == 30e6 && ((double*)shown)[7] == 31e6 && ((double*)shown)[1] == formation,
+        "then what was set", m);
+  high[0] = NAN;
+  BAD(m->set_value_at_indices(m, boundary, (int*)some, 2, high));
+  check(((double*)shown)[0] == 30e6, "and no number that is none", m);
+  GOOD(m->get_value(m, "cell_boundary_fluid__outflow_rate_per_thickness", before));
+  GOOD(m->update(m));
+  GOOD(m->get_value(m, "cell_boundary_fluid__outflow_rate_per_thickness", values));
+  check(values[0] < before[0], "fluid comes in where the pressure is high", m);
+  GOOD(m->get_value(m, "cell_rock_matrix__permeability", matrix));
+  GOOD(m->get_value(m, "cell_rock_fluid__leak-off_rate_per_thickness", values));
+  for (k = 0; k < 8; ++k) check(matrix[k] > 0.0 && values[k] == values[k], "cells have values", m);
+  GOOD(m->get_value(m, "cell_rock_fracture__xx_component_of_permeability", values));
+  GOOD(m->finalize(m));
+}
+
 static void table(Bmi* m) {
   Names in = names_of(m, 1), out = names_of(m, 0);
   char type[BMI_MAX_TYPE_NAME], units[BMI_MAX_UNITS_NAME], location[BMI_MAX_UNITS_NAME];
@@ -309,12 +364,14 @@ static void table(Bmi* m) {
 
 int main(int argc, char** argv) {
   Bmi model, *m = &model;
+  const double origin[2] = {0.0, 0.0}, spacing[2] = {25.0, 50.0};
   Names in, out;
   int k;
   if (argc < 2) return 2;
   if (argc > 2) {
     register_bmi_hfrac(m);
     GOOD(m->initialize(m, argv[1]));
+    GOOD(bmi_hfrac_set_grid(m, 4, 2, origin, spacing));
     table(m);
     GOOD(m->finalize(m));
     return failures == 0 ? 0 : 1;
@@ -335,6 +392,7 @@ int main(int argc, char** argv) {
   free_names(&out);
   GOOD(m->finalize(m));
   two_at_once(argv[1]);
+  cells(argv[1]);
   wrong_use(argv[1]);
   if (failures == 0) printf("all good\n");
   return failures == 0 ? 0 : 1;

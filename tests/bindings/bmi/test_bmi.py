@@ -41,7 +41,7 @@ class Stage0Control(unittest.TestCase):
 
     def test_all_of_the_standard_is_there(self):
         functions = [name for name, _ in inspect.getmembers(BmiHfrac, inspect.isfunction) if not name.startswith("_")]
-        self.assertEqual(len(functions), 41, functions)
+        self.assertEqual(len(functions), 41 + 1, functions)  # and set_grid, beside it
 
 
 class Initialized(unittest.TestCase):
@@ -203,8 +203,32 @@ class Running(unittest.TestCase):
         self.assertNotEqual(one.get_value_ptr(name)[0], other.get_value_ptr(name)[0])
 
 
+class Cells(Initialized):
+    def test_cells_are_read_and_given_pressures(self):
+        bmi, name = self.bmi, "cell_boundary_fluid__pressure"
+        self.assertRaises(KeyError, bmi.get_grid_type, 3)
+        self.assertRaises(KeyError, bmi.get_var_units, name)
+        bmi.set_grid(4, 2, (-10.0, 0.0), (30.0, 50.0))
+        self.assertEqual(bmi.get_grid_type(3), "uniform_rectilinear")
+        self.assertEqual(bmi.get_grid_shape(3, numpy.empty(2, int)).tolist(), [2, 4])
+        self.assertEqual(bmi.get_grid_spacing(3, numpy.empty(2)).tolist(), [50.0, 30.0])
+        self.assertEqual(bmi.get_grid_origin(3, numpy.empty(2)).tolist(), [25.0, 5.0])
+        self.assertEqual(bmi.get_grid_x(3, numpy.empty(4))[3], 95.0)
+        self.assertEqual(bmi.get_grid_y(3, numpy.empty(2))[1], 75.0)
+        self.assertRaises(NotImplementedError, bmi.get_grid_shape, 0, numpy.empty(2, int))
+        shown = bmi.get_value_ptr(name)
+        bmi.set_value_at_indices(name, [0, 7], [30e6, 31e6])
+        self.assertEqual((shown[0], shown[7], shown[1]), (30e6, 31e6, bmi.get_value_ptr("rock_formation_fluid__pressure")[0]))
+        outflow = bmi.get_value_ptr("cell_boundary_fluid__outflow_rate_per_thickness")
+        before = float(outflow[0])
+        bmi.update()
+        self.assertLess(outflow[0], before)
+        self.assertTrue((bmi.get_value("cell_rock_matrix__permeability", numpy.empty(8)) > 0.0).all())
+
+
 class BothFaces(Initialized):
     def test_c_says_the_same(self):
+        self.bmi.set_grid(4, 2, (0.0, 0.0), (25.0, 50.0))
         said = subprocess.run([PROGRAM, CASE, "--table"], check=True, capture_output=True, text=True).stdout.split()
         inputs = self.bmi.get_input_var_names()
         names_in_c = {"int32": "int", "int64": "long"}  # each face names types as its language does

@@ -33,6 +33,24 @@ class Definition(unittest.TestCase):
         self.assertEqual(flat.text, keyed.text)
         self.assertEqual(flat.options["packing.disc_count"], 500)
 
+    def test_lists_of_any_length(self):
+        wells = [{"x": 4.0 + 3.0 * (k % 30), "y": 4.0 + 3.0 * (k // 30), "radius": 0.5, "rate": 1e-6 * k, "control": "rate"} for k in range(200)]
+        joints = [{"x1": 10.0, "y1": 0.5 * (k + 1), "x2": 90.0, "y2": 0.5 * (k + 1), "friction": 0.25} for k in range(150)]
+        schedule = [{"well": k % 200, "time": 1.0 + k // 200, "value": 1e-6, "control": "rate"} for k in range(500)]
+        definition = hfrac.Definition(wells=wells, joints=joints, schedule=schedule, packing_disc_count=200000)
+        definition.check()
+        counts = [definition.get(f"{kind}_count") for kind in ("well", "joint", "schedule")]
+        self.assertEqual(counts, [200, 150, 500])
+        copied = definition.copy()
+        definition.set("well_count", 0)
+        self.assertEqual((definition.well_count, copied.well_count), (0, 200))
+        self.assertEqual(copied.wells[199]["rate"], 1e-6 * 199)
+        self.assertEqual(copied.joints[149]["friction"], 0.25)
+        self.assertEqual(copied.schedule[499], schedule[499])
+        copied.set("schedule[499].time", 1.0)
+        with self.assertRaisesRegex(hfrac.ModelError, r"schedule\[499\]"):
+            copied.check()
+
     def test_wells(self):
         definition = hfrac.Definition(
             model_width=80, wells=[{"radius": 5, "pressure": 40e6}, {"x": 10, "y": 20, "radius": 2, "control": "rate"}]

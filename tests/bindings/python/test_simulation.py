@@ -85,6 +85,12 @@ class Running(unittest.TestCase):
             sim.set_stop()
             self.assertEqual(sim.advance(advance.time + 0.015, exact=True).time, advance.time + 0.015)
 
+    def test_rock_that_falls_apart_is_an_error(self):
+        with hfrac.Simulation(packing_disc_count=60, wells=[{"radius": 22, "pressure": 30e6}]) as sim:
+            with self.assertRaisesRegex(hfrac.CollapsedError, "fell apart in step 1: disc "):
+                sim.step()
+            self.assertEqual((sim.time, hfrac.CollapsedError.status), (0.0, hfrac.Status.ERR_COLLAPSED))
+
     def test_a_step_that_does_not_come_to_rest_is_a_note(self):
         with small(stepping_max_cycles=10) as sim:
             self.assertIs(sim.step(), hfrac.Status.NOT_AT_REST)

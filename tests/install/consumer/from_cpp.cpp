@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The installed headers in a C++ program.
 #include <hfrac/hfrac.h>
+#include <hfrac/definition.hpp>
 
 #include <cstdio>
 
 int main(int argc, char** argv) {
-  hfrac_sim_def def;
+  hfrac::Definition def;
   hfrac_sim* sim = nullptr;
-  if (argc < 2 || hfrac_sim_def_init(&def, sizeof def) < 0 || hfrac_sim_def_load(&def, argv[1]) < 0 ||
-      hfrac_sim_create(&def, &sim) < 0 || hfrac_step(sim, def.stepping_steps) < 0) {
+  if (argc < 2 || hfrac_sim_def_load(&def, argv[1]) < 0 || hfrac_sim_create(&def, &sim) < 0 ||
+      hfrac_step(sim, def.stepping_steps) < 0) {
     return 1;
   }
   hfrac_fracture fracture{};

@@ -3,6 +3,7 @@
 // call ends with a status of the list; handles that were destroyed are NULL again; a failed call of kind ARGUMENT changes no
 // state.
 #include <hfrac/hfrac.h>
+#include <hfrac/definition.hpp>
 
 #include <array>
 #include <cmath>
@@ -50,7 +51,7 @@ std::vector<double> lattice() {
 }
 
 struct Host {
-  hfrac_sim_def def{};
+  hfrac::Definition def;
   std::array<hfrac_sim*, 2> sims{};
   std::vector<unsigned char> image;
   int built = 0;
@@ -216,7 +217,7 @@ void call(Host& host, std::uint8_t what, std::uint8_t pick) {
       status = fuzz::host_call(sim, host.def, kind - 30, argument, number(what));
   }
   demand(status != HFRAC_ERR_INTERNAL);
-  demand(status == HFRAC_ERR_INTERNAL || (status >= HFRAC_ERR_CALLBACK && status <= HFRAC_STOP_CONDITION));
+  demand(status == HFRAC_ERR_INTERNAL || (status >= HFRAC_ERR_COLLAPSED && status <= HFRAC_STOP_CONDITION));
   if (status == HFRAC_ERR_ARGUMENT && sim != nullptr) demand(hash_of(sim) == before);
 }
 
@@ -224,12 +225,11 @@ void call(Host& host, std::uint8_t what, std::uint8_t pick) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Host host;
-  demand(hfrac_sim_def_init(&host.def, sizeof host.def) == HFRAC_OK);
   host.def.stress_convention = 1;
   host.def.boundary_kind = 1;
   host.def.stress_sigma_Hmax = host.def.stress_sigma_hmin = 0.0;
   host.def.stepping_flow_step = 1e-2;
-  host.def.well_count = 1;
+  hfrac_sim_def_set_i64(&host.def, "well_count", 1);
   host.def.wells[0].x = host.def.wells[0].y = 50.0;
   host.def.wells[0].radius = 14.0;
   host.def.wells[0].pressure = 60e6;

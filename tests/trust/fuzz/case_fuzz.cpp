@@ -4,6 +4,7 @@
 #include <hfrac/hfrac.h>
 #include <sys/mman.h>
 #include <unistd.h>
+#include <hfrac/definition.hpp>
 
 #include <cstdint>
 #include <cstdlib>
@@ -16,11 +17,8 @@ void demand(bool good) {
   if (!good) std::abort();
 }
 
-hfrac_sim_def fresh() {
-  hfrac_sim_def def;
-  std::memset(&def, 0, sizeof def);
-  demand(hfrac_sim_def_init(&def, sizeof def) == HFRAC_OK);
-  return def;
+hfrac::Definition fresh() {
+  return {};
 }
 
 // A file in memory, since the library reads files only.
@@ -44,7 +42,7 @@ std::string text_of(const hfrac_sim_def& def) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  hfrac_sim_def def = fresh();
+  hfrac::Definition def = fresh();
   const hfrac_sim_def before = def;
   if (load(def, data, size) != HFRAC_OK) {
     char text[2048];
@@ -54,7 +52,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   hfrac_sim_def_check(&def);
   const std::string written = text_of(def);
-  hfrac_sim_def again = fresh();
+  hfrac::Definition again = fresh();
   demand(load(again, written.data(), written.size()) == HFRAC_OK);
   demand(text_of(again) == written);
   return 0;

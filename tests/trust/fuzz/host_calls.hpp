@@ -4,6 +4,7 @@
 #pragma once
 
 #include <hfrac/hfrac.h>
+#include <hfrac/definition.hpp>
 
 #include <array>
 #include <cstdint>
@@ -148,9 +149,11 @@ inline int32_t host_call(hfrac_sim* sim, hfrac_sim_def& def, int kind, std::uint
       return hfrac_set_on_step(sim, argument % 2 == 0 ? ignore_step : nullptr, nullptr);
     case 21:
       return hfrac_set_log(sim, argument % 2 == 0 ? ignore_message : nullptr, nullptr, argument % 7 - 1);
-    case 22:
-      return get<hfrac_sim_def>(static_cast<std::uint8_t>(argument % 3),
-                                [&](auto* to) { return hfrac_sim_definition(sim, to); });
+    case 22: {
+      hfrac::Definition read;
+      if (argument % 3 == 0) read.struct_version = 1;
+      return hfrac_sim_definition(sim, &read);
+    }
     case 23: {
       hfrac_lab* lab = nullptr;
       hfrac_lab_spec spec{};

@@ -6,6 +6,7 @@
 // Input: first byte 0: the rest is an image. Otherwise it chooses the simulation (from 240 on the one with a temperature and a
 // schedule), and the rest are changes of five bytes each: place (3), kind and size (1), value (1).
 #include <hfrac/hfrac.h>
+#include <hfrac/definition.hpp>
 
 #include <algorithm>
 #include <array>
@@ -43,8 +44,7 @@ int64_t hash_of(hfrac_sim* sim) {
 }
 
 Model build(int64_t kind) {
-  hfrac_sim_def def;
-  demand(hfrac_sim_def_init(&def, sizeof def) == HFRAC_OK);
+  hfrac::Definition def;
   def.packing_disc_count = 60;
   def.packing_residual = 1e-2;
   def.stress_convention = 1;
@@ -53,14 +53,14 @@ Model build(int64_t kind) {
   def.stepping_max_cycles = 60;
   def.stepping_flow_step = 1e-2;
   def.solver_kind = kind == 2 ? 1 : 0;
-  def.well_count = 1;
+  hfrac_sim_def_set_i64(&def, "well_count", 1);
   def.wells[0].x = def.wells[0].y = 50.0;
   def.wells[0].radius = 20.0;
   def.wells[0].pressure = 80e6;
   if (kind == 3) {
     def.thermal_mode = 2;
+    hfrac_sim_def_set_i64(&def, "schedule_count", 1);
     def.schedule[0] = {0, 0.05, 1e-3, HFRAC_WELL_RATE};
-    def.schedule_count = 1;
   }
   Model model;
   demand(hfrac_sim_create(&def, &model.sim) == HFRAC_OK);
