@@ -1,19 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "chart_panel.h"
 
-#include <vtkAxis.h>
-#include <vtkDoubleArray.h>
-#include <vtkNew.h>
-#include <vtkPen.h>
-#include <vtkPlotPoints.h>
-#include <vtkStringArray.h>
-#include <vtkTable.h>
-#include <vtkTextProperty.h>
-
 #include <algorithm>
 #include <cmath>
-
-#include "fonts.h"
 
 namespace hfrac::viz {
 namespace {
@@ -36,12 +25,6 @@ double drawn_value(double value, bool logarithmic) {
   return value > 0 ? std::log10(value) : std::nan("");
 }
 
-void paint(vtkPen* pen, Colour colour, double thickness) {
-  pen->SetLineType(vtkPen::SOLID_LINE);
-  pen->SetColor(colour.red, colour.green, colour.blue, 255);
-  pen->SetWidth(static_cast<float>(thickness));
-}
-
 std::vector<Tick> ticks_of(const Range& range, double room, bool logarithmic, bool whole_numbers) {
   const int wanted = std::max(2, static_cast<int>(room));
   std::vector<Tick> ticks = round_ticks(range.lowest, range.highest, wanted);
@@ -56,31 +39,6 @@ std::vector<Tick> ticks_of(const Range& range, double room, bool logarithmic, bo
     for (Tick& tick : ticks) tick.text = value_text(tick.value);
   }
   return ticks;
-}
-
-void set_axis(vtkAxis* axis, const Range& range, const std::vector<Tick>& ticks, double unit) {
-  axis->SetVisible(true);
-  axis->SetBehavior(vtkAxis::FIXED);
-  axis->SetRange(range.lowest, range.highest);
-  vtkNew<vtkDoubleArray> places;
-  vtkNew<vtkStringArray> texts;
-  for (const Tick& tick : ticks) {
-    places->InsertNextValue(tick.value);
-    texts->InsertNextValue(tick.text);
-  }
-  axis->SetCustomTickPositions(places, texts);
-  axis->SetTitle("");  // VTK would put it over wide tick labels; the page writes it
-  set_font(axis->GetLabelProperties(), false, 18 * unit, palette().ink);
-  axis->SetLabelOffset(static_cast<float>(9 * unit));
-  axis->SetTickLength(static_cast<float>(6 * unit));
-  axis->SetMargins(static_cast<int>(12 * unit), static_cast<int>(10 * unit));
-  paint(axis->GetPen(), palette().frame, 1.6 * unit);
-  axis->SetGridVisible(false);
-}
-
-void hide_axis(vtkAxis* axis) {
-  axis->SetVisible(false);
-  axis->SetGridVisible(false);
 }
 
 Range with_room(Span span, double room, bool from_zero) {
@@ -106,24 +64,6 @@ std::vector<Point> thinned(const std::vector<Point>& points) {
       kept.push_back(*point);
   }
   return kept;
-}
-
-// VTK draws the axes of a chart only if it has a plot: this one has two corners and no marks.
-void add_unseen_plot(vtkChartXY* chart, const Range& x, const Range& y, int corner) {
-  vtkNew<vtkDoubleArray> places_x;
-  vtkNew<vtkDoubleArray> places_y;
-  places_x->SetName("x");
-  places_y->SetName("y");
-  for (const double value : {x.lowest, x.highest}) places_x->InsertNextValue(value);
-  for (const double value : {y.lowest, y.highest}) places_y->InsertNextValue(value);
-  vtkNew<vtkTable> table;
-  table->AddColumn(places_x);
-  table->AddColumn(places_y);
-  vtkNew<vtkPlotPoints> plot;
-  plot->SetInputData(table, 0, 1);
-  plot->SetMarkerStyle(vtkPlotPoints::NONE);
-  chart->AddPlot(plot);
-  chart->SetPlotCorner(plot, corner);
 }
 
 }  // namespace
@@ -175,27 +115,6 @@ std::vector<Point> curve_of(const Panel& panel, const ChartSeries& series, const
     points.push_back(point);
   }
   return series.dots ? points : thinned(points);
-}
-
-vtkSmartPointer<vtkChartXY> make_chart(const Box& box, const PanelRanges& ranges, const PanelTicks& ticks,
-                                       double unit) {
-  auto chart = vtkSmartPointer<vtkChartXY>::New();
-  chart->SetAutoSize(false);
-  chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
-  chart->SetSize(vtkRectf(static_cast<float>(box.left), static_cast<float>(box.top),
-                          static_cast<float>(box.width), static_cast<float>(box.height)));
-  chart->SetShowLegend(false);
-  chart->SetRenderEmpty(true);
-  set_axis(chart->GetAxis(vtkAxis::BOTTOM), ranges.x, ticks.x, unit);
-  set_axis(chart->GetAxis(vtkAxis::LEFT), ranges.left, ticks.left, unit);
-  add_unseen_plot(chart, ranges.x, ranges.left, 0);
-  hide_axis(chart->GetAxis(vtkAxis::TOP));
-  hide_axis(chart->GetAxis(vtkAxis::RIGHT));
-  if (ranges.has_right) {
-    add_unseen_plot(chart, ranges.x, ranges.right, 1);
-    set_axis(chart->GetAxis(vtkAxis::RIGHT), ranges.right, ticks.right, unit);
-  }
-  return chart;
 }
 
 }  // namespace hfrac::viz

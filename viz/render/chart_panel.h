@@ -1,19 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One VTK chart's axes, set up in the house style: no box, round ticks.
-//
-// Curves and grid are drawn as lines of the page: VTK scales the pen of a plot together with its axes when it
-// writes SVG or PDF, which turns a curve into a blot, and cuts the grid off at a place that does not move with the chart
-// when the page is drawn in bands.
+// A panel of a page of charts in numbers: what its axes show, their round ticks, and where its curves run.
 #pragma once
 
-#include <vtkChartXY.h>
-#include <vtkSmartPointer.h>
-
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "chart_page.h"
+#include "number_text.h"
+#include "page.h"
 
 namespace hfrac::viz {
+
+// A line of a panel: points, and how they are joined.
+struct ChartSeries {
+  std::string name;
+  std::string unit;
+  Colour colour;
+  std::vector<double> x;
+  std::vector<double> y;
+  bool right = false;    // belongs to the axis at the right
+  bool stepped = false;  // stays until the next point
+  bool dots = false;     // points only
+  double dot_radius = 5.5;
+  std::vector<double> spread = {};  // half lengths of error bars, NaN for none; empty: no bars
+  bool banded = false;              // a band of that width instead of bars
+};
+
+struct Panel {
+  std::string title;
+  std::string x_label;
+  std::vector<ChartSeries> series;   // at most one unit per axis
+  bool logarithmic = false;          // the left axis
+  bool whole_numbers = false;        // the left axis counts
+  bool free_zero = false;            // the left axis need not show zero
+  std::string unit = {};             // beside the title, if the series do not tell
+  std::optional<Extent> shown = {};  // what the axes end at, as it stands; otherwise as the series ask
+};
 
 struct Range {
   double lowest = 0;
@@ -38,11 +60,6 @@ struct PanelTicks {
 };
 // `width`, `height`: of the plot in units of the page.
 PanelTicks ticks_of(const Panel& panel, const PanelRanges& ranges, double width, double height);
-
-// `box`: of the plot itself, in drawn pixels, `top` counted up from the page's lower edge. `unit`: drawn
-// pixels of a unit of the page.
-vtkSmartPointer<vtkChartXY> make_chart(const Box& box, const PanelRanges& ranges, const PanelTicks& ticks,
-                                       double unit);
 
 // The points of a series as shares of the plot's width and height; what cannot be shown is left out, a
 // stepped series gets its corners, and of very many points those are kept that can be told apart.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "colour.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -103,6 +105,10 @@ const Palette& dark_palette() {
 
 const Palette& palette() {
   return *in_force;
+}
+
+std::string hexadecimal(Colour colour) {
+  return fmt::format("#{:02x}{:02x}{:02x}", colour.red, colour.green, colour.blue);
 }
 
 Colour mixed(Colour from, Colour to, double share) {

@@ -8,7 +8,6 @@
 
 #include "charts.h"
 #include "comparison.h"
-#include "page_files.h"
 #include "quantity.h"
 #include "run/text.hpp"
 

@@ -8,7 +8,6 @@
 #include "colour.h"
 #include "failure.h"
 #include "run/text.hpp"
-#include "svg_text.h"
 
 namespace hfrac::viz {
 namespace {
@@ -46,22 +45,15 @@ std::string data_address(const std::string& kind, const std::string& content) {
   return text;
 }
 
-std::string inline_svg(const std::string& svg, const std::string& prefix) {
+std::string inline_svg(const std::string& svg) {
   const std::size_t root = svg.find("<svg ");
   if (root == std::string::npos) return {};
   std::string text = svg.substr(root);
-  replace_all(text, " xmlns=\"http://www.w3.org/2000/svg\"", "");
-  replace_all(text, " xmlns:xlink=\"http://www.w3.org/1999/xlink\"", "");
-  replace_all(text, "<svg viewBox", "<svg role=\"img\" viewBox");
-  replace_all(text, "id=\"", "id=\"" + prefix);
-  replace_all(text, "url(#", "url(#" + prefix);
-  replace_all(text, "href=\"#", "href=\"#" + prefix);
+  replace_all(text, " xmlns=\"http://www.w3.org/2000/svg\"", " role=\"img\"");
   for (const NamedColour& named : chart_colours) {
     const std::string value = hexadecimal(light_palette().*named.colour);
-    for (const char* attribute : {"fill", "stroke"}) {
-      replace_all(text, std::string(attribute) + "=\"" + value + "\"",
-                  std::string(attribute) + "=\"var(" + named.name + ")\"");
-    }
+    for (const std::string attribute : {"fill", "stroke"})
+      replace_all(text, attribute + "=\"" + value + "\"", attribute + "=\"var(" + named.name + ")\"");
   }
   return text;
 }

@@ -14,9 +14,9 @@ namespace hfrac::viz {
 // "data:image/png;base64,..."
 std::string data_address(const std::string& kind, const std::string& content);
 
-// An SVG file as part of a page: no header, names of its own (`prefix`), and the palette's colours as CSS variables,
-// so that it follows the page into the dark.
-std::string inline_svg(const std::string& svg, const std::string& prefix);
+// An SVG file of a chart as part of a page: no header, and the palette's colours as CSS variables, so that it follows the
+// page into the dark.
+std::string inline_svg(const std::string& svg);
 
 // The variables inline_svg refers to: "--ink: #1c1c20; ..."
 std::string colour_variables(bool dark);

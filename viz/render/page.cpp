@@ -36,11 +36,11 @@ void set_paper(vtkRenderer* renderer) {
 
 }  // namespace
 
-Page::Page(OffscreenWindow* window, int width, int height)
+Page::Page(OffscreenWindow* window, int width, int height, int factor)
     : window_(window),
       width_(width),
       height_(height),
-      factor_(2 * std::max(width, height) <= largest_drawn ? 2 : 1) {
+      factor_(std::clamp(largest_drawn / std::max(width, height), 1, factor)) {
   window_->SetNumberOfLayers(2);
   overlay_ = vtkSmartPointer<vtkRenderer>::New();
   overlay_->SetLayer(1);
@@ -89,6 +89,12 @@ void Page::outline(const Box& box, double width, Colour colour) {
 
 void Page::circle(double x, double y, double radius, Colour colour) {
   shapes_.circle(place(x, y), radius * factor_, colour);
+}
+
+void Page::polygon(const std::vector<Point>& corners, Colour colour) {
+  std::vector<Point> placed;
+  for (const Point& corner : corners) placed.push_back(place(corner.x, corner.y));
+  shapes_.polygon(placed, colour);
 }
 
 vtkSmartPointer<vtkTextProperty> Page::text_property(const TextStyle& style) const {

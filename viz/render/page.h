@@ -2,8 +2,8 @@
 // A page: views of the model and, over them, lines, boxes and text at places given in pixels.
 //
 // Places on the page are in pixels of the finished picture, x to the right, y DOWN from the top left corner.
-// The page is drawn twice as large in both directions and reduced (image.h); drawn_pixels says how many drawn
-// pixels one is.
+// The page is drawn two or three times as large in both directions and reduced (image.h); drawn_pixels says how many
+// drawn pixels one is.
 #pragma once
 
 #include <vtkRenderer.h>
@@ -70,7 +70,8 @@ struct PageText {
 
 class Page {
  public:
-  Page(OffscreenWindow* window, int width, int height);
+  // `factor`: how many times larger it is drawn.
+  Page(OffscreenWindow* window, int width, int height, int factor = 2);
   ~Page();
   Page(const Page&) = delete;
   Page& operator=(const Page&) = delete;
@@ -85,6 +86,7 @@ class Page {
   void rectangle(const Box& box, Colour colour);
   void outline(const Box& box, double width, Colour colour);
   void circle(double x, double y, double radius, Colour colour);
+  void polygon(const std::vector<Point>& corners, Colour colour);
   // x, y: the start (middle, end) of the text's baseline.
   void text(double x, double y, const std::string& content, const TextStyle& style);
   // Width of a text in pixels.

@@ -46,15 +46,14 @@ std::string movie(const std::filesystem::path& folder) {
 
 std::string charts(const std::filesystem::path& folder) {
   static constexpr std::array<Picture, 5> wanted = {
-      {{"history", "Pressure, rate, cracks, fracture, fluid and energy against time."},
-       {"profile", "Aperture of every crack against its distance from the well's wall."},
-       {"rose", "Directions of the cracks, by length."},
-       {"events", "Magnitudes of the cracks, and how many are at least as strong."},
-       {"catalogue", "Seismic events: cracks that broke together, their moments and magnitudes."}}};
+      {{"history.svg", "Pressure, rate, cracks, fracture, fluid and energy against time."},
+       {"profile.svg", "Aperture of every crack against its distance from the well's wall."},
+       {"rose.svg", "Directions of the cracks, by length."},
+       {"events.svg", "Magnitudes of the cracks, and how many are at least as strong."},
+       {"catalogue.svg", "Seismic events: cracks that broke together, their moments and magnitudes."}}};
   std::string text;
   for (const Picture& chart : wanted) {
-    const std::string name = chart.file;
-    text += figure(inline_svg(read_if_there(folder / (name + ".svg")), name + "-"), chart.caption);
+    text += figure(inline_svg(read_if_there(folder / chart.file)), chart.caption);
   }
   return text.empty() ? text : "<h2 id=\"curves\">Curves</h2>\n" + text;
 }

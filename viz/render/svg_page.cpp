@@ -6,7 +6,6 @@
 
 #include "png_file.h"
 #include "run/text.hpp"
-#include "svg_text.h"
 #include "vector_canvas.h"
 #include "vector_page.h"
 
