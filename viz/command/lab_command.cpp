@@ -64,11 +64,6 @@ std::vector<double> table(const hfrac_lab* lab, int32_t which) {
   return values;
 }
 
-int32_t show(void* parts, double /*share*/, const char* what) {
-  static_cast<PartsOfWork*>(parts)->show(what);
-  return interrupted() ? 1 : 0;
-}
-
 std::string describe(const hfrac_lab_report& r, int32_t test, int64_t seed, bool time) {
   const TestName& name = tests[static_cast<std::size_t>(test)];
   std::string text =
@@ -166,7 +161,7 @@ ExitCode lab(LabRequest request) {
     request.spec.seed = first + k;
     parts.begin(k);
     hfrac_lab* raw = nullptr;
-    const int32_t status = hfrac_lab_run(&definition, &request.spec, show, &parts, &raw);
+    const int32_t status = hfrac_lab_run(&definition, &request.spec, show_parts, &parts, &raw);
     const Lab one(raw);
     line.end();
     if (status == HFRAC_ERR_ARGUMENT || status == HFRAC_ERR_MODEL)

@@ -30,7 +30,7 @@ struct Name {
   std::string_view column;  ///< in the table of the comparison
 };
 
-constexpr std::array<Name, 15> names = {{
+constexpr std::array<Name, 15> quantity_names = {{
     {"cracks", "state.crack_count", "crack_count", "crack_count"},
     {"tensile-cracks", "state.tensile_cracks", "tensile_cracks", "tensile_cracks"},
     {"shear-cracks", "state.shear_cracks", "shear_cracks", "shear_cracks"},
@@ -49,9 +49,9 @@ constexpr std::array<Name, 15> names = {{
 }};
 
 const Name* find_name(const std::string& wanted) {
-  const auto* found =
-      std::find_if(names.begin(), names.end(), [&](const Name& one) { return one.name == wanted; });
-  return found != names.end() ? found : nullptr;
+  const auto* found = std::find_if(quantity_names.begin(), quantity_names.end(),
+                                   [&](const Name& one) { return one.name == wanted; });
+  return found != quantity_names.end() ? found : nullptr;
 }
 
 [[noreturn]] void refuse_name(const std::string& name, const std::filesystem::path& file) {
@@ -103,7 +103,7 @@ std::vector<double> history_column(const std::filesystem::path& folder, std::str
 
 std::string quantity_help() {
   std::string text;
-  for (const Name& one : names) {
+  for (const Name& one : quantity_names) {
     const std::string where = one.path.empty()
                                   ? "well pressure at the first crack after the initial equilibration"
                                   : std::string(one.path);

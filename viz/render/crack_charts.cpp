@@ -13,7 +13,6 @@ namespace hfrac::viz {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double millimetres_per_metre = 1e3;
 
 struct LoggedCrack {
   Point place;

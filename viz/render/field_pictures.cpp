@@ -12,13 +12,6 @@
 #include "sheet.h"
 
 namespace hfrac::viz {
-namespace {
-
-constexpr double pascal_per_megapascal = 1e6;
-constexpr double millimetres_per_metre = 1e3;
-
-}  // namespace
-
 std::string moment_text(const HistoryPoint& point) {
   std::string text = "t = " + time_text(point.moment.time);
   if (point.moment.step >= 0) text = "step " + count_text(point.moment.step) + ", " + text;

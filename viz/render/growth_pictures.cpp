@@ -14,8 +14,6 @@
 namespace hfrac::viz {
 namespace {
 
-constexpr double pascal_per_megapascal = 1e6;
-
 std::vector<LegendEntry> growth_legend(bool bonds) {
   std::vector<LegendEntry> entries = {{Sign::disc, palette().disc, palette().disc_rim, "disc"}};
   if (bonds) entries.push_back({Sign::line, palette().bond, {}, "intact bond"});

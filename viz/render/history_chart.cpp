@@ -11,9 +11,7 @@
 namespace hfrac::viz {
 namespace {
 
-constexpr double pascal_per_megapascal = 1e6;
 constexpr double joule_per_megajoule = 1e6;
-constexpr double millimetres_per_metre = 1e3;
 
 // The unit of time that keeps the axis short.
 struct TimeUnit {

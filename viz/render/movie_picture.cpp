@@ -15,7 +15,7 @@
 namespace hfrac::viz {
 namespace {
 
-constexpr std::size_t most_points = 1500;  // of a curve: more cannot be told apart
+constexpr std::size_t most_curve_points = 1500;  // of a curve: more cannot be told apart
 
 // The column takes all the width the view leaves.
 constexpr SheetShape movie_shape{1400, 440, 640, true};
@@ -109,7 +109,7 @@ void movie_frame(const Studio& studio, const Scene& scene, const MovieCurves& cu
                                 curves.pressure.begin() + static_cast<std::ptrdiff_t>(count));
   std::vector<double> cracks(curves.cracks.begin(),
                              curves.cracks.begin() + static_cast<std::ptrdiff_t>(count));
-  const std::size_t step = std::max<std::size_t>(1, count / most_points);
+  const std::size_t step = std::max<std::size_t>(1, count / most_curve_points);
   for (std::vector<double>* values : {&times, &pressures, &cracks}) {
     std::vector<double> kept;
     for (std::size_t i = 0; i < values->size(); ++i) {

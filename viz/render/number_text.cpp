@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "number_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <system_error>
 
 namespace hfrac::viz {
 namespace {
 
-// Not printf: that one obeys the host's locale.
-std::string written(double value, std::chars_format format, int precision) {
-  std::array<char, 400> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value, format, precision);
-  return error == std::errc() ? std::string(text.data(), end) : std::string("?");
-}
-
 std::string fixed(double value, int decimals) {
-  return written(value, std::chars_format::fixed, decimals);
+  return fmt::format("{:.{}f}", value, decimals);
 }
 
 }  // namespace
@@ -27,7 +20,7 @@ std::string value_text(double value) {
   if (!std::isfinite(value)) return "?";
   const double size = std::fabs(value);
   if (size >= 1000 && size < 1e6) return fixed(value, 0);  // the general format would write 1.23e+03
-  return written(value, std::chars_format::general, 3);
+  return fmt::format("{:.3g}", value);
 }
 
 std::string time_text(double seconds) {

@@ -8,6 +8,9 @@
 
 namespace hfrac::viz {
 
+inline constexpr double pascal_per_megapascal = 1e6;
+inline constexpr double millimetres_per_metre = 1e3;
+
 // "0.35 ms", "12.5 s", "4.2 min", "3.1 h", "2.4 d"
 std::string time_text(double seconds);
 // Thousands apart by a thin space: "12 345"

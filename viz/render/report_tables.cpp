@@ -16,7 +16,6 @@ namespace {
 using json = nlohmann::ordered_json;
 
 constexpr double per_mega = 1e-6;
-constexpr double millimetres_per_metre = 1e3;
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
 
 std::string shown(double value, const std::string& unit = "") {

@@ -15,14 +15,12 @@ int code(double value) {
   return value > 0 && value < 100 ? static_cast<int>(value + 0.5) : 0;
 }
 
-// Larger than any real value and still a number that can be reckoned with.
-constexpr double largest = 1e30;
+}  // namespace
 
 double usable(double value) {
+  constexpr double largest = 1e30;  // than any real value, and still a number that can be reckoned with
   return std::fabs(value) < largest ? value : 0.0;
 }
-
-}  // namespace
 
 Discs read_discs(const SeriesFile& file) {
   const GridFile grid(file);

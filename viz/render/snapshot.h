@@ -66,6 +66,9 @@ struct Flow {
   std::vector<Point> corners;
 };
 
+// A value as it can be drawn: 0 for what is no number, or beyond all that is real.
+double usable(double value);
+
 // Each throws ReadError if the file is missing or damaged.
 Discs read_discs(const SeriesFile& file);
 Bonds read_bonds(const SeriesFile& file);

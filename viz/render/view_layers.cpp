@@ -99,10 +99,6 @@ struct FoundArray {
   std::vector<double> values;  // one per item
 };
 
-double usable(double value) {
-  return std::fabs(value) < 1e30 ? value : 0.0;
-}
-
 // One number per item out of all components.
 std::vector<double> combined(const std::vector<double>& all, std::size_t components, const ViewSpec& spec) {
   std::vector<double> values;

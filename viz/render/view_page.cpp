@@ -125,14 +125,14 @@ void views_on_page(const Studio& studio, const Scene& scene, const std::vector<V
     single(studio, scene, specs.front(), extent, sink);
     return;
   }
-  const Places places(studio, static_cast<int>(specs.size()), extent);
-  const double unit = places.unit;
-  Page page(studio.window, studio.size.width, places.page_height);
+  const Places layout(studio, static_cast<int>(specs.size()), extent);
+  const double unit = layout.unit;
+  Page page(studio.window, studio.size.width, layout.page_height);
   const std::string title = studio.run->title;
   draw_title(page, unit, Places::margin * unit, title.empty() ? moment_text(scene.point) : title,
              title.empty() ? "" : moment_text(scene.point));
   for (std::size_t i = 0; i < specs.size(); ++i) {
-    const Box cell = places.cell(static_cast<int>(i));
+    const Box cell = layout.cell(static_cast<int>(i));
     const View view =
         page.view({cell.left, cell.top, cell.width - Places::key_width * unit, cell.height}, extent);
     const Key key =
