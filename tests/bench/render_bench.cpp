@@ -15,7 +15,7 @@
 #include "hfrac/viz.h"
 #include "offscreen_window.h"
 #include "page.h"
-#include "png_file.h"
+#include "image.h"
 #include "run/files.hpp"
 #include "synthetic_run.h"
 

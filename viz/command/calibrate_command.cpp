@@ -10,7 +10,6 @@
 #include "command/interrupt.hpp"
 #include "command/progress_line.hpp"
 #include "command/standard_streams.hpp"
-#include "command/unlikely_values.hpp"
 #include "run/engine_call.hpp"
 #include "run/files.hpp"
 

@@ -2,17 +2,191 @@
 #include "command/compare.hpp"
 
 #include <fmt/format.h>
+#include <hfrac/hfrac.h>
 #include <hfrac/viz.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <string_view>
 
 #include "command/drawing.hpp"
-#include "command/run_quantities.hpp"
+#include "command/exit_code.hpp"
+#include "run/engine_call.hpp"
+#include "run/fields.hpp"
 #include "run/files.hpp"
+#include "run/json_file.hpp"
+#include "run/table_file.hpp"
+#include "run/text.hpp"
 
 namespace hfrac::command {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+/** A name for `--y`: where it stands in summary.json and in history.csv; empty: not there. */
+struct Name {
+  std::string_view name;
+  std::string_view path;    ///< in summary.json; "*" in it: the largest of all fractures
+  std::string_view course;  ///< column of history.csv
+  std::string_view column;  ///< in the table of the comparison
+};
+
+constexpr std::array<Name, 15> quantity_names = {{
+    {"cracks", "state.crack_count", "crack_count", "crack_count"},
+    {"tensile-cracks", "state.tensile_cracks", "tensile_cracks", "tensile_cracks"},
+    {"shear-cracks", "state.shear_cracks", "shear_cracks", "shear_cracks"},
+    {"length", "longest_fracture.length_m", "fracture_length_m", "fracture_length_m"},
+    {"width", "longest_fracture.width_m", "fracture_width_m", "largest_fracture_width_m"},
+    {"extent", "fractures.*.extent_m", "", "fracture_extent_m"},
+    {"reach", "fractures.*.reach_m", "", "fracture_reach_m"},
+    {"wings", "fractures.*.wings", "", "fracture_wings"},
+    {"volume", "fracture_volume_m2", "fracture_volume_m2", "fracture_volume_m2"},
+    {"injected", "balance.injected_volume_m2", "injected_volume_m2", "injected_volume_m2"},
+    {"leak-off", "balance.leaked_volume_m2", "leaked_volume_m2", "leaked_volume_m2"},
+    {"tip", "state.tip_distance_m", "tip_distance_m", "tip_distance_m"},
+    {"pressure", "wells.0.pressure_Pa", "well_pressure_Pa", "well_pressure_Pa"},
+    {"rate", "wells.0.rate_m2_per_s", "well_rate_m2_per_s", "well_rate_m2_per_s"},
+    {"initiation-pressure", "", "", "initiation_pressure_Pa"},
+}};
+
+const Name* find_name(const std::string& wanted) {
+  const auto* found = std::find_if(quantity_names.begin(), quantity_names.end(),
+                                   [&](const Name& one) { return one.name == wanted; });
+  return found != quantity_names.end() ? found : nullptr;
+}
+
+[[noreturn]] void refuse_name(const std::string& name, const std::filesystem::path& file) {
+  throw BadInput(
+      fmt::format("'{}' is no number in '{}'; the names are\n{}", name, file.string(), quantity_help()));
+}
+
+/** The number at a path; "*" in it: the largest of all items of a list. NaN if there is none. */
+double number_at(const json& summary, std::string_view path) {
+  const size_t star = path.find(".*.");
+  if (star == std::string_view::npos) return run::number_at(summary, path);
+  const json* list = run::member(summary, path.substr(0, star));
+  if (list == nullptr || !list->is_array()) return std::nan("");
+  double largest = 0.0;  // no fracture: nothing long, nothing wide
+  for (const json& one : *list) {
+    const double value = run::number_at(one, path.substr(star + 3));
+    if (std::isnan(value)) return value;
+    largest = std::max(largest, value);
+  }
+  return largest;
+}
+
+/** What `read` gives of a run's file; damage is BadInput. */
+template <class Read>
+auto of_run(const std::filesystem::path& folder, const char* name, const Read& read) {
+  const auto file = folder / name;
+  if (!run::is_file(file))
+    throw BadInput(fmt::format("'{}' is not a run folder: it has no {}", folder.string(), name));
+  try {
+    return read(file);
+  } catch (const run::ReadError& error) {
+    throw BadInput(error.what());
+  }
+}
+
+json summary_of(const std::filesystem::path& folder) {
+  return of_run(folder, "summary.json", [](const auto& file) { return run::read_json(file); });
+}
+
+/** A column of history.csv; empty if there is none of that name. */
+std::vector<double> history_column(const std::filesystem::path& folder, std::string_view column) {
+  return of_run(folder, "history.csv", [&](const auto& file) {
+    const run::TableFile table(file);
+    return table.has(column) ? table.numbers(column) : std::vector<double>();
+  });
+}
+
+}  // namespace
+
+std::string quantity_help() {
+  std::string text;
+  for (const Name& one : quantity_names) {
+    const std::string where = one.path.empty()
+                                  ? "well pressure at the first crack after the initial equilibration"
+                                  : std::string(one.path);
+    text += fmt::format("  {:20} {}{}\n", one.name, where, one.course.empty() ? "" : "; also over time");
+  }
+  return text + "  or any number of summary.json by its path, any column of history.csv over time\n";
+}
+
+ComparedRun::ComparedRun(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+std::string ComparedRun::option(const std::string& key) const {
+  const std::string file = (folder_ / "case.toml").string();
+  hfrac_sim_def definition{};
+  run::require(hfrac_sim_def_init(&definition, static_cast<int32_t>(sizeof definition)), nullptr);
+  if (hfrac_sim_def_load(&definition, file.c_str()) < 0) throw BadInput(run::error_text(-1, nullptr));
+  if (key == "title") {
+    std::string title = run::printable(definition.title);
+    std::replace(title.begin(), title.end(), ',', ';');  // the table has no quotes
+    return title;
+  }
+  double value = 0.0;
+  if (const int32_t status = hfrac_sim_def_get_f64(&definition, key.c_str(), &value); status < 0)
+    throw BadInput(run::error_text(status, nullptr));
+  return fmt::format("{}", value);
+}
+
+double ComparedRun::result(const std::string& name) const {
+  if (name == "initiation-pressure") return initiation_pressure();
+  const Name* known = find_name(name);
+  const double value =
+      number_at(summary_of(folder_), known != nullptr ? known->path : std::string_view(name));
+  if (std::isnan(value)) refuse_name(name, folder_ / "summary.json");
+  return value;
+}
+
+std::vector<double> ComparedRun::course(const std::string& name) const {
+  const Name* known = find_name(name);
+  auto values = history_column(folder_, known != nullptr ? known->course : std::string_view(name));
+  if (values.empty()) refuse_name(name, folder_ / "history.csv");
+  return values;
+}
+
+/** Pressure in the first well in the step whose cracks are the first ones; NaN if none came. */
+double ComparedRun::initiation_pressure() const {
+  const auto cracks = history_column(folder_, "crack_count");
+  const auto pressure = history_column(folder_, "well_pressure_Pa");
+  for (size_t i = 1; i < cracks.size() && i < pressure.size(); ++i)
+    if (cracks[i] > cracks[0]) return pressure[i];
+  return std::nan("");
+}
+
+std::string option_column(const std::string& key) {
+  if (key == "title") return key;
+  int32_t count = 0;
+  run::require(hfrac_option_count(&count), nullptr);
+  // Keys of wells are not in the table of options; their units are those of hfrac_well_def.
+  static constexpr std::array<std::array<std::string_view, 2>, 6> well_units = {{{"].x", "m"},
+                                                                                 {"].y", "m"},
+                                                                                 {"].radius", "m"},
+                                                                                 {"].pressure", "Pa"},
+                                                                                 {"].ramp_per_step", "Pa"},
+                                                                                 {"].rate", "m2/s"}}};
+  for (const auto& [end, unit] : well_units)
+    if (key.starts_with("well[") && key.ends_with(end)) return key + run::unit_ending(unit);
+  for (int32_t i = 0; i < count; ++i) {
+    auto option = run::sized<hfrac_option_info>();
+    run::require(hfrac_option_at(i, &option), nullptr);
+    if (key == option.key) return key + run::unit_ending(option.unit);
+  }
+  return key;
+}
+
+std::string result_column(const std::string& name, bool over_time) {
+  const Name* known = find_name(name);
+  if (known == nullptr) return over_time ? name : name.substr(name.rfind('.') + 1);
+  return std::string(known->column);
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -95,11 +269,7 @@ void draw_comparison(const CompareRequest& request, const Paper& paper) {
     table = fs::path(request.target).replace_extension(".csv");
     run::write_whole(table, content);
   }
-  hfrac_viz_comparison_options options{};
-  hfrac_viz_comparison_options_init(&options, sizeof options);
-  if (paper.pixels() > 0) options.width = paper.pixels();
-  options.dots_per_inch = paper.dots_per_inch();
-  options.dark = paper.dark ? 1 : 0;
+  auto options = options_for(paper, hfrac_viz_comparison_options_init);
   options.title = request.title.empty() ? nullptr : request.title.c_str();
   drawing_stopped(hfrac_viz_render_comparison(table.c_str(), request.target.c_str(), &options));
 }

@@ -12,8 +12,6 @@
 #include "command/case_file.hpp"
 #include "command/commands.hpp"
 #include "command/numbers.hpp"
-#include "output/disc_file.hpp"
-#include "output/field_tables.hpp"
 #include "output/host_cells.hpp"
 #include "output/tables.hpp"
 #include "run/engine_call.hpp"
@@ -37,15 +35,8 @@ run::Simulation rebuild(const fs::path& folder) {
     if (!fs::exists(file))
       throw BadInput(fmt::format("'{}' holds no finished run: there is no {} in it", folder.string(),
                                  file.filename().string()));
-  std::vector<double> discs;
-  std::vector<int64_t> bonds;
-  try {
-    if (fs::exists(folder / "given_discs.csv")) discs = output::read_discs(folder / "given_discs.csv");
-    if (fs::exists(folder / "given_bonds.csv")) bonds = output::read_bonds(folder / "given_bonds.csv");
-  } catch (const output::DiscFileError& error) {
-    throw BadInput(error.what());
-  }
-  const auto definition = load_case(case_file.string(), 0, discs, bonds);
+  const GivenParts given(folder);
+  const auto definition = load_case(case_file.string(), 0, given);
   hfrac_sim* made = nullptr;
   const int32_t status = hfrac_sim_create(&definition, &made);
   run::Simulation sim(made);

@@ -201,6 +201,7 @@ void add_lab(CLI::App& program, Action& action) {
   auto request = std::make_shared<LabRequest>();
   hfrac_lab_spec_init(&request->spec, static_cast<int32_t>(sizeof request->spec));
   std::vector<std::string> words;
+  words.reserve(tests.size());
   for (const TestName& test : tests) words.emplace_back(test.word);
   command->add_option("TEST", request->test, "What to test")->required()->check(CLI::IsMember(words));
   command->add_option("CASE", request->case_file,

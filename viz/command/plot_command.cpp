@@ -7,7 +7,6 @@
 #include "command/compare.hpp"
 #include "command/drawing.hpp"
 #include "command/interrupt.hpp"
-#include "command/paper.hpp"
 #include "command/progress_line.hpp"
 #include "command/standard_streams.hpp"
 
@@ -17,14 +16,12 @@ namespace {
 struct PlotRequest {
   std::string folder;
   Paper paper;
-  bool svg = false;
-  bool pdf = false;
   bool quiet = false;
   CompareRequest compare;
 };
 
 ExitCode compare(const PlotRequest& request) {
-  if (request.svg || request.pdf)
+  if (request.paper.svg || request.paper.pdf)
     throw BadInput("with --compare the ending of --output says which kind of file");
   draw_comparison(request.compare, request.paper);
   if (!request.quiet) fmt::print("{}\n", request.compare.target);
@@ -34,14 +31,7 @@ ExitCode compare(const PlotRequest& request) {
 ExitCode plot(const PlotRequest& request) {
   if (!request.compare.sources.empty()) return compare(request);
   if (request.folder.empty()) throw BadInput("plot needs a run folder, or --compare and several");
-  hfrac_viz_chart_options options{};
-  hfrac_viz_chart_options_init(&options, sizeof options);
-  if (request.paper.pixels() > 0) options.width = request.paper.pixels();
-  options.dots_per_inch = request.paper.dots_per_inch();
-  if (request.svg) options.formats |= HFRAC_VIZ_SVG;
-  if (request.pdf) options.formats |= HFRAC_VIZ_PDF;
-  options.dark = request.paper.dark ? 1 : 0;
-
+  const auto options = options_for(request.paper, hfrac_viz_chart_options_init);
   catch_interrupts();
   ProgressLine line(request.quiet);
   const int32_t status = hfrac_viz_render_charts(request.folder.c_str(), &options, show_drawing, &line);
@@ -62,8 +52,7 @@ void add_plot(CLI::App& program, Action& action) {
   auto request = std::make_shared<PlotRequest>();
   auto* folder = command->add_option("DIR", request->folder, "Run folder");
   add_paper_options(*command, request->paper);
-  command->add_flag("--svg", request->svg, "SVG files too");
-  command->add_flag("--pdf", request->pdf, "PDF files too");
+  add_format_options(*command, request->paper);
   command->add_flag("-q,--quiet", request->quiet, "Print nothing unless something goes wrong");
   add_compare_options(*command, request->compare, folder);
   command->callback([request, &action] { action = [request] { return plot(*request); }; });

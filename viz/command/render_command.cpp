@@ -9,7 +9,6 @@
 #include "command/commands.hpp"
 #include "command/drawing.hpp"
 #include "command/interrupt.hpp"
-#include "command/paper.hpp"
 #include "command/progress_line.hpp"
 #include "command/standard_streams.hpp"
 #include "command/view_request.hpp"
@@ -24,8 +23,6 @@ struct RenderRequest {
   std::string movie;   ///< only this file, .mp4 or .webp
   bool no_movie = false;
   bool follow = false;  ///< the run goes on: the movie first, until it is over
-  bool svg = false;
-  bool pdf = false;
   bool quiet = false;
   ViewRequest view;  ///< of one picture instead of all
 };
@@ -44,25 +41,19 @@ std::string movie_file(const RenderRequest& request) {
 }
 
 hfrac_viz_options options_of(const RenderRequest& request) {
-  hfrac_viz_options options{};
-  hfrac_viz_options_init(&options, sizeof options);
+  auto options = options_for(request.paper, hfrac_viz_options_init);
   const int32_t width = request.paper.pixels();
-  if (width > 0) options.width = width;
   if (request.height > 0) options.height = request.height;
   if (!request.movie.empty() && width > 0) options.movie_width = std::min(width / 2 * 2, 4096);
   if (!request.movie.empty() && request.height > 0)
     options.movie_height = std::min(request.height / 2 * 2, 4096);
-  options.dark = request.paper.dark ? 1 : 0;
-  options.dots_per_inch = request.paper.dots_per_inch();
   options.movie_follow = request.follow ? 1 : 0;
-  if (request.svg) options.formats |= HFRAC_VIZ_SVG;
-  if (request.pdf) options.formats |= HFRAC_VIZ_PDF;
   if (request.no_movie || request.follow) options.pictures &= ~static_cast<int32_t>(HFRAC_VIZ_MOVIE);
   return options;
 }
 
 ExitCode render(const RenderRequest& request) {
-  if ((request.svg || request.pdf) && !(request.view.names.empty() && request.movie.empty()))
+  if ((request.paper.svg || request.paper.pdf) && !(request.view.names.empty() && request.movie.empty()))
     throw BadInput(
         "--svg and --pdf are for the usual pictures; of one picture the ending of its name says which kind "
         "of file");
@@ -110,8 +101,7 @@ void add_render(CLI::App& program, Action& action) {
       ->add_flag("--follow", request->follow,
                  "The run goes on: make the movie meanwhile, and the pictures when it is over")
       ->excludes(no_movie);
-  command->add_flag("--svg", request->svg, "SVG files of the pictures too");
-  command->add_flag("--pdf", request->pdf, "PDF files of the pictures too");
+  add_format_options(*command, request->paper);
   command->add_flag("-q,--quiet", request->quiet, "Print nothing unless something goes wrong");
   add_view_options(*command, request->view);
   command->callback([request, &action] { action = [request] { return render(*request); }; });

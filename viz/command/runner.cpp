@@ -14,7 +14,6 @@
 #include "command/run_size.hpp"
 #include "command/run_to_end.hpp"
 #include "command/standard_streams.hpp"
-#include "command/unlikely_values.hpp"
 #include "command/warnings.hpp"
 #include "output/disc_file.hpp"
 #include "output/run_folder.hpp"
@@ -37,15 +36,8 @@ void refuse_earlier_run(const RunRequest& request) {
 
 ExitCode carry_out(const RunRequest& request) {
   require_grid(request.grid);
-  std::vector<double> discs;
-  std::vector<int64_t> bonds;
-  try {
-    if (!request.disc_file.empty()) discs = output::read_discs(request.disc_file);
-    if (!request.bond_file.empty()) bonds = output::read_bonds(request.bond_file);
-  } catch (const output::DiscFileError& error) {
-    throw BadInput(error.what());
-  }
-  auto definition = load_case(request.case_file, request.workers, discs, bonds);
+  GivenParts given(request.disc_file, request.bond_file);
+  auto definition = load_case(request.case_file, request.workers, given);
   if (request.checkpoint_every >= 0.0) definition.output_checkpoint_every = request.checkpoint_every;
   if (request.checkpoint_steps >= 0) definition.output_checkpoint_steps = request.checkpoint_steps;
   refuse_earlier_run(request);
@@ -67,17 +59,15 @@ ExitCode carry_out(const RunRequest& request) {
   }
   lay_grid(sim.get(), terms);
   output::remove_files_of_a_run(request.folder);
-  definition.given_discs = nullptr;  // the model has its own copy
-  definition.given_disc_count = 0;
-  definition.given_bonds = nullptr;
-  definition.given_bond_count = 0;
+  forget_given(definition);
 
   return run_to_end(sim.get(), folder, definition, terms, line, [&] {
     // First the discs, without which the case alone would make another model.
-    if (!discs.empty()) output::write_whole(request.folder / "given_discs.csv", output::discs_as_csv(discs));
-    if (!bonds.empty()) output::write_whole(request.folder / "given_bonds.csv", output::bonds_as_csv(bonds));
-    discs = {};
-    bonds = {};
+    if (!given.discs.empty())
+      output::write_whole(request.folder / "given_discs.csv", output::discs_as_csv(given.discs));
+    if (!given.bonds.empty())
+      output::write_whole(request.folder / "given_bonds.csv", output::bonds_as_csv(given.bonds));
+    given = {};
     folder.open(sim.get());
     claim.keep();
   });

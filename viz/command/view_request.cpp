@@ -9,6 +9,7 @@
 
 #include "command/drawing.hpp"
 #include "command/exit_code.hpp"
+#include "run/engine_call.hpp"
 
 namespace hfrac::command {
 namespace {
@@ -42,12 +43,7 @@ void set_zoom(const std::string& zoom, hfrac_viz_view_options& options) {
 }
 
 std::string view_help() {
-  int32_t needed = 0;
-  hfrac_viz_view_names(nullptr, 0, &needed);
-  std::string text(static_cast<size_t>(needed), '\0');
-  hfrac_viz_view_names(text.data(), needed, &needed);
-  text.resize(text.find('\0'));
-  return text;
+  return run::whole_text(hfrac_viz_view_names);
 }
 
 }  // namespace
@@ -68,13 +64,9 @@ void add_view_options(CLI::App& command, ViewRequest& request) {
 }
 
 void draw_views(const std::string& folder, const ViewRequest& request, const Paper& paper, int32_t height) {
-  hfrac_viz_view_options options{};
-  hfrac_viz_view_options_init(&options, sizeof options);
-  if (paper.pixels() > 0) options.width = paper.pixels();
+  auto options = options_for(paper, hfrac_viz_view_options_init);
   if (height > 0) options.height = height;
   options.snapshot = request.snapshot;
-  options.dark = paper.dark ? 1 : 0;
-  options.dots_per_inch = paper.dots_per_inch();
   set_zoom(request.zoom, options);
   std::vector<const char*> views;
   for (const std::string& name : request.names) views.push_back(name.c_str());

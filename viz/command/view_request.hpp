@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "command/paper.hpp"
+#include "command/drawing.hpp"
 
 namespace hfrac::command {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "page_content.h"
+#include "page.h"
 #include "run/files.hpp"
 #include "vtk_messages.h"
 
@@ -23,6 +23,7 @@ void ChartPage::line(const std::vector<Point>& points, double thickness, Colour 
 
 void ChartPage::polygon(const std::vector<Point>& corners, Colour fill) {
   std::vector<Point> placed;
+  placed.reserve(corners.size());
   for (const Point& corner : corners) placed.push_back({corner.x * scale_, corner.y * scale_});
   page_.polygon(placed, fill);
 }

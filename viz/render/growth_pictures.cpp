@@ -5,7 +5,6 @@
 
 #include "disc_detail.h"
 #include "failure.h"
-#include "growth_layers.h"
 #include "layers.h"
 #include "number_text.h"
 #include "pictures.h"

@@ -158,8 +158,8 @@ void fill_history(ChartPage& page, const ChartData& data) {
                                        energy_panel(plot)};
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const double left = i % 2 == 0 ? 120 : 926;
-    const double top = 210 + 410 * static_cast<double>(i / 2);
-    page.panel({left, top, 554, 256}, panels[i]);
+    const std::size_t row = i / 2;
+    page.panel({left, 210 + 410 * static_cast<double>(row), 554, 256}, panels[i]);
   }
 }
 

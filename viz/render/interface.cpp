@@ -38,6 +38,7 @@ std::vector<ViewSpec> specs_of(const char* const* views, std::int32_t count) {
   if (views == nullptr) fail_argument("views is NULL");
   check_range("view_count", count, 1, most_views);
   std::vector<ViewSpec> specs;
+  specs.reserve(static_cast<std::size_t>(count));
   for (std::int32_t i = 0; i < count; ++i)
     specs.push_back(view_named(required_text(views[i], "a view's name")));
   return specs;

@@ -10,10 +10,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "failure.h"
 #include "fonts.h"
+#include "image.h"
 #include "vector_page.h"
 
 namespace hfrac::viz {
+
 namespace {
 
 constexpr int largest_drawn = 16384;  // [pixel] OSMesa's largest framebuffer
@@ -93,6 +96,7 @@ void Page::circle(double x, double y, double radius, Colour colour) {
 
 void Page::polygon(const std::vector<Point>& corners, Colour colour) {
   std::vector<Point> placed;
+  placed.reserve(corners.size());
   for (const Point& corner : corners) placed.push_back(place(corner.x, corner.y));
   shapes_.polygon(placed, colour);
 }
@@ -172,6 +176,22 @@ Image Page::draw() {
     for (const Letters& one : letters_) one.actor->SetPosition(one.at.x, one.at.y - bottom);
     window_->Render();
   });
+}
+
+std::string picture_ending(const std::filesystem::path& target) {
+  std::string ending = target.extension().string();
+  if (ending != ".png" && ending != ".svg" && ending != ".pdf") {
+    fail_argument("'" + target.string() + "' ends neither in .png, .svg nor .pdf");
+  }
+  return ending;
+}
+
+std::vector<std::uint8_t> page_content(Page& page, const std::string& ending, const std::string& title,
+                                       int dots_per_inch) {
+  if (ending == ".pdf") return page.pdf(title, dots_per_inch);
+  if (ending == ".png") return png(page.draw(), dots_per_inch);
+  const std::string text = page.svg(title);
+  return {text.begin(), text.end()};
 }
 
 }  // namespace hfrac::viz

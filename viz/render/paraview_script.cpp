@@ -3,13 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "colour.h"
 
 namespace hfrac::viz {
 namespace {
 
 std::string share(int part) {
-  return fmt::to_string(static_cast<int>(part / 255.0 * 1000 + 0.5) / 1000.0);
+  return fmt::to_string(static_cast<double>(std::lround(part / 255.0 * 1000)) / 1000);
 }
 
 std::string list_of(Colour colour) {

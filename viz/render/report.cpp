@@ -4,7 +4,6 @@
 #include <array>
 
 #include "failure.h"
-#include "html.h"
 #include "number_text.h"
 #include "report_style.h"
 #include "report_tables.h"

@@ -12,7 +12,7 @@ namespace {
 constexpr int shear_code = 2;  // in `state` of bonds and `mode` of cracks
 
 int code(double value) {
-  return value > 0 && value < 100 ? static_cast<int>(value + 0.5) : 0;
+  return value > 0 && value < 100 ? static_cast<int>(std::lround(value)) : 0;
 }
 
 }  // namespace

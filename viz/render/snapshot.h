@@ -3,6 +3,8 @@
 // finite, so that nothing that follows has to ask again.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "run/run_folder.hpp"
 
 namespace hfrac::viz {
+
 using namespace hfrac::run;
 
 struct Segment {
@@ -79,5 +82,26 @@ std::vector<BondForce> read_bond_forces(const SeriesFile& file);
 std::vector<Segment> read_bond_lines(const SeriesFile& file);
 // An array of the discs, `components` values per disc.
 std::vector<double> read_disc_array(const SeriesFile& file, const char* name, std::size_t components);
+
+// The rectangle around places, as they are met.
+
+struct Bounds {
+  double left = INFINITY;  // [m]
+  double right = -INFINITY;
+  double bottom = INFINITY;
+  double top = -INFINITY;
+
+  // A circle; a place is one of radius 0.
+  void include(Point centre, double radius = 0) {
+    left = std::min(left, centre.x - radius);
+    right = std::max(right, centre.x + radius);
+    bottom = std::min(bottom, centre.y - radius);
+    top = std::max(top, centre.y + radius);
+  }
+  bool empty() const { return !(right >= left); }
+  double width() const { return right - left; }
+  double height() const { return top - bottom; }
+  Point middle() const { return {(left + right) / 2, (bottom + top) / 2}; }
+};
 
 }  // namespace hfrac::viz

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "png_file.h"
+#include "image.h"
 #include "run/text.hpp"
 #include "vector_canvas.h"
 #include "vector_page.h"

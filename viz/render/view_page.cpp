@@ -6,7 +6,7 @@
 
 #include "failure.h"
 #include "number_text.h"
-#include "page_content.h"
+#include "page.h"
 #include "pictures.h"
 #include "run/files.hpp"
 #include "sheet.h"
@@ -113,9 +113,9 @@ struct Places {
     cell_height = std::max(16.0, (page_height - around) / rows);
   }
   Box cell(int index) const {
-    return {(margin + index % columns * gap) * unit + index % columns * cell_width,
-            (top + caption - 14) * unit + index / columns * (cell_height + caption * unit), cell_width,
-            cell_height};
+    const int row = index / columns, column = index % columns;
+    return {(margin + column * gap) * unit + column * cell_width,
+            (top + caption - 14) * unit + row * (cell_height + caption * unit), cell_width, cell_height};
   }
 };
 

@@ -26,7 +26,8 @@ std::vector<Value> pick(const std::vector<Value>& all, const std::vector<int32_t
   values.reserve(chosen.size() * static_cast<size_t>(components));
   for (const int32_t i : chosen)
     for (int32_t c = 0; c < components; ++c)
-      values.push_back(all.at(static_cast<size_t>(i * components + c)));
+      values.push_back(
+          all.at(static_cast<size_t>(i) * static_cast<size_t>(components) + static_cast<size_t>(c)));
   return values;
 }
 
