@@ -13,7 +13,7 @@
 
 #include "charts.h"
 #include "failure.h"
-#include "quantity.h"
+#include "number_text.h"
 #include "run/text.hpp"
 
 namespace hfrac::viz {

@@ -10,7 +10,6 @@
 #include "failure.h"
 #include "guarded_call.h"
 #include "hfrac/viz.h"
-#include "history.h"
 #include "movie_file.h"
 #include "offscreen_window.h"
 #include "options.h"
@@ -18,8 +17,9 @@
 #include "render_run.h"
 #include "report.h"
 #include "run/run_folder.hpp"
+#include "snapshot.h"
+#include "view_layers.h"
 #include "view_page.h"
-#include "view_spec.h"
 
 using namespace hfrac::viz;
 

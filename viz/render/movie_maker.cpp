@@ -10,14 +10,13 @@
 
 #include "failure.h"
 #include "guarded_call.h"
-#include "history.h"
 #include "movie_file.h"
 #include "number_text.h"
 #include "pictures.h"
-#include "quantity.h"
 #include "run/files.hpp"
 #include "run/table_file.hpp"
 #include "sheet.h"
+#include "snapshot.h"
 #include "vtk_messages.h"
 
 namespace hfrac::viz {

@@ -1,21 +1,82 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "page.h"
 
+#include <unistd.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
 #include <vtkStdString.h>
 #include <vtkTextActor.h>
 #include <vtkTextRenderer.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "failure.h"
-#include "fonts.h"
 #include "image.h"
 #include "vector_page.h"
 
 namespace hfrac::viz {
+
+namespace {
+
+bool readable(const char* path) {
+  return path[0] != 0 && ::access(path, R_OK) == 0;
+}
+
+}  // namespace
+
+std::string font_file(bool bold) {
+  const char* file = bold && readable(HFRAC_VIZ_BOLD_FONT) ? HFRAC_VIZ_BOLD_FONT : HFRAC_VIZ_FONT;
+  return readable(file) ? file : "";
+}
+
+void set_font(vtkTextProperty* property, bool bold, double size, Colour colour) {
+  const std::string file = font_file(bold);
+  if (!file.empty()) {
+    property->SetFontFamily(VTK_FONT_FILE);
+    property->SetFontFile(file.c_str());
+    property->SetBold(0);
+  } else {  // VTK's own, without Greek letters
+    property->SetFontFamilyToArial();
+    property->SetBold(bold ? 1 : 0);
+  }
+  property->SetFontSize(std::max(4, static_cast<int>(std::lround(size))));
+  property->SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+}
+
+namespace {
+
+constexpr int drawn_at_once = 4'000'000;  // [drawn pixel]
+constexpr int fewest_rows = 64;           // [pixel]
+constexpr int margin = 8;                 // [pixel] OpenGL cuts thick lines off askew at the window's edge
+
+}  // namespace
+
+Image drawn_in_bands(OffscreenWindow* window, int width, int height, int factor,
+                     const std::function<void(const PageBand&)>& show) {
+  const int most = std::max(fewest_rows, drawn_at_once / (width * factor * factor));
+  const int count = (height + most - 1) / most;
+  const int rows = (height + count - 1) / count;
+  const int drawn_rows = rows + 2 * margin;
+  window->SetSize(width * factor, drawn_rows * factor);
+  Image image{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height * 3)};
+  vtkNew<vtkUnsignedCharArray> pixels;
+  for (int low = 0; low < height; low += rows) {
+    show({low - margin, drawn_rows});
+    const int read = window->GetPixelData(0, 0, width * factor - 1, drawn_rows * factor - 1, 1, pixels, 0);
+    if (read == VTK_ERROR ||
+        pixels->GetNumberOfValues() != vtkIdType{3} * width * factor * drawn_rows * factor) {
+      fail_drawing("the picture cannot be read back from the off-screen window");
+    }
+    const Image band = reduced(pixels->GetPointer(0), width, drawn_rows, factor);
+    const int wanted = std::min(rows, height - low);
+    const int first = margin + rows - wanted;
+    std::copy(band.row(first), band.row(first + wanted), image.row(height - low - wanted));
+  }
+  return image;
+}
 
 namespace {
 

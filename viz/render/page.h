@@ -13,15 +13,38 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "bands.h"
+#include "colour.h"
 #include "image.h"
 #include "mesh.h"
 #include "offscreen_window.h"
 
 namespace hfrac::viz {
+
+// The letters of pictures and charts: DejaVu where it is installed, VTK's own otherwise.
+
+// The font's file; empty where there is none.
+std::string font_file(bool bold);
+
+// Makes a text property bold or not, `size` drawn pixels high, in a colour.
+void set_font(vtkTextProperty* property, bool bold, double size, Colour colour);
+
+// A page drawn band by band, each several times too large and reduced. The window's buffers take over 30 bytes per drawn
+// pixel; for a whole page at once the system takes longer to hand out that memory than the picture to draw.
+
+// Rows of the page, counted up from its lower edge; the outermost bands reach beyond the page.
+struct PageBand {
+  int bottom = 0;  // [pixel]
+  int rows = 0;    // [pixel]
+};
+
+// `show` arranges what is in the window so that it shows that band, `factor` drawn pixels to a pixel of the page, and
+// renders it.
+Image drawn_in_bands(OffscreenWindow* window, int width, int height, int factor,
+                     const std::function<void(const PageBand&)>& show);
 
 struct Box {
   double left = 0;

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "history.h"
 #include "offscreen_window.h"
 #include "page.h"
 #include "run/run_folder.hpp"
+#include "snapshot.h"
 
 namespace hfrac::viz {
 

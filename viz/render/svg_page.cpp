@@ -7,7 +7,6 @@
 
 #include "image.h"
 #include "run/text.hpp"
-#include "vector_canvas.h"
 #include "vector_page.h"
 
 namespace hfrac::viz {

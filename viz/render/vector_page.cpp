@@ -16,8 +16,6 @@
 #include <cmath>
 #include <functional>
 
-#include "vector_canvas.h"
-
 namespace hfrac::viz {
 namespace {
 
