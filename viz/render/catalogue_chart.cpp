@@ -174,6 +174,7 @@ void fill_catalogue(ChartPage& page, const ChartData& data) {
   put_map(page, {130, 270, 690, 690}, events, *data.run);
   page.panel({970, 270, 550, 250}, course_panel(course_of(events)));
   std::vector<double> magnitudes;
+  magnitudes.reserve(events.size());
   for (const LoggedEvent& event : events) magnitudes.push_back(event.magnitude);
   page.panel({970, 710, 550, 250}, frequency_panel("Events at least as strong", std::move(magnitudes)));
 }

@@ -221,6 +221,7 @@ struct Profile {
   explicit Profile(const ChartData& data) {
     const std::vector<LoggedCrack> cracks = logged_cracks(*data.cracks);
     std::vector<FromWell> places;
+    places.reserve(cracks.size());
     for (const LoggedCrack& crack : cracks) places.push_back(from_well(crack, *data.run));
     wings = wing_directions(places);
     const bool apart = wings.size() > 2;

@@ -17,6 +17,16 @@ int code(double value) {
   return value > 0 && value < 100 ? static_cast<int>(std::lround(value)) : 0;
 }
 
+// visit(cell, line) for each cell with two corners.
+template <class Visit>
+void visit_lines(const GridFile& grid, const Visit& visit) {
+  const std::vector<Point> points = grid.points();
+  const GridFile::Cells cells = grid.cells();
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell)
+    if (const auto corners = cells.of(cell); corners.size() >= 2)
+      visit(cell, Segment{points[corners[0]], points[corners[1]]});
+}
+
 }  // namespace
 
 double usable(double value) {
@@ -39,14 +49,10 @@ Discs read_discs(const SeriesFile& file) {
 Bonds read_bonds(const SeriesFile& file) {
   const GridFile grid(file);
   Bonds read;
-  const std::vector<Point> points = grid.points();
-  const GridFile::Cells cells = grid.cells();
   const std::vector<double> state = grid.cell_array("state");
-  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
-    const auto corners = cells.of(cell);
-    if (code(state[cell]) != 0 || corners.size() < 2) continue;
-    read.intact.push_back({points[corners[0]], points[corners[1]]});
-  }
+  visit_lines(grid, [&](std::size_t cell, const Segment& line) {
+    if (code(state[cell]) == 0) read.intact.push_back(line);
+  });
   return read;
 }
 
@@ -54,50 +60,32 @@ Cracks read_cracks(const SeriesFile& file) {
   const GridFile grid(file);
   Cracks read;
   read.moment = grid.moment();
-  const std::vector<Point> points = grid.points();
-  const GridFile::Cells cells = grid.cells();
   const std::vector<double> mode = grid.cell_array("mode");
   const std::vector<double> aperture = grid.cell_array("aperture_m");
   std::vector<double> time(grid.cell_count());
   if (grid.has_cell_array("time_s")) time = grid.cell_array("time_s");
-  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
-    const auto corners = cells.of(cell);
-    if (corners.size() < 2) continue;
-    Crack crack;
-    crack.line = {points[corners[0]], points[corners[1]]};
-    crack.mode = code(mode[cell]) == shear_code ? CrackMode::shear : CrackMode::tension;
-    crack.aperture = std::max(0.0, usable(aperture[cell]));
-    crack.time = usable(time[cell]);
-    crack.cell = cell;
-    read.cracks.push_back(crack);
-  }
+  visit_lines(grid, [&](std::size_t cell, const Segment& line) {
+    const CrackMode kind = code(mode[cell]) == shear_code ? CrackMode::shear : CrackMode::tension;
+    read.cracks.push_back({line, kind, std::max(0.0, usable(aperture[cell])), usable(time[cell]), cell});
+  });
   return read;
 }
 
 std::vector<BondForce> read_bond_forces(const SeriesFile& file) {
   const GridFile grid(file);
   std::vector<BondForce> read;
-  const std::vector<Point> points = grid.points();
-  const GridFile::Cells cells = grid.cells();
   const std::vector<double> state = grid.cell_array("state");
   const std::vector<double> normal = grid.cell_array("normal_force_N");
-  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
-    const auto corners = cells.of(cell);
-    if (code(state[cell]) != 0 || corners.size() < 2) continue;
-    read.push_back({{points[corners[0]], points[corners[1]]}, usable(normal[cell])});
-  }
+  visit_lines(grid, [&](std::size_t cell, const Segment& line) {
+    if (code(state[cell]) == 0) read.push_back({line, usable(normal[cell])});
+  });
   return read;
 }
 
 std::vector<Segment> read_bond_lines(const SeriesFile& file) {
   const GridFile grid(file);
-  const std::vector<Point> points = grid.points();
-  const GridFile::Cells cells = grid.cells();
   std::vector<Segment> lines(grid.cell_count());
-  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
-    const auto corners = cells.of(cell);
-    if (corners.size() >= 2) lines[cell] = {points[corners[0]], points[corners[1]]};
-  }
+  visit_lines(grid, [&](std::size_t cell, const Segment& line) { lines[cell] = line; });
   return lines;
 }
 
