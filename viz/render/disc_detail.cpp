@@ -58,7 +58,7 @@ class Band {
       // Where discs overlap they share the pixel, where they leave room the paper fills it.
       const float part = 1 / std::max(1.0F, cover.area);
       const float rest = std::max(0.0F, 1 - cover.area);
-      constexpr float half = 0.5F;  // to the nearest; lround takes twice as long
+      constexpr float half = 0.5F;  // to the nearest, without a call for each pixel
       pixel[0] = static_cast<std::uint8_t>(cover.red * part + rest * paper.red + half);
       pixel[1] = static_cast<std::uint8_t>(cover.green * part + rest * paper.green + half);
       pixel[2] = static_cast<std::uint8_t>(cover.blue * part + rest * paper.blue + half);
