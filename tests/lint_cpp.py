@@ -59,9 +59,11 @@ def look(file, entry, settings):
     mark = CLEAN / fingerprint(entry, settings)
     if mark.exists():
         return ""
-    unit = ["--checks=-bugprone-suspicious-include", "--extra-arg=-Wno-unknown-warning-option"]
-    done = subprocess.run(["clang-tidy", "-quiet", "-p", BUILD, *(unit if "Unity" in file.parts else []), file], cwd=ROOT,
-                          capture_output=True, text=True)
+    # gcc's own switches are not clang's; and a unit consists of includes of sources.
+    extra = ["--extra-arg=-Wno-unknown-warning-option"]
+    if "Unity" in file.parts:
+        extra.append("--checks=-bugprone-suspicious-include")
+    done = subprocess.run(["clang-tidy", "-quiet", "-p", BUILD, *extra, file], cwd=ROOT, capture_output=True, text=True)
     if done.returncode == 0:
         mark.touch()
         return ""
