@@ -7,7 +7,7 @@
 namespace hfrac {
 namespace {
 
-constexpr double plane_reach = 4.0;  // mean radii to either side that a fracture's plane is fitted over
+constexpr double plane_reach = 4.0;   // mean radii to either side that a fracture's plane is fitted over
 constexpr double shortest_way = 0.2;  // mean radii
 
 Vec2 turned(Vec2 v) {
@@ -269,7 +269,8 @@ void Facets::lay_along_fracture(const Assembly& a, const Network& n, Facet& f) c
   f.initial_normal = dot(traction, f.normal);
   f.initial_shear = dot(traction, {-f.normal.y, f.normal.x});
   // What the bond bore with the fluid around it, less the mean traction.
-  f.locked = initial_force(f.bond) - (pressure_[f.left] * left + pressure_[f.right] * right) + f.length * traction;
+  f.locked =
+      initial_force(f.bond) - (pressure_[f.left] * left + pressure_[f.right] * right) + f.length * traction;
   f.locked_first = force_[4 * f.bond + 2];
   f.locked_second = force_[4 * f.bond + 3];
 }

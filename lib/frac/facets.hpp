@@ -41,7 +41,7 @@ struct Facet {
          initial_shear = 0.0;  // Pa: sigma_n (compression positive), traction along (-n.y, n.x)
   Vec2 locked;                 // N on the first disc while open
   double locked_first = 0.0, locked_second = 0.0;  // N m, as BondResponse::force[2], [3]
-  Vec2 middle;       // m
+  Vec2 middle;                                     // m
   bool slot = false;  // cut, not broken: the fluid passes whether the rock opens it or not
   std::int32_t corner[4] = {-1, -1, -1, -1};  // of left pore: first, second disc; of right pore
 };

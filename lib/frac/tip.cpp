@@ -10,8 +10,8 @@
 namespace hfrac {
 namespace {
 
-constexpr std::size_t most_behind = 4;           // facets whose openings give K
-constexpr double widest_turn = 0.5;              // cosine
+constexpr std::size_t most_behind = 4;  // facets whose openings give K
+constexpr double widest_turn = 0.5;     // cosine
 
 double size(Vec2 v) {
   return std::sqrt(dot(v, v));

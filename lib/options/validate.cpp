@@ -121,7 +121,8 @@ void check_facets(const CaseDefinition& definition) {
   const Options& o = definition.options;
   if (FractureLaw{o.fracture_law} != FractureLaw::facet) {
     if (o.fracture_perforation_length > 0.0)
-      refuse("fracture.perforation_length needs fracture.law = \"facet\"; set it, or leave the length at 0 m.");
+      refuse(
+          "fracture.perforation_length needs fracture.law = \"facet\"; set it, or leave the length at 0 m.");
     return;
   }
   if (SteppingMode{o.stepping_mode} != SteppingMode::coupled ||

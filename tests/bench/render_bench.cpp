@@ -13,9 +13,9 @@
 
 #include "disc_detail.h"
 #include "hfrac/viz.h"
+#include "image.h"
 #include "offscreen_window.h"
 #include "page.h"
-#include "png_file.h"
 #include "run/files.hpp"
 #include "synthetic_run.h"
 

@@ -52,17 +52,17 @@ TEST(Facets, ClosedTransmitsWhatTheBondBore) {
   const CaseDefinition definition = confined(20e6);
   const Simulation s(definition, {}, {});
   int seen = 0;
-  each_facet(s, definition.options,
-             [&](const Facets& facets, const Facet& f, const Assembly& a, const Network& n) {
-               ++seen;
-               const BondResponse r = respond(a, definition.options, n, facets, f);
-               EXPECT_LT(r.gap, 0.0);  // below the stress it bears
-               const Vec2 bore = facets.initial_force(f.bond) -
-                                 (n.pressure[f.left] * facets.part(f.bond, true) + n.pressure[f.right] * facets.part(f.bond, false));
-               const double size = f.initial_normal * f.length;
-               EXPECT_NEAR(r.force[0], bore.x, 1e-9 * size);
-               EXPECT_NEAR(r.force[1], bore.y, 1e-9 * size);
-             });
+  each_facet(
+      s, definition.options, [&](const Facets& facets, const Facet& f, const Assembly& a, const Network& n) {
+        ++seen;
+        const BondResponse r = respond(a, definition.options, n, facets, f);
+        EXPECT_LT(r.gap, 0.0);  // below the stress it bears
+        const Vec2 bore = facets.initial_force(f.bond) - (n.pressure[f.left] * facets.part(f.bond, true) +
+                                                          n.pressure[f.right] * facets.part(f.bond, false));
+        const double size = f.initial_normal * f.length;
+        EXPECT_NEAR(r.force[0], bore.x, 1e-9 * size);
+        EXPECT_NEAR(r.force[1], bore.y, 1e-9 * size);
+      });
   EXPECT_GT(seen, 50);
 }
 

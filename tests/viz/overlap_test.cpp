@@ -3,6 +3,7 @@
 // letters say how long they are.
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <regex>
 #include <vector>
 
@@ -53,7 +54,8 @@ std::vector<Place> shapes_of(const std::string& svg) {
     const double top = std::stod((*one)[3]);
     found.push_back({left, left + std::stod((*one)[4]), top, top + std::stod((*one)[5]), (*one)[1]});
   }
-  const std::size_t from = svg.rfind("</g>");
+  const std::size_t views_end = svg.rfind("</g>");  // a page of charts has none
+  const std::size_t from = views_end != std::string::npos ? views_end : svg.find("<path");
   const std::size_t to = svg.find("<text", from);
   const char* at = svg.c_str() + from;
   const char* const stop = svg.c_str() + to;
@@ -106,8 +108,8 @@ class Overlap : public VizTest {
     run.with_temperature = true;
   }
 
-  void expect_free(const std::string& what) const {
-    const std::string svg = file_text(file("page.svg"));
+  void expect_free(const std::string& what, const std::string& name = "page.svg") const {
+    const std::string svg = file_text(file(name));
     std::smatch size;
     ASSERT_TRUE(std::regex_search(svg, size, std::regex("viewBox=\"0 0 ([0-9]+) ([0-9]+)\""))) << what;
     expect_no_overlap(svg, std::stod(size[1]), std::stod(size[2]), what);
@@ -189,6 +191,46 @@ TEST_F(Overlap, PicturesOfLongModels) {
                     std::to_string(height));
       }
     }
+  }
+}
+
+TEST_F(Overlap, ChartsOfARun) {
+  hfrac_viz_chart_options charts;
+  hfrac_viz_chart_options_init(&charts, sizeof charts);
+  charts.formats = HFRAC_VIZ_SVG;
+  for (const char* title : {"Synthetic run", "",
+                            "A run with a title that is longer than any page of charts is wide, and "
+                            "goes on about what was done to the rock"}) {
+    run.title = title;
+    write_run(folder(), run);
+    for (const std::int32_t dark : {0, 1}) {
+      charts.dark = dark;
+      ASSERT_EQ(hfrac_viz_render_charts(folder().c_str(), &charts, nullptr, nullptr), HFRAC_OK);
+      for (const char* name : {"history", "rose", "profile", "events", "catalogue"})
+        expect_free(std::string(name) + " of '" + title + "'", "pictures/" + std::string(name) + ".svg");
+    }
+  }
+}
+
+TEST_F(Overlap, Comparisons) {
+  for (const int series : {1, 5, 12}) {
+    std::ofstream table(file("table.csv"));
+    table << "well pressure (MPa),time_s,crack_count,fracture_length_m,injected_volume_m2\n";
+    for (int one = 0; one < series; ++one) {
+      for (int k = 0; k < 20; ++k)
+        table << 5 * one << ',' << 0.01 * k << ',' << one * k << ',' << 1e-4 * one * k << ',' << 1e6 * k
+              << '\n';
+    }
+    table.close();
+    hfrac_viz_comparison_options page;
+    hfrac_viz_comparison_options_init(&page, sizeof page);
+    page.title =
+        "Runs of many packings with a title that is longer than a page of charts is wide, and then some "
+        "words";
+    ASSERT_EQ(hfrac_viz_render_comparison(file("table.csv").c_str(), file("table.svg").c_str(), &page),
+              HFRAC_OK)
+        << last_error();
+    expect_free(std::to_string(series) + " series compared", "table.svg");
   }
 }
 

@@ -10,7 +10,6 @@
 #include "command/interrupt.hpp"
 #include "command/progress_line.hpp"
 #include "command/standard_streams.hpp"
-#include "command/unlikely_values.hpp"
 #include "run/engine_call.hpp"
 #include "run/files.hpp"
 
@@ -33,11 +32,6 @@ constexpr std::array<Quantity, HFRAC_MACRO_COUNT> quantities = {{{"E", "GPa", 1e
                                                                  {"tensile strength", "MPa", 1e-6},
                                                                  {"K_Ic", "MPa m^0.5", 1e-6},
                                                                  {"permeability", "mD", 1.0 / 9.869233e-16}}};
-
-int32_t show(void* parts, double /*share*/, const char* what) {
-  static_cast<PartsOfWork*>(parts)->show(what);
-  return interrupted() ? 1 : 0;
-}
 
 void print(const hfrac_sim_def& d, const hfrac_targets& t, const hfrac_calibration& c) {
   const double targets[] = {t.modulus,          t.poisson,   t.compressive_strength,
@@ -75,7 +69,7 @@ ExitCode calibrate(CalibrateRequest request) {
   ProgressLine line(request.quiet);
   PartsOfWork parts(line, "", 1);  // how many tests it takes is not known beforehand
   auto found = run::sized<hfrac_calibration>();
-  const int32_t status = hfrac_calibrate(&definition, &request.targets, show, &parts, &found);
+  const int32_t status = hfrac_calibrate(&definition, &request.targets, show_parts, &parts, &found);
   line.end();
   if (status == HFRAC_STOPPED) {
     tell("hfrac: interrupted; nothing was found yet\n");

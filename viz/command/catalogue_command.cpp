@@ -15,7 +15,6 @@
 #include "run/files.hpp"
 #ifdef HFRAC_WITH_RENDERER
 #include "command/drawing.hpp"
-#include "command/paper.hpp"
 #endif
 
 namespace hfrac::command {
@@ -28,8 +27,6 @@ struct CatalogueRequest {
   int64_t cycle_window = 0;   ///< mechanical cycles
   double thickness = 1.0;     ///< [m]
   double completeness = NAN;  ///< magnitude
-  bool svg = false;
-  bool pdf = false;
   bool quiet = false;
 #ifdef HFRAC_WITH_RENDERER
   Paper paper;
@@ -65,16 +62,9 @@ void say(const CatalogueRequest& request, const std::vector<hfrac_event>& events
 
 #ifdef HFRAC_WITH_RENDERER
 void draw(const CatalogueRequest& request) {
-  hfrac_viz_chart_options options{};
-  hfrac_viz_chart_options_init(&options, sizeof options);
+  auto options = options_for(request.paper, hfrac_viz_chart_options_init);
   options.charts = HFRAC_VIZ_CHART_CATALOGUE;
-  if (request.paper.pixels() > 0) options.width = request.paper.pixels();
-  options.dots_per_inch = request.paper.dots_per_inch();
-  options.dark = request.paper.dark ? 1 : 0;
-  if (request.svg) options.formats |= HFRAC_VIZ_SVG;
-  if (request.pdf) options.formats |= HFRAC_VIZ_PDF;
-  const int32_t status = hfrac_viz_render_charts(request.folder.c_str(), &options, nullptr, nullptr);
-  drawing_stopped(status);
+  drawing_stopped(hfrac_viz_render_charts(request.folder.c_str(), &options, nullptr, nullptr));
 }
 #endif
 
@@ -127,8 +117,7 @@ void add_catalogue(CLI::App& program, Action& action) {
       ->check(CLI::Range(-20.0, 20.0));
 #ifdef HFRAC_WITH_RENDERER
   add_paper_options(*command, request->paper);
-  command->add_flag("--svg", request->svg, "An SVG file too");
-  command->add_flag("--pdf", request->pdf, "A PDF file too");
+  add_format_options(*command, request->paper);
 #endif
   command->add_flag("-q,--quiet", request->quiet, "Print nothing unless something goes wrong");
   command->callback([request, &action] { action = [request] { return catalogue(*request); }; });

@@ -8,7 +8,6 @@
 #include "command/commands.hpp"
 #include "command/run_size.hpp"
 #include "command/standard_streams.hpp"
-#include "command/unlikely_values.hpp"
 
 namespace hfrac::command {
 namespace {

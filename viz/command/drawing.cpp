@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <hfrac/viz.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "command/exit_code.hpp"
@@ -13,6 +14,36 @@
 
 namespace hfrac::command {
 
+namespace {
+
+constexpr double millimetres_per_inch = 25.4;
+constexpr int32_t print_resolution = 300;  // [dots per inch]
+
+}  // namespace
+
+int32_t Paper::pixels() const {
+  if (print > 0.0) return static_cast<int32_t>(std::lround(print / millimetres_per_inch * print_resolution));
+  return width;
+}
+
+int32_t Paper::dots_per_inch() const {
+  return print > 0.0 ? print_resolution : 0;
+}
+
+void add_paper_options(CLI::App& command, Paper& paper) {
+  auto* width = command.add_option("--width", paper.width, "Width of the pictures in pixels")
+                    ->check(CLI::Range(320, 8192));
+  command.add_option("--print", paper.print, "Width on paper in millimetres, drawn at 300 dots per inch")
+      ->check(CLI::Range(40.0, 690.0))
+      ->excludes(width);
+  command.add_flag("--dark", paper.dark, "Light on dark paper");
+}
+
+void add_format_options(CLI::App& command, Paper& paper) {
+  command.add_flag("--svg", paper.svg, "SVG files too");
+  command.add_flag("--pdf", paper.pdf, "PDF files too");
+}
+
 int32_t show_drawing(void* line, double fraction, const char* what) {
   static_cast<ProgressLine*>(line)->show(
       fmt::format("drawing {:3.0f} %  {}", fraction * 100.0, what ? what : ""));
@@ -20,9 +51,7 @@ int32_t show_drawing(void* line, double fraction, const char* what) {
 }
 
 std::string drawing_error() {
-  return run::whole_text([](char* buffer, int32_t capacity, int32_t* needed) {
-    return hfrac_viz_last_error(buffer, capacity, needed);
-  });
+  return run::whole_text(hfrac_viz_last_error);
 }
 
 bool drawing_stopped(int32_t status) {

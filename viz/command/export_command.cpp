@@ -12,10 +12,9 @@
 #include "command/case_file.hpp"
 #include "command/commands.hpp"
 #include "command/numbers.hpp"
-#include "output/disc_file.hpp"
-#include "output/field_tables.hpp"
 #include "output/host_cells.hpp"
 #include "output/tables.hpp"
+#include "run/engine_call.hpp"
 #include "run/files.hpp"
 #include "run/json_file.hpp"
 
@@ -29,30 +28,18 @@ struct ExportRequest {
   double dx = 0.0;    ///< [m] about, of square cells; 0: by cells, or no grid
 };
 
-struct DestroySimulation {
-  void operator()(hfrac_sim* sim) const { hfrac_sim_destroy(&sim); }
-};
-using Simulation = std::unique_ptr<hfrac_sim, DestroySimulation>;
-
 /** The run's model in the state it ended with. */
-Simulation rebuild(const fs::path& folder) {
+run::Simulation rebuild(const fs::path& folder) {
   const auto case_file = folder / "case.toml", state_file = folder / "state.hfrac";
   for (const auto& file : {case_file, state_file})
     if (!fs::exists(file))
       throw BadInput(fmt::format("'{}' holds no finished run: there is no {} in it", folder.string(),
                                  file.filename().string()));
-  std::vector<double> discs;
-  std::vector<int64_t> bonds;
-  try {
-    if (fs::exists(folder / "given_discs.csv")) discs = output::read_discs(folder / "given_discs.csv");
-    if (fs::exists(folder / "given_bonds.csv")) bonds = output::read_bonds(folder / "given_bonds.csv");
-  } catch (const output::DiscFileError& error) {
-    throw BadInput(error.what());
-  }
-  const auto definition = load_case(case_file.string(), 0, discs, bonds);
+  const GivenParts given(folder);
+  const auto definition = load_case(case_file.string(), 0, given);
   hfrac_sim* made = nullptr;
   const int32_t status = hfrac_sim_create(&definition, &made);
-  Simulation sim(made);
+  run::Simulation sim(made);
   output::require(status, nullptr);
   const int32_t loaded = hfrac_state_load_file(sim.get(), state_file.c_str());
   if (loaded < 0) throw BadInput(output::error_text(loaded, sim.get()));

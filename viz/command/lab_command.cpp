@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // hfrac lab: standard rock tests on specimens of a case's rock.
 #include <fmt/format.h>
+#include <hfrac/hfrac.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -17,7 +20,6 @@
 #endif
 #include "command/interrupt.hpp"
 #include "command/progress_line.hpp"
-#include "command/specimen_svg.hpp"
 #include "command/standard_streams.hpp"
 #include "run/engine_call.hpp"
 #include "run/files.hpp"
@@ -27,6 +29,58 @@
 
 namespace hfrac::command {
 namespace {
+
+// A tested specimen as a picture: discs where they came to rest, cracks by mode, as an SVG file.
+
+/** `discs` and `cracks` as hfrac_lab_copy_f64 gives them (5 values a row); `title` stands above. */
+std::string specimen_svg(const std::vector<double>& discs, const std::vector<double>& cracks,
+                         const std::string& title);
+
+constexpr double page = 900.0, margin = 20.0,
+                 heading = 40.0;  // pixels: the longer side of the specimen, around, above
+constexpr const char* tension = "#c1272d";
+constexpr const char* shear = "#1b5fa8";
+
+std::string plain(const std::string& text) {
+  std::string safe;
+  for (const char c : text) safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
+  return safe;
+}
+
+std::string specimen_svg(const std::vector<double>& discs, const std::vector<double>& cracks,
+                         const std::string& title) {
+  double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
+  for (std::size_t k = 0; k + 5 <= discs.size(); k += 5) {
+    left = std::min(left, discs[k] - discs[k + 2]);
+    right = std::max(right, discs[k] + discs[k + 2]);
+    low = std::min(low, discs[k + 1] - discs[k + 2]);
+    high = std::max(high, discs[k + 1] + discs[k + 2]);
+  }
+  const double scale = page / std::max(right - left, high - low);
+  const auto x = [&](double at) { return margin + scale * (at - left); };
+  const auto y = [&](double at) { return heading + scale * (high - at); };
+  std::string svg;
+  auto out = std::back_inserter(svg);
+  const double width = std::max(2.0 * margin + scale * (right - left), 520.0);
+  const double height = heading + margin + scale * (high - low);
+  fmt::format_to(
+      out,
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{:.0f}\" height=\"{:.0f}\" "
+      "font-family=\"sans-serif\" font-size=\"15\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+      "<text x=\"{:.0f}\" y=\"24\">{}; cracks in <tspan fill=\"{}\">tension</tspan>, <tspan "
+      "fill=\"{}\">shear</tspan></text>\n<g fill=\"#e8e2d4\" stroke=\"#9d9585\" stroke-width=\"0.4\">\n",
+      width, height, margin, plain(title), tension, shear);
+  for (std::size_t k = 0; k + 5 <= discs.size(); k += 5)
+    fmt::format_to(out, "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.2f}\"/>\n", x(discs[k] + discs[k + 3]),
+                   y(discs[k + 1] + discs[k + 4]), scale * discs[k + 2]);
+  svg += "</g>\n<g stroke-width=\"2\" stroke-linecap=\"round\">\n";
+  for (std::size_t k = 0; k + 5 <= cracks.size(); k += 5)
+    fmt::format_to(out, "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>\n",
+                   x(cracks[k]), y(cracks[k + 1]), x(cracks[k + 2]), y(cracks[k + 3]),
+                   static_cast<int>(cracks[k + 4]) == HFRAC_CRACK_TENSION ? tension : shear);
+  svg += "</g>\n</svg>\n";
+  return svg;
+}
 
 struct TestName {
   const char *word, *value, *unit;
@@ -62,11 +116,6 @@ std::vector<double> table(const hfrac_lab* lab, int32_t which) {
   std::vector<double> values(static_cast<std::size_t>(count));
   run::require(hfrac_lab_copy_f64(lab, which, values.data(), count, &count), nullptr);
   return values;
-}
-
-int32_t show(void* parts, double /*share*/, const char* what) {
-  static_cast<PartsOfWork*>(parts)->show(what);
-  return interrupted() ? 1 : 0;
 }
 
 std::string describe(const hfrac_lab_report& r, int32_t test, int64_t seed, bool time) {
@@ -165,7 +214,7 @@ ExitCode lab(LabRequest request) {
     request.spec.seed = first + k;
     parts.begin(k);
     hfrac_lab* raw = nullptr;
-    const int32_t status = hfrac_lab_run(&definition, &request.spec, show, &parts, &raw);
+    const int32_t status = hfrac_lab_run(&definition, &request.spec, show_parts, &parts, &raw);
     const Lab one(raw);
     line.end();
     if (status == HFRAC_ERR_ARGUMENT || status == HFRAC_ERR_MODEL)
@@ -205,6 +254,7 @@ void add_lab(CLI::App& program, Action& action) {
   auto request = std::make_shared<LabRequest>();
   hfrac_lab_spec_init(&request->spec, static_cast<int32_t>(sizeof request->spec));
   std::vector<std::string> words;
+  words.reserve(tests.size());
   for (const TestName& test : tests) words.emplace_back(test.word);
   command->add_option("TEST", request->test, "What to test")->required()->check(CLI::IsMember(words));
   command->add_option("CASE", request->case_file,

@@ -8,6 +8,7 @@
 
 #include <utility>
 
+#include "command/interrupt.hpp"
 #include "command/standard_streams.hpp"
 
 namespace hfrac::command {
@@ -75,6 +76,11 @@ void PartsOfWork::show(const char* what) {
     text += fmt::format(", about {} left", readable_duration(seconds / done * (all - done)));
   }
   line_.show_now(text);
+}
+
+int32_t show_parts(void* parts, double /*share*/, const char* what) {
+  static_cast<PartsOfWork*>(parts)->show(what);
+  return interrupted() ? 1 : 0;
 }
 
 }  // namespace hfrac::command

@@ -51,4 +51,7 @@ class PartsOfWork {
   Clock::time_point start_ = Clock::now();
 };
 
+/** For hfrac_progress_fn; the user's pointer is a PartsOfWork. Stops when the user interrupts. */
+int32_t show_parts(void* parts, double share, const char* what);
+
 }  // namespace hfrac::command

@@ -2,14 +2,18 @@
 // hfrac report: a run as one HTML file. Pictures that are not there yet are drawn first.
 #include <fmt/format.h>
 #include <hfrac/viz.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 
+#include <cerrno>
+#include <string>
+#include <system_error>
+
 #include "command/commands.hpp"
 #include "command/drawing.hpp"
-#include "command/drawing_folder.hpp"
 #include "command/interrupt.hpp"
 #include "command/progress_line.hpp"
 #include "command/standard_streams.hpp"
@@ -17,7 +21,55 @@
 namespace hfrac::command {
 namespace {
 
+// Where pictures of a run are drawn: in the run folder, which keeps them for the next time, or, if that may not be written to,
+// in a folder for the time being that shows the run's files by links.
+
+class DrawingFolder {
+ public:
+  /** Throws std::filesystem::filesystem_error if no such folder can be made. */
+  explicit DrawingFolder(const std::filesystem::path& run);
+  DrawingFolder(const DrawingFolder&) = delete;
+  DrawingFolder& operator=(const DrawingFolder&) = delete;
+  ~DrawingFolder();
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  bool own_ = false;  ///< made here, removed at the end
+};
+
 namespace fs = std::filesystem;
+
+bool may_write(const fs::path& folder) {
+  return ::access(folder.c_str(), W_OK | X_OK) == 0;
+}
+
+void link_files(const fs::path& from, const fs::path& to) {
+  for (const auto& entry : fs::directory_iterator(from))
+    if (entry.is_regular_file())
+      fs::create_symlink(fs::canonical(entry.path()), to / entry.path().filename());
+}
+
+DrawingFolder::DrawingFolder(const fs::path& run) : path_(run) {
+  const fs::path drawn = run / "pictures";
+  std::error_code error;
+  if (!fs::is_directory(run, error) || may_write(fs::exists(drawn, error) ? drawn : run)) return;
+  std::string name = (fs::temp_directory_path() / "hfrac-report-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr)
+    throw fs::filesystem_error("cannot make a folder to draw in", name,
+                               std::error_code(errno, std::generic_category()));
+  path_ = name;
+  own_ = true;
+  fs::create_directory(path_ / "pictures");
+  link_files(run, path_);
+  if (fs::exists(drawn, error)) link_files(drawn, path_ / "pictures");
+}
+
+DrawingFolder::~DrawingFolder() {
+  std::error_code ignored;
+  if (own_) fs::remove_all(path_, ignored);
+}
 
 struct ReportRequest {
   std::string folder;

@@ -13,11 +13,9 @@
 #include "command/interrupt.hpp"
 #include "command/numbers.hpp"
 #include "command/run_to_end.hpp"
-#include "command/runner.hpp"
 #include "command/standard_streams.hpp"
-#include "command/unlikely_values.hpp"
+#include "command/summary_text.hpp"
 #include "command/warnings.hpp"
-#include "output/disc_file.hpp"
 #include "run/files.hpp"
 #include "run/json_file.hpp"
 #include "run/known_files.hpp"
@@ -84,15 +82,8 @@ ExitCode go_on(const ResumeRequest& request) {
   }
   if (request.steps >= 0) terms.steps = request.steps;
 
-  std::vector<double> discs;
-  std::vector<int64_t> bonds;
-  try {
-    if (fs::exists(folder / "given_discs.csv")) discs = output::read_discs(folder / "given_discs.csv");
-    if (fs::exists(folder / "given_bonds.csv")) bonds = output::read_bonds(folder / "given_bonds.csv");
-  } catch (const output::DiscFileError& error) {
-    throw BadInput(error.what());
-  }
-  auto definition = load_case((folder / "case.toml").string(), request.workers, discs, bonds);
+  const GivenParts given(folder);
+  auto definition = load_case((folder / "case.toml").string(), request.workers, given);
   const output::FolderClaim claim(folder);
   catch_interrupts();
   std::vector<std::string> damaged;
@@ -120,10 +111,7 @@ ExitCode go_on(const ResumeRequest& request) {
     for (const auto& warning : output::warnings_of(summary, checkpoint->step))
       run.add_warning(warning.step, warning.text);
   }
-  definition.given_discs = nullptr;  // the model has its own copy
-  definition.given_disc_count = 0;
-  definition.given_bonds = nullptr;
-  definition.given_bond_count = 0;
+  forget_given(definition);
   const auto code = run_to_end(sim.get(), run, definition, terms, line, [&] {
     if (checkpoint) {
       run.go_on_from(sim.get(), *checkpoint);

@@ -2,45 +2,101 @@
 // hfrac run: the command line of a run, and what is said when it is over.
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <string>
+#include <vector>
 
+#include "command/case_file.hpp"
 #include "command/commands.hpp"
+#include "command/exit_code.hpp"
+#include "command/interrupt.hpp"
 #include "command/numbers.hpp"
-#include "command/runner.hpp"
+#include "command/progress_line.hpp"
+#include "command/run_size.hpp"
+#include "command/run_to_end.hpp"
 #include "command/standard_streams.hpp"
 #include "command/summary_text.hpp"
+#include "command/warnings.hpp"
+#include "output/disc_file.hpp"
+#include "output/run_folder.hpp"
+#include "run/files.hpp"
 #include "run/json_file.hpp"
+#include "run/known_files.hpp"
 
 namespace hfrac::command {
 
 namespace {
 
-void print_table(const std::filesystem::path& folder, bool complete) {
-  const auto summary = run::read_json(folder / "summary.json");
-  fmt::print("{}", summary_text(summary));
-  if (!complete) return;
-  fmt::print("  {:18} {}: discs.pvd, bonds.pvd, cracks.pvd, flow.pvd (ParaView), history.csv, cracks.csv,\n",
-             "files", folder.string());
-  fmt::print("  {:18} fractures.csv, events.csv, summary.json, case.toml\n", "");
-#ifdef HFRAC_WITH_RENDERER
-  fmt::print("  {:18} hfrac render {}\n", "pictures", folder.string());
-#endif
+// A run from case file to finished folder.
+
+/** What the user asked for. */
+struct RunRequest {
+  std::string case_file;
+  std::filesystem::path folder;
+  std::filesystem::path disc_file;  ///< the user's own discs; empty: packed as the case says
+  std::filesystem::path bond_file;  ///< which of those discs are bonded; empty: all that are near
+  std::vector<double> grid;         ///< of a reservoir simulator (output/host_cells.hpp); empty: none
+  int64_t steps = -1;               ///< steps to take; -1: as the case says
+  int64_t workers = 0;              ///< 0: as the case says
+  double checkpoint_every = -1.0;   ///< [s] of wall time; -1: as the case says
+  int64_t checkpoint_steps = -1;    ///< -1: as the case says
+  bool overwrite = false;
+  bool quiet = false;
+  bool movie = false;  ///< draw it while the run goes on
+  bool no_space_check = false;
+};
+
+/** Runs it. Failures that leave something readable are told here; others are thrown. */
+ExitCode carry_out(const RunRequest& request);
+
+void refuse_earlier_run(const RunRequest& request) {
+  if (request.overwrite) return;
+  const auto files = output::files_of_a_run(request.folder);
+  if (!files.empty())
+    throw BadInput(fmt::format(
+        "'{}' already holds {} file(s) of a run, e.g. {}; choose another folder or say --overwrite",
+        request.folder.string(), files.size(), files.front().filename().string()));
 }
 
-}  // namespace
+ExitCode carry_out(const RunRequest& request) {
+  require_grid(request.grid);
+  GivenParts given(request.disc_file, request.bond_file);
+  auto definition = load_case(request.case_file, request.workers, given);
+  if (request.checkpoint_every >= 0.0) definition.output_checkpoint_every = request.checkpoint_every;
+  if (request.checkpoint_steps >= 0) definition.output_checkpoint_steps = request.checkpoint_steps;
+  refuse_earlier_run(request);
+  const auto size = size_of_run(definition, request.steps);
+  if (!request.no_space_check) require_room(size, request.folder);
+  output::FolderClaim claim(request.folder);
+  catch_interrupts();
 
-// The result of a run is its folder, and the exit code speaks of that: a workflow that is told of a failure removes it.
-void print_result(const std::filesystem::path& folder, bool complete) {
-  try {
-    print_table(folder, complete);
-    flush_results();
-  } catch (const std::exception& error) {
-    drop_results();
-    tell("hfrac: '{}' is written, but what is in it cannot be told: {}\n", folder.string(), error.what());
+  ProgressLine line(request.quiet);
+  const output::RunTerms terms{request.steps, request.grid, request.movie};
+  output::RunFolder folder(request.folder, terms);
+  Warnings warnings(folder, line, request.quiet);
+  for (const auto& text : unlikely_values(definition)) warnings.add(text);
+  if (!request.quiet) tell("hfrac: will write {}\n", size_text(size));
+  const auto sim = build_model(definition, request.case_file, line, warnings);
+  if (!sim) {
+    tell("hfrac: interrupted during the initial equilibration; nothing was written\n");
+    return kInterrupted;
   }
-}
+  lay_grid(sim.get(), terms);
+  output::remove_files_of_a_run(request.folder);
+  forget_given(definition);
 
-namespace {
+  return run_to_end(sim.get(), folder, definition, terms, line, [&] {
+    // First the discs, without which the case alone would make another model.
+    if (!given.discs.empty())
+      output::write_whole(request.folder / "given_discs.csv", output::discs_as_csv(given.discs));
+    if (!given.bonds.empty())
+      output::write_whole(request.folder / "given_bonds.csv", output::bonds_as_csv(given.bonds));
+    given = {};
+    folder.open(sim.get());
+    claim.keep();
+  });
+}
 
 ExitCode run(const RunRequest& request) {
   const auto code = carry_out(request);

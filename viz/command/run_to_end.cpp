@@ -3,13 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "command/interrupt.hpp"
-#include "command/step_loop.hpp"
+
 #include "output/host_cells.hpp"
 #include "run/files.hpp"
 #ifdef HFRAC_WITH_RENDERER
@@ -18,7 +21,170 @@
 #endif
 
 namespace hfrac::command {
+
+// One step at a time, so that the history has a line for each.
+
 namespace {
+
+constexpr double kCallbackSeconds = 0.1;
+constexpr int64_t kForever = std::numeric_limits<int64_t>::max();
+
+/** When a run ends by itself. */
+struct Limits {
+  int64_t steps;
+  double time;
+};
+
+Limits limits_of(const hfrac_sim_def& definition, int64_t steps) {
+  const double never = std::numeric_limits<double>::infinity();
+  if (steps >= 0) return {steps, never};
+  if (definition.stepping_end_time > 0.0) return {kForever, definition.stepping_end_time};
+  return {definition.stepping_steps, never};
+}
+
+/** The progress line, made from the state after the last step. */
+class StepReport {
+ public:
+  StepReport(ProgressLine& line, Limits limits, const hfrac_sim_state& from)
+      : line_(line), limits_(limits), start_(Clock::now()), from_step_(from.step), from_time_(from.time) {}
+
+  void after_step(hfrac_sim* sim) {
+    const auto state = output::state_of(sim);
+    const auto wells = output::wells_of(sim);
+    step_start_ = Clock::now();
+    const double elapsed = seconds_since(start_);
+    const double speed = elapsed > 0.0 ? static_cast<double>(state.step - from_step_) / elapsed : 0.0;
+    text_ = limits_.steps == kForever ? fmt::format("step {}", state.step)
+                                      : fmt::format("step {}/{}", state.step, limits_.steps);
+    text_ += fmt::format("  {:.6g} s  {} cracks", state.time, state.crack_count);
+    if (!wells.empty()) text_ += fmt::format("  well {:.4g} MPa", wells.front().pressure * 1e-6);
+    text_ += fmt::format("  {:.3g} steps/s  at most {} left", speed,
+                         readable_duration(seconds_left(state, elapsed)));
+    line_.show(text_);
+  }
+
+  /** A long step must not look like a dead one. */
+  void within_step() {
+    if (!line_.due()) return;
+    const double seconds = seconds_since(step_start_);
+    line_.show(seconds < 2.0 ? text_
+                             : fmt::format("{}  in this step since {}", text_, readable_duration(seconds)));
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  static double seconds_since(Clock::time_point then) {
+    return std::chrono::duration<double>(Clock::now() - then).count();
+  }
+
+  double seconds_left(const hfrac_sim_state& state, double elapsed) const {
+    const double done = limits_.steps == kForever ? (state.time - from_time_) / (limits_.time - from_time_)
+                                                  : static_cast<double>(state.step - from_step_) /
+                                                        static_cast<double>(limits_.steps - from_step_);
+    return done > 0.0 ? elapsed * (1.0 - done) / done : 0.0;
+  }
+
+  ProgressLine& line_;
+  Limits limits_;
+  Clock::time_point start_;
+  Clock::time_point step_start_ = start_;
+  int64_t from_step_;  ///< where this process took over
+  double from_time_;   ///< [s]
+  std::string text_ = "first step";
+};
+
+int32_t while_stepping(void* report, double, const char*) {
+  static_cast<StepReport*>(report)->within_step();
+  return interrupted() ? 1 : 0;
+}
+
+/** When a checkpoint is due: so many seconds or so many steps after the last one, whichever comes first. */
+class CheckpointClock {
+ public:
+  CheckpointClock(const hfrac_sim_def& definition, int64_t step)
+      : seconds_(definition.output_checkpoint_every),
+        steps_(definition.output_checkpoint_steps),
+        last_step_(step),
+        last_time_(Clock::now()) {}
+
+  bool due(int64_t step) {
+    const std::chrono::duration<double> passed = Clock::now() - last_time_;
+    if ((seconds_ <= 0.0 || passed.count() < seconds_) && (steps_ <= 0 || step - last_step_ < steps_))
+      return false;
+    last_step_ = step;
+    last_time_ = Clock::now();
+    return true;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double seconds_;
+  int64_t steps_;
+  int64_t last_step_;
+  Clock::time_point last_time_;
+};
+
+/** Takes the callback out again however the loop is left. */
+class Callback {
+ public:
+  Callback(hfrac_sim* sim, StepReport& report) : sim_(sim) {
+    output::require(hfrac_set_progress(sim, while_stepping, &report, kCallbackSeconds), sim);
+  }
+  Callback(const Callback&) = delete;
+  Callback& operator=(const Callback&) = delete;
+  ~Callback() { hfrac_set_progress(sim_, nullptr, nullptr, kCallbackSeconds); }
+
+ private:
+  hfrac_sim* sim_;
+};
+
+/** Why a run ended. */
+struct EndOfRun {
+  std::string text;  ///< for the summary
+  bool interrupted = false;
+};
+
+/** Writes a checkpoint. If that fails, the run goes on: it says so and nothing else is lost. */
+void save_checkpoint(hfrac_sim* sim, output::RunFolder& folder, ProgressLine& line) {
+  try {
+    folder.checkpoint(sim);
+  } catch (const std::runtime_error& error) {
+    line.end();
+    tell("hfrac: no checkpoint, the earlier ones stand: {}\n", error.what());
+  }
+}
+
+/** Steps `sim` to the end of the run and writes into `folder` on the way, checkpoints as the definition says included.
+ * `steps` >= 0 replaces the case's length. */
+EndOfRun take_steps(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_def& definition, int64_t steps,
+                    ProgressLine& line) {
+  const auto limits = limits_of(definition, steps);
+  auto state = output::state_of(sim);
+  StepReport report(line, limits, state);
+  const Callback callback(sim, report);
+  CheckpointClock checkpoint(definition, state.step);
+  for (;;) {
+    if (interrupted()) return {"interrupted", true};
+    if (state.stop_reason == HFRAC_REASON_EXTENT)
+      return {
+          "a crack tip reached stop.extent_fraction of the model: what follows would be the boundary's "
+          "doing"};
+    if (state.stop_reason == HFRAC_REASON_CRACKS) return {"stop.cracks reached"};
+    if (state.time >= limits.time) return {"end time reached"};
+    if (state.step >= limits.steps) return {"all steps taken"};
+
+    const int64_t before = state.step;
+    const int32_t status = hfrac_step(sim, 1);
+    output::require(status, sim);
+    state = output::state_of(sim);
+    if (state.step == before) return {"interrupted", true};
+    folder.record_step(sim);
+    if (state.step / definition.output_every != before / definition.output_every) folder.snapshot(sim);
+    if (checkpoint.due(state.step)) save_checkpoint(sim, folder, line);
+    report.after_step(sim);
+  }
+}
 
 int32_t show_setup(void* line, double fraction, const char* what) {
   static_cast<ProgressLine*>(line)->show(

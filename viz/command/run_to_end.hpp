@@ -7,20 +7,17 @@
 #include <hfrac/definition.hpp>
 
 #include <functional>
-#include <memory>
 #include <string>
 
 #include "command/exit_code.hpp"
 #include "command/progress_line.hpp"
 #include "command/warnings.hpp"
 #include "output/run_folder.hpp"
+#include "run/engine_call.hpp"
 
 namespace hfrac::command {
 
-struct DestroySimulation {
-  void operator()(hfrac_sim* sim) const { hfrac_sim_destroy(&sim); }
-};
-using Simulation = std::unique_ptr<hfrac_sim, DestroySimulation>;
+using run::Simulation;
 
 /** Builds the model of `case_file`; no simulation if the user interrupted. Throws BadInput or EngineError. */
 Simulation build_model(Definition definition, const std::string& case_file, ProgressLine& line,

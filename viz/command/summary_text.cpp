@@ -8,6 +8,8 @@
 #include <cmath>
 
 #include "command/progress_line.hpp"
+#include "command/standard_streams.hpp"
+#include "run/json_file.hpp"
 
 namespace hfrac::command {
 namespace {
@@ -97,6 +99,33 @@ std::string summary_text(const json& summary, const std::string& ended) {
           : fmt::format("missing {:.2g} J/m{}", energy_error, share(energy_error, energy_scale(balance))));
   text += line("state hash", summary.at("state_hash").get<std::string>());
   return text;
+}
+
+namespace {
+
+void print_table(const std::filesystem::path& folder, bool complete) {
+  const auto summary = run::read_json(folder / "summary.json");
+  fmt::print("{}", summary_text(summary));
+  if (!complete) return;
+  fmt::print("  {:18} {}: discs.pvd, bonds.pvd, cracks.pvd, flow.pvd (ParaView), history.csv, cracks.csv,\n",
+             "files", folder.string());
+  fmt::print("  {:18} fractures.csv, events.csv, summary.json, case.toml\n", "");
+#ifdef HFRAC_WITH_RENDERER
+  fmt::print("  {:18} hfrac render {}\n", "pictures", folder.string());
+#endif
+}
+
+}  // namespace
+
+// The result of a run is its folder, and the exit code speaks of that: a workflow that is told of a failure removes it.
+void print_result(const std::filesystem::path& folder, bool complete) {
+  try {
+    print_table(folder, complete);
+    flush_results();
+  } catch (const std::exception& error) {
+    drop_results();
+    tell("hfrac: '{}' is written, but what is in it cannot be told: {}\n", folder.string(), error.what());
+  }
 }
 
 }  // namespace hfrac::command

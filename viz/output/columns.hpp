@@ -6,8 +6,21 @@
 #include <hfrac/hfrac.h>
 
 #include <cmath>
+#include <cstddef>
 
 namespace hfrac::output {
+
+/** A column for each component of a member. */
+template <class Visit, class Values, std::size_t count>
+void parts(const Visit& visit, const char* const (&names)[count], Values& values) {
+  for (std::size_t i = 0; i < count; ++i) visit(names[i], values[i]);
+}
+
+/** A column of the balance. */
+struct Member {
+  const char* name;
+  double hfrac_balance::*value;
+};
 
 /** cracks.csv. Of a crack that may be changed, the values may be. */
 template <class Crack, class Visit>
@@ -18,12 +31,9 @@ void crack_columns(Crack& crack, const Visit& visit) {
   visit("time_s", crack.time);
   visit("mode", crack.mode);
   visit("bond_id", crack.bond);
-  visit("disc_0", crack.disc[0]);
-  visit("disc_1", crack.disc[1]);
-  visit("x_m", crack.position[0]);
-  visit("y_m", crack.position[1]);
-  visit("normal_x", crack.normal[0]);
-  visit("normal_y", crack.normal[1]);
+  parts(visit, {"disc_0", "disc_1"}, crack.disc);
+  parts(visit, {"x_m", "y_m"}, crack.position);
+  parts(visit, {"normal_x", "normal_y"}, crack.normal);
   visit("length_m", crack.length);
   visit("aperture_m", crack.aperture);
   visit("normal_force_N", crack.normal_force);
@@ -31,6 +41,21 @@ void crack_columns(Crack& crack, const Visit& visit) {
   visit("energy_J_per_m", crack.energy);
   visit("fracture", crack.fracture);
   visit("distance_m", crack.distance);
+}
+
+/** Of history.csv and summary.json: the energies; the error is NaN where it is not checked. */
+inline constexpr Member energies[] = {{"kinetic_J_per_m", &hfrac_balance::kinetic},
+                                      {"bond_elastic_J_per_m", &hfrac_balance::bond_elastic},
+                                      {"contact_elastic_J_per_m", &hfrac_balance::contact_elastic},
+                                      {"fluid_work_J_per_m", &hfrac_balance::fluid_work},
+                                      {"boundary_work_J_per_m", &hfrac_balance::boundary_work},
+                                      {"friction_J_per_m", &hfrac_balance::friction},
+                                      {"damping_J_per_m", &hfrac_balance::damping},
+                                      {"fracture_J_per_m", &hfrac_balance::fracture}};
+template <class Visit>
+void energy_columns(const hfrac_balance& balance, const Visit& visit) {
+  for (const auto& [name, member] : energies) visit(name, balance.*member);
+  visit("energy_error_J_per_m", balance.energy_checked != 0 ? balance.energy_error : std::nan(""));
 }
 
 /** fractures.csv but for the first column, the fracture's number. */
@@ -50,6 +75,15 @@ void fracture_columns(const hfrac_fracture& fracture, const Visit& visit) {
   visit("wings", fracture.wings);
 }
 
+/** Likewise, the fluid, but for what was injected. */
+inline constexpr Member fluid_volumes[] = {{"stored_volume_m2", &hfrac_balance::stored_volume},
+                                           {"leaked_volume_m2", &hfrac_balance::leaked_volume},
+                                           {"fluid_error_m2", &hfrac_balance::fluid_error}};
+template <class Visit>
+void fluid_columns(const hfrac_balance& balance, const Visit& visit) {
+  for (const auto& [name, member] : fluid_volumes) visit(name, balance.*member);
+}
+
 /** events.csv. */
 template <class Visit>
 void event_columns(const hfrac_event& event, const Visit& visit) {
@@ -60,11 +94,8 @@ void event_columns(const hfrac_event& event, const Visit& visit) {
   visit("first_cycle", event.first_cycle);
   visit("last_cycle", event.last_cycle);
   visit("time_s", event.time);
-  visit("x_m", event.position[0]);
-  visit("y_m", event.position[1]);
-  visit("moment_xx_N_m", event.moment_tensor[0]);
-  visit("moment_yy_N_m", event.moment_tensor[1]);
-  visit("moment_xy_N_m", event.moment_tensor[2]);
+  parts(visit, {"x_m", "y_m"}, event.position);
+  parts(visit, {"moment_xx_N_m", "moment_yy_N_m", "moment_xy_N_m"}, event.moment_tensor);
   visit("moment_N_m", event.moment);
   visit("magnitude", event.magnitude);
   visit("energy_J", event.energy);
@@ -79,9 +110,7 @@ template <class Visit>
 void cell_columns(const hfrac_cell& cell, const Visit& visit) {
   visit("area_m2", cell.area);
   visit("coverage", cell.coverage);
-  visit("kxx_m2", cell.permeability[0]);
-  visit("kyy_m2", cell.permeability[1]);
-  visit("kxy_m2", cell.permeability[2]);
+  parts(visit, {"kxx_m2", "kyy_m2", "kxy_m2"}, cell.permeability);
   visit("matrix_permeability_m2", cell.matrix_permeability);
   visit("fracture_porosity", cell.fracture_porosity);
   visit("matrix_porosity", cell.matrix_porosity);
@@ -91,28 +120,6 @@ void cell_columns(const hfrac_cell& cell, const Visit& visit) {
   visit("outflow_m2_per_s", cell.outflow);
   visit("pressure_Pa", cell.pressure);
   visit("fracture_pressure_Pa", cell.fracture_pressure);
-}
-
-/** Of history.csv and summary.json: the energies; the error is NaN where it is not checked. */
-template <class Visit>
-void energy_columns(const hfrac_balance& balance, const Visit& visit) {
-  visit("kinetic_J_per_m", balance.kinetic);
-  visit("bond_elastic_J_per_m", balance.bond_elastic);
-  visit("contact_elastic_J_per_m", balance.contact_elastic);
-  visit("fluid_work_J_per_m", balance.fluid_work);
-  visit("boundary_work_J_per_m", balance.boundary_work);
-  visit("friction_J_per_m", balance.friction);
-  visit("damping_J_per_m", balance.damping);
-  visit("fracture_J_per_m", balance.fracture);
-  visit("energy_error_J_per_m", balance.energy_checked != 0 ? balance.energy_error : std::nan(""));
-}
-
-/** Likewise, the fluid, but for what was injected. */
-template <class Visit>
-void fluid_columns(const hfrac_balance& balance, const Visit& visit) {
-  visit("stored_volume_m2", balance.stored_volume);
-  visit("leaked_volume_m2", balance.leaked_volume);
-  visit("fluid_error_m2", balance.fluid_error);
 }
 
 }  // namespace hfrac::output

@@ -33,21 +33,23 @@ json setup_part(const hfrac_setup_report& setup) {
 }
 
 json state_part(const hfrac_sim_state& state) {
-  return {{"step", state.step},
-          {"time_s", state.time},
-          {"cycles", state.cycles},
-          {"at_rest", state.at_rest != 0},
-          {"force_ratio", state.force_ratio},
-          {"crack_count", state.crack_count},
-          {"tensile_cracks", state.tensile_cracks},
-          {"shear_cracks", state.shear_cracks},
-          {"equilibration_cracks", state.equilibration_cracks},
-          {"disc_count", state.disc_count},
-          {"bond_count", state.bond_count},
-          {"domain_count", state.domain_count},
-          {"mechanical_step_s", state.mechanical_step},
-          {"tip_distance_m", state.tip_distance},
-          {"stop_reason", state.stop_reason}};
+  json part;
+  part["step"] = state.step;
+  part["time_s"] = state.time;
+  part["cycles"] = state.cycles;
+  part["at_rest"] = state.at_rest != 0;
+  part["force_ratio"] = state.force_ratio;
+  part["crack_count"] = state.crack_count;
+  part["tensile_cracks"] = state.tensile_cracks;
+  part["shear_cracks"] = state.shear_cracks;
+  part["equilibration_cracks"] = state.equilibration_cracks;
+  part["disc_count"] = state.disc_count;
+  part["bond_count"] = state.bond_count;
+  part["domain_count"] = state.domain_count;
+  part["mechanical_step_s"] = state.mechanical_step;
+  part["tip_distance_m"] = state.tip_distance;
+  part["stop_reason"] = state.stop_reason;
+  return part;
 }
 
 // NaN, an error that is not checked, becomes null.

@@ -1,63 +1,143 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "chart_page.h"
 
-#include <vtkContextScene.h>
-#include <vtkNew.h>
-#include <vtkPDFExporter.h>
-#include <vtkSVGExporter.h>
-#include <vtkTextRenderer.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "chart_panel.h"
-#include "fonts.h"
-#include "shape_item.h"
+#include "page.h"
+#include "run/files.hpp"
+#include "vtk_messages.h"
 
 namespace hfrac::viz {
+
 namespace {
 
-constexpr int text_resolution = 72;  // one point of a font is one drawn pixel
+// The span of values that have been seen.
+struct Span {
+  double lowest = INFINITY;
+  double highest = -INFINITY;
+  void include(double value) {
+    if (!std::isfinite(value)) return;
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+  }
+  bool empty() const { return !(highest >= lowest); }
+};
+
+// What a value is drawn as; NaN is left out.
+double drawn_value(double value, bool logarithmic) {
+  if (!logarithmic) return value;
+  return value > 0 ? std::log10(value) : std::nan("");
+}
+
+std::vector<Tick> ticks_of(const Range& range, double room, bool logarithmic, bool whole_numbers) {
+  const int wanted = std::max(2, static_cast<int>(room));
+  std::vector<Tick> ticks = round_ticks(range.lowest, range.highest, wanted);
+  if (logarithmic) {
+    std::erase_if(ticks, [](const Tick& tick) { return tick.value != std::round(tick.value); });
+    for (Tick& tick : ticks) tick.text = value_text(std::pow(10.0, tick.value));
+  } else if (whole_numbers) {
+    std::erase_if(ticks,
+                  [](const Tick& tick) { return std::fabs(tick.value - std::round(tick.value)) > 1e-9; });
+    for (Tick& tick : ticks) tick.text = count_text(std::llround(tick.value));
+  } else if (std::max(std::fabs(range.lowest), std::fabs(range.highest)) < 5e-3 || range.highest >= 1e5) {
+    for (Tick& tick : ticks) tick.text = value_text(tick.value);
+  }
+  return ticks;
+}
+
+Range with_room(Span span, double room, bool from_zero) {
+  if (span.empty()) span = {0, 1};
+  if (from_zero) span.include(0);
+  if (!(span.highest > span.lowest)) span.highest += span.highest != 0 ? std::fabs(span.highest) : 1.0;
+  const double size = span.highest - span.lowest;
+  return {span.lowest != 0 ? span.lowest - room * size : 0.0,
+          span.highest != 0 ? span.highest + room * size : 0.0};
+}
+
+// Where many points share a column of pixels, its first, lowest, highest and last one.
+std::vector<Point> thinned(const std::vector<Point>& points) {
+  constexpr std::size_t columns = 1000;
+  if (points.size() <= 6 * columns) return points;
+  std::vector<Point> kept;
+  for (std::size_t column = 0; column < columns; ++column) {
+    const auto first = points.begin() + static_cast<std::ptrdiff_t>(points.size() * column / columns);
+    const auto end = points.begin() + static_cast<std::ptrdiff_t>(points.size() * (column + 1) / columns);
+    const auto [low, high] =
+        std::minmax_element(first, end, [](const Point& a, const Point& b) { return a.y < b.y; });
+    for (const auto& point : {first, std::min(low, high), std::max(low, high), end - 1})
+      kept.push_back(*point);
+  }
+  return kept;
+}
 
 }  // namespace
 
-ChartPage::ChartPage(OffscreenWindow* window, double page_height, double pixels)
-    : window_(window),
-      height_(page_height),
-      pixels_(pixels),
-      renderer_(vtkSmartPointer<vtkRenderer>::New()),
-      actor_(vtkSmartPointer<vtkContextActor>::New()),
-      sheet_(vtkSmartPointer<vtkContextTransform>::New()),
-      shapes_(vtkSmartPointer<ShapeItem>::New()) {
-  window_->SetNumberOfLayers(1);
-  window_->SetSize(static_cast<int>(std::lround(width * pixels)),
-                   static_cast<int>(std::lround(page_height * pixels)));
-  const Colour paper = palette().paper;
-  renderer_->SetBackground(paper.red / 255.0, paper.green / 255.0, paper.blue / 255.0);
-  renderer_->AddActor(actor_);
-  actor_->GetScene()->SetRenderer(renderer_);
-  actor_->GetScene()->AddItem(sheet_);
-  window_->AddRenderer(renderer_);
+PanelRanges ranges_of(const Panel& panel) {
+  if (panel.shown) {
+    const Extent& shown = *panel.shown;
+    return {{shown.left, shown.left + shown.width}, {shown.bottom, shown.bottom + shown.height}, {}, false};
+  }
+  Span x;
+  Span left;
+  Span right;
+  for (const ChartSeries& series : panel.series) {
+    for (const double value : series.x) x.include(value);
+    Span& span = series.right ? right : left;
+    for (std::size_t i = 0; i < series.y.size(); ++i) {
+      const bool logarithmic = panel.logarithmic && !series.right;
+      const double spread =
+          i < series.spread.size() && std::isfinite(series.spread[i]) ? series.spread[i] : 0.0;
+      span.include(drawn_value(series.y[i], logarithmic));
+      span.include(drawn_value(series.y[i] - spread, logarithmic));
+      span.include(drawn_value(series.y[i] + spread, logarithmic));
+    }
+  }
+  if (panel.logarithmic && !left.empty()) left = {std::floor(left.lowest), std::ceil(left.highest + 1e-9)};
+  return {with_room(x, 0.03, false),
+          with_room(left, panel.logarithmic ? 0 : 0.06, !panel.logarithmic && !panel.free_zero),
+          with_room(right, 0.06, true), !right.empty()};
 }
 
-ChartPage::~ChartPage() {
-  window_->RemoveRenderer(renderer_);
+PanelTicks ticks_of(const Panel& panel, const PanelRanges& ranges, double width, double height) {
+  const double rows = height / 60;
+  PanelTicks ticks{ticks_of(ranges.x, width / 130, false, false),
+                   ticks_of(ranges.left, rows, panel.logarithmic, panel.whole_numbers),
+                   {}};
+  if (ranges.has_right) ticks.right = ticks_of(ranges.right, rows, false, false);
+  return ticks;
 }
 
-std::vector<Point> ChartPage::placed(const std::vector<Point>& points) const {
-  std::vector<Point> drawn;
-  drawn.reserve(points.size());
-  for (const Point& point : points) drawn.push_back({point.x * pixels_, (height_ - point.y) * pixels_});
-  return drawn;
+std::vector<Point> curve_of(const Panel& panel, const ChartSeries& series, const PanelRanges& ranges) {
+  const Range& range = series.right ? ranges.right : ranges.left;
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < series.x.size() && i < series.y.size(); ++i) {
+    const double value = drawn_value(series.y[i], panel.logarithmic && !series.right);
+    if (!std::isfinite(series.x[i]) || !std::isfinite(value)) continue;
+    const Point point{ranges.x.share(series.x[i]), range.share(value)};
+    if (series.stepped && !points.empty() && points.back().y != point.y)
+      points.push_back({point.x, points.back().y});
+    points.push_back(point);
+  }
+  return series.dots ? points : thinned(points);
 }
+
+ChartPage::ChartPage(OffscreenWindow* window, double page_height, int pixels)
+    : scale_(pixels / width),
+      page_(window, pixels, static_cast<int>(std::lround(page_height * scale_)), pixels <= 2700 ? 3 : 2) {}
 
 void ChartPage::line(const std::vector<Point>& points, double thickness, Colour colour) {
-  if (points.size() > 1) shapes_->add_line(placed(points), thickness * pixels_, colour);
+  for (std::size_t i = 1; i < points.size(); ++i)
+    page_.line(points[i - 1].x * scale_, points[i - 1].y * scale_, points[i].x * scale_, points[i].y * scale_,
+               thickness * scale_, colour);
 }
 
 void ChartPage::polygon(const std::vector<Point>& corners, Colour fill) {
-  shapes_->add_polygon(placed(corners), fill);
+  std::vector<Point> placed;
+  placed.reserve(corners.size());
+  for (const Point& corner : corners) placed.push_back({corner.x * scale_, corner.y * scale_});
+  page_.polygon(placed, fill);
 }
 
 void ChartPage::dot(Point centre, double radius, Colour colour) {
@@ -70,54 +150,54 @@ void ChartPage::dot(Point centre, double radius, Colour colour) {
   polygon(corners, colour);
 }
 
-void ChartPage::text(double x, double y, const std::string& content, const TextStyle& style) {
-  if (content.empty()) return;
-  auto property = vtkSmartPointer<vtkTextProperty>::New();
-  set_font(property, style.bold, style.size * pixels_, style.colour);
-  property->SetVerticalJustificationToBottom();
-  if (style.align == Align::centre) property->SetJustificationToCentered();
-  if (style.align == Align::right) property->SetJustificationToRight();
-  if (style.upwards) property->SetOrientation(90.0);
-  shapes_->add_text({x * pixels_, (height_ - y) * pixels_}, content, property);
+void ChartPage::text(double x, double y, const std::string& content, TextStyle style) {
+  constexpr double descent = 0.236;  // of the em, below the baseline: `y` is the lower edge of the letters
+  style.size *= scale_;
+  page_.text(x * scale_, y * scale_ - descent * style.size, content, style);
 }
 
-double ChartPage::text_width(const std::string& content, const TextStyle& style) const {
-  vtkNew<vtkTextProperty> property;
-  set_font(property, style.bold, style.size * pixels_, style.colour);
-  int bounds[4] = {0, 0, 0, 0};
-  vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
-  if (content.empty() || renderer == nullptr ||
-      !renderer->GetBoundingBox(property, content, bounds, text_resolution)) {
-    return 0.6 * style.size * static_cast<double>(content.size());
-  }
-  return (bounds[1] - bounds[0] + 1) / pixels_;
+double ChartPage::text_width(const std::string& content, TextStyle style) const {
+  style.size *= scale_;
+  return page_.text_width(content, style) / scale_;
 }
 
 void ChartPage::panel(const Box& box, const Panel& panel) {
-  const Box drawn = {box.left * pixels_, (height_ - box.bottom()) * pixels_, box.width * pixels_,
-                     box.height * pixels_};
   const PanelRanges ranges = ranges_of(panel);
-  const PanelTicks ticks = ticks_of(panel, ranges, box.width, box.height);
-  sheet_->AddItem(make_chart(drawn, ranges, ticks, pixels_));
-  put_grid(box, ranges, ticks);
+  put_axes(box, ranges, ticks_of(panel, ranges, box.width, box.height));
   put_curves(box, panel, ranges);
   put_names(box, panel);
 }
 
-// Faint lines at the ticks, but where an axis is.
-void ChartPage::put_grid(const Box& box, const PanelRanges& ranges, const PanelTicks& ticks) {
-  constexpr double thickness = 1.2;
+// Lines at the left, below and, if it has one, at the right, with ticks outwards; faint ones across at the ticks, but where
+// an axis is.
+void ChartPage::put_axes(const Box& box, const PanelRanges& ranges, const PanelTicks& ticks) {
+  constexpr double thickness = 1.6, faint = 1.2, length = 6, gap = 9, rise = 9.5;
   const auto apart = [](double share) { return share > 1e-3 && share < 1 + 1e-9; };
+  TextStyle style{18, palette().ink, false, Align::centre};
   for (const Tick& tick : ticks.x) {
     const double x = box.left + box.width * ranges.x.share(tick.value);
-    if (apart(ranges.x.share(tick.value)))
-      line({{x, box.bottom() - 1}, {x, box.top}}, thickness, palette().grid);
+    if (apart(ranges.x.share(tick.value))) line({{x, box.bottom() - 1}, {x, box.top}}, faint, palette().grid);
+    line({{x, box.bottom()}, {x, box.bottom() + length}}, thickness, palette().frame);
+    text(x, box.bottom() + 27, tick.text, style);
   }
+  const auto upright = [&](double side, double out, const Range& range, const std::vector<Tick>& marks) {
+    for (const Tick& tick : marks) {
+      const double y = box.bottom() - box.height * range.share(tick.value);
+      line({{side, y}, {side + out * length, y}}, thickness, palette().frame);
+      text(side + out * gap, y + rise, tick.text, style);
+    }
+    line({{side, box.bottom()}, {side, box.top}}, thickness, palette().frame);
+  };
   for (const Tick& tick : ticks.left) {
     const double y = box.bottom() - box.height * ranges.left.share(tick.value);
     if (apart(ranges.left.share(tick.value)))
-      line({{box.left + 1, y}, {box.right(), y}}, thickness, palette().grid);
+      line({{box.left + 1, y}, {box.right(), y}}, faint, palette().grid);
   }
+  style.align = Align::right;
+  upright(box.left, -1, ranges.left, ticks.left);
+  style.align = Align::left;
+  if (ranges.has_right) upright(box.right(), 1, ranges.right, ticks.right);
+  line({{box.left, box.bottom()}, {box.right(), box.bottom()}}, thickness, palette().frame);
 }
 
 // Error bars, or the band they would make, below the curve itself.
@@ -195,43 +275,18 @@ void ChartPage::put_names(const Box& box, const Panel& panel) {
   }
 }
 
-void ChartPage::render() {
-  if (shapes_->GetScene() == nullptr) sheet_->AddItem(shapes_);  // last: over the charts
-  window_->SetDPI(text_resolution);
-  window_->Render();
-}
-
-Image ChartPage::draw(int factor) {
-  const int* size = window_->GetSize();
-  Image image =
-      drawn_in_bands(window_, size[0] / factor, size[1] / factor, factor, [&](const PageBand& band) {
-        sheet_->Identity();
-        sheet_->Translate(0.0F, static_cast<float>(-band.bottom * factor));
-        render();
-      });
-  sheet_->Identity();
-  return image;
-}
-
-void ChartPage::write_svg(const std::filesystem::path& path, const std::string& title) {
-  render();
-  vtkNew<vtkSVGExporter> exporter;
-  exporter->SetRenderWindow(window_);
-  exporter->SetActiveRenderer(renderer_);
-  exporter->SetFileName(path.c_str());
-  exporter->SetTitle(title.c_str());
-  exporter->SetDescription("Made by hfrac");
-  exporter->Write();
-}
-
-void ChartPage::write_pdf(const std::filesystem::path& path, const std::string& title) {
-  render();
-  vtkNew<vtkPDFExporter> exporter;
-  exporter->SetRenderWindow(window_);
-  exporter->SetActiveRenderer(renderer_);
-  exporter->SetFileName(path.c_str());
-  exporter->SetTitle(title.c_str());
-  exporter->Write();
+void write_page(const std::filesystem::path& target, const PageContent& content, OffscreenWindow* window,
+                const PagePixels& pixels) {
+  const std::string ending = picture_ending(target);
+  const bool png = ending == ".png";
+  VtkMessages messages;
+  ChartPage page(window, content.height, png ? pixels.width : static_cast<int>(ChartPage::width));
+  content.fill(page);
+  constexpr int points_per_inch = 72;  // a unit of a PDF page is a point
+  const auto bytes =
+      page_content(page.page(), ending, content.title, png ? pixels.dots_per_inch : points_per_inch);
+  messages.demand_none();
+  write_whole(target, bytes);
 }
 
 }  // namespace hfrac::viz

@@ -1,32 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A page of charts: panels of VTK charts with shapes and text around them, as pixels or as SVG or PDF.
+// A page of charts: panels with shapes and text around them, drawn on a page as every picture is.
 //
-// Everything on it is in one 2-D scene, because that is what VTK's vector exporters understand. Places are in
-// units of 1/1600 of the page's width, x to the right, y DOWN from the top left corner; a page is
+// Places are in units of 1/1600 of the page's width, x to the right, y DOWN from the top left corner; a page is
 // `page_height` of them high.
 #pragma once
 
-#include <vtkChartXY.h>
-#include <vtkContextActor.h>
-#include <vtkContextTransform.h>
-#include <vtkRenderer.h>
-#include <vtkSmartPointer.h>
-
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "image.h"
 #include "number_text.h"
 #include "offscreen_window.h"
 #include "page.h"
 
 namespace hfrac::viz {
 
-class ShapeItem;
-struct PanelRanges;
-struct PanelTicks;
+// A panel of a page of charts in numbers: what its axes show, their round ticks, and where its curves run.
 
 // A line of a panel: points, and how they are joined.
 struct ChartSeries {
@@ -54,46 +45,74 @@ struct Panel {
   std::optional<Extent> shown = {};  // what the axes end at, as it stands; otherwise as the series ask
 };
 
+struct Range {
+  double lowest = 0;
+  double highest = 0;
+  double share(double value) const { return (value - lowest) / (highest - lowest); }
+};
+
+// What the axes of a panel show; values on a logarithmic axis are their logarithms.
+struct PanelRanges {
+  Range x;
+  Range left;
+  Range right;
+  bool has_right = false;
+};
+PanelRanges ranges_of(const Panel& panel);
+
+// Values on the axes with their texts.
+struct PanelTicks {
+  std::vector<Tick> x;
+  std::vector<Tick> left;
+  std::vector<Tick> right;
+};
+// `width`, `height`: of the plot in units of the page.
+PanelTicks ticks_of(const Panel& panel, const PanelRanges& ranges, double width, double height);
+
+// The points of a series as shares of the plot's width and height; what cannot be shown is left out, a
+// stepped series gets its corners, and of very many points those are kept that can be told apart.
+std::vector<Point> curve_of(const Panel& panel, const ChartSeries& series, const PanelRanges& ranges);
+
 class ChartPage {
  public:
-  // `pixels`: drawn pixels per unit.
-  ChartPage(OffscreenWindow* window, double page_height, double pixels);
-  ~ChartPage();
-  ChartPage(const ChartPage&) = delete;
-  ChartPage& operator=(const ChartPage&) = delete;
+  // `pixels`: width of the finished page.
+  ChartPage(OffscreenWindow* window, double page_height, int pixels);
 
   static constexpr double width = 1600;
-  double height() const { return height_; }
+  Page& page() { return page_; }
 
   // `box` is the plot itself; title and names stand above it, ticks and labels around it.
   void panel(const Box& box, const Panel& panel);
   void line(const std::vector<Point>& points, double thickness, Colour colour);
   void dot(Point centre, double radius, Colour colour);
   void polygon(const std::vector<Point>& corners, Colour fill);
-  void text(double x, double y, const std::string& content, const TextStyle& style);
-  double text_width(const std::string& content, const TextStyle& style) const;
-
-  // The page's pixels, each the mean of `factor` x `factor` drawn ones.
-  Image draw(int factor);
-  void write_svg(const std::filesystem::path& path, const std::string& title);
-  void write_pdf(const std::filesystem::path& path, const std::string& title);
+  // x: the start (middle, end) of the text; y: the lower edge of its letters, g and p included.
+  void text(double x, double y, const std::string& content, TextStyle style);
+  double text_width(const std::string& content, TextStyle style) const;
 
  private:
   void put_spread(const Box& box, const Panel& panel, const ChartSeries& series, const PanelRanges& ranges);
-  void put_grid(const Box& box, const PanelRanges& ranges, const PanelTicks& ticks);
+  void put_axes(const Box& box, const PanelRanges& ranges, const PanelTicks& ticks);
   void put_curves(const Box& box, const Panel& panel, const PanelRanges& ranges);
   void put_names(const Box& box, const Panel& panel);
-  void render();
 
-  OffscreenWindow* window_;
-  double height_;
-  double pixels_;
-  vtkSmartPointer<vtkRenderer> renderer_;
-  vtkSmartPointer<vtkContextActor> actor_;
-  vtkSmartPointer<vtkContextTransform> sheet_;  // holds the charts and, over them, the shapes
-  vtkSmartPointer<ShapeItem> shapes_;
-
-  std::vector<Point> placed(const std::vector<Point>& points) const;
+  double scale_;  // pixels of a unit
+  Page page_;
 };
+
+struct PageContent {
+  std::string title;  // of the document
+  double height = 0;  // of the page, in its units
+  std::function<void(ChartPage&)> fill;
+};
+
+struct PagePixels {
+  int width = 1600;
+  int dots_per_inch = 0;  // noted in the file, 0: not
+};
+
+// Into a PNG file of that many pixels, or an SVG or PDF file. Throws Failure(HFRAC_ERR_ARGUMENT) for any other ending.
+void write_page(const std::filesystem::path& target, const PageContent& content, OffscreenWindow* window,
+                const PagePixels& pixels);
 
 }  // namespace hfrac::viz

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "chart_page.h"
 #include "hfrac/viz.h"
@@ -50,5 +52,13 @@ void put_ring(ChartPage& page, Point centre, double radius, double thickness, Co
 void put_heading(ChartPage& page, const std::string& title, const std::string& second_line);
 // The run's title and what the page shows, at the top.
 void put_heading(ChartPage& page, const RunFolder& run, const std::string& what);
+
+// What both kinds of events, single cracks and those of the catalogue, are plotted as: strength over time, and how many
+// are at least as strong, with the line log10 N = a - b M of Gutenberg and Richter.
+// Dots of magnitudes, a series for each kind of event; a kind without any is left out.
+Panel course_panel(std::vector<ChartSeries> kinds);
+
+// The number of events over the magnitude, and the law's line if there are events enough to tell it.
+Panel frequency_panel(const std::string& title, std::vector<double> magnitudes);
 
 }  // namespace hfrac::viz

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "colour.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,57 +10,38 @@
 namespace hfrac::viz {
 namespace {
 
-constexpr std::array<Colour, 9> blue_to_yellow = {{{54, 36, 98},
-                                                   {58, 68, 128},
-                                                   {50, 98, 140},
-                                                   {40, 126, 142},
-                                                   {36, 152, 136},
-                                                   {62, 180, 116},
-                                                   {122, 202, 84},
-                                                   {190, 220, 60},
-                                                   {250, 232, 60}}};
+// 0xrrggbb
+constexpr Colour colour(std::uint32_t code) {
+  return {static_cast<std::uint8_t>(code >> 16U), static_cast<std::uint8_t>(code >> 8U & 255U),
+          static_cast<std::uint8_t>(code & 255U)};
+}
+
+template <std::size_t count>
+constexpr std::array<Colour, count> colours(const std::uint32_t (&codes)[count]) {
+  std::array<Colour, count> all{};
+  for (std::size_t i = 0; i < count; ++i) all[i] = colour(codes[i]);
+  return all;
+}
+
+constexpr auto blue_to_yellow =
+    colours({0x362462, 0x3a4480, 0x32628c, 0x287e8e, 0x249888, 0x3eb474, 0x7aca54, 0xbedc3c, 0xfae83c});
 
 // On light grey discs: narrow is amber, wide nearly black.
-constexpr std::array<Colour, 7> amber_to_black = {{{250, 178, 60},
-                                                   {242, 136, 44},
-                                                   {222, 92, 52},
-                                                   {188, 54, 84},
-                                                   {140, 34, 104},
-                                                   {84, 18, 100},
-                                                   {22, 10, 50}}};
+constexpr auto amber_to_black =
+    colours({0xfab23c, 0xf2882c, 0xde5c34, 0xbc3654, 0x8c2268, 0x541264, 0x160a32});
 
 // On dark discs the other way round: narrow is violet, wide nearly white.
-constexpr std::array<Colour, 7> violet_to_white = {{{126, 60, 170},
-                                                    {170, 62, 160},
-                                                    {210, 72, 130},
-                                                    {238, 100, 92},
-                                                    {250, 146, 70},
-                                                    {253, 196, 96},
-                                                    {255, 244, 190}}};
+constexpr auto violet_to_white =
+    colours({0x7e3caa, 0xaa3ea0, 0xd24882, 0xee645c, 0xfa9246, 0xfdc460, 0xfff4be});
 
-constexpr std::array<Colour, 7> indigo_to_cream = {{{38, 26, 86},
-                                                    {84, 38, 126},
-                                                    {136, 50, 132},
-                                                    {188, 66, 116},
-                                                    {230, 100, 88},
-                                                    {250, 156, 90},
-                                                    {254, 226, 150}}};
+constexpr auto indigo_to_cream =
+    colours({0x261a56, 0x54267e, 0x883284, 0xbc4274, 0xe66458, 0xfa9c5a, 0xfee296});
 
-constexpr std::array<Colour, 7> blue_grey_red = {{{16, 66, 150},
-                                                  {66, 124, 196},
-                                                  {150, 186, 222},
-                                                  {232, 232, 232},
-                                                  {240, 176, 140},
-                                                  {212, 100, 68},
-                                                  {142, 20, 36}}};
+constexpr auto blue_grey_red =
+    colours({0x104296, 0x427cc4, 0x96bade, 0xe8e8e8, 0xf0b08c, 0xd46444, 0x8e1424});
 
-constexpr std::array<Colour, 7> blue_dark_red = {{{150, 206, 255},
-                                                  {80, 150, 230},
-                                                  {46, 92, 150},
-                                                  {58, 60, 66},
-                                                  {160, 70, 52},
-                                                  {236, 116, 76},
-                                                  {255, 198, 150}}};
+constexpr auto blue_dark_red =
+    colours({0x96ceff, 0x5096e6, 0x2e5c96, 0x3a3c42, 0xa04634, 0xec744c, 0xffc696});
 
 const ColourMap dark_on_light(amber_to_black);
 const ColourMap light_on_dark(violet_to_white);
@@ -103,6 +86,10 @@ const Palette& dark_palette() {
 
 const Palette& palette() {
   return *in_force;
+}
+
+std::string hexadecimal(Colour colour) {
+  return fmt::format("#{:02x}{:02x}{:02x}", colour.red, colour.green, colour.blue);
 }
 
 Colour mixed(Colour from, Colour to, double share) {

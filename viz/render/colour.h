@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 
 namespace hfrac::viz {
 
@@ -19,6 +20,8 @@ struct Colour {
 
 class ColourMap;
 
+// "#rrggbb"
+std::string hexadecimal(Colour colour);
 // From `from` (share 0) to `to` (share 1).
 Colour mixed(Colour from, Colour to, double share);
 

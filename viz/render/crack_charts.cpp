@@ -7,13 +7,11 @@
 #include <numbers>
 
 #include "charts.h"
-#include "magnitudes.h"
 
 namespace hfrac::viz {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double millimetres_per_metre = 1e3;
 
 struct LoggedCrack {
   Point place;
@@ -223,6 +221,7 @@ struct Profile {
   explicit Profile(const ChartData& data) {
     const std::vector<LoggedCrack> cracks = logged_cracks(*data.cracks);
     std::vector<FromWell> places;
+    places.reserve(cracks.size());
     for (const LoggedCrack& crack : cracks) places.push_back(from_well(crack, *data.run));
     wings = wing_directions(places);
     const bool apart = wings.size() > 2;
@@ -258,16 +257,19 @@ constexpr double wing_height = 450;  // of a panel for a wing with what stands a
 
 double profile_height(const ChartData& data) {
   const std::size_t panels = Profile(data).panels.size();
-  return panels > 1 ? 130 + wing_height * static_cast<double>((panels + 1) / 2) : 840;
+  const std::size_t rows = (panels + 1) / 2;
+  return panels > 1 ? 130 + wing_height * static_cast<double>(rows) : 840;
 }
 
 void fill_profile(ChartPage& page, const ChartData& data) {
   const Profile profile(data);
   put_heading(page, *data.run, "Aperture along the fracture");
   if (profile.panels.size() == 1) return page.panel({130, 200, 1420, 520}, profile.panels.front());
-  for (std::size_t k = 0; k < profile.panels.size(); ++k)
-    page.panel({k % 2 == 0 ? 130.0 : 950.0, 220 + wing_height * static_cast<double>(k / 2), 600, 260},
+  for (std::size_t k = 0; k < profile.panels.size(); ++k) {
+    const std::size_t row = k / 2;
+    page.panel({k % 2 == 0 ? 130.0 : 950.0, 220 + wing_height * static_cast<double>(row), 600, 260},
                profile.panels[k]);
+  }
 }
 
 void fill_events(ChartPage& page, const ChartData& data) {

@@ -14,11 +14,20 @@
 namespace hfrac::viz {
 namespace {
 
-constexpr double pascal_per_megapascal = 1e6;
-constexpr double millimetres_per_metre = 1e3;
+// In the column: a colour bar below its label of `head` [unit], and a legend at the foot.
+void draw_scale(Sheet& sheet, const ColourMap& map, double lowest, double highest, const std::string& label,
+                const std::string& second_label, double head, const std::vector<LegendEntry>& entries) {
+  const double unit = sheet.unit;
+  const double legend_height = 44 * unit * static_cast<double>(entries.size());
+  const double top = sheet.column_top + head * unit;
+  const double room = sheet.column_bottom - top - legend_height - 60 * unit;
+  draw_colour_bar(sheet.page, unit,
+                  {sheet.column_left, top, 44 * unit, std::clamp(room, 80 * unit, 900 * unit)}, map, lowest,
+                  highest, label, second_label);
+  draw_legend(sheet.page, unit, sheet.column_left, sheet.column_bottom - legend_height, entries);
+}
 
 }  // namespace
-
 std::string moment_text(const HistoryPoint& point) {
   std::string text = "t = " + time_text(point.moment.time);
   if (point.moment.step >= 0) text = "step " + count_text(point.moment.step) + ", " + text;
@@ -55,18 +64,11 @@ void pressure_picture(const Studio& studio, const Scene& scene, const PageSink& 
   sheet.view.renderer->AddActor(well_rings(scene.flow, studio.run->wells, sheet.metres(1.6), palette().well));
   draw_sheet_title(sheet, *studio.run, "Fluid pressure: " + moment_text(scene.point));
   draw_axes(sheet.page, sheet.unit, sheet.view);
-  const double unit = sheet.unit;
-  const double legend_height = 3 * 44 * unit;
-  const Box bar{sheet.column_left, sheet.column_top + 76 * unit, 44 * unit,
-                std::max(80.0 * unit, std::min(900 * unit, sheet.column_bottom - sheet.column_top -
-                                                               76 * unit - legend_height - 60 * unit))};
-  draw_colour_bar(sheet.page, unit, bar, pressure_map, lowest / pascal_per_megapascal,
-                  highest / pascal_per_megapascal, "fluid pressure (MPa)",
-                  studio.run->net_pressures ? "above the formation's" : "");
-  draw_legend(sheet.page, unit, sheet.column_left, sheet.column_bottom - legend_height,
-              {{Sign::band, palette().tension, {}, "crack, tension"},
-               {Sign::band, palette().shear, {}, "crack, shear"},
-               {Sign::line, palette().well, {}, "wellbore"}});
+  draw_scale(sheet, pressure_map, lowest / pascal_per_megapascal, highest / pascal_per_megapascal,
+             "fluid pressure (MPa)", studio.run->net_pressures ? "above the formation's" : "", 76,
+             {{Sign::band, palette().tension, {}, "crack, tension"},
+              {Sign::band, palette().shear, {}, "crack, shear"},
+              {Sign::line, palette().well, {}, "wellbore"}});
   sink(sheet.page);
 }
 
@@ -87,16 +89,10 @@ void aperture_picture(const Studio& studio, const Scene& scene, const PageSink& 
                        counted(scene.point.cracks(), "crack") +
                        (widest > 0 ? ", widest " + value_text(widest * millimetres_per_metre) + " mm" : ""));
   draw_axes(sheet.page, sheet.unit, sheet.view);
-  const double unit = sheet.unit;
-  const double legend_height = 2 * 44 * unit;
-  const Box bar{sheet.column_left, sheet.column_top + 46 * unit, 44 * unit,
-                std::max(80.0 * unit, std::min(900 * unit, sheet.column_bottom - sheet.column_top -
-                                                               46 * unit - legend_height - 60 * unit))};
-  draw_colour_bar(sheet.page, unit, bar, *palette().narrow, 0,
-                  widest > 0 ? widest * millimetres_per_metre : 1.0, "aperture (mm)", "");
-  draw_legend(sheet.page, unit, sheet.column_left, sheet.column_bottom - legend_height,
-              {{Sign::disc, palette().quiet_disc, palette().quiet_disc_rim, "disc"},
-               {Sign::hole, palette().well, {}, "wellbore"}});
+  draw_scale(sheet, *palette().narrow, 0, widest > 0 ? widest * millimetres_per_metre : 1.0, "aperture (mm)",
+             "", 46,
+             {{Sign::disc, palette().quiet_disc, palette().quiet_disc_rim, "disc"},
+              {Sign::hole, palette().well, {}, "wellbore"}});
   sink(sheet.page);
 }
 

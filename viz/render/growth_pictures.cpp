@@ -5,7 +5,6 @@
 
 #include "disc_detail.h"
 #include "failure.h"
-#include "growth_layers.h"
 #include "layers.h"
 #include "number_text.h"
 #include "pictures.h"
@@ -13,8 +12,6 @@
 
 namespace hfrac::viz {
 namespace {
-
-constexpr double pascal_per_megapascal = 1e6;
 
 std::vector<LegendEntry> growth_legend(bool bonds) {
   std::vector<LegendEntry> entries = {{Sign::disc, palette().disc, palette().disc_rim, "disc"}};

@@ -11,9 +11,7 @@
 namespace hfrac::viz {
 namespace {
 
-constexpr double pascal_per_megapascal = 1e6;
 constexpr double joule_per_megajoule = 1e6;
-constexpr double millimetres_per_metre = 1e3;
 
 // The unit of time that keeps the axis short.
 struct TimeUnit {
@@ -160,8 +158,8 @@ void fill_history(ChartPage& page, const ChartData& data) {
                                        energy_panel(plot)};
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const double left = i % 2 == 0 ? 120 : 926;
-    const double top = 210 + 410 * static_cast<double>(i / 2);
-    page.panel({left, top, 554, 256}, panels[i]);
+    const std::size_t row = i / 2;
+    page.panel({left, 210 + 410 * static_cast<double>(row), 554, 256}, panels[i]);
   }
 }
 

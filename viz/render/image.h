@@ -21,4 +21,9 @@ struct Image {
 // mean of factor x factor drawn ones, which smooths every edge alike, discs and text included.
 Image reduced(const std::uint8_t* bottom_up_rgb, int width, int height, int factor);
 
+// A picture as the content of a PNG file.
+
+// dots_per_inch: how large it is on paper, 0: not said.
+std::vector<std::uint8_t> png(const Image& image, int dots_per_inch = 0);
+
 }  // namespace hfrac::viz

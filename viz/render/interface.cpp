@@ -10,16 +10,16 @@
 #include "failure.h"
 #include "guarded_call.h"
 #include "hfrac/viz.h"
-#include "history.h"
+#include "movie_file.h"
 #include "offscreen_window.h"
 #include "options.h"
 #include "paraview_script.h"
 #include "render_run.h"
 #include "report.h"
 #include "run/run_folder.hpp"
-#include "video_encoder.h"
+#include "snapshot.h"
+#include "view_layers.h"
 #include "view_page.h"
-#include "view_spec.h"
 
 using namespace hfrac::viz;
 
@@ -38,6 +38,7 @@ std::vector<ViewSpec> specs_of(const char* const* views, std::int32_t count) {
   if (views == nullptr) fail_argument("views is NULL");
   check_range("view_count", count, 1, most_views);
   std::vector<ViewSpec> specs;
+  specs.reserve(static_cast<std::size_t>(count));
   for (std::int32_t i = 0; i < count; ++i)
     specs.push_back(view_named(required_text(views[i], "a view's name")));
   return specs;

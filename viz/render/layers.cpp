@@ -2,19 +2,27 @@
 #include "layers.h"
 
 #include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPointGaussianMapper.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "mesh.h"
 
 namespace hfrac::viz {
+
 namespace {
 
 bool has_well_domain(const Flow& flow) {
@@ -31,7 +39,7 @@ std::span<const Point> corners_of(const Flow& flow, const Domain& domain) {
 vtkSmartPointer<vtkActor> bond_layer(std::span<const Segment> bonds, Colour colour, double width) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
-  points->SetNumberOfPoints(static_cast<vtkIdType>(2 * bonds.size()));
+  points->SetNumberOfPoints(2 * static_cast<vtkIdType>(bonds.size()));
   vtkIdType next = 0;
   for (const Segment& bond : bonds) {
     lines->InsertNextCell(2);
@@ -142,6 +150,129 @@ vtkSmartPointer<vtkActor> well_rings(const Flow& flow, std::span<const WellPlace
     }
   }
   return mesh.actor(depth::rings);
+}
+
+// Layers whose bands say something by colour or width: force chains, cracks by their age, bonds by anything.
+
+vtkSmartPointer<vtkActor> force_layer(std::span<const BondForce> bonds, double largest, double half_width) {
+  constexpr double weakest = 0.02;  // of the largest
+  std::vector<BondForce> by_force;
+  for (const BondForce& bond : bonds) {
+    if (std::fabs(bond.normal) > weakest * largest) by_force.push_back(bond);
+  }
+  // Strong over weak, so that chains are not cut.
+  std::stable_sort(by_force.begin(), by_force.end(), [](const BondForce& a, const BondForce& b) {
+    return std::fabs(a.normal) < std::fabs(b.normal);
+  });
+  Mesh mesh;
+  for (const BondForce& bond : by_force) {
+    const double half = half_width * std::min(1.0, std::fabs(bond.normal) / largest);
+    mesh.band(bond.line, half, half / 2, bond.normal > 0 ? palette().pull : palette().push);
+  }
+  return mesh.actor(depth::bonds);
+}
+
+vtkSmartPointer<vtkActor> coloured_cracks(std::span<const Crack> cracks, std::span<const Colour> colours,
+                                          double half_width) {
+  Mesh mesh;
+  for (const Crack& crack : cracks) {
+    if (crack.cell < colours.size()) mesh.band(crack.line, half_width, half_width / 2, colours[crack.cell]);
+  }
+  return mesh.actor(depth::cracks);
+}
+
+vtkSmartPointer<vtkActor> coloured_bonds(std::span<const Segment> bonds, std::span<const Colour> colours,
+                                         double half_width) {
+  Mesh mesh;
+  for (std::size_t i = 0; i < bonds.size() && i < colours.size(); ++i) {
+    mesh.band(bonds[i], half_width, half_width / 2, colours[i]);
+  }
+  return mesh.actor(depth::bonds);
+}
+
+// Discs by vtkPointGaussianMapper: one triangle per disc, and a few lines of shader that keep its round part
+// and darken its rim. Ten thousand discs cost as much as a few hundred polygons would.
+
+namespace {
+
+std::string shader_colour(Colour colour) {
+  const auto part = [](std::uint8_t value) { return std::to_string(value) + ".0"; };
+  return "vec3(" + part(colour.red) + ", " + part(colour.green) + ", " + part(colour.blue) + ") / 255.0";
+}
+
+// offsetVCVSOutput is the place in the disc in units of its radius. The rim is about two drawn pixels wide,
+// at most a quarter of the radius, and fades out where discs are only a few pixels large.
+std::string disc_shader(const std::string& fill, const std::string& rim) {
+  return "//VTK::Color::Impl\n"
+         "float discRadius = length(offsetVCVSOutput.xy);\n"
+         "float discPixel = max(fwidth(discRadius), 1e-6);\n"
+         "if (discRadius > 1.0) discard;\n"
+         "float discRimWidth = min(2.0 * discPixel, 0.25);\n"
+         "float discRim = smoothstep(1.0 - discRimWidth - discPixel, 1.0 - discRimWidth, discRadius);\n"
+         "discRim *= clamp((1.0 / discPixel - 2.0) / 4.0, 0.0, 1.0);\n"
+         "vec3 discFill = " +
+         fill +
+         ";\n"
+         "ambientColor = vec3(0.0);\n"
+         "diffuseColor = mix(discFill, " +
+         rim + ", discRim);\n";
+}
+
+vtkSmartPointer<vtkPolyData> disc_cloud(const Discs& discs, double pixel) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkDoubleArray> radius;
+  radius->SetName("radius");
+  points->SetNumberOfPoints(static_cast<vtkIdType>(discs.discs.size()));
+  radius->SetNumberOfTuples(static_cast<vtkIdType>(discs.discs.size()));
+  for (std::size_t i = 0; i < discs.discs.size(); ++i) {
+    const Disc& disc = discs.discs[i];
+    points->SetPoint(static_cast<vtkIdType>(i), disc.centre.x, disc.centre.y, 0.0);
+    radius->SetValue(static_cast<vtkIdType>(i), std::max(disc.radius, pixel));
+  }
+  auto cloud = vtkSmartPointer<vtkPolyData>::New();
+  cloud->SetPoints(points);
+  cloud->GetPointData()->AddArray(radius);
+  return cloud;
+}
+
+vtkSmartPointer<vtkActor> disc_actor(vtkPolyData* cloud, const std::string& shader, bool own_colours) {
+  vtkNew<vtkPointGaussianMapper> mapper;
+  mapper->SetInputData(cloud);
+  mapper->SetScaleArray("radius");
+  mapper->SetScaleFactor(1.0);
+  mapper->EmissiveOff();
+  mapper->SetTriangleScale(1.0F);
+  mapper->SetScalarVisibility(own_colours ? 1 : 0);
+  mapper->SetSplatShaderCode(shader.c_str());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->SetPosition(0.0, 0.0, depth::discs);
+  return actor;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkActor> disc_layer(const Discs& discs, Colour fill, Colour rim, double pixel) {
+  auto actor =
+      disc_actor(disc_cloud(discs, pixel), disc_shader(shader_colour(fill), shader_colour(rim)), false);
+  // The shader knows its colours; these are for whoever writes the page as vectors.
+  actor->GetProperty()->SetColor(fill.red / 255.0, fill.green / 255.0, fill.blue / 255.0);
+  actor->GetProperty()->SetEdgeColor(rim.red / 255.0, rim.green / 255.0, rim.blue / 255.0);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> disc_layer(const Discs& discs, std::span<const Colour> fills, double pixel) {
+  const vtkSmartPointer<vtkPolyData> cloud = disc_cloud(discs, pixel);
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  colours->SetNumberOfTuples(static_cast<vtkIdType>(discs.discs.size()));
+  for (std::size_t i = 0; i < discs.discs.size() && i < fills.size(); ++i) {
+    const std::array<unsigned char, 3> rgb = {fills[i].red, fills[i].green, fills[i].blue};
+    colours->SetTypedTuple(static_cast<vtkIdType>(i), rgb.data());
+  }
+  cloud->GetPointData()->SetScalars(colours);
+  return disc_actor(cloud, disc_shader("diffuseColor", "discFill * 0.82"), true);
 }
 
 }  // namespace hfrac::viz

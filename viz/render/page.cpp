@@ -1,19 +1,83 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "page.h"
 
+#include <unistd.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
 #include <vtkStdString.h>
 #include <vtkTextActor.h>
 #include <vtkTextRenderer.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
-#include "fonts.h"
+#include "failure.h"
+#include "image.h"
 #include "vector_page.h"
 
 namespace hfrac::viz {
+
+namespace {
+
+bool readable(const char* path) {
+  return path[0] != 0 && ::access(path, R_OK) == 0;
+}
+
+}  // namespace
+
+std::string font_file(bool bold) {
+  const char* file = bold && readable(HFRAC_VIZ_BOLD_FONT) ? HFRAC_VIZ_BOLD_FONT : HFRAC_VIZ_FONT;
+  return readable(file) ? file : "";
+}
+
+void set_font(vtkTextProperty* property, bool bold, double size, Colour colour) {
+  const std::string file = font_file(bold);
+  if (!file.empty()) {
+    property->SetFontFamily(VTK_FONT_FILE);
+    property->SetFontFile(file.c_str());
+    property->SetBold(0);
+  } else {  // VTK's own, without Greek letters
+    property->SetFontFamilyToArial();
+    property->SetBold(bold ? 1 : 0);
+  }
+  property->SetFontSize(std::max(4, static_cast<int>(std::lround(size))));
+  property->SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+}
+
+namespace {
+
+constexpr int drawn_at_once = 4'000'000;  // [drawn pixel]
+constexpr int fewest_rows = 64;           // [pixel]
+constexpr int margin = 8;                 // [pixel] OpenGL cuts thick lines off askew at the window's edge
+
+}  // namespace
+
+Image drawn_in_bands(OffscreenWindow* window, int width, int height, int factor,
+                     const std::function<void(const PageBand&)>& show) {
+  const int most = std::max(fewest_rows, drawn_at_once / (width * factor * factor));
+  const int count = (height + most - 1) / most;
+  const int rows = (height + count - 1) / count;
+  const int drawn_rows = rows + 2 * margin;
+  window->SetSize(width * factor, drawn_rows * factor);
+  Image image{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height * 3)};
+  vtkNew<vtkUnsignedCharArray> pixels;
+  for (int low = 0; low < height; low += rows) {
+    show({low - margin, drawn_rows});
+    const int read = window->GetPixelData(0, 0, width * factor - 1, drawn_rows * factor - 1, 1, pixels, 0);
+    if (read == VTK_ERROR ||
+        pixels->GetNumberOfValues() != vtkIdType{3} * width * factor * drawn_rows * factor) {
+      fail_drawing("the picture cannot be read back from the off-screen window");
+    }
+    const Image band = reduced(pixels->GetPointer(0), width, drawn_rows, factor);
+    const int wanted = std::min(rows, height - low);
+    const int first = margin + rows - wanted;
+    std::copy(band.row(first), band.row(first + wanted), image.row(height - low - wanted));
+  }
+  return image;
+}
+
 namespace {
 
 constexpr int largest_drawn = 16384;  // [pixel] OSMesa's largest framebuffer
@@ -36,11 +100,11 @@ void set_paper(vtkRenderer* renderer) {
 
 }  // namespace
 
-Page::Page(OffscreenWindow* window, int width, int height)
+Page::Page(OffscreenWindow* window, int width, int height, int factor)
     : window_(window),
       width_(width),
       height_(height),
-      factor_(2 * std::max(width, height) <= largest_drawn ? 2 : 1) {
+      factor_(std::clamp(largest_drawn / std::max(width, height), 1, factor)) {
   window_->SetNumberOfLayers(2);
   overlay_ = vtkSmartPointer<vtkRenderer>::New();
   overlay_->SetLayer(1);
@@ -89,6 +153,13 @@ void Page::outline(const Box& box, double width, Colour colour) {
 
 void Page::circle(double x, double y, double radius, Colour colour) {
   shapes_.circle(place(x, y), radius * factor_, colour);
+}
+
+void Page::polygon(const std::vector<Point>& corners, Colour colour) {
+  std::vector<Point> placed;
+  placed.reserve(corners.size());
+  for (const Point& corner : corners) placed.push_back(place(corner.x, corner.y));
+  shapes_.polygon(placed, colour);
 }
 
 vtkSmartPointer<vtkTextProperty> Page::text_property(const TextStyle& style) const {
@@ -166,6 +237,22 @@ Image Page::draw() {
     for (const Letters& one : letters_) one.actor->SetPosition(one.at.x, one.at.y - bottom);
     window_->Render();
   });
+}
+
+std::string picture_ending(const std::filesystem::path& target) {
+  std::string ending = target.extension().string();
+  if (ending != ".png" && ending != ".svg" && ending != ".pdf") {
+    fail_argument("'" + target.string() + "' ends neither in .png, .svg nor .pdf");
+  }
+  return ending;
+}
+
+std::vector<std::uint8_t> page_content(Page& page, const std::string& ending, const std::string& title,
+                                       int dots_per_inch) {
+  if (ending == ".pdf") return page.pdf(title, dots_per_inch);
+  if (ending == ".png") return png(page.draw(), dots_per_inch);
+  const std::string text = page.svg(title);
+  return {text.begin(), text.end()};
 }
 
 }  // namespace hfrac::viz

@@ -2,8 +2,8 @@
 // A page: views of the model and, over them, lines, boxes and text at places given in pixels.
 //
 // Places on the page are in pixels of the finished picture, x to the right, y DOWN from the top left corner.
-// The page is drawn twice as large in both directions and reduced (image.h); drawn_pixels says how many drawn
-// pixels one is.
+// The page is drawn two or three times as large in both directions and reduced (image.h); drawn_pixels says how many
+// drawn pixels one is.
 #pragma once
 
 #include <vtkRenderer.h>
@@ -12,15 +12,39 @@
 #include <vtkTextProperty.h>
 
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "bands.h"
+#include "colour.h"
 #include "image.h"
 #include "mesh.h"
 #include "offscreen_window.h"
 
 namespace hfrac::viz {
+
+// The letters of pictures and charts: DejaVu where it is installed, VTK's own otherwise.
+
+// The font's file; empty where there is none.
+std::string font_file(bool bold);
+
+// Makes a text property bold or not, `size` drawn pixels high, in a colour.
+void set_font(vtkTextProperty* property, bool bold, double size, Colour colour);
+
+// A page drawn band by band, each several times too large and reduced. The window's buffers take over 30 bytes per drawn
+// pixel; for a whole page at once the system takes longer to hand out that memory than the picture to draw.
+
+// Rows of the page, counted up from its lower edge; the outermost bands reach beyond the page.
+struct PageBand {
+  int bottom = 0;  // [pixel]
+  int rows = 0;    // [pixel]
+};
+
+// `show` arranges what is in the window so that it shows that band, `factor` drawn pixels to a pixel of the page, and
+// renders it.
+Image drawn_in_bands(OffscreenWindow* window, int width, int height, int factor,
+                     const std::function<void(const PageBand&)>& show);
 
 struct Box {
   double left = 0;
@@ -70,7 +94,8 @@ struct PageText {
 
 class Page {
  public:
-  Page(OffscreenWindow* window, int width, int height);
+  // `factor`: how many times larger it is drawn.
+  Page(OffscreenWindow* window, int width, int height, int factor = 2);
   ~Page();
   Page(const Page&) = delete;
   Page& operator=(const Page&) = delete;
@@ -85,6 +110,7 @@ class Page {
   void rectangle(const Box& box, Colour colour);
   void outline(const Box& box, double width, Colour colour);
   void circle(double x, double y, double radius, Colour colour);
+  void polygon(const std::vector<Point>& corners, Colour colour);
   // x, y: the start (middle, end) of the text's baseline.
   void text(double x, double y, const std::string& content, const TextStyle& style);
   // Width of a text in pixels.
@@ -118,5 +144,14 @@ class Page {
   std::vector<Letters> letters_;
   vtkSmartPointer<vtkRenderer> overlay_;
 };
+
+// A finished page as the content of a file: pixels, or circles, lines and letters; the ending of its name says which.
+
+// ".png", ".svg" or ".pdf". Throws Failure(HFRAC_ERR_ARGUMENT) for any other ending.
+std::string picture_ending(const std::filesystem::path& target);
+
+// `title`: of the document. dots_per_inch: how large a PNG or PDF is on paper, 0: not said (PDF: 96).
+std::vector<std::uint8_t> page_content(Page& page, const std::string& ending, const std::string& title,
+                                       int dots_per_inch);
 
 }  // namespace hfrac::viz

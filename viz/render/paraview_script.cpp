@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "paraview_script.h"
 
-#include <charconv>
+#include <fmt/format.h>
+
+#include <cmath>
 
 #include "colour.h"
 
 namespace hfrac::viz {
 namespace {
 
-std::string decimal(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  return {text, end};
-}
-
 std::string share(int part) {
-  return decimal(static_cast<int>(part / 255.0 * 1000 + 0.5) / 1000.0);
+  return fmt::to_string(static_cast<double>(std::lround(part / 255.0 * 1000)) / 1000);
 }
 
 std::string list_of(Colour colour) {
@@ -32,7 +28,7 @@ std::string points_of(const ColourMap& map, const char* from, const char* to) {
     const double place = static_cast<double>(i) / (count - 1);
     const Colour colour = map.at(place);
     text.append("    ").append(from).append(" + (").append(to).append(" - ").append(from).append(") * ");
-    text.append(decimal(place)).append(", ").append(share(colour.red)).append(", ");
+    text.append(fmt::to_string(place)).append(", ").append(share(colour.red)).append(", ");
     text.append(share(colour.green)).append(", ").append(share(colour.blue)).append(",\n");
   }
   return text;
@@ -174,8 +170,11 @@ elif TIMES:
 std::string paraview_script(const RunFolder& run) {
   const Palette& colours = light_palette();
   std::string text = script_head;
-  text.append("WIDTH, HEIGHT = ").append(decimal(run.model_width > 0 ? run.model_width : 100.0)).append(", ");
-  text.append(decimal(run.model_height > 0 ? run.model_height : 100.0)).append("  # m, of the model\n");
+  text.append("WIDTH, HEIGHT = ")
+      .append(fmt::to_string(run.model_width > 0 ? run.model_width : 100.0))
+      .append(", ");
+  text.append(fmt::to_string(run.model_height > 0 ? run.model_height : 100.0))
+      .append("  # m, of the model\n");
   const std::pair<const char*, Colour> named[] = {
       {"PAPER", colours.paper},     {"INK", colours.ink},     {"DISC", colours.disc}, {"BOND", colours.bond},
       {"TENSION", colours.tension}, {"SHEAR", colours.shear}, {"WELL", colours.well}};
@@ -183,8 +182,8 @@ std::string paraview_script(const RunFolder& run) {
     text.append(name).append(" = ").append(list_of(colour)).append("\n");
   text += "WELLS = [";
   for (const WellPlace& well : run.wells) {
-    text.append("(").append(decimal(well.x)).append(", ").append(decimal(well.y)).append(", ");
-    text.append(decimal(well.radius)).append("), ");
+    text.append("(").append(fmt::to_string(well.x)).append(", ").append(fmt::to_string(well.y)).append(", ");
+    text.append(fmt::to_string(well.radius)).append("), ");
   }
   text += "]  # x, y, radius in m\n\n\ndef pressure_points(low, high):\n";
   text += "    \"\"\"The pictures' colours between two pressures.\"\"\"\n    return [\n";

@@ -8,8 +8,7 @@
 #include <numbers>
 
 #include "failure.h"
-#include "fonts.h"
-#include "vector_canvas.h"
+#include "page.h"
 #include "vector_page.h"
 
 namespace hfrac::viz {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "history.h"
 #include "offscreen_window.h"
 #include "page.h"
 #include "run/run_folder.hpp"
+#include "snapshot.h"
 
 namespace hfrac::viz {
 
@@ -49,5 +49,11 @@ void growth_picture(const Studio& studio, const std::vector<Scene>& scenes, cons
 // Throws ReadError if the scene has no domains.
 void pressure_picture(const Studio& studio, const Scene& scene, const PageSink& sink);
 void aperture_picture(const Studio& studio, const Scene& scene, const PageSink& sink);
+
+// The discs, their bonds and the cracks of a scene, as the pictures of growth and the movie show them.
+
+// `unit_metres`: one design pixel in the view.
+void add_growth_layers(const View& view, const Page& page, const RunFolder& run, const Scene& scene,
+                       double unit_metres);
 
 }  // namespace hfrac::viz

@@ -6,7 +6,6 @@
 #include "charts.h"
 #include "failure.h"
 #include "guarded_call.h"
-#include "page_files.h"
 
 namespace hfrac::viz {
 namespace {

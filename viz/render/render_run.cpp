@@ -7,13 +7,12 @@
 
 #include "colour.h"
 #include "failure.h"
-#include "history.h"
 #include "movie_maker.h"
-#include "movie_picture.h"
-#include "page_content.h"
+#include "page.h"
 #include "paraview_script.h"
 #include "pictures.h"
 #include "run/files.hpp"
+#include "snapshot.h"
 #include "vtk_messages.h"
 
 namespace hfrac::viz {

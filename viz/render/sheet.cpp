@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bounds.h"
+#include "snapshot.h"
 
 namespace hfrac::viz {
 namespace {

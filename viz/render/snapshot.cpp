@@ -4,25 +4,35 @@
 #include <algorithm>
 #include <cmath>
 
+#include "failure.h"
 #include "run/grid_file.hpp"
 
 namespace hfrac::viz {
+
 namespace {
 
 constexpr int shear_code = 2;  // in `state` of bonds and `mode` of cracks
 
 int code(double value) {
-  return value > 0 && value < 100 ? static_cast<int>(value + 0.5) : 0;
+  return value > 0 && value < 100 ? static_cast<int>(std::lround(value)) : 0;
 }
 
-// Larger than any real value and still a number that can be reckoned with.
-constexpr double largest = 1e30;
-
-double usable(double value) {
-  return std::fabs(value) < largest ? value : 0.0;
+// visit(cell, line) for each cell with two corners.
+template <class Visit>
+void visit_lines(const GridFile& grid, const Visit& visit) {
+  const std::vector<Point> points = grid.points();
+  const GridFile::Cells cells = grid.cells();
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell)
+    if (const auto corners = cells.of(cell); corners.size() >= 2)
+      visit(cell, Segment{points[corners[0]], points[corners[1]]});
 }
 
 }  // namespace
+
+double usable(double value) {
+  constexpr double largest = 1e30;  // than any real value, and still a number that can be reckoned with
+  return std::fabs(value) < largest ? value : 0.0;
+}
 
 Discs read_discs(const SeriesFile& file) {
   const GridFile grid(file);
@@ -39,14 +49,10 @@ Discs read_discs(const SeriesFile& file) {
 Bonds read_bonds(const SeriesFile& file) {
   const GridFile grid(file);
   Bonds read;
-  const std::vector<Point> points = grid.points();
-  const GridFile::Cells cells = grid.cells();
   const std::vector<double> state = grid.cell_array("state");
-  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
-    const auto corners = cells.of(cell);
-    if (code(state[cell]) != 0 || corners.size() < 2) continue;
-    read.intact.push_back({points[corners[0]], points[corners[1]]});
-  }
+  visit_lines(grid, [&](std::size_t cell, const Segment& line) {
+    if (code(state[cell]) == 0) read.intact.push_back(line);
+  });
   return read;
 }
 
@@ -54,58 +60,33 @@ Cracks read_cracks(const SeriesFile& file) {
   const GridFile grid(file);
   Cracks read;
   read.moment = grid.moment();
-  const std::vector<Point> points = grid.points();
-  const GridFile::Cells cells = grid.cells();
   const std::vector<double> mode = grid.cell_array("mode");
   const std::vector<double> aperture = grid.cell_array("aperture_m");
   std::vector<double> time(grid.cell_count());
   if (grid.has_cell_array("time_s")) time = grid.cell_array("time_s");
-  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
-    const auto corners = cells.of(cell);
-    if (corners.size() < 2) continue;
-    Crack crack;
-    crack.line = {points[corners[0]], points[corners[1]]};
-    crack.mode = code(mode[cell]) == shear_code ? CrackMode::shear : CrackMode::tension;
-    crack.aperture = std::max(0.0, usable(aperture[cell]));
-    crack.time = usable(time[cell]);
-    crack.cell = cell;
-    read.cracks.push_back(crack);
-  }
+  visit_lines(grid, [&](std::size_t cell, const Segment& line) {
+    const CrackMode kind = code(mode[cell]) == shear_code ? CrackMode::shear : CrackMode::tension;
+    read.cracks.push_back({line, kind, std::max(0.0, usable(aperture[cell])), usable(time[cell]), cell});
+  });
   return read;
 }
 
 std::vector<BondForce> read_bond_forces(const SeriesFile& file) {
   const GridFile grid(file);
   std::vector<BondForce> read;
-  const std::vector<Point> points = grid.points();
-  const GridFile::Cells cells = grid.cells();
   const std::vector<double> state = grid.cell_array("state");
   const std::vector<double> normal = grid.cell_array("normal_force_N");
-  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
-    const auto corners = cells.of(cell);
-    if (code(state[cell]) != 0 || corners.size() < 2) continue;
-    read.push_back({{points[corners[0]], points[corners[1]]}, usable(normal[cell])});
-  }
+  visit_lines(grid, [&](std::size_t cell, const Segment& line) {
+    if (code(state[cell]) == 0) read.push_back({line, usable(normal[cell])});
+  });
   return read;
 }
 
 std::vector<Segment> read_bond_lines(const SeriesFile& file) {
   const GridFile grid(file);
-  const std::vector<Point> points = grid.points();
-  const GridFile::Cells cells = grid.cells();
   std::vector<Segment> lines(grid.cell_count());
-  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
-    const auto corners = cells.of(cell);
-    if (corners.size() >= 2) lines[cell] = {points[corners[0]], points[corners[1]]};
-  }
+  visit_lines(grid, [&](std::size_t cell, const Segment& line) { lines[cell] = line; });
   return lines;
-}
-
-std::vector<double> read_disc_array(const SeriesFile& file, const char* name, std::size_t components) {
-  const GridFile grid(file);
-  std::vector<double> values = grid.point_array(name, components);
-  for (double& value : values) value = usable(value);
-  return values;
 }
 
 Flow read_flow(const SeriesFile& file) {
@@ -128,6 +109,102 @@ Flow read_flow(const SeriesFile& file) {
     read.domains.push_back(domain);
   }
   return read;
+}
+
+namespace {
+
+constexpr int stage_count = 5;
+
+HistoryPoint read_point(const RunFolder& run, std::int64_t number, const SeriesFile& discs) {
+  HistoryPoint point;
+  point.number = number;
+  point.moment.time = discs.time;
+  const SeriesFile* file = file_of(run.cracks, number);
+  if (file == nullptr) {
+    point.moment = GridFile(discs).moment();
+    return point;
+  }
+  const Cracks read = read_cracks(*file);
+  point.moment = read.moment;
+  for (const Crack& crack : read.cracks) {
+    ++(crack.mode == CrackMode::shear ? point.shear_cracks : point.tensile_cracks);
+  }
+  return point;
+}
+
+// Strictly rising indices that end at `last`, as near to the wanted ones as that allows.
+void spread(std::vector<int>& stages, int last) {
+  for (std::size_t i = stages.size(); i-- > 0;) {
+    const int room = static_cast<int>(stages.size() - 1 - i);
+    const int above = i + 1 < stages.size() ? stages[i + 1] - 1 : last;
+    stages[i] = std::min({stages[i], above, last - room});
+  }
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    stages[i] = std::max(stages[i], i == 0 ? 0 : stages[i - 1] + 1);
+  }
+}
+
+std::vector<int> even_in_time(int last) {
+  std::vector<int> stages;
+  for (int k = 1; k <= stage_count; ++k) {
+    stages.push_back(static_cast<int>(std::lround(static_cast<double>(last) * k / stage_count)));
+  }
+  return stages;
+}
+
+std::vector<int> even_in_growth(const std::vector<HistoryPoint>& history, int first_count, int final_count) {
+  std::vector<int> stages;
+  for (int k = 1; k <= stage_count; ++k) {
+    const double wanted = first_count + static_cast<double>(final_count - first_count) * k / stage_count;
+    const auto reached = std::find_if(history.begin(), history.end(),
+                                      [&](const HistoryPoint& point) { return point.cracks() >= wanted; });
+    stages.push_back(static_cast<int>(reached - history.begin()));
+  }
+  stages.back() = static_cast<int>(history.size()) - 1;
+  return stages;
+}
+
+}  // namespace
+
+std::vector<HistoryPoint> read_history(const RunFolder& run) {
+  std::vector<HistoryPoint> history;
+  extend_history(run, history);
+  return history;
+}
+
+void extend_history(const RunFolder& run, std::vector<HistoryPoint>& history) {
+  const auto first = history.empty() ? run.discs.begin() : run.discs.upper_bound(history.back().number);
+  for (auto found = first; found != run.discs.end(); ++found) {
+    history.push_back(read_point(run, found->first, found->second));
+  }
+}
+
+HistoryPoint history_point(const RunFolder& run, std::int64_t number) {
+  if (number < 0) number = run.discs.rbegin()->first;
+  const SeriesFile* discs = file_of(run.discs, number);
+  if (discs == nullptr) fail_argument("the run has no snapshot " + std::to_string(number));
+  return read_point(run, number, *discs);
+}
+
+std::vector<int> growth_stages(const std::vector<HistoryPoint>& history) {
+  const int last = static_cast<int>(history.size()) - 1;
+  std::vector<int> stages;
+  if (last < stage_count) {  // too few to choose from
+    for (int i = 0; i <= last; ++i) stages.push_back(i);
+    return stages;
+  }
+  stages = even_in_time(last);
+  const int first_count = history.front().cracks();
+  const int final_count = history.back().cracks();
+  if (final_count <= first_count) return stages;
+  bool grows = history[stages.front()].cracks() > first_count;
+  for (std::size_t i = 1; i < stages.size(); ++i) {
+    grows = grows && history[stages[i]].cracks() > history[stages[i - 1]].cracks();
+  }
+  if (grows) return stages;
+  stages = even_in_growth(history, first_count, final_count);
+  spread(stages, last);
+  return stages;
 }
 
 }  // namespace hfrac::viz

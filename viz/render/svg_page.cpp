@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A page as SVG. Every text says how long it is, so that it fits its place in whatever font the reader has.
-#include <charconv>
+#include <fmt/format.h>
+
 #include <cmath>
 #include <span>
 
-#include "png_file.h"
+#include "image.h"
 #include "run/text.hpp"
-#include "svg_text.h"
-#include "vector_canvas.h"
 #include "vector_page.h"
 
 namespace hfrac::viz {
@@ -16,10 +15,8 @@ namespace {
 
 // Two decimals of a pixel, without the zeros behind them.
 std::string decimal(double value) {
-  char text[40];
   const double rounded = std::round(value * 100) / 100;
-  const auto end = std::to_chars(text, text + sizeof text, rounded == 0 ? 0.0 : rounded).ptr;
-  return {text, end};
+  return fmt::to_string(rounded == 0 ? 0.0 : rounded);
 }
 
 class SvgCanvas : public VectorCanvas {

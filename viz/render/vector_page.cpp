@@ -16,12 +16,10 @@
 #include <cmath>
 #include <functional>
 
-#include "vector_canvas.h"
-
 namespace hfrac::viz {
 namespace {
 
-using Place = std::function<Point(double x, double y)>;
+using ToPage = std::function<Point(double x, double y)>;
 
 Colour colour_at(vtkDataArray* colours, vtkIdType index) {
   double rgb[3] = {0, 0, 0};
@@ -39,7 +37,7 @@ bool same(Colour a, Colour b) {
   return a.red == b.red && a.green == b.green && a.blue == b.blue;
 }
 
-void trace(vtkPolyData* shapes, vtkIdType count, const vtkIdType* corners, const Place& place,
+void trace(vtkPolyData* shapes, vtkIdType count, const vtkIdType* corners, const ToPage& place,
            VectorCanvas& canvas) {
   for (vtkIdType i = 0; i < count; ++i) {
     double at[3];
@@ -50,7 +48,7 @@ void trace(vtkPolyData* shapes, vtkIdType count, const vtkIdType* corners, const
 }
 
 // Neighbours of one colour share a path.
-void draw_polygons(vtkPolyData* shapes, const Place& place, VectorCanvas& canvas) {
+void draw_polygons(vtkPolyData* shapes, const ToPage& place, VectorCanvas& canvas) {
   vtkDataArray* colours = shapes->GetPointData()->GetScalars();
   if (colours == nullptr) return;
   bool open = false;
@@ -70,7 +68,7 @@ void draw_polygons(vtkPolyData* shapes, const Place& place, VectorCanvas& canvas
   if (open) canvas.fill(current);
 }
 
-void draw_lines(vtkPolyData* shapes, vtkProperty* property, const Place& place, double factor,
+void draw_lines(vtkPolyData* shapes, vtkProperty* property, const ToPage& place, double factor,
                 VectorCanvas& canvas) {
   if (shapes->GetLines()->GetNumberOfCells() == 0) return;
   shapes->GetLines()->InitTraversal();
@@ -81,7 +79,7 @@ void draw_lines(vtkPolyData* shapes, vtkProperty* property, const Place& place, 
 }
 
 // The rim lies inside the disc and fades where discs are only a few pixels large, as in the pixels.
-void draw_discs(vtkPolyData* cloud, vtkProperty* property, const Place& place, double metres_per_pixel,
+void draw_discs(vtkPolyData* cloud, vtkProperty* property, const ToPage& place, double metres_per_pixel,
                 VectorCanvas& canvas) {
   vtkDataArray* radius = cloud->GetPointData()->GetArray("radius");
   vtkDataArray* colours = cloud->GetPointData()->GetScalars();
@@ -122,7 +120,7 @@ void draw_view(const View& view, double factor, VectorCanvas& canvas) {
   while (vtkActor* actor = all->GetNextActor()) actors.push_back(actor);
   std::stable_sort(actors.begin(), actors.end(),
                    [](vtkActor* a, vtkActor* b) { return a->GetPosition()[2] < b->GetPosition()[2]; });
-  const Place place = [&](double x, double y) { return Point{view.to_page_x(x), view.to_page_y(y)}; };
+  const ToPage place = [&](double x, double y) { return Point{view.to_page_x(x), view.to_page_y(y)}; };
   for (vtkActor* actor : actors) {
     if (actor->GetTexture() != nullptr) {
       draw_picture(actor->GetTexture(), view.box, canvas);

@@ -5,17 +5,231 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
 
-#include "disc_field.h"
+#include "disc_detail.h"
+#include "failure.h"
+#include "layers.h"
 #include "number_text.h"
-#include "quantity.h"
 #include "sheet.h"
-#include "view_job.h"
 
 namespace hfrac::viz {
+
+std::string ViewSpec::component_text() const {
+  std::string text;
+  if (component > 0) text.append("[").append(std::to_string(component)).append("]");
+  return text;
+}
+
+ViewSpec view_named(const std::string& name) {
+  ViewSpec spec;
+  if (const NamedView* view = view_of(name)) {
+    spec.title = view->title;
+    if (view->mesh.empty()) {
+      spec.drawing = name;
+      return spec;
+    }
+    spec.label = view->label;
+    spec.note = view->note;
+    spec.array = view->array;
+    spec.file = view->mesh;
+    spec.how = view->how;
+    spec.component = view->component;
+    spec.scale = view->scale;
+    spec.all_values = view->all_values;
+    spec.smoothed = view->smoothed;
+    spec.by_width = view->array == "aperture_m";
+    return spec;
+  }
+  spec.array = name;
+  if (const std::size_t colon = name.find(':'); colon != std::string::npos) {
+    spec.file = name.substr(0, colon);
+    spec.array = name.substr(colon + 1);
+    if (spec.file != "discs" && spec.file != "flow" && spec.file != "cracks" && spec.file != "bonds") {
+      fail_argument("'" + spec.file + "' in '" + name + "' is none of discs, flow, cracks, bonds");
+    }
+  }
+  if (const std::size_t open = spec.array.find('['); open != std::string::npos) {
+    const char* const first = spec.array.data() + open + 1;
+    const char* const last = spec.array.data() + spec.array.size();
+    const auto [end, error] = std::from_chars(first, last, spec.component);
+    if (error != std::errc() || end + 1 != last || *end != ']' || spec.component < 0) {
+      fail_argument("'" + name + "' does not end with the number of a component, [0] the first");
+    }
+    spec.array.resize(open);
+  }
+  if (spec.array.empty()) fail_argument("'" + name + "' names no view and no array");
+  return spec;
+}
+
+std::string view_names() {
+  std::string text;
+  for (const NamedView& view : all_views()) {
+    std::string line = "  " + std::string(view.name);
+    line.resize(21, ' ');
+    line += view.title;
+    if (!view.note.empty()) line.append(": ").append(view.note);
+    text += line + "\n";
+  }
+  return text + "  or an array of the snapshot's files: radius_m, displacement_m[1], flow:volume_m2, ...\n";
+}
+
 namespace {
+
+// Neighbours are found through square cells as wide as the search radius: each disc looks into nine of them.
+class Cells {
+ public:
+  Cells(const Discs& discs, double size) : size_(size) {
+    double right = -INFINITY;
+    double top = -INFINITY;
+    for (const Disc& disc : discs.discs) {
+      left_ = std::min(left_, disc.centre.x);
+      bottom_ = std::min(bottom_, disc.centre.y);
+      right = std::max(right, disc.centre.x);
+      top = std::max(top, disc.centre.y);
+    }
+    constexpr double most = 4096;  // in each direction, whatever the radius
+    size_ = std::max({size_, (right - left_) / most, (top - bottom_) / most});
+    columns_ = 1 + static_cast<int>((right - left_) / size_);
+    rows_ = 1 + static_cast<int>((top - bottom_) / size_);
+    first_.assign(static_cast<std::size_t>(columns_) * rows_ + 1, 0);
+    for (const Disc& disc : discs.discs) ++first_[cell(disc.centre) + 1];
+    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    members_.resize(discs.discs.size());
+    for (std::size_t i = 0; i < discs.discs.size(); ++i) {
+      members_[next[cell(discs.discs[i].centre)]++] = static_cast<std::uint32_t>(i);
+    }
+  }
+
+  template <class Visit>
+  void around(Point place, const Visit& visit) const {
+    const int column = column_of(place);
+    const int row = row_of(place);
+    for (int j = std::max(0, row - 1); j <= std::min(rows_ - 1, row + 1); ++j) {
+      for (int i = std::max(0, column - 1); i <= std::min(columns_ - 1, column + 1); ++i) {
+        const std::size_t index = static_cast<std::size_t>(j) * columns_ + i;
+        for (std::uint32_t k = first_[index]; k < first_[index + 1]; ++k) visit(members_[k]);
+      }
+    }
+  }
+
+ private:
+  int column_of(Point place) const {
+    return std::clamp(static_cast<int>((place.x - left_) / size_), 0, columns_ - 1);
+  }
+  int row_of(Point place) const {
+    return std::clamp(static_cast<int>((place.y - bottom_) / size_), 0, rows_ - 1);
+  }
+  std::size_t cell(Point place) const {
+    return static_cast<std::size_t>(row_of(place)) * columns_ + column_of(place);
+  }
+
+  double size_;
+  double left_ = INFINITY;
+  double bottom_ = INFINITY;
+  int columns_ = 1;
+  int rows_ = 1;
+  std::vector<std::uint32_t> first_;
+  std::vector<std::uint32_t> members_;
+};
+
+bool visible(const Disc& disc, const Extent& extent) {
+  return disc.centre.x >= extent.left && disc.centre.x <= extent.left + extent.width &&
+         disc.centre.y >= extent.bottom && disc.centre.y <= extent.bottom + extent.height;
+}
+
+// Each disc's value becomes the mean over the discs within `radius` [m], large and near ones counting most:
+// the stress of a single disc of a packing says little, that of its neighbourhood does.
+std::vector<double> smoothed(const Discs& discs, std::span<const double> values, double radius) {
+  std::vector<double> means(values.begin(), values.end());
+  if (!(radius > 0) || discs.discs.empty()) return means;
+  const Cells cells(discs, radius);
+  for (std::size_t i = 0; i < discs.discs.size() && i < values.size(); ++i) {
+    const Point centre = discs.discs[i].centre;
+    double sum = 0;
+    double weights = 0;
+    cells.around(centre, [&](std::uint32_t other) {
+      const Disc& disc = discs.discs[other];
+      const double dx = disc.centre.x - centre.x;
+      const double dy = disc.centre.y - centre.y;
+      const double nearness = 1 - (dx * dx + dy * dy) / (radius * radius);
+      if (nearness <= 0) return;
+      const double weight = nearness * nearness * disc.radius * disc.radius;
+      sum += weight * values[other];
+      weights += weight;
+    });
+    if (weights > 0) means[i] = sum / weights;
+  }
+  return means;
+}
+
+// The values between which nearly all visible discs lie; a few odd ones do not stretch the colour scale.
+// `two_ways`: the same to both sides of zero.
+std::pair<double, double> usual_range(const Discs& discs, std::span<const double> values,
+                                      const Extent& extent, bool two_ways) {
+  std::vector<double> seen;
+  for (std::size_t i = 0; i < discs.discs.size() && i < values.size(); ++i) {
+    if (visible(discs.discs[i], extent)) seen.push_back(two_ways ? std::fabs(values[i]) : values[i]);
+  }
+  if (seen.empty()) return {0.0, 0.0};
+  const auto at_share = [&](double share) {
+    const auto place =
+        seen.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(seen.size() - 1));
+    std::nth_element(seen.begin(), place, seen.end());
+    return *place;
+  };
+  const double highest = at_share(0.99);
+  const double lowest = two_ways ? -highest : at_share(0.01);
+  return {lowest, highest};
+}
+
+// What every kind of view is made with: the view, the scene, and the layers most of them share.
+struct Job {
+  const View& view;
+  const RunFolder& run;
+  const Scene& scene;
+  const ViewSize& size;
+  double radius;  // [m] mean of the discs
+
+  void add(const vtkSmartPointer<vtkActor>& layer) const { view.renderer->AddActor(layer); }
+  const SeriesFile& file(const Series& series, const char* what) const {
+    const SeriesFile* found = file_of(series, scene.point.number);
+    if (found == nullptr) {
+      fail_reading("snapshot " + std::to_string(scene.point.number) + " has no " + what);
+    }
+    return *found;
+  }
+  double crack_half_width() const {
+    return std::clamp(0.2 * radius, 1.8 * size.unit_metres, 5.0 * size.unit_metres);
+  }
+  void add_well() const { add(well_layer(scene.flow, run.wells, 2 * size.unit_metres)); }
+  // Where colours tell values, the well's red would too.
+  void add_quiet_well() const {
+    add(well_layer(scene.flow, run.wells, 2 * size.unit_metres, palette().faint_ink));
+  }
+  void add_ring() const { add(well_rings(scene.flow, run.wells, 1.6 * size.unit_metres, palette().well)); }
+  void add_discs(Colour fill, Colour rim) const {
+    add(discs_in_view(view, scene.discs, fill, rim, size.drawn_pixel));
+  }
+  void add_quiet_discs() const { add_discs(palette().quiet_disc, palette().quiet_disc_rim); }
+  // Over colours: with paper around them.
+  void add_cracks(bool cased) const {
+    if (scene.cracks.cracks.empty()) return;
+    add(crack_layer(scene.cracks.cracks, crack_half_width(), cased ? 1.1 * size.unit_metres : 0.0));
+  }
+  std::vector<LegendEntry> crack_signs() const {
+    return {{Sign::band, palette().tension, {}, "crack, tension"},
+            {Sign::band, palette().shear, {}, "crack, shear"},
+            {Sign::hole, palette().well, {}, "wellbore"}};
+  }
+};
 
 constexpr double smoothing_radii = 5;  // of a disc
 
@@ -32,6 +246,7 @@ Key show_discs(const Job& job) {
 Key show_forces(const Job& job) {
   const std::vector<BondForce> bonds = read_bond_forces(job.file(job.run.bonds, "bonds"));
   std::vector<double> sizes;
+  sizes.reserve(bonds.size());
   for (const BondForce& bond : bonds) sizes.push_back(std::fabs(bond.normal));
   double largest = 1;
   if (!sizes.empty()) {
@@ -98,10 +313,6 @@ struct FoundArray {
   const Place* place = nullptr;
   std::vector<double> values;  // one per item
 };
-
-double usable(double value) {
-  return std::fabs(value) < 1e30 ? value : 0.0;
-}
 
 // One number per item out of all components.
 std::vector<double> combined(const std::vector<double>& all, std::size_t components, const ViewSpec& spec) {

@@ -6,7 +6,7 @@
 
 #include "failure.h"
 #include "number_text.h"
-#include "page_content.h"
+#include "page.h"
 #include "pictures.h"
 #include "run/files.hpp"
 #include "sheet.h"
@@ -113,9 +113,9 @@ struct Places {
     cell_height = std::max(16.0, (page_height - around) / rows);
   }
   Box cell(int index) const {
-    return {(margin + index % columns * gap) * unit + index % columns * cell_width,
-            (top + caption - 14) * unit + index / columns * (cell_height + caption * unit), cell_width,
-            cell_height};
+    const int row = index / columns, column = index % columns;
+    return {(margin + column * gap) * unit + column * cell_width,
+            (top + caption - 14) * unit + row * (cell_height + caption * unit), cell_width, cell_height};
   }
 };
 
@@ -125,14 +125,14 @@ void views_on_page(const Studio& studio, const Scene& scene, const std::vector<V
     single(studio, scene, specs.front(), extent, sink);
     return;
   }
-  const Places places(studio, static_cast<int>(specs.size()), extent);
-  const double unit = places.unit;
-  Page page(studio.window, studio.size.width, places.page_height);
+  const Places layout(studio, static_cast<int>(specs.size()), extent);
+  const double unit = layout.unit;
+  Page page(studio.window, studio.size.width, layout.page_height);
   const std::string title = studio.run->title;
   draw_title(page, unit, Places::margin * unit, title.empty() ? moment_text(scene.point) : title,
              title.empty() ? "" : moment_text(scene.point));
   for (std::size_t i = 0; i < specs.size(); ++i) {
-    const Box cell = places.cell(static_cast<int>(i));
+    const Box cell = layout.cell(static_cast<int>(i));
     const View view =
         page.view({cell.left, cell.top, cell.width - Places::key_width * unit, cell.height}, extent);
     const Key key =

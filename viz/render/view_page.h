@@ -7,7 +7,7 @@
 
 #include "hfrac/viz.h"
 #include "run/run_folder.hpp"
-#include "view_spec.h"
+#include "view_layers.h"
 
 namespace hfrac::viz {
 using namespace hfrac::run;

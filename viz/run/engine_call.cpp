@@ -119,9 +119,7 @@ std::string version_of_library() {
 }
 
 std::string build_of_library() {
-  return whole_text([](char* buffer, int32_t capacity, int32_t* needed) {
-    return hfrac_build_info(buffer, capacity, needed);
-  });
+  return whole_text(hfrac_build_info);
 }
 
 std::string case_text(const hfrac_sim_def& definition) {

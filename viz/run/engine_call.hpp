@@ -6,6 +6,7 @@
 #include <hfrac/hfrac.h>
 #include <hfrac/definition.hpp>
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -21,6 +22,11 @@ class EngineError : public std::runtime_error {
  private:
   int32_t status_;
 };
+
+struct DestroySimulation {
+  void operator()(hfrac_sim* sim) const { hfrac_sim_destroy(&sim); }
+};
+using Simulation = std::unique_ptr<hfrac_sim, DestroySimulation>;
 
 /** The whole of a text that the C interface hands out piecewise; `call` takes (buffer, capacity, needed). */
 template <class Call>

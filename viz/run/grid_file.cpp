@@ -87,8 +87,8 @@ std::vector<double> GridFile::scalars(std::string_view section, const std::strin
   return values;
 }
 
-std::vector<double> GridFile::point_array(const char* name, std::size_t components) const {
-  return scalars("PointData", name, point_count_ * components);
+std::vector<double> GridFile::point_array(const char* name) const {
+  return scalars("PointData", name, point_count_);
 }
 
 std::vector<double> GridFile::cell_array(const char* name) const {
@@ -122,20 +122,6 @@ std::vector<double> GridFile::values(std::string_view section, const std::string
       std::find_if(heads.begin(), heads.end(), [&](const auto& one) { return one.name == name; });
   if (head == heads.end()) damaged("array " + name + " is missing");
   return scalars(section, name, (section == "PointData" ? point_count_ : cell_count_) * head->components);
-}
-
-std::optional<std::vector<double>> GridFile::component(const char* section, const std::string& name,
-                                                       std::size_t index) const {
-  for (const ArrayHead& head : arrays(section)) {
-    if (head.name != name) continue;
-    if (index >= head.components) return std::nullopt;
-    const std::vector<double> all = values(section, name);
-    std::vector<double> picked;
-    picked.reserve(all.size() / head.components);
-    for (std::size_t i = index; i < all.size(); i += head.components) picked.push_back(all[i]);
-    return picked;
-  }
-  return std::nullopt;
 }
 
 bool GridFile::of_vertices() const {

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,13 +39,10 @@ class GridFile {
   std::size_t cell_count() const { return cell_count_; }
   // All points, finite.
   std::vector<Point> points() const;
-  // As many values as there are points or cells, times components.
-  std::vector<double> point_array(const char* name, std::size_t components = 1) const;
+  // As many values as there are points or cells.
+  std::vector<double> point_array(const char* name) const;
   std::vector<double> cell_array(const char* name) const;
   bool has_cell_array(const char* name) const { return find_array("CellData", name) != nullptr; }
-  // One component of an array in "PointData" or "CellData"; nothing if there is no such array or component.
-  std::optional<std::vector<double>> component(const char* section, const std::string& name,
-                                               std::size_t index) const;
   /** Of the arrays of "PointData", "CellData" or "FieldData". */
   std::vector<ArrayHead> arrays(std::string_view section) const;
   /** All values of one of them; of a point or cell array, as many as there are points or cells. */

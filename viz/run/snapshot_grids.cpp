@@ -10,7 +10,7 @@
 namespace hfrac::run {
 namespace {
 
-constexpr int32_t outside = 2;  ///< value of the field domain.kind
+constexpr int32_t outer_domain = 2;  ///< value of the field domain.kind
 
 std::vector<int32_t> counted_up(size_t count) {
   std::vector<int32_t> numbers(count);
@@ -26,7 +26,8 @@ std::vector<Value> pick(const std::vector<Value>& all, const std::vector<int32_t
   values.reserve(chosen.size() * static_cast<size_t>(components));
   for (const int32_t i : chosen)
     for (int32_t c = 0; c < components; ++c)
-      values.push_back(all.at(static_cast<size_t>(i * components + c)));
+      values.push_back(
+          all.at(static_cast<size_t>(i) * static_cast<size_t>(components) + static_cast<size_t>(c)));
   return values;
 }
 
@@ -155,7 +156,7 @@ VtuGrid flow_grid(const SnapshotFrame& frame) {
   grid.cell_type = CellType::polygon;
   grid.offsets = {0};
   for (size_t i = 0; i < kind.size(); ++i) {
-    if (kind[i] == outside) continue;
+    if (kind[i] == outer_domain) continue;
     const auto begin = corners.begin() + first.at(i);
     const auto end = i + 1 < kind.size() ? corners.begin() + first.at(i + 1) : corners.end();
     inside.push_back(static_cast<int32_t>(i));

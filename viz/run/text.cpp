@@ -19,10 +19,10 @@ constexpr auto pairs_of_letters = [] {
 }();
 
 constexpr auto values_of_letters = [] {
-  std::array<int8_t, 256> values{};
+  std::array<int16_t, 256> values{};
   values.fill(-1);
   for (size_t i = 0; i < letters.size(); ++i)
-    values[static_cast<unsigned char>(letters[i])] = static_cast<int8_t>(i);
+    values[static_cast<unsigned char>(letters[i])] = static_cast<int16_t>(i);
   return values;
 }();
 

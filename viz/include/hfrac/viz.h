@@ -50,8 +50,8 @@ enum hfrac_viz_picture {
 /** Kinds of files. Values may be added together for the members `formats`. */
 enum hfrac_viz_format {
   HFRAC_VIZ_PNG = 1, /**< pixels */
-  HFRAC_VIZ_SVG = 2, /**< lines, in charts with letters as outlines, in other pictures as text */
-  HFRAC_VIZ_PDF = 4  /**< lines, standard fonts */
+  HFRAC_VIZ_SVG = 2, /**< lines, and letters as text */
+  HFRAC_VIZ_PDF = 4  /**< lines, and letters of an embedded font */
 };
 
 /** How to draw. Fill with hfrac_viz_options_init first; members are only ever appended. */

@@ -1,4 +1,5 @@
-// The page is built into three files with fixed names, which the program carries inside (viz/web/server).
+// Script and style are built into two files with fixed names, which the program carries inside, beside index.html as it is
+// (viz/web/server).
 import { defineConfig } from 'vite';
 
 export default defineConfig({
@@ -9,6 +10,7 @@ export default defineConfig({
     modulePreload: false,
     chunkSizeWarningLimit: 2000,
     rollupOptions: {
+      input: 'src/main.ts',
       output: {
         entryFileNames: 'viewer.js',
         assetFileNames: 'viewer[extname]',

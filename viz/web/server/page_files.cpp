@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The assembler copies the files of viz/web/built as they are; HFRAC_PAGE_FOLDER is their place while
-// building.
+// The assembler copies the files of viz/web/built and index.html as they are; HFRAC_PAGE_FOLDER is the place of the built ones.
 #include "web/server/page_files.hpp"
 
 #include <array>
@@ -23,7 +22,7 @@
   extern "C" const char hfrac_page_##symbol[];                         \
   extern "C" const char hfrac_page_##symbol##_end[];
 
-HFRAC_PAGE_FILE(index, "index.html")
+HFRAC_PAGE_FILE(index, "../page/index.html")
 HFRAC_PAGE_FILE(script, "viewer.js")
 HFRAC_PAGE_FILE(style, "viewer.css")
 // NOLINTEND

@@ -169,6 +169,7 @@ export class App {
       const pen = overlay.getContext('2d') as CanvasRenderingContext2D;
       pen.clearRect(0, 0, overlay.width, overlay.height);
       const snapshot = this.moments.now?.snapshot;
+      overlay.hidden = !snapshot; // a busy browser may go on showing what was on a canvas that was only cleared
       if (snapshot) drawAnnotations(pen, this.view, this.scene.pixelRatio, this.standing(snapshot, ''));
     });
   }
