@@ -279,13 +279,12 @@ std::int32_t hfrac_sim_def_get_f64(const hfrac_sim_def* def, const char* key, do
     require_not_null(value, "value");
     if (use_item(key, [&](auto list, std::int64_t index, const auto& info) {
           *value = get_value(item_at(list, full, index), info);
-        })) {
-    } else if (const OptionInfo* info = find_option(key)) {
+        }))
+      return;
+    if (const OptionInfo* info = find_option(key))
       *value = get_value(options_of(full), *info);
-    } else if (use_count(key, [&](auto list) { *value = static_cast<double>(good_count(list, full)); })) {
-    } else {
+    else if (!use_count(key, [&](auto list) { *value = static_cast<double>(good_count(list, full)); }))
       refuse_unknown(key);
-    }
   });
 }
 
@@ -298,12 +297,12 @@ std::int32_t hfrac_sim_def_get_i64(const hfrac_sim_def* def, const char* key, st
           const auto item = item_at(list, full, index);
           if (info.real != nullptr) refuse_fraction(key);
           *value = integer_of(item, info);
-        })) {
-    } else if (const OptionInfo* info = find_option(key)) {
+        }))
+      return;
+    if (const OptionInfo* info = find_option(key)) {
       if (info->real != nullptr) refuse_fraction(key);
       *value = options_of(full).*info->integer;
-    } else if (use_count(key, [&](auto list) { *value = good_count(list, full); })) {
-    } else {
+    } else if (!use_count(key, [&](auto list) { *value = good_count(list, full); })) {
       refuse_unknown(key);
     }
   });
@@ -315,17 +314,18 @@ std::int32_t hfrac_sim_def_get_str(const hfrac_sim_def* def, const char* key, ch
     hfrac_sim_def full = read_def(def);
     require_not_null(key, "key");
     std::string text;
-    if (use_item(key, [&](auto list, std::int64_t index, const auto& info) {
-          text = value_text(info, get_value(item_at(list, full, index), info));
-        })) {
-    } else if (const OptionInfo* info = find_option(key)) {
+    const bool of_list = use_item(key,
+                                  [&](auto list, std::int64_t index, const auto& info) {
+                                    text = value_text(info, get_value(item_at(list, full, index), info));
+                                  }) ||
+                         use_count(key, [&](auto list) { text = number_text(good_count(list, full)); });
+    if (const OptionInfo* info = of_list ? nullptr : find_option(key)) {
       const Options options = options_of(full);
       text = info->type == ValueType::integer ? number_text(options.*info->integer)
                                               : value_text(*info, get_value(options, *info));
-    } else if (use_count(key, [&](auto list) { text = number_text(good_count(list, full)); })) {
     } else if (key == std::string_view("title")) {
       text = case_of(full).title;
-    } else {
+    } else if (!of_list) {
       refuse_unknown(key);
     }
     copy_text(text, buffer, capacity, needed);
