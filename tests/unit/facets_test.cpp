@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "equilibrium/bond_response.hpp"
@@ -102,6 +103,30 @@ TEST(Facets, KnowTheStressRoundAHole) {
   EXPECT_NEAR(far.yy, 20e6, 1e4);
 }
 
+// Slots of the length asked for, to either side of the hole; where they leave its rough wall they may be three radii off their line.
+TEST(Facets, SlotsAreCutOnBothSides) {
+  CaseDefinition definition = confined(20e6);
+  definition.options.fracture_perforation_length = 12.0;
+  WellOptions well;
+  well.x = well.y = 50.0;
+  well.radius = 6.0;
+  well.pressure = 2e6;
+  definition.wells.push_back(well);
+  const Simulation s(definition, {}, {});
+  const double radius = s.wells()[0].place.equivalent_radius, disc = s.assembly().mean_radius;
+  double reach[2] = {0.0, 0.0};
+  for (const Facet& f : s.engine().facets.all()) {
+    EXPECT_TRUE(f.slot);
+    EXPECT_LT(std::abs(f.middle.y - 50.0), 3.0 * disc);
+    double& side = reach[f.middle.x > 50.0 ? 1 : 0];
+    side = std::max(side, std::abs(f.middle.x - 50.0));
+  }
+  for (const double r : reach) {
+    EXPECT_GT(r, radius + 12.0 - 2.0 * disc);
+    EXPECT_LT(r, radius + 12.0 + 2.0 * disc);
+  }
+}
+
 TEST(Facets, AreRefusedWhereTheyAreNotKnown) {
   CaseDefinition definition = confined(20e6);
   definition.options.stepping_mode = static_cast<std::int64_t>(SteppingMode::substep);
@@ -109,6 +134,10 @@ TEST(Facets, AreRefusedWhereTheyAreNotKnown) {
   definition = confined(20e6);
   definition.options.bond_fracture_toughness = 1e6;
   EXPECT_ANY_THROW(Simulation(definition, {}, {}));  // needs E'
+  definition = confined(20e6);
+  definition.options.fracture_law = static_cast<std::int64_t>(FractureLaw::bond);
+  definition.options.fracture_perforation_length = 1.0;
+  EXPECT_ANY_THROW(Simulation(definition, {}, {}));
 }
 
 }  // namespace
