@@ -90,9 +90,11 @@ TEST(SimCreate, FailuresLeaveNullAndSayWhy) {
   EXPECT_NE(last_error().find("stress.sigma_hmin = 2e7 Pa"), std::string::npos) << last_error();
   EXPECT_NE(last_error().find("fluid.formation_pressure = 2.5e7 Pa"), std::string::npos) << last_error();
   def = quiet_def();
+  const int32_t size = def.struct_size;
   def.struct_size = 0;
   EXPECT_EQ(hfrac_sim_create(&def, &sim), HFRAC_ERR_STRUCT_SIZE);
   EXPECT_EQ(sim, nullptr);
+  def.struct_size = size;  // or its lists could not be freed
 }
 
 TEST(SimCreate, ASimulationWithoutWellsStandsStill) {
