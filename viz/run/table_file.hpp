@@ -47,12 +47,12 @@ class TableText {
   /** Adds a line of the names, before any row. */
   template <class Columns>
   void head(const Columns& columns) {
-    columns([this](const auto& name, const auto&) { cell(name); });
+    columns([this](const auto& name, const auto&) { this->cell(name); });
     end_line();
   }
   template <class Columns>
   void row(const Columns& columns) {
-    columns([this](const auto&, const auto& value) { cell(value); });
+    columns([this](const auto&, const auto& value) { this->cell(value); });
     end_line();
   }
   template <class Value>
