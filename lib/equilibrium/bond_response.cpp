@@ -169,13 +169,13 @@ BondResponse respond(const Assembly& a, const Options& o, const Network& network
   const Vec2 n = f.normal, t{-n.y, n.x};
   const double arm_i = a.arm(e), arm_j = a.length(e) - arm_i;
   const double k = facets.stiffness, k_s = o.contact_shear_stiffness;
-  r.normal = k * facets.jump(a, f, n) - f.initial_normal * f.length;
+  r.normal = k * facets.jump(a, f, n) - f.initial_normal;
   r.normal_stiffness = k;
   // The grains bear what the facet transmits beyond the fluid's push, -k_n w: nothing where the facet opens.
   const double limit = -o.contact_friction * k * r.gap;
   const double slide = facets.jump(a, f, t) - arm_i * (a.rotation[i] - facets.start_rotation[i]) -
                        arm_j * (a.rotation[j] - facets.start_rotation[j]);
-  const double trial = k_s * slide - f.initial_shear * f.length;
+  const double trial = k_s * slide - f.initial_shear;
   double shear_stiffness = k_s, by_gap = 0.0;
   r.shear = trial;
   if (std::abs(trial) > limit) {

@@ -15,6 +15,7 @@ namespace {
 constexpr double slot_width = 1e-3;  // m, that a cut slot lets fluid through by at least
 
 }  // namespace
+
 CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& boundary,
                              const NonBondedContacts& non_bonded, const Options& options, Workers& workers,
                              Facets& facets)
@@ -119,7 +120,7 @@ void CoupledSystem::open_facets() {
     facet_open_[k] = 1;
     const auto i = assembly_.first[f.bond], j = assembly_.second[f.bond];
     const double more = n.pressure[f.left] * f.left_length + n.pressure[f.right] * f.right_length -
-                        f.initial_normal * f.length;
+                        f.initial_normal;
     for (int side = 0; side < 2; ++side) {
       const auto d = side == 0 ? f.left : f.right;
       if (n.kind[d] != DomainKind::rock) continue;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace hfrac {
 namespace {
@@ -49,16 +50,31 @@ Facets::Stress Facets::initial_stress(Vec2 at) const {
   return s;
 }
 
-Vec2 Facets::initial_traction(std::int64_t e, Vec2 n) const {
-  const Stress s = initial_stress(contact_[static_cast<std::size_t>(e)]);
-  return {s.xx * n.x + s.xy * n.y, s.xy * n.x + s.yy * n.y};
+Vec2 Facets::initial_force_of_mean(const Network& n, const Facet& f) const {
+  const auto on = [](const Stress& s, Vec2 h) { return Vec2{s.xx * h.x + s.xy * h.y, s.xy * h.x + s.yy * h.y}; };
+  Vec2 force = on(initial_stress(f.middle), f.length * f.normal);
+  for (const bool left : {true, false}) {
+    const auto domain = left ? f.left : f.right;
+    if (n.kind[domain] == DomainKind::rock) continue;
+    for (const Hole& hole : holes_) {
+      if (hole.domain != domain) continue;
+      const Vec2 out = f.middle - hole.centre, edge = (hole.radius / size(out)) * out;
+      const Vec2 h = left ? turned(edge - out) : turned(out - edge);
+      Stress s = initial_stress(hole.centre + 0.5 * (edge + out));
+      s.xx -= hole.pressure;
+      s.yy -= hole.pressure;
+      force = force + on(s, h);
+    }
+  }
+  return force;
 }
 
 void Facets::begin(const Assembly& a, Network& n, const std::vector<WellPlace>& wells, const Options& o) {
   far_xx_ = o.stress_sigma_Hmax;
   far_yy_ = o.stress_sigma_hmin;
   for (const auto& well : wells)
-    holes_.push_back({well.centre, well.equivalent_radius, n.pressure[well.domain]});
+    holes_.push_back({well.domain, n.centroid[well.domain], std::sqrt(n.volume[well.domain] / std::numbers::pi),
+                      n.pressure[well.domain]});
   active_ = true;
   assembly_ = &a;
   network_ = &n;
@@ -95,7 +111,7 @@ void Facets::begin(const Assembly& a, Network& n, const std::vector<WellPlace>& 
     force_[4 * e + 2] = -(v.shear_force() * arm_i + v.bond_moment);
     force_[4 * e + 3] = -(v.shear_force() * arm_j - v.bond_moment);
     const Vec2 h_l = part(b, true), h_r = part(b, false);
-    // Love's mean over a disc and its share of the pores: wings times forces over the area to the facets.
+    // Love's mean over a disc and its share of the pores: forces times their arms over the area out to the facets.
     const double facet = std::abs(dot(h_l + h_r, d));
     area[i] += 0.5 * arm_i * facet;
     area[j] += 0.5 * arm_j * facet;
@@ -139,7 +155,7 @@ void Facets::stress_around(const Assembly& a, const Network& n, const Options& o
         const Facet& f = facets_[of_[e]];
         const double push = n.pressure[f.left] * f.left_length + n.pressure[f.right] * f.right_length;
         const double w = opening(a, n, f);
-        now = (w >= 0.0 ? -push : stiffness * jump(a, f, f.normal) - f.initial_normal * f.length) * f.normal +
+        now = (w >= 0.0 ? -push : stiffness * jump(a, f, f.normal) - f.initial_normal) * f.normal +
               f.locked;
       } else {
         const BondView v = view_bond(a, o, e);
@@ -169,7 +185,7 @@ double Facets::jump(const Assembly& a, const Facet& f, Vec2 way) const {
 
 double Facets::opening(const Assembly& a, const Network& n, const Facet& f) const {
   const double push = n.pressure[f.left] * f.left_length + n.pressure[f.right] * f.right_length;
-  return jump(a, f, f.normal) + (push - f.initial_normal * f.length) / stiffness;
+  return jump(a, f, f.normal) + (push - f.initial_normal) / stiffness;
 }
 
 void Facets::update(const Assembly& a, Network& n, bool restored) {
@@ -265,12 +281,11 @@ void Facets::lay_along_fracture(const Assembly& a, const Network& n, Facet& f) c
   f.right_length = dot(right, f.normal);
   f.length = f.left_length + f.right_length;
   f.way = std::max(std::abs(f.length), shortest_way * a.mean_radius);
-  const Vec2 traction = initial_traction(f.bond, f.normal);
-  f.initial_normal = dot(traction, f.normal);
-  f.initial_shear = dot(traction, {-f.normal.y, f.normal.x});
-  // What the bond bore with the fluid around it, less the mean traction.
-  f.locked =
-      initial_force(f.bond) - (pressure_[f.left] * left + pressure_[f.right] * right) + f.length * traction;
+  const Vec2 mean = initial_force_of_mean(n, f);
+  f.initial_normal = dot(mean, f.normal);
+  f.initial_shear = dot(mean, {-f.normal.y, f.normal.x});
+  // What the bond bore with the fluid around it, less that of the mean.
+  f.locked = initial_force(f.bond) - (pressure_[f.left] * left + pressure_[f.right] * right) + mean;
   f.locked_first = force_[4 * f.bond + 2];
   f.locked_second = force_[4 * f.bond + 3];
 }

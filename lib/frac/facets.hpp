@@ -6,14 +6,17 @@
 // faces that the fluid opens swell by the contact's compression, and what the bond bore beyond the mean is released at the tip.
 // A facet releases what rock releases, by superposition on the state before the treatment:
 //
-//   - When a bond breaks, the mean traction of the initial stress on its facet is released, and no more: the difference to what
-//     this very bond bore (force and couple) stays, as a locked-in force.
+//   - When a bond breaks, the force F_0 of the initial mean stress sigma on its facet is released, and no more: the difference to
+//     what this very bond bore (force and couple) stays, as a locked-in force.
 //   - The fluid pushes across the facets, p_A L_A + p_B L_B with the parts L of the facet in either pore; on intact bonds
 //     around a fracture's pore the pressure from before the treatment stays.
-//   - The opening is  w = n . (du - du_0) + (p - sigma_n) L / k_n:  displacement since the initial equilibrium, and the
-//     compression of the half discs at the face, which bear p where they bore sigma_n. Closed (w < 0) the facet transmits
-//     sigma_n L - k_n n . (du - du_0), with Coulomb friction on what exceeds p; open it transmits p.
+//   - The opening is  w = n . (du - du_0) + (p L - n . F_0) / k_n:  displacement since the initial equilibrium, and the
+//     compression of the half discs at the face, which bear p L where they bore F_0. Closed (w < 0) the facet transmits
+//     n . F_0 - k_n n . (du - du_0), with Coulomb friction on what exceeds p; open it transmits p.
 //   - Its volume is w L, shared by the two pores as L_A to L_B. So what a pore stores is what its facets are open.
+//   - Round a hole sigma is Kirsch's, for a hole as large as the void: discs of the wall stand into it by half, and its fluid meets
+//     them at their contacts. So the facet of a bond in the wall bears, beside sigma L, what exceeds the fluid between the void's
+//     edge and the contact.
 //
 // Facets of broken bonds as faces through which fluid flows: Asahina, Houseworth, Birkholzer, Rutqvist and Bolander 2014.
 #pragma once
@@ -37,8 +40,7 @@ struct Facet {
   double length = 0.0;               // m, along the fracture
   double way = 0.0;                  // m, that its fluid flows
   double left_length = 0.0, right_length = 0.0;
-  double initial_normal = 0.0,
-         initial_shear = 0.0;  // Pa: sigma_n (compression positive), traction along (-n.y, n.x)
+  double initial_normal = 0.0, initial_shear = 0.0;  // N: of F_0 below, along n and (-n.y, n.x)
   Vec2 locked;                 // N on the first disc while open
   double locked_first = 0.0, locked_second = 0.0;  // N m, as BondResponse::force[2], [3]
   Vec2 middle;                                     // m
@@ -74,11 +76,11 @@ class Facets {
   [[nodiscard]] Vec2 locked_of(std::int64_t bond) const {
     return {pore_push_[2 * bond], pore_push_[2 * bond + 1]};
   }
-  [[nodiscard]] Vec2 part(std::int64_t bond, bool left) const;  // h of a bond
+  [[nodiscard]] Vec2 part(std::int64_t bond, bool left) const;                    // h of a bond
+  [[nodiscard]] Vec2 contact(std::int64_t bond) const { return contact_[bond]; }  // m
   [[nodiscard]] Vec2 initial_force(std::int64_t bond) const {
     return {force_[4 * bond], force_[4 * bond + 1]};
   }
-  [[nodiscard]] Vec2 initial_traction(std::int64_t bond, Vec2 normal) const;  // compression positive [Pa]
   // Mean total stress of the discs around a pore now, compression positive: xx, yy, xy [Pa].
   void stress_around(const Assembly& a, const Network& n, const Options& o, std::int32_t domain,
                      double* stress) const;
@@ -87,11 +89,13 @@ class Facets {
 
  private:
   struct Hole {
+    std::int32_t domain;
     Vec2 centre;      // m
-    double radius;    // m, equivalent
+    double radius;    // m
     double pressure;  // Pa
   };
   void lay_along_fracture(const Assembly& a, const Network& n, Facet& f) const;
+  [[nodiscard]] Vec2 initial_force_of_mean(const Network& n, const Facet& f) const;  // F_0 [N]
   double far_xx_ = 0.0, far_yy_ = 0.0;  // Pa
   std::vector<Hole> holes_;
   bool active_ = false;

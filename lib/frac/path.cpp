@@ -22,6 +22,7 @@ struct Search {
   [[nodiscard]] double progress(std::int32_t pore) const {
     return dot(network.centroid[pore] - line.through, line.along);
   }
+  [[nodiscard]] double off_line(Vec2 at) const { return std::abs(cross(line.along, at - line.through)); }
   // Goes on from the last pore passed; `off`: sum of what its pores are off the line [m].
   void look(std::int64_t by, int depth, double off) {
     const auto at = passed.back();
@@ -39,8 +40,9 @@ struct Search {
       if (network.kind[next] != DomainKind::rock || facets.fractured(next)) continue;
       if (std::find(passed.begin(), passed.end(), next) != passed.end()) continue;
       passed.push_back(next);
-      look(depth == 0 ? e : by, depth + 1,
-           off + std::abs(cross(line.along, network.centroid[next] - line.through)));
+      // Through the bond as well as into the pore behind it: at a hole's wall many bonds lead to pores near the line.
+      const double here = std::max(off_line(facets.contact(e)), off_line(network.centroid[next]));
+      look(depth == 0 ? e : by, depth + 1, off + here);
       passed.pop_back();
     }
   }

@@ -2,7 +2,7 @@
 // The way on from a pore that keeps to a line best: which bond a fracture breaks next, and which a perforation cuts.
 //
 // A way through pores turns by the disc, and a tip that turned away from the plane of least stress is shut by the larger stress across it
-// (sigma_n = sigma_h + (sigma_H - sigma_h) sin^2 of the turn). So ways of a few bonds are compared: how far each leads along the
+// (sigma_n = sigma_hmin + (sigma_Hmax - sigma_hmin) sin^2 of the turn). So ways of a few bonds are compared: how far each leads along the
 // line, less how far its pores are off it.
 #pragma once
 

@@ -56,7 +56,7 @@ std::vector<Tip> find_tips(const Facets& facets, const Assembly& a, const Networ
         const double s = std::max(dot(end - f->middle, ahead), 0.1 * a.mean_radius);
         const double push = n.pressure[f->left] * f->left_length + n.pressure[f->right] * f->right_length;
         const double w =
-            side[k] * facets.jump(a, *f, normal) + (push - f->initial_normal * f->length) / facets.stiffness;
+            side[k] * facets.jump(a, *f, normal) + (push - f->initial_normal) / facets.stiffness;
         sum_w += w * std::sqrt(s);
         sum_s += s;
       }
