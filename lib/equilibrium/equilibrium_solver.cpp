@@ -84,6 +84,16 @@ EquilibriumSolver::Outcome EquilibriumSolver::solve(double duration, const std::
   return outcome;
 }
 
+bool EquilibriumSolver::rest_unbroken() {
+  Outcome outcome;
+  begin_step();
+  mechanics_.stop_motion();
+  system_.begin(0.0, {});
+  const bool found = find_rest(outcome, {});
+  begin_step();
+  return found;
+}
+
 // Conductances of facets go with the cube of what the fluid opens, and Newton's method on both runs to and fro. With the apertures
 // held the equations are linear but for facets that close; apertures follow in turn (Picard's iteration).
 bool EquilibriumSolver::find_rest_of_facets(Outcome& outcome, const std::function<bool()>& interrupt) {

@@ -40,6 +40,9 @@ class EquilibriumSolver {
   Outcome solve(double duration, const std::vector<double>& source, double most_excess, CrackLog& log,
                 const std::function<bool()>& interrupt = {});
 
+  // The undrained equilibrium of displacements and pressures, whatever the bonds bear; nothing breaks, and no forces are kept.
+  bool rest_unbroken();
+
   // Looks for intact bonds beyond their strength. Returns the largest stress over strength of all.
   double find_exceeding();
 

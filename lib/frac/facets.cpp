@@ -19,62 +19,18 @@ double size(Vec2 v) {
 }
 }  // namespace
 
+// From the contact into the pore on one side, turned so that it points towards the second disc.
 Vec2 Facets::part(std::int64_t e, bool left) const {
-  const Network& n = *network_;
-  const auto d = left ? n.left[e] : n.right[e];
-  if (n.kind[d] != DomainKind::rock) return {};
-  const Vec2 c = contact_[e], o = n.centroid[d];
-  // From the right pore to the left one, turned so that it points towards the second disc.
-  const Vec2 h = left ? turned(o - c) : turned(c - o);
-  return h;
-}
-
-// The far field's, and what each hole makes of it (Kirsch 1898; total stresses, the fluid in the hole at the formation's pressure).
-Facets::Stress Facets::initial_stress(Vec2 at) const {
-  Stress s{far_xx_, far_yy_, 0.0};
-  const double sum = 0.5 * (far_xx_ + far_yy_), difference = 0.5 * (far_xx_ - far_yy_);
-  for (const auto& hole : holes_) {
-    const Vec2 d = at - hole.centre;
-    const double r2 = std::max(dot(d, d), hole.radius * hole.radius), k = hole.radius * hole.radius / r2;
-    const double c2 = (d.x * d.x - d.y * d.y) / r2, s2 = 2.0 * d.x * d.y / r2;  // of twice the angle
-    const double even = (hole.pressure - sum) * k;
-    // Changes of the radial, hoop and shear stress.
-    const double radial = even + difference * (3.0 * k * k - 4.0 * k) * c2;
-    const double hoop = -even - difference * 3.0 * k * k * c2;
-    const double shear = -difference * (2.0 * k - 3.0 * k * k) * s2;
-    const double mean = 0.5 * (radial + hoop), half = 0.5 * (radial - hoop);
-    s.xx += mean + half * c2 - shear * s2;
-    s.yy += mean - half * c2 + shear * s2;
-    s.xy += half * s2 + shear * c2;
-  }
-  return s;
-}
-
-Vec2 Facets::initial_force_of_mean(const Network& n, const Facet& f) const {
-  const auto on = [](const Stress& s, Vec2 h) { return Vec2{s.xx * h.x + s.xy * h.y, s.xy * h.x + s.yy * h.y}; };
-  Vec2 force = on(initial_stress(f.middle), f.length * f.normal);
-  for (const bool left : {true, false}) {
-    const auto domain = left ? f.left : f.right;
-    if (n.kind[domain] == DomainKind::rock) continue;
-    for (const Hole& hole : holes_) {
-      if (hole.domain != domain) continue;
-      const Vec2 out = f.middle - hole.centre, edge = (hole.radius / size(out)) * out;
-      const Vec2 h = left ? turned(edge - out) : turned(out - edge);
-      Stress s = initial_stress(hole.centre + 0.5 * (edge + out));
-      s.xx -= hole.pressure;
-      s.yy -= hole.pressure;
-      force = force + on(s, h);
-    }
-  }
-  return force;
+  const auto d = left ? network_->left[e] : network_->right[e];
+  if (network_->kind[d] != DomainKind::rock) return {};
+  const Vec2 way = network_->centroid[d] - contact_[e];
+  return left ? turned(way) : -1.0 * turned(way);
 }
 
 void Facets::begin(const Assembly& a, Network& n, const std::vector<WellPlace>& wells, const Options& o) {
-  far_xx_ = o.stress_sigma_Hmax;
-  far_yy_ = o.stress_sigma_hmin;
+  plate_ = {o.stress_sigma_Hmax, o.stress_sigma_hmin, {}};
   for (const auto& well : wells)
-    holes_.push_back({well.domain, n.centroid[well.domain], std::sqrt(n.volume[well.domain] / std::numbers::pi),
-                      n.pressure[well.domain]});
+    plate_.holes.push_back({well.centre, well.equivalent_radius, n.pressure[well.domain]});
   active_ = true;
   assembly_ = &a;
   network_ = &n;
@@ -142,7 +98,7 @@ void Facets::stress_around(const Assembly& a, const Network& n, const Options& o
   stress[0] = stress[1] = stress[2] = 0.0;
   for (const auto i : discs) {
     area += area_[i];
-    const Stress initial = initial_stress({a.x[i], a.y[i]});
+    const auto initial = plate_.at({a.x[i], a.y[i]});
     stress[0] += area_[i] * initial.xx;
     stress[1] += area_[i] * initial.yy;
     stress[2] += area_[i] * initial.xy;
@@ -155,8 +111,7 @@ void Facets::stress_around(const Assembly& a, const Network& n, const Options& o
         const Facet& f = facets_[of_[e]];
         const double push = n.pressure[f.left] * f.left_length + n.pressure[f.right] * f.right_length;
         const double w = opening(a, n, f);
-        now = (w >= 0.0 ? -push : stiffness * jump(a, f, f.normal) - f.initial_normal) * f.normal +
-              f.locked;
+        now = (w >= 0.0 ? -push : stiffness * jump(a, f, f.normal) - f.initial_normal) * f.normal + f.locked;
       } else {
         const BondView v = view_bond(a, o, e);
         const Vec2 t{-v.normal.y, v.normal.x};
@@ -281,7 +236,8 @@ void Facets::lay_along_fracture(const Assembly& a, const Network& n, Facet& f) c
   f.right_length = dot(right, f.normal);
   f.length = f.left_length + f.right_length;
   f.way = std::max(std::abs(f.length), shortest_way * a.mean_radius);
-  const Vec2 mean = initial_force_of_mean(n, f);
+  const auto s = plate_.at(f.middle);
+  const Vec2 h = f.length * f.normal, mean{s.xx * h.x + s.xy * h.y, s.xy * h.x + s.yy * h.y};
   f.initial_normal = dot(mean, f.normal);
   f.initial_shear = dot(mean, {-f.normal.y, f.normal.x});
   // What the bond bore with the fluid around it, less that of the mean.

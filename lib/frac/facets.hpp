@@ -6,7 +6,7 @@
 // faces that the fluid opens swell by the contact's compression, and what the bond bore beyond the mean is released at the tip.
 // A facet releases what rock releases, by superposition on the state before the treatment:
 //
-//   - When a bond breaks, the force F_0 of the initial mean stress sigma on its facet is released, and no more: the difference to
+//   - When a bond breaks, the mean force F_0 on its facet (mean_force.hpp) is released, and no more: the difference to
 //     what this very bond bore (force and couple) stays, as a locked-in force.
 //   - The fluid pushes across the facets, p_A L_A + p_B L_B with the parts L of the facet in either pore; on intact bonds
 //     around a fracture's pore the pressure from before the treatment stays.
@@ -14,9 +14,6 @@
 //     compression of the half discs at the face, which bear p L where they bore F_0. Closed (w < 0) the facet transmits
 //     n . F_0 - k_n n . (du - du_0), with Coulomb friction on what exceeds p; open it transmits p.
 //   - Its volume is w L, shared by the two pores as L_A to L_B. So what a pore stores is what its facets are open.
-//   - Round a hole sigma is Kirsch's, for a hole as large as the void: discs of the wall stand into it by half, and its fluid meets
-//     them at their contacts. So the facet of a bond in the wall bears, beside sigma L, what exceeds the fluid between the void's
-//     edge and the contact.
 //
 // Facets of broken bonds as faces through which fluid flows: Asahina, Houseworth, Birkholzer, Rutqvist and Bolander 2014.
 #pragma once
@@ -25,6 +22,7 @@
 #include <vector>
 
 #include "core/array.hpp"
+#include "frac/holed_plate.hpp"
 #include "model/assembly.hpp"
 #include "model/network.hpp"
 #include "model/well.hpp"
@@ -41,19 +39,15 @@ struct Facet {
   double way = 0.0;                  // m, that its fluid flows
   double left_length = 0.0, right_length = 0.0;
   double initial_normal = 0.0, initial_shear = 0.0;  // N: of F_0 below, along n and (-n.y, n.x)
-  Vec2 locked;                 // N on the first disc while open
-  double locked_first = 0.0, locked_second = 0.0;  // N m, as BondResponse::force[2], [3]
-  Vec2 middle;                                     // m
+  Vec2 locked;                                       // N on the first disc while open
+  double locked_first = 0.0, locked_second = 0.0;    // N m, as BondResponse::force[2], [3]
+  Vec2 middle;                                       // m
   bool slot = false;  // cut, not broken: the fluid passes whether the rock opens it or not
   std::int32_t corner[4] = {-1, -1, -1, -1};  // of left pore: first, second disc; of right pore
 };
 
 class Facets {
  public:
-  struct Stress {
-    double xx, yy, xy;  // Pa, compression positive
-  };
-  [[nodiscard]] Stress initial_stress(Vec2 at) const;
   // Records the initial state: to be called once, at the initial equilibrium.
   void begin(const Assembly& assembly, Network& network, const std::vector<WellPlace>& wells,
              const Options& options);
@@ -68,6 +62,9 @@ class Facets {
   [[nodiscard]] bool fractured(std::int64_t domain) const { return active_ && fractured_[domain] != 0; }
   [[nodiscard]] const std::vector<std::int32_t>& bonds_of(std::int64_t domain) const {
     return bonds_[domain];
+  }
+  [[nodiscard]] const std::vector<std::int32_t>& bonds_of_disc(std::int32_t disc) const {
+    return disc_bonds_[disc];
   }
   // m; n . (du - du_0) along `way`.
   [[nodiscard]] double jump(const Assembly& a, const Facet& f, Vec2 way) const;
@@ -88,16 +85,8 @@ class Facets {
   Array<double> start_x, start_y, start_rotation;
 
  private:
-  struct Hole {
-    std::int32_t domain;
-    Vec2 centre;      // m
-    double radius;    // m
-    double pressure;  // Pa
-  };
   void lay_along_fracture(const Assembly& a, const Network& n, Facet& f) const;
-  [[nodiscard]] Vec2 initial_force_of_mean(const Network& n, const Facet& f) const;  // F_0 [N]
-  double far_xx_ = 0.0, far_yy_ = 0.0;  // Pa
-  std::vector<Hole> holes_;
+  HoledPlate plate_;
   bool active_ = false;
   const Network* network_ = nullptr;
   std::vector<std::int32_t> of_;

@@ -16,6 +16,7 @@ struct Search {
   const Network& network;
   const Line& line;
   std::vector<std::int32_t> passed;  // pores
+  std::vector<std::int64_t> cut;     // bonds on the way there
   double best = -1e300;
   std::int64_t first = -1;  // bond of the best way
 
@@ -23,6 +24,16 @@ struct Search {
     return dot(network.centroid[pore] - line.through, line.along);
   }
   [[nodiscard]] double off_line(Vec2 at) const { return std::abs(cross(line.along, at - line.through)); }
+  // Whether a disc would be left without any bond.
+  [[nodiscard]] bool frees(std::int64_t bond) const {
+    const auto alone = [&](std::int32_t disc) {
+      const auto& bonds = facets.bonds_of_disc(disc);
+      return std::none_of(bonds.begin(), bonds.end(), [&](std::int32_t e) {
+        return e != bond && assembly.intact[e] != 0 && std::find(cut.begin(), cut.end(), e) == cut.end();
+      });
+    };
+    return alone(assembly.first[bond]) || alone(assembly.second[bond]);
+  }
   // Goes on from the last pore passed; `off`: sum of what its pores are off the line [m].
   void look(std::int64_t by, int depth, double off) {
     const auto at = passed.back();
@@ -35,15 +46,17 @@ struct Search {
     }
     if (depth == most_ahead) return;
     for (const auto e : facets.bonds_of(at)) {
-      if (assembly.intact[e] == 0) continue;
+      if (assembly.intact[e] == 0 || frees(e)) continue;
       const auto next = network.left[e] == at ? network.right[e] : network.left[e];
       if (network.kind[next] != DomainKind::rock || facets.fractured(next)) continue;
       if (std::find(passed.begin(), passed.end(), next) != passed.end()) continue;
       passed.push_back(next);
+      cut.push_back(e);
       // Through the bond as well as into the pore behind it: at a hole's wall many bonds lead to pores near the line.
       const double here = std::max(off_line(facets.contact(e)), off_line(network.centroid[next]));
       look(depth == 0 ? e : by, depth + 1, off + here);
       passed.pop_back();
+      cut.pop_back();
     }
   }
 };
@@ -51,8 +64,9 @@ struct Search {
 }  // namespace
 
 std::int64_t straightest(const Facets& facets, const Assembly& assembly, const Network& network,
-                         std::int32_t from, const Line& line, const std::vector<std::int32_t>& passed) {
-  Search search{facets, assembly, network, line, passed};
+                         std::int32_t from, const Line& line, const std::vector<std::int32_t>& passed,
+                         const std::vector<std::int64_t>& cut) {
+  Search search{facets, assembly, network, line, passed, cut};
   search.passed.push_back(from);
   search.look(-1, 0, 0.0);
   return search.first;
@@ -64,7 +78,7 @@ std::vector<std::int64_t> perforation(const Facets& facets, const Assembly& asse
   std::vector<std::int32_t> passed;
   const Line line{well.centre, way};
   for (std::int32_t at = well.domain;;) {
-    const auto bond = straightest(facets, assembly, network, at, line, passed);
+    const auto bond = straightest(facets, assembly, network, at, line, passed, bonds);
     if (bond < 0) return bonds;
     bonds.push_back(bond);
     passed.push_back(at);

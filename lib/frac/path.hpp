@@ -18,9 +18,11 @@ struct Line {
   Vec2 along;    // unit
 };
 
-// The first bond of that way, -1: none. `passed`: pores that it must not come to.
+// The first bond of that way, -1: none. `passed`: pores that it must not come to; `cut`: bonds as good as broken. No way
+// takes the last bond of a disc.
 std::int64_t straightest(const Facets& facets, const Assembly& assembly, const Network& network,
-                         std::int32_t from, const Line& line, const std::vector<std::int32_t>& passed);
+                         std::int32_t from, const Line& line, const std::vector<std::int32_t>& passed,
+                         const std::vector<std::int64_t>& cut);
 
 // Bonds that a perforation of this length [m] cuts into the rock beside a well, along `way` from its centre.
 std::vector<std::int64_t> perforation(const Facets& facets, const Assembly& assembly, const Network& network,

@@ -55,8 +55,7 @@ std::vector<Tip> find_tips(const Facets& facets, const Assembly& a, const Networ
         const Facet* f = path[k];
         const double s = std::max(dot(end - f->middle, ahead), 0.1 * a.mean_radius);
         const double push = n.pressure[f->left] * f->left_length + n.pressure[f->right] * f->right_length;
-        const double w =
-            side[k] * facets.jump(a, *f, normal) + (push - f->initial_normal) / facets.stiffness;
+        const double w = side[k] * facets.jump(a, *f, normal) + (push - f->initial_normal) / facets.stiffness;
         sum_w += w * std::sqrt(s);
         sum_s += s;
       }
@@ -74,7 +73,7 @@ std::vector<Tip> find_tips(const Facets& facets, const Assembly& a, const Networ
       Vec2 base = end;
       for (const Facet* f : path) base = base + f->middle;
       base = (1.0 / static_cast<double>(path.size() + 1)) * base;
-      tip.ahead = straightest(facets, a, n, domain, {base, along}, {});
+      tip.ahead = straightest(facets, a, n, domain, {base, along}, {}, {});
       tips.push_back(tip);
     }
   }

@@ -5,10 +5,14 @@
 #include <array>
 
 #include "model/assembly.hpp"
+#include "options/choices.hpp"
 
 namespace hfrac {
 
-Fragments::Fragments(const Assembly& a, const Options& o) : smallest_(o.bond_smallest_fragment) {
+Fragments::Fragments(const Assembly& a, const Options& o)
+    : smallest_(FractureLaw{o.fracture_law} == FractureLaw::facet
+                    ? std::max<std::int64_t>(2, o.bond_smallest_fragment)
+                    : o.bond_smallest_fragment) {
   if (!kept()) return;
   bond_start_.assign(static_cast<std::size_t>(a.disc_count()) + 1, 0);
   for (const auto* ends : {&a.first, &a.second}) {

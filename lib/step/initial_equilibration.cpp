@@ -78,6 +78,31 @@ void require_rock_stands(const Engine& e, std::size_t cracks_before, double shar
                   "nearer to each other and to the pore pressure");
 }
 
+// The state that facets are open or closed against: holes at the pressure at which fractures grow, sigma_hmin. What the discs around
+// a hole bear of its pressure scatters and lies nearer to the wall than in a plate; with that pressure in it, little is left of either.
+void begin_facets(Engine& e) {
+  const Options& o = e.options;
+  Model& m = e.model;
+  const Array<double> pressure = m.network.pressure;
+  bool changed = false;
+  for (const auto& well : m.wells) {
+    double& p = m.network.pressure[well.place.domain];
+    changed = changed || p < o.stress_sigma_hmin;
+    p = std::max(p, o.stress_sigma_hmin);
+  }
+  if (changed && !e.equilibrium->rest_unbroken())
+    throw Error(ErrorKind::collapsed,
+                "the rock does not come to rest with sigma_hmin = " + rounded_text(o.stress_sigma_hmin) +
+                    " Pa in its wells, from where fracture.law facet measures openings; raise "
+                    "bond.tensile_strength and bond.shear_strength, or make the wells smaller");
+  e.facets.begin(m.assembly, m.network, m.well_places(), o);
+  m.network.pressure = pressure;
+  m.assembly.ux = m.start.x;
+  m.assembly.uy = m.start.y;
+  m.assembly.rotation = m.start.rotation;
+  e.mechanics->evaluate();
+}
+
 // Slots in the walls of holes, to either side, cut into rock at rest.
 void perforate(Engine& e) {
   const Options& o = e.options;
@@ -210,7 +235,7 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
     e.equilibrium =
         std::make_unique<EquilibriumSolver>(m, e.facets, *e.boundary, *e.mechanics, o, *e.workers);
   if (FractureLaw{o.fracture_law} == FractureLaw::facet) {
-    e.facets.begin(m.assembly, m.network, m.well_places(), o);
+    begin_facets(e);
     perforate(e);
     e.facets.update(m.assembly, m.network);
   }
