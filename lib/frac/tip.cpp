@@ -11,11 +11,37 @@ namespace hfrac {
 namespace {
 
 constexpr std::size_t most_behind = 4;  // facets whose openings give K
-constexpr double widest_turn = 0.5;     // cosine
+constexpr double beyond = 0.5;       // mean radii from the last pore to the tip: half way to the next contact
+constexpr double widest_turn = 0.5;  // cosine
 
 double size(Vec2 v) {
   return std::sqrt(dot(v, v));
 }
+
+// Half the way from a tip to the farthest pore of its fracture, holes included [m].
+double half_length(const Facets& facets, const Assembly& a, const Network& n, std::int32_t tip) {
+  double farthest = 0.0;
+  std::vector<std::int32_t> pores{tip};
+  std::vector<char> seen(n.kind.size(), 0);
+  seen[tip] = 1;
+  for (std::size_t k = 0; k < pores.size(); ++k) {
+    for (const auto e : facets.bonds_of(pores[k])) {
+      if (facets.of(e) < 0) continue;
+      const auto next = n.left[e] == pores[k] ? n.right[e] : n.left[e];
+      if (seen[next] != 0) continue;
+      seen[next] = 1;
+      pores.push_back(next);
+      double way = size(n.centroid[next] - n.centroid[tip]);
+      // To the far wall of a hole.
+      if (n.kind[next] == DomainKind::well)
+        for (auto c = n.corner_start[next]; c < n.corner_start[next + 1]; ++c)
+          way = std::max(way, size(a.position(n.corner_disc[c]) - n.centroid[tip]));
+      farthest = std::max(farthest, way);
+    }
+  }
+  return 0.5 * farthest;
+}
+
 }  // namespace
 
 std::vector<Tip> find_tips(const Facets& facets, const Assembly& a, const Network& n, const Options& o) {
@@ -50,18 +76,21 @@ std::vector<Tip> find_tips(const Facets& facets, const Assembly& a, const Networ
                                           : (n.kind[at] == DomainKind::rock ? n.centroid[at] : first.middle));
       ahead = (1.0 / size(ahead)) * ahead;
       Vec2 normal{-ahead.y, ahead.x};
-      double sum_w = 0.0, sum_s = 0.0;
+      const double half = half_length(facets, a, n, domain) + beyond * a.mean_radius;
+      double by_shape = 0.0, shapes = 0.0;
       for (std::size_t k = 0; k < path.size(); ++k) {
         const Facet* f = path[k];
-        const double s = std::max(dot(end - f->middle, ahead), 0.1 * a.mean_radius);
+        const double s = std::max(dot(end - f->middle, ahead), 0.0) + beyond * a.mean_radius;
+        if (k > 0 && s > half) break;
         const double push = n.pressure[f->left] * f->left_length + n.pressure[f->right] * f->right_length;
         const double w = side[k] * facets.jump(a, *f, normal) + (push - f->initial_normal) / facets.stiffness;
-        sum_w += w * std::sqrt(s);
-        sum_s += s;
+        const double shape = std::sqrt(s * (1.0 - std::min(0.5, 0.5 * s / half)));
+        by_shape += w * shape;
+        shapes += shape * shape;
       }
       Tip tip;
       tip.domain = domain;
-      tip.intensity = o.fracture_plane_modulus / 8.0 * std::sqrt(2.0 * std::numbers::pi) * sum_w / sum_s;
+      tip.intensity = o.fracture_plane_modulus / 8.0 * std::sqrt(2.0 * std::numbers::pi) * by_shape / shapes;
       double stress[3];
       facets.stress_around(a, n, o, domain, stress);
       // Along the plane of largest mean tension (Erdogan and Sih 1963), by the way that keeps to it best.

@@ -15,7 +15,7 @@ E' is that of the undrained rock where pores cannot drain in time: E'_u = 4 G K_
 import math
 from typing import Any, Dict, NamedTuple
 
-from self_similar import prefactors
+from self_similar import prefactors, shape
 
 SIDE = 100.0  # m
 RATE = 1e-3  # m2/s, both wings
@@ -74,10 +74,19 @@ class Analytic(NamedTuple):
     pressure: float
 
 
+def _regime(case: Case, modulus: float) -> float:
+    return 12.0 * case.viscosity * modulus**3 * RATE / (4.0 * math.sqrt(2.0 / math.pi) * case.toughness) ** 4
+
+
+def opening(case: Case, modulus: float, xi: Any) -> Any:
+    """Opening at x = xi l over that in the middle."""
+    return shape(_regime(case, modulus), xi)
+
+
 def analytic(case: Case, modulus: float, volume: float, length: float) -> Analytic:
     """Half length of a fracture that holds `volume`; width and pressure of one that is `length` long."""
-    thick, slope = 12.0 * case.viscosity, 4.0 * math.sqrt(2.0 / math.pi) * case.toughness
-    by_length, by_width, by_product = prefactors(thick * modulus**3 * RATE / slope**4)
+    thick = 12.0 * case.viscosity
+    by_length, by_width, by_product = prefactors(_regime(case, modulus))
     width = math.sqrt(by_width * math.sqrt(thick * RATE / modulus) * length)
     return Analytic(
         by_length * (modulus * RATE**3 / thick) ** (1.0 / 6.0) * (volume / RATE) ** (2.0 / 3.0),

@@ -7,7 +7,7 @@ the jump of displacement across the local line of cracks, between the discs of e
 """
 import heapq
 import math
-from typing import Any, Dict, List, NamedTuple, Tuple
+from typing import Any, Callable, Dict, List, NamedTuple, Tuple
 
 import numpy as np
 
@@ -26,7 +26,7 @@ class Fracture(NamedTuple):
     """The fracture of the well."""
 
     length: float  # m, half of tip to tip with the hole
-    width: float  # m, largest median opening of three cracks in a row, farther than two mean radii from the hole, whose mouth the larger stress opens, too
+    width: float  # m, in the middle, by the openings at 0.25 to 0.75 of the half length and the formula's shape: median
     pressure: float  # Pa, of the well over sigma_hmin
     volume: float  # m2, gained by the pores beside its cracks, and its opening times the hole's width
     injected: float  # m2, less what the fluid in the hole is compressed by
@@ -106,12 +106,12 @@ def _jumps(model: Model, middle: np.ndarray, position: np.ndarray, moved: np.nda
     return result
 
 
-def _largest(jump: np.ndarray, along: np.ndarray, chosen: np.ndarray) -> float:
-    in_row = jump[chosen][np.argsort(along[chosen])]
-    return float(max((np.median(in_row[k : k + 3]) for k in range(len(in_row) - 2)), default=0.0))
+def _in_the_middle(jump: np.ndarray, xi: np.ndarray, shape: Callable[[np.ndarray], np.ndarray]) -> float:
+    chosen = (np.abs(xi) > 0.25) & (np.abs(xi) < 0.75)
+    return float(np.median(jump[chosen] / shape(np.abs(xi[chosen])))) if chosen.any() else 0.0
 
 
-def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float) -> Fracture:
+def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float, shape: Callable[[np.ndarray], np.ndarray]) -> Fracture:
     """The well's fracture as it is now."""
     sim = model.sim
     state = sim.wells[0].state
@@ -198,7 +198,9 @@ def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float) -> F
         enough = len(path) >= 4 and mechanical > 0.0 and hydraulic > 0.0 and length > 0.0
         ratios = [(mechanical / each) ** (1.0 / 3.0) if enough else math.nan for each in (hydraulic, by_gap, by_pore)]
         wings.append(Wing(reach, *ratios, monotone))
+    half = 0.5 * (wings[0].length + wings[1].length)
+    xi = (offset @ heading - 0.5 * (wings[0].length - wings[1].length)) / half
     return Fracture(
-        0.5 * (wings[0].length + wings[1].length), _largest(jump, offset @ heading, distance > model.well_radius + 2.0 * model.mean_radius), net, volume, injected, gained,
+        half, _in_the_middle(jump, xi, shape), net, volume, injected, gained,
         len(cracks), own.wings, math.degrees(azimuth), int((intact == 0).sum()), (wings[0], wings[1]),
     )

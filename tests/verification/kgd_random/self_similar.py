@@ -48,8 +48,8 @@ def _residual(pressure: numpy.ndarray, g: float, toughness: float) -> numpy.ndar
 
 
 @functools.lru_cache(maxsize=None)
-def prefactors(m: float) -> Tuple[float, float, float]:
-    """l over (E' Q^3 / (12 eta))^(1/6) t^(2/3); w0^2 over (12 eta Q / E')^(1/2) l; w0 p0 over (12 eta Q E')^(1/2)."""
+def _solution(m: float) -> Tuple[float, numpy.ndarray, numpy.ndarray]:
+    """g, W and P on the pieces."""
     # From tough rock, where pressure is even, down to the toughness asked for.
     target = m ** -0.25 * math.sqrt(math.pi / 2.0) / 4.0
     tough = max(target, 1.0)
@@ -68,5 +68,16 @@ def prefactors(m: float) -> Tuple[float, float, float]:
             step = numpy.linalg.solve(jacobian, -r)
             unknown += min(1.0, 0.3 * unknown[-1] / abs(step[-1]), 0.5 / numpy.abs(step[:-1]).max() + 0.1) * step
     pressure, g = unknown[:-1], unknown[-1]
-    width = g * _influence()[1] @ pressure
+    return g, g * _influence()[1] @ pressure, pressure
+
+
+def prefactors(m: float) -> Tuple[float, float, float]:
+    """l over (E' Q^3 / (12 eta))^(1/6) t^(2/3); w0^2 over (12 eta Q / E')^(1/2) l; w0 p0 over (12 eta Q E')^(1/2)."""
+    g, width, pressure = _solution(m)
     return g, width[0] ** 2 / g, width[0] * pressure[0]
+
+
+def shape(m: float, xi: numpy.ndarray) -> numpy.ndarray:
+    """Opening at x = xi l over that in the middle."""
+    width = _solution(m)[1]
+    return numpy.interp(xi, _influence()[0], width / width[0])
