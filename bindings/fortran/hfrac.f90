@@ -94,6 +94,7 @@ module hfrac
     procedure, public :: reject_step
     procedure, public :: cracks
     procedure, public :: fractures
+    procedure, public :: fracture_line
     !> Copies of a field: call sim%get('disc.position', x) with x allocatable, of rank 1 if the field has one component,
     !> otherwise of shape (components, n); real(c_double) or integer(c_int32_t) as the field is.
     generic, public :: get => get_double_1, get_double_2, get_int32_1, get_int32_2
@@ -112,6 +113,7 @@ module hfrac
     set_formation_pressure, &
     set_regular_grid, set_grid_corners, cells, set_boundary_pressure, set_cell_pressure, set_cell_stress, write_grdecl, &
     save_image, restore, save_file, load_file, prepare_step, do_step, more_step, finalize_step, reject_step, cracks, fractures, &
+    fracture_line, &
     get_double_1, get_double_2, get_int32_1, get_int32_2, view_double, view_int32, refuse_copy, describe, &
     borrow, finish, ask_host, show_step, tell_host, set_temperature, set_disc_temperature, hold_disc_temperature, &
     set_well_temperature, well_temperature, heat, set_cell_temperature, cell_temperature
@@ -903,6 +905,24 @@ contains
     if (count > 0) status = hfrac_fractures(self%handle, fracture_size, c_loc(list), size(list, kind=c_int64_t), count)
     call report(status, self%handle, stat, errmsg)
   end subroutine fractures
+
+  !> A fracture, by its index in `fractures` from 0, as an ordered line from tip to tip.
+  subroutine fracture_line(self, fracture, points, stat, errmsg)
+    class(hfrac_simulation), intent(in) :: self
+    integer(c_int64_t), intent(in) :: fracture
+    type(hfrac_fracture_point), allocatable, target, intent(out) :: points(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_fracture_point) :: one
+    integer(c_int64_t) :: count
+    integer(c_int32_t) :: status, point_size
+    point_size = int(c_sizeof(one), c_int32_t)
+    status = hfrac_fracture_line(self%handle, fracture, point_size, c_null_ptr, 0_c_int64_t, count)
+    if (status < 0) count = 0
+    allocate (points(count))
+    if (count > 0) status = hfrac_fracture_line(self%handle, fracture, point_size, c_loc(points), count, count)
+    call report(status, self%handle, stat, errmsg)
+  end subroutine fracture_line
 
   ! Fields
 

@@ -919,6 +919,30 @@ module hfrac_c
     integer(c_int64_t) :: wings = 0_c_int64_t
   end type hfrac_fracture
 
+  !> A place on the line of a fracture: one of its cracks.
+  type, bind(C) :: hfrac_fracture_point
+    !> [m] middle of the crack now
+    real(c_double) :: position(2) = 0.0_c_double
+    !> [m] along the line from the centre of the well, below 0 on wing 0; without a well from its middle
+    real(c_double) :: distance = 0.0_c_double
+    !> [m] of the line that this crack stands for
+    real(c_double) :: length = 0.0_c_double
+    !> [m] mechanical opening now, 0 if closed
+    real(c_double) :: aperture = 0.0_c_double
+    !> [m] that the cubic law takes; 0 in a dry model
+    real(c_double) :: hydraulic_aperture = 0.0_c_double
+    !> [Pa] now, mean of the pores it lies between; 0 in a dry model
+    real(c_double) :: pressure = 0.0_c_double
+    !> [1] share of these pores that fluid fills; 0 in a dry model
+    real(c_double) :: saturation = 0.0_c_double
+    !> bond that broke
+    integer(c_int64_t) :: bond = 0_c_int64_t
+    !> 0: towards smaller x (y, if the fracture stands upright), 1: the other; -1 without a well
+    integer(c_int32_t) :: wing = 0_c_int32_t
+    !> 1: the line ends here
+    integer(c_int32_t) :: tip = 0_c_int32_t
+  end type hfrac_fracture_point
+
   !> How cracks make events. Set struct_size; zeros elsewhere are the defaults.
   type, bind(C) :: hfrac_catalogue_options
     !> sizeof(hfrac_catalogue_options) of the caller
@@ -1738,6 +1762,20 @@ module hfrac_c
       integer(c_int64_t), intent(out) :: count
       integer(c_int32_t) :: hfrac_fractures
     end function hfrac_fractures
+    !> A fracture as an ordered line, from the tip of one wing to that of the other: the longest ways from its well,
+    !> or from end to end if no well feeds it; side branches are left out. `fracture` is its index as
+    !> hfrac_fractures gives it now. Copies up to `capacity` points, *count is how many there are; `point_size` is
+    !> sizeof(hfrac_fracture_point) in the caller; buffer NULL: only *count. Unstable since 0.1.
+    function hfrac_fracture_line(sim, fracture, point_size, buffer, capacity, count) bind(C, name="hfrac_fracture_line")
+      import
+      type(c_ptr), value :: sim
+      integer(c_int64_t), value :: fracture
+      integer(c_int32_t), value :: point_size
+      type(c_ptr), value :: buffer
+      integer(c_int64_t), value :: capacity
+      integer(c_int64_t), intent(out) :: count
+      integer(c_int32_t) :: hfrac_fracture_line
+    end function hfrac_fracture_line
     !> The events of `crack_count` cracks, given in order of breakage. `crack_size` and `event_size` are the sizes
     !> of the two structs in the caller. options NULL: the defaults. Copies up to `capacity` events; *count is how
     !> many there are; buffer NULL: only *count. Needs no simulation; any thread. HFRAC_ERR_ARGUMENT: a value that

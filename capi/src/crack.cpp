@@ -68,6 +68,22 @@ hfrac_fracture describe(const Fracture& f, std::int64_t index) {
   return c;
 }
 
+hfrac_fracture_point describe(const FracturePoint& p) {
+  hfrac_fracture_point c{};
+  c.position[0] = p.at.x;
+  c.position[1] = p.at.y;
+  c.distance = p.distance;
+  c.length = p.length;
+  c.aperture = p.aperture;
+  c.hydraulic_aperture = p.hydraulic_aperture;
+  c.pressure = p.pressure;
+  c.saturation = p.saturation;
+  c.bond = p.bond;
+  c.wing = p.wing;
+  c.tip = p.tip ? 1 : 0;
+  return c;
+}
+
 }  // namespace
 
 int32_t hfrac_cracks_since(hfrac_sim* sim, int64_t cursor, int32_t crack_size, hfrac_crack* buffer,
@@ -112,5 +128,25 @@ int32_t hfrac_fractures(hfrac_sim* sim, int32_t fracture_size, hfrac_fracture* b
     const std::int64_t taken = std::min(capacity, *count);
     for (std::int64_t k = 0; k < taken; ++k)
       put_item(buffer, k, fracture_size, describe(found[static_cast<std::size_t>(k)], k));
+  });
+}
+
+int32_t hfrac_fracture_line(hfrac_sim* sim, int64_t fracture, int32_t point_size,
+                            hfrac_fracture_point* buffer, int64_t capacity, int64_t* count) {
+  return guarded_sim(sim, Access::read, [&] {
+    require_not_null(count, "count");
+    require_item_size(point_size, "point_size");
+    const auto there = static_cast<std::int64_t>(sim->simulation->fractures().size());
+    sim->numbered = sim->epoch;
+    if (fracture < 0 || fracture >= there) {
+      throw Error(ErrorKind::argument, "fracture = " + std::to_string(fracture) + " is outside 0 to " +
+                                           std::to_string(there) + " - 1, the fractures there are.");
+    }
+    const auto line = sim->simulation->fracture_line(static_cast<std::int32_t>(fracture));
+    *count = static_cast<std::int64_t>(line.size());
+    if (buffer == nullptr) return;
+    if (capacity < 0) throw Error(ErrorKind::argument, "capacity is negative.");
+    for (std::int64_t k = 0; k < std::min(capacity, *count); ++k)
+      put_item(buffer, k, point_size, describe(line[static_cast<std::size_t>(k)]));
   });
 }

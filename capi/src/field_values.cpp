@@ -27,15 +27,9 @@ void write_pipes(const Simulation& s, const Array<double>& values, double* to) {
   }
 }
 
-// A pore at the floor may hold less than would fill it at that pressure.
 void write_saturation(const Simulation& s, double* to) {
-  const Network& n = s.network();
-  for (std::int64_t d = 0; d < n.domain_count(); ++d) {
-    to[d] = 1.0;
-    if (n.stiffness.empty() || n.stiffness[d] <= 0.0) continue;  // its pressure is imposed
-    const double lacking = content_at(n, d, s.options().fluid_bulk_modulus, n.floor_pressure) - n.content[d];
-    to[d] = std::clamp(1.0 - lacking / (n.volume[d] + n.volume_change[d]), 0.0, 1.0);
-  }
+  for (std::int64_t d = 0; d < s.network().domain_count(); ++d)
+    to[d] = saturation_of(s.network(), d, s.options().fluid_bulk_modulus);
 }
 
 void write_pairs(const Array<double>& x, const Array<double>& y, double* to) {

@@ -191,10 +191,10 @@ double EquilibriumSolver::find_exceeding() {
   std::vector<char> at_tip;
   if (tips) {
     at_tip.assign(network_.kind.size(), 0);
-    for (const Tip& tip : find_tips(facets_, assembly_, network_, options_)) {
+    for (const Tip& tip : find_tips(facets_, assembly_, network_, options_, time_)) {
       at_tip[static_cast<std::size_t>(tip.domain)] = 1;
       if (tip.ahead < 0 || mechanics_.stays(tip.ahead)) continue;
-      const double excess = tip.intensity / options_.bond_fracture_toughness;
+      const double excess = tip.excess;
       largest = std::max(largest, excess);
       if (excess >= 1.0) exceeding_.push_back({excess, tip.ahead});
     }
@@ -243,6 +243,7 @@ void EquilibriumSolver::break_farthest(CrackLog& log) {
       continue;  // some of its discs' other bonds may have broken just now
     broken.push_back(middle);
     mechanics_.break_bond(candidate.bond, log);
+    if (facets_.active()) network_.facet_time[candidate.bond] = time_;
     if (facets_.active()) {
       const auto l = network_.left[candidate.bond], r = network_.right[candidate.bond];
       const bool lw = network_.kind[l] == DomainKind::well || facets_.fractured(l),

@@ -40,6 +40,9 @@ class EquilibriumSolver {
   Outcome solve(double duration, const std::vector<double>& source, double most_excess, CrackLog& log,
                 const std::function<bool()>& interrupt = {});
 
+  // Model time at the end of the solves that follow [s], by which tips know their speed.
+  void set_time(double time) { time_ = time; }
+
   // The undrained equilibrium of displacements and pressures, whatever the bonds bear; nothing breaks, and no forces are kept.
   bool rest_unbroken();
 
@@ -71,6 +74,7 @@ class EquilibriumSolver {
   Krylov krylov_;
   std::vector<double> pressure_start_;
   std::vector<Exceeding> exceeding_;
+  double time_ = 0.0;
   double krylov_rate_ = 0.0;  // iterations of the last linear solve per power of ten gained
   bool flowed_ = false;
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs_;  // that the order of elimination knows

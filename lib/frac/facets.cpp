@@ -9,6 +9,7 @@ namespace hfrac {
 namespace {
 
 constexpr double plane_reach = 4.0;   // mean radii to either side that a fracture's plane is fitted over
+constexpr double long_ago = -1e30;    // s
 constexpr double shortest_way = 0.2;  // mean radii
 
 Vec2 turned(Vec2 v) {
@@ -44,6 +45,8 @@ void Facets::begin(const Assembly& a, Network& n, const std::vector<WellPlace>& 
   fractured_.assign(n.kind.size(), 0);
   bonds_.assign(n.kind.size(), {});
   n.facet_offset.assign(n.kind.size(), 0.0);
+  n.facet_opening.assign(bonds, 0.0);
+  n.facet_time.assign(bonds, long_ago);
   pressure_.assign(n.pressure.begin(), n.pressure.end());
   pore_push_.assign(2 * bonds, 0.0);
   weight_ = n.corner_weight;
@@ -143,6 +146,10 @@ double Facets::opening(const Assembly& a, const Network& n, const Facet& f) cons
   return jump(a, f, f.normal) + (push - f.initial_normal) / stiffness;
 }
 
+void Facets::tell_openings(const Assembly& a, Network& n) const {
+  for (const Facet& f : facets_) n.facet_opening[f.bond] = std::max(0.0, jump(a, f, f.normal));
+}
+
 void Facets::update(const Assembly& a, Network& n, bool restored) {
   if (!active_) return;
   facets_.clear();
@@ -174,6 +181,7 @@ void Facets::update(const Assembly& a, Network& n, bool restored) {
       if (n.kind[dom] == DomainKind::rock) fractured_[dom] = 1;
   }
   for (auto& f : facets_) lay_along_fracture(a, n, f);
+  tell_openings(a, n);
   for (std::size_t d = 1; d < fractured_.size(); ++d) {
     if (fractured_[d] != before[d])
       std::copy(weight_.begin() + 2 * n.corner_start[d], weight_.begin() + 2 * n.corner_start[d + 1],

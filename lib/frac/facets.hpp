@@ -68,6 +68,8 @@ class Facets {
   }
   // m; n . (du - du_0) along `way`.
   [[nodiscard]] double jump(const Assembly& a, const Facet& f, Vec2 way) const;
+  // What others read of openings: network.facet_opening.
+  void tell_openings(const Assembly& assembly, Network& network) const;
   [[nodiscard]] double opening(const Assembly& a, const Network& n, const Facet& f) const;
   // Force of the locked-in pressure on an intact bond of a fracture's pore, on its first disc [N].
   [[nodiscard]] Vec2 locked_of(std::int64_t bond) const {

@@ -137,6 +137,7 @@ CrackLine crack_line(const Network& n, const Assembly& a, const Options& o, std:
   CrackLine line = crack_line(a, o, bond);
   if (const CrackPlane* plane = n.planes.of(static_cast<std::size_t>(bond)))
     line.aperture = std::max(0.0, CrackPlanes::opening(*plane, a, static_cast<std::size_t>(bond)));
+  if (!n.facet_opening.empty()) line.aperture = n.facet_opening[bond];
   return line;
 }
 

@@ -13,6 +13,8 @@ namespace {
 constexpr std::size_t most_behind = 4;  // facets whose openings give K
 constexpr double beyond = 0.5;       // mean radii from the last pore to the tip: half way to the next contact
 constexpr double widest_turn = 0.5;  // cosine
+constexpr double beta_cubed = 2.0 * 15.588457268119896;  // 2 * 3^(5/2)
+constexpr double shortest_time = 1e-9;                   // s
 
 double size(Vec2 v) {
   return std::sqrt(dot(v, v));
@@ -44,7 +46,8 @@ double half_length(const Facets& facets, const Assembly& a, const Network& n, st
 
 }  // namespace
 
-std::vector<Tip> find_tips(const Facets& facets, const Assembly& a, const Network& n, const Options& o) {
+std::vector<Tip> find_tips(const Facets& facets, const Assembly& a, const Network& n, const Options& o,
+                           double time) {
   std::vector<Tip> tips;
   for (const Facet& first : facets.all()) {
     for (const auto domain : {first.left, first.right}) {
@@ -77,20 +80,30 @@ std::vector<Tip> find_tips(const Facets& facets, const Assembly& a, const Networ
       ahead = (1.0 / size(ahead)) * ahead;
       Vec2 normal{-ahead.y, ahead.x};
       const double half = half_length(facets, a, n, domain) + beyond * a.mean_radius;
-      double by_shape = 0.0, shapes = 0.0;
+      const double speed = first.way / std::max(time - n.facet_time[first.bond], shortest_time);
+      const double modulus = o.fracture_plane_modulus;
+      const double tough = 4.0 * std::sqrt(2.0 / std::numbers::pi) * o.bond_fracture_toughness / modulus;
+      const double viscous = beta_cubed * 12.0 * o.fluid_viscosity * speed / modulus;
+      double by_shape = 0.0, shapes = 0.0, by_wanted = 0.0, wanted = 0.0;
       for (std::size_t k = 0; k < path.size(); ++k) {
         const Facet* f = path[k];
         const double s = std::max(dot(end - f->middle, ahead), 0.0) + beyond * a.mean_radius;
         if (k > 0 && s > half) break;
         const double push = n.pressure[f->left] * f->left_length + n.pressure[f->right] * f->right_length;
         const double w = side[k] * facets.jump(a, *f, normal) + (push - f->initial_normal) / facets.stiffness;
-        const double shape = std::sqrt(s * (1.0 - std::min(0.5, 0.5 * s / half)));
+        const double end_of_two = std::sqrt(1.0 - std::min(0.5, 0.5 * s / half));
+        const double shape = std::sqrt(s) * end_of_two;
         by_shape += w * shape;
         shapes += shape * shape;
+        const double want =
+            std::cbrt(tough * tough * tough * s * std::sqrt(s) + viscous * s * s) * end_of_two;
+        by_wanted += w * want;
+        wanted += want * want;
       }
       Tip tip;
       tip.domain = domain;
-      tip.intensity = o.fracture_plane_modulus / 8.0 * std::sqrt(2.0 * std::numbers::pi) * by_shape / shapes;
+      tip.excess = by_wanted / wanted;
+      tip.intensity = modulus / 8.0 * std::sqrt(2.0 * std::numbers::pi) * by_shape / shapes;
       double stress[3];
       facets.stress_around(a, n, o, domain, stress);
       // Along the plane of largest mean tension (Erdogan and Sih 1963), by the way that keeps to it best.

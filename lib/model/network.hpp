@@ -9,6 +9,7 @@
 // weights are taken at bonding (small rotations).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -43,8 +44,10 @@ struct Network {
   // pipes to the outside, and how far the pressure beyond each is above domain 0's: a host may say what lies there
   std::vector<std::int32_t> outer_pipe;
   Array<double> outer_excess;  // Pa
-  Array<double>
-      facet_offset;  // m2, per domain: of a fracture's pore before its facets open (frac/facets.hpp); empty without
+  // with fracture.law facet (frac/facets.hpp), else empty
+  Array<double> facet_offset;   // m2, per domain: of a fracture's pore before its facets open
+  Array<double> facet_time;     // s, per pipe: when its bond broke
+  Array<double> facet_opening;  // m, per pipe: across the fracture; follows from the state
   double reference_pressure = 0.0, floor_pressure = 0.0;  // Pa
   double zero_stress_aperture = 0.0;                      // m, r0
   CrackPlanes planes;                                     // with flow.fracture_aperture = "plane"
@@ -77,6 +80,13 @@ Network build_network(Faces faces, const Assembly& assembly, const std::vector<s
 // Content at which a domain has pressure p, given its volume change now.
 inline double content_at(const Network& n, std::int64_t domain, double bulk_modulus, double p) {
   return n.volume_change[domain] + (p - n.reference_pressure) * n.volume[domain] / bulk_modulus;
+}
+
+// Share of a domain's volume that fluid fills; 1 where the pressure is imposed. A pore at the floor may hold less than would fill it.
+inline double saturation_of(const Network& n, std::int64_t domain, double bulk_modulus) {
+  if (n.stiffness.empty() || n.stiffness[domain] <= 0.0) return 1.0;
+  const double lacking = content_at(n, domain, bulk_modulus, n.floor_pressure) - n.content[domain];
+  return std::clamp(1.0 - lacking / (n.volume[domain] + n.volume_change[domain]), 0.0, 1.0);
 }
 
 }  // namespace hfrac

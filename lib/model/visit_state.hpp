@@ -27,7 +27,10 @@ void visit_state(Archive& archive, Self& s, bool wet) {
     }
   }
   // Hashes of models without facets are what they were before there were any.
-  if (!n.facet_offset.empty()) archive.array(n.facet_offset);
+  if (!n.facet_offset.empty()) {
+    archive.array(n.facet_offset);
+    archive.array(n.facet_time);
+  }
   archive.value(n.zero_stress_aperture);
   archive.often_zero(s.increment.pressure_rate);
   for (auto* value : {&s.clock.time, &s.clock.force_ratio, &s.accounts.leaked, &s.clock.tip_distance,

@@ -134,6 +134,11 @@ std::vector<Fracture> Simulation::fractures() {
   return find_fractures(model_.assembly, model_.network, options(), model_.well_places(), model_.cracks);
 }
 
+std::vector<FracturePoint> Simulation::fracture_line(std::int32_t fracture) const {
+  return hfrac::fracture_line(model_.assembly, model_.network, options(), model_.well_places(), model_.cracks,
+                              fracture);
+}
+
 void Simulation::set_grid(HostGrid grid) {
   grid.lay_over(model_.assembly, model_.network);
   grid_ = std::move(grid);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "build/build_model.hpp"
+#include "frac/fracture_line.hpp"
 #include "frac/fractures.hpp"
 #include "host/host_grid.hpp"
 #include "step/engine.hpp"
@@ -72,6 +73,8 @@ class Simulation {
 
   // Numbers the cracks by fracture.
   std::vector<Fracture> fractures();
+  // Of a fracture by its index there.
+  [[nodiscard]] std::vector<FracturePoint> fracture_line(std::int32_t fracture) const;
 
   // A reservoir simulator's grid over the model. It is no part of the state, what it brought is.
   void set_grid(HostGrid grid);

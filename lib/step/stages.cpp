@@ -102,6 +102,7 @@ void feel_heat_again(Engine& e) {
 
 void update_geometry(Engine& e) {
   if (e.flow && !e.facets.active()) update_apertures(e.model.network, e.model.assembly, e.options);
+  e.facets.tell_openings(e.model.assembly, e.model.network);
   e.mechanics->search_contacts(e.model.cracks);
 }
 

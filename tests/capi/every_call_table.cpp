@@ -101,6 +101,8 @@ std::vector<Row> reading() {
           static_cast<int32_t>(sizeof(hfrac_crack)), g.several<hfrac_crack>(), int64_t{8}, &g.big, &g.next),
       ROW(hfrac_fractures, reads, Optional({2}), g.sim, static_cast<int32_t>(sizeof(hfrac_fracture)),
           g.several<hfrac_fracture>(), int64_t{8}, &g.big),
+      ROW(hfrac_fracture_line, reads, Optional({3}), g.sim, int64_t{0},
+          static_cast<int32_t>(sizeof(hfrac_fracture_point)), g.several<hfrac_fracture_point>(), int64_t{8}, &g.big),
       ROW(hfrac_get_heat, reads, Optional(), g.sim, g.sized<hfrac_heat>()),
       ROW(hfrac_get_cell_temperature, reads, Optional({1}), g.sim, g.reals.data(), int64_t{4}, &g.big),
       ROW(hfrac_well_get_temperature, reads, Optional(), g.sim, 0, &g.real),

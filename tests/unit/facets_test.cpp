@@ -148,6 +148,41 @@ TEST(Facets, SlotsAreCutOnBothSides) {
   }
 }
 
+// A fracture that grows from slots: its fluid is accounted for, and a simulation put back to an image goes on with the same bits.
+TEST(Facets, GrowWithoutLosingFluidAndGoOnFromAnImage) {
+  CaseDefinition definition = with_hole(6.0);
+  Options& o = definition.options;
+  o.fracture_perforation_length = 4.0;
+  o.fracture_plane_modulus = 18.6e9;
+  o.bond_fracture_toughness = 5e6;
+  o.bond_tensile_strength = 20e6;
+  o.bond_shear_strength = 60e6;
+  o.fluid_viscosity = 0.01;
+  o.stepping_flow_step = 5.0;
+  o.stop_extent_fraction = 1.0;
+  definition.wells[0].control = WellControl::rate;
+  definition.wells[0].rate = 5e-3;
+  Simulation s(definition, {}, {});
+  while (s.cracks().size() < 12 && s.time() < 500.0) s.step();
+  ASSERT_GE(s.cracks().size(), 12U);
+  const Balance balance = s.balance();
+  EXPECT_LT(std::abs(balance.fluid_error), 1e-12 * balance.injected);
+  std::vector<std::byte> image(s.image_size());
+  s.write_image(image);
+  const auto go_on = [](Simulation& of) {
+    for (int k = 0; k < 4; ++k) of.step();
+    return of.state_hash();
+  };
+  const auto cracks = s.cracks().size();
+  const auto hash = go_on(s);
+  EXPECT_GT(s.cracks().size(), cracks);
+  s.restore(image);
+  EXPECT_EQ(go_on(s), hash);
+  Simulation other(definition, {}, {});
+  other.restore(image);
+  EXPECT_EQ(go_on(other), hash);
+}
+
 TEST(Facets, AreRefusedWhereTheyAreNotKnown) {
   CaseDefinition definition = confined(20e6);
   definition.options.stepping_mode = static_cast<std::int64_t>(SteppingMode::substep);

@@ -80,7 +80,7 @@ std::vector<double> intensities(const Packing& packing, double stress) {
   const double formula = net * std::sqrt(std::numbers::pi * half) *
                          crack_geometry_factor(LabTest::centre_crack, 2.0 * half / width);
   std::vector<double> found;
-  for (const Tip& tip : find_tips(facets, a, n, o)) found.push_back(tip.intensity / formula);
+  for (const Tip& tip : find_tips(facets, a, n, o, 0.0)) found.push_back(tip.intensity / formula);
   return found;
 }
 

@@ -75,6 +75,22 @@ void fracture_columns(const hfrac_fracture& fracture, const Visit& visit) {
   visit("wings", fracture.wings);
 }
 
+/** fracture_lines.csv but for the fracture's number. */
+template <class Visit>
+void line_columns(const hfrac_fracture_point& point, const Visit& visit) {
+  visit("x_m", point.position[0]);
+  visit("y_m", point.position[1]);
+  visit("distance_m", point.distance);
+  visit("length_m", point.length);
+  visit("aperture_m", point.aperture);
+  visit("hydraulic_aperture_m", point.hydraulic_aperture);
+  visit("pressure_Pa", point.pressure);
+  visit("saturation", point.saturation);
+  visit("bond", point.bond);
+  visit("wing", point.wing);
+  visit("tip", point.tip);
+}
+
 /** Likewise, the fluid, but for what was injected. */
 inline constexpr Member fluid_volumes[] = {{"stored_volume_m2", &hfrac_balance::stored_volume},
                                            {"leaked_volume_m2", &hfrac_balance::leaked_volume},

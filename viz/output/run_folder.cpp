@@ -101,6 +101,9 @@ void RunFolder::finish(hfrac_sim* sim, const std::string& why_ended) {
   const SnapshotFrame frame(sim);
   write_series(frame);
   write_whole(folder_ / "fractures.csv", fracture_table(frame.fractures));
+  std::vector<std::vector<hfrac_fracture_point>> lines;
+  for (const auto& fracture : frame.fractures) lines.push_back(run::line_of(sim, fracture.index));
+  write_whole(folder_ / "fracture_lines.csv", line_table(lines));
   write_whole(folder_ / "events.csv", event_table(events_of(frame.cracks, nullptr)));
   write_whole(folder_ / "state.hfrac", state_image(sim));
   write_summary(frame);

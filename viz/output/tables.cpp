@@ -135,6 +135,20 @@ std::string fracture_table(const std::vector<hfrac_fracture>& fractures) {
   });
 }
 
+std::string line_table(const std::vector<std::vector<hfrac_fracture_point>>& lines) {
+  struct Point {
+    int64_t fracture = 0;
+    hfrac_fracture_point at{};
+  };
+  std::vector<Point> points;
+  for (size_t k = 0; k < lines.size(); ++k)
+    for (const auto& point : lines[k]) points.push_back({static_cast<int64_t>(k), point});
+  return table_of(points, [](const auto& point, size_t, const auto& visit) {
+    visit("fracture", point.fracture);
+    line_columns(point.at, visit);
+  });
+}
+
 std::vector<hfrac_event> events_of(const std::vector<hfrac_crack>& cracks,
                                    const hfrac_catalogue_options* options) {
   constexpr auto crack_size = static_cast<int32_t>(sizeof(hfrac_crack));

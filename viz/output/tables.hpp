@@ -32,6 +32,8 @@ std::string event_table(const std::vector<hfrac_event>& events);
 
 /** fractures.csv: the fractures as they are now. */
 std::string fracture_table(const std::vector<hfrac_fracture>& fractures);
+/** fracture_lines.csv: of each fracture its line from tip to tip. */
+std::string line_table(const std::vector<std::vector<hfrac_fracture_point>>& lines);
 
 /** cells.csv: the cells of a reservoir simulator's grid, `nx` to a row, i fastest. */
 std::string cell_table(const std::vector<hfrac_cell>& cells, int64_t nx);

@@ -112,6 +112,13 @@ std::vector<hfrac_fracture> fractures_of(hfrac_sim* sim) {
   });
 }
 
+std::vector<hfrac_fracture_point> line_of(hfrac_sim* sim, int64_t fracture) {
+  return copied<hfrac_fracture_point>(sim, [&](hfrac_fracture_point* to, int64_t capacity, int64_t* count) {
+    return hfrac_fracture_line(sim, fracture, static_cast<int32_t>(sizeof(hfrac_fracture_point)), to, capacity,
+                               count);
+  });
+}
+
 std::string version_of_library() {
   int32_t major = 0, minor = 0, patch = 0;
   require(hfrac_version(&major, &minor, &patch), nullptr);

@@ -698,6 +698,23 @@ class hfrac_fracture(ctypes.Structure):
     ]
 
 
+class hfrac_fracture_point(ctypes.Structure):
+    """A place on the line of a fracture: one of its cracks."""
+
+    _fields_ = [
+        ("position", ctypes.c_double * 2),
+        ("distance", ctypes.c_double),
+        ("length", ctypes.c_double),
+        ("aperture", ctypes.c_double),
+        ("hydraulic_aperture", ctypes.c_double),
+        ("pressure", ctypes.c_double),
+        ("saturation", ctypes.c_double),
+        ("bond", ctypes.c_int64),
+        ("wing", ctypes.c_int32),
+        ("tip", ctypes.c_int32),
+    ]
+
+
 class hfrac_catalogue_options(ctypes.Structure):
     """How cracks make events. Set struct_size; zeros elsewhere are the defaults."""
 
@@ -1169,6 +1186,14 @@ SIGNATURES = {
     ),
     "hfrac_fractures": (
         ctypes.c_void_p,
+        ctypes.c_int32,
+        ctypes.c_void_p,
+        ctypes.c_int64,
+        ctypes.POINTER(ctypes.c_int64),
+    ),
+    "hfrac_fracture_line": (
+        ctypes.c_void_p,
+        ctypes.c_int64,
         ctypes.c_int32,
         ctypes.c_void_p,
         ctypes.c_int64,

@@ -439,6 +439,47 @@ class Fracture(NamedTuple):
         )
 
 
+class FracturePoint(NamedTuple):
+    """A place on the line of a fracture: one of its cracks."""
+
+    #: [m] middle of the crack now
+    position: Tuple[float, float]
+    #: [m] along the line from the centre of the well, below 0 on wing 0; without a well from its middle
+    distance: float
+    #: [m] of the line that this crack stands for
+    length: float
+    #: [m] mechanical opening now, 0 if closed
+    aperture: float
+    #: [m] that the cubic law takes; 0 in a dry model
+    hydraulic_aperture: float
+    #: [Pa] now, mean of the pores it lies between; 0 in a dry model
+    pressure: float
+    #: [1] share of these pores that fluid fills; 0 in a dry model
+    saturation: float
+    #: bond that broke
+    bond: int
+    #: 0: towards smaller x (y, if the fracture stands upright), 1: the other; -1 without a well
+    wing: int
+    #: 1: the line ends here
+    tip: int
+
+    @classmethod
+    def of(cls, struct: _abi.hfrac_fracture_point) -> "FracturePoint":
+        """The struct's values."""
+        return cls(
+            tuple(struct.position),
+            struct.distance,
+            struct.length,
+            struct.aperture,
+            struct.hydraulic_aperture,
+            struct.pressure,
+            struct.saturation,
+            struct.bond,
+            struct.wing,
+            struct.tip,
+        )
+
+
 class CatalogueOptions(NamedTuple):
     """How cracks make events."""
 

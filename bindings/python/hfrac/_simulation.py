@@ -14,7 +14,7 @@ from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Pipes
 from ._library import call, load
 from ._open_step import OpenStep
 from ._progress import LogFunction, Progress, ProgressFunction
-from ._records import Balance, Crack, Event, Fracture, Heat, SetupReport, SimState, SolverReport, StepLimits, WallState
+from ._records import Balance, Crack, Event, Fracture, FracturePoint, Heat, SetupReport, SimState, SolverReport, StepLimits, WallState
 from ._view import View
 from ._well import Well
 from .errors import BadHandleError, HfracError, StoppedError, UnknownKeyError
@@ -342,6 +342,15 @@ class Simulation:
         records = (_abi.hfrac_fracture * count.value)()
         self._call("hfrac_fractures", size, ctypes.addressof(records), count.value, ctypes.byref(count))
         return [Fracture.of(struct) for struct in records]
+
+    def fracture_line(self, fracture: int = 0) -> Any:
+        """A fracture, by its index in `fractures`, as an ordered line from tip to tip: a numpy record array, or a list of
+        FracturePoint."""
+        count, size = ctypes.c_int64(), ctypes.sizeof(_abi.hfrac_fracture_point)
+        self._call("hfrac_fracture_line", fracture, size, None, 0, ctypes.byref(count))
+        records, address = _arrays.new_records(_abi.hfrac_fracture_point, count.value)
+        self._call("hfrac_fracture_line", fracture, size, address, count.value, ctypes.byref(count))
+        return [FracturePoint.of(struct) for struct in records] if _arrays.numpy is None else records
 
     def events(
         self, distance: float = 0.0, time_window: float = 0.0, cycle_window: int = 0, thickness: float = 1.0

@@ -65,6 +65,27 @@ typedef struct hfrac_fracture {
 HFRAC_API int32_t hfrac_fractures(hfrac_sim *sim, int32_t fracture_size, hfrac_fracture *buffer, int64_t capacity,
                                   int64_t *count);
 
+/** A place on the line of a fracture: one of its cracks. */
+typedef struct hfrac_fracture_point {
+  double position[2];        /**< [m] middle of the crack now */
+  double distance;           /**< [m] along the line from the centre of the well, below 0 on wing 0; without a well from its middle */
+  double length;             /**< [m] of the line that this crack stands for */
+  double aperture;           /**< [m] mechanical opening now, 0 if closed */
+  double hydraulic_aperture; /**< [m] that the cubic law takes; 0 in a dry model */
+  double pressure;           /**< [Pa] now, mean of the pores it lies between; 0 in a dry model */
+  double saturation;         /**< [1] share of these pores that fluid fills; 0 in a dry model */
+  int64_t bond;              /**< bond that broke */
+  int32_t wing;              /**< 0: towards smaller x (y, if the fracture stands upright), 1: the other; -1 without a well */
+  int32_t tip;               /**< 1: the line ends here */
+} hfrac_fracture_point;
+
+/** A fracture as an ordered line, from the tip of one wing to that of the other: the longest ways from its well, or from end to
+ * end if no well feeds it; side branches are left out. `fracture` is its index as hfrac_fractures gives it now. Copies up to
+ * `capacity` points, *count is how many there are; `point_size` is sizeof(hfrac_fracture_point) in the caller; buffer NULL: only
+ * *count. Unstable since 0.1. */
+HFRAC_API int32_t hfrac_fracture_line(hfrac_sim *sim, int64_t fracture, int32_t point_size,
+                                      hfrac_fracture_point *buffer, int64_t capacity, int64_t *count);
+
 #ifdef __cplusplus
 }
 #endif
