@@ -916,11 +916,13 @@ contains
     type(hfrac_fracture_point) :: one
     integer(c_int64_t) :: count
     integer(c_int32_t) :: status, point_size
+    count = 0
     point_size = int(c_sizeof(one), c_int32_t)
     status = hfrac_fracture_line(self%handle, fracture, point_size, c_null_ptr, 0_c_int64_t, count)
     if (status < 0) count = 0
     allocate (points(count))
-    if (count > 0) status = hfrac_fracture_line(self%handle, fracture, point_size, c_loc(points), count, count)
+    if (count > 0) status = hfrac_fracture_line(self%handle, fracture, point_size, c_loc(points), &
+      size(points, kind=c_int64_t), count)
     call report(status, self%handle, stat, errmsg)
   end subroutine fracture_line
 

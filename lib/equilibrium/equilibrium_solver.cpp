@@ -12,6 +12,7 @@ namespace {
 constexpr int most_newton = 40;          // iterations of a round
 constexpr int most_uphill = 2;           // iterations of a round that lead nowhere
 constexpr int patience = 8;              // iterations in which the residual has to fall
+constexpr int circle = 6;                // iterations without that: Newton's method goes in a circle
 constexpr double fall = 0.7;             // by this factor at least
 constexpr int most_rounds = 2000;        // of a solve
 constexpr int most_turns = 40;           // between apertures and equilibrium
@@ -155,9 +156,24 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
     double share = longest;
     system_.move(step, share);
     system_.evaluate();
-    // Facets that open and close are the only kinks while apertures are held: the whole step is the best one, and half of it every
-    // other time leads out of a circle.
-    if (whole_steps && iteration >= 4 && iteration % 2 == 0 && !(system_.residual().norm() < 0.5 * before)) {
+    // Facets that open, close, stick and slide are the only kinks while apertures are held: the whole step is the best one, and half of it
+    // every other time leads out of a circle; where it does not, the part that leaves least.
+    if (whole_steps && iteration - best_at >= circle) {
+      double least = system_.residual().norm(), best_share = share;
+      for (const double part : {0.75, 0.5, 0.25, 0.1, 0.03}) {
+        system_.move(step, part * longest - share);
+        share = part * longest;
+        system_.evaluate();
+        if (system_.residual().norm() < least) {
+          least = system_.residual().norm();
+          best_share = share;
+        }
+      }
+      system_.move(step, best_share - share);
+      share = best_share;
+      system_.evaluate();
+    } else if (whole_steps && iteration >= 4 && iteration % 2 == 0 &&
+               !(system_.residual().norm() < 0.5 * before)) {
       system_.move(step, -0.5 * share);
       share *= 0.5;
       system_.evaluate();

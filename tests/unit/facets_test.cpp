@@ -161,7 +161,7 @@ TEST(Facets, GrowWithoutLosingFluidAndGoOnFromAnImage) {
   o.stepping_flow_step = 5.0;
   o.stop_extent_fraction = 1.0;
   definition.wells[0].control = WellControl::rate;
-  definition.wells[0].rate = 5e-3;
+  definition.wells[0].rate = 3e-2;
   Simulation s(definition, {}, {});
   while (s.cracks().size() < 12 && s.time() < 500.0) s.step();
   ASSERT_GE(s.cracks().size(), 12U);
