@@ -212,7 +212,7 @@ double EquilibriumSolver::find_exceeding() {
       if (tip.ahead < 0 || mechanics_.stays(tip.ahead)) continue;
       const double excess = tip.excess;
       largest = std::max(largest, excess);
-      if (excess >= 1.0) exceeding_.push_back({excess, tip.ahead});
+      if (excess >= 1.0) exceeding_.push_back({excess, tip.ahead, true});
     }
   }
   for (std::int64_t e = 0; e < assembly_.bond_count(); ++e) {
@@ -259,6 +259,7 @@ void EquilibriumSolver::break_farthest(CrackLog& log) {
       continue;  // some of its discs' other bonds may have broken just now
     broken.push_back(middle);
     mechanics_.break_bond(candidate.bond, log);
+    if (candidate.at_tip) log.back().mode = CrackMode::tension;
     if (facets_.active()) network_.facet_time[candidate.bond] = time_;
     if (facets_.active()) {
       const auto l = network_.left[candidate.bond], r = network_.right[candidate.bond];

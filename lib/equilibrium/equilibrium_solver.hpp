@@ -59,6 +59,7 @@ class EquilibriumSolver {
   struct Exceeding {
     double excess;  // stress over strength, at least 1
     std::int64_t bond;
+    bool at_tip = false;  // of a fracture that goes on: mode I, whatever the bond bears
   };
   void keep_round();
   void break_farthest(CrackLog& log);

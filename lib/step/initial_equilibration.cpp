@@ -115,6 +115,7 @@ void perforate(Engine& e) {
         if (e.model.assembly.intact[bond] != 0) {
           e.facets.cut(bond);
           e.mechanics->break_bond(bond, e.model.cracks);
+          e.model.cracks.back().mode = CrackMode::tension;
         }
 }
 

@@ -363,6 +363,7 @@ contains
     type(hfrac_sim_state) :: state
     type(hfrac_crack), allocatable :: all_cracks(:), later(:)
     type(hfrac_fracture), allocatable :: fractures(:)
+    type(hfrac_fracture_point), allocatable :: line(:)
     integer(int64) :: before, cursor
     integer :: stat
     call sim%create(case_file)
@@ -375,6 +376,8 @@ contains
     call expect(size(later) > 0 .and. later(size(later))%id == state%crack_count - 1, 'cracks since a cursor')
     call expect(all(all_cracks%mode >= HFRAC_CRACK_TENSION .and. all_cracks%mode <= HFRAC_CRACK_SHEAR), 'modes')
     call sim%fractures(fractures)
+    call sim%fracture_line(0_c_int64_t, line)
+    call expect(size(line) > 0 .and. all(line(2:)%distance > line(:size(line) - 1)%distance), 'line of a fracture')
     call expect(sum(fractures%crack_count) <= state%crack_count .and. fractures(1)%length > 0.0_real64, 'fractures')
     block
       use, intrinsic :: iso_c_binding, only: c_loc, c_sizeof

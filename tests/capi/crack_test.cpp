@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstring>
 #include <numbers>
+#include <set>
 
 #include "sim_support.hpp"
 
@@ -192,6 +193,50 @@ TEST_F(Cracks, FitOlderAndNewerCallers) {
     EXPECT_EQ(hfrac_fractures(sim, size, &fracture, 1, &count), HFRAC_ERR_STRUCT_SIZE) << size;
     EXPECT_NE(last_error(sim).find("fracture_size = " + std::to_string(size)), std::string::npos);
   }
+  EXPECT_EQ(count, -1);
+}
+
+TEST_F(Cracks, AreALineFromTipToTip) {
+  const auto line_of = [](int64_t fracture) {
+    int64_t count = -1;
+    EXPECT_EQ(hfrac_fracture_line(sim, fracture, sizeof(hfrac_fracture_point), nullptr, 0, &count), HFRAC_OK);
+    std::vector<hfrac_fracture_point> line(at(count));
+    EXPECT_EQ(hfrac_fracture_line(sim, fracture, sizeof(hfrac_fracture_point), line.data(), count, &count),
+              HFRAC_OK);
+    return line;
+  };
+  for (const auto& fracture : fractures) {
+    SCOPED_TRACE("fracture " + std::to_string(fracture.index));
+    const auto line = line_of(fracture.index);
+    ASSERT_GT(line.size(), 0u);
+    double length = 0.0;
+    std::set<int64_t> bonds;
+    for (std::size_t k = 0; k < line.size(); ++k) {
+      const auto& p = line[k];
+      length += p.length;
+      const auto crack =
+          std::find_if(cracks.begin(), cracks.end(), [&](const auto& c) { return c.bond == p.bond; });
+      ASSERT_NE(crack, cracks.end());
+      EXPECT_EQ(crack->fracture, fracture.index);
+      EXPECT_EQ(p.position[0], crack->position[0]);
+      EXPECT_EQ(p.aperture, crack->aperture);
+      EXPECT_EQ(p.hydraulic_aperture, crack->hydraulic_aperture);
+      EXPECT_TRUE(bonds.insert(p.bond).second);
+      if (k > 0) {
+        EXPECT_GT(p.distance, line[k - 1].distance);
+      }
+      EXPECT_EQ(p.wing, fracture.well < 0 ? -1 : p.distance < 0.0 ? 0 : 1);
+      EXPECT_TRUE(p.saturation >= 0.0 && p.saturation <= 1.0);
+    }
+    EXPECT_EQ(line.back().tip, 1);
+    // The longest way, as hfrac_fractures has it; wings that meet elsewhere than at the well share a part.
+    EXPECT_NEAR(length, fracture.length, 1e-9);
+  }
+  int64_t count = -1;
+  EXPECT_EQ(hfrac_fracture_line(sim, static_cast<int64_t>(fractures.size()), sizeof(hfrac_fracture_point),
+                                nullptr, 0, &count),
+            HFRAC_ERR_ARGUMENT);
+  EXPECT_NE(last_error(sim).find("fracture = "), std::string::npos);
   EXPECT_EQ(count, -1);
 }
 

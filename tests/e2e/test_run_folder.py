@@ -29,7 +29,7 @@ class WholeRun(unittest.TestCase):
             self.assertIn(word, self.done.stdout)
 
     def test_every_file_is_there_and_readable(self):
-        expected = {"case.toml", "history.csv", "cracks.csv", "fractures.csv", "events.csv", "summary.json", "state.hfrac"}
+        expected = {"case.toml", "history.csv", "cracks.csv", "fractures.csv", "fracture_lines.csv", "events.csv", "summary.json", "state.hfrac"}
         expected |= {f"{series}.pvd" for series in SERIES}
         expected |= {file for series in SERIES for _, file in entries(self.folder, series)}
         self.assertEqual(set(names(self.folder)), expected)

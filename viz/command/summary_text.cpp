@@ -109,7 +109,7 @@ void print_table(const std::filesystem::path& folder, bool complete) {
   if (!complete) return;
   fmt::print("  {:18} {}: discs.pvd, bonds.pvd, cracks.pvd, flow.pvd (ParaView), history.csv, cracks.csv,\n",
              "files", folder.string());
-  fmt::print("  {:18} fractures.csv, events.csv, summary.json, case.toml\n", "");
+  fmt::print("  {:18} fractures.csv, fracture_lines.csv, events.csv, summary.json, case.toml\n", "");
 #ifdef HFRAC_WITH_RENDERER
   fmt::print("  {:18} hfrac render {}\n", "pictures", folder.string());
 #endif
