@@ -1764,8 +1764,9 @@ module hfrac_c
     end function hfrac_fractures
     !> A fracture as an ordered line, from the tip of one wing to that of the other: the longest ways from its well,
     !> or from end to end if no well feeds it; side branches are left out. `fracture` is its index as
-    !> hfrac_fractures gives it now. Copies up to `capacity` points, *count is how many there are; `point_size` is
-    !> sizeof(hfrac_fracture_point) in the caller; buffer NULL: only *count. Unstable since 0.1.
+    !> hfrac_fractures gives it now; before anything broke, fracture 0 has no points. Copies up to `capacity`
+    !> points, *count is how many there are; `point_size` is sizeof(hfrac_fracture_point) in the caller; buffer
+    !> NULL: only *count. Unstable since 0.1.
     function hfrac_fracture_line(sim, fracture, point_size, buffer, capacity, count) bind(C, name="hfrac_fracture_line")
       import
       type(c_ptr), value :: sim

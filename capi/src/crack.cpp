@@ -138,6 +138,10 @@ int32_t hfrac_fracture_line(hfrac_sim* sim, int64_t fracture, int32_t point_size
     require_item_size(point_size, "point_size");
     const auto there = static_cast<std::int64_t>(sim->simulation->fractures().size());
     sim->numbered = sim->epoch;
+    if (fracture == 0 && there == 0) {
+      *count = 0;
+      return;
+    }
     if (fracture < 0 || fracture >= there) {
       throw Error(ErrorKind::argument, "fracture = " + std::to_string(fracture) + " is outside 0 to " +
                                            std::to_string(there) + " - 1, the fractures there are.");

@@ -231,11 +231,16 @@ void EquilibriumSolver::keep_round() {
   // The kernel's own passes: slip, volumes, pressures from contents, and the fluid's work from the pressure before.
   const Array<double> found = network_.pressure;
   std::copy(pressure_start_.begin(), pressure_start_.end(), network_.pressure.begin());
+  const Array<double> change = facets_.active() ? network_.volume_change : Array<double>{};
   mechanics_.evaluate();
   for (std::int64_t d = 0; d < network_.domain_count(); ++d)
-    if (facets_.fractured(d)) {  // the kernel knows no facets
-      network_.pressure[d] = found[d];
-      network_.volume_change[d] = system_.volume_change(d);
+    if (facets_.fractured(d)) {  // the kernel knows no facets: it counted the work of other pressures and volumes
+      double& p = network_.pressure[d];
+      double& v = network_.volume_change[d];
+      const double counted = (pressure_start_[d] + p) * (v - change[d]);
+      p = found[d];
+      v = system_.volume_change(d);
+      mechanics_.add_fluid_work(0.5 * ((pressure_start_[d] + p) * (v - change[d]) - counted));
     }
   pressure_start_.assign(network_.pressure.begin(), network_.pressure.end());
   for (std::size_t k = 0; k < mechanics_.non_bonded_contacts().pairs().size(); ++k)

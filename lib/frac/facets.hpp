@@ -4,9 +4,9 @@
 // A bonded packing lumps the compliance of two half discs in their contact, and its forces scatter from bond to bond although the
 // stress in the rock does not. If a broken bond simply becomes a contact, both come back as a toughness that grows with depth:
 // faces that the fluid opens swell by the contact's compression, and what the bond bore beyond the mean is released at the tip.
-// A facet releases what rock releases, by superposition on the state before the treatment:
+// A facet releases what rock releases, by superposition on the state without fractures (holes at sigma_hmin, initial_equilibration.cpp):
 //
-//   - When a bond breaks, the mean force F_0 on its facet (mean_force.hpp) is released, and no more: the difference to
+//   - When a bond breaks, the force F_0 of the mean stress on its facet (holed_plate.hpp) is released, and no more: the difference to
 //     what this very bond bore (force and couple) stays, as a locked-in force.
 //   - The fluid pushes across the facets, p_A L_A + p_B L_B with the parts L of the facet in either pore; on intact bonds
 //     around a fracture's pore the pressure from before the treatment stays.

@@ -83,6 +83,8 @@ class ExplicitSolver {
   }
   // Breaks one bond as it stands (quasi-static solver).
   void break_bond(std::int64_t bond, CrackLog& log);
+  // What the fluid did beyond what the passes counted (quasi-static solver) [J/m].
+  void add_fluid_work(double work) { energies_.fluid += work; }
   // The kept force of a contact that was never bonded (quasi-static solver) [N].
   void keep_non_bonded_force(std::size_t pair, double normal, double shear) {
     non_bonded_.keep(pair, normal, shear);

@@ -249,6 +249,7 @@ static void fields(hfrac_sim* sim) {
 static void cracks(hfrac_sim* sim) {
   hfrac_crack page[2];
   hfrac_fracture largest;
+  hfrac_fracture_point end;
   int64_t cursor = 0, count = 0, next = 0, all = 0;
   good(hfrac_cracks_since(sim, 0, (int32_t)sizeof page[0], NULL, 0, &all, NULL), sim, "cracks_since");
   do {
@@ -260,6 +261,8 @@ static void cracks(hfrac_sim* sim) {
   check(cursor == all && all > 0, "all cracks were seen");
   good(hfrac_fractures(sim, (int32_t)sizeof largest, &largest, 1, &count), sim, "fractures");
   check(count > 0 && largest.length > 0.0 && largest.well == 0, "there is a fracture at the well");
+  good(hfrac_fracture_line(sim, 0, (int32_t)sizeof end, &end, 1, &count), sim, "fracture_line");
+  check(count > 0 && end.length > 0.0 && end.tip == 1, "its line begins at a tip");
 }
 
 /* catalogue.h */

@@ -80,10 +80,10 @@ typedef struct hfrac_fracture_point {
 } hfrac_fracture_point;
 
 /** A fracture as an ordered line, from the tip of one wing to that of the other: the longest ways from its well, or from end to
- * end if no well feeds it; side branches are left out. `fracture` is its index as hfrac_fractures gives it now. Copies up to
- * `capacity` points, *count is how many there are; `point_size` is sizeof(hfrac_fracture_point) in the caller; buffer NULL: only
- * *count. Unstable since 0.1. */
-HFRAC_API int32_t hfrac_fracture_line(hfrac_sim *sim, int64_t fracture, int32_t point_size,
+ * end if no well feeds it; side branches are left out. `fracture` is its index as hfrac_fractures gives it now; before anything
+ * broke, fracture 0 has no points. Copies up to `capacity` points, *count is how many there are; `point_size` is
+ * sizeof(hfrac_fracture_point) in the caller; buffer NULL: only *count. Unstable since 0.1. */
+HFRAC_UNSTABLE_API int32_t hfrac_fracture_line(hfrac_sim *sim, int64_t fracture, int32_t point_size,
                                       hfrac_fracture_point *buffer, int64_t capacity, int64_t *count);
 
 #ifdef __cplusplus

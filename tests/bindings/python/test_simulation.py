@@ -160,6 +160,11 @@ class Cracks(unittest.TestCase):
             self.assertIsInstance(largest, hfrac.Fracture)
             self.assertGreater(largest.crack_count, 0)
             self.assertGreater(largest.largest_aperture, 0.0)
+            line = sim.fracture_line(largest.index)
+            self.assertAlmostEqual(sum(float(point.length) for point in line), largest.length)
+            self.assertEqual(int(line[-1].tip), 1)
+            with self.assertRaises(hfrac.ArgumentError):
+                sim.fracture_line(10**6)
 
     def test_events(self):
         with small() as sim:
