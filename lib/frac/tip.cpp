@@ -44,78 +44,97 @@ double half_length(const Facets& facets, const Assembly& a, const Network& n, st
   return 0.5 * farthest;
 }
 
+// The last facets of a fracture, from a tip on.
+struct Path {
+  std::vector<const Facet*> facets;
+  std::vector<double> side;  // -1, 1: a facet's second disc is left, right of the way to the tip
+  Vec2 end;                  // m, last pore
+  Vec2 ahead;                // unit, from the farthest of the facets to it
+};
+
+Path path_behind(const Facets& facets, const Assembly& a, const Network& n, const Facet& last,
+                 std::int32_t tip) {
+  Path path{{&last}, {last.left == tip ? -1.0 : 1.0}, n.centroid[tip], {}};
+  auto at = last.left == tip ? last.right : last.left;
+  auto came = last.bond;
+  while (path.facets.size() < most_behind && n.kind[at] == DomainKind::rock) {
+    const Facet* next = nullptr;  // the widest
+    for (const auto e : facets.bonds_of(at)) {
+      if (e == came || facets.of(e) < 0) continue;
+      const Facet& f = facets.all()[facets.of(e)];
+      if (next == nullptr || facets.opening(a, n, f) > facets.opening(a, n, *next)) next = &f;
+    }
+    if (next == nullptr || std::find(path.facets.begin(), path.facets.end(), next) != path.facets.end())
+      break;
+    path.facets.push_back(next);
+    path.side.push_back(next->left == at ? -1.0 : 1.0);
+    came = next->bond;
+    at = next->left == at ? next->right : next->left;
+  }
+  Vec2 from = path.facets.back()->middle;
+  if (path.facets.size() == 1 && n.kind[at] == DomainKind::rock) from = n.centroid[at];
+  path.ahead = (1.0 / size(path.end - from)) * (path.end - from);
+  return path;
+}
+
+// Openings behind the tip against those of K = 1 and of a tip that goes on at this speed [m/s], by least squares.
+void measure(const Path& path, const Facets& facets, const Assembly& a, const Network& n, const Options& o,
+             double speed, Tip& tip) {
+  const Vec2 normal{-path.ahead.y, path.ahead.x};
+  const double half = half_length(facets, a, n, tip.domain) + beyond * a.mean_radius;
+  const double modulus = o.fracture_plane_modulus;
+  const double tough = 4.0 * std::sqrt(2.0 / std::numbers::pi) * o.bond_fracture_toughness / modulus;
+  const double viscous = beta_cubed * 12.0 * o.fluid_viscosity * speed / modulus;
+  double by_shape = 0.0, shapes = 0.0, by_wanted = 0.0, wanted = 0.0;
+  for (std::size_t k = 0; k < path.facets.size(); ++k) {
+    const Facet& f = *path.facets[k];
+    const double s = std::max(dot(path.end - f.middle, path.ahead), 0.0) + beyond * a.mean_radius;
+    if (k > 0 && s > half) break;
+    const double push = n.pressure[f.left] * f.left_length + n.pressure[f.right] * f.right_length;
+    const double w = path.side[k] * facets.jump(a, f, normal) + (push - f.initial_normal) / facets.stiffness;
+    const double of_whole = std::sqrt(1.0 - std::min(0.5, 0.5 * s / half));
+    const double shape = std::sqrt(s) * of_whole;
+    by_shape += w * shape;
+    shapes += shape * shape;
+    const double want = std::cbrt(tough * tough * tough * s * std::sqrt(s) + viscous * s * s) * of_whole;
+    by_wanted += w * want;
+    wanted += want * want;
+  }
+  tip.intensity = modulus / 8.0 * std::sqrt(2.0 * std::numbers::pi) * by_shape / shapes;
+  tip.excess = by_wanted / wanted;
+}
+
+// The bond ahead along the plane of largest mean tension (Erdogan and Sih 1963), by the way that keeps to it best.
+std::int64_t bond_ahead(const Path& path, const Facets& facets, const Assembly& a, const Network& n,
+                        const Options& o, std::int32_t tip) {
+  double stress[3];
+  facets.stress_around(a, n, o, tip, stress);
+  const double turn = 0.5 * std::atan2(2.0 * stress[2], stress[0] - stress[1]);  // of the largest compression
+  Vec2 along{std::cos(turn), std::sin(turn)};
+  if (dot(along, path.ahead) < 0.0) along = -1.0 * along;
+  if (dot(along, path.ahead) < widest_turn) along = path.ahead;
+  Vec2 base = path.end;
+  for (const Facet* f : path.facets) base = base + f->middle;
+  base = (1.0 / static_cast<double>(path.facets.size() + 1)) * base;
+  return straightest(facets, a, n, tip, {base, along}, {}, {});
+}
+
 }  // namespace
 
 std::vector<Tip> find_tips(const Facets& facets, const Assembly& a, const Network& n, const Options& o,
                            double time) {
   std::vector<Tip> tips;
-  for (const Facet& first : facets.all()) {
-    for (const auto domain : {first.left, first.right}) {
+  for (const Facet& last : facets.all()) {
+    for (const auto domain : {last.left, last.right}) {
       if (n.kind[domain] != DomainKind::rock) continue;
-      int broken = 0;
-      for (const auto e : facets.bonds_of(domain)) broken += facets.of(e) >= 0 ? 1 : 0;
-      if (broken != 1) continue;
-      // Back along the fracture.
-      std::vector<const Facet*> path{&first};
-      std::vector<double> side{
-          first.left == domain ? -1.0 : 1.0};  // its second disc is left or right of the way to the tip
-      auto at = first.left == domain ? first.right : first.left;
-      auto came = first.bond;
-      while (path.size() < most_behind && n.kind[at] == DomainKind::rock) {
-        const Facet* next = nullptr;
-        for (const auto e : facets.bonds_of(at)) {
-          if (e == came || facets.of(e) < 0) continue;
-          const Facet& f = facets.all()[facets.of(e)];
-          if (next == nullptr || facets.opening(a, n, f) > facets.opening(a, n, *next)) next = &f;
-        }
-        if (next == nullptr || std::find(path.begin(), path.end(), next) != path.end()) break;
-        path.push_back(next);
-        side.push_back(next->left == at ? -1.0 : 1.0);
-        came = next->bond;
-        at = next->left == at ? next->right : next->left;
-      }
-      const Vec2 end = n.centroid[domain];
-      Vec2 ahead = end - (path.size() > 1 ? path.back()->middle
-                                          : (n.kind[at] == DomainKind::rock ? n.centroid[at] : first.middle));
-      ahead = (1.0 / size(ahead)) * ahead;
-      Vec2 normal{-ahead.y, ahead.x};
-      const double half = half_length(facets, a, n, domain) + beyond * a.mean_radius;
-      const double speed = first.way / std::max(time - n.facet_time[first.bond], shortest_time);
-      const double modulus = o.fracture_plane_modulus;
-      const double tough = 4.0 * std::sqrt(2.0 / std::numbers::pi) * o.bond_fracture_toughness / modulus;
-      const double viscous = beta_cubed * 12.0 * o.fluid_viscosity * speed / modulus;
-      double by_shape = 0.0, shapes = 0.0, by_wanted = 0.0, wanted = 0.0;
-      for (std::size_t k = 0; k < path.size(); ++k) {
-        const Facet* f = path[k];
-        const double s = std::max(dot(end - f->middle, ahead), 0.0) + beyond * a.mean_radius;
-        if (k > 0 && s > half) break;
-        const double push = n.pressure[f->left] * f->left_length + n.pressure[f->right] * f->right_length;
-        const double w = side[k] * facets.jump(a, *f, normal) + (push - f->initial_normal) / facets.stiffness;
-        const double end_of_two = std::sqrt(1.0 - std::min(0.5, 0.5 * s / half));
-        const double shape = std::sqrt(s) * end_of_two;
-        by_shape += w * shape;
-        shapes += shape * shape;
-        const double want =
-            std::cbrt(tough * tough * tough * s * std::sqrt(s) + viscous * s * s) * end_of_two;
-        by_wanted += w * want;
-        wanted += want * want;
-      }
+      const auto& bonds = facets.bonds_of(domain);
+      if (std::count_if(bonds.begin(), bonds.end(), [&](auto e) { return facets.of(e) >= 0; }) != 1) continue;
+      const Path path = path_behind(facets, a, n, last, domain);
+      const double speed = last.way / std::max(time - n.facet_time[last.bond], shortest_time);
       Tip tip;
       tip.domain = domain;
-      tip.excess = by_wanted / wanted;
-      tip.intensity = modulus / 8.0 * std::sqrt(2.0 * std::numbers::pi) * by_shape / shapes;
-      double stress[3];
-      facets.stress_around(a, n, o, domain, stress);
-      // Along the plane of largest mean tension (Erdogan and Sih 1963), by the way that keeps to it best.
-      const double turn =
-          0.5 * std::atan2(2.0 * stress[2], stress[0] - stress[1]);  // of the largest compression
-      Vec2 along{std::cos(turn), std::sin(turn)};
-      if (dot(along, ahead) < 0.0) along = -1.0 * along;
-      if (dot(along, ahead) < widest_turn) along = ahead;
-      Vec2 base = end;
-      for (const Facet* f : path) base = base + f->middle;
-      base = (1.0 / static_cast<double>(path.size() + 1)) * base;
-      tip.ahead = straightest(facets, a, n, domain, {base, along}, {}, {});
+      measure(path, facets, a, n, o, speed, tip);
+      tip.ahead = bond_ahead(path, facets, a, n, o, domain);
       tips.push_back(tip);
     }
   }
