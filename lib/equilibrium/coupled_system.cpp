@@ -119,8 +119,8 @@ void CoupledSystem::open_facets() {
     if (facets_.opening(assembly_, n, f) < 0.0) continue;
     facet_open_[k] = 1;
     const auto i = assembly_.first[f.bond], j = assembly_.second[f.bond];
-    const double more = n.pressure[f.left] * f.left_length + n.pressure[f.right] * f.right_length -
-                        f.initial_normal;
+    const double more =
+        n.pressure[f.left] * f.left_length + n.pressure[f.right] * f.right_length - f.initial_normal;
     for (int side = 0; side < 2; ++side) {
       const auto d = side == 0 ? f.left : f.right;
       if (n.kind[d] != DomainKind::rock) continue;
