@@ -84,6 +84,13 @@ hfrac_fracture_point describe(const FracturePoint& p) {
   return c;
 }
 
+// The cracks' fractures, found anew where they may have changed since.
+void number_cracks(hfrac_sim* sim) {
+  if (!sim->in_callback && sim->numbered == sim->epoch) return;
+  (void)sim->simulation->fractures();
+  sim->numbered = sim->epoch;
+}
+
 }  // namespace
 
 int32_t hfrac_cracks_since(hfrac_sim* sim, int64_t cursor, int32_t crack_size, hfrac_crack* buffer,
@@ -104,10 +111,7 @@ int32_t hfrac_cracks_since(hfrac_sim* sim, int64_t cursor, int32_t crack_size, h
     }
     if (capacity < 0) throw Error(ErrorKind::argument, "capacity is negative.");
     const std::int64_t taken = std::min(capacity, there - cursor);
-    if (taken > 0 && (sim->in_callback || sim->numbered != sim->epoch)) {  // fractures may have changed since
-      (void)sim->simulation->fractures();
-      sim->numbered = sim->epoch;
-    }
+    if (taken > 0) number_cracks(sim);
     for (std::int64_t k = 0; k < taken; ++k) put_item(buffer, k, crack_size, describe(s, cursor + k));
     *count = taken;
     if (next != nullptr) *next = cursor + taken;
@@ -136,8 +140,10 @@ int32_t hfrac_fracture_line(hfrac_sim* sim, int64_t fracture, int32_t point_size
   return guarded_sim(sim, Access::read, [&] {
     require_not_null(count, "count");
     require_item_size(point_size, "point_size");
-    const auto there = static_cast<std::int64_t>(sim->simulation->fractures().size());
-    sim->numbered = sim->epoch;
+    number_cracks(sim);
+    std::int64_t there = 0;
+    for (const Crack& crack : sim->simulation->cracks())
+      there = std::max<std::int64_t>(there, crack.fracture + 1);
     if (fracture == 0 && there == 0) {
       *count = 0;
       return;

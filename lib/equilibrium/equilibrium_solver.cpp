@@ -153,45 +153,39 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
     const double before = right.norm();
     const bool whole_steps = !facets_.all().empty();
     const double longest = whole_steps ? 1.0 : system_.share_for_apertures(step, 4.0);
-    double share = longest;
-    system_.move(step, share);
-    system_.evaluate();
+    double share = 0.0;
+    // The residual where `part` of the longest step leads.
+    const auto go_to = [&](double part) {
+      system_.move(step, part * longest - share);
+      share = part * longest;
+      system_.evaluate();
+      return system_.residual().norm();
+    };
+    double after = go_to(1.0);
     // Facets that open, close, stick and slide are the only kinks while apertures are held: the whole step is the best one, and half of it
     // every other time leads out of a circle; where it does not, the part that leaves least.
     if (whole_steps && iteration - best_at >= circle) {
-      double least = system_.residual().norm(), best_share = share;
+      double best_part = 1.0, least = after;
       for (const double part : {0.75, 0.5, 0.25, 0.1, 0.03}) {
-        system_.move(step, part * longest - share);
-        share = part * longest;
-        system_.evaluate();
-        if (system_.residual().norm() < least) {
-          least = system_.residual().norm();
-          best_share = share;
+        if (after = go_to(part); after < least) {
+          least = after;
+          best_part = part;
         }
       }
-      system_.move(step, best_share - share);
-      share = best_share;
-      system_.evaluate();
-    } else if (whole_steps && iteration >= 4 && iteration % 2 == 0 &&
-               !(system_.residual().norm() < 0.5 * before)) {
-      system_.move(step, -0.5 * share);
-      share *= 0.5;
-      system_.evaluate();
+      after = go_to(best_part);
+    } else if (whole_steps && iteration >= 4 && iteration % 2 == 0 && !(after < 0.5 * before)) {
+      after = go_to(0.5);
     }
-    for (int halving = 0; !whole_steps && halving < 4 && !(system_.residual().norm() < before); ++halving) {
-      system_.move(step, -0.5 * share);
-      share *= 0.5;
-      system_.evaluate();
-    }
-    if (!whole_steps && !(system_.residual().norm() < before)) {
+    double part = 1.0;
+    for (int halving = 0; !whole_steps && halving < 4 && !(after < before); ++halving)
+      after = go_to(part *= 0.5);
+    if (!whole_steps && !(after < before)) {
       if (++uphill > most_uphill) return false;
-      const double whole = uphill % 2 == 1 ? longest : 0.5 * longest;
-      system_.move(step, whole - share);
-      system_.evaluate();
+      after = go_to(uphill % 2 == 1 ? 1.0 : 0.5);
     }
     // What goes to and fro between two sides of a kink, or round a fold, finds no rest in this increment; a shorter one may.
-    if (system_.residual().norm() < fall * best) {
-      best = system_.residual().norm();
+    if (after < fall * best) {
+      best = after;
       best_at = iteration;
     } else if (iteration - best_at >= (whole_steps ? 2 * patience : patience)) {
       return false;
@@ -234,7 +228,8 @@ void EquilibriumSolver::keep_round() {
   const Array<double> change = facets_.active() ? network_.volume_change : Array<double>{};
   mechanics_.evaluate();
   for (std::int64_t d = 0; d < network_.domain_count(); ++d)
-    if (facets_.fractured(d)) {  // the kernel knows no facets: it counted the work of other pressures and volumes
+    if (facets_.fractured(
+            d)) {  // the kernel knows no facets: it counted the work of other pressures and volumes
       double& p = network_.pressure[d];
       double& v = network_.volume_change[d];
       const double counted = (pressure_start_[d] + p) * (v - change[d]);

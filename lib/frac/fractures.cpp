@@ -5,78 +5,12 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <queue>
 
+#include "frac/fracture_graph.hpp"
 #include "solid/bond_law.hpp"
 
 namespace hfrac {
 namespace {
-
-// The graph of one fracture: its domains as nodes, its cracks as edges.
-struct Graph {
-  struct Edge {
-    int to;
-    double length;
-  };
-  std::vector<std::int32_t> domain;
-  std::vector<std::vector<Edge>> edges;
-};
-
-std::vector<double> shortest_ways(const Graph& graph, int from, int blocked) {
-  std::vector<double> way(graph.domain.size(), -1.0);
-  using Item = std::pair<double, int>;
-  std::priority_queue<Item, std::vector<Item>, std::greater<>> open;
-  open.emplace(0.0, from);
-  while (!open.empty()) {
-    const auto [distance, node] = open.top();
-    open.pop();
-    if (way[node] >= 0.0) continue;
-    way[node] = distance;
-    if (node == blocked) continue;
-    for (const auto& edge : graph.edges[node]) {
-      if (way[edge.to] < 0.0) open.emplace(distance + edge.length, edge.to);
-    }
-  }
-  return way;
-}
-
-// Longest way through a fracture without a well: the far end of the far end (exact on trees).
-double longest_way(const Graph& graph) {
-  auto way = shortest_ways(graph, 0, -1);
-  const auto far = static_cast<int>(std::max_element(way.begin(), way.end()) - way.begin());
-  way = shortest_ways(graph, far, -1);
-  return *std::max_element(way.begin(), way.end());
-}
-
-// From a well: the two longest wings, and how many wings there are.
-std::pair<double, std::int64_t> wings_from(const Graph& graph, int well) {
-  std::vector<double> longest;
-  std::vector<char> seen(graph.domain.size(), 0);
-  seen[well] = 1;
-  const auto way = shortest_ways(graph, well, -1);
-  for (const auto& start : graph.edges[well]) {
-    if (seen[start.to]) continue;
-    double reach = 0.0;
-    std::vector<int> stack{start.to};
-    seen[start.to] = 1;
-    while (!stack.empty()) {
-      const int node = stack.back();
-      stack.pop_back();
-      reach = std::max(reach, way[node]);
-      for (const auto& edge : graph.edges[node]) {
-        if (!seen[edge.to]) {
-          seen[edge.to] = 1;
-          stack.push_back(edge.to);
-        }
-      }
-    }
-    longest.push_back(reach);
-  }
-  std::sort(longest.rbegin(), longest.rend());
-  double sum = 0.0;
-  for (std::size_t k = 0; k < std::min<std::size_t>(2, longest.size()); ++k) sum += longest[k];
-  return {sum, static_cast<std::int64_t>(longest.size())};
-}
 
 double largest_distance(std::vector<Vec2> points) {
   // On the convex hull (Andrew's monotone chain), where the farthest pair lies.
@@ -194,16 +128,7 @@ std::vector<Fracture> find_fractures(const Assembly& a, const Network& n, const 
   std::vector<Fracture> fractures;
   for (const auto& members : ordered) {
     Fracture f;
-    Graph graph;
-    std::map<std::int32_t, int> node;
-    const auto node_of = [&](std::int32_t d) {
-      const auto [at, fresh] = node.emplace(d, static_cast<int>(graph.domain.size()));
-      if (fresh) {
-        graph.domain.push_back(d);
-        graph.edges.emplace_back();
-      }
-      return at->second;
-    };
+    FractureGraph graph;
     std::vector<Vec2> ends;
     Vec2 centre{};
     double length_sum = 0.0, pressure_sum = 0.0;
@@ -225,16 +150,7 @@ std::vector<Fracture> find_fractures(const Assembly& a, const Network& n, const 
       length_sum += length;
       const auto l = n.left[bond], r = n.right[bond];
       pressure_sum += 0.5 * (n.pressure[l] + n.pressure[r]);
-      // From pore to pore through the contact; at a well or the outside the way begins at the contact.
-      double way = 0.0;
-      for (const auto d : {l, r}) {
-        if (n.kind[d] != DomainKind::rock) continue;
-        const Vec2 leg = n.centroid[d] - line.middle;
-        way += std::sqrt(dot(leg, leg));
-      }
-      const int node_l = node_of(l), node_r = node_of(r);
-      graph.edges[node_l].push_back({node_r, way});
-      graph.edges[node_r].push_back({node_l, way});
+      graph.add(n, bond, line.middle);
     }
     const auto count = static_cast<double>(f.crack_count);
     centre = (1.0 / count) * centre;
@@ -242,17 +158,22 @@ std::vector<Fracture> find_fractures(const Assembly& a, const Network& n, const 
     f.mean_pressure = pressure_sum / count;
     f.extent = largest_distance(ends);
     for (std::size_t w = 0; w < wells.size() && f.well < 0; ++w) {
-      if (node.count(wells[w].domain) > 0) f.well = static_cast<std::int64_t>(w);
+      if (graph.holds(wells[w].domain)) f.well = static_cast<std::int64_t>(w);
     }
     if (f.well >= 0) {
       const WellPlace& well = wells[static_cast<std::size_t>(f.well)];
-      std::tie(f.length, f.wings) = wings_from(graph, node[well.domain]);
+      const auto ways = graph.shortest_from(well.domain);
+      const auto wings = graph.wings(ways, well.domain);
+      f.wings = static_cast<std::int64_t>(wings.size());
+      for (std::size_t k = 0; k < std::min<std::size_t>(2, wings.size()); ++k)
+        f.length += ways.at(wings[k]).length;
       for (const auto& p : ends)
         f.reach =
             std::max(f.reach, std::sqrt(dot(p - well.centre, p - well.centre)) - well.equivalent_radius);
       f.azimuth = main_direction(ends, well.centre);
     } else {
-      f.length = longest_way(graph);
+      const auto [from, to] = graph.ends();
+      f.length = graph.shortest_from(from).at(to).length;
       f.wings = 1;
       f.azimuth = main_direction(ends, centre);
     }

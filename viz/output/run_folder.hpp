@@ -5,8 +5,8 @@
 //   case.toml        the definition with every option filled in; `hfrac run` on it gives the same run
 //   discs, bonds, cracks, flow: one NAME_STEP.vtu per snapshot and NAME.pvd, the series for ParaView
 //   history.csv      one line per step          cracks.csv      the crack log at the last snapshot
-//   fracture_lines.csv  each of them as a line from tip to tip
 //   fractures.csv    the fractures at the end   events.csv      seismic events of the whole run
+//   fracture_lines.csv  each of these fractures as a line from tip to tip
 //   summary.json     everything in short
 //   checkpoints      what hfrac resume goes on from (checkpoint.hpp)
 #pragma once

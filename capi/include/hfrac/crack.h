@@ -84,7 +84,7 @@ typedef struct hfrac_fracture_point {
  * broke, fracture 0 has no points. Copies up to `capacity` points, *count is how many there are; `point_size` is
  * sizeof(hfrac_fracture_point) in the caller; buffer NULL: only *count. Unstable since 0.1. */
 HFRAC_UNSTABLE_API int32_t hfrac_fracture_line(hfrac_sim *sim, int64_t fracture, int32_t point_size,
-                                      hfrac_fracture_point *buffer, int64_t capacity, int64_t *count);
+                                               hfrac_fracture_point *buffer, int64_t capacity, int64_t *count);
 
 #ifdef __cplusplus
 }
