@@ -78,7 +78,9 @@ std::vector<Call> all_calls() {
       {"hfrac_fractures",
        [](hfrac_sim* s) { return hfrac_fractures(s, sizeof(hfrac_fracture), nullptr, 0, &big); }},
       {"hfrac_fracture_line",
-       [](hfrac_sim* s) { return hfrac_fracture_line(s, 0, sizeof(hfrac_fracture_point), nullptr, 0, &big); }},
+       [](hfrac_sim* s) {
+         return hfrac_fracture_line(s, 0, sizeof(hfrac_fracture_point), nullptr, 0, &big);
+       }},
       {"hfrac_state_size", [](hfrac_sim* s) { return hfrac_state_size(s, &big); }},
       {"hfrac_state_save",
        [](hfrac_sim* s) {

@@ -114,8 +114,8 @@ std::vector<hfrac_fracture> fractures_of(hfrac_sim* sim) {
 
 std::vector<hfrac_fracture_point> line_of(hfrac_sim* sim, int64_t fracture) {
   return copied<hfrac_fracture_point>(sim, [&](hfrac_fracture_point* to, int64_t capacity, int64_t* count) {
-    return hfrac_fracture_line(sim, fracture, static_cast<int32_t>(sizeof(hfrac_fracture_point)), to, capacity,
-                               count);
+    return hfrac_fracture_line(sim, fracture, static_cast<int32_t>(sizeof(hfrac_fracture_point)), to,
+                               capacity, count);
   });
 }
 
