@@ -44,7 +44,8 @@ FractureGraph::Ways FractureGraph::shortest_from(std::int32_t start) const {  //
     if (length > ways[at].length) continue;
     for (const Edge& edge : edges_.at(at)) {
       Way& next = ways[edge.to];
-      if (next.length >= 0.0 && length + edge.length >= next.length) continue;
+      const bool nearer = next.length < 0.0 || length + edge.length < next.length;
+      if (!nearer) continue;  // nor where a length is no number: the search ends for any input
       next = {length + edge.length, at, edge.bond};
       open.emplace(next.length, edge.to);
     }
