@@ -5,6 +5,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -48,14 +50,27 @@ struct Served {
   std::thread thread;
 };
 
-/** All that comes back for `text`. */
-std::string answer_to(const Served& served, const std::string& text) {
-  const int plug = ::socket(AF_INET, SOCK_STREAM, 0);
+/** A connection. Closed ones keep their port for a minute: a fast search runs out of ports and waits for them. */
+int connect_to(std::uint16_t port) {
   sockaddr_in place{};
   place.sin_family = AF_INET;
-  place.sin_port = htons(served.port);
+  place.sin_port = htons(port);
   place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  demand(plug >= 0 && ::connect(plug, reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0);
+  for (int tries = 0; tries < 200; ++tries) {
+    const int plug = ::socket(AF_INET, SOCK_STREAM, 0);
+    demand(plug >= 0);
+    if (::connect(plug, reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0) return plug;
+    demand(errno == EADDRNOTAVAIL);
+    ::close(plug);
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  demand(false);
+  return -1;
+}
+
+/** All that comes back for `text`. */
+std::string answer_to(const Served& served, const std::string& text) {
+  const int plug = connect_to(served.port);
   ::send(plug, text.data(), text.size(), MSG_NOSIGNAL);
   ::shutdown(plug, SHUT_WR);
   std::string answer;
