@@ -26,7 +26,7 @@ if(HFRAC_WERROR)
 endif()
 if(HFRAC_SANITIZE)
   # GCC 12 with a sanitizer takes <regex> for uninitialized; without one the warning stands.
-  target_compile_options(hfrac_flags INTERFACE -fsanitize=${HFRAC_SANITIZE} -fno-omit-frame-pointer -g
+  target_compile_options(hfrac_flags INTERFACE -fsanitize=${HFRAC_SANITIZE} -fno-omit-frame-pointer -g1
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(hfrac_flags INTERFACE -fsanitize=${HFRAC_SANITIZE})
 endif()
