@@ -10,6 +10,8 @@ namespace {
 constexpr double plane_reach = 4.0;   // mean radii to either side that a fracture's plane is fitted over
 constexpr double long_ago = -1e30;    // s
 constexpr double shortest_way = 0.2;  // mean radii
+constexpr double gauss =
+    0.28867513459481287;  // 1 / (2 sqrt(3)): points of the two-point rule from the middle
 
 Vec2 turned(Vec2 v) {
   return {v.y, -v.x};
@@ -30,7 +32,7 @@ Vec2 Facets::part(std::int64_t e, bool left) const {
 void Facets::begin(const Assembly& a, Network& n, const std::vector<WellPlace>& wells, const Options& o) {
   plate_ = {o.stress_sigma_Hmax, o.stress_sigma_hmin, {}};
   for (const auto& well : wells)
-    plate_.holes.push_back({well.centre, well.equivalent_radius, n.pressure[well.domain]});
+    plate_.holes.push_back({well.centre, well.equivalent_radius, n.pressure[well.domain], well.domain});
   active_ = true;
   assembly_ = &a;
   network_ = &n;
@@ -203,6 +205,29 @@ void Facets::update(const Assembly& a, Network& n, bool restored) {
   }
 }
 
+// Force of the plate's stress on a facet's part on one side. Beside a hole that is what lies between the contact at its wall and the
+// circle of the plate, less the hole's pressure: over the hole and along the fracture the plate's stress adds up to the far field's.
+Vec2 Facets::mean_force(const Network& n, const Facet& f, bool left) const {
+  const auto domain = left ? f.left : f.right;
+  Vec2 to = n.kind[domain] == DomainKind::rock ? n.centroid[domain] : f.middle;
+  double length = left ? f.left_length : f.right_length, pressure = 0.0;
+  for (const auto& hole : plate_.holes) {
+    if (hole.domain != domain) continue;
+    const Vec2 out = f.middle - hole.centre;
+    to = hole.centre + (hole.radius / size(out)) * out;
+    length = std::abs(dot(turned(to - f.middle), f.normal)) * (size(out) > hole.radius ? 1.0 : -1.0);
+    pressure = hole.pressure;
+  }
+  Vec2 sum;
+  for (const double at : {0.5 - gauss, 0.5 + gauss}) {
+    const auto s = plate_.at(f.middle + at * (to - f.middle));
+    sum = sum + 0.5 * length *
+                    Vec2{(s.xx - pressure) * f.normal.x + s.xy * f.normal.y,
+                         s.xy * f.normal.x + (s.yy - pressure) * f.normal.y};
+  }
+  return sum;
+}
+
 // The facet turned into the fracture around it, from the pores a few facets away on one side to those on the other, and what the mean
 // stress releases on it then.
 void Facets::lay_along_fracture(const Assembly& a, const Network& n, Facet& f) const {
@@ -243,8 +268,7 @@ void Facets::lay_along_fracture(const Assembly& a, const Network& n, Facet& f) c
   f.right_length = dot(right, f.normal);
   f.length = f.left_length + f.right_length;
   f.way = std::max(std::abs(f.length), shortest_way * a.mean_radius);
-  const auto s = plate_.at(f.middle);
-  const Vec2 h = f.length * f.normal, mean{s.xx * h.x + s.xy * h.y, s.xy * h.x + s.yy * h.y};
+  const Vec2 mean = mean_force(n, f, true) + mean_force(n, f, false);
   f.initial_normal = dot(mean, f.normal);
   f.initial_shear = dot(mean, {-f.normal.y, f.normal.x});
   // What the bond bore with the fluid around it, less that of the mean.

@@ -88,6 +88,7 @@ class Facets {
 
  private:
   void lay_along_fracture(const Assembly& a, const Network& n, Facet& f) const;
+  [[nodiscard]] Vec2 mean_force(const Network& n, const Facet& f, bool left) const;
   HoledPlate plate_;
   bool active_ = false;
   const Network* network_ = nullptr;

@@ -4,6 +4,7 @@
 // Each hole adds what it would alone, which is right if holes lie several radii apart.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/array.hpp"
@@ -15,6 +16,7 @@ struct HoledPlate {
     Vec2 centre;      // m
     double radius;    // m
     double pressure;  // Pa
+    std::int32_t domain = -1;
   };
   struct Stress {
     double xx, yy, xy;  // Pa

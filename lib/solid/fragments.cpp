@@ -11,7 +11,7 @@ namespace hfrac {
 
 Fragments::Fragments(const Assembly& a, const Options& o)
     : smallest_(FractureLaw{o.fracture_law} == FractureLaw::facet
-                    ? std::max<std::int64_t>(2, o.bond_smallest_fragment)
+                    ? most
                     : o.bond_smallest_fragment) {
   if (!kept()) return;
   bond_start_.assign(static_cast<std::size_t>(a.disc_count()) + 1, 0);

@@ -5,7 +5,7 @@
 // where it bears on both faces and closes the pipes around it, which no grain of rock does to a fracture wider than itself, and
 // an equilibrium of its own it does not have. So a bond does not break if that would cut fewer than bond.smallest_fragment discs
 // from the rest: the piece stays on one face of the fracture, held by one bond, which can bear nothing but what acts on the
-// piece itself. With fracture.law facet no disc loses its last bond: a closed facet does not keep it from turning.
+// piece itself. With fracture.law facet no piece of up to 64 discs comes loose: its facets do not keep it where it is.
 #pragma once
 
 #include <cstdint>
