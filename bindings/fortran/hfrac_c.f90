@@ -593,6 +593,14 @@ module hfrac_c
     real(c_double) :: fracture_perforation_length = 0.0_c_double
     !> [rad] Direction of the slots, from the x axis, along which stress.sigma_Hmax acts. Default 0.0.
     real(c_double) :: fracture_perforation_azimuth = 0.0_c_double
+    !> [1] Biot coefficient alpha: share of a pore's pressure that the rock around it bears, 1 - K / K_s. Granite:
+    !> 0.3 to 0.6. Below 1 needs fracture.law = facet. Default 1.0.
+    real(c_double) :: rock_biot_coefficient = 0.0_c_double
+    !> [1] Share of the rock that fluid fills, at most alpha. 0: the packing's, some 0.15. Default 0.0.
+    real(c_double) :: rock_porosity = 0.0_c_double
+    !> [Pa] Bulk modulus K_s of the grains, which store (alpha - porosity) / K_s per pressure beside the fluid's
+    !> porosity / K_f. 0: grains that do not give. Default 0.0.
+    real(c_double) :: rock_grain_modulus = 0.0_c_double
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.

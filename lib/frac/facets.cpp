@@ -48,7 +48,10 @@ void Facets::begin(const Assembly& a, Network& n, const std::vector<WellPlace>& 
   n.facet_offset.assign(n.kind.size(), 0.0);
   n.facet_opening.assign(bonds, 0.0);
   n.facet_time.assign(bonds, long_ago);
+  biot_ = o.rock_biot_coefficient;
   pressure_.assign(n.pressure.begin(), n.pressure.end());
+  for (std::size_t d = 0; d < pressure_.size(); ++d)
+    if (n.kind[d] == DomainKind::rock) pressure_[d] *= biot_;
   pore_push_.assign(2 * bonds, 0.0);
   weight_ = n.corner_weight;
   force_.assign(4 * bonds, 0.0);
@@ -120,8 +123,10 @@ void Facets::stress_around(const Assembly& a, const Network& n, const Options& o
         const BondView v = view_bond(a, o, e);
         const Vec2 t{-v.normal.y, v.normal.x};
         now = v.normal_force() * v.normal + v.shear_force() * t;
-        now = now - ((fractured_[n.left[e]] ? pressure_[n.left[e]] : n.pressure[n.left[e]]) * h_l +
-                     (fractured_[n.right[e]] ? pressure_[n.right[e]] : n.pressure[n.right[e]]) * h_r);
+        const auto borne = [&](std::int32_t pore) {
+          return fractured_[pore] ? pressure_[pore] : biot_ * n.pressure[pore];
+        };
+        now = now - (borne(n.left[e]) * h_l + borne(n.right[e]) * h_r);
       }
       const Vec2 before = initial_force(e) - (pressure_[n.left[e]] * h_l + pressure_[n.right[e]] * h_r);
       Vec2 more = now - before;

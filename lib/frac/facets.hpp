@@ -9,7 +9,7 @@
 //   - When a bond breaks, the force F_0 of the mean stress on its facet (holed_plate.hpp) is released, and no more: the difference to
 //     what this very bond bore (force and couple) stays, as a locked-in force.
 //   - The fluid pushes across the facets, p_A L_A + p_B L_B with the parts L of the facet in either pore; on intact bonds
-//     around a fracture's pore the pressure from before the treatment stays.
+//     around a fracture's pore the pressure from before the treatment stays (alpha of it).
 //   - The opening is  w = n . (du - du_0) + (p L - n . F_0) / k_n:  displacement since the initial equilibrium, and the
 //     compression of the half discs at the face, which bear p L where they bore F_0. Closed (w < 0) the facet transmits
 //     n . F_0 - k_n n . (du - du_0), with Coulomb friction on what exceeds p; open it transmits p.
@@ -97,7 +97,8 @@ class Facets {
   std::vector<char> fractured_, cut_;
   std::vector<std::vector<std::int32_t>> bonds_;  // of a domain
   Array<double> force_;     // per bond at the initial state: force on the first disc, two couples
-  Array<double> pressure_;  // per domain, initial [Pa]
+  Array<double> pressure_;  // per domain: what the rock around it bore of its pressure initially [Pa]
+  double biot_ = 1.0;
   Array<double> pore_push_, weight_;
   std::vector<Vec2> contact_;
   std::vector<std::vector<std::int32_t>> disc_bonds_;

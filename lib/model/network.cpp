@@ -40,6 +40,7 @@ Network build_network(Faces faces, const Assembly& a, const std::vector<std::int
   n.centroid = std::move(faces.centroid);
   n.corner_weight.resize(2 * (wet ? n.corner_disc.size() : static_cast<std::size_t>(n.corner_start[1])));
   n.volume.resize(domains);
+  double pores = 0.0, rock = 0.0;
   const bool total = StressConvention{options.stress_convention} == StressConvention::total;
   n.reference_pressure = total ? options.fluid_formation_pressure : 0.0;
   n.floor_pressure = total ? 0.0 : -options.fluid_formation_pressure;
@@ -56,12 +57,28 @@ Network build_network(Faces faces, const Assembly& a, const std::vector<std::int
       const double share_ahead = a.radius[i] / (a.radius[i] + a.radius[to]);
       const Vec2 chord = share_ahead * ahead - share_back * back;
       if (wet || d == 0) {
-        n.corner_weight[2 * k] = chord.y;
-        n.corner_weight[2 * k + 1] = -chord.x;
+        const double borne = n.kind[d] == DomainKind::rock ? options.rock_biot_coefficient : 1.0;
+        n.corner_weight[2 * k] = borne * chord.y;
+        n.corner_weight[2 * k + 1] = -(borne * chord.x);
       }
       sectors += 0.5 * a.radius[i] * a.radius[i] * angle_between(ahead, back);
     }
     n.volume[d] = std::max(faces.polygon_area[d] - sectors, smallest_pore * a.mean_radius * a.mean_radius);
+    if (n.kind[d] != DomainKind::rock) continue;
+    pores += n.volume[d];
+    rock += faces.polygon_area[d];
+  }
+  if (options.rock_porosity > 0.0) n.porosity_share = options.rock_porosity * rock / pores;
+  const double porosity = n.porosity_share * pores / rock;
+  const double grains = options.rock_grain_modulus > 0.0
+                            ? (options.rock_biot_coefficient - porosity) / options.rock_grain_modulus
+                            : 0.0;
+  n.storing.resize(domains);
+  for (std::size_t d = 0; d < domains; ++d) {
+    const bool is_rock = n.kind[d] == DomainKind::rock;
+    if (is_rock) n.volume[d] *= n.porosity_share;
+    n.storing[d] = n.volume[d];
+    if (is_rock) n.storing[d] += options.fluid_bulk_modulus * std::max(0.0, grains) * faces.polygon_area[d];
   }
 
   if (wet && FractureAperture{options.flow_fracture_aperture} == FractureAperture::plane)

@@ -7,6 +7,9 @@
 // so mass is never lost to linearisation. dV = sum of w.u over the discs around the domain, with the very weights
 // w = s1 n1 + s2 n2 by which the pressure pushes the discs (eq. 10): what the fluid loses the discs get, exactly. The
 // weights are taken at bonding (small rotations).
+//
+// Rock whose grains give has a Biot coefficient alpha below 1: its pores push with alpha p and change by alpha times as much. At constant
+// strain it stores 1 / M = porosity / K_f + (alpha - porosity) / K_s per pressure and area (Detournay and Cheng 1993).
 #pragma once
 
 #include <algorithm>
@@ -34,10 +37,11 @@ struct Network {
   // domains; 0 is the outside
   std::vector<DomainKind> kind;
   Array<double> volume;         // m2, pore volume at bonding
+  Array<double> storing;        // m2, pore volume whose fluid alone would store what fluid and grains do
   Array<double> volume_change;  // m2
   Array<double> content;        // m2
   Array<double> pressure;       // Pa
-  Array<double> stiffness;      // Pa/m2: K_f / V, 0 where the pressure is imposed
+  Array<double> stiffness;      // Pa/m2: K_f / storing, 0 where the pressure is imposed
   std::vector<std::int32_t> corner_start, corner_disc;
   Array<double> corner_weight;  // m, (x, y) per corner; dry: those of domain 0 alone
   std::vector<Vec2> centroid;   // m, at bonding
@@ -50,6 +54,7 @@ struct Network {
   Array<double> facet_opening;  // m, per pipe: across the fracture; follows from the state
   double reference_pressure = 0.0, floor_pressure = 0.0;  // Pa
   double zero_stress_aperture = 0.0;                      // m, r0
+  double porosity_share = 1.0;                            // of the rock's over the packing's
   CrackPlanes planes;                                     // with flow.fracture_aperture = "plane"
 
   // 0 in a dry model, for those who look at either.
@@ -79,7 +84,7 @@ Network build_network(Faces faces, const Assembly& assembly, const std::vector<s
 
 // Content at which a domain has pressure p, given its volume change now.
 inline double content_at(const Network& n, std::int64_t domain, double bulk_modulus, double p) {
-  return n.volume_change[domain] + (p - n.reference_pressure) * n.volume[domain] / bulk_modulus;
+  return n.volume_change[domain] + (p - n.reference_pressure) * n.storing[domain] / bulk_modulus;
 }
 
 // Share of a domain's volume that fluid fills; 1 where the pressure is imposed. A pore at the floor may hold less than would fill it.

@@ -144,6 +144,18 @@ void check_facets(const CaseDefinition& definition) {
   }
 }
 
+void check_rock(const Options& o) {
+  if (o.rock_biot_coefficient < 1.0 && FractureLaw{o.fracture_law} != FractureLaw::facet)
+    refuse("rock.biot_coefficient = " + number_text(o.rock_biot_coefficient) +
+           " needs fracture.law = \"facet\": the fluid pushes whole on a fracture's faces, which contacts of "
+           "law bond cannot "
+           "tell from the rock's pores; set the law, or leave the coefficient at 1.");
+  if (o.rock_porosity > o.rock_biot_coefficient)
+    refuse("rock.porosity = " + number_text(o.rock_porosity) +
+           " is above rock.biot_coefficient = " + number_text(o.rock_biot_coefficient) +
+           ", which no rock has; lower the porosity or raise the coefficient.");
+}
+
 void check_stresses(const Options& o) {
   if (o.stress_sigma_hmin > o.stress_sigma_Hmax) {
     refuse(value_text("stress.sigma_hmin", o.stress_sigma_hmin, "Pa") + " is above " +
@@ -397,6 +409,7 @@ void validate(const CaseDefinition& definition, std::span<const double> given_di
   check_packing(o, radii);
   check_stresses(o);
   check_facets(definition);
+  check_rock(definition.options);
   check_material(o);
   check_solver(o);
   check_initial(definition);

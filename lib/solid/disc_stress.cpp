@@ -40,7 +40,7 @@ void find_disc_stress(const Model& m, const Options& o, double* to) {
     if (n.kind[d] != DomainKind::rock) continue;
     const auto begin = n.corner_start[d], end = n.corner_start[d + 1];
     for (auto k = begin; k < end; ++k)
-      cell[static_cast<std::size_t>(n.corner_disc[k])] += n.volume[d] / (end - begin);
+      cell[static_cast<std::size_t>(n.corner_disc[k])] += n.volume[d] / n.porosity_share / (end - begin);
   }
   for (std::size_t i = 0; i < discs; ++i) {
     for (std::size_t k = 0; k < 3; ++k) to[3 * i + k] /= cell[i];

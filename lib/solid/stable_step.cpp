@@ -47,7 +47,7 @@ void stiffness_rows(const Assembly& a, const Network& n, const Options& o, std::
     for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
       weight += std::abs(n.corner_weight[2 * k]) + std::abs(n.corner_weight[2 * k + 1]);
     }
-    const double per_weight = weight * o.fluid_bulk_modulus / n.volume[d];
+    const double per_weight = weight * o.fluid_bulk_modulus / n.storing[d];
     for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
       row_x[n.corner_disc[k]] += std::abs(n.corner_weight[2 * k]) * per_weight;
       row_y[n.corner_disc[k]] += std::abs(n.corner_weight[2 * k + 1]) * per_weight;

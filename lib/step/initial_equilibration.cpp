@@ -42,11 +42,11 @@ std::vector<double> initial_pressures(const Engine& e) {
   well.outer_held = BoundaryKind{o.boundary_kind} == BoundaryKind::walls;
   double pores = 0.0;
   for (std::size_t d = 1; d < n.volume.size(); ++d)
-    pores += n.kind[d] == DomainKind::rock ? n.volume[d] : 0.0;
+    pores += n.kind[d] == DomainKind::rock ? n.storing[d] : 0.0;
   BiotMaterial rock;
   rock.youngs_modulus = o.initial_youngs_modulus;
   rock.poissons_ratio = o.initial_poissons_ratio;
-  rock.biot = 1.0;  // discs do not shrink under the pressure of the pores around them
+  rock.biot = o.rock_biot_coefficient;
   rock.storage = pores / (o.model_width * o.model_height) / o.fluid_bulk_modulus;
   // What rests in the end does not depend on it; validate() asks for it where it matters.
   if (o.flow_permeability > 0.0) rock.mobility = o.flow_permeability / o.fluid_viscosity;
@@ -213,7 +213,7 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
   for (std::int64_t d = 0; d < n.domain_count(); ++d) {
     n.content[d] = content_at(n, d, o.fluid_bulk_modulus, n.pressure[d]);
     const bool imposed = n.kind[d] == DomainKind::outside;
-    n.stiffness[d] = wet && !imposed ? o.fluid_bulk_modulus / n.volume[d] : 0.0;
+    n.stiffness[d] = wet && !imposed ? o.fluid_bulk_modulus / n.storing[d] : 0.0;
   }
   if (wet) e.source.assign(static_cast<std::size_t>(n.domain_count()), 0.0);
   for (auto& well : m.wells) {

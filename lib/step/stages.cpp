@@ -66,7 +66,7 @@ void drive_wells(Engine& e) {
       }
       case WellControl::rate:
         if (n.stiffness[d] == 0.0) {
-          n.stiffness[d] = bulk_modulus / n.volume[d];
+          n.stiffness[d] = bulk_modulus / n.storing[d];
           n.content[d] = content_at(n, d, bulk_modulus, n.pressure[d]);
         }
         if (e.flow) e.source[static_cast<std::size_t>(d)] = well.drive.set_rate;

@@ -478,6 +478,9 @@ class hfrac_sim_def(ctypes.Structure):
         ("initial_broken_fraction", ctypes.c_double),
         ("fracture_perforation_length", ctypes.c_double),
         ("fracture_perforation_azimuth", ctypes.c_double),
+        ("rock_biot_coefficient", ctypes.c_double),
+        ("rock_porosity", ctypes.c_double),
+        ("rock_grain_modulus", ctypes.c_double),
     ]
 
 

@@ -421,6 +421,15 @@ typedef struct hfrac_sim_def {
   double fracture_perforation_length;
   /** [rad] Direction of the slots, from the x axis, along which stress.sigma_Hmax acts. Default 0.0. */
   double fracture_perforation_azimuth;
+
+  /** [1] Biot coefficient alpha: share of a pore's pressure that the rock around it bears, 1 - K / K_s.
+   * Granite: 0.3 to 0.6. Below 1 needs fracture.law = facet. Default 1.0. */
+  double rock_biot_coefficient;
+  /** [1] Share of the rock that fluid fills, at most alpha. 0: the packing's, some 0.15. Default 0.0. */
+  double rock_porosity;
+  /** [Pa] Bulk modulus K_s of the grains, which store (alpha - porosity) / K_s per pressure beside the
+   * fluid's porosity / K_f. 0: grains that do not give. Default 0.0. */
+  double rock_grain_modulus;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */

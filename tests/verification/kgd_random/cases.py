@@ -9,8 +9,8 @@ M = 12 eta E'^3 Q / K'^4, K' = 4 sqrt(2 / pi) K_Ic (Detournay 2004) and the volu
 with a, b, c from self_similar.py. For M large they are 0.6152, 2.1, 0.62 (Adachi and Detournay 2002), for M small those of an
 evenly pressurised crack at K_Ic (Bunger, Detournay and Garagash 2005); at M = 0.01 (cases T) the fluid's share of p0 is 7 %.
 
-E' is that of the undrained rock where pores cannot drain in time: E'_u = 4 G K_u / (K_u + G), K_u = K + K_f / porosity
-(Biot coefficient 1; K and G plane-strain moduli of the drained packing).
+E' is that of the undrained rock where pores cannot drain in time: E'_u = 4 G K_u / (K_u + G), K_u = K + alpha^2 M with
+1 / M = porosity / K_f + (alpha - porosity) / K_s (Detournay and Cheng 1993; K and G plane-strain moduli of the drained packing).
 """
 import math
 from typing import Any, Dict, NamedTuple
@@ -58,11 +58,12 @@ def options(case: Case, seed: int, discs: int, **more: Any) -> Dict[str, Any]:
     return given
 
 
-def undrained(porosity: float) -> float:
-    """E'_u [Pa] of the packing whose pores the fluid cannot leave."""
+def undrained(porosity: float, biot: float = 1.0, grains: float = 0.0) -> float:
+    """E'_u [Pa] of the packing whose pores the fluid cannot leave; `grains`: their bulk modulus [Pa], 0: stiff."""
+    storage = porosity / BULK + ((biot - porosity) / grains if grains > 0.0 else 0.0)
     young = DRAINED * (1.0 - POISSON**2)
     shear = young / (2.0 * (1.0 + POISSON))
-    bulk = DRAINED * shear / (4.0 * shear - DRAINED) + BULK / porosity
+    bulk = DRAINED * shear / (4.0 * shear - DRAINED) + biot**2 / storage
     return 4.0 * shear * bulk / (bulk + shear)
 
 
