@@ -227,6 +227,42 @@ TEST(Facets, AreRefusedWhereTheyAreNotKnown) {
   definition.options.fracture_law = static_cast<std::int64_t>(FractureLaw::bond);
   definition.options.fracture_perforation_length = 1.0;
   EXPECT_ANY_THROW(Simulation(definition, {}, {}));
+  definition.options.fracture_perforation_length = 0.0;
+  definition.options.rock_biot_coefficient = 0.5;
+  EXPECT_ANY_THROW(Simulation(definition, {}, {}));  // contacts push with what the rock's pores do
+  definition = confined(20e6);
+  definition.options.rock_biot_coefficient = 0.1;
+  definition.options.rock_porosity = 0.2;
+  EXPECT_ANY_THROW(Simulation(definition, {}, {}));
+}
+
+// Pores store what fluid and grains do, and push with alpha times their pressure; a well's are not rock.
+TEST(Rock, OfGivenPorosityAndBiotCoefficient) {
+  CaseDefinition definition = with_hole(6.0);
+  const Simulation before(definition, {}, {});
+  definition.options.rock_biot_coefficient = 0.4;
+  definition.options.rock_porosity = 0.01;
+  definition.options.rock_grain_modulus = 45e9;
+  const Simulation s(definition, {}, {});
+  const Network &n = s.network(), &packing = before.network();
+  double pores = 0.0, voids = 0.0, storing = 0.0;
+  for (std::size_t d = 1; d < n.kind.size(); ++d) {
+    if (n.kind[d] == DomainKind::well) {
+      EXPECT_EQ(n.volume[d], packing.volume[d]);
+      EXPECT_EQ(n.storing[d], n.volume[d]);
+      continue;
+    }
+    pores += n.volume[d];
+    voids += packing.volume[d];
+    storing += n.storing[d];
+    for (auto k = 2 * n.corner_start[d]; k < 2 * n.corner_start[d + 1]; ++k)
+      EXPECT_NEAR(n.corner_weight[k], 0.4 * packing.corner_weight[k], 1e-12);
+  }
+  const double area = pores / 0.01, fluid = definition.options.fluid_bulk_modulus;
+  EXPECT_NEAR(n.porosity_share, pores / voids, 1e-12);
+  EXPECT_GT(voids / area, 0.08);
+  EXPECT_LT(voids / area, 0.2);
+  EXPECT_NEAR(storing / fluid / area, 0.01 / fluid + 0.39 / 45e9, 1e-18);
 }
 
 }  // namespace
