@@ -165,7 +165,7 @@ std::int32_t set_by_key(hfrac_sim_def* def, const char* key, Set&& set) noexcept
     } else {
       refuse_unknown(key);
     }
-    write_struct(def, full, "def");
+    write_def(def, full, "def");
   });
 }
 
@@ -192,7 +192,7 @@ std::int32_t hfrac_sim_def_free(hfrac_sim_def* def) {
       list.count(full) = 0;
     });
     full.lists = nullptr;
-    write_struct(def, full, "def");
+    write_def(def, full, "def");
   });
 }
 
@@ -204,7 +204,7 @@ std::int32_t hfrac_sim_def_copy(const hfrac_sim_def* from, hfrac_sim_def* to) {
     full.lists = old.lists;
     each_list([&](auto list) { list.size(full) = list.size(old); });
     put_case(definition, full);
-    write_struct(to, full, "to");
+    write_def(to, full, "to");
   });
 }
 
@@ -213,7 +213,7 @@ std::int32_t hfrac_sim_def_load(hfrac_sim_def* def, const char* path) {
     hfrac_sim_def full = read_def(def);
     require_not_null(path, "path");
     put_case(load_case(path, case_of(full)), full);
-    write_struct(def, full, "def");
+    write_def(def, full, "def");
   });
 }
 
@@ -255,7 +255,7 @@ std::int32_t hfrac_sim_def_set_i64(hfrac_sim_def* def, const char* key, std::int
   return guarded([&] {
     hfrac_sim_def full = read_def(def);
     use_count(key, [&](auto list) { set_count(list, full, value); });
-    write_struct(def, full, "def");
+    write_def(def, full, "def");
   });
 }
 
@@ -268,7 +268,7 @@ std::int32_t hfrac_sim_def_set_str(hfrac_sim_def* def, const char* key, const ch
   return guarded([&] {
     hfrac_sim_def full = read_def(def);
     put_title(value, full);
-    write_struct(def, full, "def");
+    write_def(def, full, "def");
   });
 }
 

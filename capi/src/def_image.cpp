@@ -84,6 +84,28 @@ hfrac_sim_def read_def(const hfrac_sim_def* def) {
   return full;
 }
 
+void write_def(hfrac_sim_def* to, const hfrac_sim_def& full, const char* name) {
+  const hfrac_sim_def usual = default_def();
+  const auto size = static_cast<std::size_t>(std::max(0, to->struct_size));
+  const auto keep = [&](const char* key, std::size_t place, bool changed) {
+    if (!changed || place < size) return;
+    throw Error(ErrorKind::struct_size,
+                std::string(key) + " has no place in the hfrac_sim_def of this program, " +
+                    std::to_string(size) + " bytes where the library's has " + std::to_string(sizeof full) +
+                    ": compile the program with this library's headers, or leave the option out.");
+  };
+#define F64(section, name, unit, initial, min, max, help)             \
+  keep(#section "." #name, offsetof(hfrac_sim_def, section##_##name), \
+       full.section##_##name != usual.section##_##name);
+#define I64(section, name, initial, min, max, help) F64(section, name, "", initial, min, max, help)
+#define CHOICE(section, name, initial, words, help) F64(section, name, "", initial, 0, 0, help)
+#include "options/option_list.inc"
+#undef F64
+#undef I64
+#undef CHOICE
+  write_struct(to, full, name);
+}
+
 Options options_of(const hfrac_sim_def& def) {
   Options options;
 #define F64(section, name, unit, initial, min, max, help) options.section##_##name = def.section##_##name;

@@ -18,6 +18,8 @@ void require_def_size(std::int32_t size);
 // The caller's definition at this library's size. Throws Error(argument) for NULL, Error(struct_size) unless
 // init ran.
 hfrac_sim_def read_def(const hfrac_sim_def* def);
+// Into the caller's struct, which may be of an older header: an option that it has no place for must be as by default.
+void write_def(hfrac_sim_def* to, const hfrac_sim_def& full, const char* name);
 
 // The parts, one by one. Values are taken as they are; only what has no meaning in C++ is refused.
 Options options_of(const hfrac_sim_def& def);

@@ -245,7 +245,7 @@ int32_t hfrac_calibrate(hfrac_sim_def* def, const hfrac_targets* targets, hfrac_
     write_struct(calibration, to, "hfrac_calibration");
     if (found.stopped) return HFRAC_STOPPED;
     put_options(found.options, full);
-    write_struct(def, full, "def");
+    write_def(def, full, "def");
     return HFRAC_OK;
   });
 }

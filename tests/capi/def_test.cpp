@@ -33,6 +33,24 @@ TEST(DefInit, RefusesWrongSizes) {
   }
 }
 
+// A program of older headers cannot hold a newer option: it is told so instead of running without it.
+TEST(DefInit, RefusesOptionsThatAnOlderCallerHasNoPlaceFor) {
+  std::vector<unsigned char> memory(sizeof(hfrac_sim_def), 0);
+  auto* def = reinterpret_cast<hfrac_sim_def*>(memory.data());
+  constexpr std::size_t older = offsetof(hfrac_sim_def, rock_biot_coefficient);
+  ASSERT_EQ(hfrac_sim_def_init(def, older), HFRAC_OK);
+  EXPECT_EQ(hfrac_sim_def_set_f64(def, "rock.biot_coefficient", 1.0), HFRAC_OK);  // the default
+  EXPECT_EQ(hfrac_sim_def_set_f64(def, "rock.biot_coefficient", 0.5), HFRAC_ERR_STRUCT_SIZE);
+  EXPECT_NE(last_error().find("rock.biot_coefficient has no place"), std::string::npos);
+  const TemporaryFolder folder;
+  const auto file = folder.write("[rock]\nporosity = 0.01\n");
+  EXPECT_EQ(hfrac_sim_def_load(def, file.c_str()), HFRAC_ERR_STRUCT_SIZE);
+  hfrac::Definition newer = new_def();
+  newer.rock_porosity = 0.01;
+  EXPECT_EQ(hfrac_sim_def_copy(&newer, def), HFRAC_ERR_STRUCT_SIZE);
+  EXPECT_EQ(hfrac_sim_def_free(def), HFRAC_OK);
+}
+
 TEST(DefInit, FillsNoMoreThanAnOlderCallerHas) {
   std::vector<unsigned char> memory(sizeof(hfrac_sim_def), 0xEE);
   auto* def = reinterpret_cast<hfrac_sim_def*>(memory.data());

@@ -9,7 +9,7 @@ import subprocess
 COMMAND = os.environ["HFRAC_COMMAND"]
 CASE = os.environ["HFRAC_CASE"]
 READER = os.environ["HFRAC_READER"]
-SERIES = ("discs", "bonds", "cracks", "flow")
+SERIES = ("discs", "bonds", "cracks", "flow", "fractures")
 
 
 def hfrac(*arguments, **options):

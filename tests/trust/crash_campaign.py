@@ -28,7 +28,7 @@ import zlib
 
 COMMAND = os.environ["HFRAC_COMMAND"]
 SHIM = os.environ["HFRAC_FAILING_DISK"]
-SERIES = ("discs", "bonds", "cracks", "flow")
+SERIES = ("discs", "bonds", "cracks", "flow", "fractures")
 
 # A title is no path: whatever it says, nothing is written outside the run's folder.
 COMMON = """

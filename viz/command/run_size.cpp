@@ -18,9 +18,9 @@ constexpr std::array<double, 3> kSnapshotBytes = {210.0, 260.0, 480.0};  // zlib
 constexpr double kStateBytes = 210.0;
 constexpr double kSnapshotHead = 9000.0;
 constexpr double kHistoryLine = 400.0;
-constexpr double kSeriesLine = 4.0 * 95.0;  // in the lists of the four series
-constexpr double kFilesOfSnapshot = 4.0;
-constexpr double kOtherFiles = 13.0;  // lists, tables, case, summary, state, two checkpoints
+constexpr double kSeriesLine = 5.0 * 95.0;  // in the lists of the five series
+constexpr double kFilesOfSnapshot = 5.0;
+constexpr double kOtherFiles = 14.0;  // lists, tables, case, summary, state, two checkpoints
 constexpr double kPlainly = 2.0;      // the estimate's factor
 
 double steps_of(const hfrac_sim_def& definition, int64_t steps) {

@@ -20,7 +20,8 @@ RunFolder::RunFolder(std::filesystem::path folder, RunTerms terms)
       discs_(folder_, "discs"),
       bonds_(folder_, "bonds"),
       cracks_(folder_, "cracks"),
-      flow_(folder_, "flow") {
+      flow_(folder_, "flow"),
+      fractures_(folder_, "fractures") {
   course_.terms = std::move(terms);
 }
 
@@ -36,7 +37,7 @@ void RunFolder::go_on_from(hfrac_sim* sim, const Checkpoint& checkpoint) {
   std::vector<int64_t> steps;
   for (const auto& entry : snapshots_) steps.push_back(entry.step);
   // First the lists, so that none names what is taken away.
-  for (auto* series : {&discs_, &bonds_, &cracks_, &flow_}) series->go_on_from(snapshots_);
+  for (auto* series : {&discs_, &bonds_, &cracks_, &flow_, &fractures_}) series->go_on_from(snapshots_);
   remove_later_files(folder_, steps);
   cut_history(checkpoint.step);
   CheckpointFolder(folder_).remove_after(checkpoint.step);
@@ -135,6 +136,7 @@ void RunFolder::write_series(const SnapshotFrame& frame) {
   discs_.add(entry, encode(disc_grid(frame), frame.moment, packing));
   bonds_.add(entry, encode(bond_grid(frame), frame.moment, packing));
   flow_.add(entry, encode(flow_grid(frame), frame.moment, packing));
+  fractures_.add(entry, encode(fracture_grid(frame), frame.moment, packing));
   cracks_.add(entry, encode(crack_grid(frame), frame.moment, packing));
   write_whole(folder_ / "cracks.csv", crack_table(frame.cracks));
   snapshots_.push_back(entry);

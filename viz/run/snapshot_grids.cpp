@@ -79,11 +79,11 @@ std::vector<double> crack_pressures(const SnapshotFrame& frame) {
   return mean;
 }
 
-template <class Value, class Member>
-std::vector<Value> column(const std::vector<hfrac_crack>& cracks, Member member) {
+template <class Value, class Item, class Member>
+std::vector<Value> column(const std::vector<Item>& items, Member member) {
   std::vector<Value> values;
-  values.reserve(cracks.size());
-  for (const auto& crack : cracks) values.push_back(static_cast<Value>(crack.*member));
+  values.reserve(items.size());
+  for (const auto& item : items) values.push_back(static_cast<Value>(item.*member));
   return values;
 }
 
@@ -143,6 +143,37 @@ VtuGrid crack_grid(const SnapshotFrame& frame) {
                     whole("step", column<int32_t>(cracks, &hfrac_crack::step)),
                     whole("fracture", column<int32_t>(cracks, &hfrac_crack::fracture)),
                     whole("crack_id", column<int32_t>(cracks, &hfrac_crack::id))};
+  return grid;
+}
+
+VtuGrid fracture_grid(const SnapshotFrame& frame) {
+  std::vector<hfrac_fracture_point> points;
+  std::vector<int32_t> numbers;
+  VtuGrid grid;
+  grid.cell_type = CellType::polyline;
+  grid.offsets = {0};
+  for (const auto& fracture : frame.fractures) {
+    if (fracture.crack_count < 2) continue;
+    const auto line = line_of(frame.sim, fracture.index);
+    if (line.size() < 2) continue;
+    points.insert(points.end(), line.begin(), line.end());
+    grid.offsets.push_back(static_cast<int32_t>(points.size()));
+    numbers.push_back(static_cast<int32_t>(fracture.index));
+  }
+  for (const auto& point : points)
+    grid.positions.insert(grid.positions.end(), {point.position[0], point.position[1]});
+  grid.connectivity = counted_up(points.size());
+  using Point = hfrac_fracture_point;
+  grid.point_data = {exact("distance_m", "m", column<double>(points, &Point::distance)),
+                     floats("length_m", "m", column<double>(points, &Point::length)),
+                     floats("aperture_m", "m", column<double>(points, &Point::aperture)),
+                     floats("hydraulic_aperture_m", "m", column<double>(points, &Point::hydraulic_aperture)),
+                     floats("pressure_Pa", "Pa", column<double>(points, &Point::pressure)),
+                     floats("saturation", "", column<double>(points, &Point::saturation)),
+                     whole("bond_id", column<int32_t>(points, &Point::bond)),
+                     whole("wing", column<int32_t>(points, &Point::wing)),
+                     whole("tip", column<int32_t>(points, &Point::tip))};
+  grid.cell_data = {whole("fracture", std::move(numbers))};
   return grid;
 }
 

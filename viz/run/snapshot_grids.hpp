@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The four grids of a snapshot, made from a simulation: what discs_*.vtu, bonds_*.vtu, cracks_*.vtu and flow_*.vtu hold.
+// The grids of a snapshot, made from a simulation: what discs_*.vtu, bonds_*.vtu, cracks_*.vtu, flow_*.vtu and fractures_*.vtu hold.
 #pragma once
 
 #include <vector>
@@ -29,6 +29,8 @@ VtuGrid disc_grid(const SnapshotFrame& frame);
 VtuGrid bond_grid(const SnapshotFrame& frame);
 /** A line per broken bond, drawn where the rock parts: across the contact, not along the bond. */
 VtuGrid crack_grid(const SnapshotFrame& frame);
+/** Each fracture of two cracks or more as one line from tip to tip, with what the fluid does along it at its points. */
+VtuGrid fracture_grid(const SnapshotFrame& frame);
 /** Each fluid domain as the polygon of the disc centres around it; the outside has no polygon. */
 VtuGrid flow_grid(const SnapshotFrame& frame);
 

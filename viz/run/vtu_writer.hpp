@@ -23,7 +23,7 @@ struct VtuArray {
   std::variant<std::vector<float>, std::vector<double>, std::vector<int32_t>, std::vector<uint8_t>> values;
 };
 
-enum class CellType : uint8_t { vertex = 1, line = 3, polygon = 7 };  // VTK's numbers
+enum class CellType : uint8_t { vertex = 1, line = 3, polyline = 4, polygon = 7 };  // VTK's numbers
 
 /** A grid in the plane. Cell i has the points connectivity[offsets[i]] to connectivity[offsets[i + 1] - 1]. */
 struct VtuGrid {

@@ -41,8 +41,9 @@ class Fracture(NamedTuple):
 class Model:
     """Arrays of a simulation that never change, and the pores' volumes before injection."""
 
-    def __init__(self, sim: Any) -> None:
+    def __init__(self, sim: Any, facets: bool) -> None:
         self.sim = sim
+        self.facets = facets
         self.start_volume = np.array(sim.domains.volume)
         self.kind = np.array(sim.domains.kind)
         self.radius = np.array(sim.discs.radius)
@@ -198,9 +199,11 @@ def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float, shap
         enough = len(path) >= 4 and mechanical > 0.0 and hydraulic > 0.0 and length > 0.0
         ratios = [(mechanical / each) ** (1.0 / 3.0) if enough else math.nan for each in (hydraulic, by_gap, by_pore)]
         wings.append(Wing(reach, *ratios, monotone))
+    # What a user reads, where a fracture's opening is its own; of contacts, whose gaps are not it, the jump between the flanks.
+    opened = np.array(mine.aperture) if model.facets else jump
     half = 0.5 * (wings[0].length + wings[1].length)
     xi = (offset @ heading - 0.5 * (wings[0].length - wings[1].length)) / half
     return Fracture(
-        half, _in_the_middle(jump, xi, shape), net, volume, injected, gained,
+        half, _in_the_middle(opened, xi, shape), net, volume, injected, gained,
         len(cracks), own.wings, math.degrees(azimuth), int((intact == 0).sum()), (wings[0], wings[1]),
     )
