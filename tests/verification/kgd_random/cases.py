@@ -15,7 +15,7 @@ E' is that of the undrained rock where pores cannot drain in time: E'_u = 4 G K_
 import math
 from typing import Any, Dict, NamedTuple
 
-from self_similar import prefactors, shape
+from self_similar import prefactors, pressure_shape, shape
 
 SIDE = 100.0  # m
 RATE = 1e-3  # m2/s, both wings
@@ -82,6 +82,11 @@ def _regime(case: Case, modulus: float) -> float:
 def opening(case: Case, modulus: float, xi: Any) -> Any:
     """Opening at x = xi l over that in the middle."""
     return shape(_regime(case, modulus), xi)
+
+
+def net_pressure(case: Case, modulus: float, xi: Any) -> Any:
+    """Net pressure at x = xi l over that in the middle."""
+    return pressure_shape(_regime(case, modulus), xi)
 
 
 def analytic(case: Case, modulus: float, volume: float, length: float) -> Analytic:

@@ -77,6 +77,12 @@ def prefactors(m: float) -> Tuple[float, float, float]:
     return g, width[0] ** 2 / g, width[0] * pressure[0]
 
 
+def pressure_shape(m: float, xi: numpy.ndarray) -> numpy.ndarray:
+    """Net pressure at x = xi l over that in the middle."""
+    pressure = _solution(m)[2]
+    return numpy.interp(xi, _influence()[0], pressure / pressure[0])
+
+
 def shape(m: float, xi: numpy.ndarray) -> numpy.ndarray:
     """Opening at x = xi l over that in the middle."""
     width = _solution(m)[1]
