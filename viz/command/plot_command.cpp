@@ -14,12 +14,14 @@
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "command/commands.hpp"
 #include "command/drawing.hpp"
 #include "command/exit_code.hpp"
 #include "command/interrupt.hpp"
+#include "command/kgd_plot.hpp"
 #include "command/progress_line.hpp"
 #include "command/standard_streams.hpp"
 #include "run/engine_call.hpp"
@@ -316,6 +318,7 @@ struct PlotRequest {
   std::string folder;
   Paper paper;
   bool quiet = false;
+  bool kgd = false;  ///< the profile beside the plane-strain solution
   CompareRequest compare;
 };
 
@@ -327,9 +330,34 @@ ExitCode compare(const PlotRequest& request) {
   return kGood;
 }
 
+/** pictures/kgd.png with its table. */
+ExitCode plot_kgd(const PlotRequest& request) {
+  const fs::path folder = request.folder;
+  std::string table;
+  try {
+    table = kgd_table(folder);
+  } catch (const run::ReadError& error) {
+    throw BadInput(error.what());
+  }
+  run::make_folder(folder / "pictures");
+  CompareRequest profile;
+  profile.sources = {(folder / "pictures" / "kgd.csv").string()};
+  profile.title = "Along the fracture, beside the plane-strain solution";
+  run::write_whole(profile.sources.front(), table);
+  for (const auto& [wanted, ending] :
+       {std::pair{true, ".png"}, {request.paper.svg, ".svg"}, {request.paper.pdf, ".pdf"}}) {
+    if (!wanted) continue;
+    profile.target = (folder / "pictures" / "kgd").string() + ending;
+    draw_comparison(profile, request.paper);
+    if (!request.quiet) fmt::print("{}\n", profile.target);
+  }
+  return kGood;
+}
+
 ExitCode plot(const PlotRequest& request) {
   if (!request.compare.sources.empty()) return compare(request);
   if (request.folder.empty()) throw BadInput("plot needs a run folder, or --compare and several");
+  if (request.kgd) return plot_kgd(request);
   const auto options = options_for(request.paper, hfrac_viz_chart_options_init);
   catch_interrupts();
   ProgressLine line(request.quiet);
@@ -353,6 +381,11 @@ void add_plot(CLI::App& program, Action& action) {
   add_paper_options(*command, request->paper);
   add_format_options(*command, request->paper);
   command->add_flag("-q,--quiet", request->quiet, "Print nothing unless something goes wrong");
+  command
+      ->add_flag("--kgd", request->kgd,
+                 "Only the profile along the fracture while it is driven, beside the "
+                 "plane-strain solution of the same volume (KGD)")
+      ->needs(folder);
   add_compare_options(*command, request->compare, folder);
   command->callback([request, &action] { action = [request] { return plot(*request); }; });
 }

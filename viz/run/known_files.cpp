@@ -36,7 +36,7 @@ std::vector<fs::path> files_of_a_run(const fs::path& folder) {
       R"(summary\.json|case\.toml|state\.hfrac|hfrac_probe|report\.html|paraview_state\.py)";
   static const std::string pictures =
       R"((model|growth|growth_[1-5]|pressure|aperture|views|history|rose|profile|events|catalogue)\.(png|svg|pdf)|)"
-      R"(movie\.mp4)";
+      R"(movie\.mp4|kgd\.(png|svg|pdf|csv))";
   const std::string checkpoints = R"(step_[0-9]{5,}\.checkpoint)";
   const auto with_unfinished = [](const std::string& names) {
     return std::regex("(" + names + R"()|\.()" + names + R"()\.[0-9]+-[0-9]+\.tmp)");

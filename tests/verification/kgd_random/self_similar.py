@@ -87,3 +87,21 @@ def shape(m: float, xi: numpy.ndarray) -> numpy.ndarray:
     """Opening at x = xi l over that in the middle."""
     width = _solution(m)[1]
     return numpy.interp(xi, _influence()[0], width / width[0])
+
+
+PLACES = tuple(k / 10 for k in range(10)) + (0.95, 0.99)
+
+
+def table() -> str:
+    """viz/command/kgd_table.inc: log10 M, the three prefactors, opening and net pressure at PLACES over those in the middle."""
+    lines = ["// Made by tests/verification/kgd_random/self_similar.py: KGD_ROW(log10 M, a, b, c, openings, net pressures)."]
+    for half in range(-8, 13):
+        m = 10.0 ** (0.5 * half)
+        places = numpy.array(PLACES)
+        lists = [", ".join(f"{value:.5f}" for value in of(m, places)) for of in (shape, pressure_shape)]
+        lines.append(f"KGD_ROW({0.5 * half:g}, " + ", ".join(f"{value:.5f}" for value in prefactors(m)) + ", KGD_LIST(" + "), KGD_LIST(".join(lists) + "))")
+    return "\n".join(lines)
+
+
+if __name__ == "__main__":
+    print(table())
