@@ -10,9 +10,7 @@
 namespace hfrac {
 
 Fragments::Fragments(const Assembly& a, const Options& o)
-    : smallest_(FractureLaw{o.fracture_law} == FractureLaw::facet
-                    ? most
-                    : o.bond_smallest_fragment) {
+    : smallest_(FractureLaw{o.fracture_law} == FractureLaw::facet ? most : o.bond_smallest_fragment) {
   if (!kept()) return;
   bond_start_.assign(static_cast<std::size_t>(a.disc_count()) + 1, 0);
   for (const auto* ends : {&a.first, &a.second}) {

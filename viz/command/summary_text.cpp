@@ -107,8 +107,10 @@ void print_table(const std::filesystem::path& folder, bool complete) {
   const auto summary = run::read_json(folder / "summary.json");
   fmt::print("{}", summary_text(summary));
   if (!complete) return;
-  fmt::print("  {:18} {}: discs.pvd, bonds.pvd, cracks.pvd, flow.pvd, fractures.pvd (ParaView), history.csv, cracks.csv,\n",
-             "files", folder.string());
+  fmt::print(
+      "  {:18} {}: discs.pvd, bonds.pvd, cracks.pvd, flow.pvd, fractures.pvd (ParaView), history.csv, "
+      "cracks.csv,\n",
+      "files", folder.string());
   fmt::print("  {:18} fractures.csv, fracture_lines.csv, events.csv, summary.json, case.toml\n", "");
 #ifdef HFRAC_WITH_RENDERER
   fmt::print("  {:18} hfrac render {}\n", "pictures", folder.string());
