@@ -51,21 +51,19 @@ hfrac_crack describe(const Simulation& s, std::int64_t id) {
 }
 
 hfrac_fracture describe(const Fracture& f, std::int64_t index) {
-  hfrac_fracture c{};
-  c.index = index;
-  c.crack_count = f.crack_count;
-  c.tensile_cracks = f.tensile_cracks;
-  c.length = f.length;
-  c.extent = f.extent;
-  c.reach = f.reach;
-  c.azimuth = f.azimuth;
-  c.mean_aperture = f.mean_aperture;
-  c.largest_aperture = f.largest_aperture;
-  c.volume = f.volume;
-  c.mean_pressure = f.mean_pressure;
-  c.well = f.well;
-  c.wings = f.wings;
-  return c;
+  return {.index = index,
+          .crack_count = f.crack_count,
+          .tensile_cracks = f.tensile_cracks,
+          .length = f.length,
+          .extent = f.extent,
+          .reach = f.reach,
+          .azimuth = f.azimuth,
+          .mean_aperture = f.mean_aperture,
+          .largest_aperture = f.largest_aperture,
+          .volume = f.volume,
+          .mean_pressure = f.mean_pressure,
+          .well = f.well,
+          .wings = f.wings};
 }
 
 hfrac_fracture_point describe(const FracturePoint& p) {

@@ -2,6 +2,7 @@
 #include "internal.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 namespace hfrac::capi {
@@ -48,35 +49,16 @@ const FloatingPointGuard* FloatingPointGuard::current() noexcept {
 }
 
 std::int32_t status_of(ErrorKind kind) noexcept {
-  switch (kind) {
-    case ErrorKind::argument:
-      return HFRAC_ERR_ARGUMENT;
-    case ErrorKind::bad_handle:
-      return HFRAC_ERR_BAD_HANDLE;
-    case ErrorKind::struct_size:
-      return HFRAC_ERR_STRUCT_SIZE;
-    case ErrorKind::unknown_key:
-      return HFRAC_ERR_UNKNOWN_KEY;
-    case ErrorKind::case_file:
-      return HFRAC_ERR_CASE_FILE;
-    case ErrorKind::model:
-      return HFRAC_ERR_MODEL;
-    case ErrorKind::diverged:
-      return HFRAC_ERR_DIVERGED;
-    case ErrorKind::collapsed:
-      return HFRAC_ERR_COLLAPSED;
-    case ErrorKind::memory:
-      return HFRAC_ERR_MEMORY;
-    case ErrorKind::busy:
-      return HFRAC_ERR_BUSY;
-    case ErrorKind::poisoned:
-      return HFRAC_ERR_POISONED;
-    case ErrorKind::file:
-      return HFRAC_ERR_FILE;
-    case ErrorKind::internal:
-      return HFRAC_ERR_INTERNAL;
-  }
-  return HFRAC_ERR_INTERNAL;
+  // In the order of ErrorKind.
+  static constexpr std::array statuses = {HFRAC_ERR_ARGUMENT,    HFRAC_ERR_BAD_HANDLE, HFRAC_ERR_STRUCT_SIZE,
+                                          HFRAC_ERR_UNKNOWN_KEY, HFRAC_ERR_CASE_FILE,  HFRAC_ERR_MODEL,
+                                          HFRAC_ERR_DIVERGED,    HFRAC_ERR_COLLAPSED,  HFRAC_ERR_MEMORY,
+                                          HFRAC_ERR_BUSY,        HFRAC_ERR_POISONED,   HFRAC_ERR_FILE,
+                                          HFRAC_ERR_INTERNAL};
+  static_assert(statuses.size() == static_cast<std::size_t>(ErrorKind::internal) + 1 &&
+                statuses[static_cast<std::size_t>(ErrorKind::diverged)] == HFRAC_ERR_DIVERGED &&
+                statuses[static_cast<std::size_t>(ErrorKind::busy)] == HFRAC_ERR_BUSY);
+  return statuses[static_cast<std::size_t>(kind)];
 }
 
 std::int32_t status_of_current_exception(ErrorText& text) noexcept {
