@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The four series of a run folder: the files NAME_00000.vtu, NAME_00010.vtu, ... and NAME.pvd, the list of them with their
+// The series of a run folder: the files NAME_00000.vtu, NAME_00010.vtu, ... and NAME.pvd, the list of them with their
 // times that ParaView opens.
 #pragma once
 
