@@ -13,10 +13,10 @@ namespace hfrac {
 
 struct HoledPlate {
   struct Hole {
-    Vec2 centre;      // m
-    double radius;    // m
-    double pressure;  // Pa
-    std::int32_t domain = -1;
+    Vec2 centre;               // m
+    double radius;             // m
+    double pressure;           // Pa
+    std::int32_t domain = -1;  // of the network, that is the hole
   };
   struct Stress {
     double xx, yy, xy;  // Pa

@@ -150,10 +150,13 @@ void check_rock(const Options& o) {
            " needs fracture.law = \"facet\": the fluid pushes whole on a fracture's faces, which contacts of "
            "law bond cannot "
            "tell from the rock's pores; set the law, or leave the coefficient at 1.");
-  if (o.rock_porosity > o.rock_biot_coefficient)
-    refuse("rock.porosity = " + number_text(o.rock_porosity) +
+  const bool given = o.rock_porosity > 0.0;
+  const double porosity = given ? o.rock_porosity : o.packing_porosity;
+  if (porosity > o.rock_biot_coefficient)
+    refuse((given ? "rock.porosity = " : "The packing's porosity of ") + number_text(porosity) +
            " is above rock.biot_coefficient = " + number_text(o.rock_biot_coefficient) +
-           ", which no rock has; lower the porosity or raise the coefficient.");
+           ", which no rock has; " + (given ? "lower the porosity" : "give the rock's, rock.porosity,") +
+           " or raise the coefficient.");
 }
 
 void check_stresses(const Options& o) {

@@ -232,6 +232,7 @@ TEST(Facets, AreRefusedWhereTheyAreNotKnown) {
   EXPECT_ANY_THROW(Simulation(definition, {}, {}));  // contacts push with what the rock's pores do
   definition = confined(20e6);
   definition.options.rock_biot_coefficient = 0.1;
+  EXPECT_ANY_THROW(Simulation(definition, {}, {}));  // below the packing's porosity
   definition.options.rock_porosity = 0.2;
   EXPECT_ANY_THROW(Simulation(definition, {}, {}));
 }

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/** The longest fracture that a well feeds, from tip to tip. */
+/** The longest fracture that the first well feeds, from tip to tip. */
 struct Line {
   std::vector<double> place, part, opening, pressure;  ///< [m], [m], [m], [Pa]
 
@@ -45,15 +45,15 @@ struct Line {
 };
 
 Line longest_line(const run::GridFile& grid) {
-  const auto wing = grid.point_array("wing"), place = grid.point_array("distance_m"),
+  const auto well = grid.cell_array("well"), place = grid.point_array("distance_m"),
              part = grid.point_array("length_m"), opening = grid.point_array("aperture_m"),
              pressure = grid.point_array("pressure_Pa");
   const auto cells = grid.cells();
   Line best;
   for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
+    if (well[cell] != 0.0) continue;
     Line line;
     for (const auto k : cells.of(cell)) {
-      if (wing[k] < 0.0) break;  // no well
       line.place.push_back(place[k]);
       line.part.push_back(part[k]);
       line.opening.push_back(opening[k]);

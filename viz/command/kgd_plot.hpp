@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `hfrac plot DIR --kgd`: opening and pressure along the fracture, at the last snapshot while fluid went in, beside the plane-strain solution (kgd.hpp) of the
-// same volume.
+// `hfrac plot DIR --kgd`: opening and pressure along the first well's fracture, at the last snapshot while fluid went in, beside the
+// plane-strain solution (kgd.hpp) of the same volume.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a picture, the page or a report begins with: the lists of the four series that pictures are drawn from, and what summary.json says about
-// the model. Nothing of the VTU files is read here.
+// What a picture, the page or a report begins with: the lists of the four series that pictures are drawn from, and what
+// summary.json says about the model. Nothing of the VTU files is read here.
 #pragma once
 
 #include <filesystem>

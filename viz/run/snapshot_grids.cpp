@@ -148,7 +148,7 @@ VtuGrid crack_grid(const SnapshotFrame& frame) {
 
 VtuGrid fracture_grid(const SnapshotFrame& frame) {
   std::vector<hfrac_fracture_point> points;
-  std::vector<int32_t> numbers;
+  std::vector<int32_t> numbers, wells;
   VtuGrid grid;
   grid.cell_type = CellType::polyline;
   grid.offsets = {0};
@@ -159,6 +159,7 @@ VtuGrid fracture_grid(const SnapshotFrame& frame) {
     points.insert(points.end(), line.begin(), line.end());
     grid.offsets.push_back(static_cast<int32_t>(points.size()));
     numbers.push_back(static_cast<int32_t>(fracture.index));
+    wells.push_back(static_cast<int32_t>(fracture.well));
   }
   for (const auto& point : points)
     grid.positions.insert(grid.positions.end(), {point.position[0], point.position[1]});
@@ -173,7 +174,7 @@ VtuGrid fracture_grid(const SnapshotFrame& frame) {
                      whole("bond_id", column<int32_t>(points, &Point::bond)),
                      whole("wing", column<int32_t>(points, &Point::wing)),
                      whole("tip", column<int32_t>(points, &Point::tip))};
-  grid.cell_data = {whole("fracture", std::move(numbers))};
+  grid.cell_data = {whole("fracture", std::move(numbers)), whole("well", std::move(wells))};
   return grid;
 }
 

@@ -14,6 +14,10 @@
  *   to the library, after hfrac_sim_def_load, after a key of an item or a count was set, and in what hfrac_sim_definition and
  *     hfrac_sim_def_copy give. Its items may be read and changed in place, and the count lowered, until the next call that changes
  *     the definition. They lie the list's size apart: that of this library, or whatever the host had set before.
+ *
+ * A program compiled with older headers has a shorter struct. What lies beyond it has its default; a call that would set it to
+ * anything else fails with HFRAC_ERR_STRUCT_SIZE and names the option.
+ *
  * hfrac_sim_def_free ends the library's lists; for a definition without, it does nothing. Assigning the struct copies pointers
  * only: of two such structs one is used and freed, or the other is made with hfrac_sim_def_copy.
  */
