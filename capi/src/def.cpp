@@ -203,17 +203,15 @@ std::int32_t hfrac_sim_def_copy(const hfrac_sim_def* from, hfrac_sim_def* to) {
     const hfrac_sim_def old = read_def(to);
     full.lists = old.lists;
     each_list([&](auto list) { list.size(full) = list.size(old); });
-    put_case(definition, full);
-    write_def(to, full, "to");
+    write_case(to, definition, full, "to");
   });
 }
 
 std::int32_t hfrac_sim_def_load(hfrac_sim_def* def, const char* path) {
   return guarded([&] {
-    hfrac_sim_def full = read_def(def);
+    const hfrac_sim_def full = read_def(def);
     require_not_null(path, "path");
-    put_case(load_case(path, case_of(full)), full);
-    write_def(def, full, "def");
+    write_case(def, load_case(path, case_of(full)), full, "def");
   });
 }
 

@@ -168,15 +168,17 @@ std::span<const std::int64_t> given_bonds_of(const hfrac_sim_def& def) {
   return {def.given_bonds, static_cast<std::size_t>(2 * def.given_bond_count)};
 }
 
-void put_case(const CaseDefinition& definition, hfrac_sim_def& def) {
-  put_title(definition.title, def);
+void write_case(hfrac_sim_def* to, const CaseDefinition& definition, hfrac_sim_def full, const char* name) {
+  put_title(definition.title, full);
   auto lists = std::make_unique<OwnedLists>();
-  each_list([&](auto list) { list.in(*lists) = owned(list, list.in(definition), def); });
-  put_options(definition.options, def);
-  delete static_cast<OwnedLists*>(def.lists);
-  def.lists = lists.get();
-  each_list([&](auto list) { show_list(list, list.in(*lists), def); });
-  static_cast<void>(lists.release());
+  each_list([&](auto list) { list.in(*lists) = owned(list, list.in(definition), full); });
+  put_options(definition.options, full);
+  const auto* before = static_cast<OwnedLists*>(full.lists);
+  full.lists = lists.get();
+  each_list([&](auto list) { show_list(list, list.in(*lists), full); });
+  write_def(to, full, name);
+  static_cast<void>(lists.release());  // the caller's struct owns them now
+  delete before;
 }
 
 void put_title(std::string_view title, hfrac_sim_def& def) {

@@ -28,9 +28,9 @@ std::span<const double> given_discs_of(const hfrac_sim_def& def);
 std::span<const std::int64_t> given_bonds_of(const hfrac_sim_def& def);
 
 void put_options(const Options& options, hfrac_sim_def& def);
-// Options, lists and title; other pointers and callbacks stay. The lists become the library's, in place of those that `def`
-// owned before. If that throws, those still stand.
-void put_case(const CaseDefinition& definition, hfrac_sim_def& def);
+// Options, lists and title into the caller's struct; other pointers and callbacks are those of `full`. The lists become the
+// library's, in place of those that `full` owned before. If that throws, those still stand.
+void write_case(hfrac_sim_def* to, const CaseDefinition& definition, hfrac_sim_def full, const char* name);
 // Throws Error(argument) unless `title` is UTF-8 without a 0, short enough for the struct.
 void put_title(std::string_view title, hfrac_sim_def& def);
 

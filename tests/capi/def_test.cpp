@@ -43,11 +43,15 @@ TEST(DefInit, RefusesOptionsThatAnOlderCallerHasNoPlaceFor) {
   EXPECT_EQ(hfrac_sim_def_set_f64(def, "rock.biot_coefficient", 0.5), HFRAC_ERR_STRUCT_SIZE);
   EXPECT_NE(last_error().find("rock.biot_coefficient has no place"), std::string::npos);
   const TemporaryFolder folder;
+  const auto good = folder.write("[[well]]\nx = 3.0\ny = 4.0\nradius = 1.0\nrate = 1e-4\n");
+  ASSERT_EQ(hfrac_sim_def_load(def, good.c_str()), HFRAC_OK) << last_error();
   const auto file = folder.write("[rock]\nporosity = 0.01\n");
   EXPECT_EQ(hfrac_sim_def_load(def, file.c_str()), HFRAC_ERR_STRUCT_SIZE);
   hfrac::Definition newer = new_def();
   newer.rock_porosity = 0.01;
   EXPECT_EQ(hfrac_sim_def_copy(&newer, def), HFRAC_ERR_STRUCT_SIZE);
+  ASSERT_EQ(def->well_count, 1);  // what was refused left the lists as they were
+  EXPECT_EQ(def->wells[0].x, 3.0);
   EXPECT_EQ(hfrac_sim_def_free(def), HFRAC_OK);
 }
 
