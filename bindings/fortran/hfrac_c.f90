@@ -240,7 +240,8 @@ module hfrac_c
 
   !> A straight line along which the rock is weaker or broken: it takes the bonds between discs whose centres lie on
   !> different sides of it, with the line between them meeting it between its ends. Of joints that share a bond the
-  !> last counts. Set every member: zeros are not the defaults of the keys.
+  !> last counts. Set every member up to `state`: zeros are not the defaults of those keys. The members after it are
+  !> of smooth joints (state HFRAC_JOINT_SMOOTH_BONDED or HFRAC_JOINT_SMOOTH_BROKEN), and 0 is the default of each.
   type, bind(C) :: hfrac_joint_def
     !> [m] one end, origin at the model's lower left corner
     real(c_double) :: x1 = 0.0_c_double
@@ -258,6 +259,30 @@ module hfrac_c
     real(c_double) :: friction = 0.0_c_double
     !> enum hfrac_joint_state
     integer(c_int64_t) :: state = 0_c_int64_t
+    !> [Pa/m] per area, at no normal stress; 0: smooth_joint.normal_stiffness
+    real(c_double) :: normal_stiffness = 0.0_c_double
+    !> [Pa/m] per area; 0: smooth_joint.shear_stiffness
+    real(c_double) :: shear_stiffness = 0.0_c_double
+    !> [m] largest closure (Bandis, Lumsden and Barton 1983); 0: linear
+    real(c_double) :: max_closure = 0.0_c_double
+    !> [Pa] while bonded; 0: tensile_factor times that of the rock's bonds
+    real(c_double) :: tensile_strength = 0.0_c_double
+    !> [Pa] while bonded; 0: shear_factor times that of the rock's bonds
+    real(c_double) :: cohesion = 0.0_c_double
+    !> [1] once slipped by weakening_slip
+    real(c_double) :: residual_friction = 0.0_c_double
+    !> [m] over which friction falls; 0: it stays
+    real(c_double) :: weakening_slip = 0.0_c_double
+    !> [rad] at which the faces ride up as they slip
+    real(c_double) :: dilation_angle = 0.0_c_double
+    !> [m] at which dilation ends
+    real(c_double) :: dilation_slip = 0.0_c_double
+    !> [m] open at no normal stress; 0, residual_aperture too: tight as the rock
+    real(c_double) :: aperture = 0.0_c_double
+    !> [m] hydraulic, on top of what it is open
+    real(c_double) :: residual_aperture = 0.0_c_double
+    !> [1] joint roughness coefficient of the hydraulic aperture; 0: none
+    real(c_double) :: roughness = 0.0_c_double
   end type hfrac_joint_def
 
   !> From `time` on, a well is driven otherwise. Entries of one well stand in order of time.

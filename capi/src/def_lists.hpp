@@ -64,13 +64,21 @@ struct Joints {
   static auto& size(auto& def) { return def.joint_size; }
   static auto& in(auto& definition) { return definition.joints; }
   static const JointInfo* find(std::string_view value) { return find_joint_value(value); }
-  static Values get(const Item& j) {
-    return {j.x1, j.y1, j.x2, j.y2, j.tensile_factor, j.shear_factor, j.friction, j.state};
-  }
-  static Item put(const Values& j) {
-    return {j.x1, j.y1, j.x2, j.y2, j.tensile_factor, j.shear_factor, j.friction, j.state};
-  }
+  static Values get(const Item& j) { return converted<Values>(j); }
+  static Item put(const Values& j) { return converted<Item>(j); }
   static Values fresh(const hfrac_sim_def& /*def*/) { return {}; }
+
+ private:
+  template <class To>
+  static To converted(const auto& from) {
+    To to{};
+#define F64(name, ...) to.name = from.name;
+#define CHOICE(name, ...) to.name = from.name;
+#include "options/joint_list.inc"
+#undef F64
+#undef CHOICE
+    return to;
+  }
 };
 
 struct Schedule {

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "geom/faces.hpp"
+#include "model/joint_pores.hpp"
 #include "solid/joints.hpp"
 #include "solid/toughness.hpp"
 
@@ -107,6 +108,7 @@ Model build_model(const CaseDefinition& definition, Packing packing,
     model.wells.push_back(well);
   }
   model.network = build_network(std::move(faces), assembly, well_domains, o);
+  begin_joint_pores(model.network, assembly, o);
   model.well_count = model.wells.size();
   model.far_field = {o.stress_sigma_Hmax, o.stress_sigma_hmin, o.fluid_formation_pressure, false};
   return model;

@@ -83,7 +83,7 @@ BondResponse respond_smooth(const Assembly& a, const Options& o, const SmoothCon
     r.force[row] = s.normal * opens[row] + s.shear * slides[row];
     for (int column = 0; column < 4; ++column) {
       r.tangent[4 * row + column] =
-          s.normal_stiffness * opens[row] * opens[column] +
+          opens[row] * (s.normal_stiffness * opens[column] + s.normal_by_slide * slides[column]) +
           slides[row] * (s.shear_stiffness * slides[column] + s.shear_by_opening * opens[column]);
     }
   }

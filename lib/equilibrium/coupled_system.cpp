@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "flow/aperture.hpp"
+#include "model/joint_pores.hpp"
 #include "options/choices.hpp"
 #include "solid/smooth_joints.hpp"
 
@@ -101,6 +102,14 @@ void CoupledSystem::add_pair(const BondResponse& r, std::int32_t i, std::int32_t
   residual_[3 * j + 2] -= r.force[3];
 }
 
+// A pore of both a fracture and a joint pushes on the joint's faces too.
+void CoupledSystem::add_faces_of_joints() {
+  if (network_.joint_pore.empty()) return;
+  for (std::int32_t d = 0; d < domains_; ++d) {
+    if (network_.joint_pore[d] != 0 && facets_.fractured(d)) add_face_weights(network_, assembly_, d);
+  }
+}
+
 // Pores of fractures push and are filled through their open facets alone.
 void CoupledSystem::open_facets() {
   if (!facets_.active()) return;
@@ -114,6 +123,7 @@ void CoupledSystem::open_facets() {
       for (auto k = 2 * n.corner_start[d]; k < 2 * n.corner_start[d + 1]; ++k) n.corner_weight[k] = 0.0;
     }
   }
+  add_faces_of_joints();
   for (std::size_t k = 0; k < facets_.all().size(); ++k) {
     const Facet& f = facets_.all()[k];
     if (facets_.opening(assembly_, n, f) < 0.0) continue;
@@ -311,7 +321,12 @@ void CoupledSystem::evaluate_pipe(std::size_t e) {
   const double joint = joint_opening(assembly_, static_cast<std::int64_t>(e));
   const CrackPlane* plane = n.planes.of(e);
   CrackApertureResponse w{};
-  if (plane != nullptr && joint <= 0.0) {
+  if (joint_length(n, e) > 0.0 && assembly_.intact[e] == 0) {
+    const SmoothContact& contact = *assembly_.smooth.of(static_cast<std::int64_t>(e));
+    opening_[e] = smooth_opening(assembly_, contact);
+    opening_way_[e] = {contact.normal, contact.opens_by_first, contact.opens_by_second};
+    w = joint_aperture_response(options_, assembly_.smooth.law_of(contact), opening_[e]);
+  } else if (plane != nullptr && joint <= 0.0) {
     opening_[e] = CrackPlanes::opening(*plane, assembly_, e);
     opening_way_[e] = {plane->normal, plane->by_first, plane->by_second};
     w = crack_aperture_response(options_, n.zero_stress_aperture, opening_[e], bonds_[e].normal,
@@ -327,9 +342,13 @@ void CoupledSystem::evaluate_pipe(std::size_t e) {
     w = {of_gap.aperture, 0.0, of_gap.by_gap};
   }
   n.aperture[e] = w.aperture;
-  const auto flow = law_.respond(w.aperture, pipe_length(n, assembly_, e), drop(e));
+  const auto place = held_joints_.empty() ? -1 : assembly_.smooth.place[e];
+  const bool held = place >= 0 && joint_length(n, e) > 0.0;
+  const auto flow = law_.respond(held ? held_joints_[static_cast<std::size_t>(place)] : w.aperture,
+                                 pipe_length(n, assembly_, e), drop(e));
   n.conductance[e] = flow.conductance;
   slope_[e] = flow.slope;
+  if (held || w.aperture <= 0.0) return;  // or pressed shut
   const double by_aperture = duration_ * flow.by_aperture * n.conductance[e] / w.aperture;
   aperture_change_[e] = by_aperture * w.by_opening * drop(e);
   squeeze_change_[e] = by_aperture * w.by_gap * drop(e);
@@ -375,11 +394,13 @@ double CoupledSystem::evaluate_domain(std::int64_t d) {
     return 0.0;
   }
   n.content[d] = content_start_[at] + duration_ * source_[at];
+  double through = 0.0;  // m2/Pa
   if (duration_ > 0.0) {
     for (auto k = pipe_start_[at]; k < pipe_start_[at + 1]; ++k) {
       const auto end = pipe_of_[static_cast<std::size_t>(k)];
       const auto e = static_cast<std::size_t>(end / 2);
       const double moved = duration_ * n.conductance[e] * drop(e);
+      through += duration_ * n.conductance[e];
       n.content[d] += end % 2 == 0 ? -moved : moved;
     }
   }
@@ -389,7 +410,11 @@ double CoupledSystem::evaluate_domain(std::int64_t d) {
   if (full > n.floor_pressure) at_floor_[at] = 0;
   // One scale on either side of the floor, or the residual would jump where a domain comes to it.
   r = (n.pressure[d] - target) / n.stiffness[d] / length_scale_;
-  return std::abs(n.pressure[d] - target);
+  const double off = std::abs(n.pressure[d] - target);
+  if (n.joint_pore.empty()) return off;
+  // A joint's pore holds little of what passes it in a long increment: the last digits of pressures are worth more than its content.
+  constexpr double last_digits = 16.0 * std::numeric_limits<double>::epsilon();
+  return std::max(0.0, off - last_digits * n.stiffness[d] * through * std::abs(n.pressure[d]));
 }
 
 void CoupledSystem::measure() {
@@ -485,23 +510,33 @@ void CoupledSystem::evaluate_facet_pipe(std::size_t e, std::size_t facet) {
     aperture_change_[e] = duration_ * flow.by_aperture * n.conductance[e] / w.aperture * w.by_gap * drop(e);
 }
 
-double CoupledSystem::hold_apertures(double share) {
-  const auto& all = facets_.all();
+namespace {
+// How far the apertures held are off those now, over the largest of them; then moves them there by `share`.
+template <class Items, class BondOf>
+double follow(std::vector<double>& held, const Items& items, const Network& n, double share, const BondOf& bond_of) {
   double off = 0.0, largest = 1e-300;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    const double now = network_.aperture[static_cast<std::size_t>(all[k].bond)];
-    if (k >= held_.size()) {
-      held_.push_back(now);
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    const double now = n.aperture[static_cast<std::size_t>(bond_of(items[k]))];
+    largest = std::max(largest, now);
+    if (k >= held.size()) {
+      held.push_back(now);
       off = 1.0;
-      largest = std::max(largest, now);
       continue;
     }
-    off = std::max(off, std::abs(now - held_[k]));
-    largest = std::max(largest, now);
-    held_[k] += share * (now - held_[k]);
+    off = std::max(off, std::abs(now - held[k]));
+    held[k] += share * (now - held[k]);
   }
-  held_.resize(all.size());
+  held.resize(items.size());
   return off / largest;
+}
+}  // namespace
+
+double CoupledSystem::hold_apertures(double share) {
+  const auto& joints = assembly_.smooth.contacts;
+  const double facets = follow(held_, facets_.all(), network_, share, [](const Facet& f) { return f.bond; });
+  if (network_.joint_pore.empty()) return facets;
+  return std::max(facets, follow(held_joints_, joints, network_, share,
+                                 [](const SmoothContact& contact) { return contact.bond; }));
 }
 
 void CoupledSystem::keep_flow() {

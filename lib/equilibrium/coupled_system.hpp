@@ -79,7 +79,10 @@ class CoupledSystem {
   // Conductances of facets by the apertures held, not by the displacements at hand (Picard's iteration); hold() takes `share` of the way
   // to those at hand and returns how far off they were, relative to the largest.
   double hold_apertures(double share);
-  void release_apertures() { held_.clear(); }
+  void release_apertures() {
+    held_.clear();
+    held_joints_.clear();
+  }
 
   // Content of every domain and flow of every pipe after the step.
   void keep_flow();
@@ -122,6 +125,7 @@ class CoupledSystem {
   [[nodiscard]] double opens(std::size_t bond, const Vector& x) const;
   void evaluate_walls();
   void open_facets();
+  void add_faces_of_joints();
   void evaluate_facet_pipe(std::size_t e, std::size_t facet);
   static constexpr std::int64_t grain = 64;  // discs, bonds or domains
   [[nodiscard]] bool worth_sharing() const { return discs_ >= 2048; }
@@ -143,7 +147,8 @@ class CoupledSystem {
   Facets& facets_;
   std::vector<double> facet_change_;  // per domain: volume change beside that of the corners [m2]
   std::vector<char> facet_open_;
-  std::vector<double> held_;  // per facet: aperture its conductance goes by [m]
+  std::vector<double> held_;         // per facet: aperture its conductance goes by [m]
+  std::vector<double> held_joints_;  // likewise, per contact of smooth joints
   std::int64_t discs_, domains_;
   std::size_t servo_walls_ = 0;
   bool wet_, closed_outside_;

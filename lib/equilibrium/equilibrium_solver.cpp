@@ -21,6 +21,8 @@ constexpr int most_krylov = 40;          // iterations of a linear solve
 constexpr double renew_rate = 4.5;  // iterations per power of ten gained: a factor that needs more is renewed
 constexpr int most_single = 12;     // a fresh factor that needs more has too few digits
 // What a linear solve leaves of the residual: the first of a round meets kinks all the same, later ones are to be the last.
+// Pores of joints are a thousand times stiffer than the rock: what is left in their rows is a large error of pressure.
+constexpr double of_joints_tolerance = 1e-8;
 constexpr double first_tolerance = 1e-2, later_tolerance = 1e-3, loosest_tolerance = 0.1;
 constexpr double longest_move = 0.2;  // of the mean radius, per iteration
 constexpr double apart = 6.0;         // mean radii between bonds that break in one round
@@ -58,8 +60,8 @@ EquilibriumSolver::Outcome EquilibriumSolver::solve(double duration, const std::
   system_.begin(duration, source);
   pressure_start_.assign(network_.pressure.begin(), network_.pressure.end());
   for (outcome.rounds = 1; outcome.rounds <= most_rounds; ++outcome.rounds) {
-    const bool found = duration > 0.0 && !facets_.all().empty() ? find_rest_of_facets(outcome, interrupt)
-                                                                : find_rest(outcome, interrupt);
+    const bool found = duration > 0.0 && fractured() ? find_rest_of_fractures(outcome, interrupt)
+                                                     : find_rest(outcome, interrupt);
     outcome.force_ratio = system_.force_ratio();
     if (!found) {
       outcome.where = system_.worst_place();
@@ -95,9 +97,9 @@ bool EquilibriumSolver::rest_unbroken() {
   return found;
 }
 
-// Conductances of facets go with the cube of what the fluid opens, and Newton's method on both runs to and fro. With the apertures
-// held the equations are linear but for facets that close; apertures follow in turn (Picard's iteration).
-bool EquilibriumSolver::find_rest_of_facets(Outcome& outcome, const std::function<bool()>& interrupt) {
+// Conductances of facets and joints go with the cube of what the fluid opens, and Newton's method on both runs to and fro. With the apertures
+// held the equations are linear but for faces that close or slide; apertures follow in turn (Picard's iteration).
+bool EquilibriumSolver::find_rest_of_fractures(Outcome& outcome, const std::function<bool()>& interrupt) {
   system_.release_apertures();
   system_.evaluate();
   system_.hold_apertures(1.0);
@@ -129,8 +131,10 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
     const CoupledSystem::Vector right = system_.residual();
     bool fresh = false;
     const double worst = std::max(system_.force_ratio(), system_.pressure_error());
-    const double linear_tolerance = std::clamp(
-        0.3 * tolerance / worst, iteration == 0 ? first_tolerance : later_tolerance, loosest_tolerance);
+    const double tightest = !network_.joint_pore.empty() ? of_joints_tolerance
+                            : iteration == 0             ? first_tolerance
+                                                         : later_tolerance;
+    const double linear_tolerance = std::clamp(0.3 * tolerance / worst, tightest, loosest_tolerance);
     if (!factor_.ready() || krylov_rate_ > renew_rate) {
       factor_.compute(system_);
       ++outcome.factors;
@@ -151,7 +155,7 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
     // The equations have kinks, where contacts open, close, stick and slide. Where no part of the step leads down, the whole of it
     // is taken all the same, to come out on the other side; every other time half of it, against going to and fro.
     const double before = right.norm();
-    const bool whole_steps = !facets_.all().empty();
+    const bool whole_steps = fractured();
     const double longest = whole_steps ? 1.0 : system_.share_for_apertures(step, 4.0);
     double share = 0.0;
     // The residual where `part` of the longest step leads.

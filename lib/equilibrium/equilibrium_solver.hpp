@@ -54,7 +54,9 @@ class EquilibriumSolver {
   void begin_step();
 
  private:
-  bool find_rest_of_facets(Outcome& outcome, const std::function<bool()>& interrupt);
+  // Whether fluid flows by what fractures or joints are open.
+  [[nodiscard]] bool fractured() const { return !facets_.all().empty() || !network_.joint_pore.empty(); }
+  bool find_rest_of_fractures(Outcome& outcome, const std::function<bool()>& interrupt);
   bool find_rest(Outcome& outcome, const std::function<bool()>& interrupt);
   struct Exceeding {
     double excess;  // stress over strength, at least 1

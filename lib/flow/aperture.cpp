@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "flow/fluid_law.hpp"
 #include "linear/conjugate_gradient.hpp"
 #include "linear/sparse.hpp"
+#include "model/joint_pores.hpp"
 #include "options/choices.hpp"
 #include "solid/smooth_joints.hpp"
 
@@ -147,6 +149,12 @@ CrackApertureResponse crack_aperture_response(const Options& o, double zero_stre
   return r;
 }
 
+CrackApertureResponse joint_aperture_response(const Options& o, const JointLaw& law, double opening) {
+  const Response w = joint_aperture(law, opening);
+  if (w.value > o.flow_aperture_limit) return {o.flow_aperture_limit, 0.0, 0.0};
+  return {w.value, 0.0, w.slope};
+}
+
 double pipe_aperture(const Options& o, double zero_stress_aperture, const BondView& bond, bool intact) {
   return aperture_response(o, zero_stress_aperture, bond.gap, bond.normal_force(), 0.0, intact).aperture;
 }
@@ -161,7 +169,10 @@ void update_apertures(Network& n, const Assembly& a, const Options& o) {
     const CrackPlane* plane = n.planes.of(e);
     const double length = pipe_length(n, a, e);
     double w;
-    if (joint > 0.0) {
+    if (joint_length(n, e) > 0.0 && a.intact[e] == 0) {
+      const SmoothContact& contact = *a.smooth.of(static_cast<std::int64_t>(e));
+      w = joint_aperture_response(o, a.smooth.law_of(contact), smooth_opening(a, contact)).aperture;
+    } else if (joint > 0.0) {
       w = aperture_response(o, n.zero_stress_aperture, joint, 0.0, 0.0, false).aperture;
     } else if (plane != nullptr) {
       w = crack_aperture_response(o, n.zero_stress_aperture, CrackPlanes::opening(*plane, a, e),
@@ -211,16 +222,18 @@ void calibrate_aperture(Network& n, const Assembly& a, const Options& o,
     update_apertures(n, a, o);
     return;
   }
+  const Array<double> joints = std::exchange(n.joint_length, {});  // permeability is that of the rock between them
   // k = C r0^3 / R_mean with C near 0.032 starts it; k goes with r0^3, so one correction is exact unless gaps count.
   n.zero_stress_aperture = std::cbrt(o.flow_permeability * a.mean_radius / 0.032);
   for (int round = 0; round < 4; ++round) {
     update_apertures(n, a, o);
     const double k = measure_permeability(n, a, wells, o.fluid_viscosity, pressure);
-    if (k <= 0.0 || o.flow_permeability <= 0.0) return;
+    if (k <= 0.0 || o.flow_permeability <= 0.0) break;
     const double factor = std::cbrt(o.flow_permeability / k);
     n.zero_stress_aperture *= factor;
     if (std::abs(factor - 1.0) < 1e-7) break;
   }
+  n.joint_length = joints;
   update_apertures(n, a, o);
 }
 

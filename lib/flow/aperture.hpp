@@ -31,6 +31,9 @@ struct CrackApertureResponse {
 CrackApertureResponse crack_aperture_response(const Options& options, double zero_stress_aperture,
                                               double opening, double normal, double normal_stiffness);
 
+// Of a broken contact of a joint that conducts (model/joint_pores.hpp), by its opening.
+CrackApertureResponse joint_aperture_response(const Options& options, const JointLaw& law, double opening);
+
 // All apertures from the assembly as it stands and the planes of its cracks, and conductances (fluid_law.hpp) from them and the pressures.
 void update_apertures(Network& network, const Assembly& assembly, const Options& options);
 

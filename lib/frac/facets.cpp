@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/joint_pores.hpp"
+
 namespace hfrac {
 namespace {
 
@@ -51,7 +53,7 @@ void Facets::begin(const Assembly& a, Network& n, const std::vector<WellPlace>& 
   biot_ = o.rock_biot_coefficient;
   pressure_.assign(n.pressure.begin(), n.pressure.end());
   for (std::size_t d = 0; d < pressure_.size(); ++d)
-    if (n.kind[d] == DomainKind::rock) pressure_[d] *= biot_;
+    if (n.kind[d] == DomainKind::rock && (n.joint_pore.empty() || n.joint_pore[d] == 0)) pressure_[d] *= biot_;
   pore_push_.assign(2 * bonds, 0.0);
   weight_ = n.corner_weight;
   force_.assign(4 * bonds, 0.0);
@@ -165,6 +167,7 @@ void Facets::update(const Assembly& a, Network& n, bool restored) {
   std::fill(fractured_.begin(), fractured_.end(), 0);
   for (std::size_t e = 0; e < a.first.size(); ++e) {
     if (a.intact[e] != 0 || n.left[e] == n.right[e]) continue;
+    if (a.smooth.of(static_cast<std::int64_t>(e)) != nullptr) continue;  // a joint's has a law of its own
     if (n.kind[n.left[e]] == DomainKind::outside || n.kind[n.right[e]] == DomainKind::outside) continue;
     const auto b = static_cast<std::int64_t>(e);
     Facet f;
@@ -202,7 +205,7 @@ void Facets::update(const Assembly& a, Network& n, bool restored) {
     }
     for (auto k = 2 * n.corner_start[d]; k < 2 * n.corner_start[d + 1]; ++k) n.corner_weight[k] = 0.0;
     for (const auto e : bonds_[d]) {
-      if (of_[e] >= 0) continue;
+      if (of_[e] >= 0 || joint_length(n, static_cast<std::size_t>(e)) > 0.0) continue;
       const Vec2 push = -pressure_[d] * part(e, n.left[e] == static_cast<std::int32_t>(d));
       pore_push_[2 * e] += push.x;
       pore_push_[2 * e + 1] += push.y;

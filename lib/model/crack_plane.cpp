@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/assembly.hpp"
+#include "model/joint_pores.hpp"
 #include "model/network.hpp"
 
 namespace hfrac {
@@ -164,6 +165,7 @@ double CrackPlanes::opening(const CrackPlane& plane, const Assembly& a, std::siz
 }
 
 double pipe_length(const Network& n, const Assembly& a, std::size_t pipe) {
+  if (const double length = joint_length(n, pipe); length > 0.0) return length;
   const CrackPlane* plane = n.planes.of(pipe);
   return plane != nullptr ? plane->length : a.pipe_length(static_cast<std::int64_t>(pipe));
 }

@@ -64,7 +64,7 @@ class CrackPlanes {
   std::vector<std::int32_t> bonds_, domains_;  // of a search: seen
 };
 
-// Length of a pipe [m]: along the crack's plane where there is one, else R_i + R_j.
+// Length of a pipe [m]: of its piece of a joint that conducts, along the crack's plane where there is one, else R_i + R_j.
 double pipe_length(const Network& network, const Assembly& assembly, std::size_t pipe);
 
 }  // namespace hfrac

@@ -52,6 +52,9 @@ struct Network {
   Array<double> facet_offset;   // m2, per domain: of a fracture's pore before its facets open
   Array<double> facet_time;     // s, per pipe: when its bond broke
   Array<double> facet_opening;  // m, per pipe: across the fracture; follows from the state
+  // with joints that conduct (model/joint_pores.hpp), else empty
+  Array<double> joint_length;            // m, per pipe: of the piece of a joint that it runs along
+  std::vector<std::uint8_t> joint_pore;  // per domain
   double reference_pressure = 0.0, floor_pressure = 0.0;  // Pa
   double zero_stress_aperture = 0.0;                      // m, r0
   double porosity_share = 1.0;                            // of the rock's over the packing's

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/array.hpp"
+#include "geom/cell_grid.hpp"
+#include "model/joint_law.hpp"
 
 namespace hfrac {
 
@@ -28,7 +31,8 @@ struct SmoothJoints {
   std::vector<SmoothContact> contacts;  // ascending by bond
   std::vector<std::int32_t> place;      // per bond: in contacts, -1 of none; empty without smooth joints
   std::vector<Line> lines;              // the joints themselves
-  double normal_stiffness = 0.0, shear_stiffness = 0.0;  // Pa/m
+  std::vector<JointLaw> laws;           // by number in the definition; those of joints that are not smooth are not used
+  double normal_stiffness = 0.0, shear_stiffness = 0.0;  // Pa/m, of joints that give none
 
   [[nodiscard]] bool empty() const { return contacts.empty(); }
   [[nodiscard]] const SmoothContact* of(std::int64_t bond) const {
@@ -39,13 +43,27 @@ struct SmoothJoints {
     const std::int32_t at = empty() ? -1 : place[static_cast<std::size_t>(bond)];
     return at < 0 ? nullptr : &contacts[static_cast<std::size_t>(at)];
   }
+  [[nodiscard]] const JointLaw& law_of(const SmoothContact& contact) const {
+    return laws[static_cast<std::size_t>(contact.joint)];
+  }
+  // To be called when `lines` are all there.
+  void sort_lines(double cell);
   // Whether a joint lies between two places.
   [[nodiscard]] bool separate(Vec2 p, Vec2 q) const;
   // Which contacts hold, and what they slid, is kept here while the step loop runs, where other workers hold the bonds' own
   // numbers; those are the state.
   void read_state(const Array<std::uint8_t>& intact, const Array<double>& slip);
   void write_state(Array<std::uint8_t>& intact, Array<double>& slip) const;
+
+ private:
+  // Places along the lines, no farther apart than `pace`, and the line of each.
+  std::optional<CellGrid> places_;
+  std::vector<std::int32_t> line_at_;
+  double pace_ = 0.0;
 };
+
+// Places along a line, no farther apart than `pace`, its ends among them.
+std::vector<Vec2> places_along(Vec2 from, Vec2 to, double pace);
 
 // Whether the lines from `from` to `to` and from p to q cross.
 bool crosses(Vec2 from, Vec2 to, Vec2 p, Vec2 q);

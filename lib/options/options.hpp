@@ -85,6 +85,14 @@ struct JointOptions {
   double tensile_factor = 1.0, shear_factor = 1.0;  // of the rock's strengths
   double friction = -1.0;                           // negative: contact.friction
   std::int64_t state = 0;                           // JointState
+  // Of smooth joints (model/joint_law.hpp); 0 is what joint_list.inc says
+  double normal_stiffness = 0.0, shear_stiffness = 0.0;  // Pa/m
+  double max_closure = 0.0;                              // m
+  double tensile_strength = 0.0, cohesion = 0.0;         // Pa
+  double residual_friction = 0.0, weakening_slip = 0.0;  // 1, m
+  double dilation_angle = 0.0, dilation_slip = 0.0;      // rad, m
+  double aperture = 0.0, residual_aperture = 0.0;        // m
+  double roughness = 0.0;                                // 1
 };
 
 // From `time` on, a well is driven otherwise.

@@ -132,10 +132,16 @@ void check_facets(const CaseDefinition& definition) {
         "only; "
         "set both, or take fracture.law = \"bond\".");
   }
-  if (!definition.joints.empty() || ThermalMode{o.thermal_mode} != ThermalMode::off) {
+  if (ThermalMode{o.thermal_mode} != ThermalMode::off) {
     refuse(
-        "fracture.law = \"facet\" takes neither joints nor temperature; leave them out, or take "
+        "fracture.law = \"facet\" takes no temperature; set thermal.mode = \"off\", or take "
         "fracture.law = \"bond\".");
+  }
+  for (std::size_t k = 0; k < definition.joints.size(); ++k) {
+    if (is_smooth(JointState{definition.joints[k].state})) continue;
+    refuse("joint[" + std::to_string(k) +
+           "].state: fracture.law = \"facet\" takes smooth joints only; set it to \"smooth-bonded\" or "
+           "\"smooth-broken\", or take fracture.law = \"bond\".");
   }
   if (o.bond_fracture_toughness > 0.0 && !(o.fracture_plane_modulus > 0.0)) {
     refuse(
@@ -272,6 +278,25 @@ void check_joint(const std::string& name, const JointOptions& joint) {
     refuse(name + " has no length: both ends are at (" + number_text(joint.x1) + ", " +
            number_text(joint.y1) + ") m; move one of them.");
   }
+  const auto need = [&](bool fine, const char* what, const std::string& fault) {
+    if (!fine) refuse(name + "." + what + fault);
+  };
+  constexpr std::size_t first_of_smooth = 8;  // in joint_list.inc
+  for (const auto& info : joint_table().subspan(first_of_smooth)) {
+    need(is_smooth(JointState{joint.state}) || joint.*info.real == 0.0, info.key,
+         " is for smooth joints; set state = \"smooth-broken\" or \"smooth-bonded\", or leave it out.");
+  }
+  need(joint.dilation_angle == 0.0 || joint.dilation_slip > 0.0, "dilation_slip",
+       " = 0 m: dilation has to end; give the slip at which it does, some centimetres at most.");
+  need(joint.weakening_slip == 0.0 || joint.friction < 0.0 || joint.residual_friction <= joint.friction,
+       "residual_friction",
+       " = " + number_text(joint.residual_friction) + " is above friction = " + number_text(joint.friction) +
+           "; slip weakens a joint, lower it.");
+  need(joint.residual_friction == 0.0 || joint.weakening_slip > 0.0, "weakening_slip",
+       " = 0 m: residual_friction needs the slip over which friction falls to it.");
+  need(joint.aperture == 0.0 || joint.max_closure <= joint.aperture, "max_closure",
+       " = " + number_text(joint.max_closure) + " m is more than the aperture of " +
+           number_text(joint.aperture) + " m that there is to close.");
 }
 
 void check_schedule(const CaseDefinition& definition) {

@@ -1,12 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solid/joints.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
+#include "geom/cell_grid.hpp"
 #include "solid/smooth_joints.hpp"
 
 namespace hfrac {
+namespace {
+
+// The last joint that crosses each bond.
+void find_crossed(const Assembly& a, const std::vector<JointOptions>& joints,
+                  std::vector<std::int32_t>& joint_of) {
+  std::vector<double> x, y;
+  double longest = 0.0;
+  for (std::int64_t e = 0; e < a.bond_count(); ++e) {
+    x.push_back(a.x[a.first[e]] + 0.5 * a.dx(e));
+    y.push_back(a.y[a.first[e]] + 0.5 * a.dy(e));
+    longest = std::max(longest, a.length(e));
+  }
+  const CellGrid middles(x, y, longest);
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    const Vec2 from{joints[k].x1, joints[k].y1}, to{joints[k].x2, joints[k].y2};
+    for (const Vec2 place : places_along(from, to, longest)) {
+      middles.near(place.x, place.y, longest, [&](std::int32_t e) {
+        const Vec2 first{a.x[a.first[e]], a.y[a.first[e]]}, second{a.x[a.second[e]], a.y[a.second[e]]};
+        if (crosses(from, to, first, second))
+          joint_of[static_cast<std::size_t>(e)] = static_cast<std::int32_t>(k);
+      });
+    }
+  }
+}
+
+}  // namespace
+
 void apply_joints(Assembly& a, const std::vector<JointOptions>& joints, const Options& o, CrackLog& log) {
   if (joints.empty()) return;
   const auto bonds = static_cast<std::size_t>(a.bond_count());
@@ -15,14 +44,10 @@ void apply_joints(Assembly& a, const std::vector<JointOptions>& joints, const Op
   a.joint_friction.assign(bonds, o.contact_friction);
   a.joint_normal.assign(bonds, {});
   std::vector<std::int32_t> joint_of(bonds, -1);
+  find_crossed(a, joints, joint_of);
   for (std::int64_t e = 0; e < a.bond_count(); ++e) {
-    const JointOptions* of = nullptr;
-    const Vec2 first{a.x[a.first[e]], a.y[a.first[e]]}, second{a.x[a.second[e]], a.y[a.second[e]]};
-    for (const auto& joint : joints) {
-      if (crosses(joint, first, second)) of = &joint;
-    }
-    if (of == nullptr) continue;
-    joint_of[static_cast<std::size_t>(e)] = static_cast<std::int32_t>(of - joints.data());
+    if (joint_of[static_cast<std::size_t>(e)] < 0) continue;
+    const JointOptions* of = &joints[static_cast<std::size_t>(joint_of[static_cast<std::size_t>(e)])];
     const Vec2 along{of->x2 - of->x1, of->y2 - of->y1};
     const double length = std::sqrt(dot(along, along));
     const Vec2 normal{-along.y / length, along.x / length};

@@ -91,6 +91,25 @@ std::vector<Piece> pieces_of(const Assembly& a, std::vector<Crossing>& met, doub
   return pieces;
 }
 
+JointLaw law_of(const JointOptions& joint, const SmoothJoints& smooth, const Options& o) {
+  constexpr double lowest = 1e6, above = 2.0;  // Pa; of the stresses around the model: no joint is seen to bear more
+  JointLaw law;
+  law.normal_stiffness = joint.normal_stiffness > 0.0 ? joint.normal_stiffness : smooth.normal_stiffness;
+  law.shear_stiffness = joint.shear_stiffness > 0.0 ? joint.shear_stiffness : smooth.shear_stiffness;
+  law.max_closure = joint.max_closure;
+  law.highest = above * std::max({lowest, o.stress_sigma_Hmax, o.stress_sigma_hmin});
+  law.tensile_strength = joint.tensile_strength;
+  law.cohesion = joint.cohesion;
+  law.residual_friction = joint.residual_friction;
+  law.weakening_slip = joint.weakening_slip;
+  law.dilation = std::tan(joint.dilation_angle);
+  law.dilation_slip = joint.dilation_slip;
+  law.aperture = joint.aperture;
+  law.residual_aperture = joint.residual_aperture;
+  law.roughness = joint.roughness;
+  return law;
+}
+
 // The motion of the faces at a contact, less what the discs grew by temperature.
 struct Motion {
   double opening, slide;
@@ -106,10 +125,6 @@ Motion motion_of(const Assembly& a, const SmoothContact& c) {
 
 }  // namespace
 
-bool crosses(const JointOptions& joint, Vec2 p, Vec2 q) {
-  return crosses({joint.x1, joint.y1}, {joint.x2, joint.y2}, p, q);
-}
-
 void begin_smooth_joints(Assembly& a, const std::vector<JointOptions>& joints,
                          const std::vector<std::int32_t>& joint_of, const Options& o) {
   SmoothJoints& smooth = a.smooth;
@@ -118,18 +133,21 @@ void begin_smooth_joints(Assembly& a, const std::vector<JointOptions>& joints,
                                                                   : o.contact_normal_stiffness / diameter;
   smooth.shear_stiffness = o.smooth_joint_shear_stiffness > 0.0 ? o.smooth_joint_shear_stiffness
                                                                 : o.contact_shear_stiffness / diameter;
+  std::vector<std::vector<std::int64_t>> crossed(joints.size());
+  for (std::int64_t e = 0; e < a.bond_count(); ++e) {
+    if (const auto k = joint_of[static_cast<std::size_t>(e)]; k >= 0)
+      crossed[static_cast<std::size_t>(k)].push_back(e);
+  }
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const JointOptions& joint = joints[k];
+    smooth.laws.push_back(law_of(joint, smooth, o));
     if (!is_smooth(JointState{joint.state})) continue;
     const Vec2 from{joint.x1, joint.y1}, to{joint.x2, joint.y2};
     smooth.lines.push_back({from, to});
     const double length = std::sqrt(dot(to - from, to - from));
     const Vec2 along = (1.0 / length) * (to - from);
     std::vector<Crossing> met;
-    for (std::int64_t e = 0; e < a.bond_count(); ++e) {
-      if (joint_of[static_cast<std::size_t>(e)] == static_cast<std::int32_t>(k))
-        met.push_back(crossing_of(a, e, from, along));
-    }
+    for (const auto e : crossed[k]) met.push_back(crossing_of(a, e, from, along));
     for (const auto& piece : pieces_of(a, met, length)) {
       const std::int64_t e = piece.bond;
       const auto i = a.first[e], j = a.second[e];
@@ -150,6 +168,7 @@ void begin_smooth_joints(Assembly& a, const std::vector<JointOptions>& joints,
     }
   }
   if (smooth.contacts.empty()) return;
+  smooth.sort_lines(diameter);
   std::sort(smooth.contacts.begin(), smooth.contacts.end(),
             [](const SmoothContact& p, const SmoothContact& q) { return p.bond < q.bond; });
   smooth.place.assign(static_cast<std::size_t>(a.bond_count()), -1);
@@ -172,46 +191,109 @@ double joint_opening(const Assembly& a, std::int64_t bond) {
   return opening > 0.0 ? opening : 0.0;
 }
 
-SmoothResponse smooth_response(const Assembly& a, const Options& o, const SmoothContact& c) {
+namespace {
+
+// Slip at which friction bears what shear is left, from `slip` towards `slide`:
+//   g(s) = sign k_s (slide - s) - mu(s) sigma_n(D(s) - opening) = 0
+// Without dilation and weakening g is linear; else Newton's method, halving where it leaves the bracket.
+double slipped_to(const JointLaw& law, const Motion& m, double slip, double friction, double sign) {
+  if (law.shear_stiffness <= 0.0) return m.slide;
+  const auto stress = [&](double s) {
+    return closure_stress(law, joint_dilation(law, s).value - m.opening).value;
+  };
+  if (!law.follows_slip()) return m.slide - sign * friction * stress(slip) / law.shear_stiffness;
+  double low = slip, high = m.slide, s = slip;
+  constexpr int most = 80;
+  constexpr double finest = 1e-15;  // of the way
+  for (int round = 0; round < most; ++round) {
+    const Response mu = joint_friction(law, friction, s), up = joint_dilation(law, s),
+                   press = closure_stress(law, up.value - m.opening);
+    const double g = sign * law.shear_stiffness * (m.slide - s) - mu.value * press.value;
+    const double slope =
+        -sign * law.shear_stiffness - mu.slope * press.value - mu.value * press.slope * up.slope;
+    (g > 0.0 ? low : high) = s;
+    double next = slope != 0.0 ? s - g / slope : low;
+    if (std::abs(next - s) <= finest * std::abs(m.slide - slip)) break;
+    if ((next - low) * sign <= 0.0 || (high - next) * sign <= 0.0) next = 0.5 * (low + high);
+    s = next;
+  }
+  return s;
+}
+
+// The law of a contact, with its stiffnesses as temperature leaves them.
+JointLaw law_now(const Assembly& a, const SmoothContact& c) {
+  JointLaw law = a.smooth.law_of(c);
   const auto i = a.first[c.bond], j = a.second[c.bond];
-  const Motion m = motion_of(a, c);
-  const double share = a.thermal.pair_stiffness(i, j) * c.area, kn = a.smooth.normal_stiffness * share,
-               ks = a.smooth.shear_stiffness * share;
-  SmoothResponse r{m.opening, m.slide, 0.0, 0.0, c.slip, 0.0, 0.0, 0.0};
+  const double stiff = a.thermal.pair_stiffness(i, j);
+  law.normal_stiffness *= stiff;
+  law.shear_stiffness *= stiff;
+  law.residual_friction *= a.thermal.pair_friction(i, j);
+  return law;
+}
+
+SmoothResponse respond_by(const JointLaw& law, const SmoothContact& c, const Motion& m, double friction) {
+  SmoothResponse r{m.opening, m.slide, 0.0, 0.0, c.slip, 0.0, 0.0, 0.0, 0.0};
+  const double kn = c.area * law.normal_stiffness, ks = c.area * law.shear_stiffness;
   if (c.holds) {
-    r.normal = kn * m.opening;
+    const Response press = closure_stress(law, -m.opening);
+    r.normal = m.opening < 0.0 ? -c.area * press.value : kn * m.opening;
+    r.normal_stiffness = m.opening < 0.0 ? c.area * press.slope : kn;
     r.shear = ks * m.slide;
-    r.normal_stiffness = kn;
     r.shear_stiffness = ks;
     return r;
   }
-  const double squeeze = kn * std::max(0.0, -m.opening),
-               friction = a.factors.friction_of(c.bond, o.contact_friction);
-  const double limit = friction * squeeze, trial = ks * (m.slide - r.slipped);
-  r.normal = -squeeze;
-  if (m.opening < 0.0) r.normal_stiffness = kn;
-  r.shear = std::clamp(trial, -limit, limit);
-  if (std::abs(trial) > limit) {
-    r.slipped = m.slide - (ks > 0.0 ? r.shear / ks : 0.0);
-    r.shear_by_opening = -std::copysign(friction * r.normal_stiffness, trial);
-  } else if (m.opening < 0.0) {
-    r.shear_stiffness = ks;
-  }
+  Response press = closure_stress(law, joint_dilation(law, c.slip).value - m.opening);
+  const double trial = ks * (m.slide - c.slip),
+               limit = joint_friction(law, friction, c.slip).value * c.area * press.value;
+  r.shear = trial;
+  if (press.slope > 0.0) r.shear_stiffness = ks;
+  r.normal = -c.area * press.value;
+  r.normal_stiffness = c.area * press.slope;
+  if (std::abs(trial) <= limit) return r;
+  const double sign = std::copysign(1.0, trial);
+  r.slipped = slipped_to(law, m, c.slip, friction, sign);
+  const Response mu = joint_friction(law, friction, r.slipped), up = joint_dilation(law, r.slipped);
+  press = closure_stress(law, up.value - m.opening);
+  r.normal = -c.area * press.value;
+  r.shear = sign * mu.value * c.area * press.value;
+  // By the slip's own change, d slip = (k_s d slide + sign mu sigma' d opening) / `falls`; a contact that weakens faster than its
+  // stiffness follows is given a tenth of that.
+  const double falls = std::max(0.1 * law.shear_stiffness,
+                                law.shear_stiffness + sign * (mu.slope * press.value + mu.value * press.slope * up.slope));
+  const double by_slide = law.shear_stiffness > 0.0 ? law.shear_stiffness / falls : 1.0,
+               by_opening = law.shear_stiffness > 0.0 ? sign * mu.value * press.slope / falls : 0.0;
+  r.shear_stiffness = ks * (1.0 - by_slide);
+  r.shear_by_opening = -ks * by_opening;
+  r.normal_stiffness = c.area * press.slope * (1.0 - up.slope * by_opening);
+  r.normal_by_slide = -c.area * press.slope * up.slope * by_slide;
   return r;
 }
 
+}  // namespace
+
+SmoothResponse smooth_response(const Assembly& a, const Options& o, const SmoothContact& c) {
+  return respond_by(law_now(a, c), c, motion_of(a, c), a.factors.friction_of(c.bond, o.contact_friction));
+}
+
+namespace {
+// Pa: what the joint gives, or the rock's bonds times their factor.
+double strength_of(double given, double per_radius, double factor) {
+  return given > 0.0 ? given : 0.5 * per_radius * factor;
+}
+}  // namespace
+
 BondView view_smooth(const Assembly& a, const Options& o, const SmoothContact& c) {
   const SmoothResponse r = smooth_response(a, o, c);
-  const auto i = a.first[c.bond], j = a.second[c.bond];
-  const double share = a.thermal.pair_stiffness(i, j) * c.area, kn = a.smooth.normal_stiffness * share,
-               ks = a.smooth.shear_stiffness * share;
+  const JointLaw law = law_now(a, c);
+  const double kn = c.area * law.normal_stiffness, ks = c.area * law.shear_stiffness;
   BondView v{};
   v.gap = r.opening;
   v.shear = r.slide;
   v.normal = c.normal;
   v.first_arm = c.first_arm;
   v.second_arm = c.second_arm;
-  double energy = 0.5 * r.normal * r.normal / kn;
+  const double closure = (c.holds ? 0.0 : joint_dilation(law, r.slipped).value) - r.opening;
+  double energy = r.normal > 0.0 ? 0.5 * r.normal * r.normal / kn : c.area * closure_energy(law, closure);
   if (ks > 0.0) energy += 0.5 * r.shear * r.shear / ks;
   if (!c.holds) {
     v.contact_normal = -r.normal;
@@ -223,8 +305,8 @@ BondView view_smooth(const Assembly& a, const Options& o, const SmoothContact& c
   v.bond_normal = r.normal;
   v.bond_shear = r.shear;
   v.bond_energy = energy;
-  const double tensile = 0.5 * a.tensile_per_radius * a.factors.tensile_of(c.bond) * c.area,
-               shearing = 0.5 * a.shear_per_radius * a.factors.shear_of(c.bond) * c.area +
+  const double tensile = strength_of(law.tensile_strength, a.tensile_per_radius, a.factors.tensile_of(c.bond)) * c.area,
+               shearing = strength_of(law.cohesion, a.shear_per_radius, a.factors.shear_of(c.bond)) * c.area +
                           a.factors.friction_of(c.bond, o.contact_friction) * std::max(0.0, -r.normal);
   v.tensile_excess = tensile > 0.0 ? r.normal / tensile : (r.normal >= 0.0 ? 1.0 : 0.0);
   v.shear_excess = shearing > 0.0 ? std::abs(r.shear) / shearing : 1.0;
@@ -255,9 +337,18 @@ void release_smooth(Assembly& a, const Boundary& boundary) {
   }
 }
 
+namespace {
+// What slipping to `r` turns into heat [J/m]: the work of friction less what lifts the faces.
+double slip_work(const Assembly& a, const SmoothContact& c, const SmoothResponse& r) {
+  const JointLaw& law = a.smooth.law_of(c);
+  const double lifted = joint_dilation(law, r.slipped).value - joint_dilation(law, c.slip).value;
+  return std::abs(r.shear * (r.slipped - c.slip)) + r.normal * lifted;
+}
+}  // namespace
+
 void add_smooth_force(Assembly& a, const Options& o, SmoothContact& c, double& friction) {
   const SmoothResponse r = smooth_response(a, o, c);
-  friction += std::abs(r.shear * (r.slipped - c.slip));
+  friction += slip_work(a, c, r);
   c.slip = r.slipped;
   const auto i = a.first[c.bond], j = a.second[c.bond];
   const Vec2 force = r.normal * c.normal + r.shear * turned(c.normal);
@@ -274,7 +365,7 @@ void add_smooth_force(Assembly& a, const Options& o, SmoothContact& c, double& f
 void keep_smooth_slips(Assembly& a, const Options& o, double& friction) {
   for (auto& contact : a.smooth.contacts) {
     const SmoothResponse r = smooth_response(a, o, contact);
-    friction += std::abs(r.shear * (r.slipped - contact.slip));
+    friction += slip_work(a, contact, r);
     contact.slip = r.slipped;
   }
   a.smooth.write_state(a.intact, a.slip);
@@ -285,8 +376,8 @@ void add_smooth_stiffness(const Assembly& a, std::vector<double>& row_x, std::ve
                           std::vector<double>& row_rotation) {
   for (const auto& c : a.smooth.contacts) {
     const auto i = a.first[c.bond], j = a.second[c.bond];
-    const double share = a.thermal.pair_stiffness(i, j) * c.area, kn = a.smooth.normal_stiffness * share,
-                 ks = a.smooth.shear_stiffness * share;
+    const JointLaw law = law_now(a, c);
+    const double kn = c.area * stiffest(law), ks = c.area * law.shear_stiffness;
     const double nx = std::abs(c.normal.x), ny = std::abs(c.normal.y), both = std::abs(kn - ks) * nx * ny;
     const double opens = std::abs(c.opens_by_first) / a.radius[i] + std::abs(c.opens_by_second) / a.radius[j],
                  slides =

@@ -7,7 +7,9 @@
 //   opening   U_n = U.n,   slide  U_s = U.t,   U = u_j + theta_j x r_j - u_i - theta_i x r_i
 //             the displacement of the two faces at the contact; r from a disc's centre to it
 //   holds     F_n = k_n A U_n, F_s = k_s A U_s;   breaks at F_n >= T A (tension) or |F_s| >= c A + mu max(0, -F_n) (shear)
-//   broken    N = k_n A max(0, -U_n), S = k_s A (U_s - slip), |S| <= mu N; no dilation
+//   broken    N = A sigma_n(D - U_n), S = k_s A (U_s - slip), |S| <= mu N
+//             sigma_n, mu and the dilation D by the joint's law (model/joint_law.hpp); as given by no more than the joint's line:
+//             N = k_n A max(0, -U_n), a constant mu, no dilation
 //   forces    on i: F_n n + F_s t, on j the opposite; moments r x force
 // There is one contact per bond that the joint crosses. A is its piece of the joint and it lies in the middle of that; pieces add up
 // to the joint, so k_n, k_s, T and c are per area, free of disc size, and they are cut where the faces of the discs end, so that
@@ -37,9 +39,8 @@ struct SmoothResponse {
   double slipped;                            // m, slip after it
   double normal_stiffness, shear_stiffness;  // N/m, of the tangent: 0 where open, or sliding
   double shear_by_opening;                   // N/m, where sliding
+  double normal_by_slide;                    // N/m, where dilating
 };
-
-bool crosses(const JointOptions& joint, Vec2 p, Vec2 q);
 
 // `joint_of`: the joint each bond belongs to, -1 of none. Fills assembly.smooth, if any is smooth.
 void begin_smooth_joints(Assembly& assembly, const std::vector<JointOptions>& joints,

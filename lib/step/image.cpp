@@ -70,9 +70,15 @@ std::uint64_t fingerprint_of(const Engine& e, const SetupReport& report) {
   hash.add_all(a.strength_scale);
   for (const auto* values : {&a.joint_tensile, &a.joint_shear, &a.joint_friction}) hash.add_all(*values);
   for (const auto& contact : a.smooth.contacts) {
+    const JointLaw& law = a.smooth.law_of(contact);
     for (const double value : {static_cast<double>(contact.bond), contact.normal.x, contact.normal.y,
-                               contact.area, a.smooth.normal_stiffness, a.smooth.shear_stiffness})
+                               contact.area, law.normal_stiffness, law.shear_stiffness})
       hash.add(value);
+    // Fingerprints of joints that have no more than that are what they were before there was more.
+    for (const double value : {law.max_closure, law.tensile_strength, law.cohesion, law.residual_friction,
+                               law.weakening_slip, law.dilation, law.dilation_slip, law.aperture,
+                               law.residual_aperture, law.roughness})
+      if (value != 0.0) hash.add(value);
   }
   hash.add_all(e.model.network.volume);
   if (report.unbonded > 0) hash.add(report.bonded);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "../joint_def.hpp"
 #include "support.hpp"
 
 namespace {
@@ -129,7 +130,7 @@ const Contradiction contradictions[] = {
      {"well_count = 1, but there are no items; point wells to"}},
     {"JointsWithoutASize",
      [](auto& d) {
-       static hfrac_joint_def joint{10.0, 10.0, 20.0, 20.0, 1.0, 1.0, -1.0, HFRAC_JOINT_BONDED};
+       static hfrac_joint_def joint = joint_def(10.0, 10.0, 20.0, 20.0, 1.0, 1.0, -1.0, HFRAC_JOINT_BONDED);
        d.joints = &joint;
        d.joint_count = 1;
      },

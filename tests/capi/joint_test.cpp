@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "../joint_def.hpp"
 #include "sim_support.hpp"
 
 namespace {
@@ -10,7 +11,7 @@ namespace {
 using namespace testing_capi;
 
 hfrac_joint_def across(double x) {
-  return {x, 10.0, x, 90.0, 1.0, 1.0, -1.0, HFRAC_JOINT_BONDED};
+  return joint_def(x, 10.0, x, 90.0, 1.0, 1.0, -1.0, HFRAC_JOINT_BONDED);
 }
 
 TEST(Joints, ReadFromACaseFileAndWrittenBack) {
@@ -128,7 +129,7 @@ TEST(Joints, BreakWhereTheRockWouldHold) {
     ASSERT_GE(hfrac_step(whole, 1), HFRAC_OK);
     EXPECT_EQ(state_of(whole).crack_count, 0);
     hfrac_sim_def_set_i64(&def, "joint_count", 1);
-    def.joints[0] = {10.0, 50.0, 90.0, 50.0, 0.1, 0.1, -1.0, HFRAC_JOINT_BONDED};
+    def.joints[0] = joint_def(10.0, 50.0, 90.0, 50.0, 0.1, 0.1, -1.0, HFRAC_JOINT_BONDED);
     const Sim weak(def);
     ASSERT_GE(hfrac_step(weak, 1), HFRAC_OK) << last_error();
     EXPECT_GT(state_of(weak).crack_count, 2);

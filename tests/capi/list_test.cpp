@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "../joint_def.hpp"
 #include "sim_support.hpp"
 #include "support.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 using namespace testing_capi;
 
 constexpr hfrac_joint_def joint_at(double y) {
-  return {20.0, y, 80.0, y, 0.5, 0.25, 0.125, HFRAC_JOINT_BONDED};
+  return joint_def(20.0, y, 80.0, y, 0.5, 0.25, 0.125, HFRAC_JOINT_BONDED);
 }
 
 template <class Item>
@@ -171,7 +172,8 @@ TEST(Lists, LongOnesAreBuiltDrivenAndRestored) {
   for (int k = 0; k < 12; ++k)
     wells.push_back({14.0 + 24.0 * (k % 4), 20.0 + 30.0 * (k / 4), 4.0, 26e6, 0.0, 0.0, HFRAC_WELL_PRESSURE});
   for (int k = 0; k < 100; ++k)
-    joints.push_back({5.0, 0.9 * (k + 1), 95.0, 0.9 * (k + 1), 2.0, 2.0, -1.0, HFRAC_JOINT_BONDED});
+    joints.push_back(
+        joint_def(5.0, 0.9 * (k + 1), 95.0, 0.9 * (k + 1), 2.0, 2.0, -1.0, HFRAC_JOINT_BONDED));
   for (int k = 0; k < 120; ++k)
     schedule.push_back({k % 12, 1.0 + k / 12, (k % 12 == 11 ? 27e6 : 26e6) + 1e3 * k, HFRAC_WELL_PRESSURE});
   give(def, def.wells, def.well_count, def.well_size, wells);

@@ -13,6 +13,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "../joint_def.hpp"
 #include "../capi/sim_support.hpp"
 
 namespace {
@@ -35,7 +36,7 @@ hfrac::Definition model(std::vector<double>& discs) {
   def.wells[0].pressure = 50e6;
   // A weak line beside the well, since the lattice breaks as a whole or not at all.
   hfrac_sim_def_set_i64(&def, "joint_count", 1);
-  def.joints[0] = {62.0, 44.0, 73.0, 44.0, 0.2, 0.2, -1.0, HFRAC_JOINT_BONDED};
+  def.joints[0] = joint_def(62.0, 44.0, 73.0, 44.0, 0.2, 0.2, -1.0, HFRAC_JOINT_BONDED);
   return def;
 }
 

@@ -269,9 +269,26 @@ struct CrackedModel {
   }
 };
 
+// From the well's wall into the rock: closes by Bandis, dilates, conducts by its own aperture.
+JointOptions conducting_joint() {
+  JointOptions joint;
+  joint.x1 = 50.0;
+  joint.y1 = 50.0;
+  joint.x2 = 90.0;
+  joint.y2 = 65.0;
+  joint.state = static_cast<std::int64_t>(JointState::smooth_broken);
+  joint.normal_stiffness = 1e10;
+  joint.shear_stiffness = 1e9;
+  joint.max_closure = joint.aperture = 1e-3;
+  joint.friction = 0.2;
+  joint.dilation_angle = 0.1;
+  joint.dilation_slip = 1.0;
+  return joint;
+}
+
 TEST(CoupledSystem, ProductIsTheChangeOfTheResidual) {
-  for (const int number : {0, 1, 2, 3}) {
-    const bool walls = number % 2 == 0, planes = number >= 2;
+  for (const int number : {0, 1, 2, 3, 5}) {
+    const bool walls = number % 2 == 0, planes = number == 2 || number == 3, joint = number > 3;
     CaseDefinition definition = cracking_case();
     definition.options.packing_disc_count = 400;
     definition.wells[0].radius = 12.0;
@@ -285,6 +302,7 @@ TEST(CoupledSystem, ProductIsTheChangeOfTheResidual) {
       definition.options.stress_sigma_Hmax = definition.options.stress_sigma_hmin = 5e6;
       definition.options.bond_tensile_strength = 1e12;
     }
+    if (joint) definition.joints.push_back(conducting_joint());
     CrackedModel model(definition);
     // Open to the test's hands; the simulation is not used afterwards.
     auto& assembly = const_cast<Assembly&>(model.s.assembly());
@@ -311,7 +329,8 @@ TEST(CoupledSystem, ProductIsTheChangeOfTheResidual) {
     system.evaluate();
     const CoupledSystem::Vector change = before - system.residual();
     EXPECT_LT((change - y).norm(), 1e-3 * y.norm())
-        << (walls ? "walls" : "stress boundary") << (planes ? ", apertures of planes" : "");
+        << (walls ? "walls" : "stress boundary") << (planes ? ", apertures of planes" : "")
+        << (joint ? ", a joint" : "");
   }
 }
 

@@ -315,7 +315,9 @@ class hfrac_well_def(ctypes.Structure):
 class hfrac_joint_def(ctypes.Structure):
     """A straight line along which the rock is weaker or broken: it takes the bonds between discs whose centres lie
     on different sides of it, with the line between them meeting it between its ends. Of joints that share a
-    bond the last counts. Set every member: zeros are not the defaults of the keys.
+    bond the last counts. Set every member up to `state`: zeros are not the defaults of those keys. The members
+    after it are of smooth joints (state HFRAC_JOINT_SMOOTH_BONDED or HFRAC_JOINT_SMOOTH_BROKEN), and 0 is the
+    default of each.
     """
 
     _fields_ = [
@@ -327,6 +329,18 @@ class hfrac_joint_def(ctypes.Structure):
         ("shear_factor", ctypes.c_double),
         ("friction", ctypes.c_double),
         ("state", ctypes.c_int64),
+        ("normal_stiffness", ctypes.c_double),
+        ("shear_stiffness", ctypes.c_double),
+        ("max_closure", ctypes.c_double),
+        ("tensile_strength", ctypes.c_double),
+        ("cohesion", ctypes.c_double),
+        ("residual_friction", ctypes.c_double),
+        ("weakening_slip", ctypes.c_double),
+        ("dilation_angle", ctypes.c_double),
+        ("dilation_slip", ctypes.c_double),
+        ("aperture", ctypes.c_double),
+        ("residual_aperture", ctypes.c_double),
+        ("roughness", ctypes.c_double),
     ]
 
 

@@ -60,7 +60,8 @@ enum hfrac_joint_state {
 
 /** A straight line along which the rock is weaker or broken: it takes the bonds between discs whose centres lie on different
  * sides of it, with the line between them meeting it between its ends. Of joints that share a bond the last counts. Set every
- * member: zeros are not the defaults of the keys. */
+ * member up to `state`: zeros are not the defaults of those keys. The members after it are of smooth joints (state
+ * HFRAC_JOINT_SMOOTH_BONDED or HFRAC_JOINT_SMOOTH_BROKEN), and 0 is the default of each. */
 typedef struct hfrac_joint_def {
   double x1;             /**< [m] one end, origin at the model's lower left corner */
   double y1;             /**< [m] */
@@ -70,6 +71,19 @@ typedef struct hfrac_joint_def {
   double shear_factor;   /**< [1] shear strength of its bonds over that of the rock */
   double friction;       /**< [1] coefficient of its contacts, negative: contact.friction */
   int64_t state;         /**< enum hfrac_joint_state */
+
+  double normal_stiffness;  /**< [Pa/m] per area, at no normal stress; 0: smooth_joint.normal_stiffness */
+  double shear_stiffness;   /**< [Pa/m] per area; 0: smooth_joint.shear_stiffness */
+  double max_closure;       /**< [m] largest closure (Bandis, Lumsden and Barton 1983); 0: linear */
+  double tensile_strength;  /**< [Pa] while bonded; 0: tensile_factor times that of the rock's bonds */
+  double cohesion;          /**< [Pa] while bonded; 0: shear_factor times that of the rock's bonds */
+  double residual_friction; /**< [1] once slipped by weakening_slip */
+  double weakening_slip;    /**< [m] over which friction falls; 0: it stays */
+  double dilation_angle;    /**< [rad] at which the faces ride up as they slip */
+  double dilation_slip;     /**< [m] at which dilation ends */
+  double aperture;          /**< [m] open at no normal stress; 0, residual_aperture too: tight as the rock */
+  double residual_aperture; /**< [m] hydraulic, on top of what it is open */
+  double roughness;         /**< [1] joint roughness coefficient of the hydraulic aperture; 0: none */
 } hfrac_joint_def;
 
 /** From `time` on, a well is driven otherwise. Entries of one well stand in order of time. */

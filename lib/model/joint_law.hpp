@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a smooth joint is made of: closure, friction, dilation, aperture. All per area, free of the size of discs.
+//
+//   closure     sigma_n = k_n d / (1 - d / d_m)   (Bandis, Lumsden and Barton 1983), d how far the faces are pressed together since they
+//               bore nothing; linear where no largest closure d_m is given, and beyond the stress `highest`
+//   friction    tau <= mu(s) sigma_n, mu from peak to residual in proportion to the slip s, over the weakening slip (Ida 1972)
+//   dilation    D(s) = min(|s|, s_d) tan psi: the faces ride up on each other, and down again where they slip back
+//   opening     U = D - d, or more where the faces part
+//   aperture    mechanical e = max(0, e_0 + U), with e_0 that of faces which just touch; hydraulic w = e, or with a roughness
+//               coefficient J  min(e, e^2 / J^2.5), e and w in micrometres (Barton, Bandis and Bakhtar 1985); and a residual w on top,
+//               which closed faces keep
+#pragma once
+
+namespace hfrac {
+
+struct JointLaw {
+  double normal_stiffness = 0.0, shear_stiffness = 0.0;   // Pa/m, k_n at no stress
+  double max_closure = 0.0;                               // m, d_m; 0: none
+  double highest = 0.0;                                   // Pa
+  double tensile_strength = 0.0, cohesion = 0.0;          // Pa, while it holds; 0: of its bonds
+  double residual_friction = 0.0, weakening_slip = 0.0;   // 1, m; no such slip: friction stays
+  double dilation = 0.0, dilation_slip = 0.0;             // 1, tan psi; m, s_d
+  double aperture = 0.0, residual_aperture = 0.0;         // m, e_0; hydraulic
+  double roughness = 0.0;                                 // 1, J; 0: smooth
+
+  // Whether fluid flows along it by its own aperture; otherwise as through any broken bond.
+  [[nodiscard]] bool conducts() const { return aperture > 0.0 || residual_aperture > 0.0; }
+  [[nodiscard]] bool follows_slip() const { return dilation > 0.0 || weakening_slip > 0.0; }
+};
+
+// A value and its change with what it depends on.
+struct Response {
+  double value, slope;
+};
+
+Response closure_stress(const JointLaw& law, double closure);                 // Pa, Pa/m; 0 where it is negative
+double closure_energy(const JointLaw& law, double closure);                   // J/m2
+double stiffest(const JointLaw& law);                                         // Pa/m, up to `highest`
+Response joint_friction(const JointLaw& law, double friction, double slip);   // 1, 1/m by the signed slip
+Response joint_dilation(const JointLaw& law, double slip);                    // m, 1
+Response joint_aperture(const JointLaw& law, double opening);                 // m, 1
+
+}  // namespace hfrac

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model/joint_pores.hpp"
+
+#include <algorithm>
+
+#include "options/choices.hpp"
+
+namespace hfrac {
+namespace {
+
+constexpr double shortest_pipe = 0.2;  // mean radii
+// Share of the mean disc's square below which a joint's pore is taken larger where motion is followed explicitly: it would be
+// stiffer than the rock and rule the stable step, as in network.cpp.
+constexpr double smallest_explicit = 0.05;
+
+// Calls use(corner of the disc before it, corner of the disc after it, bond) for every bond around a domain.
+template <class Use>
+void each_bond_around(const Network& n, const Assembly& a, std::int32_t domain, const Use& use) {
+  const auto begin = n.corner_start[domain], end = n.corner_start[domain + 1];
+  for (auto k = begin; k < end; ++k) {
+    const auto next = k + 1 < end ? k + 1 : begin;
+    const auto bond = a.bond_between(n.corner_disc[k], n.corner_disc[next]);
+    if (bond >= 0) use(k, next, static_cast<std::size_t>(bond));
+  }
+}
+
+void add_weight(Network& n, std::int32_t corner, Vec2 weight) {
+  n.corner_weight[2 * corner] += weight.x;
+  n.corner_weight[2 * corner + 1] += weight.y;
+}
+
+// From a bond's contact into a domain, turned: the push per pressure on the disc that comes second around the domain (eq. 10).
+Vec2 push_of(const Network& n, const Assembly& a, std::int32_t domain, std::size_t bond) {
+  const auto e = static_cast<std::int64_t>(bond);
+  const Vec2 along = (1.0 / a.length(e)) * Vec2{a.dx(e), a.dy(e)};
+  const Vec2 contact = Vec2{a.x[a.first[bond]], a.y[a.first[bond]]} + a.arm(e) * along;
+  const Vec2 way = n.centroid[domain] - contact;
+  return {way.y, -way.x};
+}
+
+}  // namespace
+
+void add_face_weights(Network& n, const Assembly& a, std::int32_t domain) {
+  each_bond_around(n, a, domain, [&](std::int32_t k, std::int32_t next, std::size_t bond) {
+    if (n.joint_length[bond] <= 0.0) return;
+    const Vec2 push = push_of(n, a, domain, bond);
+    add_weight(n, k, -1.0 * push);
+    add_weight(n, next, push);
+  });
+}
+
+void begin_joint_pores(Network& n, const Assembly& a, const Options& o) {
+  const auto& smooth = a.smooth;
+  const bool conducts = std::any_of(smooth.contacts.begin(), smooth.contacts.end(),
+                                    [&](const SmoothContact& c) { return smooth.law_of(c).conducts(); });
+  if (!conducts || n.aperture.empty()) return;
+  const bool moves = SolverKind{o.solver_kind} == SolverKind::explicit_solver;
+  n.joint_length.assign(n.left.size(), 0.0);
+  n.joint_pore.assign(n.kind.size(), 0);
+  std::vector<double> stored(n.kind.size(), 0.0);
+  for (const auto& contact : smooth.contacts) {
+    const JointLaw& law = smooth.law_of(contact);
+    const auto e = static_cast<std::size_t>(contact.bond);
+    if (!law.conducts() || n.left[e] == n.right[e]) continue;
+    n.joint_length[e] = std::max(contact.area, shortest_pipe * a.mean_radius);
+    for (const auto d : {n.left[e], n.right[e]}) {
+      if (n.kind[d] != DomainKind::rock) continue;
+      n.joint_pore[d] = 1;
+      stored[d] += 0.5 * contact.area * std::max(law.aperture, law.residual_aperture);
+    }
+  }
+  for (std::size_t d = 1; d < n.kind.size(); ++d) {
+    if (n.joint_pore[d] == 0) continue;
+    n.volume[d] = moves ? std::max(stored[d], smallest_explicit * a.mean_radius * a.mean_radius) : stored[d];
+    n.storing[d] = n.volume[d];
+    for (auto k = 2 * n.corner_start[d]; k < 2 * n.corner_start[d + 1]; ++k)
+      n.corner_weight[k] /= o.rock_biot_coefficient;
+  }
+}
+
+}  // namespace hfrac

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The fluid in a joint that conducts (JointLaw::conducts).
+//
+// The pores that a joint's contacts lie between become its own. Each contact of length A (its piece of the joint) belongs to either
+// pore by half, and there
+//   stores    A / 2 e_0 at K_f, and what the pore grows by as the joint opens
+//   conducts  w^3 / (12 eta A) along the joint, w of its opening (joint_aperture)
+//   pushes    with the whole pressure, whatever rock.biot_coefficient is: faces touch at few places only. So what the contact bears is
+//             the effective stress.
+// A pore pushes on all discs around it by its outline (network.hpp), so that it turns nothing: on the joint's faces, and, by the depth
+// of a pore, on the rock beside them. That swells and stores as rock would, p times a disc's size over E', less with finer discs.
+// Between joint and rock fluid passes through the pipes of the bonds around such a pore, as tight as the rock.
+#pragma once
+
+#include <cstdint>
+
+#include "model/network.hpp"
+#include "options/options.hpp"
+
+namespace hfrac {
+
+// Right after the network is built. Nothing without joints that conduct.
+void begin_joint_pores(Network& network, const Assembly& assembly, const Options& options);
+
+// Adds the push through a joint's contacts alone to a domain's corner weights.
+void add_face_weights(Network& network, const Assembly& assembly, std::int32_t domain);
+
+// Piece of a joint that a pipe runs along [m]; 0: none that conducts.
+inline double joint_length(const Network& n, std::size_t pipe) {
+  return n.joint_length.empty() ? 0.0 : n.joint_length[pipe];
+}
+
+}  // namespace hfrac
