@@ -12,6 +12,7 @@
 #include "text_file.hpp"
 #include "toml.hpp"
 #include "toml_scan.hpp"
+#include "traces.hpp"
 #include "utf8.hpp"
 
 namespace hfrac::capi {
@@ -88,7 +89,7 @@ const char* wanted_name(ValueType type) {
 class CaseReader {
  public:
   CaseReader(const std::string& path, const CaseDefinition& base)
-      : path_(printable(path, 400)), result_(base) {}
+      : full_path_(path), path_(printable(path, 400)), result_(base) {}
 
   CaseDefinition read(const toml::table& root) {
     const toml::node* wells = nullptr;
@@ -221,16 +222,31 @@ class CaseReader {
     for (const toml::table* table : tables_of(node, "joint")) {
       const std::string name = "joint[" + std::to_string(result_.joints.size()) + "]";
       JointOptions joint;
+      const toml::node* file = table->get("file");
       for (const auto& [key, value] : entries_by_line(*table)) {
+        if (value == file) continue;
         const JointInfo* info = find_joint_value(key);
         if (info == nullptr) refuse(*value, unknown_item_key_text("joint", printable(key)));
         read_value(joint, *info, name + "." + info->key, *value);
       }
       for (const char* key : {"x1", "y1", "x2", "y2"}) {
-        if (!table->contains(key)) refuse(*table, name + " has no " + key + "; a joint needs both its ends.");
+        if (file != nullptr && table->contains(key))
+          refuse(*table, name + " has both file and " + key + "; the ends of its joints are in the file.");
+        if (file == nullptr && !table->contains(key))
+          refuse(*table, name + " has no " + key + "; a joint needs both its ends, or a file of them.");
       }
-      result_.joints.push_back(joint);
+      if (file == nullptr) {
+        result_.joints.push_back(joint);
+      } else {
+        const auto set = read_traces(beside(full_path_, file_of(*file, name)), joint);
+        result_.joints.insert(result_.joints.end(), set.begin(), set.end());
+      }
     }
+  }
+
+  std::string file_of(const toml::node& node, const std::string& name) const {
+    if (!node.is_string()) refuse(node, name + ".file must be a text, not " + type_name(node) + ".");
+    return *node.value<std::string>();
   }
 
   WellOptions read_well(const toml::table& table, const std::string& name) const {
@@ -267,7 +283,7 @@ class CaseReader {
     return well;
   }
 
-  std::string path_;
+  std::string full_path_, path_;  // as it is, and as it is shown
   CaseDefinition result_;
 };
 
@@ -343,6 +359,22 @@ void add_items(KeyLines& lines, const std::string& name, const toml::array* item
   }
 }
 
+// Joints of a file of traces have the line of the table that names it.
+void add_joints(KeyLines& lines, const std::string& path, const toml::array* items) {
+  std::size_t number = 0;
+  for (std::size_t k = 0; items != nullptr && k < items->size(); ++k) {
+    const toml::table* table = (*items)[k].as_table();
+    if (table == nullptr) continue;
+    const auto file = (*table)["file"].value<std::string>();
+    const std::size_t count = file ? read_traces(beside(path, *file), {}).size() : 1;
+    for (std::size_t end = number + count; number < end; ++number) {
+      const std::string item = "joint[" + std::to_string(number) + "]";
+      lines[item] = table->source().begin.line;
+      add_lines(lines, item, *table);
+    }
+  }
+}
+
 }  // namespace
 
 KeyLines lines_of_keys(const std::string& path) {
@@ -350,7 +382,7 @@ KeyLines lines_of_keys(const std::string& path) {
   KeyLines lines;
   for (const auto& [section, node] : root)
     if (const toml::table* table = node.as_table()) add_lines(lines, std::string(section.str()), *table);
-  add_items(lines, "joint", root["joint"].as_array(), 0);
+  add_joints(lines, path, root["joint"].as_array());
   const toml::array* wells = root["well"].as_array();
   add_items(lines, "well", wells, 0);
   std::size_t entries = 0;  // the engine counts those of all wells in one list

@@ -35,6 +35,12 @@ void tell_setup(const hfrac_sim& sim) {
          number_text(setup.cracks) +
              " bonds broke before injection, while the model came to rest under the far field");
   }
+  if (setup.joints_left_out > 0) {
+    tell(sim, HFRAC_LOG_WARNING,
+         number_text(setup.joints_left_out) + " of " + number_text(setup.joints) +
+             " joints are left out: shorter than two discs of mean radius " +
+             rounded_text(s.assembly().mean_radius) + " m, or outside the rock");
+  }
   if (!s.model().clock.at_rest) {
     tell(sim, HFRAC_LOG_WARNING,
          "the model did not come to rest under the far field: force ratio " +

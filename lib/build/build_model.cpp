@@ -89,7 +89,8 @@ Model build_model(const CaseDefinition& definition, Packing packing,
   assembly = build_assembly(std::move(graph), o);
   if (o.bond_fracture_toughness > 0.0 && FractureLaw{o.fracture_law} == FractureLaw::bond)
     apply_fracture_toughness(assembly, o);
-  apply_joints(assembly, definition.joints, o, model.cracks);
+  report.joints = static_cast<std::int64_t>(definition.joints.size());
+  report.joints_left_out = apply_joints(assembly, definition.joints, o, model.cracks);
   report.coordination =
       2.0 * static_cast<double>(assembly.bond_count()) / static_cast<double>(assembly.disc_count());
   for (std::size_t w = 0; w < definition.wells.size(); ++w) {

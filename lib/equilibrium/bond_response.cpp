@@ -80,7 +80,8 @@ BondResponse respond_smooth(const Assembly& a, const Options& o, const SmoothCon
   r.normal_stiffness = s.normal_stiffness;
   r.direction = n;
   for (int row = 0; row < 4; ++row) {
-    r.force[row] = s.normal * opens[row] + s.shear * slides[row];
+    r.force[row] =
+        (s.normal + contact.locked_normal) * opens[row] + (s.shear + contact.locked_shear) * slides[row];
     for (int column = 0; column < 4; ++column) {
       r.tangent[4 * row + column] =
           opens[row] * (s.normal_stiffness * opens[column] + s.normal_by_slide * slides[column]) +

@@ -513,7 +513,8 @@ void CoupledSystem::evaluate_facet_pipe(std::size_t e, std::size_t facet) {
 namespace {
 // How far the apertures held are off those now, over the largest of them; then moves them there by `share`.
 template <class Items, class BondOf>
-double follow(std::vector<double>& held, const Items& items, const Network& n, double share, const BondOf& bond_of) {
+double follow(std::vector<double>& held, const Items& items, const Network& n, double share,
+              const BondOf& bond_of) {
   double off = 0.0, largest = 1e-300;
   for (std::size_t k = 0; k < items.size(); ++k) {
     const double now = n.aperture[static_cast<std::size_t>(bond_of(items[k]))];

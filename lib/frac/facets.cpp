@@ -53,7 +53,8 @@ void Facets::begin(const Assembly& a, Network& n, const std::vector<WellPlace>& 
   biot_ = o.rock_biot_coefficient;
   pressure_.assign(n.pressure.begin(), n.pressure.end());
   for (std::size_t d = 0; d < pressure_.size(); ++d)
-    if (n.kind[d] == DomainKind::rock && (n.joint_pore.empty() || n.joint_pore[d] == 0)) pressure_[d] *= biot_;
+    if (n.kind[d] == DomainKind::rock && (n.joint_pore.empty() || n.joint_pore[d] == 0))
+      pressure_[d] *= biot_;
   pore_push_.assign(2 * bonds, 0.0);
   weight_ = n.corner_weight;
   force_.assign(4 * bonds, 0.0);

@@ -14,14 +14,14 @@
 namespace hfrac {
 
 struct JointLaw {
-  double normal_stiffness = 0.0, shear_stiffness = 0.0;   // Pa/m, k_n at no stress
-  double max_closure = 0.0;                               // m, d_m; 0: none
-  double highest = 0.0;                                   // Pa
-  double tensile_strength = 0.0, cohesion = 0.0;          // Pa, while it holds; 0: of its bonds
-  double residual_friction = 0.0, weakening_slip = 0.0;   // 1, m; no such slip: friction stays
-  double dilation = 0.0, dilation_slip = 0.0;             // 1, tan psi; m, s_d
-  double aperture = 0.0, residual_aperture = 0.0;         // m, e_0; hydraulic
-  double roughness = 0.0;                                 // 1, J; 0: smooth
+  double normal_stiffness = 0.0, shear_stiffness = 0.0;  // Pa/m, k_n at no stress
+  double max_closure = 0.0;                              // m, d_m; 0: none
+  double highest = 0.0;                                  // Pa
+  double tensile_strength = 0.0, cohesion = 0.0;         // Pa, while it holds; 0: of its bonds
+  double residual_friction = 0.0, weakening_slip = 0.0;  // 1, m; no such slip: friction stays
+  double dilation = 0.0, dilation_slip = 0.0;            // 1, tan psi; m, s_d
+  double aperture = 0.0, residual_aperture = 0.0;        // m, e_0; hydraulic
+  double roughness = 0.0;                                // 1, J; 0: smooth
 
   // Whether fluid flows along it by its own aperture; otherwise as through any broken bond.
   [[nodiscard]] bool conducts() const { return aperture > 0.0 || residual_aperture > 0.0; }
@@ -33,11 +33,11 @@ struct Response {
   double value, slope;
 };
 
-Response closure_stress(const JointLaw& law, double closure);                 // Pa, Pa/m; 0 where it is negative
-double closure_energy(const JointLaw& law, double closure);                   // J/m2
-double stiffest(const JointLaw& law);                                         // Pa/m, up to `highest`
-Response joint_friction(const JointLaw& law, double friction, double slip);   // 1, 1/m by the signed slip
-Response joint_dilation(const JointLaw& law, double slip);                    // m, 1
-Response joint_aperture(const JointLaw& law, double opening);                 // m, 1
+Response closure_stress(const JointLaw& law, double closure);  // Pa, Pa/m; 0 where it is negative
+double closure_energy(const JointLaw& law, double closure);    // J/m2
+double stiffest(const JointLaw& law);                          // Pa/m, up to `highest`
+Response joint_friction(const JointLaw& law, double friction, double slip);  // 1, 1/m by the signed slip
+Response joint_dilation(const JointLaw& law, double slip);                   // m, 1
+Response joint_aperture(const JointLaw& law, double opening);                // m, 1
 
 }  // namespace hfrac

@@ -18,7 +18,8 @@ std::vector<Vec2> places_along(Vec2 from, Vec2 to, double pace) {
   const auto paces = static_cast<std::int64_t>(std::ceil(std::sqrt(dot(along, along)) / pace));
   std::vector<Vec2> places;
   for (std::int64_t k = 0; k <= paces; ++k)
-    places.push_back(from + (static_cast<double>(k) / static_cast<double>(std::max<std::int64_t>(1, paces))) * along);
+    places.push_back(from + (static_cast<double>(k) / static_cast<double>(std::max<std::int64_t>(1, paces))) *
+                                along);
   return places;
 }
 

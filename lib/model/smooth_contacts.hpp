@@ -22,6 +22,8 @@ struct SmoothContact {
   double area;                               // m2 per metre of thickness
   double slip;                               // m
   bool holds;
+  double open_before, slid_before;     // m: counted from where settle_smooth left them
+  double locked_normal, locked_shear;  // N: tension positive
 };
 
 struct SmoothJoints {
@@ -31,7 +33,8 @@ struct SmoothJoints {
   std::vector<SmoothContact> contacts;  // ascending by bond
   std::vector<std::int32_t> place;      // per bond: in contacts, -1 of none; empty without smooth joints
   std::vector<Line> lines;              // the joints themselves
-  std::vector<JointLaw> laws;           // by number in the definition; those of joints that are not smooth are not used
+  std::vector<JointLaw>
+      laws;  // by number in the definition; those of joints that are not smooth are not used
   double normal_stiffness = 0.0, shear_stiffness = 0.0;  // Pa/m, of joints that give none
 
   [[nodiscard]] bool empty() const { return contacts.empty(); }

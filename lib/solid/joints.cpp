@@ -11,9 +11,12 @@
 namespace hfrac {
 namespace {
 
-// The last joint that crosses each bond.
-void find_crossed(const Assembly& a, const std::vector<JointOptions>& joints,
-                  std::vector<std::int32_t>& joint_of) {
+// Smooth joints shorter than this many mean radii are no joints of a packing.
+constexpr double shortest_smooth = 4.0;
+
+// The last joint that crosses each bond. Returns how many joints are too short, or cross none.
+std::int64_t find_crossed(const Assembly& a, const std::vector<JointOptions>& joints,
+                          std::vector<std::int32_t>& joint_of) {
   std::vector<double> x, y;
   double longest = 0.0;
   for (std::int64_t e = 0; e < a.bond_count(); ++e) {
@@ -22,29 +25,40 @@ void find_crossed(const Assembly& a, const std::vector<JointOptions>& joints,
     longest = std::max(longest, a.length(e));
   }
   const CellGrid middles(x, y, longest);
+  std::int64_t left_out = 0;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const Vec2 from{joints[k].x1, joints[k].y1}, to{joints[k].x2, joints[k].y2};
+    bool found = false;
+    if (is_smooth(JointState{joints[k].state}) &&
+        dot(to - from, to - from) < shortest_smooth * shortest_smooth * a.mean_radius * a.mean_radius) {
+      ++left_out;
+      continue;
+    }
     for (const Vec2 place : places_along(from, to, longest)) {
       middles.near(place.x, place.y, longest, [&](std::int32_t e) {
         const Vec2 first{a.x[a.first[e]], a.y[a.first[e]]}, second{a.x[a.second[e]], a.y[a.second[e]]};
-        if (crosses(from, to, first, second))
-          joint_of[static_cast<std::size_t>(e)] = static_cast<std::int32_t>(k);
+        if (!crosses(from, to, first, second)) return;
+        joint_of[static_cast<std::size_t>(e)] = static_cast<std::int32_t>(k);
+        found = true;
       });
     }
+    if (!found) ++left_out;
   }
+  return left_out;
 }
 
 }  // namespace
 
-void apply_joints(Assembly& a, const std::vector<JointOptions>& joints, const Options& o, CrackLog& log) {
-  if (joints.empty()) return;
+std::int64_t apply_joints(Assembly& a, const std::vector<JointOptions>& joints, const Options& o,
+                          CrackLog& log) {
+  if (joints.empty()) return 0;
   const auto bonds = static_cast<std::size_t>(a.bond_count());
   a.joint_tensile.assign(bonds, 1.0);
   a.joint_shear.assign(bonds, 1.0);
   a.joint_friction.assign(bonds, o.contact_friction);
   a.joint_normal.assign(bonds, {});
   std::vector<std::int32_t> joint_of(bonds, -1);
-  find_crossed(a, joints, joint_of);
+  const std::int64_t left_out = find_crossed(a, joints, joint_of);
   for (std::int64_t e = 0; e < a.bond_count(); ++e) {
     if (joint_of[static_cast<std::size_t>(e)] < 0) continue;
     const JointOptions* of = &joints[static_cast<std::size_t>(joint_of[static_cast<std::size_t>(e)])];
@@ -65,6 +79,7 @@ void apply_joints(Assembly& a, const std::vector<JointOptions>& joints, const Op
   }
   begin_smooth_joints(a, joints, joint_of, o);
   combine_factors(a, o);
+  return left_out;
 }
 
 }  // namespace hfrac

@@ -20,8 +20,8 @@
 
 namespace hfrac {
 
-// Right after bonding.
-void apply_joints(Assembly& assembly, const std::vector<JointOptions>& joints, const Options& options,
-                  CrackLog& log);
+// Right after bonding. Returns how many joints are left out: smooth ones shorter than two discs, and any that cross no bond.
+std::int64_t apply_joints(Assembly& assembly, const std::vector<JointOptions>& joints, const Options& options,
+                          CrackLog& log);
 
 }  // namespace hfrac

@@ -92,7 +92,8 @@ std::vector<Piece> pieces_of(const Assembly& a, std::vector<Crossing>& met, doub
 }
 
 JointLaw law_of(const JointOptions& joint, const SmoothJoints& smooth, const Options& o) {
-  constexpr double lowest = 1e6, above = 2.0;  // Pa; of the stresses around the model: no joint is seen to bear more
+  constexpr double lowest = 1e6,
+                   above = 2.0;  // Pa; of the stresses around the model: no joint is seen to bear more
   JointLaw law;
   law.normal_stiffness = joint.normal_stiffness > 0.0 ? joint.normal_stiffness : smooth.normal_stiffness;
   law.shear_stiffness = joint.shear_stiffness > 0.0 ? joint.shear_stiffness : smooth.shear_stiffness;
@@ -118,9 +119,10 @@ Motion motion_of(const Assembly& a, const SmoothContact& c) {
   const auto i = a.first[c.bond], j = a.second[c.bond];
   const double share = a.factors.growth_of(c.bond) / a.length(c.bond);
   const Vec2 between{a.ux[j] - a.ux[i] - share * a.dx(c.bond), a.uy[j] - a.uy[i] - share * a.dy(c.bond)};
-  return {dot(between, c.normal) + c.opens_by_first * a.rotation[i] + c.opens_by_second * a.rotation[j],
+  return {dot(between, c.normal) + c.opens_by_first * a.rotation[i] + c.opens_by_second * a.rotation[j] -
+              c.open_before,
           dot(between, turned(c.normal)) + c.slides_by_first * a.rotation[i] +
-              c.slides_by_second * a.rotation[j]};
+              c.slides_by_second * a.rotation[j] - c.slid_before};
 }
 
 }  // namespace
@@ -176,6 +178,77 @@ void begin_smooth_joints(Assembly& a, const std::vector<JointOptions>& joints,
     smooth.place[static_cast<std::size_t>(smooth.contacts[k].bond)] = static_cast<std::int32_t>(k);
 }
 
+namespace {
+
+// The law of a contact, with its stiffnesses as temperature leaves them.
+JointLaw law_now(const Assembly& a, const SmoothContact& c) {
+  JointLaw law = a.smooth.law_of(c);
+  const auto i = a.first[c.bond], j = a.second[c.bond];
+  const double stiff = a.thermal.pair_stiffness(i, j);
+  law.normal_stiffness *= stiff;
+  law.shear_stiffness *= stiff;
+  law.residual_friction *= a.thermal.pair_friction(i, j);
+  return law;
+}
+
+// Closure at which a joint bears a stress (Bandis, Lumsden and Barton 1983).
+double closure_under(const JointLaw& law, double stress) {
+  if (law.max_closure <= 0.0) return stress / law.normal_stiffness;
+  const double bent = std::min(stress, law.highest),
+               d = bent / (law.normal_stiffness + bent / law.max_closure);
+  return d + (stress - bent) / stiffest(law);
+}
+
+}  // namespace
+
+void settle_smooth(Assembly& a, const Options& o) {
+  constexpr double reach = 4.0;  // mean radii to either side
+  auto& smooth = a.smooth;
+  std::vector<std::vector<std::size_t>> on(smooth.laws.size());
+  for (std::size_t k = 0; k < smooth.contacts.size(); ++k) {
+    if (smooth.law_of(smooth.contacts[k]).conducts())
+      on[static_cast<std::size_t>(smooth.contacts[k].joint)].push_back(k);
+  }
+  struct Bears {
+    Vec2 place;
+    double normal, shear, area;
+  };
+  for (const auto& contacts : on) {
+    std::vector<Bears> all;
+    for (const auto k : contacts) {
+      const SmoothContact& c = smooth.contacts[k];
+      const SmoothResponse r = smooth_response(a, o, c);
+      // S keeps its sign whichever disc is the first: slide and its direction turn together.
+      all.push_back(
+          {Vec2{a.x[a.first[c.bond]], a.y[a.first[c.bond]]} + c.first_arm, r.normal, r.shear, c.area});
+    }
+    for (std::size_t m = 0; m < contacts.size(); ++m) {
+      double normal = 0.0, shear = 0.0, area = 0.0;
+      for (const auto& other : all) {
+        const Vec2 way = other.place - all[m].place;
+        if (dot(way, way) > reach * reach * a.mean_radius * a.mean_radius) continue;
+        normal += other.normal;
+        shear += other.shear;
+        area += other.area;
+      }
+      SmoothContact& c = smooth.contacts[contacts[m]];
+      const JointLaw law = law_now(a, c);
+      const double opening = smooth_opening(a, c), slide = smooth_slide(a, c);
+      const double pressed = std::max(0.0, -normal / area), sheared = shear / area;
+      const double lifted = c.holds ? 0.0 : joint_dilation(law, c.slip).value;
+      c.open_before += opening - (lifted - closure_under(law, pressed));
+      c.slid_before += slide - (c.slip + (law.shear_stiffness > 0.0 ? sheared / law.shear_stiffness : 0.0));
+      const SmoothResponse r = smooth_response(a, o, c);
+      c.locked_normal += all[m].normal - r.normal;
+      c.locked_shear += all[m].shear - r.shear;
+    }
+  }
+}
+
+double smooth_slide(const Assembly& a, const SmoothContact& contact) {
+  return motion_of(a, contact).slide;
+}
+
 double smooth_opening(const Assembly& a, const SmoothContact& contact) {
   return motion_of(a, contact).opening;
 }
@@ -220,17 +293,6 @@ double slipped_to(const JointLaw& law, const Motion& m, double slip, double fric
   return s;
 }
 
-// The law of a contact, with its stiffnesses as temperature leaves them.
-JointLaw law_now(const Assembly& a, const SmoothContact& c) {
-  JointLaw law = a.smooth.law_of(c);
-  const auto i = a.first[c.bond], j = a.second[c.bond];
-  const double stiff = a.thermal.pair_stiffness(i, j);
-  law.normal_stiffness *= stiff;
-  law.shear_stiffness *= stiff;
-  law.residual_friction *= a.thermal.pair_friction(i, j);
-  return law;
-}
-
 SmoothResponse respond_by(const JointLaw& law, const SmoothContact& c, const Motion& m, double friction) {
   SmoothResponse r{m.opening, m.slide, 0.0, 0.0, c.slip, 0.0, 0.0, 0.0, 0.0};
   const double kn = c.area * law.normal_stiffness, ks = c.area * law.shear_stiffness;
@@ -258,8 +320,9 @@ SmoothResponse respond_by(const JointLaw& law, const SmoothContact& c, const Mot
   r.shear = sign * mu.value * c.area * press.value;
   // By the slip's own change, d slip = (k_s d slide + sign mu sigma' d opening) / `falls`; a contact that weakens faster than its
   // stiffness follows is given a tenth of that.
-  const double falls = std::max(0.1 * law.shear_stiffness,
-                                law.shear_stiffness + sign * (mu.slope * press.value + mu.value * press.slope * up.slope));
+  const double falls =
+      std::max(0.1 * law.shear_stiffness,
+               law.shear_stiffness + sign * (mu.slope * press.value + mu.value * press.slope * up.slope));
   const double by_slide = law.shear_stiffness > 0.0 ? law.shear_stiffness / falls : 1.0,
                by_opening = law.shear_stiffness > 0.0 ? sign * mu.value * press.slope / falls : 0.0;
   r.shear_stiffness = ks * (1.0 - by_slide);
@@ -295,17 +358,20 @@ BondView view_smooth(const Assembly& a, const Options& o, const SmoothContact& c
   const double closure = (c.holds ? 0.0 : joint_dilation(law, r.slipped).value) - r.opening;
   double energy = r.normal > 0.0 ? 0.5 * r.normal * r.normal / kn : c.area * closure_energy(law, closure);
   if (ks > 0.0) energy += 0.5 * r.shear * r.shear / ks;
+  energy += c.locked_normal * r.opening + c.locked_shear * r.slide;
   if (!c.holds) {
-    v.contact_normal = -r.normal;
-    v.contact_shear = r.shear;
+    v.contact_normal = -(r.normal + c.locked_normal);
+    v.contact_shear = r.shear + c.locked_shear;
     v.contact_energy = energy;
     v.shear_excess = v.tensile_excess = 0.0;
     return v;
   }
-  v.bond_normal = r.normal;
-  v.bond_shear = r.shear;
+  v.bond_normal = r.normal + c.locked_normal;
+  v.bond_shear = r.shear + c.locked_shear;
   v.bond_energy = energy;
-  const double tensile = strength_of(law.tensile_strength, a.tensile_per_radius, a.factors.tensile_of(c.bond)) * c.area,
+  const double tensile =
+                   strength_of(law.tensile_strength, a.tensile_per_radius, a.factors.tensile_of(c.bond)) *
+                   c.area,
                shearing = strength_of(law.cohesion, a.shear_per_radius, a.factors.shear_of(c.bond)) * c.area +
                           a.factors.friction_of(c.bond, o.contact_friction) * std::max(0.0, -r.normal);
   v.tensile_excess = tensile > 0.0 ? r.normal / tensile : (r.normal >= 0.0 ? 1.0 : 0.0);
@@ -351,15 +417,16 @@ void add_smooth_force(Assembly& a, const Options& o, SmoothContact& c, double& f
   friction += slip_work(a, c, r);
   c.slip = r.slipped;
   const auto i = a.first[c.bond], j = a.second[c.bond];
-  const Vec2 force = r.normal * c.normal + r.shear * turned(c.normal);
+  const double normal = r.normal + c.locked_normal, shear = r.shear + c.locked_shear;
+  const Vec2 force = normal * c.normal + shear * turned(c.normal);
   a.external_x[i] += force.x;
   a.external_y[i] += force.y;
   a.external_x[j] -= force.x;
   a.external_y[j] -= force.y;
   // Once the faces have moved apart the two forces lie on two lines: what that turns is shared, so that a pair turns nothing.
   const double couple = 0.5 * cross(Vec2{a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, force);
-  a.external_moment[i] += couple - (c.opens_by_first * r.normal + c.slides_by_first * r.shear);
-  a.external_moment[j] += couple - (c.opens_by_second * r.normal + c.slides_by_second * r.shear);
+  a.external_moment[i] += couple - (c.opens_by_first * normal + c.slides_by_first * shear);
+  a.external_moment[j] += couple - (c.opens_by_second * normal + c.slides_by_second * shear);
 }
 
 void keep_smooth_slips(Assembly& a, const Options& o, double& friction) {

@@ -46,7 +46,13 @@ struct SmoothResponse {
 void begin_smooth_joints(Assembly& assembly, const std::vector<JointOptions>& joints,
                          const std::vector<std::int32_t>& joint_of, const Options& options);
 
+// Rock at rest: what a packing's contacts bear scatters along a joint by factors, and what stress there is in the rock does not. So joints
+// that conduct count their openings and slides from now on from where the mean stress over some discs along them would have left
+// them; what each contact bears beyond that mean stays as a force on its discs (as facets do it, frac/facets.hpp).
+void settle_smooth(Assembly& assembly, const Options& options);
+
 double smooth_opening(const Assembly& assembly, const SmoothContact& contact);  // m, U_n
+double smooth_slide(const Assembly& assembly, const SmoothContact& contact);    // m, U_s
 // Opening of the broken joint a bond belongs to, across the joint [m]; 0 if closed or of no joint.
 double joint_opening(const Assembly& assembly, std::int64_t bond);
 SmoothResponse smooth_response(const Assembly& assembly, const Options& options,

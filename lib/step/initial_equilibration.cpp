@@ -16,6 +16,7 @@
 #include "rock/seeping_well.hpp"
 #include "step/checks.hpp"
 #include "step/ledger.hpp"
+#include "solid/smooth_joints.hpp"
 #include "step/snapshot.hpp"
 
 namespace hfrac {
@@ -208,6 +209,7 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
   m.start.x = m.assembly.ux;
   m.start.y = m.assembly.uy;
   m.start.rotation = m.assembly.rotation;
+  if (!n.joint_pore.empty()) settle_smooth(m.assembly, o);
   e.mechanics->evaluate();  // volumes and forces where they came to rest
   const bool wet = e.wet();
   for (std::int64_t d = 0; d < n.domain_count(); ++d) {

@@ -87,7 +87,7 @@ TEST(Lists, LargerItemsMustHaveAnEmptyTail) {
   EXPECT_EQ(value, 40.0);
   items[1].more = 1.0;
   EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_ERR_STRUCT_SIZE);
-  EXPECT_NE(last_error().find("joint_size = 72: joint[1] was made with a newer header"), std::string::npos)
+  EXPECT_NE(last_error().find(": joint[1] was made with a newer header"), std::string::npos)
       << last_error();
   for (const int64_t size : {0, 4, 12, -64, 65544}) {
     def.joint_size = size;
@@ -172,8 +172,7 @@ TEST(Lists, LongOnesAreBuiltDrivenAndRestored) {
   for (int k = 0; k < 12; ++k)
     wells.push_back({14.0 + 24.0 * (k % 4), 20.0 + 30.0 * (k / 4), 4.0, 26e6, 0.0, 0.0, HFRAC_WELL_PRESSURE});
   for (int k = 0; k < 100; ++k)
-    joints.push_back(
-        joint_def(5.0, 0.9 * (k + 1), 95.0, 0.9 * (k + 1), 2.0, 2.0, -1.0, HFRAC_JOINT_BONDED));
+    joints.push_back(joint_def(5.0, 0.9 * (k + 1), 95.0, 0.9 * (k + 1), 2.0, 2.0, -1.0, HFRAC_JOINT_BONDED));
   for (int k = 0; k < 120; ++k)
     schedule.push_back({k % 12, 1.0 + k / 12, (k % 12 == 11 ? 27e6 : 26e6) + 1e3 * k, HFRAC_WELL_PRESSURE});
   give(def, def.wells, def.well_count, def.well_size, wells);

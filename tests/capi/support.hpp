@@ -7,6 +7,7 @@
 #include <hfrac/definition.hpp>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -53,8 +54,8 @@ class TemporaryFolder {
     path_ = ::mkdtemp(pattern.data());
   }
   ~TemporaryFolder() {
-    ::unlink(file().c_str());
-    ::rmdir(path_.c_str());
+    std::error_code none;
+    std::filesystem::remove_all(path_, none);
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
@@ -64,6 +65,9 @@ class TemporaryFolder {
   std::string write(const std::string& text) const {
     std::ofstream(file(), std::ios::binary) << text;
     return file();
+  }
+  void write(const std::string& text, const std::string& name) const {
+    std::ofstream(path_ + "/" + name, std::ios::binary) << text;
   }
 
  private:

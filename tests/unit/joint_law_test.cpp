@@ -101,7 +101,8 @@ struct Contact {
 
 TEST(JointLaw, TangentOfAContactIsTheChangeOfItsForce) {
   for (const double press : {6e-5, 2e-5, -1e-5}) {
-    for (const double slide : {1e-5, 5e-4, -5e-4, 4e-3}) {  // sticking, dilating to either side, dilation ended
+    for (const double slide :
+         {1e-5, 5e-4, -5e-4, 4e-3}) {  // sticking, dilating to either side, dilation ended
       Contact c;
       const SmoothContact& contact = c.a.smooth.contacts[3];
       const auto i = c.a.first[contact.bond], j = c.a.second[contact.bond];
