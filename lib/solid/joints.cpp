@@ -47,6 +47,45 @@ std::int64_t find_crossed(const Assembly& a, const std::vector<JointOptions>& jo
   return left_out;
 }
 
+// Where joints meet, a disc that they cut off on all sides but one has nothing that keeps it from turning: contacts that look along a
+// joint's normal bear it off its middle. It keeps this many bonds to the rock.
+constexpr int fewest_held = 2;
+
+void keep_discs_held(const Assembly& a, const std::vector<JointOptions>& joints,
+                     std::vector<std::int32_t>& joint_of) {
+  struct Disc {
+    int held = 0;             // bonds to the rock
+    std::int32_t joint = -1;  // that cuts it
+    bool several = false;
+    [[nodiscard]] bool loose() const { return several && held < fewest_held; }
+  };
+  std::vector<Disc> discs(static_cast<std::size_t>(a.disc_count()));
+  const auto cut_by = [&](std::int64_t e) {
+    const auto k = joint_of[static_cast<std::size_t>(e)];
+    return k >= 0 && is_smooth(JointState{joints[static_cast<std::size_t>(k)].state}) ? k : -1;
+  };
+  for (std::int64_t e = 0; e < a.bond_count(); ++e) {
+    const auto k = cut_by(e);
+    for (const auto i : {a.first[e], a.second[e]}) {
+      Disc& disc = discs[static_cast<std::size_t>(i)];
+      if (k < 0) {
+        ++disc.held;
+      } else {
+        disc.several = disc.several || (disc.joint >= 0 && disc.joint != k);
+        disc.joint = k;
+      }
+    }
+  }
+  for (std::int64_t e = 0; e < a.bond_count(); ++e) {
+    Disc& first = discs[static_cast<std::size_t>(a.first[e])];
+    Disc& second = discs[static_cast<std::size_t>(a.second[e])];
+    if (cut_by(e) < 0 || (!first.loose() && !second.loose())) continue;
+    joint_of[static_cast<std::size_t>(e)] = -1;
+    ++first.held;
+    ++second.held;
+  }
+}
+
 }  // namespace
 
 std::int64_t apply_joints(Assembly& a, const std::vector<JointOptions>& joints, const Options& o,
@@ -59,6 +98,7 @@ std::int64_t apply_joints(Assembly& a, const std::vector<JointOptions>& joints, 
   a.joint_normal.assign(bonds, {});
   std::vector<std::int32_t> joint_of(bonds, -1);
   const std::int64_t left_out = find_crossed(a, joints, joint_of);
+  keep_discs_held(a, joints, joint_of);
   for (std::int64_t e = 0; e < a.bond_count(); ++e) {
     if (joint_of[static_cast<std::size_t>(e)] < 0) continue;
     const JointOptions* of = &joints[static_cast<std::size_t>(joint_of[static_cast<std::size_t>(e)])];
