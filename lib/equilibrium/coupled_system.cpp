@@ -321,11 +321,12 @@ void CoupledSystem::evaluate_pipe(std::size_t e) {
   const double joint = joint_opening(assembly_, static_cast<std::int64_t>(e));
   const CrackPlane* plane = n.planes.of(e);
   CrackApertureResponse w{};
-  if (joint_length(n, e) > 0.0 && assembly_.intact[e] == 0) {
-    const SmoothContact& contact = *assembly_.smooth.of(static_cast<std::int64_t>(e));
-    opening_[e] = smooth_opening(assembly_, contact);
-    opening_way_[e] = {contact.normal, contact.opens_by_first, contact.opens_by_second};
-    w = joint_aperture_response(options_, assembly_.smooth.law_of(contact), opening_[e]);
+  const SmoothContact* flowing = flowing_contact(n, assembly_, e);
+  if (flowing != nullptr) {
+    opening_[e] = smooth_opening(assembly_, *flowing);
+    w = joint_aperture_response(options_, assembly_.smooth.law_of(*flowing), opening_[e]);
+    opening_way_[e] = {flowing->normal, flowing->opens_by_first, flowing->opens_by_second};
+    if (flowing->bond != static_cast<std::int64_t>(e)) w.by_opening = 0.0;  // of other discs
   } else if (plane != nullptr && joint <= 0.0) {
     opening_[e] = CrackPlanes::opening(*plane, assembly_, e);
     opening_way_[e] = {plane->normal, plane->by_first, plane->by_second};
@@ -342,8 +343,8 @@ void CoupledSystem::evaluate_pipe(std::size_t e) {
     w = {of_gap.aperture, 0.0, of_gap.by_gap};
   }
   n.aperture[e] = w.aperture;
-  const auto place = held_joints_.empty() ? -1 : assembly_.smooth.place[e];
-  const bool held = place >= 0 && joint_length(n, e) > 0.0;
+  const bool held = flowing != nullptr && !held_joints_.empty();
+  const auto place = held ? flowing - assembly_.smooth.contacts.data() : 0;
   const auto flow = law_.respond(held ? held_joints_[static_cast<std::size_t>(place)] : w.aperture,
                                  pipe_length(n, assembly_, e), drop(e));
   n.conductance[e] = flow.conductance;

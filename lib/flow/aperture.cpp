@@ -169,9 +169,8 @@ void update_apertures(Network& n, const Assembly& a, const Options& o) {
     const CrackPlane* plane = n.planes.of(e);
     const double length = pipe_length(n, a, e);
     double w;
-    if (joint_length(n, e) > 0.0 && a.intact[e] == 0) {
-      const SmoothContact& contact = *a.smooth.of(static_cast<std::int64_t>(e));
-      w = joint_aperture_response(o, a.smooth.law_of(contact), smooth_opening(a, contact)).aperture;
+    if (const SmoothContact* contact = flowing_contact(n, a, e)) {
+      w = joint_aperture_response(o, a.smooth.law_of(*contact), smooth_opening(a, *contact)).aperture;
     } else if (joint > 0.0) {
       w = aperture_response(o, n.zero_stress_aperture, joint, 0.0, 0.0, false).aperture;
     } else if (plane != nullptr) {

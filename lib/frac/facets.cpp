@@ -206,7 +206,7 @@ void Facets::update(const Assembly& a, Network& n, bool restored) {
     }
     for (auto k = 2 * n.corner_start[d]; k < 2 * n.corner_start[d + 1]; ++k) n.corner_weight[k] = 0.0;
     for (const auto e : bonds_[d]) {
-      if (of_[e] >= 0 || joint_length(n, static_cast<std::size_t>(e)) > 0.0) continue;
+      if (of_[e] >= 0 || a.smooth.of(e) != nullptr) continue;
       const Vec2 push = -pressure_[d] * part(e, n.left[e] == static_cast<std::int32_t>(d));
       pore_push_[2 * e] += push.x;
       pore_push_[2 * e + 1] += push.y;

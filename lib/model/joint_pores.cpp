@@ -42,7 +42,7 @@ Vec2 push_of(const Network& n, const Assembly& a, std::int32_t domain, std::size
 
 void add_face_weights(Network& n, const Assembly& a, std::int32_t domain) {
   each_bond_around(n, a, domain, [&](std::int32_t k, std::int32_t next, std::size_t bond) {
-    if (n.joint_length[bond] <= 0.0) return;
+    if (n.joint_length[bond] <= 0.0 || a.smooth.of(static_cast<std::int64_t>(bond)) == nullptr) return;
     const Vec2 push = push_of(n, a, domain, bond);
     add_weight(n, k, -1.0 * push);
     add_weight(n, next, push);
@@ -68,6 +68,10 @@ void begin_joint_pores(Network& n, const Assembly& a, const Options& o) {
       n.joint_pore[d] = 1;
       stored[d] += 0.5 * contact.area * std::max(law.aperture, law.residual_aperture);
     }
+  }
+  for (const auto& bridge : smooth.bridges) {
+    if (smooth.law_of(smooth.contacts[static_cast<std::size_t>(bridge.contact)]).conducts())
+      n.joint_length[static_cast<std::size_t>(bridge.bond)] = shortest_pipe * a.mean_radius;
   }
   for (std::size_t d = 1; d < n.kind.size(); ++d) {
     if (n.joint_pore[d] == 0) continue;

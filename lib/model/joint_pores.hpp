@@ -30,4 +30,12 @@ inline double joint_length(const Network& n, std::size_t pipe) {
   return n.joint_length.empty() ? 0.0 : n.joint_length[pipe];
 }
 
+// The broken contact by whose opening fluid flows through a pipe of a joint that conducts; nullptr: of any other pipe.
+inline const SmoothContact* flowing_contact(const Network& n, const Assembly& a, std::size_t pipe) {
+  if (joint_length(n, pipe) <= 0.0) return nullptr;
+  const auto at = a.smooth.opening_at(static_cast<std::int64_t>(pipe));
+  const SmoothContact* contact = at < 0 ? nullptr : &a.smooth.contacts[static_cast<std::size_t>(at)];
+  return contact != nullptr && a.intact[contact->bond] == 0 ? contact : nullptr;
+}
+
 }  // namespace hfrac

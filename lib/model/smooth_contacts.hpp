@@ -51,6 +51,14 @@ struct SmoothJoints {
   }
   // To be called when `lines` are all there.
   void sort_lines(double cell);
+  // The contact by whose opening fluid flows past a bond along a joint: its own, or where joints meet and it is left to the rock that of
+  // the nearest contact; -1: no joint.
+  [[nodiscard]] std::int32_t opening_at(std::int64_t bond) const;
+  struct Bridge {
+    std::int64_t bond;
+    std::int32_t contact;
+  };
+  std::vector<Bridge> bridges;  // ascending
   // Whether a joint lies between two places.
   [[nodiscard]] bool separate(Vec2 p, Vec2 q) const;
   // Which contacts hold, and what they slid, is kept here while the step loop runs, where other workers hold the bonds' own

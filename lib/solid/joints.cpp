@@ -51,8 +51,14 @@ std::int64_t find_crossed(const Assembly& a, const std::vector<JointOptions>& jo
 // joint's normal bear it off its middle. It keeps this many bonds to the rock.
 constexpr int fewest_held = 2;
 
-void keep_discs_held(const Assembly& a, const std::vector<JointOptions>& joints,
-                     std::vector<std::int32_t>& joint_of) {
+struct Left {
+  std::int64_t bond;
+  std::int32_t joint;
+};
+
+std::vector<Left> keep_discs_held(const Assembly& a, const std::vector<JointOptions>& joints,
+                                  std::vector<std::int32_t>& joint_of) {
+  std::vector<Left> left;
   struct Disc {
     int held = 0;             // bonds to the rock
     std::int32_t joint = -1;  // that cuts it
@@ -80,9 +86,30 @@ void keep_discs_held(const Assembly& a, const std::vector<JointOptions>& joints,
     Disc& first = discs[static_cast<std::size_t>(a.first[e])];
     Disc& second = discs[static_cast<std::size_t>(a.second[e])];
     if (cut_by(e) < 0 || (!first.loose() && !second.loose())) continue;
+    left.push_back({e, cut_by(e)});
     joint_of[static_cast<std::size_t>(e)] = -1;
     ++first.held;
     ++second.held;
+  }
+  return left;
+}
+
+// Fluid passes such a bond as it passes the nearest contact of the joint.
+void bridge_flow(Assembly& a, const std::vector<Left>& left) {
+  const auto& contacts = a.smooth.contacts;
+  for (const auto& [bond, joint] : left) {
+    const Vec2 at{a.x[a.first[bond]] + 0.5 * a.dx(bond), a.y[a.first[bond]] + 0.5 * a.dy(bond)};
+    std::int32_t nearest = -1;
+    double least = 0.0;
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      if (contacts[k].joint != joint) continue;
+      const auto i = a.first[contacts[k].bond];
+      const Vec2 way = Vec2{a.x[i], a.y[i]} + contacts[k].first_arm - at;
+      if (nearest >= 0 && dot(way, way) >= least) continue;
+      nearest = static_cast<std::int32_t>(k);
+      least = dot(way, way);
+    }
+    if (nearest >= 0) a.smooth.bridges.push_back({bond, nearest});
   }
 }
 
@@ -98,7 +125,7 @@ std::int64_t apply_joints(Assembly& a, const std::vector<JointOptions>& joints, 
   a.joint_normal.assign(bonds, {});
   std::vector<std::int32_t> joint_of(bonds, -1);
   const std::int64_t left_out = find_crossed(a, joints, joint_of);
-  keep_discs_held(a, joints, joint_of);
+  const std::vector<Left> left = keep_discs_held(a, joints, joint_of);
   for (std::int64_t e = 0; e < a.bond_count(); ++e) {
     if (joint_of[static_cast<std::size_t>(e)] < 0) continue;
     const JointOptions* of = &joints[static_cast<std::size_t>(joint_of[static_cast<std::size_t>(e)])];
@@ -118,6 +145,7 @@ std::int64_t apply_joints(Assembly& a, const std::vector<JointOptions>& joints, 
     log.push_back(crack);
   }
   begin_smooth_joints(a, joints, joint_of, o);
+  bridge_flow(a, left);
   combine_factors(a, o);
   return left_out;
 }

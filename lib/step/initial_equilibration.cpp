@@ -14,9 +14,9 @@
 #include "options/choices.hpp"
 #include "options/number_text.hpp"
 #include "rock/seeping_well.hpp"
+#include "solid/smooth_joints.hpp"
 #include "step/checks.hpp"
 #include "step/ledger.hpp"
-#include "solid/smooth_joints.hpp"
 #include "step/snapshot.hpp"
 
 namespace hfrac {
