@@ -121,7 +121,7 @@ contains
     call expect(hfrac_well_option_count(count) == HFRAC_OK .and. count >= 7, 'number of values of a well')
     call expect(hfrac_well_option_at(count - 1, info) == HFRAC_OK .and. info%type == 2, 'a value of a well')
     call expect(hfrac_joint_option_count(count) == HFRAC_OK .and. count >= 8, 'number of values of a joint')
-    call expect(hfrac_joint_option_at(count - 1, info) == HFRAC_OK .and. info%type == 2, 'a value of a joint')
+    call expect(hfrac_joint_option_at(7, info) == HFRAC_OK .and. info%type == 2, 'a value of a joint')
     call expect(hfrac_schedule_option_count(count) == HFRAC_OK .and. count >= 4, 'number of values of an entry')
     call expect(hfrac_schedule_option_at(1, info) == HFRAC_OK .and. info%type == 0, 'a value of an entry')
   end subroutine options

@@ -63,7 +63,8 @@ class Definition(unittest.TestCase):
         joint = {"x1": 10.0, "y1": 5.0, "x2": 60.0, "y2": 5.0, "friction": 0.6, "state": "broken"}
         entry = {"well": 0, "time": 60.0, "value": 0.0, "control": "rate"}
         definition = hfrac.Definition(CASE, joints=[joint], schedule=[entry])
-        self.assertEqual(definition.joints, [{**joint, "tensile_factor": 1.0, "shear_factor": 1.0}])
+        (read,) = definition.joints
+        self.assertEqual(read, {**dict.fromkeys(read, 0.0), **joint, "tensile_factor": 1.0, "shear_factor": 1.0})
         self.assertEqual(definition.schedule, [entry])
         self.assertEqual((definition.get("joint_count"), definition.get("schedule_count")), (1, 1))
         self.assertIn("[[well.schedule]]", definition.text)
