@@ -23,9 +23,9 @@ struct Stopped {};
 struct SetupReport {
   double packing_residual = 0.0, porosity = 0.0, coordination = 0.0, permeability = 0.0, force_ratio = 0.0;
   std::int64_t packed = 0, removed_in_wells = 0, removed_floaters = 0, removed_crossings = 0;
-  std::int64_t unbonded = 0;  // contacts that a host's list of bonds left out
+  std::int64_t unbonded = 0;                     // contacts that a host's list of bonds left out
   std::int64_t joints = 0, joints_left_out = 0;  // solid/joints.hpp
-  std::uint64_t bonded = 0;   // hash of which contacts are bonded
+  std::uint64_t bonded = 0;                      // hash of which contacts are bonded
   double packing_seconds = 0.0, setup_seconds = 0.0;
   std::int64_t cracks = 0;
 };
