@@ -87,8 +87,7 @@ TEST(Lists, LargerItemsMustHaveAnEmptyTail) {
   EXPECT_EQ(value, 40.0);
   items[1].more = 1.0;
   EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_ERR_STRUCT_SIZE);
-  EXPECT_NE(last_error().find(": joint[1] was made with a newer header"), std::string::npos)
-      << last_error();
+  EXPECT_NE(last_error().find(": joint[1] was made with a newer header"), std::string::npos) << last_error();
   for (const int64_t size : {0, 4, 12, -64, 65544}) {
     def.joint_size = size;
     EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_ERR_STRUCT_SIZE) << size;

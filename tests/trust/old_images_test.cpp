@@ -13,8 +13,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "../joint_def.hpp"
 #include "../capi/sim_support.hpp"
+#include "../joint_def.hpp"
 
 namespace {
 

@@ -24,8 +24,8 @@ constexpr double side = 100.0, sigma_3 = 10e6, most = 10.0;  // m, Pa, of sigma_
 
 hfrac_joint_def line(double degrees, double half, double friction) {
   const double c = half * std::cos(degrees * pi / 180.0), s = half * std::sin(degrees * pi / 180.0);
-  return joint_def(0.5 * side - c, 0.5 * side - s,           0.5 * side + c, 0.5 * side + s, 1.0, 1.0,
-          friction,       HFRAC_JOINT_SMOOTH_BROKEN);
+  return joint_def(0.5 * side - c, 0.5 * side - s, 0.5 * side + c, 0.5 * side + s, 1.0, 1.0, friction,
+                   HFRAC_JOINT_SMOOTH_BROKEN);
 }
 
 hfrac::Definition block(int64_t discs, bool square) {

@@ -51,7 +51,8 @@ Slip slip_along(hfrac::Definition def, double c, double off) {
   const double t = std::sqrt(0.5);  // both parts of the joint's direction; its normal is (-t, t)
   const double x = 0.5 * side - off * t, y = 0.5 * side + off * t;
   hfrac_sim_def_set_i64(&def, "joint_count", 1);
-  def.joints[0] = joint_def(x - c * t, y - c * t, x + c * t, y + c * t, 1.0, 1.0, 0.0, HFRAC_JOINT_SMOOTH_BROKEN);
+  def.joints[0] =
+      joint_def(x - c * t, y - c * t, x + c * t, y + c * t, 1.0, 1.0, 0.0, HFRAC_JOINT_SMOOTH_BROKEN);
   Simulation sim(def);
   sim.step(1);  // set-up moves the rock to rest; what it left of the slip is settled by the solver
   const auto place = sim.values(HFRAC_DISC_POSITION), before = sim.values(HFRAC_DISC_DISPLACEMENT),
