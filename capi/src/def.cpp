@@ -94,6 +94,7 @@ void set_item(List list, hfrac_sim_def& def, std::int64_t index, const Set& set)
     put_items(list, items, def);
     return;
   }
+  require_place(list, own->size, values);
   if (index == count) add_item(*own);
   write_item(list, *own, static_cast<std::size_t>(index), values);
   show_list(list, *own, def);

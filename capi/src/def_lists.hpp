@@ -179,6 +179,20 @@ std::vector<typename List::Values> items_of(List list, const hfrac_sim_def& def)
   return items;
 }
 
+// Throws Error(struct_size) if items of that size have no place for what `values` hold.
+template <class List>
+void require_place(List /*list*/, std::int64_t size, const typename List::Values& values) {
+  using Item = typename List::Item;
+  const Item item = List::put(values), usual = List::put(typename List::Values{});
+  const auto kept = std::min(static_cast<std::size_t>(size), sizeof(Item));
+  const auto tail = [&](const Item& of) { return reinterpret_cast<const unsigned char*>(&of) + kept; };
+  if (std::memcmp(tail(item), tail(usual), sizeof(Item) - kept) == 0) return;
+  throw Error(ErrorKind::struct_size, std::string(List::name) + "_size = " + std::to_string(size) +
+                                          " has no place for all values of a " + std::string(List::name) +
+                                          ", " + std::to_string(sizeof(Item)) +
+                                          " bytes: compile the program with this library's headers.");
+}
+
 // Item `index` of a list of the library's, as far as its items reach.
 template <class List>
 void write_item(List /*list*/, OwnedList& own, std::size_t index, const typename List::Values& values) {
@@ -201,7 +215,10 @@ OwnedList owned(List list, const std::vector<typename List::Values>& items, cons
   OwnedList own;
   own.size = given ? size : static_cast<std::int64_t>(sizeof(typename List::Item));
   own.words.resize(items.size() * static_cast<std::size_t>(own.size) / 8);
-  for (std::size_t i = 0; i < items.size(); ++i) write_item(list, own, i, items[i]);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    require_place(list, own.size, items[i]);
+    write_item(list, own, i, items[i]);
+  }
   return own;
 }
 

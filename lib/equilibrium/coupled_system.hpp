@@ -76,7 +76,7 @@ class CoupledSystem {
 
   // Of a domain at the displacements and pressures at hand [m2].
   [[nodiscard]] double volume_change(std::int64_t domain) const;
-  // Conductances of facets by the apertures held, not by the displacements at hand (Picard's iteration); hold() takes `share` of the way
+  // Conductances of facets and joints by the apertures held, not by the displacements at hand (Picard's iteration); hold() takes `share` of the way
   // to those at hand and returns how far off they were, relative to the largest.
   double hold_apertures(double share);
   void release_apertures() {

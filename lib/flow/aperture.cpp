@@ -150,7 +150,7 @@ CrackApertureResponse crack_aperture_response(const Options& o, double zero_stre
 }
 
 CrackApertureResponse joint_aperture_response(const Options& o, const JointLaw& law, double opening) {
-  const Response w = joint_aperture(law, opening);
+  const JointValue w = joint_aperture(law, opening);
   if (w.value > o.flow_aperture_limit) return {o.flow_aperture_limit, 0.0, 0.0};
   return {w.value, 0.0, w.slope};
 }

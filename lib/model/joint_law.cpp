@@ -19,7 +19,7 @@ double bandis_energy(const JointLaw& law, double d) {
 
 }  // namespace
 
-Response closure_stress(const JointLaw& law, double closure) {
+JointValue closure_stress(const JointLaw& law, double closure) {
   if (closure <= 0.0) return {0.0, 0.0};
   if (law.max_closure <= 0.0) return {law.normal_stiffness * closure, law.normal_stiffness};
   const double d = std::min(closure, last_closure(law)), room = 1.0 - d / law.max_closure;
@@ -31,7 +31,7 @@ double closure_energy(const JointLaw& law, double closure) {
   if (closure <= 0.0) return 0.0;
   if (law.max_closure <= 0.0) return 0.5 * law.normal_stiffness * closure * closure;
   const double d = std::min(closure, last_closure(law)), beyond = closure - d;
-  const Response at = closure_stress(law, d);
+  const JointValue at = closure_stress(law, d);
   return bandis_energy(law, d) + at.value * beyond + 0.5 * at.slope * beyond * beyond;
 }
 
@@ -39,19 +39,19 @@ double stiffest(const JointLaw& law) {
   return law.max_closure > 0.0 ? closure_stress(law, last_closure(law)).slope : law.normal_stiffness;
 }
 
-Response joint_friction(const JointLaw& law, double friction, double slip) {
+JointValue joint_friction(const JointLaw& law, double friction, double slip) {
   if (law.weakening_slip <= 0.0) return {friction, 0.0};
   if (std::abs(slip) >= law.weakening_slip) return {law.residual_friction, 0.0};
   const double slope = (law.residual_friction - friction) / law.weakening_slip;
   return {friction + slope * std::abs(slip), slip < 0.0 ? -slope : slope};
 }
 
-Response joint_dilation(const JointLaw& law, double slip) {
+JointValue joint_dilation(const JointLaw& law, double slip) {
   if (std::abs(slip) >= law.dilation_slip) return {law.dilation * law.dilation_slip, 0.0};
   return {law.dilation * std::abs(slip), std::copysign(law.dilation, slip)};
 }
 
-Response joint_aperture(const JointLaw& law, double opening) {
+JointValue joint_aperture(const JointLaw& law, double opening) {
   const double e = law.aperture + opening;
   if (e <= 0.0) return {law.residual_aperture, 0.0};
   constexpr double micrometre = 1e-6;

@@ -29,15 +29,15 @@ struct JointLaw {
 };
 
 // A value and its change with what it depends on.
-struct Response {
+struct JointValue {
   double value, slope;
 };
 
-Response closure_stress(const JointLaw& law, double closure);  // Pa, Pa/m; 0 where it is negative
-double closure_energy(const JointLaw& law, double closure);    // J/m2
-double stiffest(const JointLaw& law);                          // Pa/m, up to `highest`
-Response joint_friction(const JointLaw& law, double friction, double slip);  // 1, 1/m by the signed slip
-Response joint_dilation(const JointLaw& law, double slip);                   // m, 1
-Response joint_aperture(const JointLaw& law, double opening);                // m, 1
+JointValue closure_stress(const JointLaw& law, double closure);  // Pa, Pa/m; 0 where it is negative
+double closure_energy(const JointLaw& law, double closure);      // J/m2
+double stiffest(const JointLaw& law);                            // Pa/m, up to `highest`
+JointValue joint_friction(const JointLaw& law, double friction, double slip);  // 1, 1/m by the signed slip
+JointValue joint_dilation(const JointLaw& law, double slip);                   // m, 1
+JointValue joint_aperture(const JointLaw& law, double opening);                // m, 1
 
 }  // namespace hfrac

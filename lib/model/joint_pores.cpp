@@ -75,8 +75,7 @@ void begin_joint_pores(Network& n, const Assembly& a, const Options& o) {
   }
   for (std::size_t d = 1; d < n.kind.size(); ++d) {
     if (n.joint_pore[d] == 0) continue;
-    n.volume[d] = moves ? std::max(stored[d], smallest_explicit * a.mean_radius * a.mean_radius) : stored[d];
-    n.storing[d] = n.volume[d];
+    n.storing[d] = moves ? std::max(stored[d], smallest_explicit * a.mean_radius * a.mean_radius) : stored[d];
     for (auto k = 2 * n.corner_start[d]; k < 2 * n.corner_start[d + 1]; ++k)
       n.corner_weight[k] /= o.rock_biot_coefficient;
   }

@@ -3,7 +3,7 @@
 //
 // The pores that a joint's contacts lie between become its own. Each contact of length A (its piece of the joint) belongs to either
 // pore by half, and there
-//   stores    A / 2 e_0 at K_f, and what the pore grows by as the joint opens
+//   stores    A / 2 e_0 at K_f (Network::storing; the packing's pore stays its volume), and what the pore grows by as the joint opens
 //   conducts  w^3 / (12 eta A) along the joint, w of its opening (joint_aperture)
 //   pushes    with the whole pressure, whatever rock.biot_coefficient is: faces touch at few places only. So what the contact bears is
 //             the effective stress.

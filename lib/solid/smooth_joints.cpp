@@ -279,8 +279,8 @@ double slipped_to(const JointLaw& law, const Motion& m, double slip, double fric
   constexpr int most = 80;
   constexpr double finest = 1e-15;  // of the way
   for (int round = 0; round < most; ++round) {
-    const Response mu = joint_friction(law, friction, s), up = joint_dilation(law, s),
-                   press = closure_stress(law, up.value - m.opening);
+    const JointValue mu = joint_friction(law, friction, s), up = joint_dilation(law, s),
+                     press = closure_stress(law, up.value - m.opening);
     const double g = sign * law.shear_stiffness * (m.slide - s) - mu.value * press.value;
     const double slope =
         -sign * law.shear_stiffness - mu.slope * press.value - mu.value * press.slope * up.slope;
@@ -297,14 +297,14 @@ SmoothResponse respond_by(const JointLaw& law, const SmoothContact& c, const Mot
   SmoothResponse r{m.opening, m.slide, 0.0, 0.0, c.slip, 0.0, 0.0, 0.0, 0.0};
   const double kn = c.area * law.normal_stiffness, ks = c.area * law.shear_stiffness;
   if (c.holds) {
-    const Response press = closure_stress(law, -m.opening);
+    const JointValue press = closure_stress(law, -m.opening);
     r.normal = m.opening < 0.0 ? -c.area * press.value : kn * m.opening;
     r.normal_stiffness = m.opening < 0.0 ? c.area * press.slope : kn;
     r.shear = ks * m.slide;
     r.shear_stiffness = ks;
     return r;
   }
-  Response press = closure_stress(law, joint_dilation(law, c.slip).value - m.opening);
+  JointValue press = closure_stress(law, joint_dilation(law, c.slip).value - m.opening);
   const double trial = ks * (m.slide - c.slip),
                limit = joint_friction(law, friction, c.slip).value * c.area * press.value;
   r.shear = trial;
@@ -314,7 +314,7 @@ SmoothResponse respond_by(const JointLaw& law, const SmoothContact& c, const Mot
   if (std::abs(trial) <= limit) return r;
   const double sign = std::copysign(1.0, trial);
   r.slipped = slipped_to(law, m, c.slip, friction, sign);
-  const Response mu = joint_friction(law, friction, r.slipped), up = joint_dilation(law, r.slipped);
+  const JointValue mu = joint_friction(law, friction, r.slipped), up = joint_dilation(law, r.slipped);
   press = closure_stress(law, up.value - m.opening);
   r.normal = -c.area * press.value;
   r.shear = sign * mu.value * c.area * press.value;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/image.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -75,10 +76,11 @@ std::uint64_t fingerprint_of(const Engine& e, const SetupReport& report) {
                                contact.area, law.normal_stiffness, law.shear_stiffness})
       hash.add(value);
     // Fingerprints of joints that have no more than that are what they were before there was more.
-    for (const double value :
-         {law.max_closure, law.tensile_strength, law.cohesion, law.residual_friction, law.weakening_slip,
-          law.dilation, law.dilation_slip, law.aperture, law.residual_aperture, law.roughness})
-      if (value != 0.0) hash.add(value);
+    const auto more = {law.max_closure,       law.tensile_strength, law.cohesion,      law.residual_friction,
+                       law.weakening_slip,    law.dilation,         law.dilation_slip, law.aperture,
+                       law.residual_aperture, law.roughness};
+    if (std::any_of(more.begin(), more.end(), [](double value) { return value != 0.0; }))
+      for (const double value : more) hash.add(value);
   }
   hash.add_all(e.model.network.volume);
   if (report.unbonded > 0) hash.add(report.bonded);

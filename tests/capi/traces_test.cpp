@@ -109,6 +109,10 @@ TEST(SmoothJoints, OfAnOlderHeaderHaveNoLawOfTheirOwn) {
   double aperture = -1.0;
   EXPECT_EQ(hfrac_sim_def_get_f64(&def, "joint[1].aperture", &aperture), HFRAC_OK);
   EXPECT_EQ(aperture, 0.0);
+  // and no place for them: it is told so instead of running without.
+  EXPECT_EQ(hfrac_sim_def_set_f64(&def, "joint[1].aperture", 1e-4), HFRAC_ERR_STRUCT_SIZE);
+  EXPECT_NE(last_error().find("joint_size = 64 has no place"), std::string::npos) << last_error();
+  EXPECT_EQ(hfrac_sim_def_set_f64(&def, "joint[1].friction", 0.4), HFRAC_OK) << last_error();
 }
 
 }  // namespace

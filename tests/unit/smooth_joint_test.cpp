@@ -10,6 +10,7 @@
 #include "small_case.hpp"
 #include "solid/joints.hpp"
 #include "solid/smooth_joints.hpp"
+#include "tangent_check.hpp"
 
 namespace {
 
@@ -133,18 +134,7 @@ TEST(SmoothJoint, TangentIsTheChangeOfForceAndMomentsBalance) {
       cut.a.rotation[i] = 1e-6;
       cut.a.rotation[j] = -2e-6;
       const BondResponse at = respond(cut.a, cut.o, contact.bond);
-      double* unknown[4] = {&cut.a.ux[j], &cut.a.uy[j], &cut.a.rotation[i], &cut.a.rotation[j]};
-      for (int k = 0; k < 4; ++k) {
-        const double step = 1e-9;
-        *unknown[k] += step;
-        const BondResponse up = respond(cut.a, cut.o, contact.bond);
-        *unknown[k] -= 2.0 * step;
-        const BondResponse down = respond(cut.a, cut.o, contact.bond);
-        *unknown[k] += step;
-        for (int row = 0; row < 4; ++row)
-          EXPECT_NEAR(at.tangent[4 * row + k], (up.force[row] - down.force[row]) / (2.0 * step),
-                      1e-5 * cut.o.contact_normal_stiffness);
-      }
+      expect_tangent(cut.a, cut.o, contact.bond, 1e-9, 1e-5 * cut.o.contact_normal_stiffness);
       // About any point, forces and moments of the pair are in balance, slid as they are.
       const double dx = cut.a.dx(contact.bond) + cut.a.ux[j] - cut.a.ux[i],
                    dy = cut.a.dy(contact.bond) + cut.a.uy[j] - cut.a.uy[i];

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fluid in a joint that conducts: all three ways of stepping, balance, restore; contacts settled; joints that cross.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "model/joint_pores.hpp"
+#include "small_case.hpp"
+#include "solid/smooth_joints.hpp"
+#include "step/simulation.hpp"
+
+namespace {
+
+using namespace testing_unit;
+
+JointOptions joint_through_the_well(double dx, double dy) {
+  JointOptions joint;
+  joint.x1 = 50.0 - dx;
+  joint.y1 = 50.0 - dy;
+  joint.x2 = 50.0 + dx;
+  joint.y2 = 50.0 + dy;
+  joint.state = static_cast<std::int64_t>(JointState::smooth_broken);
+  joint.friction = 0.6;
+  joint.normal_stiffness = 1e10;
+  joint.shear_stiffness = 5e9;
+  joint.max_closure = joint.aperture = 5e-3;
+  joint.dilation_angle = 0.1;
+  joint.dilation_slip = 0.01;
+  return joint;
+}
+
+CaseDefinition jointed(SteppingMode mode, SolverKind solver) {
+  CaseDefinition definition = quiet_case();
+  Options& o = definition.options;
+  o.packing_disc_count = 600;
+  o.contact_mode = choice(ContactMode::after_break);
+  o.stress_sigma_Hmax = 35e6;
+  o.fluid_formation_pressure = 10e6;
+  o.flow_permeability = 1e-18;
+  o.fluid_viscosity = 1.0;
+  o.flow_aperture_limit = 0.1;
+  o.stepping_mode = choice(mode);
+  o.solver_kind = choice(solver);
+  o.stepping_flow_step = mode == SteppingMode::dynamic ? 1e-3 : 1.0;
+  definition.wells[0].pressure = 15e6;
+  definition.joints = {joint_through_the_well(30.0, 12.0)};
+  return definition;
+}
+
+// m2, gained by the joint's pores.
+double gained(const Simulation& s) {
+  const Network& n = s.network();
+  double sum = 0.0;
+  for (std::size_t d = 0; d < n.joint_pore.size(); ++d)
+    if (n.joint_pore[d] != 0) sum += n.content[d];
+  return sum;
+}
+
+struct Way {
+  const char* name;
+  SteppingMode mode;
+  SolverKind solver;
+};
+void PrintTo(const Way& way, std::ostream* out) {
+  *out << way.name;
+}
+class JointFlow : public testing::TestWithParam<Way> {};
+
+TEST_P(JointFlow, FillsTheJointKeepsTheBalanceAndIsRestored) {
+  const CaseDefinition definition = jointed(GetParam().mode, GetParam().solver);
+  Simulation s(definition, {}, {});
+  const double before = gained(s);
+  s.step();
+  std::vector<std::byte> image(s.image_size());
+  s.write_image(image);
+  s.step();
+  EXPECT_GT(gained(s), before);
+  const Balance b = s.balance();
+  EXPECT_GT(b.injected, 0.0);
+  EXPECT_LE(std::abs(b.fluid_error), 1e-6 * b.injected);
+  for (const auto& contact : s.assembly().smooth.contacts) EXPECT_GT(s.network().aperture[contact.bond], 0.0);
+  Simulation other(definition, {}, {});
+  other.restore(image);
+  other.step();
+  EXPECT_EQ(s.state_hash(), other.state_hash());
+  CaseDefinition unlike = definition;
+  std::swap(unlike.joints[0].aperture, unlike.joints[0].residual_aperture);
+  unlike.joints[0].max_closure = 0.0;
+  Simulation foreign(unlike, {}, {});
+  EXPECT_THROW(foreign.restore(image), Error);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ways, JointFlow,
+                         testing::Values(Way{"substep", SteppingMode::substep, SolverKind::explicit_solver},
+                                         Way{"quasi-static", SteppingMode::substep, SolverKind::quasi_static},
+                                         Way{"dynamic", SteppingMode::dynamic, SolverKind::explicit_solver},
+                                         Way{"coupled", SteppingMode::coupled, SolverKind::quasi_static}));
+
+// Contacts of a joint at rest bear what is around them, all of it together as before they were settled.
+TEST(JointSettling, KeepsEveryForceAndEvensOutTheStress) {
+  CaseDefinition definition = jointed(SteppingMode::coupled, SolverKind::quasi_static);
+  definition.wells[0].pressure = 10e6;
+  const Simulation s(definition, {}, {});
+  double lowest = 1e30, highest = 0.0;
+  for (const auto& c : s.assembly().smooth.contacts) {
+    const double stress = -smooth_response(s.assembly(), s.options(), c).normal / c.area;
+    lowest = std::min(lowest, stress);
+    highest = std::max(highest, stress);
+  }
+  EXPECT_GT(lowest, 10e6);  // 20.8 MPa effective across the joint, but for the hole
+  EXPECT_LT(highest, 50e6);
+  EXPECT_TRUE(s.model().clock.at_rest);
+}
+
+// What a disc cut by two joints keeps to the rock; fluid passes there all the same.
+TEST(JointCrossing, LetsFluidThrough) {
+  CaseDefinition definition = jointed(SteppingMode::coupled, SolverKind::quasi_static);
+  definition.options.stepping_flow_step = 100.0;
+  JointOptions across = definition.joints[0];
+  across.x1 = 70.0;
+  across.y1 = 30.0;
+  across.x2 = 74.0;
+  across.y2 = 90.0;
+  definition.joints.push_back(across);
+  Simulation s(definition, {}, {});
+  for (int k = 0; k < 5; ++k) s.step();
+  double sum = 0.0, count = 0.0;  // in the joint that does not meet the well
+  for (const auto& c : s.assembly().smooth.contacts) {
+    if (c.joint != 1) continue;
+    sum += s.network().pressure[s.network().left[c.bond]];
+    count += 1.0;
+  }
+  EXPECT_GT(count, 10.0);
+  EXPECT_NEAR(sum / count, 15e6, 1e6);
+}
+
+}  // namespace
