@@ -59,6 +59,7 @@ struct SmoothJoints {
     std::int32_t contact;
   };
   std::vector<Bridge> bridges;  // ascending
+  bool held = false;            // contacts of joints that conduct do not slip (initial equilibration)
   // Whether a joint lies between two places.
   [[nodiscard]] bool separate(Vec2 p, Vec2 q) const;
   // Which contacts hold, and what they slid, is kept here while the step loop runs, where other workers hold the bonds' own

@@ -201,47 +201,21 @@ double closure_under(const JointLaw& law, double stress) {
 
 }  // namespace
 
-void settle_smooth(Assembly& a, const Options& o) {
-  constexpr double reach = 4.0;  // mean radii to either side
-  auto& smooth = a.smooth;
-  std::vector<std::vector<std::size_t>> on(smooth.laws.size());
-  for (std::size_t k = 0; k < smooth.contacts.size(); ++k) {
-    if (smooth.law_of(smooth.contacts[k]).conducts())
-      on[static_cast<std::size_t>(smooth.contacts[k].joint)].push_back(k);
-  }
-  struct Bears {
-    Vec2 place;
-    double normal, shear, area;
-  };
-  for (const auto& contacts : on) {
-    std::vector<Bears> all;
-    for (const auto k : contacts) {
-      const SmoothContact& c = smooth.contacts[k];
-      const SmoothResponse r = smooth_response(a, o, c);
-      // S keeps its sign whichever disc is the first: slide and its direction turn together.
-      all.push_back(
-          {Vec2{a.x[a.first[c.bond]], a.y[a.first[c.bond]]} + c.first_arm, r.normal, r.shear, c.area});
-    }
-    for (std::size_t m = 0; m < contacts.size(); ++m) {
-      double normal = 0.0, shear = 0.0, area = 0.0;
-      for (const auto& other : all) {
-        const Vec2 way = other.place - all[m].place;
-        if (dot(way, way) > reach * reach * a.mean_radius * a.mean_radius) continue;
-        normal += other.normal;
-        shear += other.shear;
-        area += other.area;
-      }
-      SmoothContact& c = smooth.contacts[contacts[m]];
-      const JointLaw law = law_now(a, c);
-      const double opening = smooth_opening(a, c), slide = smooth_slide(a, c);
-      const double pressed = std::max(0.0, -normal / area), sheared = shear / area;
-      const double lifted = c.holds ? 0.0 : joint_dilation(law, c.slip).value;
-      c.open_before += opening - (lifted - closure_under(law, pressed));
-      c.slid_before += slide - (c.slip + (law.shear_stiffness > 0.0 ? sheared / law.shear_stiffness : 0.0));
-      const SmoothResponse r = smooth_response(a, o, c);
-      c.locked_normal += all[m].normal - r.normal;
-      c.locked_shear += all[m].shear - r.shear;
-    }
+void settle_smooth(Assembly& a, const Options& o, const std::vector<JointStress>& wanted) {
+  auto& contacts = a.smooth.contacts;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    SmoothContact& c = contacts[k];
+    if (!a.smooth.law_of(c).conducts()) continue;
+    const JointLaw law = law_now(a, c);
+    const SmoothResponse before = smooth_response(a, o, c);
+    const double pressed = std::max(0.0, wanted[k].normal);
+    const double lifted = c.holds ? 0.0 : joint_dilation(law, c.slip).value;
+    c.open_before += before.opening - (lifted - closure_under(law, pressed));
+    c.slid_before +=
+        before.slide - (c.slip + (law.shear_stiffness > 0.0 ? wanted[k].shear / law.shear_stiffness : 0.0));
+    const SmoothResponse after = smooth_response(a, o, c);
+    c.locked_normal += before.normal - after.normal;
+    c.locked_shear += before.shear - after.shear;
   }
 }
 
@@ -335,7 +309,10 @@ SmoothResponse respond_by(const JointLaw& law, const SmoothContact& c, const Mot
 }  // namespace
 
 SmoothResponse smooth_response(const Assembly& a, const Options& o, const SmoothContact& c) {
-  return respond_by(law_now(a, c), c, motion_of(a, c), a.factors.friction_of(c.bond, o.contact_friction));
+  constexpr double sticks = 1e9;  // friction that no contact overcomes
+  const bool held = a.smooth.held && a.smooth.law_of(c).conducts();
+  return respond_by(law_now(a, c), c, motion_of(a, c),
+                    held ? sticks : a.factors.friction_of(c.bond, o.contact_friction));
 }
 
 namespace {

@@ -46,10 +46,15 @@ struct SmoothResponse {
 void begin_smooth_joints(Assembly& assembly, const std::vector<JointOptions>& joints,
                          const std::vector<std::int32_t>& joint_of, const Options& options);
 
+// What a contact of a joint bears: the part that its faces do, so the effective stress. Compression positive; shear as the slide.
+struct JointStress {
+  double normal = 0.0, shear = 0.0;  // Pa
+};
+
 // Rock at rest: what a packing's contacts bear scatters along a joint by factors, and what stress there is in the rock does not. So joints
-// that conduct count their openings and slides from now on from where the mean stress over some discs along them would have left
-// them; what each contact bears beyond that mean stays as a force on its discs (as facets do it, frac/facets.hpp).
-void settle_smooth(Assembly& assembly, const Options& options);
+// that conduct count their openings and slides from now on from where the stress `wanted`, one per contact (frac/joint_stress.hpp), would
+// have left them; what each contact bears beyond that stays as a force on its discs (as facets do it, frac/facets.hpp).
+void settle_smooth(Assembly& assembly, const Options& options, const std::vector<JointStress>& wanted);
 
 double smooth_opening(const Assembly& assembly, const SmoothContact& contact);  // m, U_n
 double smooth_slide(const Assembly& assembly, const SmoothContact& contact);    // m, U_s

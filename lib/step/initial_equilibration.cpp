@@ -9,12 +9,12 @@
 
 #include "core/error.hpp"
 #include "flow/aperture.hpp"
+#include "frac/joint_stress.hpp"
 #include "frac/path.hpp"
 #include "host/cell_report.hpp"
 #include "options/choices.hpp"
 #include "options/number_text.hpp"
 #include "rock/seeping_well.hpp"
-#include "solid/smooth_joints.hpp"
 #include "step/checks.hpp"
 #include "step/ledger.hpp"
 #include "step/snapshot.hpp"
@@ -158,16 +158,15 @@ void equilibrate(Engine& e, const Progress& progress, SetupReport& report) {
   }
   const std::size_t cracks_before = m.cracks.size();
   ExplicitSolver::Outcome outcome;
-  for (int stage = 1; stage <= stages; ++stage) {
-    const double share = static_cast<double>(stage) / stages;
+  const auto load = [&](double share) {
+    const bool last = share == 1.0;
     e.boundary->set_load(m.assembly, share);
     for (std::size_t d = 0; d < pressure.size(); ++d) m.network.pressure[d] = share * pressure[d];
-    const bool last = stage == stages;
     bool stop = false;
     const auto asked = [&] {
       require_rock_stands(e, cracks_before, share);
       return stop = progress &&
-                    progress(0.5 + 0.5 * (stage - 1) / stages, "finding equilibrium under the far field");
+                    progress(0.5 + 0.5 * (share - 1.0 / stages), "finding equilibrium under the far field");
     };
     bool found = false;
     if (rest) {
@@ -189,6 +188,15 @@ void equilibrate(Engine& e, const Progress& progress, SetupReport& report) {
     if (stop) throw Stopped{};
     require_rock_stands(e, cracks_before, share);
     if (last) require_some_rest(e, outcome, share);
+  };
+  // Joints that conduct are held, then let go (frac/joint_stress.hpp).
+  const bool natural = !network.joint_pore.empty();
+  m.assembly.smooth.held = natural;
+  for (int stage = 1; stage <= stages; ++stage) load(static_cast<double>(stage) / stages);
+  if (natural) {
+    settle_smooth(m.assembly, o, stress_on_joints(m, o, e.boundary->walled()));
+    m.assembly.smooth.held = false;
+    load(1.0);
   }
   // The quasi-static solver needs an equilibrium afterwards, too.
   if (SolverKind{o.solver_kind} != SolverKind::quasi_static) e.mechanics->hold_edge(false);
@@ -209,7 +217,6 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
   m.start.x = m.assembly.ux;
   m.start.y = m.assembly.uy;
   m.start.rotation = m.assembly.rotation;
-  if (!n.joint_pore.empty()) settle_smooth(m.assembly, o);
   e.mechanics->evaluate();  // volumes and forces where they came to rest
   const bool wet = e.wet();
   for (std::int64_t d = 0; d < n.domain_count(); ++d) {

@@ -97,19 +97,47 @@ INSTANTIATE_TEST_SUITE_P(Ways, JointFlow,
                                          Way{"dynamic", SteppingMode::dynamic, SolverKind::explicit_solver},
                                          Way{"coupled", SteppingMode::coupled, SolverKind::quasi_static}));
 
-// Contacts of a joint at rest bear what is around them, all of it together as before they were settled.
-TEST(JointSettling, KeepsEveryForceAndEvensOutTheStress) {
+// Contacts of a joint at rest bear what the far field puts on its plane, not what the packing happened to give them.
+TEST(JointSettling, StartsFromTheStressOnItsPlane) {
   CaseDefinition definition = jointed(SteppingMode::coupled, SolverKind::quasi_static);
   definition.wells[0].pressure = 10e6;
+  definition.joints[0] = joint_through_the_well(30.0, 30.0);
+  definition.joints[0].x1 = 60.0;  // clear of the hole
+  definition.joints[0].y1 = 30.0;
+  definition.joints[0].x2 = 90.0;
+  definition.joints[0].y2 = 60.0;
+  definition.wells[0].x = 20.0;
+  definition.wells[0].y = 80.0;
   const Simulation s(definition, {}, {});
-  double lowest = 1e30, highest = 0.0;
+  double count = 0.0;
   for (const auto& c : s.assembly().smooth.contacts) {
-    const double stress = -smooth_response(s.assembly(), s.options(), c).normal / c.area;
-    lowest = std::min(lowest, stress);
-    highest = std::max(highest, stress);
+    const SmoothResponse r = smooth_response(s.assembly(), s.options(), c);
+    EXPECT_NEAR(-r.normal / c.area, 22.5e6,
+                0.3e6);  // 45 degrees to 35 and 30 MPa, 10 MPa within; the hole is 7 radii away
+    EXPECT_NEAR(std::abs(r.shear) / c.area, 2.5e6, 0.3e6);
+    EXPECT_EQ(c.slip, 0.0);
+    count += 1.0;
   }
-  EXPECT_GT(lowest, 10e6);  // 20.8 MPa effective across the joint, but for the hole
-  EXPECT_LT(highest, 50e6);
+  EXPECT_GT(count, 10.0);
+  EXPECT_TRUE(s.model().clock.at_rest);
+}
+
+// Where its plane cannot bear it the joint slips before anything is injected: its friction bears what is left.
+TEST(JointSettling, SlipsWhereTheFarFieldMakesIt) {
+  CaseDefinition definition = jointed(SteppingMode::coupled, SolverKind::quasi_static);
+  definition.options.stress_sigma_Hmax = 60e6;
+  definition.joints[0] = joint_through_the_well(20.0, 20.0);
+  definition.joints[0].friction = 0.3;  // 15 MPa of shear on 35 MPa
+  definition.joints[0].dilation_angle = 0.0;
+  const Simulation s(definition, {}, {});
+  double slipped = 0.0, all = 0.0;
+  for (const auto& c : s.assembly().smooth.contacts) {
+    const SmoothResponse r = smooth_response(s.assembly(), s.options(), c);
+    EXPECT_LE(std::abs(r.shear), (1.0 + 1e-6) * 0.3 * -r.normal);
+    slipped += c.slip != 0.0 ? c.area : 0.0;
+    all += c.area;
+  }
+  EXPECT_GT(slipped, 0.8 * all);
   EXPECT_TRUE(s.model().clock.at_rest);
 }
 
