@@ -38,6 +38,43 @@ Vec2 push_of(const Network& n, const Assembly& a, std::int32_t domain, std::size
   return {way.y, -way.x};
 }
 
+// Makes the pipes of a joint together as long as the joint: where it runs through a void of the packing between two pieces (none of a
+// well) they share the way, and what short pieces count too much is taken from all.
+void stretch_pipes(Network& n, const Assembly& a) {
+  const auto& contacts = a.smooth.contacts;
+  std::vector<std::vector<std::size_t>> on(a.smooth.laws.size());
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    if (n.joint_length[static_cast<std::size_t>(contacts[k].bond)] > 0.0)
+      on[static_cast<std::size_t>(contacts[k].joint)].push_back(k);
+  const auto at_well = [&](const SmoothContact& c) {
+    return n.kind[n.left[c.bond]] == DomainKind::well || n.kind[n.right[c.bond]] == DomainKind::well;
+  };
+  for (auto& joint : on) {
+    if (joint.empty()) continue;
+    const Vec2 normal = contacts[joint[0]].normal, along{normal.y, -normal.x};
+    const auto at = [&](std::size_t k) {
+      const auto i = a.first[contacts[k].bond];
+      return dot(Vec2{a.x[i], a.y[i]} + contacts[k].first_arm, along);
+    };
+    std::sort(joint.begin(), joint.end(), [&](std::size_t p, std::size_t q) { return at(p) < at(q); });
+    double wanted = 0.0, sum = 0.0;
+    for (std::size_t m = 0; m < joint.size(); ++m) {
+      const SmoothContact& c = contacts[joint[m]];
+      wanted += c.area;
+      sum += n.joint_length[static_cast<std::size_t>(c.bond)];
+      if (m + 1 == joint.size()) break;
+      const SmoothContact& next = contacts[joint[m + 1]];
+      const double gap = at(joint[m + 1]) - at(joint[m]) - 0.5 * (c.area + next.area);
+      if (gap <= 0.0 || at_well(c) || at_well(next)) continue;
+      n.joint_length[static_cast<std::size_t>(c.bond)] += 0.5 * gap;
+      n.joint_length[static_cast<std::size_t>(next.bond)] += 0.5 * gap;
+      wanted += gap;
+      sum += 0.5 * gap;  // the other half is in the next contact's length
+    }
+    for (const auto k : joint) n.joint_length[static_cast<std::size_t>(contacts[k].bond)] *= wanted / sum;
+  }
+}
+
 }  // namespace
 
 void add_face_weights(Network& n, const Assembly& a, std::int32_t domain) {
@@ -69,6 +106,7 @@ void begin_joint_pores(Network& n, const Assembly& a, const Options& o) {
       stored[d] += 0.5 * contact.area * std::max(law.aperture, law.residual_aperture);
     }
   }
+  stretch_pipes(n, a);
   for (const auto& bridge : smooth.bridges) {
     if (smooth.law_of(smooth.contacts[static_cast<std::size_t>(bridge.contact)]).conducts())
       n.joint_length[static_cast<std::size_t>(bridge.bond)] = shortest_pipe * a.mean_radius;

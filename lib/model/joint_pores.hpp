@@ -4,7 +4,8 @@
 // The pores that a joint's contacts lie between become its own. Each contact of length A (its piece of the joint) belongs to either
 // pore by half, and there
 //   stores    A / 2 e_0 at K_f (Network::storing; the packing's pore stays its volume), and what the pore grows by as the joint opens
-//   conducts  w^3 / (12 eta A) along the joint, w of its opening (joint_aperture)
+//   conducts  w^3 / (12 eta A) along the joint, w of its opening (joint_aperture); voids between pieces count, too, and
+//             pieces below 0.2 R as much as that, all others less for it
 //   pushes    with the whole pressure, whatever rock.biot_coefficient is: faces touch at few places only. So what the contact bears is
 //             the effective stress.
 // A pore pushes on all discs around it by its outline (network.hpp), so that it turns nothing: on the joint's faces, and, by the depth

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// V23  Slip along a joint that fluid drives, at constant friction.
+//
+// Formula    Bhattacharya and Viesca (2019), Science 364; Viesca (2021), J. Fluid Mech. 928. An overpressure dp held at x = 0 of a plane that
+//            conducts in tight rock gives p = dp erfc(|x| / sqrt(4 alpha t)); with friction f, normal effective stress s and shear stress tau before
+//            it, the plane slips to a = lambda sqrt(4 alpha t), where
+//                T = (f s - tau) / (f dp) = (2 / pi) int_0^{pi/2} erfc(lambda sin th) dth,
+//            by what the shear drop f p - T f dp opens in shear (Bilby and Eshelby 1968):
+//                slip(x) = 4 / (pi E') int_-a^a drop(y) ln |(a^2 - x y + sqrt((a^2 - x^2)(a^2 - y^2))) / (a (x - y))| dy.
+// Set-up     Random packings of 100 m under a mean stress of 40 MPa, pores at 20 MPa; a joint of 80 m at 45 degrees, friction 0.6, residual aperture 1 mm
+//            and no other, so that it conducts and stores the same throughout; the fluid gives so much (1 MPa) that what the joint's elastic opening
+//            stores is a hundredth; dp = 5 MPa held in the two pores of its middle contact (no well: its hole would be as wide as the slip is
+//            long at first); quasi-static solver. alpha = w^2 K_f / (12 eta). E' is measured on the packing without the joint.
+// Measured   pressure: rms over 2 a, from the ends of the middle contact on. Slip: mean over |x| < a / 2. Length: root of the second moment of the slip. Over those of the formula.
+// Tolerance  As the tests say: pressure 5 % of dp; slip and length for each disc size, mean of three packings.
+// Page       docs/verification/V23.md
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "model.hpp"
+#include "options/choices.hpp"
+#include "solid/smooth_joints.hpp"
+#include "step/simulation.hpp"
+#include "support.hpp"
+
+namespace {
+
+using namespace hfrac;
+
+constexpr double side = 100.0, half = 40.0, mean_stress = 40e6, pores = 20e6, over = 5e6;  // m, Pa
+constexpr double friction = 0.6, aperture = 1e-3, viscosity = 1e-3, bulk = 1e6, stiff = 2e11;
+constexpr double pi = verification::pi;
+
+double excess_of(double lambda) {  // T
+  constexpr int n = 2000;
+  double sum = 0.0;
+  for (int k = 0; k < n; ++k) sum += std::erfc(lambda * std::sin((k + 0.5) / n * 0.5 * pi)) / n;
+  return sum;
+}
+
+double lambda_of(double excess) {
+  double low = 1e-6, high = 20.0;
+  for (int k = 0; k < 100; ++k) (excess_of(0.5 * (low + high)) > excess ? low : high) = 0.5 * (low + high);
+  return low;
+}
+
+// Of the formula, per f dp / E' [m].
+double slip_at(double x, double a, double lambda, double excess) {
+  constexpr int n = 2000;
+  double sum = 0.0;
+  for (int k = 0; k < n; ++k) {
+    const double turn = ((k + 0.5) / n - 0.5) * pi, y = a * std::sin(turn);
+    const double drop = std::erfc(std::abs(y) / a * lambda) - excess;
+    const double root = std::sqrt(std::max(0.0, (a * a - x * x) * (a * a - y * y)));
+    sum += drop * std::log(std::abs((a * a - x * y + root) / (a * (x - y)))) * a * std::cos(turn) * pi / n;
+  }
+  return 4.0 / pi * sum;
+}
+
+CaseDefinition fault(std::int64_t discs, std::int64_t seed, double excess) {
+  CaseDefinition definition;
+  Options& o = definition.options;
+  o.packing_disc_count = discs;
+  o.model_seed = seed;
+  o.contact_mode = static_cast<std::int64_t>(ContactMode::after_break);
+  o.contact_normal_stiffness = o.bond_normal_stiffness = 68e9;
+  o.contact_shear_stiffness = o.bond_shear_stiffness = 23.8e9;
+  o.bond_tensile_strength = o.bond_shear_strength = 1e12;
+  const double shear = friction * (mean_stress - pores - excess * over);
+  o.stress_sigma_Hmax = mean_stress + shear;
+  o.stress_sigma_hmin = mean_stress - shear;
+  o.fluid_formation_pressure = pores;
+  o.fluid_viscosity = viscosity;
+  o.fluid_bulk_modulus = bulk;
+  o.flow_permeability = 1e-22;
+  o.flow_aperture_limit = 0.01;
+  o.solver_kind = static_cast<std::int64_t>(SolverKind::quasi_static);
+  o.stepping_mode = static_cast<std::int64_t>(SteppingMode::coupled);
+  o.stepping_flow_step = 1e-9;
+  const double reach = half * std::sqrt(0.5);
+  JointOptions joint;
+  joint.x1 = joint.y1 = 0.5 * side - reach;
+  joint.x2 = joint.y2 = 0.5 * side + reach;
+  joint.state = static_cast<std::int64_t>(JointState::smooth_broken);
+  joint.friction = friction;
+  joint.normal_stiffness = joint.shear_stiffness = stiff;
+  joint.residual_aperture = aperture;
+  definition.joints = {joint};
+  return definition;
+}
+
+double plane_modulus(std::int64_t discs, std::int64_t seed) {
+  hfrac::Definition def = verification::new_def();
+  def.packing_disc_count = discs;
+  def.model_seed = seed;
+  def.flow_scheme = 2;
+  def.solver_kind = 1;
+  def.contact_mode = 1;
+  def.contact_normal_stiffness = def.bond_normal_stiffness = 68e9;
+  def.contact_shear_stiffness = def.bond_shear_stiffness = 23.8e9;
+  def.bond_tensile_strength = def.bond_shear_strength = 1e12;
+  return verification::elasticity(def, 10e6).modulus;
+}
+
+struct Ratios {
+  double pressure, slip, length;  // rms over dp; over the formula's
+};
+
+// Once per half length of the formula in `reached` [m].
+std::vector<Ratios> drive(std::int64_t discs, std::int64_t seed, double excess,
+                          const std::vector<double>& reached) {
+  const double modulus = plane_modulus(discs, seed), lambda = lambda_of(excess);
+  const double diffusivity = aperture * aperture * bulk / (12.0 * viscosity);
+  Simulation sim(fault(discs, seed, excess), {}, {});
+  const Assembly& a = sim.assembly();
+  const auto& contacts = a.smooth.contacts;
+  const auto at = [&](const SmoothContact& c) {
+    const auto i = a.first[c.bond];
+    return std::sqrt(0.5) * (a.x[i] + c.first_arm.x - 0.5 * side + a.y[i] + c.first_arm.y - 0.5 * side);
+  };
+  sim.step();  // what set-up left of the slip
+  std::vector<double> before;
+  for (const auto& c : contacts) before.push_back(c.slip);
+  const auto middle = std::min_element(contacts.begin(), contacts.end(), [&](const auto& p, const auto& q) {
+    return std::abs(at(p)) < std::abs(at(q));
+  });
+  Network& n = sim.engine().model.network;
+  for (const auto d : {n.left[middle->bond], n.right[middle->bond]}) {
+    n.stiffness[d] = 0.0;
+    n.pressure[d] = n.reference_pressure + over;
+  }
+  std::vector<Ratios> result;
+  double time = 0.0;
+  for (const double half_length : reached) {
+    const double until = std::pow(half_length / lambda, 2) / (4.0 * diffusivity);
+    constexpr int parts = 4;
+    for (int k = 0; k < parts; ++k) sim.step(sim.loads(), (until - time) / parts);
+    time = until;
+    double squares = 0.0, near = 0.0, found = 0.0, expected = 0.0, sum = 0.0, moment = 0.0, sum_formula = 0.0,
+           moment_formula = 0.0;
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      const SmoothContact& c = contacts[k];
+      const double x = at(c) - at(*middle), slip = std::abs(c.slip - before[k]), A = c.area;
+      const double formula = std::abs(x) < half_length
+                                 ? friction * over / modulus * slip_at(x, half_length, lambda, excess)
+                                 : 0.0;
+      sum += A * slip;
+      moment += A * slip * x * x;
+      sum_formula += A * formula;
+      moment_formula += A * formula * x * x;
+      if (std::abs(x) < 0.5 * half_length) {
+        found += A * slip;
+        expected += A * formula;
+      }
+      if (std::abs(x) > 2.0 * half_length) continue;
+      const double p =
+          0.5 * (n.pressure[n.left[c.bond]] + n.pressure[n.right[c.bond]]) - n.reference_pressure;
+      squares += A * std::pow(p / over - std::erfc(std::max(0.0, std::abs(x) - 0.5 * middle->area) /
+                                                   std::sqrt(4.0 * diffusivity * time)),
+                              2);
+      near += A;
+    }
+    const Ratios r{std::sqrt(squares / near), found / expected,
+                   std::sqrt(moment / sum * sum_formula / moment_formula)};
+    std::printf(
+        "  %lld discs, packing %lld, T %.1f, a = %4.1f m = %2.0f R: pressure rms %.3f, slip %.3f, length "
+        "%.3f\n",
+        static_cast<long long>(discs), static_cast<long long>(seed), excess, half_length,
+        half_length / a.mean_radius, r.pressure, r.slip, r.length);
+    std::fflush(stdout);
+    result.push_back(r);
+  }
+  return result;
+}
+
+void hold(std::int64_t discs, double excess, const std::vector<double>& reached, double slip, double length) {
+  constexpr int packings = 3;
+  Ratios mean{0.0, 0.0, 0.0};
+  for (int seed = 1; seed <= packings; ++seed) {
+    const Ratios last = drive(discs, seed, excess, reached).back();
+    mean.pressure = std::max(mean.pressure, last.pressure);
+    mean.slip += last.slip / packings;
+    mean.length += last.length / packings;
+  }
+  const std::string name =
+      "T " + std::to_string(excess).substr(0, 3) + ", " + std::to_string(discs) + " discs: ";
+  verification::report_absolute(name + "pressure, rms over dp", mean.pressure, 0.0, 0.05);
+  verification::report(name + "slip in the middle half", mean.slip, 1.0, slip);
+  verification::report(name + "length", mean.length, 1.0, length);
+}
+
+TEST(V23FaultInjectionSmoke, PressureDiffusesAlongTheJoint) {
+  const auto rows = drive(4000, 1, 0.5, {10.0});
+  verification::report_absolute("pressure along the joint, rms over dp", rows[0].pressure, 0.0, 0.05);
+}
+
+TEST(V23FaultInjection, SlipsAsFarAsPressureTakesIt) {
+  hold(10000, 0.5, {4.0, 7.0, 10.0}, 0.25, 0.25);
+  hold(10000, 0.1, {4.0, 7.0, 10.0}, 0.25, 0.25);
+}
+
+TEST(V23FaultInjectionLong, NearsTheFormulaWithFinerDiscs) {
+  hold(40000, 0.5, {4.0, 7.0, 10.0}, 0.15, 0.15);
+  hold(40000, 0.1, {4.0, 7.0, 10.0}, 0.15, 0.15);
+  hold(40000, 0.9, {2.0, 3.0, 4.0}, 0.5, 0.5);
+}
+
+}  // namespace

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// V24  Steady flow through a network of joints.
+//
+// Formula    Along a joint of hydraulic aperture w fluid flows by w^3 / (12 eta) per length (cubic law; Witherspoon et al. 1980). A network of
+//            such joints is a graph: nodes where traces cross and where pressure is imposed, between them conductances w^3 / (12 eta L); flow in =
+//            flow out at each node. It is set up here from the traces alone, by plane geometry, and solved by elimination.
+// Set-up     Random packings of 100 m, joints of given residual apertures and no other in rock a billion times tighter, so that apertures are
+//            constant; pressure imposed in the pores nearest to two points; one joint, two in series, two in parallel, and random
+//            networks by a seed between two wide joints; the implicit flow solver as the coupled solver uses it, steps long enough to be steady.
+// Tolerance  One joint, series, parallel 2 %. Networks: each 10 %, mean of five 3 %: where a trace crosses another is known to a disc.
+// Page       docs/verification/V24.md
+#include <cmath>
+#include <map>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model.hpp"
+#include "options/choices.hpp"
+#include "solid/smooth_joints.hpp"
+#include "step/simulation.hpp"
+#include "support.hpp"
+
+namespace {
+
+using namespace hfrac;
+
+constexpr double side = 100.0, viscosity = 1e-3, drop = 1e4;  // m, Pa s, Pa
+
+struct Trace {
+  Vec2 from, to;
+  double aperture;  // m
+};
+struct Case {
+  std::string name;
+  std::vector<Trace> traces;
+  std::pair<std::size_t, Vec2> in, out;  // trace, and a point of it, where pressure is imposed
+};
+
+// Dense elimination of a graph's conductances with one unit of pressure between two nodes.
+double graph_flow(const std::vector<std::map<std::size_t, double>>& conductance, std::size_t in,
+                  std::size_t out) {
+  const std::size_t n = conductance.size();
+  std::vector<std::vector<double>> m(n, std::vector<double>(n + 1, 0.0));
+  for (std::size_t i = 0; i < n; ++i) {
+    if (i == in || i == out || conductance[i].empty()) {
+      m[i][i] = 1.0;
+      m[i][n] = i == in ? 1.0 : 0.0;
+      continue;
+    }
+    for (const auto& [j, c] : conductance[i]) {
+      m[i][i] += c;
+      m[i][j] -= c;
+    }
+  }
+  // Blind ends form no flow; pieces without any way to the two nodes would be singular and get a pressure of zero.
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k; i < n; ++i)
+      if (std::abs(m[i][k]) > std::abs(m[pivot][k])) pivot = i;
+    std::swap(m[k], m[pivot]);
+    if (std::abs(m[k][k]) < 1e-25) {
+      m[k].assign(n + 1, 0.0);
+      m[k][k] = 1.0;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      if (i == k || m[i][k] == 0.0) continue;
+      const double factor = m[i][k] / m[k][k];
+      for (std::size_t j = k; j <= n; ++j) m[i][j] -= factor * m[k][j];
+    }
+  }
+  double flow = 0.0;
+  for (const auto& [j, c] : conductance[in]) flow += c * (1.0 - m[j][n] / m[j][j]);
+  return flow;
+}
+
+// By the traces alone [m2/s].
+double expected(const Case& c) {
+  struct Place {
+    double at;
+    std::size_t node;
+  };
+  std::vector<std::vector<Place>> on(c.traces.size());
+  std::size_t nodes = 2;
+  const auto along = [&](std::size_t k, Vec2 p) {
+    const Vec2 way = c.traces[k].to - c.traces[k].from;
+    return dot(p - c.traces[k].from, way) / std::sqrt(dot(way, way));
+  };
+  on[c.in.first].push_back({along(c.in.first, c.in.second), 0});
+  on[c.out.first].push_back({along(c.out.first, c.out.second), 1});
+  for (std::size_t i = 0; i < c.traces.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Trace &p = c.traces[i], &q = c.traces[j];
+      const Vec2 d = p.to - p.from, e = q.to - q.from, f = q.from - p.from;
+      const double turn = cross(d, e);
+      if (turn == 0.0) continue;
+      const double s = cross(f, e) / turn, t = cross(f, d) / turn;
+      if (s < 0.0 || s > 1.0 || t < 0.0 || t > 1.0) continue;
+      on[i].push_back({s * std::sqrt(dot(d, d)), nodes});
+      on[j].push_back({t * std::sqrt(dot(e, e)), nodes});
+      ++nodes;
+    }
+  std::vector<std::map<std::size_t, double>> conductance(nodes);
+  for (std::size_t k = 0; k < on.size(); ++k) {
+    std::sort(on[k].begin(), on[k].end(), [](const Place& p, const Place& q) { return p.at < q.at; });
+    for (std::size_t m = 0; m + 1 < on[k].size(); ++m) {
+      const auto [a, i] = on[k][m];
+      const auto [b, j] = on[k][m + 1];
+      const double g = std::pow(c.traces[k].aperture, 3) / (12.0 * viscosity * std::max(b - a, 1e-6));
+      conductance[i][j] += g;
+      conductance[j][i] += g;
+    }
+  }
+  return drop * graph_flow(conductance, 0, 1);
+}
+
+CaseDefinition network_of(const Case& c, std::int64_t discs, std::int64_t seed) {
+  CaseDefinition definition;
+  Options& o = definition.options;
+  o.packing_disc_count = discs;
+  o.model_seed = seed;
+  o.contact_mode = static_cast<std::int64_t>(ContactMode::after_break);
+  o.bond_tensile_strength = o.bond_shear_strength = 1e12;
+  o.stress_sigma_Hmax = o.stress_sigma_hmin = 30e6;
+  o.fluid_formation_pressure = 10e6;
+  o.fluid_viscosity = viscosity;
+  o.flow_permeability = 1e-24;
+  o.flow_aperture_limit = 0.01;
+  o.solver_kind = static_cast<std::int64_t>(SolverKind::quasi_static);
+  o.stepping_mode = static_cast<std::int64_t>(SteppingMode::coupled);
+  o.stepping_flow_step = 1e-9;
+  for (const Trace& t : c.traces) {
+    JointOptions joint;
+    joint.x1 = t.from.x;
+    joint.y1 = t.from.y;
+    joint.x2 = t.to.x;
+    joint.y2 = t.to.y;
+    joint.state = static_cast<std::int64_t>(JointState::smooth_broken);
+    joint.friction = 1.0;
+    joint.normal_stiffness = joint.shear_stiffness = 1e11;
+    joint.residual_aperture = t.aperture;
+    definition.joints.push_back(joint);
+  }
+  return definition;
+}
+
+// Flow over the graph's.
+double measured(Case c, std::int64_t discs, std::int64_t seed) {
+  Simulation sim(network_of(c, discs, seed), {}, {});
+  const Assembly& a = sim.assembly();
+  Network& n = sim.engine().model.network;
+  // In the pore of the nearest contact that lies towards the trace's beginning: where its piece begins. That place is the graph's.
+  const auto impose = [&](std::pair<std::size_t, Vec2>& where, double pressure) {
+    const Trace& t = c.traces[where.first];
+    const Vec2 along = (1.0 / std::sqrt(dot(t.to - t.from, t.to - t.from))) * (t.to - t.from);
+    double least = 1e300;
+    std::int32_t pore = -1;
+    Vec2 place{};
+    for (const auto& k : a.smooth.contacts) {
+      if (k.joint != static_cast<std::int64_t>(where.first)) continue;
+      const Vec2 at = Vec2{a.x[a.first[k.bond]], a.y[a.first[k.bond]]} + k.first_arm, off = at - where.second;
+      if (dot(off, off) >= least) continue;
+      least = dot(off, off);
+      const bool left = dot(n.centroid[n.left[k.bond]] - n.centroid[n.right[k.bond]], along) < 0.0;
+      pore = left ? n.left[k.bond] : n.right[k.bond];
+      place = at - 0.5 * k.area * along;
+    }
+    where.second = place;
+    n.stiffness[pore] = 0.0;
+    n.pressure[pore] = n.reference_pressure + pressure;
+    return pore;
+  };
+  const auto inlet = impose(c.in, drop);
+  impose(c.out, 0.0);
+  constexpr double long_time = 1e7;  // s
+  for (int k = 0; k < 3; ++k) sim.step(sim.loads(), long_time);
+  double flow = 0.0;
+  for (std::size_t e = 0; e < n.left.size(); ++e) {
+    if ((n.left[e] == inlet) != (n.right[e] == inlet)) flow += n.left[e] == inlet ? n.flow[e] : -n.flow[e];
+  }
+  const double ratio = flow / expected(c);
+  std::printf("  %s, %lld discs, packing %lld: flow %.4e m2/s, graph %.4e, ratio %.4f\n", c.name.c_str(),
+              static_cast<long long>(discs), static_cast<long long>(seed), flow, expected(c), ratio);
+  std::fflush(stdout);
+  return ratio;
+}
+
+constexpr double w = 5e-4;  // m
+// Ends of traces reach beyond the points where pressure is imposed.
+Case single() {
+  return {"one joint", {{{10.0, 20.0}, {90.0, 70.0}, w}}, {0, {18.0, 25.0}}, {0, {82.0, 65.0}}};
+}
+Case series() {
+  return {"two in series",
+          {{{10.0, 20.0}, {60.0, 50.0}, w}, {{50.0, 55.0}, {85.0, 15.0}, 0.7 * w}},
+          {0, {15.0, 23.0}},
+          {1, {81.5, 19.0}}};
+}
+Case parallel() {
+  return {"two in parallel",
+          {{{20.0, 10.0}, {25.0, 90.0}, 4.0 * w},
+           {{75.0, 10.0}, {80.0, 90.0}, 4.0 * w},
+           {{12.0, 30.0}, {90.0, 36.0}, w},
+           {{12.0, 66.0}, {90.0, 75.0}, 0.8 * w}},
+          {0, {22.5, 50.0}},
+          {1, {77.5, 50.0}}};
+}
+
+Case random_network(unsigned seed) {
+  Case c{"network " + std::to_string(seed), {}, {0, {10.0, 50.0}}, {1, {90.0, 50.0}}};
+  c.traces.push_back({{10.0, 4.0}, {10.0, 96.0}, 4.0 * w});
+  c.traces.push_back({{90.0, 4.0}, {90.0, 96.0}, 4.0 * w});
+  std::mt19937 random(seed);
+  const auto uniform = [&](double low, double high) { return low + (high - low) * random() / 4294967296.0; };
+  constexpr int traces = 24;
+  for (int k = 0; k < traces; ++k) {
+    const double turn = uniform(0.0, verification::pi), length = uniform(20.0, 60.0);
+    const Vec2 middle{uniform(15.0, 85.0), uniform(15.0, 85.0)},
+        way{0.5 * length * std::cos(turn), 0.5 * length * std::sin(turn)};
+    c.traces.push_back({middle - way, middle + way, w * uniform(0.6, 1.4)});
+  }
+  return c;
+}
+
+TEST(V24NetworkFlowSmoke, FollowsTheCubicLawAlongOneJoint) {
+  verification::report("flow along one joint over the cubic law's", measured(single(), 4000, 1), 1.0, 0.02);
+}
+
+TEST(V24NetworkFlow, AddsUpInSeriesAndInParallel) {
+  verification::report("two in series, over the graph's", measured(series(), 10000, 1), 1.0, 0.02);
+  verification::report("two in parallel, over the graph's", measured(parallel(), 10000, 1), 1.0, 0.02);
+}
+
+TEST(V24NetworkFlow, IsThatOfTheGraphInRandomNetworks) {
+  constexpr unsigned networks = 5;
+  double mean = 0.0;
+  for (unsigned seed = 1; seed <= networks; ++seed) {
+    const double ratio = measured(random_network(seed), 10000, seed);
+    verification::report("network " + std::to_string(seed) + ", over the graph's", ratio, 1.0, 0.10);
+    mean += ratio / networks;
+  }
+  verification::report("mean of the networks", mean, 1.0, 0.03);
+}
+
+}  // namespace
