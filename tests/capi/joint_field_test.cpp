@@ -104,7 +104,7 @@ TEST(JointFields, ComeBackWithTheState) {
   ASSERT_GE(hfrac_step(sim, 2), HFRAC_OK) << last_error(sim);
   const Joint then(sim);
   int64_t size = 0;
-  ASSERT_EQ(hfrac_state_save(sim, nullptr, 0, &size), HFRAC_OK);
+  ASSERT_EQ(hfrac_state_size(sim, &size), HFRAC_OK);
   std::vector<char> image(static_cast<std::size_t>(size));
   ASSERT_EQ(hfrac_state_save(sim, image.data(), size, &size), HFRAC_OK);
   ASSERT_GE(hfrac_step(sim, 1), HFRAC_OK);
