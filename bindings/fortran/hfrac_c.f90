@@ -179,7 +179,7 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_JOINT_MECHANICAL_APERTURE = 86
   !> of its pipe, by the joint's law where it conducts; 0 in a dry model
   integer(c_int32_t), parameter :: HFRAC_JOINT_HYDRAULIC_APERTURE = 87
-  !> net slip since bonding; positive: seen across the joint the far side went left
+  !> net slip since the end of the initial equilibration; positive: seen across the joint the far side went left
   integer(c_int32_t), parameter :: HFRAC_JOINT_SLIP = 88
   !> effective, of the joint's law; compression positive
   integer(c_int32_t), parameter :: HFRAC_JOINT_NORMAL_STRESS = 89
@@ -187,6 +187,8 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_JOINT_SHEAR_STRESS = 90
   !> mean of the two pores it lies between, as stress.convention says
   integer(c_int32_t), parameter :: HFRAC_JOINT_PRESSURE = 91
+  !> with what it slid in the initial equilibration: friction and dilation go by it
+  integer(c_int32_t), parameter :: HFRAC_JOINT_TOTAL_SLIP = 92
 
   ! hfrac_crack_mode.
   integer(c_int32_t), parameter :: HFRAC_CRACK_TENSION = 1

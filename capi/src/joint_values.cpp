@@ -14,6 +14,7 @@ constexpr struct {
                {HFRAC_JOINT_MECHANICAL_APERTURE, &JointView::mechanical_aperture},
                {HFRAC_JOINT_HYDRAULIC_APERTURE, &JointView::hydraulic_aperture},
                {HFRAC_JOINT_SLIP, &JointView::slip},
+               {HFRAC_JOINT_TOTAL_SLIP, &JointView::total_slip},
                {HFRAC_JOINT_NORMAL_STRESS, &JointView::normal_stress},
                {HFRAC_JOINT_SHEAR_STRESS, &JointView::shear_stress},
                {HFRAC_JOINT_PRESSURE, &JointView::pressure}};

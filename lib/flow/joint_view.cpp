@@ -33,7 +33,8 @@ JointView view_joint(const Assembly& a, const Network& n, const Options& o, cons
   v.opening = r.opening;
   v.mechanical_aperture = std::max(0.0, a.smooth.law_of(contact).aperture + r.opening);
   v.hydraulic_aperture = n.aperture_of(e);
-  v.slip = contact.slip;
+  v.slip = contact.slip - contact.slip_before;
+  v.total_slip = contact.slip;
   v.normal_stress = -r.normal / contact.area;
   v.shear_stress = r.shear / contact.area;
   v.pressure = 0.5 * (n.pressure[n.left[e]] + n.pressure[n.right[e]]);

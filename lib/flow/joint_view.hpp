@@ -18,7 +18,8 @@ struct JointView {
   double opening;                      // m, U_n; negative: faces pressed together
   double mechanical_aperture;          // m, e
   double hydraulic_aperture;           // m, w: that of the contact's pipe at the end of the last step
-  double slip;                         // m
+  double slip;                         // m, since the end of the initial equilibration
+  double total_slip;                   // m, since bonding: friction and dilation go by it
   double normal_stress, shear_stress;  // Pa; compression positive
   double pressure;                     // Pa, mean of the pores on the contact's left and right
   JointContactState state;             // slips: all that friction bears is used up

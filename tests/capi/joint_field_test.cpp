@@ -40,7 +40,7 @@ hfrac::Definition jointed_def() {
 
 struct Joint {
   std::vector<int32_t> number, bond, state;
-  std::vector<double> begin, end, opening, mechanical, hydraulic, slip, normal, shear, pressure;
+  std::vector<double> begin, end, opening, mechanical, hydraulic, slip, total_slip, normal, shear, pressure;
   explicit Joint(hfrac_sim* sim)
       : number(indices(sim, HFRAC_JOINT_NUMBER)),
         bond(indices(sim, HFRAC_JOINT_BOND)),
@@ -51,6 +51,7 @@ struct Joint {
         mechanical(doubles(sim, HFRAC_JOINT_MECHANICAL_APERTURE)),
         hydraulic(doubles(sim, HFRAC_JOINT_HYDRAULIC_APERTURE)),
         slip(doubles(sim, HFRAC_JOINT_SLIP)),
+        total_slip(doubles(sim, HFRAC_JOINT_TOTAL_SLIP)),
         normal(doubles(sim, HFRAC_JOINT_NORMAL_STRESS)),
         shear(doubles(sim, HFRAC_JOINT_SHEAR_STRESS)),
         pressure(doubles(sim, HFRAC_JOINT_PRESSURE)) {}
@@ -59,6 +60,7 @@ struct Joint {
 
 TEST(JointFields, FitTheOtherFieldsAndTheLaw) {
   const Sim sim(jointed_def());
+  const Joint start(sim);
   ASSERT_GE(hfrac_step(sim, 3), HFRAC_OK) << last_error(sim);
   const Joint joint(sim);
   const auto broken = indices(sim, HFRAC_BOND_STATE), domains = indices(sim, HFRAC_PIPE_DOMAINS);
@@ -75,7 +77,7 @@ TEST(JointFields, FitTheOtherFieldsAndTheLaw) {
     EXPECT_DOUBLE_EQ(joint.pressure[k], 0.5 * (pore[static_cast<std::size_t>(domains[2 * bond])] +
                                                pore[static_cast<std::size_t>(domains[2 * bond + 1])]));
     EXPECT_DOUBLE_EQ(joint.mechanical[k], std::max(0.0, aperture + joint.opening[k]));
-    const double lifted = std::min(std::abs(joint.slip[k]), dilation_slip) * std::tan(dilation_angle);
+    const double lifted = std::min(std::abs(joint.total_slip[k]), dilation_slip) * std::tan(dilation_angle);
     const double closure = lifted - joint.opening[k];
     if (closure <= 0.0) {
       EXPECT_EQ(joint.state[k], 3);
@@ -86,6 +88,8 @@ TEST(JointFields, FitTheOtherFieldsAndTheLaw) {
       EXPECT_LE(std::abs(joint.shear[k]), friction * bandis * (1.0 + 1e-9));
       EXPECT_EQ(joint.state[k], std::abs(joint.shear[k]) > (1.0 - 1e-6) * friction * bandis ? 2 : 1);
     }
+    EXPECT_EQ(start.slip[k], 0.0);
+    EXPECT_DOUBLE_EQ(joint.slip[k], joint.total_slip[k] - start.total_slip[k]);
     slid = std::max(slid, std::abs(joint.slip[k]));
     length +=
         std::hypot(joint.end[2 * k] - joint.begin[2 * k], joint.end[2 * k + 1] - joint.begin[2 * k + 1]);

@@ -176,6 +176,7 @@ TEST(RunFolder, JointsAreLinesIfThereAreAny) {
                    {"mechanical_aperture_m", 1},
                    {"hydraulic_aperture_m", 1},
                    {"slip_m", 1},
+                   {"total_slip_m", 1},
                    {"normal_stress_Pa", 1},
                    {"shear_stress_Pa", 1},
                    {"pressure_Pa", 1},

@@ -85,6 +85,8 @@ TEST_F(Views, TemperatureIsDarkAtTheWellAndLightFarAway) {
 TEST_F(Views, JointsAreColouredByApertureSlipPressureAndState) {
   run.with_joints = true;
   write_run(folder(), run);
+  ASSERT_EQ(render_views({"discs"}).status, HFRAC_OK);
+  const FramedView view = find_view(picture(), run.width, run.height);  // the same in all of them
   for (const std::int32_t dark : {0, 1}) {
     views.dark = dark;
     std::vector<Pixel> by_state;
@@ -93,7 +95,6 @@ TEST_F(Views, JointsAreColouredByApertureSlipPressureAndState) {
       const Result result = render_views({kind});
       ASSERT_EQ(result.status, HFRAC_OK) << kind << ": " << result.text;
       const Picture drawn = picture();
-      const FramedView view = find_view(drawn, run.width, run.height);
       std::vector<Pixel> colour;
       for (int k = 0; k < 4; ++k)
         colour.push_back(drawn.at(view.x(run.width / 4), view.y(run.height * (k + 0.5) / 4)));
@@ -107,8 +108,10 @@ TEST_F(Views, JointsAreColouredByApertureSlipPressureAndState) {
         EXPECT_LT(apart(2, 3), 6) << kind;
         EXPECT_GT(apart(1, 2), 60) << kind;
       } else {
-        for (int a = 0; a < 4; ++a) {
-          for (int b = a + 1; b < 4; ++b) EXPECT_GT(apart(a, b), 60) << kind << " " << a << " " << b;
+        // Of apertures the scale shows the middle 98 %, so that the widest of four has the colour of the next.
+        const int told = std::string_view(kind) == "joint-aperture" ? 3 : 4;
+        for (int a = 0; a < told; ++a) {
+          for (int b = a + 1; b < told; ++b) EXPECT_GT(apart(a, b), 60) << kind << " " << a << " " << b;
         }
       }
       if (by_state.empty()) by_state = colour;

@@ -8,7 +8,7 @@
 namespace hfrac::output {
 using namespace hfrac::run;
 
-/** [m] Beyond it a piece of a joint counts as slipped: a hundred micrometres, which lift faces by their dilation as much as a
+/** [m] Beyond it, since the initial equilibration, a piece of a joint counts as slipped: a hundred micrometres, which lift faces by their dilation as much as a
  * tight joint is open. */
 inline constexpr double kSlipped = 1e-4;
 

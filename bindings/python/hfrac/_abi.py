@@ -193,7 +193,8 @@ class Field(enum.IntEnum):
     JOINT_MECHANICAL_APERTURE = 86
     #: of its pipe, by the joint's law where it conducts; 0 in a dry model
     JOINT_HYDRAULIC_APERTURE = 87
-    #: net slip since bonding; positive: seen across the joint the far side went left
+    #: net slip since the end of the initial equilibration; positive: seen across the joint the far side went
+    #: left
     JOINT_SLIP = 88
     #: effective, of the joint's law; compression positive
     JOINT_NORMAL_STRESS = 89
@@ -201,6 +202,8 @@ class Field(enum.IntEnum):
     JOINT_SHEAR_STRESS = 90
     #: mean of the two pores it lies between, as stress.convention says
     JOINT_PRESSURE = 91
+    #: with what it slid in the initial equilibration: friction and dilation go by it
+    JOINT_TOTAL_SLIP = 92
 
 
 class CrackMode(enum.IntEnum):

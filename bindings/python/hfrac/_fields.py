@@ -155,7 +155,7 @@ FIELDS: Tuple[FieldInfo, ...] = (
     ),
     FieldInfo(
         'joint.slip', 'm', 'double', 1,
-        'net slip since bonding; positive: seen across the joint the far side went left',
+        'net slip since the end of the initial equilibration; positive: seen across the joint the far side went left',
     ),
     FieldInfo(
         'joint.normal_stress', 'Pa', 'double', 1,
@@ -168,6 +168,10 @@ FIELDS: Tuple[FieldInfo, ...] = (
     FieldInfo(
         'joint.pressure', 'Pa', 'double', 1,
         'mean of the two pores it lies between, as stress.convention says',
+    ),
+    FieldInfo(
+        'joint.total_slip', 'm', 'double', 1,
+        'with what it slid in the initial equilibration: friction and dilation go by it',
     ),
 )
 
@@ -362,7 +366,9 @@ class Joints(FieldGroup):
 
     @property
     def slip(self) -> Array:
-        """[m] net slip since bonding; positive: seen across the joint the far side went left; shape (n,)"""
+        """[m] net slip since the end of the initial equilibration; positive: seen across the joint the far side
+        went left; shape (n,)
+        """
         return self._simulation.field("joint.slip")
 
     @property
@@ -379,3 +385,8 @@ class Joints(FieldGroup):
     def pressure(self) -> Array:
         """[Pa] mean of the two pores it lies between, as stress.convention says; shape (n,)"""
         return self._simulation.field("joint.pressure")
+
+    @property
+    def total_slip(self) -> Array:
+        """[m] with what it slid in the initial equilibration: friction and dilation go by it; shape (n,)"""
+        return self._simulation.field("joint.total_slip")

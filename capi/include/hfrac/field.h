@@ -57,10 +57,11 @@ extern "C" {
   X(HFRAC_JOINT_OPENING, 85, "joint.opening", "m", 5, 0, 1, "how far the faces are apart since they bore nothing; negative: pressed together") \
   X(HFRAC_JOINT_MECHANICAL_APERTURE, 86, "joint.mechanical_aperture", "m", 5, 0, 1, "the joint's aperture plus opening, at least 0") \
   X(HFRAC_JOINT_HYDRAULIC_APERTURE, 87, "joint.hydraulic_aperture", "m", 5, 0, 1, "of its pipe, by the joint's law where it conducts; 0 in a dry model") \
-  X(HFRAC_JOINT_SLIP, 88, "joint.slip", "m", 5, 0, 1, "net slip since bonding; positive: seen across the joint the far side went left") \
+  X(HFRAC_JOINT_SLIP, 88, "joint.slip", "m", 5, 0, 1, "net slip since the end of the initial equilibration; positive: seen across the joint the far side went left") \
   X(HFRAC_JOINT_NORMAL_STRESS, 89, "joint.normal_stress", "Pa", 5, 0, 1, "effective, of the joint's law; compression positive") \
   X(HFRAC_JOINT_SHEAR_STRESS, 90, "joint.shear_stress", "Pa", 5, 0, 1, "of the joint's law; positive: drives slip that is positive") \
-  X(HFRAC_JOINT_PRESSURE, 91, "joint.pressure", "Pa", 5, 0, 1, "mean of the two pores it lies between, as stress.convention says")
+  X(HFRAC_JOINT_PRESSURE, 91, "joint.pressure", "Pa", 5, 0, 1, "mean of the two pores it lies between, as stress.convention says") \
+  X(HFRAC_JOINT_TOTAL_SLIP, 92, "joint.total_slip", "m", 5, 0, 1, "with what it slid in the initial equilibration: friction and dilation go by it")
 
 #define HFRAC_FIELD_ENUM_(name, value, key, unit, location, dtype, components, help) name = value,
 enum hfrac_field { HFRAC_FIELD_LIST(HFRAC_FIELD_ENUM_) HFRAC_FIELD_END_ = 0x7fffffff };
