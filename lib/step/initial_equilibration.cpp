@@ -211,7 +211,6 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
   m.start.y = m.assembly.uy;
   m.start.rotation = m.assembly.rotation;
   if (!n.joint_pore.empty()) settle_smooth(m.assembly, o);
-  for (auto& contact : m.assembly.smooth.contacts) contact.slip_before = contact.slip;
   e.mechanics->evaluate();  // volumes and forces where they came to rest
   const bool wet = e.wet();
   for (std::int64_t d = 0; d < n.domain_count(); ++d) {
@@ -252,6 +251,7 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
   }
   begin_ledger(e);
   if (SteppingMode{o.stepping_mode} == SteppingMode::dynamic) e.mechanics->use_real_masses();
+  for (auto& contact : m.assembly.smooth.contacts) contact.slip_before = contact.slip;
   return oda_matrix;
 }
 

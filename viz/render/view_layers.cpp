@@ -409,8 +409,8 @@ void show_cracks(const Job& job, const ViewSpec& spec, std::span<const Colour> c
 void show_joints(const Job& job, const std::vector<Colour>& colours) {
   job.add_quiet_well();
   job.add_quiet_discs();
-  job.add(
-      coloured_bonds(read_lines(job.file(job.run.joints, "joints")), colours, 2 * job.crack_half_width()));
+  job.add(joint_layer(read_lines(job.file(job.run.joints, "joints")), colours, 2 * job.crack_half_width(),
+                      0.8 * job.size.unit_metres));
 }
 
 void show_colours(const Job& job, const ViewSpec& spec, const FoundArray& found,
