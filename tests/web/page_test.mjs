@@ -352,6 +352,8 @@ test('shows smooth joints by their state and tells the values of a contact', asy
   await page.locator('#layer-joints').uncheck();
   await page.waitForTimeout(200);
   assert.ok(differing(await picture(), byState) > 0.002, 'the layer cannot be switched off');
+  await page.goto(server.address); // a page whose server goes complains
+  await shown(lastStep);
   jointed.child.kill('SIGINT');
   await ended(jointed.child);
 });
