@@ -33,16 +33,17 @@ void each_contact(const Simulation& s, const Use& use) {
 }  // namespace
 
 bool write_joint_values(const Simulation& s, std::int32_t field, double* to) {
-  for (const auto& [of, value] : numbers) {
-    if (of != field) continue;
-    each_contact(s, [&](const SmoothContact&, const JointView& view) { *to++ = view.*value; });
+  for (const auto& number : numbers) {
+    if (number.field != field) continue;
+    each_contact(s, [&](const SmoothContact&, const JointView& view) { *to++ = view.*number.value; });
     return true;
   }
-  for (const auto& [of, place] : places) {
-    if (of != field) continue;
+  for (const auto& one : places) {
+    if (one.field != field) continue;
     each_contact(s, [&](const SmoothContact&, const JointView& view) {
-      *to++ = (view.*place).x;
-      *to++ = (view.*place).y;
+      const Vec2 place = view.*one.place;
+      *to++ = place.x;
+      *to++ = place.y;
     });
     return true;
   }
