@@ -110,7 +110,8 @@ module hfrac_c
   !> explicit flow: a step takes several sub-cycles
   integer(c_int32_t), parameter :: HFRAC_LIMIT_FLOW = 2
 
-  ! Fields. location: 0 disc, 1 bond, 2 pipe, 3 domain, 4 corner of a domain (flat list). dtype: 0 double, 1 int32.
+  ! Fields. location: 0 disc, 1 bond, 2 pipe, 3 domain, 4 corner of a domain (flat list), 5 contact of a smooth
+  ! joint. dtype: 0 double, 1 int32.
   !> centre now
   integer(c_int32_t), parameter :: HFRAC_DISC_POSITION = 0
   !> radius
@@ -162,6 +163,32 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_OFFSET = 64
   !> disc indices around each domain, anticlockwise (outside: clockwise)
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_CORNERS = 65
+  !> the joint's place in the definition, from 0
+  integer(c_int32_t), parameter :: HFRAC_JOINT_NUMBER = 80
+  !> the bond, and pipe, that the contact stands for; ascending
+  integer(c_int32_t), parameter :: HFRAC_JOINT_BOND = 81
+  !> 0 holds, 1 sticks, 2 slips (friction is used up), 3 open (faces bear nothing)
+  integer(c_int32_t), parameter :: HFRAC_JOINT_CONTACT_STATE = 82
+  !> one end of the contact's piece of the joint now, halfway between the faces
+  integer(c_int32_t), parameter :: HFRAC_JOINT_BEGIN = 83
+  !> the other end
+  integer(c_int32_t), parameter :: HFRAC_JOINT_END = 84
+  !> how far the faces are apart since they bore nothing; negative: pressed together
+  integer(c_int32_t), parameter :: HFRAC_JOINT_OPENING = 85
+  !> the joint's aperture plus opening, at least 0
+  integer(c_int32_t), parameter :: HFRAC_JOINT_MECHANICAL_APERTURE = 86
+  !> of its pipe, by the joint's law where it conducts; 0 in a dry model
+  integer(c_int32_t), parameter :: HFRAC_JOINT_HYDRAULIC_APERTURE = 87
+  !> net slip since the end of the initial equilibration; positive: seen across the joint the far side went left
+  integer(c_int32_t), parameter :: HFRAC_JOINT_SLIP = 88
+  !> effective, of the joint's law; compression positive
+  integer(c_int32_t), parameter :: HFRAC_JOINT_NORMAL_STRESS = 89
+  !> of the joint's law; positive: drives slip that is positive
+  integer(c_int32_t), parameter :: HFRAC_JOINT_SHEAR_STRESS = 90
+  !> mean of the two pores it lies between, as stress.convention says
+  integer(c_int32_t), parameter :: HFRAC_JOINT_PRESSURE = 91
+  !> with what it slid in the initial equilibration: friction and dilation go by it
+  integer(c_int32_t), parameter :: HFRAC_JOINT_TOTAL_SLIP = 92
 
   ! hfrac_crack_mode.
   integer(c_int32_t), parameter :: HFRAC_CRACK_TENSION = 1
@@ -721,7 +748,7 @@ module hfrac_c
     real(c_double) :: strength_factor = 0.0_c_double
     !> [m] r0 in use (eq. 7)
     real(c_double) :: zero_stress_aperture = 0.0_c_double
-    !> [m2] of the network after the initial equilibrium
+    !> [m2] of the network after the initial equilibrium, without joints that conduct
     real(c_double) :: permeability = 0.0_c_double
     !> unbalanced over mean contact force after the initial equilibrium
     real(c_double) :: equilibration_force_ratio = 0.0_c_double
@@ -868,7 +895,7 @@ module hfrac_c
     type(c_ptr) :: unit = c_null_ptr
     !> one phrase
     type(c_ptr) :: help = c_null_ptr
-    !> 0 disc, 1 bond, 2 pipe, 3 domain, 4 corner
+    !> 0 disc, 1 bond, 2 pipe, 3 domain, 4 corner, 5 contact of a joint
     integer(c_int32_t) :: location = 0_c_int32_t
     !> 0 double, 1 int32
     integer(c_int32_t) :: dtype = 0_c_int32_t

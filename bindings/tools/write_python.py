@@ -15,7 +15,7 @@ CTYPES = {
     "double": "ctypes.c_double",
 }
 NATIVE = {"int32_t": "int", "int64_t": "int", "double": "float"}
-GROUPS = {"disc": "Discs", "bond": "Bonds", "pipe": "Pipes", "domain": "Domains"}
+GROUPS = {"disc": "Discs", "bond": "Bonds", "pipe": "Pipes", "domain": "Domains", "joint": "Joints"}
 # Structs whose values are handed out as records: filled by the library, no pointers inside.
 NOT_RECORDS = ("hfrac_sim_def", "hfrac_well_def", "hfrac_joint_def", "hfrac_schedule_def", "hfrac_lab_spec", "hfrac_targets")
 
@@ -133,7 +133,7 @@ class PythonWriter:
         return "\n\n\n".join([head + imports, *blocks]) + "\n"
 
     def fields(self):
-        """The fields as properties of discs, bonds, pipes and domains."""
+        """The fields as properties of discs, bonds, pipes, domains and joints."""
         head = HEAD.format("Fields by place: sim.discs.position and so on. Each access copies the field as it is now.")
         lines = [head + "from typing import NamedTuple, Tuple\n\nfrom ._field_group import Array, FieldGroup\n\n"]
         lines += ["class FieldInfo(NamedTuple):", '    """What a field is."""', "", "    name: str"]

@@ -48,8 +48,10 @@ std::int64_t item_count(const Simulation& s, std::int32_t location) {
       return s.assembly().bond_count();
     case 3:
       return s.network().domain_count();
-    default:
+    case 4:
       return static_cast<std::int64_t>(s.network().corner_disc.size());
+    default:
+      return static_cast<std::int64_t>(s.assembly().smooth.contacts.size());
   }
 }
 
@@ -147,9 +149,11 @@ int32_t hfrac_field_view(hfrac_sim* sim, int32_t field, const void** data, int64
     auto& cached = sim->views[field];
     if (cached.epoch != sim->epoch) {
       if (entry.dtype == 0) {
+        cached.values.reserve(1);  // so that an empty field has an address too
         cached.values.resize(static_cast<std::size_t>(values));
         write_values(*sim->simulation, field, cached.values.data());
       } else {
+        cached.indices.reserve(1);
         cached.indices.resize(static_cast<std::size_t>(values));
         write_indices(*sim->simulation, field, cached.indices.data());
       }

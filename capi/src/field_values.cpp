@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "hfrac/field.h"
+#include "joint_values.hpp"
 #include "solid/bond_law.hpp"
 #include "solid/disc_stress.hpp"
 
@@ -117,6 +118,7 @@ void write_values(const Simulation& s, std::int32_t field, double* to) {
       }
       return;
     default:
+      if (write_joint_values(s, field, to)) return;
       throw Error(ErrorKind::internal, "a field of doubles without values");
   }
 }
@@ -158,6 +160,7 @@ void write_indices(const Simulation& s, std::int32_t field, std::int32_t* to) {
       std::copy(n.corner_disc.begin(), n.corner_disc.end(), to);
       return;
     default:
+      if (write_joint_indices(s, field, to)) return;
       throw Error(ErrorKind::internal, "a field of int32 without values");
   }
 }

@@ -221,8 +221,6 @@ void calibrate_aperture(Network& n, const Assembly& a, const Options& o,
     update_apertures(n, a, o);
     return;
   }
-  const Array<double> joints =
-      std::exchange(n.joint_length, {});  // permeability is that of the rock between them
   // k = C r0^3 / R_mean with C near 0.032 starts it; k goes with r0^3, so one correction is exact unless gaps count.
   n.zero_stress_aperture = std::cbrt(o.flow_permeability * a.mean_radius / 0.032);
   for (int round = 0; round < 4; ++round) {
@@ -233,7 +231,6 @@ void calibrate_aperture(Network& n, const Assembly& a, const Options& o,
     n.zero_stress_aperture *= factor;
     if (std::abs(factor - 1.0) < 1e-7) break;
   }
-  n.joint_length = joints;
   update_apertures(n, a, o);
 }
 

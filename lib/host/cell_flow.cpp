@@ -103,7 +103,7 @@ CellFlow flow_through_cell(const HostGrid& grid, std::int64_t cell, double cover
       pipe.length *= share;
     }
     pipes.push_back(pipe);
-    if (a.intact[e] > 0.0) {
+    if (!carries_fracture_fluid(a, n, e)) {
       cube += part.amount * n.conductance_of(e) * a.pipe_length(part.item);
       shares += part.amount;
     } else {
@@ -119,7 +119,8 @@ CellFlow flow_through_cell(const HostGrid& grid, std::int64_t cell, double cover
     for (std::size_t k = 0; k < pipes.size(); ++k) {
       const auto e = static_cast<std::size_t>(grid.pipes_of(cell)[k].item);
       // A closed crack may be tighter than the rock around it: then it stays in both.
-      if (!(a.intact[e] > 0.0)) pipes[k].conductance = std::min(pipes[k].conductance, mean / pipes[k].length);
+      if (carries_fracture_fluid(a, n, e))
+        pipes[k].conductance = std::min(pipes[k].conductance, mean / pipes[k].length);
     }
     flow_energy(pipes, unknowns, rock);
   }

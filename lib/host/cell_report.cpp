@@ -3,20 +3,48 @@
 
 #include <cmath>
 
+#include "flow/joint_view.hpp"
 #include "frac/fractures.hpp"
+#include "model/joint_pores.hpp"
 
 namespace hfrac {
+
+bool carries_fracture_fluid(const Assembly& a, const Network& n, std::size_t pipe) {
+  return a.intact[pipe] == 0 || flowing_contact(n, a, pipe) != nullptr;
+}
 
 std::vector<char> fractured_pores(const Assembly& a, const Network& n) {
   std::vector<char> fractured(static_cast<std::size_t>(n.domain_count()), 0);
   for (std::size_t e = 0; e < n.left.size(); ++e) {
-    if (a.intact[e] > 0.0) continue;
+    if (!carries_fracture_fluid(a, n, e)) continue;
     for (const auto d : {n.left[e], n.right[e]}) {
       if (n.kind[d] == DomainKind::rock) fractured[static_cast<std::size_t>(d)] = 1;
     }
   }
   return fractured;
 }
+
+namespace {
+
+// A crack as cells see it: the line it is drawn as or, of a smooth joint, its contact's piece.
+struct CellCrack {
+  Vec2 begin, end;
+  double aperture;    // m, mechanical
+  double cube = 0.0;  // m3, w^3 of a joint that conducts
+};
+CellCrack crack_in_cells(const Assembly& a, const Network& n, const Options& o, std::size_t bond) {
+  const auto e = static_cast<std::int64_t>(bond);
+  if (const SmoothContact* contact = a.smooth.of(e)) {
+    const JointView view = view_joint(a, n, o, *contact);
+    const double w = flowing_contact(n, a, bond) != nullptr ? view.hydraulic_aperture : 0.0;
+    return {view.begin, view.end, view.mechanical_aperture, w * w * w};
+  }
+  const CrackLine line = crack_line(a, o, e);
+  const Vec2 half{-0.5 * line.length * line.normal.y, 0.5 * line.length * line.normal.x};
+  return {line.middle - half, line.middle + half, line.aperture};
+}
+
+}  // namespace
 
 double uniform_gradient_permeability(const Assembly& a, const Network& n, double viscosity) {
   double sum = 0.0, area = 0.0;
@@ -69,12 +97,12 @@ std::vector<CellReport> report_cells(const HostGrid& grid, const Assembly& a, co
     const Vec2 d = way.right - way.left;
     const double c = part.amount * n.conductance_of(e) * o.fluid_viscosity;
     const auto l = static_cast<std::size_t>(n.left[e]), r = static_cast<std::size_t>(n.right[e]);
-    if (a.intact[e] > 0.0) {
+    if (!carries_fracture_fluid(a, n, e)) {
       intact_energy[static_cast<std::size_t>(part.cell)] += 0.5 * c * dot(d, d);
       if (n.kind[l] != DomainKind::rock || n.kind[r] != DomainKind::rock || fractured[l] == fractured[r])
         continue;
       cell.leak_off += part.amount * (fractured[l] != 0 ? n.flow_of(e) : -n.flow_of(e));
-    } else if (rule == Upscaling::oda) {
+    } else if (rule == Upscaling::oda && flowing_contact(n, a, e) == nullptr) {
       cell.permeability[0] += c * d.x * d.x / cell.area;
       cell.permeability[1] += c * d.y * d.y / cell.area;
       cell.permeability[2] += c * d.x * d.y / cell.area;
@@ -84,23 +112,30 @@ std::vector<CellReport> report_cells(const HostGrid& grid, const Assembly& a, co
   // Cracks: length and opening along the line a crack is drawn as.
   for (std::size_t e = 0; e < n.left.size(); ++e) {
     if (a.intact[e] > 0.0) continue;
-    const CrackLine line = crack_line(a, o, static_cast<std::int64_t>(e));
-    const Vec2 half{-0.5 * line.length * line.normal.y, 0.5 * line.length * line.normal.x};
+    const CellCrack crack = crack_in_cells(a, n, o, e);
     double pressure = 0.0, sides = 0.0;
     for (const auto d : {n.left[e], n.right[e]}) {
       if (n.kind[d] == DomainKind::outside) continue;
       pressure += n.pressure[d];
       sides += 1.0;
     }
-    grid.along(line.middle - half, line.middle + half, [&](std::int64_t at, double share) {
+    const Vec2 way = crack.end - crack.begin;
+    const double whole = std::sqrt(dot(way, way));
+    grid.along(crack.begin, crack.end, [&](std::int64_t at, double share) {
       auto& cell = cells[static_cast<std::size_t>(at)];
-      const double length = share * line.length;
+      const double length = share * whole;
       ++cell.crack_count;
       cell.crack_length += length;
-      cell.fracture_porosity += length * line.aperture / cell.area;
+      cell.fracture_porosity += length * crack.aperture / cell.area;
+      if (rule == Upscaling::oda) {
+        const double k = share / whole * crack.cube / (12.0 * cell.area);
+        cell.permeability[0] += k * way.x * way.x;
+        cell.permeability[1] += k * way.y * way.y;
+        cell.permeability[2] += k * way.x * way.y;
+      }
       if (sides == 0.0) return;
       // Closed cracks count a little, so that a cell of closed cracks has a pressure too.
-      const double opening = length * (line.aperture + 1e-9 * line.length);
+      const double opening = length * (crack.aperture + 1e-9 * whole);
       cell.fracture_pressure += opening * pressure / sides;
       crack_weight[static_cast<std::size_t>(at)] += opening;
     });

@@ -24,6 +24,7 @@ struct SmoothContact {
   bool holds;
   double open_before, slid_before;     // m: counted from where settle_smooth left them
   double locked_normal, locked_shear;  // N: tension positive
+  double slip_before;                  // m: of `slip`, what it slid in the set-up
 };
 
 struct SmoothJoints {

@@ -285,13 +285,15 @@ SmoothResponse respond_by(const JointLaw& law, const SmoothContact& c, const Mot
   if (press.slope > 0.0) r.shear_stiffness = ks;
   r.normal = -c.area * press.value;
   r.normal_stiffness = c.area * press.slope;
+  r.shear_limit = limit;
   if (std::abs(trial) <= limit) return r;
   const double sign = std::copysign(1.0, trial);
   r.slipped = slipped_to(law, m, c.slip, friction, sign);
   const JointValue mu = joint_friction(law, friction, r.slipped), up = joint_dilation(law, r.slipped);
   press = closure_stress(law, up.value - m.opening);
   r.normal = -c.area * press.value;
-  r.shear = sign * mu.value * c.area * press.value;
+  r.shear_limit = mu.value * c.area * press.value;
+  r.shear = sign * r.shear_limit;
   // By the slip's own change, d slip = (k_s d slide + sign mu sigma' d opening) / `falls`; a contact that weakens faster than its
   // stiffness follows is given a tenth of that.
   const double falls =

@@ -40,6 +40,7 @@ struct SmoothResponse {
   double normal_stiffness, shear_stiffness;  // N/m, of the tangent: 0 where open, or sliding
   double shear_by_opening;                   // N/m, where sliding
   double normal_by_slide;                    // N/m, where dilating
+  double shear_limit = 0.0;                  // N, what friction bears; 0 where the contact holds or is open
 };
 
 // `joint_of`: the joint each bond belongs to, -1 of none. Fills assembly.smooth, if any is smooth.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "core/error.hpp"
 #include "flow/aperture.hpp"
@@ -232,11 +233,17 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
   double oda_matrix = 1.0;
   if (wet) {
     std::vector<double> pressure;
+    const Array<double> joints =
+        std::exchange(n.joint_length, {});  // it is the rock between them that is measured
     calibrate_aperture(n, m.assembly, o, wells, pressure);
     report.permeability = measure_permeability(n, m.assembly, wells, o.fluid_viscosity, pressure);
     pressure = {};
     const double uniform = uniform_gradient_permeability(m.assembly, n, o.fluid_viscosity);
     if (uniform > 0.0 && report.permeability > 0.0) oda_matrix = report.permeability / uniform;
+    if (!joints.empty()) {
+      n.joint_length = joints;
+      update_apertures(n, m.assembly, o);
+    }
     e.flow = std::make_unique<FlowSolver>(n, o);
     e.mechanics->set_undrained(true);
   }
@@ -251,6 +258,7 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
   }
   begin_ledger(e);
   if (SteppingMode{o.stepping_mode} == SteppingMode::dynamic) e.mechanics->use_real_masses();
+  for (auto& contact : m.assembly.smooth.contacts) contact.slip_before = contact.slip;
   return oda_matrix;
 }
 

@@ -356,7 +356,33 @@ contains
     call expect(stat == HFRAC_ERR_ARGUMENT .and. .not. associated(no_double), 'view of the wrong type')
     call sim%get('disc.colour', radius, stat, message)
     call expect(stat == HFRAC_ERR_UNKNOWN_KEY .and. len_trim(message) > 0, 'no such field')
+    call sim%get('joint.slip', radius)
+    call expect(size(radius) == 0, 'no contacts of joints')
+    call fields_of_a_joint()
   end subroutine fields
+
+  subroutine fields_of_a_joint()
+    type(hfrac_definition) :: def
+    type(hfrac_simulation) :: sim
+    real(real64), allocatable :: first(:, :), last(:, :), slip(:)
+    integer(c_int32_t), allocatable :: bond(:), state(:), broken(:)
+    call def%load(case_file)
+    call def%set('joint[0].x1', 20.0_real64)
+    call def%set('joint[0].y1', 70.0_real64)
+    call def%set('joint[0].x2', 80.0_real64)
+    call def%set('joint[0].y2', 75.0_real64)
+    call def%set('joint[0].state', 'smooth-broken')
+    call sim%create(def)
+    call sim%get('joint.begin', first)
+    call sim%get('joint.end', last)
+    call sim%get('joint.slip', slip)
+    call sim%get('joint.bond', bond)
+    call sim%get('joint.state', state)
+    call sim%get('bond.state', broken)
+    call expect(size(slip) > 5 .and. all(shape(first) == [2, size(slip)]), 'contacts of a joint')
+    call expect(all(broken(bond + 1) == 2) .and. all(state >= 1 .and. state <= 3), 'they are broken')
+    call expect(maxval(abs((last(2, :) - first(2, :))*60 - (last(1, :) - first(1, :))*5)) < 1e-9_real64, 'along the joint')
+  end subroutine fields_of_a_joint
 
   subroutine cracks_and_fractures()
     type(hfrac_simulation) :: sim

@@ -82,6 +82,8 @@ TEST_F(Fields, DescribeThemselves) {
     const int64_t there[] = {state.disc_count, state.bond_count, state.bond_count, state.domain_count};
     if (entry.location < 4) {
       EXPECT_EQ(desc.count, there[entry.location]);
+    } else if (entry.location == 5) {
+      EXPECT_EQ(desc.count, 0);  // without smooth joints; with them: joint_field_test.cpp
     }
     int64_t values = -1;
     const auto count = entry.dtype == 0 ? hfrac_field_copy_f64(sim, entry.field, nullptr, 0, &values)
@@ -135,6 +137,7 @@ TEST_F(Fields, CopyNoMoreThanThereIsRoomFor) {
                               : hfrac_field_copy_i32(sim, entry.field, whole.data(), capacity, &count);
     };
     for (const int64_t capacity : {values - 1, int64_t{0}, int64_t{-1}, INT64_MIN}) {
+      if (capacity >= values) continue;  // of a field without values
       EXPECT_EQ(copy(capacity), HFRAC_ERR_ARGUMENT) << capacity;
       EXPECT_NE(last_error(sim).find("capacity = " + std::to_string(capacity)), std::string::npos);
       EXPECT_NE(last_error(sim).find(std::to_string(values) + " values of " + entry.name), std::string::npos);

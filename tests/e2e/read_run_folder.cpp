@@ -158,6 +158,34 @@ TEST(RunFolder, CracksLieAcrossTheBondsThatBroke) {
   EXPECT_EQ(cracks->GetNumberOfCells(), broken);
 }
 
+TEST(RunFolder, JointsAreLinesIfThereAreAny) {
+  if (entries("joints").empty()) GTEST_SKIP() << "no smooth joints in this run";
+  vtkIdType contacts = -1;
+  for_each_grid("joints", [&contacts](vtkUnstructuredGrid& grid) {
+    const vtkIdType count = grid.GetNumberOfCells();
+    EXPECT_GT(count, 0);
+    EXPECT_TRUE(contacts < 0 || count == contacts) << "a joint keeps its contacts";
+    contacts = count;
+    EXPECT_EQ(grid.GetCellType(0), VTK_LINE);
+    EXPECT_EQ(grid.GetNumberOfPoints(), 2 * count);
+    expect_arrays(grid.GetCellData(), count,
+                  {{"number", 1},
+                   {"bond", 1},
+                   {"state", 1},
+                   {"opening_m", 1},
+                   {"mechanical_aperture_m", 1},
+                   {"hydraulic_aperture_m", 1},
+                   {"slip_m", 1},
+                   {"total_slip_m", 1},
+                   {"normal_stress_Pa", 1},
+                   {"shear_stress_Pa", 1},
+                   {"pressure_Pa", 1},
+                   {"contact_id", 1}});
+    EXPECT_GE(grid.GetCellData()->GetArray("state")->GetRange()[0], 0.0);
+    EXPECT_LE(grid.GetCellData()->GetArray("state")->GetRange()[1], 3.0);
+  });
+}
+
 TEST(RunFolder, DomainsArePolygonsThatDoNotFoldOver) {
   for_each_grid("flow", [](vtkUnstructuredGrid& grid) {
     ASSERT_GT(grid.GetNumberOfCells(), 0);

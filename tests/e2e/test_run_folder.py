@@ -10,6 +10,7 @@ import unittest
 from hfrac_runs import CASE, SERIES, check_whole, entries, hfrac, history, names, run_case, summary
 
 STEPS = 12
+CASE_TEXT = pathlib.Path(CASE).read_text()
 HISTORY = """step time_s well_pressure_Pa well_rate_m2_per_s injected_volume_m2 crack_count tensile_cracks shear_cracks
 tip_distance_m fracture_length_m fracture_width_m fracture_volume_m2 force_ratio cycles at_rest energy_error_J_per_m
 stored_volume_m2 leaked_volume_m2 fluid_error_m2""".split()
@@ -51,6 +52,34 @@ class WholeRun(unittest.TestCase):
         for row in rows:
             self.assertTrue(all(math.isfinite(float(value)) for value in row.values()), row)
             self.assertEqual(int(row["tensile_cracks"]) + int(row["shear_cracks"]), int(row["crack_count"]))
+
+    def test_smooth_joints_have_a_series_and_columns_of_their_own(self):
+        self.assertNotIn("joint_largest_slip_m", history(self.folder)[0])
+        self.assertNotIn("joints", summary(self.folder))
+        case, folder, out = (self.top / name for name in ("jointed.toml", "jointed", "jointed-tables"))
+        case.write_text(CASE_TEXT + "[[joint]]\nx1 = 15\ny1 = 65\nx2 = 85\ny2 = 80\nstate = 'smooth-broken'\nfriction = 0.1\n")
+        self.assertEqual(hfrac("run", case, "-o", folder, "--steps", 2, "--quiet").returncode, 0)
+        check_whole(self, folder)
+        done = hfrac("resume", folder, "--steps", 3, "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        check_whole(self, folder)
+        self.assertEqual([time for time, _ in entries(folder, "joints")], [time for time, _ in entries(folder, "discs")])
+        self.assertEqual(hfrac("export", folder, "-o", out).returncode, 0)
+        with open(out / "joints.csv", newline="") as file:
+            contacts = [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+        pieces = [math.hypot(c["end_x_m"] - c["begin_x_m"], c["end_y_m"] - c["begin_y_m"]) for c in contacts]
+        last, joints = history(folder)[-1], summary(folder)["joints"]
+        slipped = sum(piece for piece, c in zip(pieces, contacts) if abs(c["slip_m"]) > joints["slip_counted_m"])
+        for name, value in (("slipped_length_m", slipped), ("largest_slip_m", max(abs(c["slip_m"]) for c in contacts)),
+                            ("open_length_m", sum(piece for piece, c in zip(pieces, contacts) if c["state"] == 3))):
+            self.assertAlmostEqual(joints[name], value, delta=1e-9 * (value + 1), msg=name)
+            self.assertEqual(float(last[f"joint_{name}"]), joints[name])
+        self.assertGreater(joints["largest_slip_m"], 0.0)
+        self.assertAlmostEqual(joints["length_m"], sum(pieces), delta=1e-9 * joints["length_m"])
+        self.assertAlmostEqual(joints["length_m"], math.hypot(70, 15), delta=4)
+        taken = float(last["well_rate_m2_per_s"]) / float(last["well_pressure_Pa"])  # net pressures
+        self.assertAlmostEqual(float(last["well_injectivity_m2_per_Pa_s"]), taken, delta=1e-9 * abs(taken))
+        self.assertIn("smooth joints", hfrac("info", folder).stdout)
 
     def test_catalogue_is_made_anew_by_another_rule(self):
         def events(folder):

@@ -174,6 +174,27 @@ void write_cracks(const fs::path& folder, int snapshot, const SyntheticRun& run)
   write_grid(folder, "cracks", snapshot, run, grid);
 }
 
+// An upright joint at a quarter of the width, of four pieces from below: of states 0, 1, 2, 3, each wider than the one before; the
+// lower two slipped to the right, the others to the left.
+void write_joints(const fs::path& folder, int snapshot, const SyntheticRun& run) {
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkPoints> points;
+  constexpr int pieces = 4;
+  for (int k = 0; k < pieces; ++k) {
+    const vtkIdType ends[2] = {points->InsertNextPoint(run.width / 4, run.height * (k + 0.0) / pieces, 0.0),
+                               points->InsertNextPoint(run.width / 4, run.height * (k + 1.0) / pieces, 0.0)};
+    grid->InsertNextCell(VTK_LINE, 2, ends);
+  }
+  grid->SetPoints(points);
+  const auto index = [](vtkIdType i) { return static_cast<double>(i); };
+  add_array(grid->GetCellData(), "state", pieces, index, true);
+  add_array(grid->GetCellData(), "hydraulic_aperture_m", pieces,
+            [&](vtkIdType i) { return 1e-4 * index(i); });
+  add_array(grid->GetCellData(), "slip_m", pieces, [](vtkIdType i) { return i < 2 ? -1e-3 : 1e-3; });
+  add_array(grid->GetCellData(), "pressure_Pa", pieces, [&](vtkIdType i) { return 1e6 * index(i); });
+  write_grid(folder, "joints", snapshot, run, grid);
+}
+
 // Squares between four discs; pressure falls off with the distance from the crack. The well is the square
 // around it.
 void write_flow(const fs::path& folder, int snapshot, const SyntheticRun& run, Lattice& lattice) {
@@ -249,6 +270,7 @@ void write_run(const fs::path& folder, const SyntheticRun& run) {
     write_bonds(folder, i, run, lattice);
     write_cracks(folder, i, run);
     if (run.with_flow) write_flow(folder, i, run, lattice);
+    if (run.with_joints) write_joints(folder, i, run);
   }
   write_tables(folder, run);
 }

@@ -19,6 +19,7 @@ struct SyntheticRun {
   bool with_flow = true;
   bool with_tables = true;  // history.csv and cracks.csv
   bool with_temperature = false;
+  bool with_joints = false;
 
   double spacing() const { return width / columns; }
   double well_x() const { return width / 2; }

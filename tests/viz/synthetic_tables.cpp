@@ -35,6 +35,7 @@ void write_collection(const fs::path& folder, const std::string& kind, const Syn
 void write_tables(const fs::path& folder, const SyntheticRun& run) {
   for (const char* kind : {"discs", "bonds", "cracks"}) write_collection(folder, kind, run);
   if (run.with_flow) write_collection(folder, "flow", run);
+  if (run.with_joints) write_collection(folder, "joints", run);
   std::ofstream summary(folder / "summary.json");
   summary << "{\"title\": \"" << run.title
           << "\", \"stress_convention\": \"effective\", \"ended\": \"all steps taken\", "

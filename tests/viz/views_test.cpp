@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include "picture_file.h"
@@ -78,6 +79,53 @@ TEST_F(Views, TemperatureIsDarkAtTheWellAndLightFarAway) {
   EXPECT_LT(brightness(6 + disc, 7.5 + disc), 330);
   EXPECT_GT(brightness(1 + disc, 11 + disc), 520);
   EXPECT_GT(brightness(6 + disc, 9 + disc), brightness(6 + disc, 7.5 + disc));
+}
+
+// The middle of each piece of the joint, which must differ where its value does.
+TEST_F(Views, JointsAreColouredByApertureSlipPressureAndState) {
+  run.with_joints = true;
+  write_run(folder(), run);
+  ASSERT_EQ(render_views({"discs"}).status, HFRAC_OK);
+  const FramedView view = find_view(picture(), run.width, run.height);  // the same in all of them
+  for (const std::int32_t dark : {0, 1}) {
+    views.dark = dark;
+    std::vector<Pixel> by_state;
+    for (const char* kind :
+         {"joint-state", "joint-aperture", "joint-pressure", "joint-slip", "joints:slip_m"}) {
+      const Result result = render_views({kind});
+      ASSERT_EQ(result.status, HFRAC_OK) << kind << ": " << result.text;
+      const Picture drawn = picture();
+      std::vector<Pixel> colour;
+      for (int k = 0; k < 4; ++k)
+        colour.push_back(drawn.at(view.x(run.width / 4), view.y(run.height * (k + 0.5) / 4)));
+      const auto apart = [&](int a, int b) {
+        return std::abs(colour[a].red - colour[b].red) + std::abs(colour[a].green - colour[b].green) +
+               std::abs(colour[a].blue - colour[b].blue);
+      };
+      const bool slip = std::string_view(kind).find("slip") != std::string_view::npos;
+      if (slip) {
+        EXPECT_LT(apart(0, 1), 6) << kind;
+        EXPECT_LT(apart(2, 3), 6) << kind;
+        EXPECT_GT(apart(1, 2), 60) << kind;
+      } else {
+        // Of apertures the scale shows the middle 98 %, so that the widest of four has the colour of the next.
+        const int told = std::string_view(kind) == "joint-aperture" ? 3 : 4;
+        for (int a = 0; a < told; ++a) {
+          for (int b = a + 1; b < told; ++b) EXPECT_GT(apart(a, b), 60) << kind << " " << a << " " << b;
+        }
+      }
+      if (by_state.empty()) by_state = colour;
+    }
+    EXPECT_GT(by_state[2].red, by_state[2].green + 100);  // slips: as shear
+    EXPECT_GT(by_state[1].blue, by_state[1].red);         // sticks: as bonds that hold
+  }
+}
+
+TEST_F(Views, JointsOfARunWithoutThemAreRefused) {
+  write_run(folder(), run);
+  const Result result = render_views({"joint-aperture"});
+  EXPECT_EQ(result.status, HFRAC_VIZ_ERR_READ);
+  EXPECT_NE(result.text.find("no array 'hydraulic_aperture_m'"), std::string::npos) << result.text;
 }
 
 // Every view that shows cracks by mode, on light and on dark paper: the colour of its mode in the middle of each crack,

@@ -322,6 +322,42 @@ test('is found without the last slash of its address', async () => {
   assert.equal(answer.url(), server.address);
 });
 
+test('shows smooth joints by their state and tells the values of a contact', async () => {
+  assert.equal(await page.locator('#layer-joints').isVisible(), false, 'a run without joints offers their layer');
+  const file = path.join(scratch, 'jointed.toml');
+  const joint = "\n[[joint]]\nx1 = 15\ny1 = 65\nx2 = 85\ny2 = 80\nstate = 'smooth-broken'\nfriction = 0.1\naperture = 1e-3\n";
+  fs.writeFileSync(file, fs.readFileSync(HFRAC_CASE, 'utf8') + joint);
+  const folder = path.join(scratch, 'jointed');
+  assert.equal(await ended(start('run', file, '-o', folder, '--steps', '1', '--quiet')), 0);
+  const jointed = await view(folder);
+  await page.goto(jointed.address);
+  await shown(1);
+  await page.locator('#layer-pores').uncheck();
+  const byAperture = await picture('joints-aperture');
+  await page.selectOption('#joint-colour', 'joint-state');
+  await page.waitForTimeout(300);
+  const byState = await picture('joints-state');
+  assert.ok(differing(byAperture, byState) > 0.002, 'the colour does not change with the quantity');
+  // The states' colours are found along the joint, all the way.
+  const signs = [[110, 112, 120], [28, 92, 170], [200, 20, 140], [12, 12, 16]];
+  let found = 0;
+  for (let share = 0.05; share < 1; share += 0.1) {
+    const colour = pixel(byState, ...(await onStage(15 + 70 * share, 65 + 15 * share)));
+    if (signs.some((sign) => sign.every((part, i) => Math.abs(part - colour[i]) < 30))) ++found;
+  }
+  assert.ok(found >= 9, `the joint is drawn at ${found} of 10 places`);
+  await clickModel(50, 72.5);
+  await page.waitForSelector('#selection h3:text-matches("^Contact of a joint ")');
+  assert.match(await page.getAttribute('#selection dt:text-is("Slip") + dd', 'title'), / m$/);
+  await page.locator('#layer-joints').uncheck();
+  await page.waitForTimeout(200);
+  assert.ok(differing(await picture(), byState) > 0.002, 'the layer cannot be switched off');
+  await page.goto(server.address); // a page whose server goes complains
+  await shown(lastStep);
+  jointed.child.kill('SIGINT');
+  await ended(jointed.child);
+});
+
 test('has not complained, nor asked anybody else', async () => {
   assert.deepEqual(complaints, []);
 });

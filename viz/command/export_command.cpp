@@ -98,7 +98,10 @@ ExitCode write_tables(const ExportRequest& request) {
   output::write_whole(folder / "discs.csv", output::disc_table(sim.get()));
   output::write_whole(folder / "bonds.csv", output::bond_table(sim.get()));
   output::write_whole(folder / "domains.csv", output::domain_table(sim.get()));
-  fmt::print("{}: cracks, fractures, discs, bonds, domains (.csv)\n", folder.string());
+  const bool jointed = !output::integers(sim.get(), HFRAC_JOINT_BOND).empty();
+  if (jointed) output::write_whole(folder / "joints.csv", output::joint_table(sim.get()));
+  fmt::print("{}: cracks, fractures, discs, bonds, domains{} (.csv)\n", folder.string(),
+             jointed ? ", joints" : "");
   if (!grid.empty()) {
     output::write_cells(sim.get(), std::llround(grid[0]), folder);
     fmt::print(

@@ -80,6 +80,11 @@ std::string summary_text(const json& summary, const std::string& ended) {
   text += line("longest fracture", fmt::format("{:.4g} m long, {:.4g} mm wide", number(longest, "length_m"),
                                                number(longest, "width_m") * 1e3));
   text += line("fracture volume", fmt::format("{:.4g} m2", number(summary, "fracture_volume_m2")));
+  if (const auto joints = summary.find("joints"); joints != summary.end())
+    text += line("smooth joints",
+                 fmt::format("{:.4g} m, of it {:.4g} m slipped and {:.4g} m open; largest slip {:.4g} mm",
+                             number(*joints, "length_m"), number(*joints, "slipped_length_m"),
+                             number(*joints, "open_length_m"), number(*joints, "largest_slip_m") * 1e3));
   int index = 0;
   for (const auto& well : summary.at("wells"))
     text += line(fmt::format("well {}", index++).c_str(),

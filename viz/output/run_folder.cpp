@@ -21,7 +21,8 @@ RunFolder::RunFolder(std::filesystem::path folder, RunTerms terms)
       bonds_(folder_, "bonds"),
       cracks_(folder_, "cracks"),
       flow_(folder_, "flow"),
-      fractures_(folder_, "fractures") {
+      fractures_(folder_, "fractures"),
+      joints_(folder_, "joints") {
   course_.terms = std::move(terms);
 }
 
@@ -38,6 +39,8 @@ void RunFolder::go_on_from(hfrac_sim* sim, const Checkpoint& checkpoint) {
   for (const auto& entry : snapshots_) steps.push_back(entry.step);
   // First the lists, so that none names what is taken away.
   for (auto* series : {&discs_, &bonds_, &cracks_, &flow_, &fractures_}) series->go_on_from(snapshots_);
+  const SnapshotFrame frame(sim);
+  if (frame.jointed) joints_.go_on_from(snapshots_);
   remove_later_files(folder_, steps);
   cut_history(checkpoint.step);
   CheckpointFolder(folder_).remove_after(checkpoint.step);
@@ -45,7 +48,6 @@ void RunFolder::go_on_from(hfrac_sim* sim, const Checkpoint& checkpoint) {
   course_.steps_not_at_rest = checkpoint.steps_not_at_rest;
   earlier_seconds_ = checkpoint.wall_seconds;
   last_checkpoint_step_ = checkpoint.step;
-  const SnapshotFrame frame(sim);
   write_whole(folder_ / "cracks.csv", crack_table(frame.cracks));
   write_summary(frame);
   begun_ = true;
@@ -137,6 +139,7 @@ void RunFolder::write_series(const SnapshotFrame& frame) {
   bonds_.add(entry, encode(bond_grid(frame), frame.moment, packing));
   flow_.add(entry, encode(flow_grid(frame), frame.moment, packing));
   fractures_.add(entry, encode(fracture_grid(frame), frame.moment, packing));
+  if (frame.jointed) joints_.add(entry, encode(joint_grid(frame), frame.moment, packing));
   cracks_.add(entry, encode(crack_grid(frame), frame.moment, packing));
   write_whole(folder_ / "cracks.csv", crack_table(frame.cracks));
   snapshots_.push_back(entry);

@@ -3,7 +3,7 @@
 // killed.
 //
 //   case.toml        the definition with every option filled in; `hfrac run` on it gives the same run
-//   discs, bonds, cracks, flow, fractures: one NAME_STEP.vtu per snapshot and NAME.pvd, the series for ParaView
+//   discs, bonds, cracks, flow, fractures, joints (of smooth ones, if any): one NAME_STEP.vtu per snapshot and NAME.pvd, the series for ParaView
 //   history.csv      one line per step          cracks.csv      the crack log at the last snapshot
 //   fractures.csv    the fractures at the end   events.csv      seismic events of the whole run
 //   fracture_lines.csv  each of these fractures as a line from tip to tip
@@ -66,7 +66,7 @@ class RunFolder {
 
   std::filesystem::path folder_;
   std::chrono::steady_clock::time_point start_;
-  SeriesWriter discs_, bonds_, cracks_, flow_, fractures_;
+  SeriesWriter discs_, bonds_, cracks_, flow_, fractures_, joints_;
   RunCourse course_;
   std::vector<SnapshotEntry> snapshots_;
   double earlier_seconds_ = 0.0;  ///< [s] wall time before this process took over

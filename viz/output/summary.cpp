@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "output/columns.hpp"
+#include "output/stimulation.hpp"
 #include "output/tables.hpp"
 
 namespace hfrac::output {
@@ -59,6 +60,14 @@ json balance_part(const hfrac_balance& balance) {
   energy_columns(balance, add);
   add("injected_volume_m2", balance.injected_volume);
   fluid_columns(balance, add);
+  return part;
+}
+
+json joint_part(const JointMeasure& joints) {
+  json part = {{"length_m", joints.length}, {"slip_counted_m", kSlipped}};
+  joint_columns(joints, [&](std::string_view name, double value) {
+    part[std::string(name.substr(name.find('_') + 1))] = value;
+  });
   return part;
 }
 
@@ -125,7 +134,10 @@ json make_summary(const SnapshotFrame& frame, const RunCourse& course) {
   summary["planned"] = planned_part(definition);
   summary["model"] = {{"width_m", definition.model_width}, {"height_m", definition.model_height}};
   summary["wells"] = json::array();
-  for (const auto& well : frame.wells) summary["wells"].push_back(well_part(well));
+  for (const auto& well : frame.wells) {
+    summary["wells"].push_back(well_part(well));
+    if (frame.jointed) summary["wells"].back()["injectivity_m2_per_Pa_s"] = injectivity(well, definition);
+  }
   summary["setup"] = setup_part(setup_of(frame.sim));
   summary["state"] = state_part(frame.state);
   summary["longest_fracture"] = {{"length_m", longest.length}, {"width_m", longest.width}};
@@ -133,6 +145,7 @@ json make_summary(const SnapshotFrame& frame, const RunCourse& course) {
   summary["balance"] = balance_part(balance_of(frame.sim));
   summary["fractures"] = json::array();
   for (const auto& fracture : frame.fractures) summary["fractures"].push_back(fracture_part(fracture));
+  if (frame.jointed) summary["joints"] = joint_part(measure_joints(frame.sim));
   summary["versions"] = {{"hfrac", version_of_library()}, {"abi", abi}, {"build", build_of_library()}};
   summary["state_hash"] = fmt::format("{:016x}", static_cast<uint64_t>(state_hash_of(frame.sim)));
   return summary;

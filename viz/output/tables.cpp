@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "output/columns.hpp"
+#include "output/stimulation.hpp"
 #include "run/fields.hpp"
 #include "run/files.hpp"
 #include "run/table_file.hpp"
@@ -32,6 +33,23 @@ void written_columns(const hfrac_crack& crack, const Visit& visit) {
   });
 }
 
+std::string well_prefix(size_t well) {
+  return well == 0 ? "well" : fmt::format("well_{}", well);
+}
+
+/** Of a model with smooth joints. */
+template <class Visit>
+void stimulation_columns(hfrac_sim* sim, const std::vector<hfrac_well_state>& wells, const Visit& visit) {
+  const JointMeasure joints = measure_joints(sim);
+  if (joints.length == 0.0) return;
+  joint_columns(joints, visit);
+  for (size_t i = 0; i < wells.size(); ++i) {
+    const std::string name = well_prefix(i) + "_injectivity_m2_per_Pa_s";
+    const double value = injectivity(wells[i], definition_of(sim));
+    std::isnan(value) ? visit(name, "") : visit(name, value);
+  }
+}
+
 /** `well_...` is the first well; further ones are well_1_..., well_2_... as in the case file, where wells count from 0.
  * A model without a well has the first one's columns, empty. */
 template <class Visit>
@@ -48,7 +66,7 @@ void history_columns(hfrac_sim* sim, const Visit& visit) {
     visit("well_rate_m2_per_s", "");
   }
   for (size_t i = 0; i < wells.size(); ++i) {
-    const std::string prefix = i == 0 ? "well" : fmt::format("well_{}", i);
+    const std::string prefix = well_prefix(i);
     visit(prefix + "_pressure_Pa", wells[i].pressure);
     visit(prefix + "_rate_m2_per_s", wells[i].rate);
   }
@@ -72,6 +90,7 @@ void history_columns(hfrac_sim* sim, const Visit& visit) {
   visit("rejected_error", solver.rejected_error);
   visit("rejected_strength", solver.rejected_strength);
   visit("rejected_divergence", solver.rejected_divergence);
+  stimulation_columns(sim, wells, visit);
 }
 
 /** A line of names, then one per item; `columns` takes an item, its place in the list and a visitor. */
@@ -241,6 +260,10 @@ std::string bond_table(hfrac_sim* sim) {
 
 std::string domain_table(hfrac_sim* sim) {
   return table(sim, "domain", {Location::domain});
+}
+
+std::string joint_table(hfrac_sim* sim) {
+  return table(sim, "contact", {Location::joint});
 }
 
 }  // namespace hfrac::output

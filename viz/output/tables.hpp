@@ -46,7 +46,8 @@ struct FractureMeasure {
 };
 FractureMeasure measure(const std::vector<hfrac_fracture>& fractures);
 
-// The arrays of a simulation as CSV: a line per disc, per bond (with its pipe) and per domain.
+// The arrays of a simulation as CSV: a line per disc, per bond (with its pipe), per domain and per
+// contact of a smooth joint.
 //
 // Columns come from the interface's own list of fields (hfrac/field.h), so a field that is added there is in the table too.
 // A name is that of the field without its location, the component (x, y; xx, yy, xy; 0, 1) and the unit:
@@ -59,5 +60,7 @@ std::string disc_table(hfrac_sim* sim);
 std::string bond_table(hfrac_sim* sim);
 /** Every field of the domains, but for their corners. */
 std::string domain_table(hfrac_sim* sim);
+/** Every field of the contacts of smooth joints. */
+std::string joint_table(hfrac_sim* sim);
 
 }  // namespace hfrac::output

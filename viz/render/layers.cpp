@@ -190,6 +190,16 @@ vtkSmartPointer<vtkActor> coloured_bonds(std::span<const Segment> bonds, std::sp
   return mesh.actor(depth::bonds);
 }
 
+vtkSmartPointer<vtkActor> joint_layer(std::span<const Segment> contacts, std::span<const Colour> colours,
+                                      double half_width, double casing) {
+  Mesh mesh;
+  for (const Segment& contact : contacts)
+    mesh.band(contact, half_width + casing, casing, palette().faint_ink);
+  for (std::size_t i = 0; i < contacts.size() && i < colours.size(); ++i)
+    mesh.band(contacts[i], half_width, 0, colours[i]);
+  return mesh.actor(depth::cracks);
+}
+
 // Discs by vtkPointGaussianMapper: one triangle per disc, and a few lines of shader that keep its round part
 // and darken its rim. Ten thousand discs cost as much as a few hundred polygons would.
 

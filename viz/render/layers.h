@@ -52,6 +52,10 @@ vtkSmartPointer<vtkActor> coloured_cracks(std::span<const Crack> cracks, std::sp
 vtkSmartPointer<vtkActor> coloured_bonds(std::span<const Segment> bonds, std::span<const Colour> colours,
                                          double half_width);
 
+// Contacts of joints in colours of their own, with a thin line around each joint, since one colour may be that of the rock.
+vtkSmartPointer<vtkActor> joint_layer(std::span<const Segment> contacts, std::span<const Colour> colours,
+                                      double half_width, double casing);
+
 // Domains in colours of their own, by cell of their file.
 vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, std::span<const Colour> colours);
 // Domains in the colour of their pressure between two values.

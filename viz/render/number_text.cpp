@@ -123,6 +123,7 @@ constexpr std::array<Shown, 3> rates = {
     {{1e-2, 1, "m\xC2\xB2/s"}, {1e-8, 1e6, "mm\xC2\xB2/s"}, {0, 1e12, "\xC2\xB5m\xC2\xB2/s"}}};
 constexpr std::array<Shown, 1> speeds = {{{0, 1, "m/s"}}};
 constexpr std::array<Shown, 1> viscosities = {{{0, 1, "Pa s"}}};
+constexpr std::array<Shown, 1> injectivities = {{{0, 1, "m\xC2\xB2/(Pa s)"}}};
 constexpr std::array<Shown, 1> densities = {{{0, 1, "kg/m\xC2\xB3"}}};
 constexpr std::array<Shown, 4> moments = {
     {{1e9, 1e-9, "GN m"}, {1e5, 1e-6, "MN m"}, {1e2, 1e-3, "kN m"}, {0, 1, "N m"}}};
@@ -133,8 +134,9 @@ struct Ending {
 };
 
 // Longer endings before those they end with.
-const std::array<Ending, 16>& endings() {
-  static const std::array<Ending, 16> all = {{{"_m2_per_s", rates},
+const std::array<Ending, 17>& endings() {
+  static const std::array<Ending, 17> all = {{{"_m2_per_Pa_s", injectivities},
+                                              {"_m2_per_s", rates},
                                               {"_m_per_s", speeds},
                                               {"_J_per_m", joules},
                                               {"_N_per_m", stiffnesses},

@@ -76,7 +76,7 @@ view.CameraPosition = [0.58 * WIDTH, HEIGHT / 2, 10.0 * max(WIDTH, HEIGHT)]
 view.CameraParallelScale = 0.55 * max(WIDTH, HEIGHT)
 SetActiveView(view)
 
-discs, bonds, cracks, flow = (series(name) for name in ("discs", "bonds", "cracks", "flow"))
+discs, bonds, cracks, flow, joints = (series(name) for name in ("discs", "bonds", "cracks", "flow", "joints"))
 TIMES = []
 if discs:
     times = discs.TimestepValues
@@ -128,6 +128,16 @@ if bonds:
     shown.AmbientColor = shown.DiffuseColor = BOND
     shown.LineWidth = 1.0
     Hide(bonds, view)
+
+# Smooth joints by their hydraulic aperture, over the cracks.
+if joints:
+    shown = Show(joints, view)
+    shown.SetRepresentationType("Surface")
+    shown.LineWidth = 4.0
+    shown.Position = [0.0, 0.0, 0.02 * max(WIDTH, HEIGHT)]
+    joints.UpdatePipeline(TIMES[-1] if TIMES else 0.0)
+    ColorBy(shown, ("CELLS", "hydraulic_aperture_m"))
+    shown.RescaleTransferFunctionToDataRange(False, True)
 
 # Cracks by mode: 1 tension, 2 shear.
 if cracks:

@@ -131,6 +131,7 @@ std::string report_page(const std::filesystem::path& folder) {
   page += warning_list(summary);
   page += pictures(drawn) + movie(drawn) + charts(drawn);
   page += "<h2 id=\"fractures\">Fractures</h2>\n" + fracture_table(summary);
+  page += joint_table(summary);
   page += "<h2 id=\"wells\">Wells</h2>\n" + well_table(summary);
   page += "<h2 id=\"balances\">Balances, per metre of thickness</h2>\n" + balance_tables(summary);
   page += how_to(summary);

@@ -164,6 +164,22 @@ std::string fracture_table(const json& summary) {
   return number_table(rows);
 }
 
+std::string joint_table(const json& summary) {
+  const auto of = [&](const char* name) { return number_at(summary, std::string("joints.") + name); };
+  if (!std::isfinite(of("length_m"))) return "";
+  Rows rows = {{"length", shown(of("length_m"), "m")},
+               {"slipped by more than " + shown(of("slip_counted_m") * millimetres_per_metre, "mm"),
+                shown(of("slipped_length_m"), "m")},
+               {"open", shown(of("open_length_m"), "m")},
+               {"largest slip", shown(of("largest_slip_m") * millimetres_per_metre, "mm")}};
+  std::size_t well = 0;
+  for (const json& one : list_at(summary, "wells")) {
+    rows.emplace_back("injectivity of well " + std::to_string(++well) + " in the last step",
+                      shown(number_at(one, "injectivity_m2_per_Pa_s"), "m\xC2\xB2/(Pa s)"));
+  }
+  return "<h2 id=\"joints\">Smooth joints</h2>\n" + name_table(rows);
+}
+
 std::string well_table(const json& summary) {
   std::vector<std::vector<std::string>> rows = {{"well", "x (m)", "y (m)", "radius (m)", "pressure (MPa)",
                                                  "rate (m\xC2\xB2/s)", "injected (m\xC2\xB2)"}};

@@ -34,6 +34,8 @@ using namespace hfrac::run;
 std::string key_numbers(const nlohmann::ordered_json& summary);
 // What the library warned of; empty if of nothing.
 std::string warning_list(const nlohmann::ordered_json& summary);
+// Of the smooth joints, with its heading; empty without them.
+std::string joint_table(const nlohmann::ordered_json& summary);
 std::string fracture_table(const nlohmann::ordered_json& summary);
 std::string well_table(const nlohmann::ordered_json& summary);
 std::string balance_tables(const nlohmann::ordered_json& summary);

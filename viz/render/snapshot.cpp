@@ -82,7 +82,7 @@ std::vector<BondForce> read_bond_forces(const SeriesFile& file) {
   return read;
 }
 
-std::vector<Segment> read_bond_lines(const SeriesFile& file) {
+std::vector<Segment> read_lines(const SeriesFile& file) {
   const GridFile grid(file);
   std::vector<Segment> lines(grid.cell_count());
   visit_lines(grid, [&](std::size_t cell, const Segment& line) { lines[cell] = line; });

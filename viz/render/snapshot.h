@@ -78,8 +78,8 @@ Bonds read_bonds(const SeriesFile& file);
 Cracks read_cracks(const SeriesFile& file);
 Flow read_flow(const SeriesFile& file);
 std::vector<BondForce> read_bond_forces(const SeriesFile& file);
-// All bonds, broken ones too, one per cell of the file.
-std::vector<Segment> read_bond_lines(const SeriesFile& file);
+// All bonds, broken ones too, or all contacts of joints: one per cell of the file.
+std::vector<Segment> read_lines(const SeriesFile& file);
 
 // The rectangle around places, as they are met.
 

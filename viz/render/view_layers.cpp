@@ -44,6 +44,7 @@ ViewSpec view_named(const std::string& name) {
     spec.scale = view->scale;
     spec.all_values = view->all_values;
     spec.smoothed = view->smoothed;
+    spec.states = view->states;
     spec.by_width = view->array == "aperture_m";
     return spec;
   }
@@ -51,8 +52,9 @@ ViewSpec view_named(const std::string& name) {
   if (const std::size_t colon = name.find(':'); colon != std::string::npos) {
     spec.file = name.substr(0, colon);
     spec.array = name.substr(colon + 1);
-    if (spec.file != "discs" && spec.file != "flow" && spec.file != "cracks" && spec.file != "bonds") {
-      fail_argument("'" + spec.file + "' in '" + name + "' is none of discs, flow, cracks, bonds");
+    if (spec.file != "discs" && spec.file != "flow" && spec.file != "cracks" && spec.file != "bonds" &&
+        spec.file != "joints") {
+      fail_argument("'" + spec.file + "' in '" + name + "' is none of discs, flow, cracks, bonds, joints");
     }
   }
   if (const std::size_t open = spec.array.find('['); open != std::string::npos) {
@@ -292,10 +294,11 @@ struct Place {
   Series RunFolder::*series;
 };
 
-constexpr std::array<Place, 4> places = {{{"discs", "PointData", &RunFolder::discs},
+constexpr std::array<Place, 5> places = {{{"discs", "PointData", &RunFolder::discs},
                                           {"flow", "CellData", &RunFolder::flow},
                                           {"cracks", "CellData", &RunFolder::cracks},
-                                          {"bonds", "CellData", &RunFolder::bonds}}};
+                                          {"bonds", "CellData", &RunFolder::bonds},
+                                          {"joints", "CellData", &RunFolder::joints}}};
 
 // Everything there is, for the user who guessed.
 std::string names_of(const Job& job) {
@@ -382,6 +385,7 @@ const ColourMap* map_of(ColourScale scale) {
     case ColourScale::pressure:
       return &pressure_map;
     case ColourScale::magnitude:
+    case ColourScale::states:
       break;
   }
   return &magnitude_map;
@@ -401,6 +405,14 @@ void show_cracks(const Job& job, const ViewSpec& spec, std::span<const Colour> c
   }
 }
 
+// Alone over pale rock: each contact of a broken joint is among the cracks too, and would lie over it.
+void show_joints(const Job& job, const std::vector<Colour>& colours) {
+  job.add_quiet_well();
+  job.add_quiet_discs();
+  job.add(joint_layer(read_lines(job.file(job.run.joints, "joints")), colours, 2 * job.crack_half_width(),
+                      0.8 * job.size.unit_metres));
+}
+
 void show_colours(const Job& job, const ViewSpec& spec, const FoundArray& found,
                   const std::vector<Colour>& colours) {
   const Series RunFolder::*series = found.place->series;
@@ -414,12 +426,28 @@ void show_colours(const Job& job, const ViewSpec& spec, const FoundArray& found,
     job.add_ring();
   } else if (series == &RunFolder::cracks) {
     show_cracks(job, spec, colours);
+  } else if (series == &RunFolder::joints) {
+    show_joints(job, colours);
   } else {
     job.add_well();
     job.add_quiet_discs();
     const double half_width = std::max(0.16 * job.radius, 0.8 * job.size.unit_metres);
-    job.add(coloured_bonds(read_bond_lines(job.file(job.run.bonds, "bonds")), colours, half_width));
+    job.add(coloured_bonds(read_lines(job.file(job.run.bonds, "bonds")), colours, half_width));
   }
+}
+
+// Grey, blue, and the colours of shear and tension.
+Key show_states(const Job& job, const ViewSpec& spec, const FoundArray& found) {
+  const std::array<Colour, 4> signs = {palette().faint_ink, palette().bond, palette().shear,
+                                       palette().tension};
+  std::vector<Colour> colours;
+  for (const double value : found.values)
+    colours.push_back(signs[static_cast<std::size_t>(std::clamp(value, 0.0, 3.0))]);
+  show_colours(job, spec, found, colours);
+  Key key;
+  for (std::size_t k = 0; k < signs.size(); ++k)
+    key.entries.push_back({Sign::band, signs[k], {}, std::string(spec.states[k])});
+  return key;
 }
 
 Key show_quantity(const Job& job, const ViewSpec& spec) {
@@ -428,6 +456,7 @@ Key show_quantity(const Job& job, const ViewSpec& spec) {
     fail_reading("snapshot " + std::to_string(job.scene.point.number) + " has no array '" + spec.full_name() +
                  "'; it has " + names_of(job));
   }
+  if (spec.scale == ColourScale::states) return show_states(job, spec, found);
   if (spec.smoothed) found.values = smoothed(job.scene.discs, found.values, smoothing_radii * job.radius);
   const auto [least, largest] = std::minmax_element(found.values.begin(), found.values.end());
   const bool two_ways =

@@ -2,8 +2,10 @@
 // What each kind of view shows: the layers that go into it and the key that explains them.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "annotations.h"
@@ -22,13 +24,14 @@ struct ViewSpec {
   std::string label;
   std::string note;
   std::string array;  // its name with the unit at its end
-  std::string file;   // "discs", "flow", "cracks", "bonds"; empty: the first of them that has it
+  std::string file;   // "discs", "flow", "cracks", "bonds", "joints"; empty: the first of them that has it
   Combination how = Combination::component;
   int component = 0;
   std::optional<ColourScale> scale;  // none: by the values' signs
   bool all_values = false;
   bool smoothed = false;
-  bool by_width = false;  // cracks as wide as the value is large
+  bool by_width = false;                        // cracks as wide as the value is large
+  std::array<std::string_view, 4> states = {};  // what values 0, 1, 2, 3 mean, on the scale `states`
 
   // "[1]" of a component that is not the first.
   std::string component_text() const;

@@ -19,9 +19,9 @@ constexpr std::array fields{
 };
 
 // Points and cells themselves, what only the solver needs, and velocities, which between sub-steps are the solver's too.
-constexpr std::array<int32_t, 7> not_shown = {HFRAC_DISC_POSITION, HFRAC_DISC_VELOCITY, HFRAC_BOND_DISCS,
-                                              HFRAC_PIPE_DOMAINS,  HFRAC_DOMAIN_CENTRE, HFRAC_DOMAIN_OFFSET,
-                                              HFRAC_DOMAIN_CORNERS};
+constexpr std::array<int32_t, 9> not_shown = {HFRAC_DISC_POSITION,  HFRAC_DISC_VELOCITY, HFRAC_BOND_DISCS,
+                                              HFRAC_PIPE_DOMAINS,   HFRAC_DOMAIN_CENTRE, HFRAC_DOMAIN_OFFSET,
+                                              HFRAC_DOMAIN_CORNERS, HFRAC_JOINT_BEGIN,   HFRAC_JOINT_END};
 
 }  // namespace
 

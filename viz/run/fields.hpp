@@ -14,7 +14,7 @@
 
 namespace hfrac::run {
 
-enum class Location : int32_t { disc = 0, bond = 1, pipe = 2, domain = 3, corner = 4 };
+enum class Location : int32_t { disc = 0, bond = 1, pipe = 2, domain = 3, corner = 4, joint = 5 };
 
 struct Field {
   int32_t number;         ///< enum hfrac_field

@@ -59,6 +59,7 @@ RunFolder open_run(const fs::path& folder) {
   run.bonds = read_series(folder, "bonds");
   run.cracks = read_series(folder, "cracks");
   run.flow = read_series(folder, "flow");
+  run.joints = read_series(folder, "joints");
   return run;
 }
 
@@ -79,6 +80,7 @@ RunFolder run_in_memory(hfrac_sim* sim) {
   hold(run.bonds, "bonds", encode(bond_grid(frame), frame.moment, Compression::none));
   hold(run.cracks, "cracks", encode(crack_grid(frame), frame.moment, Compression::none));
   hold(run.flow, "flow", encode(flow_grid(frame), frame.moment, Compression::none));
+  if (frame.jointed) hold(run.joints, "joints", encode(joint_grid(frame), frame.moment, Compression::none));
   return run;
 }
 

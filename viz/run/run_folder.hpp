@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a picture, the page or a report begins with: the lists of the four series that pictures are drawn from, and what
+// What a picture, the page or a report begins with: the lists of the series that pictures are drawn from, and what
 // summary.json says about the model. Nothing of the VTU files is read here.
 #pragma once
 
@@ -32,6 +32,7 @@ struct RunFolder {
   Series bonds;
   Series cracks;
   Series flow;
+  Series joints;  // empty without smooth joints
 };
 
 // Throws ReadError.

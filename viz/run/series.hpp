@@ -14,7 +14,7 @@
 
 namespace hfrac::run {
 
-inline constexpr std::array<const char*, 4> series_names = {"discs", "bonds", "cracks", "flow"};
+inline constexpr std::array<const char*, 5> series_names = {"discs", "bonds", "cracks", "flow", "joints"};
 
 /** One VTU file of a series. */
 struct SeriesFile {

@@ -103,6 +103,7 @@ SnapshotFrame::SnapshotFrame(hfrac_sim* simulation)
       cracks(cracks_of(simulation)),
       positions(doubles(simulation, HFRAC_DISC_POSITION)),
       warm(definition_of(simulation).thermal_mode != 0),
+      jointed(!integers(simulation, HFRAC_JOINT_BOND).empty()),
       moment(moment_of(*this)) {}
 
 VtuGrid disc_grid(const SnapshotFrame& frame) {
@@ -175,6 +176,19 @@ VtuGrid fracture_grid(const SnapshotFrame& frame) {
                      whole("wing", column<int32_t>(points, &Point::wing)),
                      whole("tip", column<int32_t>(points, &Point::tip))};
   grid.cell_data = {whole("fracture", std::move(numbers)), whole("well", std::move(wells))};
+  return grid;
+}
+
+VtuGrid joint_grid(const SnapshotFrame& frame) {
+  const auto begin = doubles(frame.sim, HFRAC_JOINT_BEGIN), end = doubles(frame.sim, HFRAC_JOINT_END);
+  VtuGrid grid;
+  for (size_t i = 0; i + 1 < begin.size(); i += 2)
+    grid.positions.insert(grid.positions.end(), {begin[i], begin[i + 1], end[i], end[i + 1]});
+  grid.cell_type = CellType::line;
+  grid.offsets = even_offsets(begin.size() / 2, 2);
+  grid.connectivity = counted_up(begin.size());
+  add_fields(grid.cell_data, frame, Location::joint);
+  grid.cell_data.push_back(whole("contact_id", counted_up(begin.size() / 2)));
   return grid;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The grids of a snapshot, made from a simulation: what discs_*.vtu, bonds_*.vtu, cracks_*.vtu, flow_*.vtu and fractures_*.vtu hold.
+// The grids of a snapshot, made from a simulation: what discs_*.vtu, bonds_*.vtu, cracks_*.vtu, flow_*.vtu and fractures_*.vtu hold,
+// and joints_*.vtu of a model with smooth joints.
 #pragma once
 
 #include <vector>
@@ -20,6 +21,7 @@ struct SnapshotFrame {
   std::vector<hfrac_crack> cracks;
   std::vector<double> positions;  ///< disc centres now, x0 y0 x1 y1 ...
   bool warm;                      ///< the run has a temperature
+  bool jointed;                   ///< it has smooth joints
   Moment moment;
 };
 
@@ -31,6 +33,8 @@ VtuGrid bond_grid(const SnapshotFrame& frame);
 VtuGrid crack_grid(const SnapshotFrame& frame);
 /** Each fracture of two cracks or more as one line from tip to tip, with what the fluid does along it at its points. */
 VtuGrid fracture_grid(const SnapshotFrame& frame);
+/** A line per contact of a smooth joint: its piece of the joint as it lies now. Empty without smooth joints. */
+VtuGrid joint_grid(const SnapshotFrame& frame);
 /** Each fluid domain as the polygon of the disc centres around it; the outside has no polygon. */
 VtuGrid flow_grid(const SnapshotFrame& frame);
 

@@ -11,8 +11,8 @@ std::span<const NamedView> all_views() {
   constexpr std::string_view stress = "stress_Pa", moved = "displacement_m";
   constexpr std::string_view compression = "compression positive", since = "since equilibration";
 
-  // name, title, label, note, mesh, array, how, component, scale, all values, smoothed
-  static constexpr std::array<NamedView, 19> views = {{
+  // name, title, label, note, mesh, array, how, component, scale, all values, smoothed, states
+  static constexpr std::array<NamedView, 23> views = {{
       {"discs", "Discs and cracks", "", "cracks by mode", "", ""},
       {"bonds", "Bonds and cracks", "", "intact bonds over the discs, cracks by mode", "", ""},
       {"forces", "Forces across bonds", "", "force chains: width by force, colour by sign", "", ""},
@@ -41,6 +41,24 @@ std::span<const NamedView> all_views() {
       {"temperature", "Temperature", "temperature", "of the discs", "discs", "temperature_K"},
       {"fluid-temperature", "Temperature of the fluid", "temperature", "of the domains", "flow",
        "temperature_K"},
+      {"joint-aperture", "Hydraulic aperture of joints", "aperture", "hydraulic", "joints",
+       "hydraulic_aperture_m", component, 0, narrow},
+      {"joint-slip", "Slip of joints", "slip", "positive: left-lateral", "joints", "slip_m", component, 0,
+       two_ways},
+      {"joint-pressure", "Pressure in joints", "pressure in joints", "", "joints", "pressure_Pa", component,
+       0, narrow, true},
+      {"joint-state",
+       "State of joints",
+       "state",
+       "",
+       "joints",
+       "state",
+       component,
+       0,
+       states,
+       true,
+       false,
+       {"holds", "sticks", "slips", "open"}},
   }};
   return views;
 }
@@ -52,7 +70,7 @@ const NamedView* view_of(std::string_view name) {
 }
 
 std::string_view name_of(ColourScale scale) {
-  constexpr std::array<std::string_view, 4> names = {"magnitude", "two-ways", "narrow", "pressure"};
+  constexpr std::array<std::string_view, 5> names = {"magnitude", "two-ways", "narrow", "pressure", "states"};
   return names.at(static_cast<size_t>(scale));
 }
 

@@ -3,6 +3,7 @@
 // index of a run) show the same quantities under the same names, with the same colour scales.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -22,7 +23,8 @@ enum class ColourScale : int32_t {
   magnitude,  ///< a size, on discs
   two_ways,   ///< a number with a sign: as far to both sides of zero
   narrow,     ///< along cracks
-  pressure    ///< of the fluid
+  pressure,   ///< of the fluid
+  states      ///< none: one of few states, each with a name and a colour
 };
 
 struct NamedView {
@@ -31,7 +33,7 @@ struct NamedView {
   std::string_view label;  ///< above the colour scale, where its unit follows: "stress xx"
   std::string_view note;   ///< below the label
   std::string_view
-      mesh;  ///< "discs", "cracks" or "flow": what is coloured; empty: no quantity, a drawing of its own
+      mesh;  ///< "discs", "cracks", "flow" or "joints": what is coloured; empty: no quantity, a drawing of its own
   std::string_view array;  ///< of the snapshot's files, with its unit at the end
   Combination how = Combination::component;
   int32_t component = 0;
@@ -39,13 +41,14 @@ struct NamedView {
   bool all_values = false;  ///< the scale shows all values, not the middle 98 %
   bool smoothed =
       false;  ///< in pictures: over neighbouring discs, since the stress of a single one says little
+  std::array<std::string_view, 4> states = {};  ///< what values 0, 1, 2, 3 mean, on the scale `states`
 };
 
 std::span<const NamedView> all_views();
 /** nullptr if there is none of that name. */
 const NamedView* view_of(std::string_view name);
 
-/** "magnitude", "two-ways", "narrow", "pressure"; "component", "length", "mean", "shear". */
+/** "magnitude", "two-ways", "narrow", "pressure", "states"; "component", "length", "mean", "shear". */
 std::string_view name_of(ColourScale scale);
 std::string_view name_of(Combination how);
 

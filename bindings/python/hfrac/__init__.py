@@ -14,7 +14,7 @@ is there and not needed otherwise. One simulation serves one thread at a time; d
 from ._abi import CrackMode, GrdeclKind, JointState, LogLevel, Status, StepLimit, StopReason, Upscaling, WellControl
 from ._catalogue import magnitude_law
 from ._definition import Definition, Option, joint_options, options, schedule_options, well_options
-from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Pipes
+from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Joints, Pipes
 from ._grid import Grid
 from ._lab import LabResult, calibrate, lab
 from ._library import build_info, library_path, version
@@ -64,7 +64,7 @@ __all__ = [
     "FIELDS", "Advance", "ArgumentError", "BadHandleError", "Balance", "Bonds", "BusyError", "Calibration",
     "CallbackError", "CollapsedError",
     "CaseFileError", "Crack", "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "Event", "FieldInfo",
-    "FileError", "Fracture", "FracturePoint", "GrdeclKind", "Grid", "Heat", "HfracError", "InternalError", "JointState", "LabReport",
+    "FileError", "Fracture", "FracturePoint", "GrdeclKind", "Grid", "Heat", "HfracError", "InternalError", "JointState", "Joints", "LabReport",
     "LabResult", "LibraryError", "LogLevel", "MagnitudeLaw", "ModelError", "OpenStep", "Option", "OutOfMemoryError",
     "Pipes", "PoisonedError", "SetupReport", "SimState", "Simulation", "SolverReport", "StaleViewError", "Status",
     "StepLimit", "StepLimits", "StopReason", "StoppedError", "StructSizeError", "UnknownKeyError", "Upscaling", "View",

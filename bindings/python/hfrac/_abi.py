@@ -122,8 +122,8 @@ class StepLimit(enum.IntEnum):
 
 
 class Field(enum.IntEnum):
-    """Fields. location: 0 disc, 1 bond, 2 pipe, 3 domain, 4 corner of a domain (flat list). dtype: 0 double, 1
-    int32.
+    """Fields. location: 0 disc, 1 bond, 2 pipe, 3 domain, 4 corner of a domain (flat list), 5 contact of a smooth
+    joint. dtype: 0 double, 1 int32.
     """
 
     #: centre now
@@ -177,6 +177,33 @@ class Field(enum.IntEnum):
     DOMAIN_OFFSET = 64
     #: disc indices around each domain, anticlockwise (outside: clockwise)
     DOMAIN_CORNERS = 65
+    #: the joint's place in the definition, from 0
+    JOINT_NUMBER = 80
+    #: the bond, and pipe, that the contact stands for; ascending
+    JOINT_BOND = 81
+    #: 0 holds, 1 sticks, 2 slips (friction is used up), 3 open (faces bear nothing)
+    JOINT_CONTACT_STATE = 82
+    #: one end of the contact's piece of the joint now, halfway between the faces
+    JOINT_BEGIN = 83
+    #: the other end
+    JOINT_END = 84
+    #: how far the faces are apart since they bore nothing; negative: pressed together
+    JOINT_OPENING = 85
+    #: the joint's aperture plus opening, at least 0
+    JOINT_MECHANICAL_APERTURE = 86
+    #: of its pipe, by the joint's law where it conducts; 0 in a dry model
+    JOINT_HYDRAULIC_APERTURE = 87
+    #: net slip since the end of the initial equilibration; positive: seen across the joint the far side went
+    #: left
+    JOINT_SLIP = 88
+    #: effective, of the joint's law; compression positive
+    JOINT_NORMAL_STRESS = 89
+    #: of the joint's law; positive: drives slip that is positive
+    JOINT_SHEAR_STRESS = 90
+    #: mean of the two pores it lies between, as stress.convention says
+    JOINT_PRESSURE = 91
+    #: with what it slid in the initial equilibration: friction and dilation go by it
+    JOINT_TOTAL_SLIP = 92
 
 
 class CrackMode(enum.IntEnum):

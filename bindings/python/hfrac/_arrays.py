@@ -37,8 +37,10 @@ def borrowed_array(address: int, dtype: str, count: int, components: int, owner:
     plain = _array_type(dtype, count, components).from_address(address)
     plain.owner = owner
     if numpy is None:
+        if not count:
+            return memoryview(plain).toreadonly()  # a memoryview of nothing cannot be cast
         flat = memoryview(plain).cast("B").cast({"double": "d", "int32": "i"}[dtype]).toreadonly()
-        return flat.cast("B").cast(flat.format, (count, components)) if components > 1 and count else flat
+        return flat.cast("B").cast(flat.format, (count, components)) if components > 1 else flat
     shared = numpy.asarray(plain)
     shared.flags.writeable = False
     return shared

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What discs, bonds, pipes and domains of a simulation have in common."""
+"""What discs, bonds, pipes, domains and joints of a simulation have in common."""
 from typing import TYPE_CHECKING
 
 from ._arrays import Array

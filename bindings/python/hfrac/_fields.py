@@ -121,6 +121,58 @@ FIELDS: Tuple[FieldInfo, ...] = (
         'domain.corners', '1', 'int32', 1,
         'disc indices around each domain, anticlockwise (outside: clockwise)',
     ),
+    FieldInfo(
+        'joint.number', '1', 'int32', 1,
+        "the joint's place in the definition, from 0",
+    ),
+    FieldInfo(
+        'joint.bond', '1', 'int32', 1,
+        'the bond, and pipe, that the contact stands for; ascending',
+    ),
+    FieldInfo(
+        'joint.state', '1', 'int32', 1,
+        '0 holds, 1 sticks, 2 slips (friction is used up), 3 open (faces bear nothing)',
+    ),
+    FieldInfo(
+        'joint.begin', 'm', 'double', 2,
+        "one end of the contact's piece of the joint now, halfway between the faces",
+    ),
+    FieldInfo(
+        'joint.end', 'm', 'double', 2,
+        'the other end',
+    ),
+    FieldInfo(
+        'joint.opening', 'm', 'double', 1,
+        'how far the faces are apart since they bore nothing; negative: pressed together',
+    ),
+    FieldInfo(
+        'joint.mechanical_aperture', 'm', 'double', 1,
+        "the joint's aperture plus opening, at least 0",
+    ),
+    FieldInfo(
+        'joint.hydraulic_aperture', 'm', 'double', 1,
+        "of its pipe, by the joint's law where it conducts; 0 in a dry model",
+    ),
+    FieldInfo(
+        'joint.slip', 'm', 'double', 1,
+        'net slip since the end of the initial equilibration; positive: seen across the joint the far side went left',
+    ),
+    FieldInfo(
+        'joint.normal_stress', 'Pa', 'double', 1,
+        "effective, of the joint's law; compression positive",
+    ),
+    FieldInfo(
+        'joint.shear_stress', 'Pa', 'double', 1,
+        "of the joint's law; positive: drives slip that is positive",
+    ),
+    FieldInfo(
+        'joint.pressure', 'Pa', 'double', 1,
+        'mean of the two pores it lies between, as stress.convention says',
+    ),
+    FieldInfo(
+        'joint.total_slip', 'm', 'double', 1,
+        'with what it slid in the initial equilibration: friction and dilation go by it',
+    ),
 )
 
 
@@ -267,3 +319,74 @@ class Domains(FieldGroup):
     def corners(self) -> Array:
         """[1] disc indices around each domain, anticlockwise (outside: clockwise); shape (n,)"""
         return self._simulation.field("domain.corners")
+
+
+class Joints(FieldGroup):
+    """Fields of the joints."""
+
+    @property
+    def number(self) -> Array:
+        """[1] the joint's place in the definition, from 0; shape (n,)"""
+        return self._simulation.field("joint.number")
+
+    @property
+    def bond(self) -> Array:
+        """[1] the bond, and pipe, that the contact stands for; ascending; shape (n,)"""
+        return self._simulation.field("joint.bond")
+
+    @property
+    def state(self) -> Array:
+        """[1] 0 holds, 1 sticks, 2 slips (friction is used up), 3 open (faces bear nothing); shape (n,)"""
+        return self._simulation.field("joint.state")
+
+    @property
+    def begin(self) -> Array:
+        """[m] one end of the contact's piece of the joint now, halfway between the faces; shape (n, 2)"""
+        return self._simulation.field("joint.begin")
+
+    @property
+    def end(self) -> Array:
+        """[m] the other end; shape (n, 2)"""
+        return self._simulation.field("joint.end")
+
+    @property
+    def opening(self) -> Array:
+        """[m] how far the faces are apart since they bore nothing; negative: pressed together; shape (n,)"""
+        return self._simulation.field("joint.opening")
+
+    @property
+    def mechanical_aperture(self) -> Array:
+        """[m] the joint's aperture plus opening, at least 0; shape (n,)"""
+        return self._simulation.field("joint.mechanical_aperture")
+
+    @property
+    def hydraulic_aperture(self) -> Array:
+        """[m] of its pipe, by the joint's law where it conducts; 0 in a dry model; shape (n,)"""
+        return self._simulation.field("joint.hydraulic_aperture")
+
+    @property
+    def slip(self) -> Array:
+        """[m] net slip since the end of the initial equilibration; positive: seen across the joint the far side
+        went left; shape (n,)
+        """
+        return self._simulation.field("joint.slip")
+
+    @property
+    def normal_stress(self) -> Array:
+        """[Pa] effective, of the joint's law; compression positive; shape (n,)"""
+        return self._simulation.field("joint.normal_stress")
+
+    @property
+    def shear_stress(self) -> Array:
+        """[Pa] of the joint's law; positive: drives slip that is positive; shape (n,)"""
+        return self._simulation.field("joint.shear_stress")
+
+    @property
+    def pressure(self) -> Array:
+        """[Pa] mean of the two pores it lies between, as stress.convention says; shape (n,)"""
+        return self._simulation.field("joint.pressure")
+
+    @property
+    def total_slip(self) -> Array:
+        """[m] with what it slid in the initial equilibration: friction and dilation go by it; shape (n,)"""
+        return self._simulation.field("joint.total_slip")

@@ -99,7 +99,7 @@ class SetupReport(NamedTuple):
     strength_factor: float
     #: [m] r0 in use (eq. 7)
     zero_stress_aperture: float
-    #: [m2] of the network after the initial equilibrium
+    #: [m2] of the network after the initial equilibrium, without joints that conduct
     permeability: float
     #: unbalanced over mean contact force after the initial equilibrium
     equilibration_force_ratio: float

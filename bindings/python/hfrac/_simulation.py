@@ -10,7 +10,7 @@ from . import _abi, _arrays, _grid, _picture
 from ._arrays import Array
 from ._catalogue import Rule
 from ._definition import Definition, PathLike, Value
-from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Pipes
+from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Joints, Pipes
 from ._library import call, load
 from ._open_step import OpenStep
 from ._progress import LogFunction, Progress, ProgressFunction
@@ -388,6 +388,11 @@ class Simulation:
     def pipes(self) -> Pipes:
         """Fields of the pipes; pipe i crosses bond i."""
         return Pipes(self)
+
+    @property
+    def joints(self) -> Joints:
+        """Fields of the contacts of smooth joints, each a piece of its joint; empty without such joints."""
+        return Joints(self)
 
     @property
     def domains(self) -> Domains:

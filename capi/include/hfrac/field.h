@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /** @file
- * Arrays of a simulation, self-describing: discs, bonds, pipes and domains.
+ * Arrays of a simulation, self-describing: discs, bonds, pipes, domains and contacts of joints.
  *
  * Fields are flat, components innermost: position is x0 y0 x1 y1 ..., which Fortran reads as (2, n). Copying is the
  * plain way. A view borrows the library's own memory: it is valid until the next call that may change the simulation,
  * which raises the epoch; compare hfrac_epoch with the view's.
  *
  * Bonds and pipes have the same count and order: every bonded contact is crossed by one pipe. A bond keeps its
- * index when it breaks. Domains are faces of the contact graph; domain 0 is the outside (formation).
+ * index when it breaks. Domains are faces of the contact graph; domain 0 is the outside (formation). Smooth joints have
+ * one contact per bond that they cross, which stands for a piece of the joint; models without smooth joints have none, and
+ * rough joints (HFRAC_JOINT_BONDED, HFRAC_JOINT_BROKEN) are bonds and cracks like others.
  */
 #ifndef HFRAC_FIELD_H
 #define HFRAC_FIELD_H
@@ -19,7 +21,8 @@ extern "C" {
 #endif
 
 /** Fields: X(name, value, "name", "unit", location, dtype, components, "help").
- * location: 0 disc, 1 bond, 2 pipe, 3 domain, 4 corner of a domain (flat list). dtype: 0 double, 1 int32. */
+ * location: 0 disc, 1 bond, 2 pipe, 3 domain, 4 corner of a domain (flat list), 5 contact of a smooth joint.
+ * dtype: 0 double, 1 int32. */
 #define HFRAC_FIELD_LIST(X)                                                                                        \
   X(HFRAC_DISC_POSITION, 0, "disc.position", "m", 0, 0, 2, "centre now")                                           \
   X(HFRAC_DISC_RADIUS, 1, "disc.radius", "m", 0, 0, 1, "radius")                                                   \
@@ -45,7 +48,20 @@ extern "C" {
   X(HFRAC_DOMAIN_SATURATION, 67, "domain.saturation", "1", 3, 0, 1, "fluid saturation of the pore: volume of fluid over pore volume; below 1 where the pressure is at its floor, as near the tip of a fracture that opens faster than fluid arrives") \
   X(HFRAC_DOMAIN_TEMPERATURE, 66, "domain.temperature", "K", 3, 0, 1, "of the fluid; thermal.rock_temperature without a temperature in the model") \
   X(HFRAC_DOMAIN_OFFSET, 64, "domain.corner_offset", "1", 3, 1, 1, "first corner of each domain in domain.corners; the next domain's is its end") \
-  X(HFRAC_DOMAIN_CORNERS, 65, "domain.corners", "1", 4, 1, 1, "disc indices around each domain, anticlockwise (outside: clockwise)")
+  X(HFRAC_DOMAIN_CORNERS, 65, "domain.corners", "1", 4, 1, 1, "disc indices around each domain, anticlockwise (outside: clockwise)") \
+  X(HFRAC_JOINT_NUMBER, 80, "joint.number", "1", 5, 1, 1, "the joint's place in the definition, from 0")            \
+  X(HFRAC_JOINT_BOND, 81, "joint.bond", "1", 5, 1, 1, "the bond, and pipe, that the contact stands for; ascending") \
+  X(HFRAC_JOINT_CONTACT_STATE, 82, "joint.state", "1", 5, 1, 1, "0 holds, 1 sticks, 2 slips (friction is used up), 3 open (faces bear nothing)") \
+  X(HFRAC_JOINT_BEGIN, 83, "joint.begin", "m", 5, 0, 2, "one end of the contact's piece of the joint now, halfway between the faces") \
+  X(HFRAC_JOINT_END, 84, "joint.end", "m", 5, 0, 2, "the other end")                                               \
+  X(HFRAC_JOINT_OPENING, 85, "joint.opening", "m", 5, 0, 1, "how far the faces are apart since they bore nothing; negative: pressed together") \
+  X(HFRAC_JOINT_MECHANICAL_APERTURE, 86, "joint.mechanical_aperture", "m", 5, 0, 1, "the joint's aperture plus opening, at least 0") \
+  X(HFRAC_JOINT_HYDRAULIC_APERTURE, 87, "joint.hydraulic_aperture", "m", 5, 0, 1, "of its pipe, by the joint's law where it conducts; 0 in a dry model") \
+  X(HFRAC_JOINT_SLIP, 88, "joint.slip", "m", 5, 0, 1, "net slip since the end of the initial equilibration; positive: seen across the joint the far side went left") \
+  X(HFRAC_JOINT_NORMAL_STRESS, 89, "joint.normal_stress", "Pa", 5, 0, 1, "effective, of the joint's law; compression positive") \
+  X(HFRAC_JOINT_SHEAR_STRESS, 90, "joint.shear_stress", "Pa", 5, 0, 1, "of the joint's law; positive: drives slip that is positive") \
+  X(HFRAC_JOINT_PRESSURE, 91, "joint.pressure", "Pa", 5, 0, 1, "mean of the two pores it lies between, as stress.convention says") \
+  X(HFRAC_JOINT_TOTAL_SLIP, 92, "joint.total_slip", "m", 5, 0, 1, "with what it slid in the initial equilibration: friction and dilation go by it")
 
 #define HFRAC_FIELD_ENUM_(name, value, key, unit, location, dtype, components, help) name = value,
 enum hfrac_field { HFRAC_FIELD_LIST(HFRAC_FIELD_ENUM_) HFRAC_FIELD_END_ = 0x7fffffff };
@@ -58,7 +74,7 @@ typedef struct hfrac_field_desc {
   const char *name;    /**< e.g. "disc.position" */
   const char *unit;    /**< SI unit */
   const char *help;    /**< one phrase */
-  int32_t location;    /**< 0 disc, 1 bond, 2 pipe, 3 domain, 4 corner */
+  int32_t location;    /**< 0 disc, 1 bond, 2 pipe, 3 domain, 4 corner, 5 contact of a joint */
   int32_t dtype;       /**< 0 double, 1 int32 */
   int32_t components;  /**< values per item */
   int32_t struct_pad;  /**< 0 */

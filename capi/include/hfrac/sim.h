@@ -116,7 +116,7 @@ typedef struct hfrac_setup_report {
   double strength_factor;        /**< strengths used, at the mean radius, over strengths given (bond.fracture_toughness and
                                       bond.toughness_reference_radius) */
   double zero_stress_aperture;   /**< [m] r0 in use (eq. 7) */
-  double permeability;           /**< [m2] of the network after the initial equilibrium */
+  double permeability;           /**< [m2] of the network after the initial equilibrium, without joints that conduct */
   double equilibration_force_ratio; /**< unbalanced over mean contact force after the initial equilibrium */
   double packing_seconds;        /**< wall time of the packing */
   double setup_seconds;          /**< wall time of all of hfrac_sim_create */

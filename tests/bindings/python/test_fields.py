@@ -27,6 +27,22 @@ class Fields(unittest.TestCase):
         self.assertEqual(len(self.sim.pipes.aperture), state.bond_count)
         self.assertEqual(len(self.sim.domains.pressure), state.domain_count)
 
+    def test_contacts_of_smooth_joints(self):
+        self.assertEqual(len(self.sim.joints.slip), 0)
+        self.assertEqual(len(self.sim.view("joint.begin")), 0)
+        joint = {"x1": 20.0, "y1": 70.0, "x2": 80.0, "y2": 75.0, "state": "smooth-broken", "friction": 0.6}
+        with small(joints=[joint]) as jointed:
+            jointed.step()
+            joints, broken = jointed.joints, plain(jointed.bonds.state)
+            contacts = len(joints.bond)
+            self.assertGreater(contacts, 5)
+            self.assertEqual([broken[bond] for bond in plain(joints.bond)], [2] * contacts)
+            self.assertEqual(plain(joints.number), [0] * contacts)
+            self.assertTrue(set(plain(joints.state)) <= {1, 2, 3})
+            for (x0, y0), (x1, y1), state, stress in zip(plain(joints.begin), plain(joints.end), joints.state, joints.normal_stress):
+                self.assertAlmostEqual((y1 - y0) * 60.0, (x1 - x0) * 5.0, delta=1e-9)
+                self.assertEqual(state == 3, stress == 0.0)
+
     def test_rows_are_indexed_alike_with_and_without_numpy(self):
         position = self.sim.discs.position
         for x, y in position:

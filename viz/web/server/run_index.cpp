@@ -89,7 +89,8 @@ json view_list() {
                     {"how", run::name_of(view.how)},
                     {"component", view.component},
                     {"scale", run::name_of(view.scale)},
-                    {"all_values", view.all_values}});
+                    {"all_values", view.all_values},
+                    {"states", view.states}});
   }
   return list;
 }

@@ -137,7 +137,7 @@ export const keysWidth = card.width + 14;
 function drawKeys(pen: Pen, keys: readonly Key[], width: number): void {
   let top = 14;
   for (const key of keys) {
-    const body = key.kind === 'scale' ? card.bar + 22 : key.entries.length ? 18 : 0;
+    const body = key.kind === 'scale' ? card.bar + 22 : swatchRow * swatchRows(key.entries.length);
     const height = card.pad * 2 + 16 + body + (key.note ? 17 : 0) - (body ? 0 : 6);
     const left = width - card.width - 14;
     const { paper, ink, faint, grid } = palette();
@@ -160,7 +160,7 @@ function drawKeys(pen: Pen, keys: readonly Key[], width: number): void {
     } else {
       pen.fillText(key.title, x, y);
       drawSwatches(pen, key.entries, x, y + 17);
-      y += key.entries.length ? 22 : 2;
+      y += key.entries.length ? swatchRow * swatchRows(key.entries.length) + 4 : 2;
     }
     if (key.note) {
       pen.fillStyle = css(faint);
@@ -171,12 +171,20 @@ function drawKeys(pen: Pen, keys: readonly Key[], width: number): void {
   }
 }
 
+/** Two side by side. */
+const swatchRow = 18;
+const swatchRows = (count: number): number => Math.ceil(count / 2);
+
 function drawSwatches(
   pen: Pen, entries: Extract<Key, { kind: 'swatches' }>['entries'], left: number, y: number,
 ): void {
   pen.font = `12px ${family}`;
   let x = left;
-  for (const { colour, text } of entries) {
+  entries.forEach(({ colour, text }, i) => {
+    if (i > 0 && i % 2 === 0) {
+      x = left;
+      y += swatchRow;
+    }
     pen.fillStyle = css(colour);
     pen.beginPath();
     pen.roundRect(x, y - 6, 16, 4, 2);
@@ -184,7 +192,7 @@ function drawSwatches(
     pen.fillStyle = css(palette().ink);
     pen.fillText(text, x + 22, y);
     x += 22 + pen.measureText(text).width + 16;
-  }
+  });
 }
 
 function drawScale(pen: Pen, key: Extract<Key, { kind: 'scale' }>, divisor: number, x: number, y: number): void {

@@ -109,7 +109,7 @@ export class App {
   }
 
   private shown(moment: Moment): void {
-    this.layers.offer(moment.discs);
+    this.layers.offer(moment.discs, moment.joints);
     this.camera.frame();
     this.repaint();
     void this.selection.refresh();
@@ -294,7 +294,7 @@ export class App {
       '+': () => this.zoom(1.4),
       '=': () => this.zoom(1.4),
       '-': () => this.zoom(1 / 1.4),
-      ...Object.fromEntries([1, 2, 3, 4].map((number) => [number, () => this.layers.toggle(number - 1)])),
+      ...Object.fromEntries([1, 2, 3, 4, 5].map((number) => [number, () => this.layers.toggle(number - 1)])),
     });
   }
 }

@@ -1,4 +1,4 @@
-// What discs, pores and cracks can be coloured by. The list comes with the index of a run: it is the one that the pictures are
+// What discs, pores, cracks and joints can be coloured by. The list comes with the index of a run: it is the one that the pictures are
 // drawn by (viz/run/views.cpp). Other arrays of the discs are offered by their own name, so a new one shows up by itself.
 import { ColourMap, Palette } from './colours';
 import { nameOf } from './quantities';
@@ -16,6 +16,8 @@ export interface Field {
   /** Smooths over the whole range instead of the middle 98 %. */
   whole?: boolean;
   note?: string;
+  /** Of values that are states: their names. */
+  states?: readonly string[];
   map(palette: Palette): ColourMap;
 }
 
@@ -24,6 +26,7 @@ const maps: Record<NamedView['scale'], (palette: Palette) => ColourMap> = {
   'two-ways': (palette) => palette.twoWays,
   narrow: (palette) => palette.narrow,
   pressure: (palette) => palette.pressure,
+  states: (palette) => palette.magnitude,  // not looked at: each state has a colour of its own
 };
 
 let views: NamedView[] = [];
@@ -32,7 +35,7 @@ export function setViews(list: NamedView[]): void {
   views = list;
 }
 
-/** The views that colour what `mesh` names: "discs", "cracks", "flow". */
+/** The views that colour what `mesh` names: "discs", "cracks", "flow", "joints". */
 export function viewsOf(mesh: string): NamedView[] {
   return views.filter((view) => view.mesh === mesh);
 }
@@ -47,6 +50,7 @@ function valueOf({ how, component }: NamedView, width: number): Field['value'] {
 function fieldOf(view: NamedView, head: ArrayHead): Field {
   return {
     id: view.name, name: view.title, unit: head.unit, array: view.array, signed: view.scale === 'two-ways',
+    states: view.scale === 'states' ? view.states : undefined,
     whole: view.all_values, note: view.note || undefined, map: maps[view.scale], value: valueOf(view, head.components),
   };
 }

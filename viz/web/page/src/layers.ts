@@ -4,9 +4,13 @@ import { fieldsOf, viewsOf } from './fields';
 import { Settings } from './paint';
 import { Grid } from './server';
 
+type LayerName = 'discs' | 'pores' | 'bonds' | 'cracks' | 'joints';
+
 export class LayerList {
   private discSelect = make('select', { 'aria-label': 'Colour of discs', id: 'disc-colour' });
   private crackSelect: HTMLSelectElement;
+  private jointSelect: HTMLSelectElement;
+  private jointLayer: HTMLElement;
   private boxes: HTMLInputElement[] = [];
   private offered = '';
 
@@ -16,6 +20,7 @@ export class LayerList {
       ['even', 'even width'],
       ['aperture', 'width by aperture'],
     ]);
+    this.jointSelect = this.select('joint-colour', 'Colour of joints', 'jointColour', this.jointChoices());
     this.discSelect.append(make('option', { value: 'plain' }, 'plain'));
     this.discSelect.addEventListener('change', () => this.colourDiscs(this.discSelect.value));
     container.append(
@@ -23,11 +28,14 @@ export class LayerList {
       this.layer('pores', 'Fluid pressure'),
       this.layer('bonds', 'Forces across bonds'),
       this.layer('discs', 'Discs', this.discSelect),
+      (this.jointLayer = this.layer('joints', 'Joints', this.jointSelect)),
     );
+    this.jointLayer.hidden = true;
   }
 
-  /** Offers the fields that this grid has. */
-  offer(grid: Grid): void {
+  /** Offers the fields that the grid of the discs has, and joints if there are any. */
+  offer(grid: Grid, joints: Grid | null): void {
+    this.jointLayer.hidden = !joints;
     const fields = fieldsOf('discs', grid);
     const offered = fields.map(({ id }) => id).join();
     if (offered === this.offered) return;
@@ -38,6 +46,12 @@ export class LayerList {
     this.discSelect.value = this.settings.discColour;
     this.crackSelect.replaceChildren(...this.crackChoices().map(([value, text]) => make('option', { value }, text)));
     this.crackSelect.value = this.settings.crackColour;
+    this.jointSelect.replaceChildren(...this.jointChoices().map(([value, text]) => make('option', { value }, text)));
+    this.jointSelect.value = this.settings.jointColour;
+  }
+
+  private jointChoices(): (readonly [string, string])[] {
+    return viewsOf('joints').map(({ name, label, title }) => [name, `by ${label || title.toLowerCase()}`] as const);
   }
 
   private crackChoices(): (readonly [string, string])[] {
@@ -75,13 +89,13 @@ export class LayerList {
     return this.boxes.find(({ dataset }) => dataset.layer === name) as HTMLInputElement;
   }
 
-  private layer(name: 'discs' | 'pores' | 'bonds' | 'cracks', title: string, ...parts: HTMLElement[]): HTMLElement {
+  private layer(name: LayerName, title: string, ...parts: HTMLElement[]): HTMLElement {
     const box = this.box(name, title);
     (box.firstChild as HTMLElement).dataset.layer = name;
     return make('div', { class: 'layer' }, box, ...parts);
   }
 
-  private box(name: 'discs' | 'pores' | 'bonds' | 'cracks' , title: string) {
+  private box(name: LayerName, title: string) {
     const box = make('input', { type: 'checkbox', id: `layer-${name}` });
     box.checked = this.settings[name];
     box.addEventListener('change', () => {
@@ -94,7 +108,7 @@ export class LayerList {
   }
 
   private select(
-    id: string, label: string, name: 'crackColour' | 'crackWidth', choices: readonly (readonly [string, string])[],
+    id: string, label: string, name: 'crackColour' | 'crackWidth' | 'jointColour', choices: readonly (readonly [string, string])[],
   ): HTMLSelectElement {
     const select = make('select', { id, 'aria-label': label });
     for (const [value, text] of choices) select.append(make('option', { value }, text));

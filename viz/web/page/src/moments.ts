@@ -65,13 +65,14 @@ export class Moments {
     const chosen = many ? ['radius_m', field?.array ?? this.settings.discColour] : [];
     const wanted = (file: string | undefined, on: boolean, arrays: string[] = []): Promise<Grid | null> =>
       file && on ? grid(file, arrays) : Promise.resolve(null);
-    const [discs, cracks, flow, bonds] = await Promise.all([
+    const [discs, cracks, flow, bonds, joints] = await Promise.all([
       wanted(files.discs, true, chosen),
       wanted(files.cracks, true),
       wanted(files.flow, this.settings.pores, many ? ['pressure_Pa', 'domain_id'] : []),
       wanted(files.bonds, this.settings.bonds, many ? ['state', 'normal_force_N', 'bond_id'] : []),
+      wanted(files.joints, true),
     ]);
     const pressureNote = this.index()?.summary?.stress_convention === 'effective' ? 'above the formation’s' : undefined;
-    return { snapshot, discs: discs as Grid, cracks, flow, bonds, pressureNote };
+    return { snapshot, discs: discs as Grid, cracks, flow, bonds, joints, pressureNote };
   }
 }

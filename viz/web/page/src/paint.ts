@@ -14,12 +14,14 @@ export interface Settings {
   cracks: boolean;
   crackColour: string; // 'mode', 'fracture' or a field's id
   crackWidth: 'even' | 'aperture';
+  joints: boolean;
+  jointColour: string; // a field's id
   range: 'last' | 'shown' | 'held';
 }
 
 export const usualSettings: Settings = {
   discs: true, discColour: 'plain', pores: true, bonds: false, cracks: true,
-  crackColour: 'mode', crackWidth: 'even', range: 'last',
+  crackColour: 'mode', crackWidth: 'even', joints: true, jointColour: 'joint-aperture', range: 'last',
 };
 
 /** The grids of one snapshot; null: not there, or not asked for. */
@@ -29,6 +31,8 @@ export interface Moment {
   cracks: Grid | null;
   flow: Grid | null;
   bonds: Grid | null;
+  /** Contacts of smooth joints. */
+  joints: Grid | null;
   /** What pressures mean in this run, if it must be said. */
   pressureNote?: string;
 }
@@ -64,6 +68,7 @@ export class Painter {
     this.paintPores(now, reference, settings, keys);
     this.paintBonds(now, settings, keys);
     this.paintCracks(now, reference, settings, keys);
+    this.paintJoints(now, reference, settings, keys);
     return keys;
   }
 
@@ -178,6 +183,34 @@ export class Painter {
       kind: 'swatches', title: 'Cracks',
       entries: [{ colour: tension, text: 'tension' }, { colour: shear, text: 'shear' }],
     });
+    return colours;
+  }
+
+  /** Over the cracks: each contact of a broken joint is one of them, too. */
+  private paintJoints(now: Moment, reference: Moment, settings: Settings, keys: Key[]): void {
+    const grid = now.joints;
+    const field = settings.joints && grid ? fieldsOf('joints', grid).find(({ id }) => id === settings.jointColour) : null;
+    if (!grid || !field) return this.scene.joints.show(null);
+    const pixel = this.scene.view.metresPerPixel() * this.scene.pixelRatio;
+    const half = Math.max(2 * pixel, 0.25 * this.meanRadius);
+    const colours = field.states
+      ? this.stateColours(grid.values(field.array), field, keys)
+      : this.jointColours(grid, reference.joints ?? grid, field, settings, keys);
+    this.scene.joints.show(quads(grid.cells, this.ends(grid), () => half, colours));
+  }
+
+  private jointColours(grid: Grid, reference: Grid, field: Field, settings: Settings, keys: Key[]): Uint8Array {
+    const range = this.range(field, grid, reference, settings.range, `joints ${field.id}`);
+    return colourAll(field, grid.values(field.array), grid.cells, range, this.scale(keys, field, range));
+  }
+
+  private stateColours(values: ArrayLike<number>, field: Field, keys: Key[]): Uint8Array {
+    const { faint, push, shear, tension } = palette();
+    const signs = [faint, push, shear, tension];
+    const colours = new Uint8Array(4 * values.length);
+    for (let i = 0; i < values.length; ++i) paint(colours, i, signs[Math.min(3, Math.max(0, values[i]))]);
+    const entries = (field.states ?? []).map((text, i) => ({ colour: signs[i], text }));
+    keys.push({ kind: 'swatches', title: field.name, entries });
     return colours;
   }
 

@@ -1,4 +1,4 @@
-// What lies under the pointer: a crack if one is near, else a disc, else a pore. All are looked at in turn,
+// What lies under the pointer: a joint's contact or a crack if one is near, else a disc, else a pore. All are looked at in turn,
 // which takes milliseconds even for a million discs.
 import { Moment, Settings } from './paint';
 import { Grid, Series } from './server';
@@ -11,7 +11,11 @@ export interface Pick {
 export function pick(
   moment: Moment, settings: Settings, x: number, y: number, reach: number,
 ): Pick | null {
-  const { cracks, discs, flow, bonds } = moment;
+  const { cracks, discs, flow, bonds, joints } = moment;
+  if (settings.joints && joints) {
+    const index = nearestLine(joints, x, y, reach);
+    if (index >= 0) return { series: 'joints', index };
+  }
   if (settings.cracks && cracks) {
     const index = nearestLine(cracks, x, y, reach);
     if (index >= 0) return { series: 'cracks', index };

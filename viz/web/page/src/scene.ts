@@ -1,4 +1,4 @@
-// The picture of one moment: discs, pores, bonds and cracks as layers of vtk.js, one above the other.
+// The picture of one moment: discs, pores, bonds, cracks and joints as layers of vtk.js, one above the other.
 import vtkOpenGLRenderWindow from '@kitware/vtk.js/Rendering/OpenGL/RenderWindow';
 import vtkRenderer from '@kitware/vtk.js/Rendering/Core/Renderer';
 import vtkRenderWindow from '@kitware/vtk.js/Rendering/Core/RenderWindow';
@@ -12,7 +12,7 @@ import { MeshLayer } from './shapes';
 import { View } from './view';
 
 /** Of the layers, one above the other. */
-export const height = { discs: 0, pores: 1, outlines: 2, bonds: 3, halo: 4, cracks: 5, camera: 10 };
+export const height = { discs: 0, pores: 1, outlines: 2, bonds: 3, halo: 4, cracks: 5, joints: 6, camera: 10 };
 
 export class Scene {
   readonly discs = new DiscLayer(height.discs);
@@ -21,6 +21,7 @@ export class Scene {
   /** Paper around the cracks, so that they stand out from whatever lies below. */
   readonly halo = new MeshLayer(height.halo);
   readonly cracks = new MeshLayer(height.cracks);
+  readonly joints = new MeshLayer(height.joints);
   /** Pixels of the screen per pixel of the layout. */
   pixelRatio = 1;
   private window = vtkRenderWindow.newInstance();
@@ -35,8 +36,8 @@ export class Scene {
     this.surface.setContainer(container);
     this.window.addView(this.surface);
     // In the order of height: what is soft at its edge must find below it what it lies on.
-    const actors = [this.pores.actor, ...this.discs.actors, this.bonds.actor, this.halo.actor, this.cracks.actor];
-    for (const actor of actors) this.renderer.addActor(actor);
+    const meshes = [this.bonds, this.halo, this.cracks, this.joints].map(({ actor }) => actor);
+    for (const actor of [this.pores.actor, ...this.discs.actors, ...meshes]) this.renderer.addActor(actor);
     const camera = this.renderer.getActiveCamera();
     camera.setParallelProjection(true);
     camera.setViewUp(0, 1, 0);

@@ -7,8 +7,8 @@ import { cornersOf, Pick } from './pick';
 import { fetchValues, Grid, Series } from './server';
 import { textOf } from './status';
 
-const idOf: Record<Series, string> = { discs: 'disc_id', bonds: 'bond_id', cracks: 'crack_id', flow: 'domain_id' };
-const oneOf: Record<Series, string> = { discs: 'Disc', bonds: 'Bond', cracks: 'Crack', flow: 'Pore' };
+const idOf: Record<Series, string> = { discs: 'disc_id', bonds: 'bond_id', cracks: 'crack_id', flow: 'domain_id', joints: 'contact_id' };
+const oneOf: Record<Series, string> = { discs: 'Disc', bonds: 'Bond', cracks: 'Crack', flow: 'Pore', joints: 'Contact of a joint' };
 
 export class Selection {
   private selected: { series: Series; id: number } | null = null;

@@ -1,7 +1,7 @@
 // What comes from the program: the index of the run, its history, and grids as messages (the format is
 // described in viz/web/server/grid.hpp). Addresses are relative, since the page lies below a random key.
 
-export type Series = 'discs' | 'bonds' | 'cracks' | 'flow';
+export type Series = 'discs' | 'bonds' | 'cracks' | 'flow' | 'joints';
 
 export interface Snapshot {
   step: number;
@@ -49,8 +49,10 @@ export interface NamedView {
   array: string;
   how: 'component' | 'length' | 'mean' | 'shear';
   component: number;
-  scale: 'magnitude' | 'two-ways' | 'narrow' | 'pressure';
+  scale: 'magnitude' | 'two-ways' | 'narrow' | 'pressure' | 'states';
   all_values: boolean;
+  /** What values 0, 1, 2, 3 mean, on the scale 'states'. */
+  states: string[];
 }
 
 export interface RunIndex {
