@@ -17,6 +17,7 @@
 #include "solid/smooth_joints.hpp"
 #include "step/checks.hpp"
 #include "step/ledger.hpp"
+#include "step/slips.hpp"
 #include "step/snapshot.hpp"
 
 namespace hfrac {
@@ -242,6 +243,7 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
     perforate(e);
     e.facets.update(m.assembly, m.network);
   }
+  log_slips(m, 0, m.clock.time, 0.0);
   begin_ledger(e);
   if (SteppingMode{o.stepping_mode} == SteppingMode::dynamic) e.mechanics->use_real_masses();
   return oda_matrix;

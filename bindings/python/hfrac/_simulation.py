@@ -14,7 +14,7 @@ from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Pipes
 from ._library import call, load
 from ._open_step import OpenStep
 from ._progress import LogFunction, Progress, ProgressFunction
-from ._records import Balance, Crack, Event, Fracture, FracturePoint, Heat, SetupReport, SimState, SolverReport, StepLimits, WallState
+from ._records import Balance, Crack, Event, Fracture, FracturePoint, Heat, SetupReport, SimState, Slip, SolverReport, StepLimits, WallState
 from ._view import View
 from ._well import Well
 from .errors import BadHandleError, HfracError, StoppedError, UnknownKeyError
@@ -358,6 +358,36 @@ class Simulation:
         """The seismic catalogue: cracks that broke together as events. [m] between cracks of one event, 0: two mean disc
         distances; [s] and mechanical cycles between them, 0: the same step, any number; [m] of rock in the plane."""
         return Rule(distance, time_window, cycle_window, thickness).events(*self._crack_structs())
+
+    @property
+    def slips(self) -> Any:
+        """What smooth joints slipped, in order of time: a numpy record array, or a list of Slip."""
+        return self.slips_since(0)[0]
+
+    def slips_since(self, cursor: int) -> Tuple[Any, int]:
+        """Slips with id >= cursor, and the cursor for the next call."""
+        records, address, count = self._slip_structs(cursor)
+        slips = [Slip.of(struct) for struct in records] if _arrays.numpy is None else records
+        return slips, cursor + count
+
+    def slip_events(
+        self, distance: float = 0.0, time_window: float = 0.0, thickness: float = 1.0, shear_modulus: float = 0.0,
+        slip_rate: float = 0.0
+    ) -> List[Event]:
+        """Events from slip of smooth joints, slow slip included: [m] between contacts of one event, 0: two mean disc distances; [s] between
+        them, 0: the same increment; [m] of rock in the plane; [Pa] of the rock, 0: as estimated from its bonds; [m/s]: slower slips are left out."""
+        records, address, count = self._slip_structs(0)
+        rule = Rule(distance, time_window, 0, thickness, shear_modulus, slip_rate)
+        events = rule.slip_events(address, count)
+        del records  # what `address` points at
+        return events
+
+    def _slip_structs(self, cursor: int) -> Tuple[Any, Any, int]:
+        count, size = ctypes.c_int64(), ctypes.sizeof(_abi.hfrac_slip)
+        self._call("hfrac_slips_since", cursor, size, None, 0, ctypes.byref(count), None)
+        records, address = _arrays.new_records(_abi.hfrac_slip, count.value)
+        self._call("hfrac_slips_since", cursor, size, address, count.value, ctypes.byref(count), None)
+        return records, address, count.value
 
     def event_of_cracks(
         self, distance: float = 0.0, time_window: float = 0.0, cycle_window: int = 0, thickness: float = 1.0
