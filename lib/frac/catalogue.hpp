@@ -33,7 +33,7 @@ struct CatalogueCrack {
 };
 
 struct CatalogueRule {
-  LinkRule link;
+  LinkRule link{};
   double thickness = 1.0;  // m, of the slice of rock that the plane stands for
 };
 

@@ -34,7 +34,7 @@ struct CatalogueSlip {
 };
 
 struct SlipRule {
-  LinkRule link;
+  LinkRule link{};
   double thickness = 1.0;  // m, of the slice of rock that the plane stands for
   double slip_rate = 0.0;  // m/s, over an increment: slower is no event
 };
