@@ -3,6 +3,8 @@
 //
 // A crack without friction of half length c that loses the shear stress D slips by 4 D / E' sqrt(c^2 - s^2) (Pollard and Segall 1987); G times
 // the integral of that is pi D c^2 G 2 / E'. In discs in rows E' = k_n and G = k_n / 2 (theory, section 3): M_0 = pi D c^2 per metre.
+// The plate's edges add 3.8 % (boundary elements, docs/verification/V22.md). By discs of no size, extrapolated from two sizes, 8 % are allowed: the
+// slip itself is 4.1 % off there (V22), and G, estimated from bonds up to the plate's edges, 2 %.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -15,7 +17,7 @@ namespace {
 
 using namespace testing_capi;
 
-constexpr double side = 100.0, around = 10e6, more = 2e6, stiffness = 16e9, nan = NAN;
+constexpr double side = 100.0, around = 10e6, more = 2e6, stiffness = 16e9, edges = 1.038, nan = NAN;
 
 // Discs in rows, `cells` a side. The joint crosses `contacts` of their diagonals at 45 degrees, beside the well-less plate's middle.
 hfrac::Definition plate(int64_t cells, int contacts, double* half_length = nullptr) {
@@ -128,7 +130,8 @@ TEST(Slips, OfACrackThatLosesItsShearStressAreOneEventOfItsMoment) {
   }
   RecordProperty("over_theory", std::to_string(over_theory[0]) + " " + std::to_string(over_theory[1]));
   EXPECT_GT(over_theory[0], over_theory[1]);
-  EXPECT_NEAR(2.0 * over_theory[1] - over_theory[0], 1.0, 0.1) << over_theory[0] << ' ' << over_theory[1];
+  EXPECT_NEAR((2.0 * over_theory[1] - over_theory[0]) / edges, 1.0, 0.08)
+      << over_theory[0] << ' ' << over_theory[1];
 }
 
 TEST(Slips, FollowTheRulesOfTheCatalogue) {
