@@ -113,8 +113,8 @@ module hfrac
     wells, set_well_pressure, set_well_ramp, set_well_rate, set_well_schedule, set_far_field, &
     set_formation_pressure, &
     set_regular_grid, set_grid_corners, cells, set_boundary_pressure, set_cell_pressure, set_cell_stress, write_grdecl, &
-    save_image, restore, save_file, load_file, prepare_step, do_step, more_step, finalize_step, reject_step, cracks, slips, fractures, &
-    fracture_line, &
+    save_image, restore, save_file, load_file, prepare_step, do_step, more_step, finalize_step, reject_step, cracks, &
+    slips, fractures, fracture_line, &
     get_double_1, get_double_2, get_int32_1, get_int32_2, view_double, view_int32, refuse_copy, describe, &
     borrow, finish, ask_host, show_step, tell_host, set_temperature, set_disc_temperature, hold_disc_temperature, &
     set_well_temperature, well_temperature, heat, set_cell_temperature, cell_temperature

@@ -190,11 +190,14 @@ void fill_catalogue(ChartPage& page, const ChartData& data) {
   const std::vector<LoggedEvent> events = logged_events(*data.events);
   put_heading(page, *data.run,
               "Seismic catalogue: " + counted(static_cast<std::int64_t>(events.size()), "event"));
-  page.text(
-      96, 128,
-      "Cracks that broke together (Hazzard and Young 2000); moment: force drop of their bonds times lever "
-      "arm. Joints that slipped together, fast or slowly; moment: G times area times slip.",
-      {18, palette().faint_ink});
+  page.text(96, 128,
+            "Cracks that broke together (Hazzard and Young 2000). Moment: force drop of their bonds times "
+            "lever arm.",
+            {18, palette().faint_ink});
+  if (std::any_of(events.begin(), events.end(), [](const LoggedEvent& event) { return event.slip; }))
+    page.text(96, 156,
+              "Joints that slipped together, fast or slowly. Moment: shear modulus times area times slip.",
+              {18, palette().faint_ink});
   put_map(page, {130, 270, 690, 690}, events, *data.run);
   page.panel({970, 270, 550, 250}, course_panel(course_of(events)));
   std::vector<double> magnitudes;
