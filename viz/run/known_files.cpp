@@ -55,7 +55,8 @@ void remove_files_of_a_run(const fs::path& folder) {
 
 void remove_later_files(const fs::path& folder, const std::vector<int64_t>& kept) {
   static const std::regex snapshot(R"((?:discs|bonds|cracks|flow|fractures)_([0-9]{5,})\.vtu)"),
-      of_the_end(R"((slips|fractures|fracture_lines|cells)\.csv|(permeability|multipliers)\.grdecl|\..*\.tmp)");
+      of_the_end(
+          R"((slips|fractures|fracture_lines|cells)\.csv|(permeability|multipliers)\.grdecl|\..*\.tmp)");
   for (const auto& file : files_of_a_run(folder)) {
     const std::string name = file.filename().string();
     std::smatch match;
