@@ -178,6 +178,7 @@ void put_spreading(ChartPage& page, const Box& box, const std::vector<LoggedEven
   if (data.run->wells.empty()) return;
   std::vector<DistantEvent> distant;
   std::vector<Colour> colours;
+  distant.reserve(events.size());
   for (const LoggedEvent& event : events)
     distant.push_back({event.time, distance_from_well(event, *data.run), kind_of(event)});
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) colours.push_back(colour_of(kind));
