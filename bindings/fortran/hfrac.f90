@@ -93,6 +93,7 @@ module hfrac
     procedure, public :: finalize_step
     procedure, public :: reject_step
     procedure, public :: cracks
+    procedure, public :: slips
     procedure, public :: fractures
     procedure, public :: fracture_line
     !> Copies of a field: call sim%get('disc.position', x) with x allocatable, of rank 1 if the field has one component,
@@ -112,8 +113,8 @@ module hfrac
     wells, set_well_pressure, set_well_ramp, set_well_rate, set_well_schedule, set_far_field, &
     set_formation_pressure, &
     set_regular_grid, set_grid_corners, cells, set_boundary_pressure, set_cell_pressure, set_cell_stress, write_grdecl, &
-    save_image, restore, save_file, load_file, prepare_step, do_step, more_step, finalize_step, reject_step, cracks, fractures, &
-    fracture_line, &
+    save_image, restore, save_file, load_file, prepare_step, do_step, more_step, finalize_step, reject_step, cracks, &
+    slips, fractures, fracture_line, &
     get_double_1, get_double_2, get_int32_1, get_int32_2, view_double, view_int32, refuse_copy, describe, &
     borrow, finish, ask_host, show_step, tell_host, set_temperature, set_disc_temperature, hold_disc_temperature, &
     set_well_temperature, well_temperature, heat, set_cell_temperature, cell_temperature
@@ -888,6 +889,31 @@ contains
     if (present(next)) next = cursor + size(list, kind=c_int64_t)
     call report(status, self%handle, stat, errmsg)
   end subroutine cracks
+
+  !> What smooth joints slipped, in order of time, from id `since` (0 if left out) on; `next` is the `since` of the next call.
+  subroutine slips(self, list, since, next, stat, errmsg)
+    class(hfrac_simulation), intent(in) :: self
+    type(hfrac_slip), allocatable, target, intent(out) :: list(:)
+    integer(c_int64_t), intent(in), optional :: since
+    integer(c_int64_t), intent(out), optional :: next
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_slip) :: one
+    integer(c_int64_t) :: cursor, following, count
+    integer(c_int32_t) :: status, slip_size
+    cursor = 0
+    if (present(since)) cursor = since
+    slip_size = int(c_sizeof(one), c_int32_t)
+    status = hfrac_slips_since(self%handle, cursor, slip_size, c_null_ptr, 0_c_int64_t, count, following)
+    if (status < 0) count = 0
+    allocate (list(count))
+    if (count > 0) then
+      status = hfrac_slips_since(self%handle, cursor, slip_size, c_loc(list), size(list, kind=c_int64_t), count, &
+        following)
+    end if
+    if (present(next)) next = cursor + size(list, kind=c_int64_t)
+    call report(status, self%handle, stat, errmsg)
+  end subroutine slips
 
   !> Fractures as they are now, most cracks first.
   subroutine fractures(self, list, stat, errmsg)

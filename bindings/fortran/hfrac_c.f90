@@ -194,6 +194,10 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_CRACK_TENSION = 1
   integer(c_int32_t), parameter :: HFRAC_CRACK_SHEAR = 2
 
+  ! What an event is made of.
+  integer(c_int32_t), parameter :: HFRAC_EVENT_CRACKS = 0
+  integer(c_int32_t), parameter :: HFRAC_EVENT_SLIP = 1
+
   ! How permeability is brought to the host's cells.
   !> crack tensor (Oda 1985): fast; takes all cracks as connected, so an upper bound
   integer(c_int32_t), parameter :: HFRAC_UPSCALE_ODA = 0
@@ -1003,27 +1007,63 @@ module hfrac_c
     integer(c_int32_t) :: tip = 0_c_int32_t
   end type hfrac_fracture_point
 
-  !> How cracks make events. Set struct_size; zeros elsewhere are the defaults.
+  !> What a contact of a smooth joint slipped since its last entry.
+  type, bind(C) :: hfrac_slip
+    !> from 0, in order of time, never reused
+    integer(c_int64_t) :: id = 0_c_int64_t
+    !> index of the contact's bond
+    integer(c_int64_t) :: bond = 0_c_int64_t
+    !> indices of its discs
+    integer(c_int64_t) :: disc(2) = 0_c_int64_t
+    !> index of the joint in the definition
+    integer(c_int64_t) :: joint = 0_c_int64_t
+    !> step in which it slipped; 0: during the initial equilibration
+    integer(c_int64_t) :: step = 0_c_int64_t
+    !> [s] end of the increment in which it slipped
+    real(c_double) :: time = 0.0_c_double
+    !> [s] of that increment
+    real(c_double) :: duration = 0.0_c_double
+    !> [m] of the contact, where it was bonded
+    real(c_double) :: position(2) = 0.0_c_double
+    !> unit normal of the joint, from disc 0 to disc 1
+    real(c_double) :: normal(2) = 0.0_c_double
+    !> [m] of the joint that the contact stands for
+    real(c_double) :: length = 0.0_c_double
+    !> [m] above 0: disc 1 moved along the normal turned by +90 degrees against disc 0
+    real(c_double) :: slip = 0.0_c_double
+    !> [m] between the centres of its discs when they were bonded
+    real(c_double) :: distance = 0.0_c_double
+    !> [Pa] of the rock, estimated from its bonds as if discs moved with the mean strain (Agnolin and Kruyt 2008):
+    !> an upper bound
+    real(c_double) :: shear_modulus = 0.0_c_double
+  end type hfrac_slip
+
+  !> How cracks and slips make events. Set struct_size; zeros elsewhere are the defaults.
   type, bind(C) :: hfrac_catalogue_options
     !> sizeof(hfrac_catalogue_options) of the caller
-    integer(c_int32_t) :: struct_size = 40_c_int32_t
+    integer(c_int32_t) :: struct_size = 56_c_int32_t
     !> 0
     integer(c_int32_t) :: struct_pad = 0_c_int32_t
-    !> [m] 0 or more; 0: twice the mean distance between the discs of the cracks
+    !> [m] 0 or more; 0: twice the mean distance between the discs of the cracks (or slips)
     real(c_double) :: distance = 0.0_c_double
-    !> [s] 0 or more; 0: cracks of the same step only
+    !> [s] 0 or more; 0: cracks of the same step only, slips of the same increment only
     real(c_double) :: time_window = 0.0_c_double
     !> 0 or more mechanical cycles; 0: no limit within the time window
     integer(c_int64_t) :: cycle_window = 0_c_int64_t
     !> [m] of rock that the plane stands for; 0: 1 m
     real(c_double) :: thickness = 0.0_c_double
+    !> [Pa] of the rock, for slips; 0: the one that each slip gives
+    real(c_double) :: shear_modulus = 0.0_c_double
+    !> [m/s] 0 or more: slips slower than this, over their increment, are left out; 0: none. It says something where
+    !> increments are as short as slip is fast, so in mode "dynamic"
+    real(c_double) :: slip_rate = 0.0_c_double
   end type hfrac_catalogue_options
 
   !> One event.
   type, bind(C) :: hfrac_event
-    !> from 0, in order of the first crack
+    !> from 0, in order of the first crack or slip
     integer(c_int64_t) :: index = 0_c_int64_t
-    !> id of that crack
+    !> id of that crack; -1 of an event from slip
     integer(c_int64_t) :: first_crack = 0_c_int64_t
     !> cracks in it
     integer(c_int64_t) :: crack_count = 0_c_int64_t
@@ -1033,9 +1073,9 @@ module hfrac_c
     integer(c_int64_t) :: first_cycle = 0_c_int64_t
     !> and of its last
     integer(c_int64_t) :: last_cycle = 0_c_int64_t
-    !> [s] of its first crack
+    !> [s] of its first crack or slip
     real(c_double) :: time = 0.0_c_double
-    !> [m] mean place of its cracks
+    !> [m] mean place of its cracks or slips
     real(c_double) :: position(2) = 0.0_c_double
     !> [N m] xx, yy, xy; outward positive
     real(c_double) :: moment_tensor(3) = 0.0_c_double
@@ -1043,16 +1083,28 @@ module hfrac_c
     real(c_double) :: moment = 0.0_c_double
     !> of the moment (Hanks and Kanamori 1979); NaN without one
     real(c_double) :: magnitude = 0.0_c_double
-    !> [J] elastic energy of the broken bonds
+    !> [J] elastic energy of the broken bonds; 0 of an event from slip
     real(c_double) :: energy = 0.0_c_double
     !> 2/3 log10 energy - 2.9 (Choy and Boatwright 1995), an upper bound; NaN without energy
     real(c_double) :: energy_magnitude = 0.0_c_double
     !> -1 to 1 (Feignier and Young 1992, in the plane): 0.5 opens as one crack, 0 shears, below 0 closes
     real(c_double) :: isotropic_fraction = 0.0_c_double
-    !> [m] summed over its cracks
+    !> [m] summed over its cracks, or over its contacts that slipped
     real(c_double) :: length = 0.0_c_double
-    !> [m] from its position to the farthest of its cracks
+    !> [m] from its position to the farthest of its cracks or slips
     real(c_double) :: radius = 0.0_c_double
+    !> enum hfrac_event_kind
+    integer(c_int32_t) :: kind = 0_c_int32_t
+    !> 0
+    integer(c_int32_t) :: pad = 0_c_int32_t
+    !> id of its first slip; -1 of an event from cracks
+    integer(c_int64_t) :: first_slip = 0_c_int64_t
+    !> slips in it
+    integer(c_int64_t) :: slip_count = 0_c_int64_t
+    !> [m] mean over its length; 0 of an event from cracks
+    real(c_double) :: slip = 0.0_c_double
+    !> [s] from its first crack or slip to its last
+    real(c_double) :: duration = 0.0_c_double
   end type hfrac_event
 
   !> The law log10 N = a - b M of Gutenberg and Richter, N the events of magnitude M or more.
@@ -1837,6 +1889,20 @@ module hfrac_c
       integer(c_int64_t), intent(out) :: count
       integer(c_int32_t) :: hfrac_fracture_line
     end function hfrac_fracture_line
+    !> Slips with id >= cursor, at most `capacity` of them; *next is the cursor for the next call. `slip_size` is
+    !> sizeof(hfrac_slip) in the caller. buffer NULL: only *count of what there is. HFRAC_ERR_ARGUMENT: a cursor
+    !> outside the log. Unstable since 0.1.
+    function hfrac_slips_since(sim, cursor, slip_size, buffer, capacity, count, next) bind(C, name="hfrac_slips_since")
+      import
+      type(c_ptr), value :: sim
+      integer(c_int64_t), value :: cursor
+      integer(c_int32_t), value :: slip_size
+      type(c_ptr), value :: buffer
+      integer(c_int64_t), value :: capacity
+      integer(c_int64_t), intent(out) :: count
+      integer(c_int64_t), intent(out) :: next
+      integer(c_int32_t) :: hfrac_slips_since
+    end function hfrac_slips_since
     !> The events of `crack_count` cracks, given in order of breakage. `crack_size` and `event_size` are the sizes
     !> of the two structs in the caller. options NULL: the defaults. Copies up to `capacity` events; *count is how
     !> many there are; buffer NULL: only *count. Needs no simulation; any thread. HFRAC_ERR_ARGUMENT: a value that
@@ -1854,6 +1920,21 @@ module hfrac_c
       integer(c_int64_t), intent(out) :: count
       integer(c_int32_t) :: hfrac_find_events
     end function hfrac_find_events
+    !> The events of `slip_count` slips, given in order of time; otherwise as hfrac_find_events. Slips of the
+    !> initial equilibration (step 0) are no events. `cycle_window` is not used. Unstable since 0.1.
+    function hfrac_find_slip_events(slips, slip_size, slip_count, options, event_size, buffer, capacity, count) &
+      bind(C, name="hfrac_find_slip_events")
+      import
+      type(hfrac_slip), intent(in) :: slips
+      integer(c_int32_t), value :: slip_size
+      integer(c_int64_t), value :: slip_count
+      type(hfrac_catalogue_options), intent(in) :: options
+      integer(c_int32_t), value :: event_size
+      type(c_ptr), value :: buffer
+      integer(c_int64_t), value :: capacity
+      integer(c_int64_t), intent(out) :: count
+      integer(c_int32_t) :: hfrac_find_slip_events
+    end function hfrac_find_slip_events
     !> The index of the event that each crack belongs to, as hfrac_find_events numbers them: up to `capacity`
     !> indices, in the order of the cracks, into `buffer`; *count is crack_count. Needs no simulation; any thread.
     !> Unstable since 0.1.

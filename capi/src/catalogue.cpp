@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The seismic catalogue from C: cracks in, events out.
+// The seismic catalogue from C: cracks or slips in, events out.
 #include "hfrac/catalogue.h"
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "frac/catalogue.hpp"
+#include "frac/slip_events.hpp"
 #include "internal.hpp"
 #include "items.hpp"
 
@@ -33,19 +34,23 @@ void require_fits(std::int64_t count, std::size_t bytes_each, const char* name) 
                                        ", more than memory can hold; give the number of items.");
 }
 
-CatalogueRule rule_of(const hfrac_catalogue_options* options) {
-  CatalogueRule rule;
-  if (options == nullptr) return rule;
-  const auto given = read_struct(options, hfrac_catalogue_options{}, "hfrac_catalogue_options");
+// With the defaults filled in.
+hfrac_catalogue_options read_options(const hfrac_catalogue_options* options) {
+  hfrac_catalogue_options given{};
+  if (options != nullptr) given = read_struct(options, given, "hfrac_catalogue_options");
   require_at_least_zero(given.distance, "distance");
   require_at_least_zero(given.time_window, "time_window");
   require_at_least_zero(static_cast<double>(given.cycle_window), "cycle_window");
   require_at_least_zero(given.thickness, "thickness");
-  rule.distance = given.distance;
-  rule.time_window = given.time_window;
-  rule.cycle_window = given.cycle_window;
-  if (given.thickness > 0.0) rule.thickness = given.thickness;
-  return rule;
+  require_at_least_zero(given.shear_modulus, "shear_modulus");
+  require_at_least_zero(given.slip_rate, "slip_rate");
+  if (given.thickness == 0.0) given.thickness = 1.0;
+  return given;
+}
+
+CatalogueRule rule_of(const hfrac_catalogue_options* options) {
+  const auto given = read_options(options);
+  return {{given.distance, given.time_window, given.cycle_window}, given.thickness};
 }
 
 CatalogueCrack crack_of(const hfrac_crack& from, std::int64_t index) {
@@ -70,6 +75,29 @@ CatalogueCrack crack_of(const hfrac_crack& from, std::int64_t index) {
   return crack;
 }
 
+CatalogueSlip slip_of(const hfrac_slip& from, double shear_modulus, std::int64_t index) {
+  CatalogueSlip slip;
+  slip.position = {from.position[0], from.position[1]};
+  slip.normal = {from.normal[0], from.normal[1]};
+  slip.length = from.length;
+  slip.slip = from.slip;
+  slip.disc_distance = from.distance;
+  slip.shear_modulus = shear_modulus > 0.0 ? shear_modulus : from.shear_modulus;
+  slip.time = from.time;
+  slip.duration = from.duration;
+  slip.id = from.id;
+  slip.bond = from.bond;
+  const double sum = slip.position.x + slip.position.y + slip.normal.x + slip.normal.y + slip.length +
+                     slip.slip + slip.disc_distance + slip.shear_modulus + slip.time + slip.duration;
+  if (!std::isfinite(sum) || slip.disc_distance < 0.0 || slip.length < 0.0 || slip.duration < 0.0) {
+    throw Error(ErrorKind::argument,
+                "slips[" + std::to_string(index) +
+                    "] holds a value that is not finite, or a negative length, duration or distance between "
+                    "its discs; give slips as hfrac_slips_since does.");
+  }
+  return slip;
+}
+
 hfrac_event describe(const SeismicEvent& from, std::int64_t index) {
   hfrac_event to{};
   to.index = index;
@@ -91,6 +119,11 @@ hfrac_event describe(const SeismicEvent& from, std::int64_t index) {
   to.isotropic_fraction = from.isotropic_fraction;
   to.length = from.length;
   to.radius = from.radius;
+  to.kind = static_cast<std::int32_t>(from.kind);
+  to.first_slip = from.first_slip;
+  to.slip_count = from.slip_count;
+  to.slip = from.slip;
+  to.duration = from.duration;
   return to;
 }
 
@@ -114,6 +147,29 @@ std::vector<CatalogueCrack> cracks_of(const hfrac_crack* cracks, std::int32_t si
   return list;
 }
 
+std::vector<CatalogueSlip> slips_of(const hfrac_slip* slips, std::int32_t size, std::int64_t count,
+                                    double shear_modulus) {
+  require_count(count, "slip_count");
+  if (count > 0) require_not_null(slips, "slips");
+  require_item_size(size, "slip_size");
+  require_fits(count, static_cast<std::size_t>(size), "slip_count");
+  std::vector<CatalogueSlip> list;
+  for (std::int64_t k = 0; k < count; ++k) {
+    const hfrac_slip slip = take_item(slips, k, size);
+    if (slip.step != 0) list.push_back(slip_of(slip, shear_modulus, k));
+  }
+  return list;
+}
+
+void put_events(const std::vector<SeismicEvent>& events, std::int32_t event_size, hfrac_event* buffer,
+                std::int64_t capacity, std::int64_t* count) {
+  *count = static_cast<std::int64_t>(events.size());
+  if (buffer == nullptr) return;
+  require_count(capacity, "capacity");
+  for (std::int64_t e = 0; e < std::min(capacity, *count); ++e)
+    put_item(buffer, e, event_size, describe(events[static_cast<std::size_t>(e)], e));
+}
+
 }  // namespace
 
 int32_t hfrac_find_events(const hfrac_crack* cracks, int32_t crack_size, int64_t crack_count,
@@ -123,13 +179,21 @@ int32_t hfrac_find_events(const hfrac_crack* cracks, int32_t crack_size, int64_t
     require_not_null(count, "count");
     require_item_size(event_size, "event_size");
     std::vector<std::int64_t> event_of;
-    const std::vector<SeismicEvent> events =
-        find_events(cracks_of(cracks, crack_size, crack_count), rule_of(options), event_of);
-    *count = static_cast<std::int64_t>(events.size());
-    if (buffer == nullptr) return;
-    require_count(capacity, "capacity");
-    for (std::int64_t e = 0; e < std::min(capacity, *count); ++e)
-      put_item(buffer, e, event_size, describe(events[static_cast<std::size_t>(e)], e));
+    put_events(find_events(cracks_of(cracks, crack_size, crack_count), rule_of(options), event_of),
+               event_size, buffer, capacity, count);
+  });
+}
+
+int32_t hfrac_find_slip_events(const hfrac_slip* slips, int32_t slip_size, int64_t slip_count,
+                               const hfrac_catalogue_options* options, int32_t event_size,
+                               hfrac_event* buffer, int64_t capacity, int64_t* count) {
+  return guarded([&] {
+    require_not_null(count, "count");
+    require_item_size(event_size, "event_size");
+    const auto given = read_options(options);
+    put_events(find_slip_events(slips_of(slips, slip_size, slip_count, given.shear_modulus),
+                                {{given.distance, given.time_window, 0}, given.thickness, given.slip_rate}),
+               event_size, buffer, capacity, count);
   });
 }
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The seismic catalogue: cracks that broke together as one event, how strong it was, and how strong events are spread.
 //
-// Clustering after Hazzard and Young (2000, Int. J. Rock Mech. Min. Sci. 37, 867-872; 2004, ibid. 41, 1365-1376): a
-// crack's source region reaches one disc diameter around it, and cracks whose regions overlap while they are active
-// are one event. Here: two cracks are linked if their middles are at most `distance` apart and they broke at most
-// `time_window` and `cycle_window` apart; linked cracks, over any number of links, are an event.
+// Which cracks are one event: frac/linking.hpp.
 //
 // Moment after Hazzard and Young (2002, Tectonophysics 356, 181-197): the sum of force change times lever arm. The
 // forces that change are those of the bonds that broke, and each falls to nothing. A bond that pulled disc 1 with -F
@@ -18,7 +15,8 @@
 #include <span>
 #include <vector>
 
-#include "core/array.hpp"
+#include "frac/linking.hpp"
+#include "frac/seismic_event.hpp"
 
 namespace hfrac {
 
@@ -35,25 +33,8 @@ struct CatalogueCrack {
 };
 
 struct CatalogueRule {
-  double distance = 0.0;          // m; 0: twice the mean distance between the discs of the cracks
-  double time_window = 0.0;       // s; 0: the same step
-  std::int64_t cycle_window = 0;  // mechanical cycles; 0: no limit
-  double thickness = 1.0;         // m, of the slice of rock that the plane stands for
-};
-
-struct SeismicEvent {
-  std::int64_t first_crack = 0, crack_count = 0, tensile_cracks = 0;
-  std::int64_t first_cycle = 0, last_cycle = 0;
-  double time = 0.0;                    // s, of its first crack
-  Vec2 position{};                      // m, middle of its cracks
-  double xx = 0.0, yy = 0.0, xy = 0.0;  // N m, moment tensor, outward positive
-  double moment = 0.0;                  // N m, scalar
-  double magnitude = 0.0;               // of the moment
-  double energy = 0.0;                  // J, elastic, of the bonds that broke
-  double energy_magnitude = 0.0;
-  double isotropic_fraction = 0.0;  // -1 to 1
-  double length = 0.0;              // m, of its cracks, summed
-  double radius = 0.0;              // m, from its position to the farthest of them
+  LinkRule link{};
+  double thickness = 1.0;  // m, of the slice of rock that the plane stands for
 };
 
 // In order of the first crack. event_of: the event of each crack.

@@ -13,6 +13,7 @@
 #include "model/crack_log.hpp"
 #include "model/heat_state.hpp"
 #include "model/network.hpp"
+#include "model/slip_log.hpp"
 #include "model/well.hpp"
 
 namespace hfrac {
@@ -33,6 +34,7 @@ struct Model {
   std::vector<Well> wells;
   std::size_t well_count = 0;  // as built, whatever an image says
   CrackLog cracks;
+  SlipLog slips;                  // of smooth joints
   std::optional<HeatState> heat;  // none with thermal.mode = "off"
   Clock clock;
   SolverWork work;

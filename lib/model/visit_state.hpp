@@ -87,6 +87,15 @@ void visit_state(Archive& archive, Self& s, bool wet) {
     ar.value(crack.mode);
     ar.require(crack.mode == CrackMode::tension || crack.mode == CrackMode::shear);
   });
+  // Hashes of models without smooth joints are what they were before slips were logged.
+  if (!a.smooth.empty()) {
+    archive.list(s.slips, [&a](auto& ar, auto& slip) {
+      ar.value(slip.bond);
+      ar.require(slip.bond >= 0 && slip.bond < a.bond_count() && a.smooth.of(slip.bond) != nullptr);
+      ar.value(slip.step);
+      for (auto* value : {&slip.time, &slip.duration, &slip.slip}) ar.value(*value);
+    });
+  }
   // A model without temperature has the image, and the hash, that it had before there was any.
   if (s.heat) HeatState::visit(archive, *s.heat);
   archive.require(s.contact_pairs.fits(a.disc_count()));

@@ -11,6 +11,7 @@
 #include "step/increment.hpp"
 #include "step/ledger.hpp"
 #include "step/rest.hpp"
+#include "step/slips.hpp"
 #include "step/snapshot.hpp"
 #include "step/stages.hpp"
 #include "step/steppers.hpp"
@@ -100,6 +101,7 @@ StepOutcome coupled_step(Engine& e, double duration, const Interrupt& interrupt)
     control.accept(outcome);
     m.clock.force_ratio = outcome.force_ratio;
     m.clock.at_rest = true;
+    log_slips(m, m.clock.step + 1, m.clock.time + control.done(), length);
     accumulate_flow(e, length);
     flow.add(length);
     move_heat(e, length);

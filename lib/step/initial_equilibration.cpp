@@ -18,6 +18,7 @@
 #include "rock/seeping_well.hpp"
 #include "step/checks.hpp"
 #include "step/ledger.hpp"
+#include "step/slips.hpp"
 #include "step/snapshot.hpp"
 
 namespace hfrac {
@@ -256,6 +257,7 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
     perforate(e);
     e.facets.update(m.assembly, m.network);
   }
+  log_slips(m, 0, m.clock.time, 0.0);
   begin_ledger(e);
   if (SteppingMode{o.stepping_mode} == SteppingMode::dynamic) e.mechanics->use_real_masses();
   for (auto& contact : m.assembly.smooth.contacts) contact.slip_before = contact.slip;

@@ -4,6 +4,7 @@
 #include "step/checks.hpp"
 #include "step/ledger.hpp"
 #include "step/rest.hpp"
+#include "step/slips.hpp"
 #include "step/stages.hpp"
 #include "step/steppers.hpp"
 
@@ -14,6 +15,7 @@ StepOutcome substep(Engine& e, double duration, const Interrupt& interrupt) {
   drive_wells(e);
   move_fluid(e, duration);
   if (find_rest(e, interrupt).stopped) return {true, e.model.clock.at_rest};
+  log_slips(e.model, e.model.clock.step + 1, e.model.clock.time + duration, duration);
   update_geometry(e);
   accumulate_flow(e, duration);
   close_step(e, duration, cracks_before);
@@ -26,6 +28,7 @@ StepOutcome dynamic_step(Engine& e, double duration, const Interrupt& interrupt)
   drive_wells(e);
   move_fluid(e, duration);
   if (move_rock(e, duration, interrupt).stopped) return {true, e.model.clock.at_rest};
+  log_slips(e.model, e.model.clock.step + 1, e.model.clock.time + duration, duration);
   update_geometry(e);
   accumulate_flow(e, duration);
   close_step(e, duration, cracks_before);

@@ -419,6 +419,22 @@ contains
       call expect(stat == HFRAC_OK .and. found == 1 .and. event%moment > 0.0_real64, 'one crack is an event')
       stat = hfrac_find_event_of_cracks(all_cracks(1), crack_size, 1_c_int64_t, rule, c_loc(event_of), 1_c_int64_t, found)
       call expect(stat == HFRAC_OK .and. event_of == 0, 'its event')
+      block
+        type(hfrac_slip), allocatable :: slips(:)
+        type(hfrac_slip) :: slip
+        call sim%slips(slips)
+        call expect(size(slips) == 0, 'nothing slips without smooth joints')
+        slip = hfrac_slip()
+        slip%step = 1
+        slip%normal(1) = 1.0_real64
+        slip%length = 2.0_real64
+        slip%slip = 0.5_real64
+        slip%shear_modulus = 3e10_real64
+        stat = hfrac_find_slip_events(slip, int(c_sizeof(slip), c_int32_t), 1_c_int64_t, rule, &
+          int(c_sizeof(event), c_int32_t), c_loc(event), 1_c_int64_t, found)
+        call expect(stat == HFRAC_OK .and. found == 1 .and. event%kind == HFRAC_EVENT_SLIP .and. &
+          abs(event%moment / 3e10_real64 - 1.0_real64) < 1e-12_real64, 'a slip is an event of its moment')
+      end block
       stat = hfrac_find_magnitude_law([0.0_real64, 1.0_real64], 2_c_int64_t, 0.0_real64, law)
       call expect(stat == HFRAC_OK .and. law%count == 2 .and. law%b > 0.0_real64, 'magnitudes have a law')
     end block

@@ -284,6 +284,23 @@ static void catalogue(hfrac_sim* sim) {
   check(law.count == 1 && law.b == 0.0, "one magnitude has no slope");
 }
 
+/* slip.h */
+static void slips(hfrac_sim* sim) {
+  hfrac_slip slip;
+  hfrac_event event;
+  int64_t count = -1, next = -1;
+  good(hfrac_slips_since(sim, 0, (int32_t)sizeof slip, &slip, 1, &count, &next), sim, "slips_since");
+  check(count == 0 && next == 0, "nothing slips without smooth joints");
+  memset(&slip, 0, sizeof slip);
+  slip.step = 1;
+  slip.normal[0] = slip.length = slip.slip = slip.distance = 1.0;
+  slip.shear_modulus = 3e10;
+  good(hfrac_find_slip_events(&slip, (int32_t)sizeof slip, 1, NULL, (int32_t)sizeof event, &event, 1, &count),
+       NULL, "find_slip_events");
+  check(count == 1 && event.kind == HFRAC_EVENT_SLIP && fabs(event.moment / 3e10 - 1.0) < 1e-12,
+        "a slip is an event");
+}
+
 /* state.h */
 static void go_back(hfrac_sim* sim) {
   int64_t size = 0, written = 0, before = 0, after = 0;
@@ -458,6 +475,7 @@ int main(void) {
     fields(sim);
     cracks(sim);
     catalogue(sim);
+    slips(sim);
     go_back(sim);
     exchange(sim);
     walls(sim);

@@ -42,6 +42,7 @@ struct Ground {
   std::vector<unsigned char> image;
   std::vector<double> kelvins = std::vector<double>(1U << 17U, 550.0);
   std::vector<hfrac_crack> cracks = std::vector<hfrac_crack>(64);
+  std::vector<hfrac_slip> slips = std::vector<hfrac_slip>(64);
   hfrac_lab* lab = nullptr;       // a finished test
   hfrac_lab* lab_made = nullptr;  // by hfrac_lab_run, or to be destroyed
   hfrac_lab_spec spec{};

@@ -84,17 +84,17 @@ TEST(Catalogue, LinksCracksNearInSpace) {
   EXPECT_DOUBLE_EQ(events[0].position.x, 1.9);
   EXPECT_DOUBLE_EQ(events[0].radius, 1.9);
   EXPECT_DOUBLE_EQ(events[0].xx, 3e6);
-  EXPECT_EQ(events_of(cracks, {.distance = 1.0}).size(), 4u);
-  EXPECT_EQ(events_of(cracks, {.distance = 2.3}).size(), 1u);
+  EXPECT_EQ(events_of(cracks, {.link = {.distance = 1.0}}).size(), 4u);
+  EXPECT_EQ(events_of(cracks, {.link = {.distance = 2.3}}).size(), 1u);
 }
 
 TEST(Catalogue, LinksCracksNearInTime) {
   const std::vector<CatalogueCrack> cracks = {crack_at(0, 0, 1.0, 10), crack_at(1, 0, 1.0, 60),
                                               crack_at(0.5, 1, 2.0, 70)};
   EXPECT_EQ(events_of(cracks).size(), 2u);
-  EXPECT_EQ(events_of(cracks, {.time_window = 1.0}).size(), 1u);
-  EXPECT_EQ(events_of(cracks, {.cycle_window = 20}).size(), 3u);
-  EXPECT_EQ(events_of(cracks, {.time_window = 1.0, .cycle_window = 20}).size(), 2u);
+  EXPECT_EQ(events_of(cracks, {.link = {.time_window = 1.0}}).size(), 1u);
+  EXPECT_EQ(events_of(cracks, {.link = {.cycle_window = 20}}).size(), 3u);
+  EXPECT_EQ(events_of(cracks, {.link = {.time_window = 1.0, .cycle_window = 20}}).size(), 2u);
   const auto event = events_of(cracks).front();
   EXPECT_EQ(event.first_cycle, 10);
   EXPECT_EQ(event.last_cycle, 60);

@@ -165,6 +165,9 @@ TEST_F(Charts, CatalogueNeedsItsTable) {
   write_run(folder(), run);
   charts.charts = HFRAC_VIZ_CHART_CATALOGUE;
   charts.formats = HFRAC_VIZ_PNG | HFRAC_VIZ_SVG | HFRAC_VIZ_PDF;
+  // As before there were events from slip.
+  std::ofstream(file("events.csv")) << "event,time_s,x_m,y_m,moment_N_m,magnitude,isotropic_fraction\n"
+                                       "0,1,2,3,1e6,-2,0\n";
   ASSERT_EQ(render_charts().status, HFRAC_OK);
   for (const char* ending : {"png", "svg", "pdf"})
     EXPECT_TRUE(std::filesystem::exists(chart(std::string("catalogue.") + ending))) << ending;
@@ -172,6 +175,33 @@ TEST_F(Charts, CatalogueNeedsItsTable) {
   std::filesystem::remove(file("events.csv"));
   ASSERT_EQ(render_charts().status, HFRAC_VIZ_INCOMPLETE);
   EXPECT_FALSE(std::filesystem::exists(chart("catalogue.png")));
+}
+
+// r = sqrt(4 pi D t) through an event at 10 m after 100 s has D = 10^2 / (4 pi 100) m2/s; 19 of 20 events lie there or below.
+TEST_F(Charts, TheFrontOfDiffusionHoldsTheShareOfEventsItSays) {
+  write_run(folder(), run);
+  std::ofstream events(file("events.csv"));
+  events << "event,time_s,x_m,y_m,moment_N_m,magnitude,isotropic_fraction,kind\n";
+  for (int k = 0; k < 20; ++k) {
+    const double distance = k == 0 ? 90 : k == 1 ? 10 : 0.5 * k;
+    events << k << ",100," << run.well_x() + distance << ',' << run.well_y() << ",1e6,-2,0,"
+           << (k % 2 == 0 ? "slip" : "cracks") << '\n';
+  }
+  events.close();
+  charts.charts = HFRAC_VIZ_CHART_CATALOGUE;
+  charts.formats = HFRAC_VIZ_SVG;
+  ASSERT_EQ(render_charts().status, HFRAC_OK) << last_error();
+  std::string svg = file_text(chart("catalogue.svg"));
+  EXPECT_NE(svg.find("D = 0.0796 m"), std::string::npos);
+  EXPECT_NE(svg.find("95 %"), std::string::npos);
+  EXPECT_NE(svg.find("slip of joints"), std::string::npos);
+  charts.diffusivity = 0.5;
+  ASSERT_EQ(render_charts().status, HFRAC_OK);
+  svg = file_text(chart("catalogue.svg"));
+  EXPECT_NE(svg.find("D = 0.5 m"), std::string::npos);
+  EXPECT_EQ(svg.find("95 %"), std::string::npos);
+  charts.diffusivity = -1;
+  EXPECT_EQ(render_charts().status, HFRAC_ERR_ARGUMENT);
 }
 
 TEST_F(Charts, ACallerCanStopThem) {

@@ -75,12 +75,12 @@ void write_tables(const fs::path& folder, const SyntheticRun& run) {
     ++id;
   }
   std::ofstream events(folder / "events.csv");
-  events << "event,crack_count,time_s,x_m,y_m,moment_N_m,magnitude,isotropic_fraction\n";
+  events << "event,crack_count,time_s,x_m,y_m,moment_N_m,magnitude,isotropic_fraction,kind\n";
   for (int event = 0; event < 40; ++event) {
     const double moment = 1e6 / (1 + event);
     events << event << ",1," << 0.1 * event << ',' << run.well_x() + 0.1 * (event - 20) << ',' << run.well_y()
            << ',' << moment << ',' << 2.0 / 3.0 * std::log10(moment) - 6.0333 << ',' << 0.5 - event % 3 * 0.5
-           << '\n';
+           << (event % 7 == 5 ? ",slip\n" : ",cracks\n");
   }
 }
 

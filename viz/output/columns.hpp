@@ -43,6 +43,24 @@ void crack_columns(Crack& crack, const Visit& visit) {
   visit("distance_m", crack.distance);
 }
 
+/** slips.csv, likewise. */
+template <class Slip, class Visit>
+void slip_columns(Slip& slip, const Visit& visit) {
+  visit("slip_id", slip.id);
+  visit("step", slip.step);
+  visit("time_s", slip.time);
+  visit("duration_s", slip.duration);
+  visit("joint", slip.joint);
+  visit("bond_id", slip.bond);
+  parts(visit, {"disc_0", "disc_1"}, slip.disc);
+  parts(visit, {"x_m", "y_m"}, slip.position);
+  parts(visit, {"normal_x", "normal_y"}, slip.normal);
+  visit("length_m", slip.length);
+  visit("slip_m", slip.slip);
+  visit("distance_m", slip.distance);
+  visit("shear_modulus_Pa", slip.shear_modulus);
+}
+
 /** Of history.csv and summary.json: the energies; the error is NaN where it is not checked. */
 inline constexpr Member energies[] = {{"kinetic_J_per_m", &hfrac_balance::kinetic},
                                       {"bond_elastic_J_per_m", &hfrac_balance::bond_elastic},
@@ -119,6 +137,11 @@ void event_columns(const hfrac_event& event, const Visit& visit) {
   visit("isotropic_fraction", event.isotropic_fraction);
   visit("length_m", event.length);
   visit("radius_m", event.radius);
+  visit("kind", event.kind == HFRAC_EVENT_SLIP ? "slip" : "cracks");
+  visit("first_slip", event.first_slip);
+  visit("slip_count", event.slip_count);
+  visit("slip_m", event.slip);
+  visit("duration_s", event.duration);
 }
 
 /** cells.csv but for the first two columns, i and j. */

@@ -48,7 +48,7 @@ void RunFolder::go_on_from(hfrac_sim* sim, const Checkpoint& checkpoint) {
   course_.steps_not_at_rest = checkpoint.steps_not_at_rest;
   earlier_seconds_ = checkpoint.wall_seconds;
   last_checkpoint_step_ = checkpoint.step;
-  write_whole(folder_ / "cracks.csv", crack_table(frame.cracks));
+  write_logs(frame);
   write_summary(frame);
   begun_ = true;
 }
@@ -107,7 +107,7 @@ void RunFolder::finish(hfrac_sim* sim, const std::string& why_ended) {
   std::vector<std::vector<hfrac_fracture_point>> lines;
   for (const auto& fracture : frame.fractures) lines.push_back(run::line_of(sim, fracture.index));
   write_whole(folder_ / "fracture_lines.csv", line_table(lines));
-  write_whole(folder_ / "events.csv", event_table(events_of(frame.cracks, nullptr)));
+  write_whole(folder_ / "events.csv", event_table(events_of(frame.cracks, run::slips_of(sim), nullptr)));
   write_whole(folder_ / "state.hfrac", state_image(sim));
   write_summary(frame);
 }
@@ -141,9 +141,16 @@ void RunFolder::write_series(const SnapshotFrame& frame) {
   fractures_.add(entry, encode(fracture_grid(frame), frame.moment, packing));
   if (frame.jointed) joints_.add(entry, encode(joint_grid(frame), frame.moment, packing));
   cracks_.add(entry, encode(crack_grid(frame), frame.moment, packing));
-  write_whole(folder_ / "cracks.csv", crack_table(frame.cracks));
+  write_logs(frame);
   snapshots_.push_back(entry);
   ++course_.snapshots;
+}
+
+// A model without smooth joints has no slips.csv.
+void RunFolder::write_logs(const SnapshotFrame& frame) {
+  write_whole(folder_ / "cracks.csv", crack_table(frame.cracks));
+  if (const auto slips = run::slips_of(frame.sim); !slips.empty())
+    write_whole(folder_ / "slips.csv", slip_table(slips));
 }
 
 double RunFolder::wall_seconds() const {

@@ -5,6 +5,7 @@
 //   case.toml        the definition with every option filled in; `hfrac run` on it gives the same run
 //   discs, bonds, cracks, flow, fractures, joints (of smooth ones, if any): one NAME_STEP.vtu per snapshot and NAME.pvd, the series for ParaView
 //   history.csv      one line per step          cracks.csv      the crack log at the last snapshot
+//   slips.csv        what smooth joints slipped until then, if they did
 //   fractures.csv    the fractures at the end   events.csv      seismic events of the whole run
 //   fracture_lines.csv  each of these fractures as a line from tip to tip
 //   summary.json     everything in short
@@ -60,6 +61,7 @@ class RunFolder {
 
  private:
   void write_series(const SnapshotFrame& frame);
+  void write_logs(const SnapshotFrame& frame);
   void write_summary(const SnapshotFrame& frame);
   double wall_seconds() const;
   void cut_history(int64_t step) const;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <string_view>
@@ -122,16 +123,24 @@ std::string crack_table(const std::vector<hfrac_crack>& cracks) {
                   [](const auto& crack, size_t, const auto& visit) { written_columns(crack, visit); });
 }
 
-std::vector<hfrac_crack> read_crack_table(const std::filesystem::path& file) {
+std::string slip_table(const std::vector<hfrac_slip>& slips) {
+  return table_of(slips, [](const auto& slip, size_t, const auto& visit) { slip_columns(slip, visit); });
+}
+
+namespace {
+
+/** The items of a table: `columns` takes an item and a visitor. */
+template <class Item, class Columns>
+std::vector<Item> read_table(const std::filesystem::path& file, const Columns& columns) {
   const run::TableFile table(file);
-  std::vector<hfrac_crack> cracks(table.rows());
-  std::vector<std::vector<std::string>> columns;
-  hfrac_crack any{};
-  crack_columns(any, [&](std::string_view name, const auto&) { columns.push_back(table.words(name)); });
-  for (size_t row = 0; row < cracks.size(); ++row) {
+  std::vector<Item> items(table.rows());
+  std::vector<std::vector<std::string>> words;
+  Item any{};
+  columns(any, [&](std::string_view name, const auto&) { words.push_back(table.words(name)); });
+  for (size_t row = 0; row < items.size(); ++row) {
     size_t place = 0;
-    crack_columns(cracks[row], [&](std::string_view name, auto& member) {
-      const std::string& word = columns[place++][row];
+    columns(items[row], [&](std::string_view name, auto& member) {
+      const std::string& word = words[place++][row];
       if (name == "mode" && (word == shear || word == tension)) {
         member = word == shear ? HFRAC_CRACK_SHEAR : HFRAC_CRACK_TENSION;
       } else if (const auto value = run::number_in<std::decay_t<decltype(member)>>(word);
@@ -144,7 +153,17 @@ std::vector<hfrac_crack> read_crack_table(const std::filesystem::path& file) {
       }
     });
   }
-  return cracks;
+  return items;
+}
+
+}  // namespace
+
+std::vector<hfrac_crack> read_crack_table(const std::filesystem::path& file) {
+  return read_table<hfrac_crack>(file, [](auto& crack, const auto& visit) { crack_columns(crack, visit); });
+}
+
+std::vector<hfrac_slip> read_slip_table(const std::filesystem::path& file) {
+  return read_table<hfrac_slip>(file, [](auto& slip, const auto& visit) { slip_columns(slip, visit); });
 }
 
 std::string fracture_table(const std::vector<hfrac_fracture>& fractures) {
@@ -169,16 +188,23 @@ std::string line_table(const std::vector<std::vector<hfrac_fracture_point>>& lin
 }
 
 std::vector<hfrac_event> events_of(const std::vector<hfrac_crack>& cracks,
+                                   const std::vector<hfrac_slip>& slips,
                                    const hfrac_catalogue_options* options) {
-  constexpr auto crack_size = static_cast<int32_t>(sizeof(hfrac_crack));
   constexpr auto event_size = static_cast<int32_t>(sizeof(hfrac_event));
-  std::vector<hfrac_event> events(cracks.size());  // never more events than cracks
-  const auto most = static_cast<int64_t>(cracks.size());
-  int64_t count = 0;
-  require(
-      hfrac_find_events(cracks.data(), crack_size, most, options, event_size, events.data(), most, &count),
-      nullptr);
-  events.resize(static_cast<size_t>(count));
+  std::vector<hfrac_event> events(cracks.size() + slips.size());  // never more than that
+  const auto crack_count = static_cast<int64_t>(cracks.size()),
+             slip_count = static_cast<int64_t>(slips.size());
+  int64_t of_cracks = 0, of_slips = 0;
+  require(hfrac_find_events(cracks.data(), static_cast<int32_t>(sizeof(hfrac_crack)), crack_count, options,
+                            event_size, events.data(), crack_count, &of_cracks),
+          nullptr);
+  require(hfrac_find_slip_events(slips.data(), static_cast<int32_t>(sizeof(hfrac_slip)), slip_count, options,
+                                 event_size, events.data() + of_cracks, slip_count, &of_slips),
+          nullptr);
+  events.resize(static_cast<size_t>(of_cracks + of_slips));
+  std::stable_sort(events.begin(), events.end(),
+                   [](const auto& a, const auto& b) { return a.time < b.time; });
+  for (size_t k = 0; k < events.size(); ++k) events[k].index = static_cast<int64_t>(k);
   return events;
 }
 

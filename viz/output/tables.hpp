@@ -24,8 +24,13 @@ std::string crack_table(const std::vector<hfrac_crack>& cracks);
 /** The crack log of a run folder, read back. Throws ReadError. */
 std::vector<hfrac_crack> read_crack_table(const std::filesystem::path& file);
 
-/** The seismic catalogue of a crack log; `options` NULL: the defaults. */
+/** slips.csv: what smooth joints slipped, and read back. Throws ReadError. */
+std::string slip_table(const std::vector<hfrac_slip>& slips);
+std::vector<hfrac_slip> read_slip_table(const std::filesystem::path& file);
+
+/** The seismic catalogue of both logs, in order of time; `options` NULL: the defaults. */
 std::vector<hfrac_event> events_of(const std::vector<hfrac_crack>& cracks,
+                                   const std::vector<hfrac_slip>& slips,
                                    const hfrac_catalogue_options* options);
 /** events.csv: that catalogue. */
 std::string event_table(const std::vector<hfrac_event>& events);

@@ -72,6 +72,7 @@ struct LoggedEvent {
   double magnitude = 0;  // of the moment
   double moment = 0;     // [N m]
   double isotropic = 0;  // -1 to 1
+  bool slip = false;     // of joints
 };
 
 std::vector<LoggedEvent> logged_events(const TableFile& table) {
@@ -81,24 +82,28 @@ std::vector<LoggedEvent> logged_events(const TableFile& table) {
   const auto magnitude = table.numbers("magnitude");
   const auto moment = table.numbers("moment_N_m");
   const auto isotropic = table.numbers("isotropic_fraction");
+  // Tables of before there were events from slip have no kinds.
+  const auto kind = table.has("kind") ? table.words("kind") : std::vector<std::string>(table.rows());
   std::vector<LoggedEvent> events;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     if (!std::isfinite(x[i] + y[i] + time[i] + magnitude[i] + moment[i] + isotropic[i])) continue;
-    events.push_back({{x[i], y[i]}, time[i], magnitude[i], moment[i], isotropic[i]});
+    events.push_back({{x[i], y[i]}, time[i], magnitude[i], moment[i], isotropic[i], kind[i] == "slip"});
   }
   return events;
 }
 
-// Feignier and Young (1992): above 0.3 volume was gained, below -0.3 lost, between them the rock sheared.
-constexpr std::array<const char*, 3> kinds = {"opening", "shearing", "closing"};
+// Feignier and Young (1992): above 0.3 volume was gained, below -0.3 lost, between them the rock sheared. Slips of joints
+// only shear.
+constexpr std::array<const char*, 4> kinds = {"opening", "shearing", "closing", "slip of joints"};
 
 std::size_t kind_of(const LoggedEvent& event) {
+  if (event.slip) return 3;
   if (event.isotropic > 0.3) return 0;
   return event.isotropic < -0.3 ? 2 : 1;
 }
 
 Colour colour_of(std::size_t kind) {
-  return std::array<Colour, 3>{palette().water, palette().shear, palette().pull}[kind];
+  return std::array<Colour, 4>{palette().water, palette().shear, palette().pull, palette().ink}[kind];
 }
 
 // The square around all events and wells, a little larger.
@@ -161,6 +166,25 @@ std::vector<ChartSeries> course_of(const std::vector<LoggedEvent>& events) {
   return series;
 }
 
+double distance_from_well(const LoggedEvent& event, const RunFolder& run) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const WellPlace& well : run.wells)
+    nearest = std::min(nearest, std::hypot(event.place.x - well.x, event.place.y - well.y));
+  return nearest;
+}
+
+void put_spreading(ChartPage& page, const Box& box, const std::vector<LoggedEvent>& events,
+                   const ChartData& data) {
+  if (data.run->wells.empty()) return;
+  std::vector<DistantEvent> distant;
+  std::vector<Colour> colours;
+  distant.reserve(events.size());
+  for (const LoggedEvent& event : events)
+    distant.push_back({event.time, distance_from_well(event, *data.run), kind_of(event)});
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) colours.push_back(colour_of(kind));
+  page.panel(box, spreading_panel(distant, colours, data.diffusivity));
+}
+
 }  // namespace
 
 void fill_catalogue(ChartPage& page, const ChartData& data) {
@@ -171,12 +195,17 @@ void fill_catalogue(ChartPage& page, const ChartData& data) {
             "Cracks that broke together (Hazzard and Young 2000). Moment: force drop of their bonds times "
             "lever arm.",
             {18, palette().faint_ink});
+  if (std::any_of(events.begin(), events.end(), [](const LoggedEvent& event) { return event.slip; }))
+    page.text(96, 156,
+              "Joints that slipped together, fast or slowly. Moment: shear modulus times area times slip.",
+              {18, palette().faint_ink});
   put_map(page, {130, 270, 690, 690}, events, *data.run);
   page.panel({970, 270, 550, 250}, course_panel(course_of(events)));
   std::vector<double> magnitudes;
   magnitudes.reserve(events.size());
   for (const LoggedEvent& event : events) magnitudes.push_back(event.magnitude);
   page.panel({970, 710, 550, 250}, frequency_panel("Events at least as strong", std::move(magnitudes)));
+  put_spreading(page, {130, 1150, 1390, 290}, events, data);
 }
 
 }  // namespace hfrac::viz

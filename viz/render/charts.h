@@ -20,6 +20,7 @@ struct ChartData {
   std::optional<TableFile> history;
   std::optional<TableFile> cracks;
   std::optional<TableFile> events;
+  double diffusivity = 0;  // m2/s, of the envelope around events; 0: found from them
 
   // Throws ReadError if one is damaged.
   explicit ChartData(const RunFolder& folder);
@@ -44,6 +45,16 @@ void fill_profile(ChartPage& page, const ChartData& data);
 double profile_height(const ChartData& data);
 void fill_events(ChartPage& page, const ChartData& data);
 void fill_catalogue(ChartPage& page, const ChartData& data);
+
+// A seismic event and how far from the nearest well it was.
+struct DistantEvent {
+  double time = 0;      // s
+  double distance = 0;  // m
+  std::size_t kind = 0;
+};
+// Distance against time, a series for each kind in its colour, with the front of diffusion. `diffusivity` as in ChartData.
+Panel spreading_panel(const std::vector<DistantEvent>& events, const std::vector<Colour>& colours,
+                      double diffusivity);
 
 // A circle's line.
 void put_ring(ChartPage& page, Point centre, double radius, double thickness, Colour colour);

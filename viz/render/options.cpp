@@ -52,6 +52,8 @@ void OptionStruct<hfrac_viz_chart_options>::set_defaults(hfrac_viz_chart_options
 
 void OptionStruct<hfrac_viz_chart_options>::check(const hfrac_viz_chart_options& o) {
   check_range("charts", o.charts, 0, HFRAC_VIZ_CHART_ALL);
+  if (!std::isfinite(o.diffusivity) || o.diffusivity < 0.0)
+    fail_argument("diffusivity must be 0 or more, in m2/s; 0: found from the events");
   check_range("formats", o.formats, 1, all_formats);
   check_pixels(o);
 }

@@ -24,7 +24,7 @@ constexpr std::array<Chart, 5> all_charts = {
       &ChartData::cracks, "cracks.csv"},
      {HFRAC_VIZ_CHART_EVENTS, "events", "Magnitudes of the cracks", fixed<790>, fill_events,
       &ChartData::cracks, "cracks.csv"},
-     {HFRAC_VIZ_CHART_CATALOGUE, "catalogue", "Seismic catalogue", fixed<1080>, fill_catalogue,
+     {HFRAC_VIZ_CHART_CATALOGUE, "catalogue", "Seismic catalogue", fixed<1560>, fill_catalogue,
       &ChartData::events, "events.csv"}}};
 
 void draw_chart(const Chart& chart, const ChartData& data, OffscreenWindow* window,
@@ -63,7 +63,8 @@ void render_charts(const RunFolder& run, const hfrac_viz_chart_options& options,
     if (progress && progress(fraction, what)) throw Stopped{};
   };
   tell(0.0, "reading");
-  const ChartData data(run);
+  ChartData data(run);
+  data.diffusivity = options.diffusivity;
   const PaletteScope paper(options.dark != 0 ? dark_palette() : light_palette());
   const auto window = make_offscreen_window();
   make_folder(run.path / "pictures");

@@ -106,6 +106,13 @@ std::vector<hfrac_crack> cracks_of(hfrac_sim* sim) {
   });
 }
 
+std::vector<hfrac_slip> slips_of(hfrac_sim* sim) {
+  int64_t next = 0;
+  return copied<hfrac_slip>(sim, [&](hfrac_slip* to, int64_t capacity, int64_t* count) {
+    return hfrac_slips_since(sim, 0, static_cast<int32_t>(sizeof(hfrac_slip)), to, capacity, count, &next);
+  });
+}
+
 std::vector<hfrac_fracture> fractures_of(hfrac_sim* sim) {
   return copied<hfrac_fracture>(sim, [&](hfrac_fracture* to, int64_t capacity, int64_t* count) {
     return hfrac_fractures(sim, static_cast<int32_t>(sizeof(hfrac_fracture)), to, capacity, count);

@@ -69,6 +69,8 @@ std::vector<hfrac_well_state> wells_of(const hfrac_sim* sim);
 
 /** The whole crack log; find the fractures first, so that each crack knows its own. */
 std::vector<hfrac_crack> cracks_of(hfrac_sim* sim);
+/** The whole log of what smooth joints slipped. */
+std::vector<hfrac_slip> slips_of(hfrac_sim* sim);
 std::vector<hfrac_fracture> fractures_of(hfrac_sim* sim);
 /** A fracture, by its index there, from tip to tip. */
 std::vector<hfrac_fracture_point> line_of(hfrac_sim* sim, int64_t fracture);

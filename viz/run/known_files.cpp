@@ -32,7 +32,7 @@ void collect(const fs::path& folder, const std::regex& name, std::vector<fs::pat
 std::vector<fs::path> files_of_a_run(const fs::path& folder) {
   static const std::string data =
       R"((discs|bonds|cracks|flow|fractures|joints)(_[0-9]{5,}\.vtu|\.pvd)|)"
-      R"((history|cracks|fractures|fracture_lines|events|cells|given_discs|given_bonds)\.csv|(permeability|multipliers)\.grdecl|)"
+      R"((history|cracks|slips|fractures|fracture_lines|events|cells|given_discs|given_bonds)\.csv|(permeability|multipliers)\.grdecl|)"
       R"(summary\.json|case\.toml|state\.hfrac|hfrac_probe|report\.html|paraview_state\.py)";
   static const std::string pictures =
       R"((model|growth|growth_[1-5]|pressure|aperture|views|history|rose|profile|events|catalogue)\.(png|svg|pdf)|)"
@@ -55,7 +55,8 @@ void remove_files_of_a_run(const fs::path& folder) {
 
 void remove_later_files(const fs::path& folder, const std::vector<int64_t>& kept) {
   static const std::regex snapshot(R"((?:discs|bonds|cracks|flow|fractures|joints)_([0-9]{5,})\.vtu)"),
-      of_the_end(R"((fractures|fracture_lines|cells)\.csv|(permeability|multipliers)\.grdecl|\..*\.tmp)");
+      of_the_end(
+          R"((slips|fractures|fracture_lines|cells)\.csv|(permeability|multipliers)\.grdecl|\..*\.tmp)");
   for (const auto& file : files_of_a_run(folder)) {
     const std::string name = file.filename().string();
     std::smatch match;

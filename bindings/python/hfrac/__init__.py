@@ -11,7 +11,7 @@
 SI units everywhere, unit thickness out of the plane, compression positive for stress and pressure. numpy is used if it
 is there and not needed otherwise. One simulation serves one thread at a time; different ones run side by side.
 """
-from ._abi import CrackMode, GrdeclKind, JointState, LogLevel, Status, StepLimit, StopReason, Upscaling, WellControl
+from ._abi import CrackMode, EventKind, GrdeclKind, JointState, LogLevel, Status, StepLimit, StopReason, Upscaling, WellControl
 from ._catalogue import magnitude_law
 from ._definition import Definition, Option, joint_options, options, schedule_options, well_options
 from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Joints, Pipes
@@ -31,6 +31,7 @@ from ._records import (
     MagnitudeLaw,
     SetupReport,
     SimState,
+    Slip,
     SolverReport,
     StepLimits,
     WallState,
@@ -63,10 +64,10 @@ from .errors import (
 __all__ = [
     "FIELDS", "Advance", "ArgumentError", "BadHandleError", "Balance", "Bonds", "BusyError", "Calibration",
     "CallbackError", "CollapsedError",
-    "CaseFileError", "Crack", "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "Event", "FieldInfo",
+    "CaseFileError", "Crack", "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "Event", "EventKind", "FieldInfo",
     "FileError", "Fracture", "FracturePoint", "GrdeclKind", "Grid", "Heat", "HfracError", "InternalError", "JointState", "Joints", "LabReport",
     "LabResult", "LibraryError", "LogLevel", "MagnitudeLaw", "ModelError", "OpenStep", "Option", "OutOfMemoryError",
-    "Pipes", "PoisonedError", "SetupReport", "SimState", "Simulation", "SolverReport", "StaleViewError", "Status",
+    "Pipes", "PoisonedError", "SetupReport", "SimState", "Simulation", "Slip", "SolverReport", "StaleViewError", "Status",
     "StepLimit", "StepLimits", "StopReason", "StoppedError", "StructSizeError", "UnknownKeyError", "Upscaling", "View",
     "WallState", "Well", "WellControl", "WellState", "build_info", "calibrate", "joint_options", "lab", "library_path",
     "magnitude_law", "options", "schedule_options", "version", "well_options",

@@ -213,6 +213,13 @@ class CrackMode(enum.IntEnum):
     SHEAR = 2
 
 
+class EventKind(enum.IntEnum):
+    """What an event is made of."""
+
+    CRACKS = 0
+    SLIP = 1
+
+
 class Upscaling(enum.IntEnum):
     """How permeability is brought to the host's cells."""
 
@@ -759,8 +766,28 @@ class hfrac_fracture_point(ctypes.Structure):
     ]
 
 
+class hfrac_slip(ctypes.Structure):
+    """What a contact of a smooth joint slipped since its last entry."""
+
+    _fields_ = [
+        ("id", ctypes.c_int64),
+        ("bond", ctypes.c_int64),
+        ("disc", ctypes.c_int64 * 2),
+        ("joint", ctypes.c_int64),
+        ("step", ctypes.c_int64),
+        ("time", ctypes.c_double),
+        ("duration", ctypes.c_double),
+        ("position", ctypes.c_double * 2),
+        ("normal", ctypes.c_double * 2),
+        ("length", ctypes.c_double),
+        ("slip", ctypes.c_double),
+        ("distance", ctypes.c_double),
+        ("shear_modulus", ctypes.c_double),
+    ]
+
+
 class hfrac_catalogue_options(ctypes.Structure):
-    """How cracks make events. Set struct_size; zeros elsewhere are the defaults."""
+    """How cracks and slips make events. Set struct_size; zeros elsewhere are the defaults."""
 
     _fields_ = [
         ("struct_size", ctypes.c_int32),
@@ -769,6 +796,8 @@ class hfrac_catalogue_options(ctypes.Structure):
         ("time_window", ctypes.c_double),
         ("cycle_window", ctypes.c_int64),
         ("thickness", ctypes.c_double),
+        ("shear_modulus", ctypes.c_double),
+        ("slip_rate", ctypes.c_double),
     ]
 
 
@@ -792,6 +821,12 @@ class hfrac_event(ctypes.Structure):
         ("isotropic_fraction", ctypes.c_double),
         ("length", ctypes.c_double),
         ("radius", ctypes.c_double),
+        ("kind", ctypes.c_int32),
+        ("pad", ctypes.c_int32),
+        ("first_slip", ctypes.c_int64),
+        ("slip_count", ctypes.c_int64),
+        ("slip", ctypes.c_double),
+        ("duration", ctypes.c_double),
     ]
 
 
@@ -1243,8 +1278,27 @@ SIGNATURES = {
         ctypes.c_int64,
         ctypes.POINTER(ctypes.c_int64),
     ),
+    "hfrac_slips_since": (
+        ctypes.c_void_p,
+        ctypes.c_int64,
+        ctypes.c_int32,
+        ctypes.c_void_p,
+        ctypes.c_int64,
+        ctypes.POINTER(ctypes.c_int64),
+        ctypes.POINTER(ctypes.c_int64),
+    ),
     "hfrac_find_events": (
         ctypes.POINTER(hfrac_crack),
+        ctypes.c_int32,
+        ctypes.c_int64,
+        ctypes.POINTER(hfrac_catalogue_options),
+        ctypes.c_int32,
+        ctypes.c_void_p,
+        ctypes.c_int64,
+        ctypes.POINTER(ctypes.c_int64),
+    ),
+    "hfrac_find_slip_events": (
+        ctypes.POINTER(hfrac_slip),
         ctypes.c_int32,
         ctypes.c_int64,
         ctypes.POINTER(hfrac_catalogue_options),

@@ -4,7 +4,7 @@
 from typing import NamedTuple, Tuple
 
 from . import _abi
-from ._abi import CrackMode, LabEnd, StepLimit, StopReason, WellControl
+from ._abi import CrackMode, EventKind, LabEnd, StepLimit, StopReason, WellControl
 
 
 class SimState(NamedTuple):
@@ -480,17 +480,73 @@ class FracturePoint(NamedTuple):
         )
 
 
-class CatalogueOptions(NamedTuple):
-    """How cracks make events."""
+class Slip(NamedTuple):
+    """What a contact of a smooth joint slipped since its last entry."""
 
-    #: [m] 0 or more; 0: twice the mean distance between the discs of the cracks
+    #: from 0, in order of time, never reused
+    id: int
+    #: index of the contact's bond
+    bond: int
+    #: indices of its discs
+    disc: Tuple[int, int]
+    #: index of the joint in the definition
+    joint: int
+    #: step in which it slipped; 0: during the initial equilibration
+    step: int
+    #: [s] end of the increment in which it slipped
+    time: float
+    #: [s] of that increment
+    duration: float
+    #: [m] of the contact, where it was bonded
+    position: Tuple[float, float]
+    #: unit normal of the joint, from disc 0 to disc 1
+    normal: Tuple[float, float]
+    #: [m] of the joint that the contact stands for
+    length: float
+    #: [m] above 0: disc 1 moved along the normal turned by +90 degrees against disc 0
+    slip: float
+    #: [m] between the centres of its discs when they were bonded
     distance: float
-    #: [s] 0 or more; 0: cracks of the same step only
+    #: [Pa] of the rock, estimated from its bonds as if discs moved with the mean strain (Agnolin and Kruyt
+    #: 2008): an upper bound
+    shear_modulus: float
+
+    @classmethod
+    def of(cls, struct: _abi.hfrac_slip) -> "Slip":
+        """The struct's values."""
+        return cls(
+            struct.id,
+            struct.bond,
+            tuple(struct.disc),
+            struct.joint,
+            struct.step,
+            struct.time,
+            struct.duration,
+            tuple(struct.position),
+            tuple(struct.normal),
+            struct.length,
+            struct.slip,
+            struct.distance,
+            struct.shear_modulus,
+        )
+
+
+class CatalogueOptions(NamedTuple):
+    """How cracks and slips make events."""
+
+    #: [m] 0 or more; 0: twice the mean distance between the discs of the cracks (or slips)
+    distance: float
+    #: [s] 0 or more; 0: cracks of the same step only, slips of the same increment only
     time_window: float
     #: 0 or more mechanical cycles; 0: no limit within the time window
     cycle_window: int
     #: [m] of rock that the plane stands for; 0: 1 m
     thickness: float
+    #: [Pa] of the rock, for slips; 0: the one that each slip gives
+    shear_modulus: float
+    #: [m/s] 0 or more: slips slower than this, over their increment, are left out; 0: none. It says something
+    #: where increments are as short as slip is fast, so in mode "dynamic"
+    slip_rate: float
 
     @classmethod
     def of(cls, struct: _abi.hfrac_catalogue_options) -> "CatalogueOptions":
@@ -500,15 +556,17 @@ class CatalogueOptions(NamedTuple):
             struct.time_window,
             struct.cycle_window,
             struct.thickness,
+            struct.shear_modulus,
+            struct.slip_rate,
         )
 
 
 class Event(NamedTuple):
     """One event."""
 
-    #: from 0, in order of the first crack
+    #: from 0, in order of the first crack or slip
     index: int
-    #: id of that crack
+    #: id of that crack; -1 of an event from slip
     first_crack: int
     #: cracks in it
     crack_count: int
@@ -518,9 +576,9 @@ class Event(NamedTuple):
     first_cycle: int
     #: and of its last
     last_cycle: int
-    #: [s] of its first crack
+    #: [s] of its first crack or slip
     time: float
-    #: [m] mean place of its cracks
+    #: [m] mean place of its cracks or slips
     position: Tuple[float, float]
     #: [N m] xx, yy, xy; outward positive
     moment_tensor: Tuple[float, float, float]
@@ -528,16 +586,28 @@ class Event(NamedTuple):
     moment: float
     #: of the moment (Hanks and Kanamori 1979); NaN without one
     magnitude: float
-    #: [J] elastic energy of the broken bonds
+    #: [J] elastic energy of the broken bonds; 0 of an event from slip
     energy: float
     #: 2/3 log10 energy - 2.9 (Choy and Boatwright 1995), an upper bound; NaN without energy
     energy_magnitude: float
     #: -1 to 1 (Feignier and Young 1992, in the plane): 0.5 opens as one crack, 0 shears, below 0 closes
     isotropic_fraction: float
-    #: [m] summed over its cracks
+    #: [m] summed over its cracks, or over its contacts that slipped
     length: float
-    #: [m] from its position to the farthest of its cracks
+    #: [m] from its position to the farthest of its cracks or slips
     radius: float
+    #: enum hfrac_event_kind
+    kind: EventKind
+    #: 0
+    pad: int
+    #: id of its first slip; -1 of an event from cracks
+    first_slip: int
+    #: slips in it
+    slip_count: int
+    #: [m] mean over its length; 0 of an event from cracks
+    slip: float
+    #: [s] from its first crack or slip to its last
+    duration: float
 
     @classmethod
     def of(cls, struct: _abi.hfrac_event) -> "Event":
@@ -559,6 +629,12 @@ class Event(NamedTuple):
             struct.isotropic_fraction,
             struct.length,
             struct.radius,
+            EventKind(struct.kind),
+            struct.pad,
+            struct.first_slip,
+            struct.slip_count,
+            struct.slip,
+            struct.duration,
         )
 
 

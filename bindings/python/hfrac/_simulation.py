@@ -14,7 +14,7 @@ from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Joints, Pipes
 from ._library import call, load
 from ._open_step import OpenStep
 from ._progress import LogFunction, Progress, ProgressFunction
-from ._records import Balance, Crack, Event, Fracture, FracturePoint, Heat, SetupReport, SimState, SolverReport, StepLimits, WallState
+from ._records import Balance, Crack, Event, Fracture, FracturePoint, Heat, SetupReport, SimState, Slip, SolverReport, StepLimits, WallState
 from ._view import View
 from ._well import Well
 from .errors import BadHandleError, HfracError, StoppedError, UnknownKeyError
@@ -357,20 +357,45 @@ class Simulation:
     ) -> List[Event]:
         """The seismic catalogue: cracks that broke together as events. [m] between cracks of one event, 0: two mean disc
         distances; [s] and mechanical cycles between them, 0: the same step, any number; [m] of rock in the plane."""
-        return Rule(distance, time_window, cycle_window, thickness).events(*self._crack_structs())
+        return Rule(distance, time_window, cycle_window, thickness).events(*self._log("hfrac_cracks_since", _abi.hfrac_crack))
+
+    @property
+    def slips(self) -> Any:
+        """What smooth joints slipped, in order of time: a numpy record array, or a list of Slip."""
+        return self.slips_since(0)[0]
+
+    def slips_since(self, cursor: int) -> Tuple[Any, int]:
+        """Slips with id >= cursor, and the cursor for the next call."""
+        count, following = ctypes.c_int64(), ctypes.c_int64()
+        head = (cursor, ctypes.sizeof(_abi.hfrac_slip))
+        self._call("hfrac_slips_since", *head, None, 0, ctypes.byref(count), None)
+        records, address = _arrays.new_records(_abi.hfrac_slip, count.value)
+        self._call("hfrac_slips_since", *head, address, count.value, ctypes.byref(count), ctypes.byref(following))
+        slips = [Slip.of(struct) for struct in records] if _arrays.numpy is None else records
+        return slips, following.value
+
+    def slip_events(
+        self, distance: float = 0.0, time_window: float = 0.0, thickness: float = 1.0, shear_modulus: float = 0.0,
+        slip_rate: float = 0.0
+    ) -> List[Event]:
+        """Events from slip of smooth joints, slow slip included: [m] between contacts of one event, 0: two mean disc distances;
+        [s] between them, 0: the same increment; [m] of rock in the plane; [Pa] of the rock, 0: as estimated from its bonds;
+        [m/s]: slower slips are left out."""
+        rule = Rule(distance, time_window, 0, thickness, shear_modulus, slip_rate)
+        return rule.slip_events(*self._log("hfrac_slips_since", _abi.hfrac_slip))
 
     def event_of_cracks(
         self, distance: float = 0.0, time_window: float = 0.0, cycle_window: int = 0, thickness: float = 1.0
     ) -> List[int]:
         """The index, in events() of the same arguments, of the event that each crack belongs to."""
-        return Rule(distance, time_window, cycle_window, thickness).event_of_cracks(*self._crack_structs())
+        return Rule(distance, time_window, cycle_window, thickness).event_of_cracks(*self._log("hfrac_cracks_since", _abi.hfrac_crack))
 
-    def _crack_structs(self) -> Tuple[Any, int]:
-        count, size = ctypes.c_int64(), ctypes.sizeof(_abi.hfrac_crack)
-        self._call("hfrac_cracks_since", 0, size, None, 0, ctypes.byref(count), None)
-        cracks = (_abi.hfrac_crack * max(1, count.value))()
-        self._call("hfrac_cracks_since", 0, size, ctypes.addressof(cracks), count.value, ctypes.byref(count), None)
-        return cracks, count.value
+    def _log(self, function: str, struct: Any) -> Tuple[Any, int]:
+        count, size = ctypes.c_int64(), ctypes.sizeof(struct)
+        self._call(function, 0, size, None, 0, ctypes.byref(count), None)
+        entries = (struct * max(1, count.value))()
+        self._call(function, 0, size, ctypes.addressof(entries), count.value, ctypes.byref(count), None)
+        return entries, count.value
 
     # Fields
 

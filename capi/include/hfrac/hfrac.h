@@ -14,6 +14,7 @@
 #include "heat.h"
 #include "lab.h"
 #include "sim.h"
+#include "slip.h"
 #include "state.h"
 
 #endif

@@ -183,6 +183,29 @@ class Cracks(unittest.TestCase):
                 sim.events(thickness=-1.0)
 
 
+class Slips(unittest.TestCase):
+    """A joint without friction beside the well of a dry model slips as the far field becomes uneven."""
+
+    def test_events_from_slip(self):
+        joint = {"x1": 20.0, "y1": 30.0, "x2": 50.0, "y2": 60.0, "state": "smooth-broken", "friction": 0.0}
+        with small(joints=[joint], boundary_kind="stress", stress_sigma_Hmax=10e6, stress_sigma_hmin=10e6, flow_scheme="off",
+                   solver_kind="quasi-static", bond_tensile_strength=1e12, bond_shear_strength=1e12) as sim:
+            sim.step(1)
+            start = len(sim.slips)
+            sim.set_far_field(14e6, 10e6)
+            sim.step(1)
+            slips, cursor = sim.slips_since(start)
+            self.assertGreater(len(slips), 0)
+            self.assertEqual(cursor, start + len(slips))
+            moment = sum(float(slip.shear_modulus * slip.length * slip.slip) for slip in slips)
+            events = [event for event in sim.slip_events(time_window=1e9) if event.kind == hfrac.EventKind.SLIP]
+            self.assertEqual(sum(event.slip_count for event in events), sum(int(slip.step) > 0 for slip in sim.slips))
+            self.assertGreater(sum(event.moment for event in sim.slip_events()), 0.9 * abs(moment))
+            self.assertEqual(sim.slip_events(slip_rate=1e9), [])
+            with self.assertRaises(hfrac.ArgumentError):
+                sim.slip_events(shear_modulus=-1.0)
+
+
 class OwnDiscs(unittest.TestCase):
     def test_discs_packed_elsewhere(self):
         with small() as packed:

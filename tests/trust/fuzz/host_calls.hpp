@@ -100,6 +100,16 @@ inline int32_t catalogue_call(std::uint8_t argument, double value) {
   int64_t count = argument % 8 == 0 ? -1 : argument % 7, found = 0;
   const auto* rule = argument % 2 == 0 ? &options : nullptr;
   hfrac_find_event_of_cracks(cracks.data(), sizeof(hfrac_crack), count, rule, of.data(), 6, &found);
+  std::array<hfrac_slip, 6> slips{};
+  for (std::size_t k = 0; k < slips.size(); ++k) {
+    slips[k].step = static_cast<int64_t>(k) + argument % 2;
+    slips[k].position[0] = cracks[k].position[0];
+    slips[k].normal[1] = slips[k].duration = slips[k].shear_modulus = 1.0;
+    slips[k].length = slips[k].slip = slips[k].distance = value;
+  }
+  options.slip_rate = argument % 4 == 0 ? value : 0.0;
+  hfrac_find_slip_events(slips.data(), sizeof(hfrac_slip), count, rule, sizeof(hfrac_event), events.data(), 6,
+                         &found);
   return hfrac_find_events(cracks.data(), sizeof(hfrac_crack), count, rule, sizeof(hfrac_event),
                            events.data(), 6, &found);
 }

@@ -121,7 +121,8 @@ enum hfrac_viz_chart {
   HFRAC_VIZ_CHART_PROFILE = 4, /**< profile: aperture against distance from the well's wall */
   HFRAC_VIZ_CHART_EVENTS = 8,  /**< events: energy magnitudes of the cracks (Choy and Boatwright 1995), how many are at
                                      least as strong, and their b value (Aki 1965) */
-  HFRAC_VIZ_CHART_CATALOGUE = 16, /**< catalogue: seismic events of events.csv: where, when, how strong, and their b value */
+  HFRAC_VIZ_CHART_CATALOGUE = 16, /**< catalogue: seismic events of events.csv: where, when, how strong, their b value,
+                                     and their distance from the well against time (Shapiro et al. 1997) */
   HFRAC_VIZ_CHART_ALL = 31     /**< all of them */
 };
 
@@ -134,6 +135,8 @@ typedef struct hfrac_viz_chart_options {
   int32_t width;           /**< [pixel] of the PNG files, 320 to 8192; default 1600 */
   int32_t dots_per_inch;   /**< noted in the PNG files for printing, 0: not; default 0 */
   int32_t dark;            /**< nonzero: light on dark paper; default 0 */
+  int32_t pad;             /**< 0 */
+  double diffusivity;      /**< [m2/s] of the envelope in catalogue; default 0: of that around 95 % of the events */
 } hfrac_viz_chart_options;
 
 /** Defaults into `options`; `struct_size` is sizeof(hfrac_viz_chart_options) in the caller. Stable since 0.1. */

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Keeps the log of slips (model/slip_log.hpp).
+#pragma once
+
+#include "model/model.hpp"
+
+namespace hfrac {
+
+// Logs what smooth joints slipped since their last entries. `step` and `time` [s]: of now; `duration` [s]: of the increment that ends now.
+void log_slips(Model& model, std::int64_t step, double time, double duration);
+
+}  // namespace hfrac
