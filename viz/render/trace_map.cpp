@@ -66,7 +66,7 @@ void put_map(ChartPage& page, const std::vector<DrawnTrace>& traces, const Exten
   constexpr double room = 690;
   const double scale = room / std::max(frame.width, frame.height);
   const Box box{130, 240, frame.width * scale, frame.height * scale};
-  Panel panel{"Where", "x (m)", {}, false, false};
+  Panel panel{"Traces", "x (m)", {}, false, false};
   for (std::size_t k = 0; k < sets_of(traces) && sets_of(traces) > 1; ++k)
     panel.series.push_back({"set " + std::to_string(k + 1), "", categorical(k), {}, {}});
   panel.unit = "y (m)";
@@ -106,7 +106,7 @@ void put_lengths(ChartPage& page, const std::vector<DrawnTrace>& traces,
   for (const DrawnTrace& trace : traces) found.x.push_back(trace.length());
   std::sort(found.x.begin(), found.x.end());
   for (std::size_t i = 0; i < found.x.size(); ++i) found.y.push_back(static_cast<double>(found.x.size() - i));
-  Panel panel{"How many are at least as long", "length (m)", {found}, true, false};
+  Panel panel{"At least as long", "length (m)", {found}, true, false};
   if (options.given_points > 0) {
     ChartSeries given{"as asked, before they are cut", "", palette().pull, {}, {}};
     given.x.assign(options.given_lengths, options.given_lengths + options.given_points);
