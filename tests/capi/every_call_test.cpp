@@ -58,7 +58,8 @@ class EveryCall : public testing::Test {
   void TearDown() override {
     EXPECT_EQ(hfrac_sim_destroy(&g_.sim), HFRAC_OK);
     EXPECT_EQ(hfrac_lab_destroy(&g_.lab), HFRAC_OK);
-    for (const auto& file : {g_.case_file, g_.trace_file, g_.state_file, g_.grdecl_file}) ::unlink(file.c_str());
+    for (const auto& file : {g_.case_file, g_.trace_file, g_.state_file, g_.grdecl_file})
+      ::unlink(file.c_str());
   }
 
   // As at the beginning, whatever the call before did.
