@@ -1456,6 +1456,16 @@ module hfrac_c
       character(kind=c_char), intent(in) :: path(*)
       integer(c_int32_t) :: hfrac_sim_def_load
     end function hfrac_sim_def_load
+    !> Adds a joint for each trace of the file `path`, as [[joint]] file does: a table with the columns START_X,
+    !> START_Y, END_X and END_Y, or GeoJSON (.geojson, .json), in m. All values but the ends have their defaults;
+    !> the host may change them in place. What is no trace is refused with file and line (HFRAC_ERR_CASE_FILE);
+    !> `def` is then unchanged. Unstable since 0.1.
+    function hfrac_sim_def_add_traces(def, path) bind(C, name="hfrac_sim_def_add_traces")
+      import
+      type(hfrac_sim_def), intent(inout) :: def
+      character(kind=c_char), intent(in) :: path(*)
+      integer(c_int32_t) :: hfrac_sim_def_add_traces
+    end function hfrac_sim_def_add_traces
     !> The definition as a TOML text with every option filled in; loading it gives the same definition. Stable since
     !> 0.1.
     function hfrac_sim_def_write(def, buffer, capacity, needed) bind(C, name="hfrac_sim_def_write")

@@ -54,6 +54,7 @@ module hfrac_definition_module
     procedure :: free
     procedure :: copy_to
     procedure :: load
+    procedure :: add_traces
     !> Lists of any length at once: call def%set_wells([hfrac_well_def(...), ...]); by key they grow item by item.
     procedure :: set_wells
     procedure :: set_joints
@@ -164,6 +165,16 @@ contains
     call self%init()
     call report(hfrac_sim_def_load(self%values, to_c(path)), c_null_ptr, stat, errmsg)
   end subroutine load
+
+  !> Adds a joint for each trace of a table or of GeoJSON [m]; all but its ends has its default.
+  subroutine add_traces(self, path, stat, errmsg)
+    class(hfrac_definition), intent(inout) :: self
+    character(*), intent(in) :: path
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call self%init()
+    call report(hfrac_sim_def_add_traces(self%values, to_c(path)), c_null_ptr, stat, errmsg)
+  end subroutine add_traces
 
   !> Refuses what no simulation can be built from. With the path of the case file that was loaded the text also names the
   !> file and the line of the value.

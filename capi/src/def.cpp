@@ -13,6 +13,7 @@
 #include "def_lists.hpp"
 #include "internal.hpp"
 #include "options/number_text.hpp"
+#include "traces.hpp"
 #include "utf8.hpp"
 
 using namespace hfrac;
@@ -213,6 +214,17 @@ std::int32_t hfrac_sim_def_load(hfrac_sim_def* def, const char* path) {
     const hfrac_sim_def full = read_def(def);
     require_not_null(path, "path");
     write_case(def, load_case(path, case_of(full)), full, "def");
+  });
+}
+
+std::int32_t hfrac_sim_def_add_traces(hfrac_sim_def* def, const char* path) {
+  return guarded([&] {
+    const hfrac_sim_def full = read_def(def);
+    require_not_null(path, "path");
+    CaseDefinition definition = case_of(full);
+    const auto traces = read_traces(path, {});
+    definition.joints.insert(definition.joints.end(), traces.begin(), traces.end());
+    write_case(def, definition, full, "def");
   });
 }
 

@@ -15,10 +15,6 @@
 namespace hfrac::capi {
 namespace {
 
-constexpr std::size_t largest_file = 1U << 20U;
-// Bounds the depth of a.b.c.d..., which the parser follows by recursion.
-constexpr std::size_t longest_line = 4096;
-
 class File {
  public:
   // Without waiting: opening a pipe nobody writes to would.
@@ -43,13 +39,13 @@ std::string system_text(int number) {
   return std::generic_category().message(number);
 }
 
-void check_lines(const std::string& path, const std::string& text) {
+void check_lines(const std::string& path, const std::string& text, const TextLimits& limits) {
   std::size_t line = 1;
   for (std::size_t begin = 0; begin < text.size(); ++line) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    if (end - begin > longest_line) {
-      refuse(path, "line " + std::to_string(line) + " is longer than " + std::to_string(longest_line) +
-                       " bytes; this is not a case file.");
+    if (end - begin > limits.longest_line) {
+      refuse(path, "line " + std::to_string(line) + " is longer than " + std::to_string(limits.longest_line) +
+                       " bytes; this is not a " + limits.kind + ".");
     }
     begin = end + 1;
   }
@@ -57,15 +53,16 @@ void check_lines(const std::string& path, const std::string& text) {
 
 }  // namespace
 
-std::string read_text_file(const std::string& path) {
+std::string read_text_file(const std::string& path, const TextLimits& limits) {
   const File file(path);
   if (file.descriptor() < 0) refuse(path, "cannot be opened: " + system_text(errno) + ".");
   struct stat status {};
   if (::fstat(file.descriptor(), &status) != 0) refuse(path, "cannot be read: " + system_text(errno) + ".");
-  if (S_ISDIR(status.st_mode)) refuse(path, "is a directory, not a case file.");
-  if (!S_ISREG(status.st_mode)) refuse(path, "is a device or pipe, not a case file.");
-  const std::string too_large = "is larger than 1 MiB; this is not a case file.";
-  if (status.st_size > static_cast<off_t>(largest_file)) refuse(path, too_large);
+  if (S_ISDIR(status.st_mode)) refuse(path, std::string("is a directory, not a ") + limits.kind + ".");
+  if (!S_ISREG(status.st_mode)) refuse(path, std::string("is a device or pipe, not a ") + limits.kind + ".");
+  const std::string too_large = "is larger than " + std::to_string(limits.largest_file >> 20U) +
+                                " MiB; this is not a " + limits.kind + ".";
+  if (status.st_size > static_cast<off_t>(limits.largest_file)) refuse(path, too_large);
 
   // Some files do not tell their size, so it is checked again while reading.
   std::string text;
@@ -76,10 +73,10 @@ std::string read_text_file(const std::string& path) {
     if (count < 0) refuse(path, "cannot be read: " + system_text(errno) + ".");
     if (count == 0) break;
     text.append(buffer, static_cast<std::size_t>(count));
-    if (text.size() > largest_file) refuse(path, too_large);
+    if (text.size() > limits.largest_file) refuse(path, too_large);
   }
   if (text.find('\0') != std::string::npos) refuse(path, "holds bytes 0; this is not a text file.");
-  check_lines(path, text);
+  check_lines(path, text, limits);
   return text;
 }
 

@@ -7,10 +7,6 @@
 namespace hfrac {
 namespace {
 
-// Closure at which a joint bears `highest`: from there on it is linear.
-double last_closure(const JointLaw& law) {
-  return law.highest / (law.normal_stiffness + law.highest / law.max_closure);
-}
 // J/m2, the integral of Bandis' stress.
 double bandis_energy(const JointLaw& law, double d) {
   const double share = d / law.max_closure;
@@ -18,14 +14,6 @@ double bandis_energy(const JointLaw& law, double d) {
 }
 
 }  // namespace
-
-JointValue closure_stress(const JointLaw& law, double closure) {
-  if (closure <= 0.0) return {0.0, 0.0};
-  if (law.max_closure <= 0.0) return {law.normal_stiffness * closure, law.normal_stiffness};
-  const double d = std::min(closure, last_closure(law)), room = 1.0 - d / law.max_closure;
-  const double slope = law.normal_stiffness / (room * room);
-  return {law.normal_stiffness * d / room + slope * (closure - d), slope};
-}
 
 double closure_energy(const JointLaw& law, double closure) {
   if (closure <= 0.0) return 0.0;
@@ -37,18 +25,6 @@ double closure_energy(const JointLaw& law, double closure) {
 
 double stiffest(const JointLaw& law) {
   return law.max_closure > 0.0 ? closure_stress(law, last_closure(law)).slope : law.normal_stiffness;
-}
-
-JointValue joint_friction(const JointLaw& law, double friction, double slip) {
-  if (law.weakening_slip <= 0.0) return {friction, 0.0};
-  if (std::abs(slip) >= law.weakening_slip) return {law.residual_friction, 0.0};
-  const double slope = (law.residual_friction - friction) / law.weakening_slip;
-  return {friction + slope * std::abs(slip), slip < 0.0 ? -slope : slope};
-}
-
-JointValue joint_dilation(const JointLaw& law, double slip) {
-  if (std::abs(slip) >= law.dilation_slip) return {law.dilation * law.dilation_slip, 0.0};
-  return {law.dilation * std::abs(slip), std::copysign(law.dilation, slip)};
 }
 
 JointValue joint_aperture(const JointLaw& law, double opening) {

@@ -11,6 +11,9 @@
 //               which closed faces keep
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 namespace hfrac {
 
 struct JointLaw {
@@ -33,11 +36,37 @@ struct JointValue {
   double value, slope;
 };
 
-JointValue closure_stress(const JointLaw& law, double closure);  // Pa, Pa/m; 0 where it is negative
+// In the header since the step loop asks for them at every contact.
+
+// Closure at which a joint bears `highest`: from there on it is linear.
+inline double last_closure(const JointLaw& law) {
+  return law.highest / (law.normal_stiffness + law.highest / law.max_closure);
+}
+// Pa, Pa/m; 0 where it is negative.
+inline JointValue closure_stress(const JointLaw& law, double closure) {
+  if (closure <= 0.0) return {0.0, 0.0};
+  if (law.max_closure <= 0.0) return {law.normal_stiffness * closure, law.normal_stiffness};
+  const double d = std::min(closure, last_closure(law)), room = 1.0 - d / law.max_closure;
+  const double slope = law.normal_stiffness / (room * room);
+  return {law.normal_stiffness * d / room + slope * (closure - d), slope};
+}
+
+// 1, 1/m by the signed slip.
+inline JointValue joint_friction(const JointLaw& law, double friction, double slip) {
+  if (law.weakening_slip <= 0.0) return {friction, 0.0};
+  if (std::abs(slip) >= law.weakening_slip) return {law.residual_friction, 0.0};
+  const double slope = (law.residual_friction - friction) / law.weakening_slip;
+  return {friction + slope * std::abs(slip), slip < 0.0 ? -slope : slope};
+}
+
+// m, 1.
+inline JointValue joint_dilation(const JointLaw& law, double slip) {
+  if (std::abs(slip) >= law.dilation_slip) return {law.dilation * law.dilation_slip, 0.0};
+  return {law.dilation * std::abs(slip), std::copysign(law.dilation, slip)};
+}
+
 double closure_energy(const JointLaw& law, double closure);      // J/m2
 double stiffest(const JointLaw& law);                            // Pa/m, up to `highest`
-JointValue joint_friction(const JointLaw& law, double friction, double slip);  // 1, 1/m by the signed slip
-JointValue joint_dilation(const JointLaw& law, double slip);                   // m, 1
-JointValue joint_aperture(const JointLaw& law, double opening);                // m, 1
+JointValue joint_aperture(const JointLaw& law, double opening);  // m, 1
 
 }  // namespace hfrac

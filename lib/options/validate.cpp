@@ -273,7 +273,7 @@ void check_fluid(const Options& o) {
   }
 }
 
-void check_joint(const std::string& name, const JointOptions& joint) {
+void check_joint(const std::string& name, const JointOptions& joint, const Options& o) {
   if (joint.x1 == joint.x2 && joint.y1 == joint.y2) {
     refuse(name + " has no length: both ends are at (" + number_text(joint.x1) + ", " +
            number_text(joint.y1) + ") m; move one of them.");
@@ -288,15 +288,54 @@ void check_joint(const std::string& name, const JointOptions& joint) {
   }
   need(joint.dilation_angle == 0.0 || joint.dilation_slip > 0.0, "dilation_slip",
        " = 0 m: dilation has to end; give the slip at which it does, some centimetres at most.");
-  need(joint.weakening_slip == 0.0 || joint.friction < 0.0 || joint.residual_friction <= joint.friction,
-       "residual_friction",
-       " = " + number_text(joint.residual_friction) + " is above friction = " + number_text(joint.friction) +
-           "; slip weakens a joint, lower it.");
+  const bool own = joint.friction >= 0.0;
+  need(own || joint.friction == -1.0, "friction",
+       std::string(" = ") + number_text(joint.friction) +
+           " is below 0; give 0 to 10, or -1 for contact.friction.");
+  const double friction = own ? joint.friction : o.contact_friction;
+  need(joint.weakening_slip == 0.0 || joint.residual_friction <= friction, "residual_friction",
+       std::string(" = ") + number_text(joint.residual_friction) + " is above " + (own ? "" : "contact.") +
+           "friction = " + number_text(friction) + "; slip weakens a joint, lower it.");
   need(joint.residual_friction == 0.0 || joint.weakening_slip > 0.0, "weakening_slip",
        " = 0 m: residual_friction needs the slip over which friction falls to it.");
   need(joint.aperture == 0.0 || joint.max_closure <= joint.aperture, "max_closure",
        " = " + number_text(joint.max_closure) + " m is more than the aperture of " +
            number_text(joint.aperture) + " m that there is to close.");
+}
+
+// Whether a joint meets the model's rectangle (Liang and Barsky 1984).
+bool meets_model(const JointOptions& joint, const Options& o) {
+  double first = 0.0, last = 1.0;  // share of its length at which it comes in and goes out
+  const auto cut = [&](double from, double along, double side) {
+    if (along == 0.0) {
+      if (from < 0.0 || from > side) last = -1.0;
+      return;
+    }
+    const double one = -from / along, other = (side - from) / along;
+    first = std::max(first, std::min(one, other));
+    last = std::min(last, std::max(one, other));
+  };
+  cut(joint.x1, joint.x2 - joint.x1, o.model_width);
+  cut(joint.y1, joint.y2 - joint.y1, o.model_height);
+  return first <= last;
+}
+
+// Some joints of a map may lie outside; all of them are in other coordinates than the model.
+void check_joints(const CaseDefinition& definition) {
+  const Options& o = definition.options;
+  const auto& joints = definition.joints;
+  for (std::size_t k = 0; k < joints.size(); ++k)
+    check_joint("joint[" + std::to_string(k) + "]", joints[k], o);
+  const auto inside = [&](const JointOptions& joint) { return meets_model(joint, o); };
+  if (joints.empty() || std::any_of(joints.begin(), joints.end(), inside)) return;
+  const JointOptions& joint = joints.front();
+  const auto end_text = [](double x, double y) {
+    return std::string("(") + number_text(x) + ", " + number_text(y) + ")";
+  };
+  refuse("joint[0] from " + end_text(joint.x1, joint.y1) + " to " + end_text(joint.x2, joint.y2) +
+         " m lies outside the model of " + number_text(o.model_width) + " m x " +
+         number_text(o.model_height) + " m" + (joints.size() > 1 ? ", as do all others" : "") +
+         "; the origin is its lower left corner.");
 }
 
 void check_schedule(const CaseDefinition& definition) {
@@ -442,8 +481,7 @@ void validate(const CaseDefinition& definition, std::span<const double> given_di
   check_solver(o);
   check_initial(definition);
   check_fluid(o);
-  for (std::size_t k = 0; k < definition.joints.size(); ++k)
-    check_joint("joint[" + std::to_string(k) + "]", definition.joints[k]);
+  check_joints(definition);
   check_schedule(definition);
   check_temperature(o);
   const auto& wells = definition.wells;

@@ -52,6 +52,7 @@ ExplicitSolver::ExplicitSolver(Model& model, Boundary& boundary, const Options& 
       kernels_(kernels()),
       fragments_(assembly_, options) {
   const auto discs = static_cast<std::size_t>(assembly_.disc_count());
+  pushed_ = discs_of_smooth(assembly_);
   inverse_mass_.resize(discs);
   inverse_inertia_.resize(discs);
   plan_ =
@@ -308,6 +309,7 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
     run_blocked(cycles, found);
     return;
   }
+  put_loads(pushed_, boundary_);
   const auto domain_blocks = arrays_.with_pressure != 0 ? plan_.domain_blocks : 0;
   // A worker that finds no memory for its cracks may not leave the others waiting: it goes on to the end of the batch, and
   // then the step fails.
@@ -342,7 +344,7 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
         boundary_.cycle(assembly_, arrays_.step, options_.stepping_safety, arrays_.damping);
       }
       const bool smooth = worker == 0 && !assembly_.smooth.empty();
-      if (smooth) release_smooth(assembly_, boundary_);
+      if (smooth) release_smooth(assembly_, pushed_);
       if (worker == 0 && !non_bonded_.empty())
         non_bonded_.cycle(assembly_, boundary_, arrays_.step, energies_.friction);
       if (smooth) watched([&] { take_smooth_joints(now, found[w]); });

@@ -23,6 +23,7 @@
 #include "solid/fragments.hpp"
 #include "solid/kernels.hpp"
 #include "solid/non_bonded_contacts.hpp"
+#include "solid/smooth_joints.hpp"
 #include "solid/temporal_blocking.hpp"
 #include "solid/tiles.hpp"
 
@@ -130,7 +131,8 @@ class ExplicitSolver {
   Workers::Pass bonds_left_, domains_left_, tiles_left_;  // of a cycle: blocks of bonds, of domains, tiles
   const KernelTable& kernels_;
   Fragments fragments_;
-  std::vector<char> held_;  // per disc: its bonds do not break; empty: none
+  std::vector<PushedDisc> pushed_;  // by smooth joints
+  std::vector<char> held_;          // per disc: its bonds do not break; empty: none
   TilePlan plan_;
   KernelArrays arrays_{};
   Array<double> inverse_mass_, inverse_inertia_;

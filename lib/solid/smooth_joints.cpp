@@ -117,8 +117,9 @@ struct Motion {
 };
 Motion motion_of(const Assembly& a, const SmoothContact& c) {
   const auto i = a.first[c.bond], j = a.second[c.bond];
-  const double share = a.factors.growth_of(c.bond) / a.length(c.bond);
-  const Vec2 between{a.ux[j] - a.ux[i] - share * a.dx(c.bond), a.uy[j] - a.uy[i] - share * a.dy(c.bond)};
+  Vec2 between{a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]};
+  if (const double growth = a.factors.growth_of(c.bond); growth != 0.0)
+    between = between - (growth / a.length(c.bond)) * Vec2{a.dx(c.bond), a.dy(c.bond)};
   return {dot(between, c.normal) + c.opens_by_first * a.rotation[i] + c.opens_by_second * a.rotation[j] -
               c.open_before,
           dot(between, turned(c.normal)) + c.slides_by_first * a.rotation[i] +
@@ -370,15 +371,30 @@ const SmoothContact* farthest_slide(const Assembly& a, double& slide) {
   return farthest;
 }
 
-void release_smooth(Assembly& a, const Boundary& boundary) {
-  for (const auto& contact : a.smooth.contacts) {
-    for (const auto i : {a.first[contact.bond], a.second[contact.bond]}) {
-      a.external_moment[i] = 0.0;
-      if (boundary.touches_wall(i)) continue;  // written anew in every cycle
-      const Vec2 load = boundary.load_on(i);
-      a.external_x[i] = load.x;
-      a.external_y[i] = load.y;
-    }
+std::vector<PushedDisc> discs_of_smooth(const Assembly& a) {
+  std::vector<std::int32_t> discs;
+  for (const auto& contact : a.smooth.contacts)
+    discs.insert(discs.end(), {a.first[contact.bond], a.second[contact.bond]});
+  std::sort(discs.begin(), discs.end());
+  discs.erase(std::unique(discs.begin(), discs.end()), discs.end());
+  std::vector<PushedDisc> pushed;
+  for (const auto i : discs) pushed.push_back({i, false, {}});
+  return pushed;
+}
+
+void put_loads(std::vector<PushedDisc>& discs, const Boundary& boundary) {
+  for (auto& disc : discs) {
+    disc.walled = boundary.touches_wall(disc.disc);
+    disc.load = boundary.load_on(disc.disc);
+  }
+}
+
+void release_smooth(Assembly& a, const std::vector<PushedDisc>& discs) {
+  for (const auto& [i, walled, load] : discs) {
+    a.external_moment[i] = 0.0;
+    if (walled) continue;  // written anew in every cycle
+    a.external_x[i] = load.x;
+    a.external_y[i] = load.y;
   }
 }
 
@@ -391,10 +407,22 @@ double slip_work(const Assembly& a, const SmoothContact& c, const SmoothResponse
 }
 }  // namespace
 
-void add_smooth_force(Assembly& a, const Options& o, SmoothContact& c, double& friction) {
-  const SmoothResponse r = smooth_response(a, o, c);
-  friction += slip_work(a, c, r);
-  c.slip = r.slipped;
+namespace {
+
+struct SmoothForce {
+  double normal, shear;  // N; tension positive
+};
+
+// The forces of a contact that does not slide, most of them, without all else that smooth_response finds; false: it slides, or holds.
+bool stands_still(const JointLaw& law, const SmoothContact& c, const Motion& m, double friction,
+                  SmoothForce& force) {
+  if (c.holds) return false;
+  const double press = closure_stress(law, joint_dilation(law, c.slip).value - m.opening).value;
+  force = {-c.area * press, c.area * law.shear_stiffness * (m.slide - c.slip)};
+  return std::abs(force.shear) <= joint_friction(law, friction, c.slip).value * c.area * press;
+}
+
+void add_forces(Assembly& a, const SmoothContact& c, const SmoothForce& r) {
   const auto i = a.first[c.bond], j = a.second[c.bond];
   const double normal = r.normal + c.locked_normal, shear = r.shear + c.locked_shear;
   const Vec2 force = normal * c.normal + shear * turned(c.normal);
@@ -406,6 +434,21 @@ void add_smooth_force(Assembly& a, const Options& o, SmoothContact& c, double& f
   const double couple = 0.5 * cross(Vec2{a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, force);
   a.external_moment[i] += couple - (c.opens_by_first * normal + c.slides_by_first * shear);
   a.external_moment[j] += couple - (c.opens_by_second * normal + c.slides_by_second * shear);
+}
+
+}  // namespace
+
+void add_smooth_force(Assembly& a, const Options& o, SmoothContact& c, double& friction) {
+  SmoothForce force{};
+  if (a.thermal.empty() && stands_still(a.smooth.law_of(c), c, motion_of(a, c),
+                                        a.factors.friction_of(c.bond, o.contact_friction), force)) {
+    add_forces(a, c, force);
+    return;
+  }
+  const SmoothResponse r = smooth_response(a, o, c);
+  friction += slip_work(a, c, r);
+  c.slip = r.slipped;
+  add_forces(a, c, {r.normal, r.shear});
 }
 
 void keep_smooth_slips(Assembly& a, const Options& o, double& friction) {

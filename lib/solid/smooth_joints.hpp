@@ -69,7 +69,14 @@ const SmoothContact* farthest_slide(const Assembly& assembly, double& slide);
 
 // For the explicit solver: external forces of the discs back to the boundary's, the contacts' forces on top of them (and what
 // they slid kept), and their part of the row sums that set the stable step.
-void release_smooth(Assembly& assembly, const Boundary& boundary);
+struct PushedDisc {
+  std::int32_t disc;
+  bool walled;
+  Vec2 load;  // N, the boundary's; constant while a batch of cycles lasts
+};
+std::vector<PushedDisc> discs_of_smooth(const Assembly& assembly);
+void put_loads(std::vector<PushedDisc>& discs, const Boundary& boundary);
+void release_smooth(Assembly& assembly, const std::vector<PushedDisc>& discs);
 void add_smooth_force(Assembly& assembly, const Options& options, SmoothContact& contact, double& friction);
 void add_smooth_stiffness(const Assembly& assembly, std::vector<double>& row_x, std::vector<double>& row_y,
                           std::vector<double>& row_rotation);

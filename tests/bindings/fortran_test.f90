@@ -158,6 +158,8 @@ contains
     call expect(stat == HFRAC_ERR_ARGUMENT, 'out of range')
     call def%load('/nonexistent/case.toml', stat, message)
     call expect(stat == HFRAC_ERR_CASE_FILE .and. index(message, 'case.toml') > 0, 'missing file')
+    call def%add_traces('/nonexistent/traces.csv', stat, message)
+    call expect(stat == HFRAC_ERR_CASE_FILE .and. index(message, 'traces.csv') > 0, 'missing traces')
     call def%set('well[0].radius', 1000.0_real64)
     call def%check(stat, message, path='case.toml')
     call def%check(stat, message)

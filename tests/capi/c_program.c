@@ -104,6 +104,7 @@ static void define(hfrac_sim_def* def, hfrac_well_def* well) {
   expect(hfrac_sim_def_check_file(def, "case.toml"), HFRAC_ERR_CASE_FILE, NULL, "negative radius in a file");
   well->radius = 10.0;
   expect(hfrac_sim_def_load(def, "/nonexistent/case.toml"), HFRAC_ERR_CASE_FILE, NULL, "missing file");
+  expect(hfrac_sim_def_add_traces(def, "/nonexistent/traces.csv"), HFRAC_ERR_CASE_FILE, NULL, "no traces");
 }
 
 /* sim.h */

@@ -32,6 +32,7 @@ std::vector<Row> without_a_simulation() {
       ROW(hfrac_sim_def_free, reads, Optional({0}), g.empty_def()),
       ROW(hfrac_sim_def_copy, reads, Optional(), &g.def, g.empty_def()),
       ROW(hfrac_sim_def_load, reads, Optional(), &g.def, g.case_file.c_str()),
+      ROW(hfrac_sim_def_add_traces, reads, Optional(), g.empty_def(), g.trace_file.c_str()),
       ROW(hfrac_sim_def_write, reads, Optional({3}), &g.def, +g.text, 4096, &g.number),
       ROW(hfrac_sim_def_check, reads, Optional(), &g.def),
       ROW(hfrac_sim_def_check_file, reads, Optional(), &g.def, g.case_file.c_str()),

@@ -55,6 +55,8 @@ TEST(Traces, ThatAreNoneAreRefusedByFileAndLine) {
   expect(fault_of(head + "5,5,5,5\n"), "traces.csv:2: the trace has no length");
   expect(fault_of(head + "1,2,3,1e9\n"), "1e9 is not a number from -1e6");
   expect(fault_of(""), "traces.csv:1: the table of traces is empty");
+  expect(fault_of(head + std::string(5000, '1')), "traces.csv: line 2 is longer than 4096 bytes");
+  expect(fault_of(std::string(1U << 26U, '\n') + head), "traces.csv: is larger than 64 MiB");
   std::string many = head;
   for (int k = 0; k < 100'001; ++k) many += "1,2,3,4\n";
   expect(fault_of(many), "more than 100000 traces");

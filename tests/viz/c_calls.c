@@ -36,12 +36,15 @@ const char* hfrac_viz_test_from_c(const char* run_dir, const char* folder) {
   hfrac_viz_chart_options charts;
   hfrac_viz_view_options view;
   hfrac_viz_comparison_options compared;
+  hfrac_viz_trace_options traced;
   FILE* table;
 
   GOOD(hfrac_viz_options_init(&options, (int32_t)sizeof options));
   GOOD(hfrac_viz_chart_options_init(&charts, (int32_t)sizeof charts));
   GOOD(hfrac_viz_view_options_init(&view, (int32_t)sizeof view));
   GOOD(hfrac_viz_comparison_options_init(&compared, (int32_t)sizeof compared));
+  GOOD(hfrac_viz_trace_options_init(&traced, (int32_t)sizeof traced));
+  traced.width = 320;
   options.width = charts.width = view.width = compared.width = 320;
   options.movie_width = 320;
   options.pictures = HFRAC_VIZ_MODEL;
@@ -72,6 +75,11 @@ const char* hfrac_viz_test_from_c(const char* run_dir, const char* folder) {
     char picture[1024];
     snprintf(picture, sizeof picture, "%s/compared.png", folder);
     GOOD(hfrac_viz_render_comparison(in_folder(folder, "c.csv"), picture, &compared));
+  }
+  {
+    const double ends[8] = {10, 10, 90, 50, 20, 80, 70, 20};
+    const int32_t sets[2] = {0, 1};
+    GOOD(hfrac_viz_render_traces(ends, sets, 2, in_folder(folder, "traces.png"), &traced));
   }
   GOOD(hfrac_viz_write_report(run_dir, in_folder(folder, "c.html")));
   GOOD(hfrac_viz_write_paraview_script(run_dir));

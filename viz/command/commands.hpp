@@ -20,6 +20,7 @@ void add_info(CLI::App& program, Action& action);
 void add_lab(CLI::App& program, Action& action);
 void add_calibrate(CLI::App& program, Action& action);
 void add_catalogue(CLI::App& program, Action& action);
+void add_dfn(CLI::App& program, Action& action);
 void add_options(CLI::App& program, Action& action);
 void add_view(CLI::App& program, Action& action);
 void add_render(CLI::App& program, Action& action);

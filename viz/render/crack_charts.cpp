@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "charts.h"
+#include "rose.h"
 
 namespace hfrac::viz {
 namespace {
@@ -43,21 +44,6 @@ std::vector<LoggedCrack> logged_cracks(const TableFile& table) {
   return cracks;
 }
 
-std::vector<Point> wedge(Point centre, double inner, double outer, double from, double to) {
-  constexpr int parts = 8;
-  std::vector<Point> corners;
-  for (int i = 0; i <= parts; ++i) {
-    const double angle = from + (to - from) * i / parts;
-    corners.push_back({centre.x + outer * std::cos(angle), centre.y - outer * std::sin(angle)});
-  }
-  for (int i = parts; i >= 0 && inner > 0; --i) {
-    const double angle = from + (to - from) * i / parts;
-    corners.push_back({centre.x + inner * std::cos(angle), centre.y - inner * std::sin(angle)});
-  }
-  if (!(inner > 0)) corners.push_back(centre);
-  return corners;
-}
-
 // The mean direction of the cracks, weighted by their lengths; lines have no sense, so angles are doubled.
 double mean_azimuth(const std::vector<LoggedCrack>& cracks) {
   double x = 0;
@@ -67,16 +53,6 @@ double mean_azimuth(const std::vector<LoggedCrack>& cracks) {
     y += crack.length * std::sin(2 * crack.azimuth);
   }
   return std::atan2(y, x) / 2;
-}
-
-void put_spokes(ChartPage& page, Point centre, double radius) {
-  for (int degrees = 0; degrees < 360; degrees += 30) {
-    const double angle = degrees * pi / 180;
-    const Point rim{centre.x + radius * std::cos(angle), centre.y - radius * std::sin(angle)};
-    page.line({centre, rim}, 1.2, palette().grid);
-    page.text(centre.x + (radius + 36) * std::cos(angle), centre.y - (radius + 30) * std::sin(angle) + 8,
-              std::to_string(degrees) + "\xC2\xB0", {20, palette().ink, false, Align::centre});
-  }
 }
 
 void put_names_right(ChartPage& page, double left, double top,
@@ -156,52 +132,23 @@ double magnitude_of(double energy) {
 
 }  // namespace
 
-void put_ring(ChartPage& page, Point centre, double radius, double thickness, Colour colour) {
-  constexpr int parts = 120;
-  std::vector<Point> ring;
-  for (int i = 0; i <= parts; ++i) {
-    const double angle = 2 * pi * i / parts;
-    ring.push_back({centre.x + radius * std::cos(angle), centre.y - radius * std::sin(angle)});
-  }
-  page.line(ring, thickness, colour);
-}
-
 void fill_rose(ChartPage& page, const ChartData& data) {
   constexpr int bins = 18;
   constexpr double radius = 440;
   const Point centre{620, 660};
   const std::vector<LoggedCrack> cracks = logged_cracks(*data.cracks);
-  std::array<std::array<double, 2>, bins> metres{};
+  RoseBins metres(bins, std::vector<double>(2, 0.0));
   for (const LoggedCrack& crack : cracks) {
     metres[std::min(bins - 1, static_cast<int>(crack.azimuth / pi * bins))][crack.shear ? 1 : 0] +=
         crack.length;
   }
-  double longest = 0;
-  for (const auto& bin : metres) longest = std::max(longest, bin[0] + bin[1]);
-  if (!(longest > 0)) longest = 1;
   put_heading(page, *data.run, "Directions of " + counted(static_cast<std::int64_t>(cracks.size()), "crack"));
-  put_spokes(page, centre, radius);
-  const std::vector<Tick> rings = round_ticks(0, longest, 4);
-  for (int i = 0; i < bins; ++i) {
-    const double tension = radius * metres[i][0] / longest;
-    const double both = radius * (metres[i][0] + metres[i][1]) / longest;
-    for (const double turn : {0.0, pi}) {
-      const double from = pi * i / bins + turn + 0.012;
-      const double to = pi * (i + 1) / bins + turn - 0.012;
-      if (tension > 0) page.polygon(wedge(centre, 0, tension, from, to), palette().water);
-      if (both > tension) page.polygon(wedge(centre, tension, both, from, to), palette().shear);
-    }
-  }
-  for (const Tick& ring : rings) {
-    if (ring.value <= 0) continue;
-    put_ring(page, centre, radius * ring.value / longest, 1.4, palette().frame);
-  }
+  const RoseScale scale = put_rose(page, centre, radius, metres, {palette().water, palette().shear});
   put_names_right(page, 1180, 280, {{palette().water, "in tension"}, {palette().shear, "in shear"}});
-  const std::array<std::string, 4> lines = {"Length of cracks per 10\xC2\xB0,",
-                                            "both ends of every crack shown.",
-                                            "Rings every " + (rings.size() > 1 ? rings[1].text : "1") +
-                                                " m; longest " + value_text(longest) + " m.",
-                                            "0\xC2\xB0 is the x axis."};
+  const std::array<std::string, 4> lines = {
+      "Length of cracks per 10\xC2\xB0,", "both ends of every crack shown.",
+      "Rings every " + scale.ring + " m; longest " + value_text(scale.longest) + " m.",
+      "0\xC2\xB0 is the x axis."};
   for (std::size_t i = 0; i < lines.size(); ++i) {
     page.text(1180, 400 + 34 * static_cast<double>(i), lines[i], {20, palette().faint_ink});
   }

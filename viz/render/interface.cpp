@@ -18,6 +18,7 @@
 #include "report.h"
 #include "run/run_folder.hpp"
 #include "snapshot.h"
+#include "trace_map.h"
 #include "view_layers.h"
 #include "view_page.h"
 
@@ -69,6 +70,10 @@ int32_t hfrac_viz_comparison_options_init(hfrac_viz_comparison_options* options,
   return init_options(options, struct_size);
 }
 
+int32_t hfrac_viz_trace_options_init(hfrac_viz_trace_options* options, int32_t struct_size) {
+  return init_options(options, struct_size);
+}
+
 int32_t hfrac_viz_view_options_init(hfrac_viz_view_options* options, int32_t struct_size) {
   return init_options(options, struct_size);
 }
@@ -105,6 +110,11 @@ int32_t hfrac_viz_render_comparison(const char* table, const char* path,
   return call([&] {
     render_comparison(required_text(table, "table"), required_text(path, "path"), read_options(options));
   });
+}
+
+int32_t hfrac_viz_render_traces(const double* ends, const int32_t* sets, int64_t count, const char* path,
+                                const hfrac_viz_trace_options* options) {
+  return call([&] { render_traces(ends, sets, count, required_text(path, "path"), read_options(options)); });
 }
 
 int32_t hfrac_viz_render_views(const char* run_dir, const char* const* views, int32_t view_count,

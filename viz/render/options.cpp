@@ -66,6 +66,22 @@ void OptionStruct<hfrac_viz_comparison_options>::check(const hfrac_viz_compariso
   check_pixels(o);
 }
 
+void OptionStruct<hfrac_viz_trace_options>::set_defaults(hfrac_viz_trace_options& o) {
+  o.width = 1600;
+}
+
+void OptionStruct<hfrac_viz_trace_options>::check(const hfrac_viz_trace_options& o) {
+  check_pixels(o);
+  const bool finite = std::isfinite(o.left) && std::isfinite(o.bottom) && std::isfinite(o.frame_width) &&
+                      std::isfinite(o.frame_height);
+  if (!finite || o.frame_width < 0 || o.frame_height < 0)
+    fail_argument("the traces' frame must have a finite corner and a width and height of 0 m or more");
+  if (o.given_points < 0 || o.given_points > 100000)
+    fail_argument("given_points is " + std::to_string(o.given_points) + "; allowed: 0 to 100000");
+  if (o.given_points > 0 && (o.given_lengths == nullptr || o.given_counts == nullptr))
+    fail_argument("given_lengths or given_counts is NULL, but there are given_points");
+}
+
 void OptionStruct<hfrac_viz_view_options>::set_defaults(hfrac_viz_view_options& o) {
   o.snapshot = -1;
   o.width = 1600;

@@ -43,6 +43,7 @@ struct OptionStruct;
 HFRAC_VIZ_OPTION_STRUCT_(hfrac_viz_options)
 HFRAC_VIZ_OPTION_STRUCT_(hfrac_viz_chart_options)
 HFRAC_VIZ_OPTION_STRUCT_(hfrac_viz_comparison_options)
+HFRAC_VIZ_OPTION_STRUCT_(hfrac_viz_trace_options)
 HFRAC_VIZ_OPTION_STRUCT_(hfrac_viz_view_options)
 #undef HFRAC_VIZ_OPTION_STRUCT_
 

@@ -1032,6 +1032,10 @@ SIGNATURES = {
         ctypes.POINTER(hfrac_sim_def),
         ctypes.c_char_p,
     ),
+    "hfrac_sim_def_add_traces": (
+        ctypes.POINTER(hfrac_sim_def),
+        ctypes.c_char_p,
+    ),
     "hfrac_sim_def_write": (
         ctypes.POINTER(hfrac_sim_def),
         ctypes.c_char_p,

@@ -124,6 +124,10 @@ class Definition:
         """Reads a case file over what is set so far."""
         call("hfrac_sim_def_load", ctypes.byref(self._struct), os.fsencode(path))
 
+    def add_traces(self, path: PathLike) -> None:
+        """Adds a joint for each trace of a table or of GeoJSON [m]; all but its ends has its default."""
+        call("hfrac_sim_def_add_traces", ctypes.byref(self._struct), os.fsencode(path))
+
     def update(
         self,
         *,

@@ -466,6 +466,11 @@ HFRAC_API int32_t hfrac_sim_def_copy(const hfrac_sim_def *from, hfrac_sim_def *t
  * key, allowed range and the nearest known key (HFRAC_ERR_CASE_FILE); `def` is then unchanged. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_def_load(hfrac_sim_def *def, const char *path);
 
+/** Adds a joint for each trace of the file `path`, as [[joint]] file does: a table with the columns START_X, START_Y, END_X and END_Y, or
+ * GeoJSON (.geojson, .json), in m. All values but the ends have their defaults; the host may change them in place. What is no trace
+ * is refused with file and line (HFRAC_ERR_CASE_FILE); `def` is then unchanged. Unstable since 0.1. */
+HFRAC_UNSTABLE_API int32_t hfrac_sim_def_add_traces(hfrac_sim_def *def, const char *path);
+
 /** The definition as a TOML text with every option filled in; loading it gives the same definition. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_def_write(const hfrac_sim_def *def, char *buffer, int32_t capacity, int32_t *needed);
 

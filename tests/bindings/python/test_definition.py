@@ -1,4 +1,5 @@
 """Options by keyword, by section, by key and by case file."""
+import os
 import pathlib
 import tempfile
 import unittest
@@ -70,6 +71,17 @@ class Definition(unittest.TestCase):
         self.assertIn("[[well.schedule]]", definition.text)
         self.assertEqual([option.key for option in hfrac.schedule_options()], list(entry))
         self.assertIn("tensile_factor", [option.key for option in hfrac.joint_options()])
+
+    def test_traces_of_a_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "traces.csv")
+            with open(path, "w", encoding="utf-8") as out:
+                out.write("START_X,START_Y,END_X,END_Y\n1,2,3,4\n5,6,7,8\n")
+            definition = hfrac.Definition()
+            definition.add_traces(path)
+            self.assertEqual([joint["y2"] for joint in definition.joints], [4.0, 8.0])
+            with self.assertRaisesRegex(hfrac.CaseFileError, "other.csv"):
+                definition.add_traces(os.path.join(folder, "other.csv"))
 
     def test_case_file_and_keywords_on_top(self):
         definition = hfrac.Definition(CASE, model_seed=3, wells=[{"pressure": 30e6}], title="another")

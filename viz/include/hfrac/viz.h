@@ -170,6 +170,33 @@ HFRAC_API int32_t hfrac_viz_comparison_options_init(hfrac_viz_comparison_options
 HFRAC_API int32_t hfrac_viz_render_comparison(const char *table, const char *path,
                                               const hfrac_viz_comparison_options *options);
 
+/** How to draw traces of natural fractures. Fill with hfrac_viz_trace_options_init first; members are only ever appended. */
+typedef struct hfrac_viz_trace_options {
+  int32_t struct_size;    /**< sizeof(hfrac_viz_trace_options) of the caller, set by init */
+  int32_t struct_version; /**< set by init */
+  int32_t width;          /**< [pixel] of a PNG file, 320 to 8192; default 1600 */
+  int32_t dots_per_inch;  /**< noted in a PNG file for printing, 0: not; default 0 */
+  int32_t dark;           /**< nonzero: light on dark paper; default 0 */
+  int32_t reserved;       /**< 0 */
+  const char *title;      /**< heading of the page, UTF-8; NULL: "Natural fractures" */
+  double left;            /**< [m] lower left corner of the model */
+  double bottom;          /**< [m] */
+  double frame_width;     /**< [m] of the model; 0: the rectangle around the traces */
+  double frame_height;    /**< [m] */
+  const double *given_lengths; /**< [m] rising: where the statistics' curve is given; NULL: none */
+  const double *given_counts;  /**< how many traces are expected to be at least as long, one for each length */
+  int64_t given_points;        /**< how many */
+} hfrac_viz_trace_options;
+
+/** Defaults into `options`; `struct_size` is sizeof(hfrac_viz_trace_options) in the caller. Unstable since 0.1. */
+HFRAC_UNSTABLE_API int32_t hfrac_viz_trace_options_init(hfrac_viz_trace_options *options, int32_t struct_size);
+
+/** Draws traces on one page to `path` (.png, .svg or .pdf): their map, a rose of their directions weighted by length, and how many are at
+ * least as long as each length. `ends` holds x and y of both ends of each [m], `sets` which set each is of, from 0; NULL: all of one. At
+ * most 100 000 traces, 12 sets. options NULL: the defaults. Unstable since 0.1. */
+HFRAC_UNSTABLE_API int32_t hfrac_viz_render_traces(const double *ends, const int32_t *sets, int64_t count,
+                                                   const char *path, const hfrac_viz_trace_options *options);
+
 /** Which part of the model a view shows. */
 enum hfrac_viz_zoom {
   HFRAC_VIZ_ZOOM_WHOLE = 0,  /**< all of it */
