@@ -312,10 +312,12 @@ SmoothResponse respond_by(const JointLaw& law, const SmoothContact& c, const Mot
 }  // namespace
 
 SmoothResponse smooth_response(const Assembly& a, const Options& o, const SmoothContact& c) {
-  constexpr double sticks = 1e9;  // friction that no contact overcomes
-  const bool held = a.smooth.held && a.smooth.law_of(c).conducts();
-  return respond_by(law_now(a, c), c, motion_of(a, c),
-                    held ? sticks : a.factors.friction_of(c.bond, o.contact_friction));
+  const double friction = a.factors.friction_of(c.bond, o.contact_friction);
+  if (!a.smooth.held || !a.smooth.law_of(c).conducts())
+    return respond_by(law_now(a, c), c, motion_of(a, c), friction);
+  SmoothContact held = c;
+  held.holds = true;
+  return respond_by(law_now(a, c), held, motion_of(a, c), friction);
 }
 
 namespace {

@@ -103,7 +103,7 @@ TEST(JointCells, RockIsAsTightWhereJointsMeet) {
   const std::vector<double> star = {0.0, 60.0, 120.0};
   EXPECT_FALSE(Jointed(star).a.smooth.bridges.empty());
   expect_plates(star, Upscaling::oda, 0.01);
-  expect_plates(star, Upscaling::flow, 0.025);
+  expect_plates(star, Upscaling::flow, 0.03);  // fluid goes a disc out of its way there
 }
 
 }  // namespace

@@ -106,6 +106,7 @@ TEST(JointSettling, StartsFromTheStressOnItsPlane) {
   definition.joints[0].y1 = 30.0;
   definition.joints[0].x2 = 90.0;
   definition.joints[0].y2 = 60.0;
+  definition.wells[0].radius = 4.5;
   definition.wells[0].x = 20.0;
   definition.wells[0].y = 80.0;
   const Simulation s(definition, {}, {});
@@ -137,7 +138,7 @@ TEST(JointSettling, SlipsWhereTheFarFieldMakesIt) {
     slipped += c.slip != 0.0 ? c.area : 0.0;
     all += c.area;
   }
-  EXPECT_GT(slipped, 0.8 * all);
+  EXPECT_GT(slipped, 0.7 * all);
   EXPECT_TRUE(s.model().clock.at_rest);
 }
 

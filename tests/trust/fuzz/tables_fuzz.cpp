@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files a user hands in as tables: discs and bonds as CSV, discs as VTU, the crack log of a run folder. Refused with a
+// Files a user hands in as tables: discs and bonds as CSV, discs as VTU, the logs of cracks and slips of a run folder. Refused with a
 // sentence, or read; then what is written of it is the same when it is read again.
 //
 // Input: the first byte chooses the reader, the rest is the file.
@@ -79,9 +79,10 @@ void read(const MemoryFile& file, unsigned which) {
     file.put(bonds_as_csv(bonds));
     demand(read_bonds(file.csv()) == bonds);
   } else {
-    const auto cracks = read_crack_table(file.csv());
-    const auto events = events_of(cracks, nullptr);
-    demand(events.size() <= cracks.size());
+    const auto cracks = which == 3 ? read_crack_table(file.csv()) : std::vector<hfrac_crack>{};
+    const auto slips = which == 4 ? read_slip_table(file.csv()) : std::vector<hfrac_slip>{};
+    const auto events = events_of(cracks, slips, nullptr);
+    demand(events.size() <= cracks.size() + slips.size());
     event_table(events);
   }
 }
@@ -93,7 +94,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size < 1) return 0;
   file.put({reinterpret_cast<const char*>(data) + 1, size - 1});
   try {
-    read(file, data[0] % 4U);
+    read(file, data[0] % 5U);
   } catch (const DiscFileError& error) {
     demand(error.what()[0] != '\0');
   } catch (const FileError& error) {
