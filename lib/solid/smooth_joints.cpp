@@ -209,15 +209,15 @@ void settle_smooth(Assembly& a, const Options& o, const std::vector<JointStress>
     if (!a.smooth.law_of(c).conducts()) continue;
     const JointLaw law = law_now(a, c);
     const SmoothResponse before = smooth_response(a, o, c);
+    c.slip = 0.0;  // what it slid while nothing pressed it yet
     const double pressed = std::max(0.0, wanted[k].normal);
-    const double lifted = c.holds ? 0.0 : joint_dilation(law, c.slip).value;
-    c.open_before += before.opening - (lifted - closure_under(law, pressed));
-    c.slid_before +=
-        before.slide - (c.slip + (law.shear_stiffness > 0.0 ? wanted[k].shear / law.shear_stiffness : 0.0));
+    c.open_before += before.opening + closure_under(law, pressed);
+    c.slid_before += before.slide - (law.shear_stiffness > 0.0 ? wanted[k].shear / law.shear_stiffness : 0.0);
     const SmoothResponse after = smooth_response(a, o, c);
     c.locked_normal += before.normal - after.normal;
     c.locked_shear += before.shear - after.shear;
   }
+  a.smooth.write_state(a.intact, a.slip);
 }
 
 double smooth_slide(const Assembly& a, const SmoothContact& contact) {
@@ -312,12 +312,10 @@ SmoothResponse respond_by(const JointLaw& law, const SmoothContact& c, const Mot
 }  // namespace
 
 SmoothResponse smooth_response(const Assembly& a, const Options& o, const SmoothContact& c) {
-  const double friction = a.factors.friction_of(c.bond, o.contact_friction);
-  if (!a.smooth.held || !a.smooth.law_of(c).conducts())
-    return respond_by(law_now(a, c), c, motion_of(a, c), friction);
-  SmoothContact held = c;
-  held.holds = true;
-  return respond_by(law_now(a, c), held, motion_of(a, c), friction);
+  constexpr double sticks = 1e9;  // friction that no contact overcomes
+  const bool held = a.smooth.held && a.smooth.law_of(c).conducts();
+  return respond_by(law_now(a, c), c, motion_of(a, c),
+                    held ? sticks : a.factors.friction_of(c.bond, o.contact_friction));
 }
 
 namespace {

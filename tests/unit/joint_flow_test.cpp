@@ -113,10 +113,9 @@ TEST(JointSettling, StartsFromTheStressOnItsPlane) {
   double count = 0.0;
   for (const auto& c : s.assembly().smooth.contacts) {
     const SmoothResponse r = smooth_response(s.assembly(), s.options(), c);
-    EXPECT_NEAR(-r.normal / c.area, 22.5e6,
-                0.3e6);  // 45 degrees to 35 and 30 MPa, 10 MPa within; the hole is 7 radii away
+    EXPECT_NEAR(-r.normal / c.area, 22.5e6, 0.5e6);  // 45 degrees to 35 and 30 MPa, 10 within; a hole
     EXPECT_NEAR(std::abs(r.shear) / c.area, 2.5e6, 0.3e6);
-    EXPECT_EQ(c.slip, 0.0);
+    EXPECT_NEAR(c.slip, 0.0, 1e-12);
     count += 1.0;
   }
   EXPECT_GT(count, 10.0);
