@@ -30,9 +30,9 @@ void tell_setup(const hfrac_sim& sim) {
              " wells");
   }
   if (!sim.listener.hears(HFRAC_LOG_WARNING)) return;
-  if (setup.cracks > 0) {
+  if (setup.cracks > setup.broken_joints) {
     tell(sim, HFRAC_LOG_WARNING,
-         number_text(setup.cracks) +
+         number_text(setup.cracks - setup.broken_joints) +
              " bonds broke before injection, while the model came to rest under the far field");
   }
   if (setup.joints_left_out > 0) {

@@ -27,7 +27,8 @@ struct SetupReport {
   std::int64_t joints = 0, joints_left_out = 0;  // solid/joints.hpp
   std::uint64_t bonded = 0;                      // hash of which contacts are bonded
   double packing_seconds = 0.0, setup_seconds = 0.0;
-  std::int64_t cracks = 0;
+  std::int64_t cracks = 0,
+               broken_joints = 0;  // of the cracks, bonds of joints that were broken from the start
 };
 
 // The host's own discs (x, y, radius each) or, if there are none, a packing by the options.

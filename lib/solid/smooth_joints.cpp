@@ -378,6 +378,7 @@ std::vector<PushedDisc> discs_of_smooth(const Assembly& a) {
   std::sort(discs.begin(), discs.end());
   discs.erase(std::unique(discs.begin(), discs.end()), discs.end());
   std::vector<PushedDisc> pushed;
+  pushed.reserve(discs.size());
   for (const auto i : discs) pushed.push_back({i, false, {}});
   return pushed;
 }

@@ -205,6 +205,7 @@ void equilibrate(Engine& e, const Progress& progress, SetupReport& report) {
   require_joints_in_reach(e);
   report.force_ratio = m.clock.force_ratio = outcome.force_ratio;
   report.cracks = static_cast<std::int64_t>(m.cracks.size());
+  report.broken_joints = static_cast<std::int64_t>(cracks_before);
   m.clock.at_rest = outcome.at_rest;
   if (WallsAfterEquilibration{o.boundary_walls_after_equilibration} == WallsAfterEquilibration::fixed)
     e.boundary->fix_walls();
