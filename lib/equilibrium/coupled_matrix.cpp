@@ -71,6 +71,10 @@ void CoupledSystem::each_entry(const Emit& emit) const {
       emit(p + 1, at(d), -held * y);
       emit(at(d), p, solved ? -x : 0.0);
       emit(at(d), p + 1, solved ? -y : 0.0);
+      if (n.corner_turn.empty()) continue;
+      const double turn = n.corner_turn[k] / length_scale_ / length_scale_;
+      emit(p + 2, at(d), -held * turn);
+      emit(at(d), p + 2, solved ? -turn : 0.0);
     }
   }
   if (!wet_ || duration_ <= 0.0) return;

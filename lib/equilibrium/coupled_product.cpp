@@ -106,6 +106,7 @@ void CoupledSystem::products_on_discs(const Vector& x, Vector& y, Workers::Range
         const double p = x[pressure_at(domain)] / length_scale_;
         to_x -= p * network_.corner_weight[2 * corner];
         to_y -= p * network_.corner_weight[2 * corner + 1];
+        if (!network_.corner_turn.empty()) y[3 * i + 2] -= p * network_.corner_turn[corner] / length_scale_;
       }
     }
     y[3 * i] = to_x;
@@ -130,6 +131,7 @@ void CoupledSystem::products_on_domains(const Vector& x, Vector& y, Workers::Ran
     for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
       change += n.corner_weight[2 * k] * x[3 * n.corner_disc[k]] +
                 n.corner_weight[2 * k + 1] * x[3 * n.corner_disc[k] + 1];
+      if (!n.corner_turn.empty()) change += n.corner_turn[k] * x[3 * n.corner_disc[k] + 2] / length_scale_;
     }
     out = -(change + pressure_scale_ / n.stiffness[d] * x[pressure_at(d)]) / length_scale_;
     if (duration_ <= 0.0) continue;

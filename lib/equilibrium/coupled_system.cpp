@@ -106,7 +106,10 @@ void CoupledSystem::add_pair(const BondResponse& r, std::int32_t i, std::int32_t
 void CoupledSystem::add_faces_of_joints() {
   if (network_.joint_pore.empty()) return;
   for (std::int32_t d = 0; d < domains_; ++d) {
-    if (network_.joint_pore[d] != 0 && facets_.fractured(d)) add_face_weights(network_, assembly_, d);
+    if (network_.joint_pore[d] == 0 || !facets_.fractured(d)) continue;
+    for (auto k = network_.corner_start[d]; k < network_.corner_start[d + 1]; ++k)
+      network_.corner_turn[k] = 0.0;
+    add_face_weights(network_, assembly_, d);
   }
 }
 
@@ -220,6 +223,8 @@ void CoupledSystem::add_up_on_discs(Workers::Range discs) {
       const auto corner = static_cast<std::size_t>(corner_of_[static_cast<std::size_t>(k)]);
       force = force + network_.pressure[static_cast<std::size_t>(domain)] *
                           Vec2{network_.corner_weight[2 * corner], network_.corner_weight[2 * corner + 1]};
+      if (!network_.corner_turn.empty())
+        turn += network_.pressure[static_cast<std::size_t>(domain)] * network_.corner_turn[corner];
     }
     residual_[3 * i] = force.x;
     residual_[3 * i + 1] = force.y;
@@ -379,6 +384,7 @@ double CoupledSystem::volume_change(std::int64_t d) const {
   for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
     change += n.corner_weight[2 * k] * assembly_.ux[n.corner_disc[k]] +
               n.corner_weight[2 * k + 1] * assembly_.uy[n.corner_disc[k]];
+    if (!n.corner_turn.empty()) change += n.corner_turn[k] * assembly_.rotation[n.corner_disc[k]];
   }
   return change;
 }

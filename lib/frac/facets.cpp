@@ -202,7 +202,8 @@ void Facets::update(const Assembly& a, Network& n, bool restored) {
       for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k)
         change += n.corner_weight[2 * k] * a.ux[n.corner_disc[k]] +
                   n.corner_weight[2 * k + 1] * a.uy[n.corner_disc[k]];
-      n.facet_offset[d] = change;
+      // A joint's faces go on as they were (add_face_weights).
+      n.facet_offset[d] = n.joint_pore.empty() || n.joint_pore[d] == 0 ? change : 0.0;
     }
     for (auto k = 2 * n.corner_start[d]; k < 2 * n.corner_start[d + 1]; ++k) n.corner_weight[k] = 0.0;
     for (const auto e : bonds_[d]) {

@@ -9,7 +9,7 @@ namespace hfrac {
 
 struct ContactPair {
   std::int32_t first, second;
-  double reference_gap;       // m, 0 or the overlap at bonding
+  double reference_gap;       // m, 0 or the overlap (negative) at bonding or when first looked at
   double shear_force = 0.0;   // N
   double normal_force = 0.0;  // N, compression positive
 };

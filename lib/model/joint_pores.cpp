@@ -8,7 +8,7 @@
 namespace hfrac {
 namespace {
 
-constexpr double shortest_pipe = 0.2;  // mean radii
+constexpr double shortest_pipe = 0.05;  // mean radii
 // Share of the mean disc's square below which a joint's pore is taken larger where motion is followed explicitly: it would be
 // stiffer than the rock and rule the stable step, as in network.cpp.
 constexpr double smallest_explicit = 0.05;
@@ -22,20 +22,6 @@ void each_bond_around(const Network& n, const Assembly& a, std::int32_t domain, 
     const auto bond = a.bond_between(n.corner_disc[k], n.corner_disc[next]);
     if (bond >= 0) use(k, next, static_cast<std::size_t>(bond));
   }
-}
-
-void add_weight(Network& n, std::int32_t corner, Vec2 weight) {
-  n.corner_weight[2 * corner] += weight.x;
-  n.corner_weight[2 * corner + 1] += weight.y;
-}
-
-// From a bond's contact into a domain, turned: the push per pressure on the disc that comes second around the domain (eq. 10).
-Vec2 push_of(const Network& n, const Assembly& a, std::int32_t domain, std::size_t bond) {
-  const auto e = static_cast<std::int64_t>(bond);
-  const Vec2 along = (1.0 / a.length(e)) * Vec2{a.dx(e), a.dy(e)};
-  const Vec2 contact = Vec2{a.x[a.first[bond]], a.y[a.first[bond]]} + a.arm(e) * along;
-  const Vec2 way = n.centroid[domain] - contact;
-  return {way.y, -way.x};
 }
 
 // Makes the pipes of a joint together as long as the joint: where it runs through a void of the packing between two pieces (none of a
@@ -79,10 +65,17 @@ void stretch_pipes(Network& n, const Assembly& a) {
 
 void add_face_weights(Network& n, const Assembly& a, std::int32_t domain) {
   each_bond_around(n, a, domain, [&](std::int32_t k, std::int32_t next, std::size_t bond) {
-    if (n.joint_length[bond] <= 0.0 || a.smooth.of(static_cast<std::int64_t>(bond)) == nullptr) return;
-    const Vec2 push = push_of(n, a, domain, bond);
-    add_weight(n, k, -1.0 * push);
-    add_weight(n, next, push);
+    const SmoothContact* c = a.smooth.of(static_cast<std::int64_t>(bond));
+    if (n.joint_length[bond] <= 0.0 || c == nullptr) return;
+    const bool forward = n.corner_disc[k] == a.first[bond];
+    const auto first = forward ? k : next, second = forward ? next : k;
+    const Vec2 half = 0.5 * c->area * c->normal;
+    n.corner_weight[2 * first] -= half.x;
+    n.corner_weight[2 * first + 1] -= half.y;
+    n.corner_weight[2 * second] += half.x;
+    n.corner_weight[2 * second + 1] += half.y;
+    n.corner_turn[first] += 0.5 * c->area * c->opens_by_first;
+    n.corner_turn[second] += 0.5 * c->area * c->opens_by_second;
   });
 }
 
@@ -94,28 +87,38 @@ void begin_joint_pores(Network& n, const Assembly& a, const Options& o) {
   const bool moves = SolverKind{o.solver_kind} == SolverKind::explicit_solver;
   n.joint_length.assign(n.left.size(), 0.0);
   n.joint_pore.assign(n.kind.size(), 0);
+  n.corner_turn.assign(n.corner_disc.size(), 0.0);
   std::vector<double> stored(n.kind.size(), 0.0);
-  for (const auto& contact : smooth.contacts) {
+  const auto take = [&](std::int32_t d, const SmoothContact& contact, double length) {
+    if (n.kind[d] != DomainKind::rock) return;
     const JointLaw& law = smooth.law_of(contact);
+    n.joint_pore[d] = 1;
+    stored[d] += 0.5 * length * std::max(law.aperture, law.residual_aperture);
+  };
+  for (const auto& contact : smooth.contacts) {
     const auto e = static_cast<std::size_t>(contact.bond);
-    if (!law.conducts() || n.left[e] == n.right[e]) continue;
-    n.joint_length[e] = std::max(contact.area, shortest_pipe * a.mean_radius);
-    for (const auto d : {n.left[e], n.right[e]}) {
-      if (n.kind[d] != DomainKind::rock) continue;
-      n.joint_pore[d] = 1;
-      stored[d] += 0.5 * contact.area * std::max(law.aperture, law.residual_aperture);
-    }
+    if (!smooth.law_of(contact).conducts() || n.left[e] == n.right[e]) continue;
+    // Where two joints cross, either's fluid passes the other's contact: that is no way of its own.
+    const bool crossing = std::binary_search(smooth.shared.begin(), smooth.shared.end(), contact.bond);
+    n.joint_length[e] = std::max(crossing ? 0.0 : contact.area, shortest_pipe * a.mean_radius);
+    for (const auto d : {n.left[e], n.right[e]}) take(d, contact, contact.area);
   }
   stretch_pipes(n, a);
   for (const auto& bridge : smooth.bridges) {
-    if (smooth.law_of(smooth.contacts[static_cast<std::size_t>(bridge.contact)]).conducts())
-      n.joint_length[static_cast<std::size_t>(bridge.bond)] = shortest_pipe * a.mean_radius;
+    const SmoothContact& contact = smooth.contacts[static_cast<std::size_t>(bridge.contact)];
+    const auto e = static_cast<std::size_t>(bridge.bond);
+    if (!smooth.law_of(contact).conducts()) continue;
+    n.joint_length[e] = shortest_pipe * a.mean_radius;
+    // A pore between two of them is passed, too, and must not swallow what passes: those beside contacts are the joint's already.
+    for (const auto d : {n.left[e], n.right[e]})
+      if (n.joint_pore[d] == 0) take(d, contact, n.joint_length[e]);
   }
   for (std::size_t d = 1; d < n.kind.size(); ++d) {
+    if (n.kind[d] == DomainKind::well) add_face_weights(n, a, static_cast<std::int32_t>(d));
     if (n.joint_pore[d] == 0) continue;
     n.storing[d] = moves ? std::max(stored[d], smallest_explicit * a.mean_radius * a.mean_radius) : stored[d];
-    for (auto k = 2 * n.corner_start[d]; k < 2 * n.corner_start[d + 1]; ++k)
-      n.corner_weight[k] /= o.rock_biot_coefficient;
+    for (auto k = 2 * n.corner_start[d]; k < 2 * n.corner_start[d + 1]; ++k) n.corner_weight[k] = 0.0;
+    add_face_weights(n, a, static_cast<std::int32_t>(d));
   }
 }
 

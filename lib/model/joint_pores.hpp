@@ -5,12 +5,12 @@
 // pore by half, and there
 //   stores    A / 2 e_0 at K_f (Network::storing; the packing's pore stays its volume), and what the pore grows by as the joint opens
 //   conducts  w^3 / (12 eta A) along the joint, w of its opening (joint_aperture); voids between pieces count, too, and
-//             pieces below 0.2 R as much as that, all others less for it
-//   pushes    with the whole pressure, whatever rock.biot_coefficient is: faces touch at few places only. So what the contact bears is
-//             the effective stress.
-// A pore pushes on all discs around it by its outline (network.hpp), so that it turns nothing: on the joint's faces, and, by the depth
-// of a pore, on the rock beside them. That swells and stores as rock would, p times a disc's size over E', less with finer discs.
-// Between joint and rock fluid passes through the pipes of the bonds around such a pore, as tight as the rock.
+//             pieces below 0.05 R as much as that, all others less for it
+//   pushes    p A / 2 on both discs along the joint's normal, where the contact lies, so with a moment (Network::corner_turn), and with the
+//             whole pressure, whatever rock.biot_coefficient is: faces touch at few places only. So what the contact bears is the
+//             effective stress: where fluid takes over what it bore nothing moves.
+//   grows     by A / 2 U_n, the work-conjugate of that push.
+// On the rock beside the joint its pores do not push. Between joint and rock fluid passes through the pipes of the bonds around such a pore, as tight as the rock.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ namespace hfrac {
 // Right after the network is built. Nothing without joints that conduct.
 void begin_joint_pores(Network& network, const Assembly& assembly, const Options& options);
 
-// Adds the push through a joint's contacts alone to a domain's corner weights.
+// Adds the push on the faces of a joint's contacts to the weights of a domain's corners.
 void add_face_weights(Network& network, const Assembly& assembly, std::int32_t domain);
 
 // Piece of a joint that a pipe runs along [m]; 0: none that conducts.

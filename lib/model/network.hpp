@@ -43,8 +43,10 @@ struct Network {
   Array<double> pressure;       // Pa
   Array<double> stiffness;      // Pa/m2: K_f / storing, 0 where the pressure is imposed
   std::vector<std::int32_t> corner_start, corner_disc;
-  Array<double> corner_weight;  // m, (x, y) per corner; dry: those of domain 0 alone
-  std::vector<Vec2> centroid;   // m, at bonding
+  Array<double>
+      corner_weight;  // m, (x, y) per corner: change of the domain's volume with the disc's place; dry: those of domain 0 alone
+  Array<double> corner_turn;   // m2, likewise with its rotation; empty: none
+  std::vector<Vec2> centroid;  // m, at bonding
   // pipes to the outside, and how far the pressure beyond each is above domain 0's: a host may say what lies there
   std::vector<std::int32_t> outer_pipe;
   Array<double> outer_excess;  // Pa

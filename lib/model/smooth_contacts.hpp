@@ -25,6 +25,7 @@ struct SmoothContact {
   double open_before, slid_before;     // m: counted from where settle_smooth left them
   double locked_normal, locked_shear;  // N: tension positive
   double slip_before;                  // m: of `slip`, what it slid in the set-up
+  double slip_logged;                  // m: of `slip`, what its entries in the log add up to (step/slips.hpp)
 };
 
 struct SmoothJoints {
@@ -59,8 +60,9 @@ struct SmoothJoints {
     std::int64_t bond;
     std::int32_t contact;
   };
-  std::vector<Bridge> bridges;  // ascending
-  bool held = false;            // contacts of joints that conduct do not slip (initial equilibration)
+  std::vector<Bridge> bridges;       // ascending
+  std::vector<std::int64_t> shared;  // ascending: bonds that two joints cross
+  bool held = false;                 // contacts of joints that conduct do not slip (initial equilibration)
   // Whether a joint lies between two places.
   [[nodiscard]] bool separate(Vec2 p, Vec2 q) const;
   // Which contacts hold, and what they slid, is kept here while the step loop runs, where other workers hold the bonds' own

@@ -102,6 +102,7 @@ void ExplicitSolver::bind_arrays() {
   k.domain_corner_start = n.corner_start.data();
   k.domain_corner_disc = n.corner_disc.data();
   k.domain_corner_weight = n.corner_weight.data();
+  k.domain_corner_turn = n.corner_turn.empty() ? nullptr : n.corner_turn.data();
   k.pressure = n.pressure.data();
   k.volume_change = n.volume_change.data();
   k.content = n.content.data();

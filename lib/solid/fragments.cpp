@@ -9,8 +9,16 @@
 
 namespace hfrac {
 
-Fragments::Fragments(const Assembly& a, const Options& o)
-    : smallest_(FractureLaw{o.fracture_law} == FractureLaw::facet ? most : o.bond_smallest_fragment) {
+namespace {
+std::int64_t smallest_of(const Assembly& a, const Options& o) {
+  if (FractureLaw{o.fracture_law} == FractureLaw::facet) return Fragments::most;
+  const bool fluid = std::any_of(a.smooth.contacts.begin(), a.smooth.contacts.end(),
+                                 [&](const SmoothContact& c) { return a.smooth.law_of(c).conducts(); });
+  return fluid ? std::max(o.bond_smallest_fragment, Fragments::beside_joints) : o.bond_smallest_fragment;
+}
+}  // namespace
+
+Fragments::Fragments(const Assembly& a, const Options& o) : smallest_(smallest_of(a, o)) {
   if (!kept()) return;
   bond_start_.assign(static_cast<std::size_t>(a.disc_count()) + 1, 0);
   for (const auto* ends : {&a.first, &a.second}) {

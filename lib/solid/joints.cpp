@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "geom/cell_grid.hpp"
+#include "solid/discs_held.hpp"
 #include "solid/smooth_joints.hpp"
 
 namespace hfrac {
@@ -14,9 +15,9 @@ namespace {
 // Smooth joints shorter than this many mean radii are no joints of a packing.
 constexpr double shortest_smooth = 4.0;
 
-// The last joint that crosses each bond. Returns how many joints are too short, or cross none.
+// The last joint that crosses each bond, and the bonds that another one crosses, too. Returns how many joints are too short, or cross none.
 std::int64_t find_crossed(const Assembly& a, const std::vector<JointOptions>& joints,
-                          std::vector<std::int32_t>& joint_of) {
+                          std::vector<std::int32_t>& joint_of, std::vector<std::int64_t>& shared) {
   std::vector<double> x, y;
   double longest = 0.0;
   for (std::int64_t e = 0; e < a.bond_count(); ++e) {
@@ -38,7 +39,9 @@ std::int64_t find_crossed(const Assembly& a, const std::vector<JointOptions>& jo
       middles.near(place.x, place.y, longest, [&](std::int32_t e) {
         const Vec2 first{a.x[a.first[e]], a.y[a.first[e]]}, second{a.x[a.second[e]], a.y[a.second[e]]};
         if (!crosses(from, to, first, second)) return;
-        joint_of[static_cast<std::size_t>(e)] = static_cast<std::int32_t>(k);
+        auto& joint = joint_of[static_cast<std::size_t>(e)];
+        if (joint >= 0 && joint != static_cast<std::int32_t>(k)) shared.push_back(e);
+        joint = static_cast<std::int32_t>(k);
         found = true;
       });
     }
@@ -47,57 +50,10 @@ std::int64_t find_crossed(const Assembly& a, const std::vector<JointOptions>& jo
   return left_out;
 }
 
-// Where joints meet, a disc that they cut off on all sides but one has nothing that keeps it from turning: contacts that look along a
-// joint's normal bear it off its middle. It keeps this many bonds to the rock.
-constexpr int fewest_held = 2;
-
-struct Left {
-  std::int64_t bond;
-  std::int32_t joint;
-};
-
-std::vector<Left> keep_discs_held(const Assembly& a, const std::vector<JointOptions>& joints,
-                                  std::vector<std::int32_t>& joint_of) {
-  std::vector<Left> left;
-  struct Disc {
-    int held = 0;             // bonds to the rock
-    std::int32_t joint = -1;  // that cuts it
-    bool several = false;
-    [[nodiscard]] bool loose() const { return several && held < fewest_held; }
-  };
-  std::vector<Disc> discs(static_cast<std::size_t>(a.disc_count()));
-  const auto cut_by = [&](std::int64_t e) {
-    const auto k = joint_of[static_cast<std::size_t>(e)];
-    return k >= 0 && is_smooth(JointState{joints[static_cast<std::size_t>(k)].state}) ? k : -1;
-  };
-  for (std::int64_t e = 0; e < a.bond_count(); ++e) {
-    const auto k = cut_by(e);
-    for (const auto i : {a.first[e], a.second[e]}) {
-      Disc& disc = discs[static_cast<std::size_t>(i)];
-      if (k < 0) {
-        ++disc.held;
-      } else {
-        disc.several = disc.several || (disc.joint >= 0 && disc.joint != k);
-        disc.joint = k;
-      }
-    }
-  }
-  for (std::int64_t e = 0; e < a.bond_count(); ++e) {
-    Disc& first = discs[static_cast<std::size_t>(a.first[e])];
-    Disc& second = discs[static_cast<std::size_t>(a.second[e])];
-    if (cut_by(e) < 0 || (!first.loose() && !second.loose())) continue;
-    left.push_back({e, cut_by(e)});
-    joint_of[static_cast<std::size_t>(e)] = -1;
-    ++first.held;
-    ++second.held;
-  }
-  return left;
-}
-
 // Fluid passes such a bond as it passes the nearest contact of the joint.
-void bridge_flow(Assembly& a, const std::vector<Left>& left) {
+void bridge_flow(Assembly& a, const std::vector<KeptBond>& kept) {
   const auto& contacts = a.smooth.contacts;
-  for (const auto& [bond, joint] : left) {
+  for (const auto& [bond, joint] : kept) {
     const Vec2 at{a.x[a.first[bond]] + 0.5 * a.dx(bond), a.y[a.first[bond]] + 0.5 * a.dy(bond)};
     std::int32_t nearest = -1;
     double least = 0.0;
@@ -124,8 +80,9 @@ std::int64_t apply_joints(Assembly& a, const std::vector<JointOptions>& joints, 
   a.joint_friction.assign(bonds, o.contact_friction);
   a.joint_normal.assign(bonds, {});
   std::vector<std::int32_t> joint_of(bonds, -1);
-  const std::int64_t left_out = find_crossed(a, joints, joint_of);
-  const std::vector<Left> left = keep_discs_held(a, joints, joint_of);
+  const std::int64_t left_out = find_crossed(a, joints, joint_of, a.smooth.shared);
+  std::sort(a.smooth.shared.begin(), a.smooth.shared.end());
+  const std::vector<KeptBond> kept = keep_discs_held(a, joints, joint_of);
   for (std::int64_t e = 0; e < a.bond_count(); ++e) {
     if (joint_of[static_cast<std::size_t>(e)] < 0) continue;
     const JointOptions* of = &joints[static_cast<std::size_t>(joint_of[static_cast<std::size_t>(e)])];
@@ -145,7 +102,7 @@ std::int64_t apply_joints(Assembly& a, const std::vector<JointOptions>& joints, 
     log.push_back(crack);
   }
   begin_smooth_joints(a, joints, joint_of, o);
-  bridge_flow(a, left);
+  bridge_flow(a, kept);
   combine_factors(a, o);
   return left_out;
 }

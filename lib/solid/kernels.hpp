@@ -67,6 +67,7 @@ struct KernelArrays {
   // the discs around each domain: weight dV/du of eq. 10
   const int32_t *domain_corner_start, *domain_corner_disc;
   const double* domain_corner_weight;  // m: x, y per corner
+  const double* domain_corner_turn;    // m2; null: none
   double* pressure;                    // Pa
   double* volume_change;               // m2 since bonding
   const double* content;               // m2: fluid taken in, at reference pressure

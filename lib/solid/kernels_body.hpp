@@ -322,12 +322,19 @@ double tile_domains(const KernelArrays& a, const Tile& t, const Quad* motion, Qu
         const Quad& u = motion[a.domain_corner_disc[k] - t.first_disc];
         change += a.domain_corner_weight[2 * k] * u[0] + a.domain_corner_weight[2 * k + 1] * u[1];
       }
+      if (a.domain_corner_turn != nullptr) {
+        for (int32_t k = begin; k < end; ++k)
+          change += a.domain_corner_turn[k] * motion[a.domain_corner_disc[k] - t.first_disc][2];
+      }
       p = undrained_pressure(a, d, change, work);
     }
     for (int32_t k = begin; k < end; ++k) {
       const Quad push = {p * a.domain_corner_weight[2 * k], p * a.domain_corner_weight[2 * k + 1], 0.0, 0.0};
       force[a.domain_corner_disc[k] - t.first_disc] += push;
     }
+    if (a.domain_corner_turn == nullptr) continue;
+    for (int32_t k = begin; k < end; ++k)
+      force[a.domain_corner_disc[k] - t.first_disc] += Quad{0.0, 0.0, p * a.domain_corner_turn[k], 0.0};
   }
   return work;
 }
@@ -429,6 +436,7 @@ void cross_domains(const KernelArrays& a, int64_t block) {
       for (int32_t k = first; k < last; ++k) {
         const int32_t disc = a.domain_corner_disc[k];
         change += a.domain_corner_weight[2 * k] * a.ux[disc] + a.domain_corner_weight[2 * k + 1] * a.uy[disc];
+        if (a.domain_corner_turn != nullptr) change += a.domain_corner_turn[k] * a.rotation[disc];
       }
       p = undrained_pressure(a, d, change, work);
     }
@@ -438,6 +446,7 @@ void cross_domains(const KernelArrays& a, int64_t block) {
       BufferedForce& to = a.force_buffer[place[k - first]];
       to.fx = p * a.domain_corner_weight[2 * k];
       to.fy = p * a.domain_corner_weight[2 * k + 1];
+      if (a.domain_corner_turn != nullptr) to.moment = p * a.domain_corner_turn[k];
     }
   }
   a.domain_sums[a.tile_count + block].work += work;

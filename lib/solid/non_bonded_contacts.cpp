@@ -23,6 +23,11 @@ std::vector<std::int32_t> discs_with_broken_bonds(const Assembly& a, const Crack
   return discs;
 }
 
+double gap_of(const Assembly& a, std::int32_t i, std::int32_t j) {  // m
+  const Vec2 d = a.position(j) - a.position(i);
+  return std::sqrt(dot(d, d)) - a.radius[i] - a.radius[j] - a.thermal.growth_of(i) - a.thermal.growth_of(j);
+}
+
 // The few discs beside cracks are sorted into cells; all others only ask whether one of those is near, which needs neither
 // memory nor, away from the cracks, more than a look at their bounding box.
 std::vector<NonBondedContacts::Pair> pairs_near_cracks(const Assembly& a,
@@ -93,8 +98,9 @@ bool NonBondedContacts::search(Assembly& a, const Boundary& boundary, const Crac
   for (auto& pair : found) {
     const auto old = std::lower_bound(list_.pairs.begin(), list_.pairs.end(), pair, before);
     if (old != list_.pairs.end() && old->first == pair.first && old->second == pair.second) {
-      pair.shear_force = old->shear_force;
-      pair.normal_force = old->normal_force;
+      pair = *old;
+    } else {
+      pair.reference_gap = std::min(pair.reference_gap, gap_of(a, pair.first, pair.second));
     }
   }
   release(a, boundary);

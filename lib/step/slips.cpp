@@ -6,17 +6,18 @@
 namespace hfrac {
 
 void log_slips(Model& m, std::int64_t step, double time, double duration) {
-  const SmoothJoints& smooth = m.assembly.smooth;
-  if (smooth.empty()) return;
-  // Found from the log itself, so that the log alone is state.
-  std::vector<double> logged(smooth.contacts.size(), 0.0);
-  for (const Slip& slip : m.slips)
-    logged[static_cast<std::size_t>(smooth.place[static_cast<std::size_t>(slip.bond)])] += slip.slip;
   const double least = logged_slip * 2.0 * m.assembly.mean_radius;
-  for (std::size_t k = 0; k < logged.size(); ++k) {
-    const double more = smooth.contacts[k].slip - logged[k];
-    if (std::abs(more) >= least) m.slips.push_back({smooth.contacts[k].bond, step, time, duration, more});
+  for (auto& contact : m.assembly.smooth.contacts) {
+    const double more = contact.slip - contact.slip_logged;
+    if (std::abs(more) < least) continue;
+    m.slips.push_back({contact.bond, step, time, duration, more});
+    contact.slip_logged += more;
   }
+}
+
+void count_logged_slips(Model& m) {
+  for (auto& contact : m.assembly.smooth.contacts) contact.slip_logged = 0.0;
+  for (const Slip& slip : m.slips) m.assembly.smooth.of(slip.bond)->slip_logged += slip.slip;
 }
 
 }  // namespace hfrac

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "model/visit_state.hpp"
+#include "step/slips.hpp"
 #include "step/stages.hpp"
 
 namespace hfrac {
@@ -37,6 +38,7 @@ void load_state(Engine& e, std::span<const std::byte> image, bool whole) {
   if (whole) visit_start(loader, e.model, e.wet());
   if (loader.left() != 0)
     throw Error(ErrorKind::argument, "the state image is longer than this simulation's state.");
+  count_logged_slips(e.model);
   e.facets.update(e.model.assembly, e.model.network, true);
   feel_heat_again(e);
   e.model.network.planes.refresh(e.model.network, e.model.assembly);

@@ -93,9 +93,9 @@ TEST(JointCells, OdaIsTheTensorOfParallelPlates) {
 }
 
 TEST(JointCells, FlowThroughTheNetworkIsThatBetweenParallelPlates) {
-  expect_plates({0.0}, Upscaling::flow, 0.015);
-  expect_plates({30.0}, Upscaling::flow, 0.015);
-  expect_plates({-20.0, 65.0}, Upscaling::flow, 0.02);
+  expect_plates({0.0}, Upscaling::flow, 0.01);
+  expect_plates({30.0}, Upscaling::flow, 0.01);
+  expect_plates({-20.0, 65.0}, Upscaling::flow, 0.015);
 }
 
 // Where three meet, bonds are left to the rock and passed by the joints' fluid: the rock's permeability must not know of it.
@@ -103,7 +103,7 @@ TEST(JointCells, RockIsAsTightWhereJointsMeet) {
   const std::vector<double> star = {0.0, 60.0, 120.0};
   EXPECT_FALSE(Jointed(star).a.smooth.bridges.empty());
   expect_plates(star, Upscaling::oda, 0.01);
-  expect_plates(star, Upscaling::flow, 0.03);  // fluid goes a disc out of its way there
+  expect_plates(star, Upscaling::flow, 0.01);
 }
 
 }  // namespace

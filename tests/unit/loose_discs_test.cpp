@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Discs that lost their bonds: which bonds joints leave to what they cut off, and that discs gain no energy by being looked at.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "small_case.hpp"
+#include "solid/discs_held.hpp"
+#include "solid/non_bonded_contacts.hpp"
+
+namespace {
+
+using namespace testing_unit;
+
+class LooseDiscs : public testing::Test {
+ protected:
+  LooseDiscs() : sim_(quiet_case(), {}, {}), a_(sim_.engine().model.assembly) {
+    // Away from the well and the edge.
+    double least = 1e300;
+    for (std::int32_t i = 0; i < a_.disc_count(); ++i) {
+      const double off = std::hypot(a_.x[i] - 25.0, a_.y[i] - 25.0);
+      if (off < least) disc_ = i;
+      least = std::min(least, off);
+    }
+  }
+
+  [[nodiscard]] bool at(std::int64_t bond, std::int32_t disc) const {
+    return a_.first[bond] == disc || a_.second[bond] == disc;
+  }
+
+  // What is left to the rock where smooth joints cross the bonds that `cut` gives a joint's number.
+  template <class Cut>
+  [[nodiscard]] std::vector<KeptBond> kept(const Cut& cut) {
+    JointOptions joint;
+    joint.state = static_cast<std::int64_t>(JointState::smooth_broken);
+    joint_of_.clear();
+    for (std::int64_t e = 0; e < a_.bond_count(); ++e) joint_of_.push_back(cut(e));
+    return keep_discs_held(a_, {joint, joint}, joint_of_);
+  }
+
+  Simulation sim_;
+  Assembly& a_;
+  std::int32_t disc_ = 0;
+  std::vector<std::int32_t> joint_of_;
+};
+
+TEST_F(LooseDiscs, OneThatASingleJointCutsOffKeepsTwoBonds) {
+  const auto left = kept([&](std::int64_t e) { return at(e, disc_) ? 0 : -1; });
+  ASSERT_EQ(left.size(), 2U);
+  for (const auto& bond : left) {
+    EXPECT_TRUE(at(bond.bond, disc_));
+    EXPECT_EQ(bond.joint, 0);
+    EXPECT_EQ(joint_of_[static_cast<std::size_t>(bond.bond)], -1);
+  }
+}
+
+TEST_F(LooseDiscs, TwoThatHangTogetherKeepTwoBondsBetweenThem) {
+  std::int32_t other = -1;
+  for (std::int64_t e = 0; e < a_.bond_count() && other < 0; ++e)
+    if (at(e, disc_)) other = a_.first[e] == disc_ ? a_.second[e] : a_.first[e];
+  const auto left = kept([&](std::int64_t e) { return at(e, disc_) != at(e, other) ? 0 : -1; });
+  EXPECT_EQ(left.size(), 2U);
+}
+
+TEST_F(LooseDiscs, OneThatJointsHoldByASingleBondKeepsASecond) {
+  std::int64_t spared = -1;
+  std::int32_t turn = 0;
+  const auto left = kept([&](std::int64_t e) {
+    if (!at(e, disc_)) return -1;
+    if (spared < 0) spared = e;
+    return e == spared ? -1 : turn++ % 2;
+  });
+  EXPECT_EQ(left.size(), 1U);
+}
+
+TEST_F(LooseDiscs, PiecesOfRockKeepNone) {
+  const auto left = kept(
+      [&](std::int64_t e) { return (a_.x[a_.first[e]] < 25.0) != (a_.x[a_.second[e]] < 25.0) ? 0 : -1; });
+  EXPECT_TRUE(left.empty());
+}
+
+// Found overlapping, as discs are that came together before anything broke near by: no force until they come closer.
+TEST_F(LooseDiscs, ThatAreFoundOverlappingCarryNoForceYet) {
+  std::int32_t other = -1;
+  double least = 1e300;
+  for (std::int32_t j = 0; j < a_.disc_count(); ++j) {
+    if (j == disc_ || a_.bond_between(disc_, j) >= 0) continue;
+    const double gap =
+        std::hypot(a_.x[j] - a_.x[disc_], a_.y[j] - a_.y[disc_]) - a_.radius[j] - a_.radius[disc_];
+    if (gap < least) other = j;
+    least = std::min(least, gap);
+  }
+  ASSERT_GT(least, 0.0);
+  const Vec2 way = a_.position(other) - a_.position(disc_), along = (1.0 / std::sqrt(dot(way, way))) * way;
+  const double overlap = 0.05 * a_.mean_radius, closer = 1e-3 * a_.mean_radius;
+  const auto push = [&](double by) {
+    a_.ux[disc_] += by * along.x;
+    a_.uy[disc_] += by * along.y;
+  };
+  push(std::sqrt(dot(way, way)) - a_.radius[disc_] - a_.radius[other] + overlap);
+  Crack crack;
+  for (std::int64_t e = 0; e < a_.bond_count(); ++e)
+    if (at(e, disc_)) crack.bond = e;
+  ContactPairs list;
+  NonBondedContacts contacts(sim_.options(), list);
+  ASSERT_TRUE(contacts.search(a_, *sim_.engine().boundary, {crack}));
+  const auto pair = std::find_if(list.pairs.begin(), list.pairs.end(), [&](const ContactPair& p) {
+    return std::minmax(p.first, p.second) == std::minmax(disc_, other);
+  });
+  ASSERT_NE(pair, list.pairs.end());
+  double friction = 0.0;
+  contacts.cycle(a_, *sim_.engine().boundary, 0.0, friction);
+  EXPECT_NEAR(pair->normal_force, 0.0, 1e-9 * sim_.options().contact_normal_stiffness * overlap);
+  push(closer);
+  contacts.cycle(a_, *sim_.engine().boundary, 0.0, friction);
+  EXPECT_NEAR(pair->normal_force, sim_.options().contact_normal_stiffness * closer,
+              1e-3 * sim_.options().contact_normal_stiffness * closer);
+}
+
+}  // namespace
