@@ -508,7 +508,7 @@ module hfrac_c
     !> 0: zlib, 1: lz4, 2: none. How arrays in VTU files are packed. lz4: twice as fast as zlib, files a fifth
     !> larger. Default 0.
     integer(c_int64_t) :: output_compression = 0_c_int64_t
-    !> told what happens while the simulation is built; may be NULL. Later: hfrac_set_log
+    !> told what happens while a case file is read and the simulation is built; may be NULL. Later: hfrac_set_log
     type(c_funptr) :: log = c_null_funptr
     !> handed to `log`
     type(c_ptr) :: log_user = c_null_ptr
@@ -1448,8 +1448,9 @@ module hfrac_c
       integer(c_int32_t) :: hfrac_sim_def_copy
     end function hfrac_sim_def_copy
     !> Reads a TOML case file over `def`. Unknown keys, wrong types and values out of range are refused with file,
-    !> line, key, allowed range and the nearest known key (HFRAC_ERR_CASE_FILE); `def` is then unchanged. Stable
-    !> since 0.1.
+    !> line, key, allowed range and the nearest known key (HFRAC_ERR_CASE_FILE); `def` is then unchanged. A well's
+    !> record (schedule_file) becomes entries of the schedule; def->log hears of how many rows (HFRAC_LOG_INFO).
+    !> Stable since 0.1.
     function hfrac_sim_def_load(def, path) bind(C, name="hfrac_sim_def_load")
       import
       type(hfrac_sim_def), intent(inout) :: def
@@ -2192,6 +2193,22 @@ module hfrac_c
       type(hfrac_calibration), intent(inout) :: calibration
       integer(c_int32_t) :: hfrac_calibrate
     end function hfrac_calibrate
+    !> Reads a record, a comma-separated table whose first line names its columns with their units: time_s,
+    !> time_min, time_h, time_d or time (ISO 8601, the first row being time 0); rate_m2_s, or rate_m3_s,
+    !> rate_m3_min, rate_m3_h, rate_L_s or rate_L_min, which are divided by `thickness` [m, above 0 to 1e6];
+    !> pressure_Pa, pressure_kPa, pressure_MPa or pressure_bar. Copies at most `capacity` rows, three numbers each:
+    !> time [s], rate [m2/s], pressure [Pa], which hold until the next row; NaN for a rate or a pressure that the
+    !> file does not have. *count is how many rows there are, 1 to 1 000 000; rows NULL: only that. What is no
+    !> record is refused with file and line (HFRAC_ERR_CASE_FILE). Unstable since 0.1.
+    function hfrac_read_record(path, thickness, rows, capacity, count) bind(C, name="hfrac_read_record")
+      import
+      character(kind=c_char), intent(in) :: path(*)
+      real(c_double), value :: thickness
+      type(c_ptr), value :: rows
+      integer(c_int64_t), value :: capacity
+      integer(c_int64_t), intent(out) :: count
+      integer(c_int32_t) :: hfrac_read_record
+    end function hfrac_read_record
     !> Bytes an image needs now; it grows with the crack log. Stable since 0.1.
     function hfrac_state_size(sim, size) bind(C, name="hfrac_state_size")
       import

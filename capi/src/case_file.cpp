@@ -9,6 +9,8 @@
 
 #include "core/error.hpp"
 #include "options/nearest.hpp"
+#include "options/number_text.hpp"
+#include "record.hpp"
 #include "text_file.hpp"
 #include "toml.hpp"
 #include "toml_scan.hpp"
@@ -86,10 +88,21 @@ const char* wanted_name(ValueType type) {
   return "";
 }
 
+// Keys beside schedule_file.
+struct RecordKey {
+  const char* name;
+  double usual, least, most;
+  bool above;  // `least` itself is not allowed
+  const char* range;
+};
+constexpr RecordKey thickness_key{"schedule_thickness", 0.0, 0.0, 1e6, true, "above 0 to 1e6 m"};
+constexpr RecordKey tolerance_key{"schedule_tolerance", 0.01, 0.0, 0.5, false, "0 to 0.5"};
+
 class CaseReader {
  public:
-  CaseReader(const std::string& path, const CaseDefinition& base)
-      : full_path_(path), path_(printable(path, 400)), result_(base) {}
+  // `notes` may be nullptr.
+  CaseReader(const std::string& path, const CaseDefinition& base, std::vector<std::string>* notes)
+      : full_path_(path), path_(printable(path, 400)), result_(base), notes_(notes) {}
 
   CaseDefinition read(const toml::table& root) {
     const toml::node* wells = nullptr;
@@ -184,7 +197,54 @@ class CaseReader {
       const std::string name = "well[" + std::to_string(result_.wells.size()) + "]";
       result_.wells.push_back(read_well(*table, name));
       if (const toml::node* schedule = table->get("schedule")) read_schedule(*schedule, name);
+      read_record_of(*table, name);
     }
+  }
+
+  // A number of the keys of a record, which are no options: they end with the case file.
+  double record_number(const toml::table& table, const std::string& well, const RecordKey& key) const {
+    const toml::node* node = table.get(key.name);
+    if (node == nullptr) return key.usual;
+    const std::string name = well + "." + key.name;
+    if (!table.contains("schedule_file"))
+      refuse(*node, name + " is for a schedule_file, which " + well + " does not have.");
+    if (!node->is_number()) refuse(*node, name + " must be a number, not " + type_name(*node) + ".");
+    const double value = *node->value<double>();
+    const bool low = key.above ? value <= key.least : value < key.least;
+    if (low || !(value <= key.most))
+      refuse(*node, name + " = " + number_text(value) + " is outside " + key.range + ".");
+    return value;
+  }
+
+  // The schedule of the well read last, if it is a record.
+  void read_record_of(const toml::table& table, const std::string& name) {
+    RecordWishes wishes;
+    wishes.thickness = record_number(table, name, thickness_key);
+    const double share = record_number(table, name, tolerance_key);
+    const toml::node* file = table.get("schedule_file");
+    if (file == nullptr) return;
+    if (table.contains("schedule"))
+      refuse(*file, name + " has both schedule_file and schedule; give one of them.");
+    WellOptions& well = result_.wells.back();
+    if (well.control == WellControl::ramp)
+      refuse(*file,
+             name + " has control = \"ramp\", which no schedule_file has; it is \"pressure\" or \"rate\".");
+    const bool by_rate = well.control == WellControl::rate;
+    wishes.rate = by_rate ? Wish::must : Wish::none;
+    wishes.pressure = by_rate ? Wish::none : Wish::must;
+    const std::string path = beside(full_path_, text_of(*file, name + ".schedule_file"));
+    const Record record = read_record(path, wishes);
+    const auto entries = thinned(record, well.control, share);
+    if (!by_rate && !table.contains("pressure")) well.pressure = entries.front().value;
+    for (ScheduleEntry entry : entries) {
+      entry.well = static_cast<std::int64_t>(result_.wells.size()) - 1;
+      result_.schedule.push_back(entry);
+    }
+    if (notes_ != nullptr)
+      notes_->push_back(name + ": the " + std::to_string(record.time.size()) + " rows of " +
+                        printable(path, 400) + " gave " + std::to_string(entries.size()) +
+                        " entries of its schedule, within " + rounded_text(100.0 * share) + " % of the " +
+                        (by_rate ? "volume" : "range of pressure"));
   }
 
   // Entries of the well read last.
@@ -238,14 +298,14 @@ class CaseReader {
       if (file == nullptr) {
         result_.joints.push_back(joint);
       } else {
-        const auto set = read_traces(beside(full_path_, file_of(*file, name)), joint);
+        const auto set = read_traces(beside(full_path_, text_of(*file, name + ".file")), joint);
         result_.joints.insert(result_.joints.end(), set.begin(), set.end());
       }
     }
   }
 
-  std::string file_of(const toml::node& node, const std::string& name) const {
-    if (!node.is_string()) refuse(node, name + ".file must be a text, not " + type_name(node) + ".");
+  std::string text_of(const toml::node& node, const std::string& name) const {
+    if (!node.is_string()) refuse(node, name + " must be a text, not " + type_name(node) + ".");
     return *node.value<std::string>();
   }
 
@@ -254,7 +314,9 @@ class CaseReader {
     well.x = 0.5 * result_.options.model_width;
     well.y = 0.5 * result_.options.model_height;
     for (const auto& [key, value] : entries_by_line(table)) {
-      if (key == "schedule") continue;
+      if (key == "schedule" || key == "schedule_file" || key == thickness_key.name ||
+          key == tolerance_key.name)
+        continue;
       const WellOptionInfo* info = find_well_option(key);
       if (info == nullptr) refuse(*value, unknown_item_key_text("well", printable(key)));
       read_value(well, *info, name + "." + info->key, *value);
@@ -263,17 +325,21 @@ class CaseReader {
     if (!has("radius")) refuse(table, name + " has no radius; a well needs radius, and pressure or rate.");
     if (!has("control")) {
       if (has("pressure") == has("rate")) {
-        refuse(table,
-               name + (has("rate")
-                           ? " has both pressure and rate; say which with control = \"pressure\" or \"rate\"."
-                           : " has neither pressure nor rate; it needs one of them."));
+        refuse(
+            table,
+            name + (has("rate")
+                        ? " has both pressure and rate; say which with control = \"pressure\" or \"rate\"."
+                    : has("schedule_file")
+                        ? " has neither pressure nor rate; say with control = \"pressure\" or \"rate\" which "
+                          "column of its schedule_file drives it."
+                        : " has neither pressure nor rate; it needs one of them."));
       }
       well.control = has("rate")            ? WellControl::rate
                      : has("ramp_per_step") ? WellControl::ramp
                                             : WellControl::pressure;
     }
     const bool by_rate = well.control == WellControl::rate;
-    if (!has(by_rate ? "rate" : "pressure")) {
+    if (!has(by_rate ? "rate" : "pressure") && !has("schedule_file")) {
       refuse(table, name + (by_rate ? " has control = \"rate\" but no rate."
                                     : " has no pressure, which its control needs."));
     }
@@ -285,6 +351,7 @@ class CaseReader {
 
   std::string full_path_, path_;  // as it is, and as it is shown
   CaseDefinition result_;
+  std::vector<std::string>* notes_;
 };
 
 [[noreturn]] void refuse_line(const std::string& path, std::size_t line, const std::string& fault) {
@@ -379,6 +446,7 @@ void add_joints(KeyLines& lines, const std::string& path, const toml::array* ite
 
 KeyLines lines_of_keys(const std::string& path) {
   const toml::table root = parse(path, read_text_file(path));
+  const auto all = CaseReader(path, {}, nullptr).read(root).schedule;
   KeyLines lines;
   for (const auto& [section, node] : root)
     if (const toml::table* table = node.as_table()) add_lines(lines, std::string(section.str()), *table);
@@ -390,7 +458,15 @@ KeyLines lines_of_keys(const std::string& path) {
     const toml::table* well = (*wells)[k].as_table();
     const toml::array* schedule = well == nullptr ? nullptr : (*well)["schedule"].as_array();
     add_items(lines, "schedule", schedule, entries);
-    if (schedule != nullptr) entries += schedule->size();
+    // Entries of a record have the line that names it.
+    const toml::node* file = well == nullptr ? nullptr : well->get("schedule_file");
+    for (; entries < all.size() && all[entries].well == static_cast<std::int64_t>(k); ++entries) {
+      if (file == nullptr) continue;
+      const std::string entry = "schedule[" + std::to_string(entries) + "]";
+      const bool by_rate = WellControl{all[entries].control} == WellControl::rate;
+      for (const char* value : {"", ".time", ".value", by_rate ? ".rate" : ".pressure"})
+        lines[entry + value] = file->source().begin.line;
+    }
   }
   return lines;
 }
@@ -430,8 +506,9 @@ std::string unknown_item_key_text(std::string_view list, std::string_view name) 
          did_you_mean(nearest.empty() ? "" : prefix + std::string(nearest));
 }
 
-CaseDefinition load_case(const std::string& path, const CaseDefinition& base) {
-  CaseReader reader(path, base);
+CaseDefinition load_case(const std::string& path, const CaseDefinition& base,
+                         std::vector<std::string>* notes) {
+  CaseReader reader(path, base, notes);
   return reader.read(parse(path, read_text_file(path)));
 }
 

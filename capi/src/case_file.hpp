@@ -15,14 +15,16 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "options/options.hpp"
 
 namespace hfrac::capi {
 
 // Reads a case file over `base`. A file with wells replaces those of `base` with their schedules, one with joints its joints. Throws Error(case_file) with one
-// sentence "path:line: what is wrong and what is allowed".
-CaseDefinition load_case(const std::string& path, const CaseDefinition& base);
+// sentence "path:line: what is wrong and what is allowed". Adds to `notes`, unless it is nullptr, what became of each well's record.
+CaseDefinition load_case(const std::string& path, const CaseDefinition& base,
+                         std::vector<std::string>* notes = nullptr);
 
 // Where the values of a case file stand: "packing.disc_count", "well[0]", "well[0].radius", "schedule[2].time" and the line.
 using KeyLines = std::map<std::string, std::size_t, std::less<>>;

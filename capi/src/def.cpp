@@ -171,6 +171,18 @@ std::int32_t set_by_key(hfrac_sim_def* def, const char* key, Set&& set) noexcept
   });
 }
 
+// To whom the definition says; what a listener throws is dropped, as it is later.
+void tell_notes(const hfrac_sim_def& def, const std::vector<std::string>& notes) {
+  if (def.log == nullptr || def.log_level < HFRAC_LOG_INFO) return;
+  for (const auto& note : notes) {
+    try {
+      call_host(nullptr, [&] { return def.log(def.log_user, HFRAC_LOG_INFO, note.c_str()); });
+    } catch (const CallbackError&) {
+      continue;
+    }
+  }
+}
+
 }  // namespace
 
 std::int32_t hfrac_sim_def_init(hfrac_sim_def* def, std::int32_t struct_size) {
@@ -213,7 +225,9 @@ std::int32_t hfrac_sim_def_load(hfrac_sim_def* def, const char* path) {
   return guarded([&] {
     const hfrac_sim_def full = read_def(def);
     require_not_null(path, "path");
-    write_case(def, load_case(path, case_of(full)), full, "def");
+    std::vector<std::string> notes;
+    write_case(def, load_case(path, case_of(full), &notes), full, "def");
+    tell_notes(full, notes);
   });
 }
 

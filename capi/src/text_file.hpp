@@ -15,6 +15,7 @@ struct TextLimits {
 // A case file's lines bound the depth of a.b.c.d..., which its parser follows by recursion.
 inline constexpr TextLimits case_limits{"case file", 1U << 20U, 4096};
 inline constexpr TextLimits trace_table_limits{"table of traces", 1U << 26U, 4096};
+inline constexpr TextLimits record_limits{"record", 1U << 26U, 4096};
 inline constexpr TextLimits geojson_limits{"GeoJSON of traces", 1U << 26U, 1U << 26U};
 
 // The text of a file. Refuses with Error(case_file) what is not a regular file, is above its limits or holds a byte 0, before more

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "table_cells.hpp"
 #include "trace_list.hpp"
 #include "utf8.hpp"
 
@@ -14,23 +15,6 @@ namespace {
 
 constexpr std::array<std::string_view, 4> wanted{"START_X", "START_Y", "END_X", "END_Y"};
 using Columns = std::array<std::size_t, wanted.size()>;
-
-std::string_view trimmed(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '"'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (;;) {
-    const auto comma = line.find(',');
-    cells.push_back(trimmed(line.substr(0, comma)));
-    if (comma == std::string_view::npos) return cells;
-    line.remove_prefix(comma + 1);
-  }
-}
 
 Columns columns_of(const std::vector<std::string_view>& header, const TraceList& traces) {
   Columns columns{};

@@ -440,6 +440,11 @@ contains
       stat = hfrac_find_magnitude_law([0.0_real64, 1.0_real64], 2_c_int64_t, 0.0_real64, law)
       call expect(stat == HFRAC_OK .and. law%count == 2 .and. law%b > 0.0_real64, 'magnitudes have a law')
     end block
+    block
+      integer(c_int64_t) :: rows
+      stat = hfrac_read_record('/nonexistent/record.csv'//c_null_char, 1.0_real64, c_null_ptr, 0_c_int64_t, rows)
+      call expect(stat == HFRAC_ERR_CASE_FILE, 'missing record')
+    end block
     call sim%cracks(later, since=1000000_int64, stat=stat)
     call expect(stat == HFRAC_ERR_ARGUMENT .and. size(later) == 0, 'cursor past the end')
   end subroutine cracks_and_fractures

@@ -285,6 +285,23 @@ static void catalogue(hfrac_sim* sim) {
   check(law.count == 1 && law.b == 0.0, "one magnitude has no slope");
 }
 
+/* record.h */
+static void records(void) {
+  double rows[6] = {0};
+  int64_t count = -1;
+  FILE* file = fopen("c_program_record.csv", "w");
+  check(file != NULL, "a record can be written");
+  if (file == NULL) return;
+  fputs("time_min,rate_L_s,pressure_bar\n0,5,100\n2,0,90\n", file);
+  fclose(file);
+  good(hfrac_read_record("c_program_record.csv", 50.0, rows, 2, &count), NULL, "read_record");
+  check(count == 2 && rows[0] == 0.0 && rows[3] == 120.0, "rows have times");
+  check(rows[1] > 0.99e-4 && rows[1] < 1.01e-4 && rows[4] == 0.0 && rows[5] == 90e5, "in SI units");
+  expect(hfrac_read_record("/nonexistent/record.csv", 1.0, NULL, 0, &count), HFRAC_ERR_CASE_FILE, NULL,
+         "no record");
+  remove("c_program_record.csv");
+}
+
 /* slip.h */
 static void slips(hfrac_sim* sim) {
   hfrac_slip slip;
@@ -477,6 +494,7 @@ int main(void) {
     cracks(sim);
     catalogue(sim);
     slips(sim);
+    records();
     go_back(sim);
     exchange(sim);
     walls(sim);

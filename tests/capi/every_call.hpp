@@ -38,7 +38,7 @@ struct Ground {
   int64_t big = 0, next = 0, discs = 0;
   double real = 0.0;
   const void* data = nullptr;
-  std::string case_file, trace_file, state_file, grdecl_file;
+  std::string case_file, trace_file, record_file, state_file, grdecl_file;
   std::vector<unsigned char> image;
   std::vector<double> kelvins = std::vector<double>(1U << 17U, 550.0);
   std::vector<hfrac_crack> cracks = std::vector<hfrac_crack>(64);

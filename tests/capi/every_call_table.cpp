@@ -64,6 +64,8 @@ std::vector<Row> without_a_simulation() {
           g.several<hfrac_event>(), int64_t{8}, &g.big),
       ROW(hfrac_find_magnitude_law, reads, Optional(), g.reals.data(), int64_t{8}, -2.0,
           g.sized<hfrac_magnitude_law>()),
+      ROW(hfrac_read_record, reads, Optional({2}), g.record_file.c_str(), 1.0, g.reals.data(), int64_t{8},
+          &g.big),
       ROW(hfrac_lab_spec_init, reads, Optional(), &g.spec, static_cast<int32_t>(sizeof(hfrac_lab_spec))),
       ROW(hfrac_lab_run, reads, Optional({2, 3}), &g.def, &g.spec, static_cast<hfrac_progress_fn>(nullptr),
           static_cast<void*>(nullptr), &g.lab_made),

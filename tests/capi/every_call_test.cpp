@@ -28,9 +28,11 @@ class EveryCall : public testing::Test {
         std::string(testing::TempDir()) + "hfrac_every_call_" + std::to_string(::getpid());
     g_.case_file = beside + ".toml";
     g_.trace_file = beside + ".csv";
+    g_.record_file = beside + "-record.csv";
     g_.state_file = beside + ".state";
     g_.grdecl_file = beside + ".grdecl";
     std::ofstream(g_.case_file) << "title = 'misuse'\n";
+    std::ofstream(g_.record_file) << "time_s,rate_m2_s\n0,0.01\n60,0\n";
     std::ofstream(g_.trace_file) << "START_X,START_Y,END_X,END_Y\n1,1,5,5\n";
     g_.grid.struct_size = sizeof g_.grid;
     g_.grid.nx = g_.grid.ny = 2;
@@ -58,7 +60,7 @@ class EveryCall : public testing::Test {
   void TearDown() override {
     EXPECT_EQ(hfrac_sim_destroy(&g_.sim), HFRAC_OK);
     EXPECT_EQ(hfrac_lab_destroy(&g_.lab), HFRAC_OK);
-    for (const auto& file : {g_.case_file, g_.trace_file, g_.state_file, g_.grdecl_file})
+    for (const auto& file : {g_.case_file, g_.trace_file, g_.record_file, g_.state_file, g_.grdecl_file})
       ::unlink(file.c_str());
   }
 

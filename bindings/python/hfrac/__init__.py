@@ -16,6 +16,7 @@ from ._catalogue import magnitude_law
 from ._definition import Definition, Option, joint_options, options, schedule_options, well_options
 from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Joints, Pipes
 from ._grid import Grid
+from ._injection import InjectionRow, read_record
 from ._lab import LabResult, calibrate, lab
 from ._library import build_info, library_path, version
 from ._open_step import OpenStep
@@ -65,10 +66,10 @@ __all__ = [
     "FIELDS", "Advance", "ArgumentError", "BadHandleError", "Balance", "Bonds", "BusyError", "Calibration",
     "CallbackError", "CollapsedError",
     "CaseFileError", "Crack", "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "Event", "EventKind", "FieldInfo",
-    "FileError", "Fracture", "FracturePoint", "GrdeclKind", "Grid", "Heat", "HfracError", "InternalError", "JointState", "Joints", "LabReport",
+    "FileError", "Fracture", "FracturePoint", "GrdeclKind", "Grid", "Heat", "HfracError", "InjectionRow", "InternalError", "JointState", "Joints", "LabReport",
     "LabResult", "LibraryError", "LogLevel", "MagnitudeLaw", "ModelError", "OpenStep", "Option", "OutOfMemoryError",
     "Pipes", "PoisonedError", "SetupReport", "SimState", "Simulation", "Slip", "SolverReport", "StaleViewError", "Status",
     "StepLimit", "StepLimits", "StopReason", "StoppedError", "StructSizeError", "UnknownKeyError", "Upscaling", "View",
     "WallState", "Well", "WellControl", "WellState", "build_info", "calibrate", "joint_options", "lab", "library_path",
-    "magnitude_law", "options", "schedule_options", "version", "well_options",
+    "magnitude_law", "options", "read_record", "schedule_options", "version", "well_options",
 ]

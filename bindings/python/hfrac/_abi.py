@@ -1439,6 +1439,13 @@ SIGNATURES = {
         ctypes.c_void_p,
         ctypes.POINTER(hfrac_calibration),
     ),
+    "hfrac_read_record": (
+        ctypes.c_char_p,
+        ctypes.c_double,
+        ctypes.c_void_p,
+        ctypes.c_int64,
+        ctypes.POINTER(ctypes.c_int64),
+    ),
     "hfrac_state_size": (
         ctypes.c_void_p,
         ctypes.POINTER(ctypes.c_int64),

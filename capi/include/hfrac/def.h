@@ -288,7 +288,7 @@ typedef struct hfrac_sim_def {
    * fifth larger. Default 0. */
   int64_t output_compression;
 
-  hfrac_log_fn log;           /**< told what happens while the simulation is built; may be NULL. Later: hfrac_set_log */
+  hfrac_log_fn log;           /**< told what happens while a case file is read and the simulation is built; may be NULL. Later: hfrac_set_log */
   void *log_user;             /**< handed to `log` */
   int64_t log_level;          /**< enum hfrac_log_level, down to which level `log` gets messages. Default 3 */
 
@@ -463,7 +463,8 @@ HFRAC_API int32_t hfrac_sim_def_free(hfrac_sim_def *def);
 HFRAC_API int32_t hfrac_sim_def_copy(const hfrac_sim_def *from, hfrac_sim_def *to);
 
 /** Reads a TOML case file over `def`. Unknown keys, wrong types and values out of range are refused with file, line,
- * key, allowed range and the nearest known key (HFRAC_ERR_CASE_FILE); `def` is then unchanged. Stable since 0.1. */
+ * key, allowed range and the nearest known key (HFRAC_ERR_CASE_FILE); `def` is then unchanged. A well's record (schedule_file) becomes
+ * entries of the schedule; def->log hears of how many rows (HFRAC_LOG_INFO). Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_def_load(hfrac_sim_def *def, const char *path);
 
 /** Adds a joint for each trace of the file `path`, as [[joint]] file does: a table with the columns START_X, START_Y, END_X and END_Y, or

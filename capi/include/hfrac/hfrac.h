@@ -13,6 +13,7 @@
 #include "grid.h"
 #include "heat.h"
 #include "lab.h"
+#include "record.h"
 #include "sim.h"
 #include "slip.h"
 #include "state.h"

@@ -83,6 +83,18 @@ class Definition(unittest.TestCase):
             with self.assertRaisesRegex(hfrac.CaseFileError, "other.csv"):
                 definition.add_traces(os.path.join(folder, "other.csv"))
 
+    def test_a_record_in_its_units(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "record.csv")
+            with open(path, "w", encoding="utf-8") as out:
+                out.write("time_min,rate_L_s\n0,5\n2,0\n")
+            first, last = hfrac.read_record(path, thickness=50.0)
+            self.assertAlmostEqual(first.rate, 1e-4, delta=1e-16)
+            self.assertEqual((first.time, last.time, last.rate), (0.0, 120.0, 0.0))
+            self.assertNotEqual(first.pressure, first.pressure)
+            with self.assertRaisesRegex(hfrac.CaseFileError, "other.csv"):
+                hfrac.read_record(os.path.join(folder, "other.csv"))
+
     def test_case_file_and_keywords_on_top(self):
         definition = hfrac.Definition(CASE, model_seed=3, wells=[{"pressure": 30e6}], title="another")
         self.assertEqual(definition.get("model.seed"), 3)
