@@ -1,4 +1,4 @@
-"""The profile of a fracture beside KGD: what `hfrac plot --kgd` draws is the run's line and the self-similar solution of its volume."""
+"""A fracture of facets: its profile beside KGD as `hfrac plot --kgd` draws it, and its meeting with a natural fracture."""
 import csv
 import pathlib
 import shutil
@@ -110,6 +110,40 @@ class BesideKgd(unittest.TestCase):
                        for text in (mine, its)] if mine.startswith("KGD_ROW") else []
             for one, other in zip(*numbers):
                 self.assertAlmostEqual(one, other, delta=2e-3 * max(1.0, abs(other)))
+
+
+JOINT = """
+[[joint]]
+x1 = 66.0
+y1 = 35.0
+x2 = 72.0
+y2 = 65.0
+state = "smooth-broken"
+friction = 0.6
+normal_stiffness = 1e11
+shear_stiffness = 5e10
+aperture = 2e-4
+residual_aperture = 1e-4
+"""
+
+
+class MeetsAJoint(unittest.TestCase):
+    """A fracture of facets runs into a natural fracture that conducts: no bond of it breaks, fluid is kept, the joint slips."""
+
+    def test_fluid_is_kept_and_the_joint_slips(self):
+        top = pathlib.Path(tempfile.mkdtemp(prefix="hfrac-e2e-"))
+        self.addCleanup(shutil.rmtree, top)
+        (top / "case.toml").write_text(CASE_TEXT.replace("steps = 40", "steps = 80") + JOINT)
+        done = hfrac("run", top / "case.toml", "-o", top / "run", "-q")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(top / "run" / "history.csv", newline="") as file:
+            rows = [{key: float(value) for key, value in row.items() if value} for row in csv.DictReader(file)]
+        for row in rows:
+            self.assertLessEqual(abs(row["fluid_error_m2"]), 1e-12 * max(1.0, row["injected_volume_m2"]))
+        before, after = rows[0], rows[-1]
+        self.assertEqual(before["tip_distance_m"], 0.0)
+        self.assertGreater(after["tip_distance_m"], 17.0, "the joint is 17 m from the well")
+        self.assertGreater(after["joint_largest_slip_m"], 1e-3)
 
 
 if __name__ == "__main__":

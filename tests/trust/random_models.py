@@ -7,9 +7,8 @@ Whatever is drawn,
   - it is built and steps, or is refused, or a step fails, in words; a failed step leaves the state as it was;
   - the fluid balance closes to 1e-10 of what was moved (1e-7 if pressures are found by iteration);
   - the energy balance closes to 2 % of its largest entry, in real motion of n cycles a step to 1 / n more, since speeds are known
-    half a cycle before places (quasi-static counts as damping what does not close); not asked of rock that cracked in the initial equilibration or
-    that a step leaves in flight: contacts are looked for between steps, and pieces that met within one are pushed apart; nor of
-    servo walls, whose own damping is in no balance (--strict asks it of all);
+    half a cycle before places (quasi-static counts as damping what does not close); not asked of rock that a step leaves in flight, whose
+    pieces meet others within a step; nor of servo walls, whose own damping is in no balance (--strict asks it of all);
   - a restored image goes on bit for bit, in another simulation, on another number of workers;
   - all that a host can read is finite.
 A model is told by its number: `--only K` builds number K alone and prints it.
@@ -164,7 +163,7 @@ def try_model(model, deeds, strict):
         if not sim.state.at_rest:
             return "no rest in set-up: told by a warning", ""
         servo = model["boundary_kind"] == "walls" and model["boundary_walls_after_equilibration"] == "servo"
-        twin, torn = None, servo or sim.state.equilibration_cracks > 0
+        twin, torn = None, servo
         try:
             for k, (deed, share) in enumerate(deeds):
                 if not all(do(each, model, deed, share) for each in (sim, twin) if each is not None):

@@ -21,6 +21,11 @@ void require_good(int32_t status) {
   if (status < 0) throw BadInput(run::error_text(status, nullptr));
 }
 
+int32_t keep_note(void* notes, int32_t /*level*/, const char* message) {
+  static_cast<std::vector<std::string>*>(notes)->emplace_back(message);
+  return 0;
+}
+
 }  // namespace
 
 GivenParts::GivenParts(const std::filesystem::path& disc_file, const std::filesystem::path& bond_file) {
@@ -47,10 +52,17 @@ void forget_given(hfrac_sim_def& definition) {
   definition.given_bond_count = 0;
 }
 
-Definition load_case(const std::string& file, int64_t workers, const GivenParts& given) {
+Definition load_case(const std::string& file, int64_t workers, const GivenParts& given,
+                     std::vector<std::string>* notes) {
   Definition definition;
   definition.run_workers = std::clamp<int64_t>(std::thread::hardware_concurrency(), 1, 4);
+  if (notes != nullptr) {
+    definition.log = keep_note;
+    definition.log_user = notes;
+  }
   require_good(hfrac_sim_def_load(&definition, file.c_str()));
+  definition.log = nullptr;
+  definition.log_user = nullptr;
   if (workers > 0) definition.run_workers = workers;
   if (!given.discs.empty()) {
     definition.given_discs = given.discs.data();

@@ -29,8 +29,10 @@ void forget_given(hfrac_sim_def& definition);
 
 /** Reads and checks a case file; BadInput with the engine's own sentence if it is wrong. `workers` > 0
  * replaces run.workers; with 0 a case that does not say gets the machine's cores, at most four. The definition borrows
- * `given`, if there is anything, in place of a packing. */
-Definition load_case(const std::string& file, int64_t workers, const GivenParts& given = {});
+ * `given`, if there is anything, in place of a packing. `notes`, if not nullptr, gets what the engine told while it read: how many
+ * entries of a schedule a record gave. */
+Definition load_case(const std::string& file, int64_t workers, const GivenParts& given = {},
+                     std::vector<std::string>* notes = nullptr);
 
 // Values that are allowed but can only have been meant in MPa or GPa: all values are in SI units.
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "command/case_file.hpp"
 #include "command/commands.hpp"
@@ -29,7 +31,8 @@ std::string length_line(const hfrac_sim_def& definition) {
 }
 
 ExitCode check(const std::string& file) {
-  const auto definition = load_case(file, 0);
+  std::vector<std::string> notes;
+  const auto definition = load_case(file, 0, {}, &notes);
   fmt::print("{}: good\n", file);
   if (definition.title[0] != '\0') fmt::print("  title      {}\n", definition.title);
   fmt::print("  model      {:g} m x {:g} m, about {} discs, porosity {:g}\n", definition.model_width,
@@ -42,6 +45,7 @@ ExitCode check(const std::string& file) {
   for (int64_t i = 0; i < definition.well_count; ++i)
     fmt::print("  well {}     {}\n", i, well_line(definition.wells[i]));
   if (definition.well_count == 0) fmt::print("  wells      none\n");
+  for (const auto& note : notes) fmt::print("  record     {}\n", note);
   fmt::print("  run        {}, a snapshot every {}\n", length_line(definition), definition.output_every);
   fmt::print("  writes     {}, unless it ends earlier\n", size_text(size_of_run(definition, -1)));
   for (const auto& text : unlikely_values(definition)) tell("hfrac: warning: {}: {}\n", file, text);

@@ -19,6 +19,7 @@ void add_export(CLI::App& program, Action& action);
 void add_info(CLI::App& program, Action& action);
 void add_lab(CLI::App& program, Action& action);
 void add_calibrate(CLI::App& program, Action& action);
+void add_analyse(CLI::App& program, Action& action);
 void add_catalogue(CLI::App& program, Action& action);
 void add_dfn(CLI::App& program, Action& action);
 void add_options(CLI::App& program, Action& action);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,10 +38,10 @@ struct DfnRequest {
 #endif
 };
 
-/** The model's rectangle; without a size what `traces` need. */
-Frame frame_of(const DfnRequest& request, const std::vector<Trace>& traces) {
-  if (request.size.empty()) return frame_around(traces);
-  return {0.0, 0.0, request.size.front(), request.size.back()};
+/** The model's rectangle, if one is given. */
+std::optional<Frame> frame_of(const DfnRequest& request) {
+  if (request.size.empty()) return std::nullopt;
+  return Frame{0.0, 0.0, request.size.front(), request.size.back()};
 }
 
 void say(const DfnRequest& request, const std::vector<Trace>& traces, const Frame& frame) {
@@ -152,8 +153,7 @@ ExitCode make(const DfnRequest& request) {
     throw BadInput(
         "dfn needs --output FILE.csv or FILE.geojson for the traces of its --set, or --describe FILE");
   NetworkPlan plan;
-  plan.frame = frame_of(request, {});
-  if (request.size.empty()) plan.frame = {0.0, 0.0, 100.0, 100.0};
+  plan.frame = frame_of(request).value_or(Frame{0.0, 0.0, 100.0, 100.0});
   plan.seed = request.seed;
   for (size_t k = 0; k < request.sets.size(); ++k) plan.sets.push_back(set_of(request.sets[k], k + 1));
   if (!request.through.empty()) {
@@ -179,7 +179,7 @@ ExitCode dfn(const DfnRequest& request) {
   if (!request.output.empty()) throw BadInput("dfn takes --describe FILE or --output FILE, not both");
   NetworkPlan plan;
   const std::vector<Trace> traces = read_traces(request.description);
-  plan.frame = frame_of(request, traces);
+  plan.frame = frame_of(request).value_or(frame_around(traces));
   show(request, plan, traces, request.description);
   return kGood;
 }

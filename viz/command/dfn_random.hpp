@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random numbers by a seed, the same on every platform: the Mersenne twister of 32 bits seeded by an array of words and drawn from with 53
-// bits a number (Matsumoto and Nishimura 1998, and their mt19937ar of 2002), as Python's `random` does. The distributions of the standard
-// library differ from one to the next, so those needed stand here.
+// Random numbers by a seed, the same on every platform: the Mersenne twister of 64 bits (Matsumoto and Nishimura 1998). The standard says
+// what its engines give, and leaves its distributions to each library, so those needed stand here.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -13,55 +11,12 @@
 
 namespace hfrac::command {
 
-/** The state that a seed of 64 bits begins with, in the form that the standard's engines take. */
-class SeedWords {
- public:
-  using result_type = uint32_t;
-  explicit SeedWords(uint64_t seed)
-      : words_{static_cast<uint32_t>(seed), static_cast<uint32_t>(seed >> 32U)},
-        count_(words_[1] != 0 ? 2U : 1U) {}
-
-  template <class Iterator>
-  void generate(Iterator first, Iterator last) const {
-    const auto count = static_cast<uint32_t>(last - first);
-    const auto before = [&](uint32_t i) {
-      const uint32_t word = static_cast<uint32_t>(first[i == 0 ? count - 1 : i - 1]);
-      return word ^ (word >> 30U);
-    };
-    first[0] = 19650218U;
-    for (uint32_t i = 1; i < count; ++i) first[i] = 1812433253U * before(i) + i;
-    uint32_t i = 1, word = 0;
-    const auto advance = [&] {
-      if (++i < count) return;
-      first[0] = first[count - 1];
-      i = 1;
-    };
-    for (uint32_t k = std::max(count, count_); k > 0; --k) {
-      first[i] = (first[i] ^ (before(i) * 1664525U)) + words_[word] + word;
-      word = (word + 1) % count_;
-      advance();
-    }
-    for (uint32_t k = count - 1; k > 0; --k) {
-      first[i] = (first[i] ^ (before(i) * 1566083941U)) - i;
-      advance();
-    }
-    first[0] = 0x80000000U;
-  }
-
- private:
-  std::array<uint32_t, 2> words_;
-  uint32_t count_;
-};
-
 class Dice {
  public:
-  explicit Dice(uint64_t seed) : engine_(words_of(seed)) {}
+  explicit Dice(uint64_t seed) : engine_(seed) {}
 
   /** Uniform in [0, 1). */
-  double uniform() {
-    const double high = static_cast<double>(engine_() >> 5U), low = static_cast<double>(engine_() >> 6U);
-    return (high * 0x1p26 + low) * 0x1p-53;
-  }
+  double uniform() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
 
   /** An angle in [0, 2 pi) around 0 by von Mises's distribution (Best and Fisher 1979). */
   double von_mises(double concentration) {
@@ -85,11 +40,7 @@ class Dice {
   }
 
  private:
-  static std::mt19937 words_of(uint64_t seed) {
-    SeedWords words(seed);
-    return std::mt19937(words);
-  }
-  std::mt19937 engine_;
+  std::mt19937_64 engine_;
 };
 
 }  // namespace hfrac::command

@@ -52,6 +52,7 @@ int run_program(int argument_count, char** arguments) {
   add_export(program, action);
   add_info(program, action);
   add_catalogue(program, action);
+  add_analyse(program, action);
   add_dfn(program, action);
   add_options(program, action);
   add_view(program, action);

@@ -62,7 +62,8 @@ void refuse_earlier_run(const RunRequest& request) {
 ExitCode carry_out(const RunRequest& request) {
   require_grid(request.grid);
   GivenParts given(request.disc_file, request.bond_file);
-  auto definition = load_case(request.case_file, request.workers, given);
+  std::vector<std::string> notes;
+  auto definition = load_case(request.case_file, request.workers, given, &notes);
   if (request.checkpoint_every >= 0.0) definition.output_checkpoint_every = request.checkpoint_every;
   if (request.checkpoint_steps >= 0) definition.output_checkpoint_steps = request.checkpoint_steps;
   refuse_earlier_run(request);
@@ -76,6 +77,8 @@ ExitCode carry_out(const RunRequest& request) {
   output::RunFolder folder(request.folder, terms);
   Warnings warnings(folder, line, request.quiet);
   for (const auto& text : unlikely_values(definition)) warnings.add(text);
+  if (!request.quiet)
+    for (const auto& note : notes) tell("hfrac: {}\n", note);
   if (!request.quiet) tell("hfrac: will write {}\n", size_text(size));
   const auto sim = build_model(definition, request.case_file, line, warnings);
   if (!sim) {
