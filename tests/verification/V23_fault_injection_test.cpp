@@ -9,19 +9,18 @@
 //                slip(x) = 4 / (pi E') int_-a^a drop(y) ln |(a^2 - x y + sqrt((a^2 - x^2)(a^2 - y^2))) / (a (x - y))| dy.
 // Set-up     Random packings of 100 m under a mean stress of 40 MPa, pores at 20 MPa; a joint of 80 m at 45 degrees, friction 0.6, residual aperture 1 mm
 //            and no other, so that it conducts and stores the same throughout; the fluid gives so much (1 MPa) that what the joint's elastic opening
-//            stores is a hundredth; dp = 5 MPa held in the two pores of its middle contact (no well: its hole would be as wide as the slip is
+//            stores is a hundredth; dp = 5 MPa held in one pore near its middle (no well: its hole would be as wide as the slip is
 //            long at first); quasi-static solver. alpha = w^2 K_f / (12 eta). E' is measured on the packing without the joint.
-// Measured   pressure: rms over 2 a, from the ends of the middle contact on. Slip: mean over |x| < a / 2. Length: root of the second moment of the slip. Over those of the formula.
-// Tolerance  Pressure 3 % of dp. Slip and length, means of three packings: 25 % where a is 20 R, 20 % where it is 40 R (V22: +19 and +10 % by the
-//            discs' size); T = 0.9 is printed, and missed.
+// Measured   pressure: rms over 2 a. Slip: mean over |x| < a / 2. Length: root of the second moment of the slip. Over those of the formula.
+// Tolerance  Pressure 3 % of dp. Slip and length, means of three packings: 20 % where a is 20 R, 15 % where it is 40 R, or 16 R with T = 0.9.
 // Page       docs/verification/V23.md
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
-#include "model.hpp"
-#include "options/choices.hpp"
+#include "joint_model.hpp"
 #include "solid/smooth_joints.hpp"
 #include "step/simulation.hpp"
 #include "support.hpp"
@@ -61,48 +60,56 @@ double slip_at(double x, double a, double lambda, double excess) {
 }
 
 CaseDefinition fault(std::int64_t discs, std::int64_t seed, double excess) {
-  CaseDefinition definition;
+  CaseDefinition definition = verification::tight_rock(discs, seed, pores);
   Options& o = definition.options;
-  o.packing_disc_count = discs;
-  o.model_seed = seed;
-  o.contact_mode = static_cast<std::int64_t>(ContactMode::after_break);
-  o.contact_normal_stiffness = o.bond_normal_stiffness = 68e9;
-  o.contact_shear_stiffness = o.bond_shear_stiffness = 23.8e9;
-  o.bond_tensile_strength = o.bond_shear_strength = 1e12;
   const double shear = friction * (mean_stress - pores - excess * over);
   o.stress_sigma_Hmax = mean_stress + shear;
   o.stress_sigma_hmin = mean_stress - shear;
-  o.fluid_formation_pressure = pores;
   o.fluid_viscosity = viscosity;
   o.fluid_bulk_modulus = bulk;
-  o.flow_permeability = 1e-22;
-  o.flow_aperture_limit = 0.01;
-  o.solver_kind = static_cast<std::int64_t>(SolverKind::quasi_static);
-  o.stepping_mode = static_cast<std::int64_t>(SteppingMode::coupled);
-  o.stepping_flow_step = 1e-9;
-  const double reach = half * std::sqrt(0.5);
-  JointOptions joint;
-  joint.x1 = joint.y1 = 0.5 * side - reach;
-  joint.x2 = joint.y2 = 0.5 * side + reach;
-  joint.state = static_cast<std::int64_t>(JointState::smooth_broken);
-  joint.friction = friction;
-  joint.normal_stiffness = joint.shear_stiffness = stiff;
-  joint.residual_aperture = aperture;
-  definition.joints = {joint};
+  const double low = 0.5 * side - half * std::sqrt(0.5), high = side - low;
+  definition.joints = {verification::plate_joint({low, low}, {high, high}, friction, stiff, aperture)};
   return definition;
 }
 
 double plane_modulus(std::int64_t discs, std::int64_t seed) {
-  hfrac::Definition def = verification::new_def();
-  def.packing_disc_count = discs;
-  def.model_seed = seed;
-  def.flow_scheme = 2;
-  def.solver_kind = 1;
-  def.contact_mode = 1;
-  def.contact_normal_stiffness = def.bond_normal_stiffness = 68e9;
-  def.contact_shear_stiffness = def.bond_shear_stiffness = 23.8e9;
-  def.bond_tensile_strength = def.bond_shear_strength = 1e12;
-  return verification::elasticity(def, 10e6).modulus;
+  return verification::elasticity(verification::dry_rock(discs, seed), 10e6).modulus;
+}
+
+// How far what the contacts bore when the far field was on, before each started from its stress, differs from piece to piece of the
+// joint: standard deviation over the mean, of normal and shear stress.
+void print_scatter(const Simulation& sim, double window) {
+  const Assembly& a = sim.assembly();
+  struct Piece {
+    double area = 0.0, normal = 0.0, shear = 0.0;
+  };
+  std::map<std::int64_t, Piece> pieces;
+  for (const auto& c : a.smooth.contacts) {
+    const auto i = a.first[c.bond];
+    const double x = std::sqrt(0.5) * (a.x[i] + c.first_arm.x + a.y[i] + c.first_arm.y);
+    const SmoothResponse r = smooth_response(a, sim.options(), c);
+    Piece& piece = pieces[static_cast<std::int64_t>(x / (window * a.mean_radius))];
+    piece.area += c.area;
+    piece.normal += r.normal + c.locked_normal;
+    piece.shear += r.shear + c.locked_shear;
+  }
+  const auto deviation = [&](auto part) {
+    double mean = 0.0, squares = 0.0, count = 0.0;
+    for (const auto& [at, piece] : pieces) {
+      if (piece.area < 0.75 * window * a.mean_radius) continue;  // at the ends
+      const double stress = part(piece) / piece.area;
+      mean += stress;
+      squares += stress * stress;
+      ++count;
+    }
+    mean /= count;
+    return std::sqrt(squares / count - mean * mean) / std::abs(mean);
+  };
+  std::printf(
+      "  over %2.0f R along the joint, before it is let go: normal stress scatters by %4.1f %%, shear by "
+      "%4.1f %%\n",
+      window, 100.0 * deviation([](const Piece& p) { return p.normal; }),
+      100.0 * deviation([](const Piece& p) { return p.shear; }));
 }
 
 struct Ratios {
@@ -115,6 +122,7 @@ std::vector<Ratios> drive(std::int64_t discs, std::int64_t seed, double excess,
   const double modulus = plane_modulus(discs, seed), lambda = lambda_of(excess);
   const double diffusivity = aperture * aperture * bulk / (12.0 * viscosity);
   Simulation sim(fault(discs, seed, excess), {}, {});
+  for (const double window : {8.0, 32.0}) print_scatter(sim, window);
   const Assembly& a = sim.assembly();
   const auto& contacts = a.smooth.contacts;
   const auto at = [&](const SmoothContact& c) {
@@ -128,10 +136,12 @@ std::vector<Ratios> drive(std::int64_t discs, std::int64_t seed, double excess,
     return std::abs(at(p)) < std::abs(at(q));
   });
   Network& n = sim.engine().model.network;
-  for (const auto d : {n.left[middle->bond], n.right[middle->bond]}) {
-    n.stiffness[d] = 0.0;
-    n.pressure[d] = n.reference_pressure + over;
-  }
+  // In one pore, so at the beginning of that contact.
+  const double source = at(*middle) - 0.5 * middle->area;
+  const Vec2 way = n.centroid[n.right[middle->bond]] - n.centroid[n.left[middle->bond]];
+  const auto inlet = way.x + way.y > 0.0 ? n.left[middle->bond] : n.right[middle->bond];
+  n.stiffness[inlet] = 0.0;
+  n.pressure[inlet] = n.reference_pressure + over;
   std::vector<Ratios> result;
   double time = 0.0;
   for (const double half_length : reached) {
@@ -143,7 +153,7 @@ std::vector<Ratios> drive(std::int64_t discs, std::int64_t seed, double excess,
            moment_formula = 0.0;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       const SmoothContact& c = contacts[k];
-      const double x = at(c) - at(*middle), slip = std::abs(c.slip - before[k]), A = c.area;
+      const double x = at(c) - source, slip = std::abs(c.slip - before[k]), A = c.area;
       const double formula = std::abs(x) < half_length
                                  ? friction * over / modulus * slip_at(x, half_length, lambda, excess)
                                  : 0.0;
@@ -158,9 +168,7 @@ std::vector<Ratios> drive(std::int64_t discs, std::int64_t seed, double excess,
       if (std::abs(x) > 2.0 * half_length) continue;
       const double p =
           0.5 * (n.pressure[n.left[c.bond]] + n.pressure[n.right[c.bond]]) - n.reference_pressure;
-      squares += A * std::pow(p / over - std::erfc(std::max(0.0, std::abs(x) - 0.5 * middle->area) /
-                                                   std::sqrt(4.0 * diffusivity * time)),
-                              2);
+      squares += A * std::pow(p / over - std::erfc(std::abs(x) / std::sqrt(4.0 * diffusivity * time)), 2);
       near += A;
     }
     const Ratios r{std::sqrt(squares / near), found / expected,
@@ -193,8 +201,8 @@ std::string name_of(std::int64_t discs, double excess) {
   return "T " + std::to_string(excess).substr(0, 3) + ", " + std::to_string(discs) + " discs: ";
 }
 
-void hold(std::int64_t discs, double excess, double tolerance) {
-  const Ratios mean = mean_of(discs, excess, {4.0, 7.0, 10.0});
+void hold(std::int64_t discs, double excess, const std::vector<double>& reached, double tolerance) {
+  const Ratios mean = mean_of(discs, excess, reached);
   const std::string name = name_of(discs, excess);
   verification::report_absolute(name + "pressure, rms over dp", mean.pressure, 0.0, 0.03);
   verification::report(name + "slip in the middle half", mean.slip, 1.0, tolerance);
@@ -207,16 +215,14 @@ TEST(V23FaultInjectionSmoke, PressureDiffusesAlongTheJoint) {
 }
 
 TEST(V23FaultInjection, SlipsAsFarAsPressureTakesIt) {
-  hold(10000, 0.5, 0.25);
-  hold(10000, 0.1, 0.25);
+  hold(10000, 0.5, {4.0, 7.0, 10.0}, 0.2);
+  hold(10000, 0.1, {4.0, 7.0, 10.0}, 0.2);
 }
 
 TEST(V23FaultInjectionLong, NearsTheFormulaWithFinerDiscs) {
-  hold(40000, 0.5, 0.20);
-  hold(40000, 0.1, 0.20);
-  // Slip and length are far off here and not held: the page says why.
-  const Ratios far = mean_of(40000, 0.9, {2.0, 3.0, 4.0});
-  verification::report_absolute(name_of(40000, 0.9) + "pressure, rms over dp", far.pressure, 0.0, 0.03);
+  hold(40000, 0.5, {4.0, 7.0, 10.0}, 0.15);
+  hold(40000, 0.1, {4.0, 7.0, 10.0}, 0.15);
+  hold(40000, 0.9, {2.0, 3.0, 4.0}, 0.15);
 }
 
 }  // namespace

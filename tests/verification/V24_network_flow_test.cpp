@@ -3,24 +3,24 @@
 //
 // Formula    Along a joint of hydraulic aperture w fluid flows by w^3 / (12 eta) per length (cubic law; Witherspoon et al. 1980). A network of
 //            such joints is a graph: nodes where traces cross and where pressure is imposed, between them conductances w^3 / (12 eta L); flow in =
-//            flow out at each node. It is set up here from the traces alone, by plane geometry, and solved by elimination.
+//            flow out at each node. It is set up here from the traces alone, by plane geometry, and solved apart (Eigen).
 // Set-up     Random packings of 100 m, joints of given residual apertures and no other in rock a billion times tighter, so that apertures are
 //            constant; pressure imposed in the pores nearest to two points; one joint, two in series, two in parallel, and random
 //            networks by a seed between two wide joints, of traces that discs of 0.5 m can tell apart (ends 2.5 m off other traces, no sharp
 //            crossings); the rock at rest, the implicit flow solver in steps long enough to be steady.
-// Tolerance  One joint, series, parallel 2 %. Networks: each 15 %, mean of four 10 %: at a crossing fluid goes a disc out of its way.
+//            Networks of any traces are printed beside: there the packing decides what ends within a disc of a trace connect.
+// Tolerance  One joint, series, parallel 1 %; mean of four networks 1.5 %, each 4 %: small pieces between joints stay bonded.
 // Page       docs/verification/V24.md
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "flow/flow_solver.hpp"
-#include "model.hpp"
-#include "options/choices.hpp"
+#include "joint_model.hpp"
 #include "solid/smooth_joints.hpp"
 #include "step/simulation.hpp"
 #include "support.hpp"
@@ -29,7 +29,7 @@ namespace {
 
 using namespace hfrac;
 
-constexpr double side = 100.0, viscosity = 1e-3, drop = 1e4;  // m, Pa s, Pa
+constexpr double viscosity = 1e-3, drop = 1e4;  // Pa s, Pa
 
 struct Trace {
   Vec2 from, to;
@@ -41,51 +41,26 @@ struct Case {
   std::pair<std::size_t, Vec2> in, out;  // trace, and a point of it, where pressure is imposed
 };
 
-// Dense elimination of a graph's conductances with one unit of pressure between two nodes.
-double graph_flow(const std::vector<std::map<std::size_t, double>>& conductance, std::size_t in,
-                  std::size_t out) {
-  const std::size_t n = conductance.size();
-  std::vector<std::vector<double>> m(n, std::vector<double>(n + 1, 0.0));
-  for (std::size_t i = 0; i < n; ++i) {
-    if (i == in || i == out || conductance[i].empty()) {
-      m[i][i] = 1.0;
-      m[i][n] = i == in ? 1.0 : 0.0;
-      continue;
-    }
-    for (const auto& [j, c] : conductance[i]) {
-      m[i][i] += c;
-      m[i][j] -= c;
-    }
-  }
-  // Blind ends form no flow; pieces without any way to the two nodes would be singular and get a pressure of zero.
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k; i < n; ++i)
-      if (std::abs(m[i][k]) > std::abs(m[pivot][k])) pivot = i;
-    std::swap(m[k], m[pivot]);
-    if (std::abs(m[k][k]) < 1e-25) {
-      m[k].assign(n + 1, 0.0);
-      m[k][k] = 1.0;
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i == k || m[i][k] == 0.0) continue;
-      const double factor = m[i][k] / m[k][k];
-      for (std::size_t j = k; j <= n; ++j) m[i][j] -= factor * m[k][j];
-    }
-  }
-  double flow = 0.0;
-  for (const auto& [j, c] : conductance[in]) flow += c * (1.0 - m[j][n] / m[j][j]);
-  return flow;
+// Flow through a graph of conductances with one unit of pressure between nodes 0 and 1. What has no way to either adds nothing: its
+// rows are singular, and any solution of them does.
+double graph_flow(const Eigen::MatrixXd& conductance) {
+  const Eigen::VectorXd sums = conductance.rowwise().sum();
+  Eigen::MatrixXd balance = Eigen::MatrixXd(sums.asDiagonal()) - conductance;
+  Eigen::VectorXd pressure = Eigen::VectorXd::Zero(sums.size());
+  pressure[0] = 1.0;
+  balance.topRows(2) = Eigen::MatrixXd::Identity(2, sums.size());
+  pressure = balance.completeOrthogonalDecomposition().solve(pressure).eval();
+  return conductance.row(0) * (Eigen::VectorXd::Ones(sums.size()) - pressure);
 }
 
 // By the traces alone [m2/s].
 double expected(const Case& c) {
   struct Place {
     double at;
-    std::size_t node;
+    Eigen::Index node;
   };
   std::vector<std::vector<Place>> on(c.traces.size());
-  std::size_t nodes = 2;
+  Eigen::Index nodes = 2;
   const auto along = [&](std::size_t k, Vec2 p) {
     const Vec2 way = c.traces[k].to - c.traces[k].from;
     return dot(p - c.traces[k].from, way) / std::sqrt(dot(way, way));
@@ -104,47 +79,25 @@ double expected(const Case& c) {
       on[j].push_back({t * std::sqrt(dot(e, e)), nodes});
       ++nodes;
     }
-  std::vector<std::map<std::size_t, double>> conductance(nodes);
+  Eigen::MatrixXd conductance = Eigen::MatrixXd::Zero(nodes, nodes);
   for (std::size_t k = 0; k < on.size(); ++k) {
     std::sort(on[k].begin(), on[k].end(), [](const Place& p, const Place& q) { return p.at < q.at; });
     for (std::size_t m = 0; m + 1 < on[k].size(); ++m) {
       const auto [a, i] = on[k][m];
       const auto [b, j] = on[k][m + 1];
       const double g = std::pow(c.traces[k].aperture, 3) / (12.0 * viscosity * std::max(b - a, 1e-6));
-      conductance[i][j] += g;
-      conductance[j][i] += g;
+      conductance(i, j) += g;
+      conductance(j, i) += g;
     }
   }
-  return drop * graph_flow(conductance, 0, 1);
+  return drop * graph_flow(conductance);
 }
 
 CaseDefinition network_of(const Case& c, std::int64_t discs, std::int64_t seed) {
-  CaseDefinition definition;
-  Options& o = definition.options;
-  o.packing_disc_count = discs;
-  o.model_seed = seed;
-  o.contact_mode = static_cast<std::int64_t>(ContactMode::after_break);
-  o.bond_tensile_strength = o.bond_shear_strength = 1e12;
-  o.stress_sigma_Hmax = o.stress_sigma_hmin = 30e6;
-  o.fluid_formation_pressure = 10e6;
-  o.fluid_viscosity = viscosity;
-  o.flow_permeability = 1e-24;
-  o.flow_aperture_limit = 0.01;
-  o.solver_kind = static_cast<std::int64_t>(SolverKind::quasi_static);
-  o.stepping_mode = static_cast<std::int64_t>(SteppingMode::coupled);
-  o.stepping_flow_step = 1e-9;
-  for (const Trace& t : c.traces) {
-    JointOptions joint;
-    joint.x1 = t.from.x;
-    joint.y1 = t.from.y;
-    joint.x2 = t.to.x;
-    joint.y2 = t.to.y;
-    joint.state = static_cast<std::int64_t>(JointState::smooth_broken);
-    joint.friction = 1.0;
-    joint.normal_stiffness = joint.shear_stiffness = 1e11;
-    joint.residual_aperture = t.aperture;
-    definition.joints.push_back(joint);
-  }
+  CaseDefinition definition = verification::tight_rock(discs, seed, 10e6);
+  definition.options.stress_sigma_Hmax = definition.options.stress_sigma_hmin = 30e6;
+  for (const Trace& t : c.traces)
+    definition.joints.push_back(verification::plate_joint(t.from, t.to, 1.0, 1e11, t.aperture));
   return definition;
 }
 
@@ -233,8 +186,12 @@ bool clear(const Trace& p, const Trace& q) {
   return !cross_here || std::abs(turn) > sharpest * std::sqrt(dot(d, d) * dot(e, e));
 }
 
-Case random_network(unsigned seed) {
-  Case c{"network " + std::to_string(seed), {}, {0, {12.0, 50.0}}, {1, {88.0, 50.0}}};
+enum class Ends { clear, any };
+Case random_network(unsigned seed, Ends ends) {
+  Case c{(ends == Ends::any ? "any network " : "network ") + std::to_string(seed),
+         {},
+         {0, {12.0, 50.0}},
+         {1, {88.0, 50.0}}};
   c.traces.push_back({{12.0, 3.0}, {12.0, 97.0}, 4.0 * w});
   c.traces.push_back({{88.0, 3.0}, {88.0, 97.0}, 4.0 * w});
   std::mt19937 random(seed);
@@ -247,7 +204,8 @@ Case random_network(unsigned seed) {
     const Trace one{middle - way, middle + way, w * uniform(0.6, 1.4)};
     const auto inside = [](Vec2 p) { return p.x > 4.0 && p.x < 96.0 && p.y > 4.0 && p.y < 96.0; };
     if (inside(one.from) && inside(one.to) &&
-        std::all_of(c.traces.begin(), c.traces.end(), [&](const Trace& other) { return clear(one, other); }))
+        (ends == Ends::any || std::all_of(c.traces.begin(), c.traces.end(),
+                                          [&](const Trace& other) { return clear(one, other); })))
       c.traces.push_back(one);
   }
   return c;
@@ -255,13 +213,13 @@ Case random_network(unsigned seed) {
 
 TEST(V24NetworkFlowSmoke, FollowsTheCubicLawAlongOneJoint) {
   verification::report("flow along one joint over the cubic law's", measured(single(), 4000, 1).ratio(), 1.0,
-                       0.02);
+                       0.01);
 }
 
 TEST(V24NetworkFlow, AddsUpInSeriesAndInParallel) {
-  verification::report("two in series, over the graph's", measured(series(), 10000, 1).ratio(), 1.0, 0.02);
+  verification::report("two in series, over the graph's", measured(series(), 10000, 1).ratio(), 1.0, 0.01);
   verification::report("two in parallel, over the graph's", measured(parallel(), 10000, 1).ratio(), 1.0,
-                       0.02);
+                       0.01);
 }
 
 TEST(V24NetworkFlow, IsThatOfTheGraphInRandomNetworks) {
@@ -269,7 +227,7 @@ TEST(V24NetworkFlow, IsThatOfTheGraphInRandomNetworks) {
   int connected = 0, apart = 0;
   double mean = 0.0;
   for (unsigned seed = 1; connected < wanted; ++seed) {
-    const Case c = random_network(seed);
+    const Case c = random_network(seed, Ends::clear);
     const bool joined = expected(c) > 1e-12;
     if (!joined && apart++ > 0) continue;  // one without a way through is enough
     const Flows flows = measured(c, 10000, seed);
@@ -277,11 +235,21 @@ TEST(V24NetworkFlow, IsThatOfTheGraphInRandomNetworks) {
       verification::report_absolute(c.name + ", no way through: flow [mm2/s]", 1e6 * flows.model, 0.0, 1e-6);
       continue;
     }
-    verification::report(c.name + ", over the graph's", flows.ratio(), 1.0, 0.15);
+    verification::report(c.name + ", over the graph's", flows.ratio(), 1.0, 0.04);
     mean += flows.ratio() / wanted;
     ++connected;
   }
-  verification::report("mean of the networks", mean, 1.0, 0.10);
+  verification::report("mean of the networks", mean, 1.0, 0.015);
+}
+
+// What a user's network meets. Held loosely, since one connection more or less is a large part of a flow; where the graph has none at
+// all, any flow is only printed.
+TEST(V24NetworkFlowLong, WhereEndsNearlyMeetThePackingDecides) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const Case c = random_network(seed, Ends::any);
+    const Flows flows = measured(c, 10000, seed);
+    if (flows.graph > 1e-12) verification::report(c.name + ", over the graph's", flows.ratio(), 1.0, 0.3);
+  }
 }
 
 }  // namespace
