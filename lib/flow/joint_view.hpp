@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a contact of a smooth joint is seen to do: where its piece of the joint lies now, how far it is open, what it slid and bears.
+// What a contact of a smooth joint is seen to do: where its piece of the joint lies now, how far it is open, what it slid and
+// bears.
 //
 // Stresses are those of the joint's law (model/joint_law.hpp), so effective ones: fluid pressure has been taken off. What settle_smooth
 // left on the two discs beyond the stress that the contact starts from is not among them. Slide, and with it slip and shear stress, are positive

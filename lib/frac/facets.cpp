@@ -21,6 +21,13 @@ Vec2 turned(Vec2 v) {
 double size(Vec2 v) {
   return std::sqrt(dot(v, v));
 }
+// What a bond and its contact pull their first disc with, as in the equations of equilibrium (bond_response.cpp).
+Vec2 force_on_first(const Assembly& a, std::int64_t e, const BondView& v) {
+  const auto i = a.first[e], j = a.second[e];
+  const Vec2 now{a.dx(e) + a.ux[j] - a.ux[i], a.dy(e) + a.uy[j] - a.uy[i]};
+  const double turn = a.smooth.of(e) != nullptr ? 1.0 : a.length(e) / size(now);
+  return v.normal_force() * v.normal + turn * v.shear_force() * Vec2{-v.normal.y, v.normal.x};
+}
 }  // namespace
 
 // From the contact into the pore on one side, turned so that it points towards the second disc.
@@ -29,6 +36,16 @@ Vec2 Facets::part(std::int64_t e, bool left) const {
   if (network_->kind[d] != DomainKind::rock) return {};
   const Vec2 way = network_->centroid[d] - contact_[e];
   return left ? turned(way) : -1.0 * turned(way);
+}
+
+// What a pore pushes on the first disc of a bond, per pressure [m]: over the chord from the contact; the fluid in a joint that conducts
+// pushes on the faces of its contacts alone (model/joint_pores.hpp).
+Vec2 Facets::pushed(std::int64_t e, bool left) const {
+  const auto d = left ? network_->left[e] : network_->right[e];
+  if (!in_joint(d)) return part(e, left);
+  const SmoothContact* contact = assembly_->smooth.of(e);
+  const bool conducts = contact != nullptr && joint_length(*network_, static_cast<std::size_t>(e)) > 0.0;
+  return conducts ? 0.5 * contact->area * contact->normal : Vec2{};
 }
 
 void Facets::begin(const Assembly& a, Network& n, const std::vector<WellPlace>& wells, const Options& o) {
@@ -53,8 +70,7 @@ void Facets::begin(const Assembly& a, Network& n, const std::vector<WellPlace>& 
   biot_ = o.rock_biot_coefficient;
   pressure_.assign(n.pressure.begin(), n.pressure.end());
   for (std::size_t d = 0; d < pressure_.size(); ++d)
-    if (n.kind[d] == DomainKind::rock && (n.joint_pore.empty() || n.joint_pore[d] == 0))
-      pressure_[d] *= biot_;
+    if (n.kind[d] == DomainKind::rock && !in_joint(static_cast<std::int32_t>(d))) pressure_[d] *= biot_;
   pore_push_.assign(2 * bonds, 0.0);
   weight_ = n.corner_weight;
   force_.assign(4 * bonds, 0.0);
@@ -66,11 +82,11 @@ void Facets::begin(const Assembly& a, Network& n, const std::vector<WellPlace>& 
     const auto i = a.first[e], j = a.second[e];
     const auto b = static_cast<std::int64_t>(e);
     const BondView v = view_bond(a, o, b);
-    const Vec2 d = (1.0 / a.length(b)) * Vec2{a.dx(b), a.dy(b)}, t{-d.y, d.x};
+    const Vec2 d = (1.0 / a.length(b)) * Vec2{a.dx(b), a.dy(b)};
     contact_[e] = Vec2{a.x[i], a.y[i]} + a.arm(b) * d;
     bonds_[n.left[e]].push_back(static_cast<std::int32_t>(e));
     if (n.right[e] != n.left[e]) bonds_[n.right[e]].push_back(static_cast<std::int32_t>(e));
-    const Vec2 f = v.normal_force() * d + v.shear_force() * t;
+    const Vec2 f = force_on_first(a, b, v);
     const double arm_i = a.arm(b), arm_j = a.length(b) - arm_i;
     force_[4 * e] = f.x;
     force_[4 * e + 1] = f.y;
@@ -114,7 +130,8 @@ void Facets::stress_around(const Assembly& a, const Network& n, const Options& o
     stress[2] += area_[i] * initial.xy;
     for (const auto e : disc_bonds_[i]) {
       const Vec2 d = (1.0 / a.length(e)) * Vec2{a.dx(e), a.dy(e)};
-      const Vec2 h_l = part(e, true), h_r = part(e, false);
+      const Vec2 h_l = pushed(e, true), h_r = pushed(e, false);
+      const SmoothContact* joint = a.smooth.of(e);
       // Force on the first disc now less that at the initial equilibrium, fluid included.
       Vec2 now;
       if (of_[e] >= 0) {
@@ -123,18 +140,17 @@ void Facets::stress_around(const Assembly& a, const Network& n, const Options& o
         const double w = opening(a, n, f);
         now = (w >= 0.0 ? -push : stiffness * jump(a, f, f.normal) - f.initial_normal) * f.normal + f.locked;
       } else {
-        const BondView v = view_bond(a, o, e);
-        const Vec2 t{-v.normal.y, v.normal.x};
-        now = v.normal_force() * v.normal + v.shear_force() * t;
         const auto borne = [&](std::int32_t pore) {
+          if (in_joint(pore)) return n.pressure[pore];
           return fractured_[pore] ? pressure_[pore] : biot_ * n.pressure[pore];
         };
-        now = now - (borne(n.left[e]) * h_l + borne(n.right[e]) * h_r);
+        now = force_on_first(a, e, view_bond(a, o, e)) - (borne(n.left[e]) * h_l + borne(n.right[e]) * h_r);
       }
       const Vec2 before = initial_force(e) - (pressure_[n.left[e]] * h_l + pressure_[n.right[e]] * h_r);
       Vec2 more = now - before;
       const bool is_first = a.first[e] == i;
-      const Vec2 arm = is_first ? a.arm(e) * d : (a.arm(e) - a.length(e)) * d;
+      Vec2 arm = is_first ? a.arm(e) * d : (a.arm(e) - a.length(e)) * d;
+      if (joint != nullptr) arm = is_first ? joint->first_arm : joint->second_arm;
       if (!is_first) more = -1.0 * more;
       stress[0] -= arm.x * more.x;
       stress[1] -= arm.y * more.y;
@@ -203,12 +219,12 @@ void Facets::update(const Assembly& a, Network& n, bool restored) {
         change += n.corner_weight[2 * k] * a.ux[n.corner_disc[k]] +
                   n.corner_weight[2 * k + 1] * a.uy[n.corner_disc[k]];
       // A joint's faces go on as they were (add_face_weights).
-      n.facet_offset[d] = n.joint_pore.empty() || n.joint_pore[d] == 0 ? change : 0.0;
+      n.facet_offset[d] = in_joint(static_cast<std::int32_t>(d)) ? 0.0 : change;
     }
     for (auto k = 2 * n.corner_start[d]; k < 2 * n.corner_start[d + 1]; ++k) n.corner_weight[k] = 0.0;
     for (const auto e : bonds_[d]) {
       if (of_[e] >= 0 || a.smooth.of(e) != nullptr) continue;
-      const Vec2 push = -pressure_[d] * part(e, n.left[e] == static_cast<std::int32_t>(d));
+      const Vec2 push = -pressure_[d] * pushed(e, n.left[e] == static_cast<std::int32_t>(d));
       pore_push_[2 * e] += push.x;
       pore_push_[2 * e + 1] += push.y;
     }
@@ -282,7 +298,8 @@ void Facets::lay_along_fracture(const Assembly& a, const Network& n, Facet& f) c
   f.initial_normal = dot(mean, f.normal);
   f.initial_shear = dot(mean, {-f.normal.y, f.normal.x});
   // What the bond bore with the fluid around it, less that of the mean.
-  f.locked = initial_force(f.bond) - (pressure_[f.left] * left + pressure_[f.right] * right) + mean;
+  f.locked = initial_force(f.bond) -
+             (pressure_[f.left] * pushed(f.bond, true) + pressure_[f.right] * pushed(f.bond, false)) + mean;
   f.locked_first = force_[4 * f.bond + 2];
   f.locked_second = force_[4 * f.bond + 3];
 }

@@ -9,7 +9,8 @@
 //   - When a bond breaks, the force F_0 of the mean stress on its facet (holed_plate.hpp) is released, and no more: the difference to
 //     what this very bond bore (force and couple) stays, as a locked-in force.
 //   - The fluid pushes across the facets, p_A L_A + p_B L_B with the parts L of the facet in either pore; on intact bonds
-//     around a fracture's pore the pressure from before the treatment stays (alpha of it).
+//     around a fracture's pore the pressure from before the treatment stays (alpha of it). A pore of a joint that conducts goes on to
+//     push on the joint's faces, and never pushed on bonds.
 //   - The opening is  w = n . (du - du_0) + (p L - n . F_0) / k_n:  displacement since the initial equilibrium, and the
 //     compression of the half discs at the face, which bear p L where they bore F_0. Closed (w < 0) the facet transmits
 //     n . F_0 - k_n n . (du - du_0), with Coulomb friction on what exceeds p; open it transmits p.
@@ -87,6 +88,10 @@ class Facets {
   Array<double> start_x, start_y, start_rotation;
 
  private:
+  [[nodiscard]] bool in_joint(std::int32_t domain) const {
+    return !network_->joint_pore.empty() && network_->joint_pore[domain] != 0;
+  }
+  [[nodiscard]] Vec2 pushed(std::int64_t bond, bool left) const;
   void lay_along_fracture(const Assembly& a, const Network& n, Facet& f) const;
   [[nodiscard]] Vec2 mean_force(const Network& n, const Facet& f, bool left) const;
   HoledPlate plate_;
@@ -96,8 +101,9 @@ class Facets {
   std::vector<Facet> facets_;
   std::vector<char> fractured_, cut_;
   std::vector<std::vector<std::int32_t>> bonds_;  // of a domain
-  Array<double> force_;     // per bond at the initial state: force on the first disc, two couples
-  Array<double> pressure_;  // per domain: what the rock around it bore of its pressure initially [Pa]
+  Array<double> force_;  // per bond at the initial state: force on the first disc, two couples
+  Array<double>
+      pressure_;  // per domain: what the rock around it, or its joint's faces, bore of its pressure initially [Pa]
   double biot_ = 1.0;
   Array<double> pore_push_, weight_;
   std::vector<Vec2> contact_;

@@ -6,11 +6,12 @@
 //   stores    A / 2 e_0 at K_f (Network::storing; the packing's pore stays its volume), and what the pore grows by as the joint opens
 //   conducts  w^3 / (12 eta A) along the joint, w of its opening (joint_aperture); voids between pieces count, too, and
 //             pieces below 0.05 R as much as that, all others less for it
-//   pushes    p A / 2 on both discs along the joint's normal, where the contact lies, so with a moment (Network::corner_turn), and with the
-//             whole pressure, whatever rock.biot_coefficient is: faces touch at few places only. So what the contact bears is the
-//             effective stress: where fluid takes over what it bore nothing moves.
+//   pushes    p A / 2 on both discs along the joint's normal, where the contact lies, so with a moment (Network::corner_turn), and
+//             with the whole pressure, whatever rock.biot_coefficient is: faces touch at few places only. So what the contact
+//             bears is the effective stress: where fluid takes over what it bore nothing moves.
 //   grows     by A / 2 U_n, the work-conjugate of that push.
-// On the rock beside the joint its pores do not push. Between joint and rock fluid passes through the pipes of the bonds around such a pore, as tight as the rock.
+// On the rock beside the joint its pores do not push. Between joint and rock fluid passes through the pipes of the bonds around
+// such a pore, as tight as the rock.
 #pragma once
 
 #include <cstdint>

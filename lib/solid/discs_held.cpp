@@ -4,12 +4,12 @@
 #include <numeric>
 
 #include "options/choices.hpp"
+#include "solid/fragments.hpp"
 
 namespace hfrac {
 namespace {
 
-constexpr int fewest_held = 2;    // bonds to the rock
-constexpr int largest_flake = 8;  // discs bonded to each other; larger ones are pieces of rock
+constexpr int fewest_held = 2;  // bonds to the rock
 
 // What some discs are held by.
 struct Hold {
@@ -76,7 +76,7 @@ std::vector<KeptBond> keep_discs_held(const Assembly& a, const std::vector<Joint
   const auto loose = [&](std::int32_t i) {
     const Hold &disc = discs[static_cast<std::size_t>(i)], &flake = flakes[pieces.of(i)];
     return (disc.several && disc.bonds < fewest_held) ||
-           (flake.bonds < fewest_held && pieces.size(pieces.of(i)) <= largest_flake);
+           (flake.bonds < fewest_held && pieces.size(pieces.of(i)) <= Fragments::largest_flake);
   };
   std::vector<KeptBond> kept;
   for (std::int64_t e = 0; e < a.bond_count(); ++e) {

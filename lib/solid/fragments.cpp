@@ -14,7 +14,7 @@ std::int64_t smallest_of(const Assembly& a, const Options& o) {
   if (FractureLaw{o.fracture_law} == FractureLaw::facet) return Fragments::most;
   const bool fluid = std::any_of(a.smooth.contacts.begin(), a.smooth.contacts.end(),
                                  [&](const SmoothContact& c) { return a.smooth.law_of(c).conducts(); });
-  return fluid ? std::max(o.bond_smallest_fragment, Fragments::beside_joints) : o.bond_smallest_fragment;
+  return fluid ? std::max(o.bond_smallest_fragment, Fragments::largest_flake + 1) : o.bond_smallest_fragment;
 }
 }  // namespace
 

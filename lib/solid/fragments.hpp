@@ -5,8 +5,8 @@
 // where it bears on both faces and closes the pipes around it, which no grain of rock does to a fracture wider than itself, and
 // an equilibrium of its own it does not have. So a bond does not break if that would cut fewer than bond.smallest_fragment discs
 // from the rest: the piece stays on one face of the fracture, held by one bond, which can bear nothing but what acts on the
-// piece itself. With fracture.law facet no piece of up to 64 discs comes loose: its facets do not keep it where it is. Nor does one of
-// up to 7 discs beside joints that conduct: fluid pushes it out of a joint that opens.
+// piece itself. With fracture.law facet no piece of fewer than 64 discs comes loose: its facets do not keep it where it is. Nor, in
+// a model with joints that conduct, one of up to `largest_flake`: fluid pushes it out of a joint that opens.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,9 @@ class Fragments {
     return kept() && would_cut(assembly, bond, 2);
   }
 
-  static constexpr std::int64_t most = 64, beside_joints = 8;
+  static constexpr std::int64_t most = 64;
+  // Discs; as few that joints cut off are no rock of their own, neither at bonding (discs_held.hpp) nor later.
+  static constexpr std::int64_t largest_flake = 8;
 
  private:
   [[nodiscard]] bool would_cut(const Assembly& assembly, std::int64_t bond, std::int64_t smallest) const;

@@ -28,14 +28,7 @@ TEST_P(BadJoints, AreRefusedWithFileLineAndRange) {
   if (!GetParam().traces.empty()) folder.write(GetParam().traces, "traces.csv");
   const std::string file =
       folder.write("[stress]\nsigma_Hmax = 40e6\nsigma_hmin = 30e6\n\n[[joint]]\n" + GetParam().keys + "\n");
-  hfrac::Definition def = new_def();
-  int32_t status = hfrac_sim_def_load(&def, file.c_str());
-  if (status == HFRAC_OK) status = hfrac_sim_def_check_file(&def, file.c_str());
-  EXPECT_EQ(status, HFRAC_ERR_CASE_FILE);
-  EXPECT_TRUE(last_error().starts_with(folder.path())) << last_error();
-  EXPECT_TRUE(last_error().ends_with('.') || last_error().ends_with('?')) << last_error();
-  for (const auto& word : GetParam().words)
-    EXPECT_NE(last_error().find(word), std::string::npos) << "no '" << word << "' in: " << last_error();
+  expect_refused(folder.path(), file, GetParam().words);
 }
 
 const std::string ends = "x1 = 10\ny1 = 10\nx2 = 60\ny2 = 40\n";

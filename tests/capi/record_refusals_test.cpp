@@ -27,14 +27,7 @@ TEST_P(BadRecords, AreRefusedWithFileLineAndWhatIsAllowed) {
   if (!GetParam().record.empty()) folder.write(GetParam().record, "record.csv");
   const std::string file = folder.write(
       "[stress]\nsigma_Hmax = 40e6\nsigma_hmin = 30e6\n\n[[well]]\nradius = 6.0\n" + GetParam().keys + "\n");
-  hfrac::Definition def = new_def();
-  int32_t status = hfrac_sim_def_load(&def, file.c_str());
-  if (status == HFRAC_OK) status = hfrac_sim_def_check_file(&def, file.c_str());
-  EXPECT_EQ(status, HFRAC_ERR_CASE_FILE);
-  EXPECT_TRUE(last_error().starts_with(folder.path())) << last_error();
-  EXPECT_TRUE(last_error().ends_with('.') || last_error().ends_with('?')) << last_error();
-  for (const auto& word : GetParam().words)
-    EXPECT_NE(last_error().find(word), std::string::npos) << "no '" << word << "' in: " << last_error();
+  expect_refused(folder.path(), file, GetParam().words);
 }
 
 const std::string rates = "time_s,rate_m2_s\n";

@@ -171,6 +171,19 @@ inline void expect_same(const Sight& found, const Sight& wanted) {
   }
 }
 
+// A case file is refused, by what it says or what its files do, in a sentence that begins with the folder and holds these words.
+inline void expect_refused(const std::string& folder, const std::string& file,
+                           const std::vector<std::string>& words) {
+  hfrac::Definition def = new_def();
+  int32_t status = hfrac_sim_def_load(&def, file.c_str());
+  if (status == HFRAC_OK) status = hfrac_sim_def_check_file(&def, file.c_str());
+  EXPECT_EQ(status, HFRAC_ERR_CASE_FILE);
+  EXPECT_TRUE(last_error().starts_with(folder)) << last_error();
+  EXPECT_TRUE(last_error().ends_with('.') || last_error().ends_with('?')) << last_error();
+  for (const auto& word : words)
+    EXPECT_NE(last_error().find(word), std::string::npos) << "no '" << word << "' in: " << last_error();
+}
+
 // A progress callback made of any function: Host host([&](double, const char*) { return 0; }).
 template <class Function>
 class Host {

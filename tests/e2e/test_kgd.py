@@ -128,7 +128,7 @@ residual_aperture = 1e-4
 
 
 class MeetsAJoint(unittest.TestCase):
-    """A fracture of facets runs into a natural fracture that conducts: no bond of it breaks, fluid is kept, the joint slips."""
+    """A fracture of facets runs into a natural fracture that conducts: fluid is kept, the joint slips."""
 
     def test_fluid_is_kept_and_the_joint_slips(self):
         top = pathlib.Path(tempfile.mkdtemp(prefix="hfrac-e2e-"))

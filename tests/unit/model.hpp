@@ -106,29 +106,9 @@ class TestModel {
   std::unique_ptr<ExplicitSolver> solver;
 };
 
-inline std::int64_t choice(SolverKind kind) {
-  return static_cast<std::int64_t>(kind);
-}
-inline std::int64_t choice(ContactMode mode) {
-  return static_cast<std::int64_t>(mode);
-}
-inline std::int64_t choice(FlowScheme scheme) {
-  return static_cast<std::int64_t>(scheme);
-}
-inline std::int64_t choice(BoundaryKind kind) {
-  return static_cast<std::int64_t>(kind);
-}
-inline std::int64_t choice(WallsAfterEquilibration after) {
-  return static_cast<std::int64_t>(after);
-}
-inline std::int64_t choice(StressConvention convention) {
-  return static_cast<std::int64_t>(convention);
-}
-inline std::int64_t choice(OuterPores outer) {
-  return static_cast<std::int64_t>(outer);
-}
-inline std::int64_t choice(SteppingMode mode) {
-  return static_cast<std::int64_t>(mode);
+template <class Choice>
+std::int64_t choice(Choice one) {
+  return static_cast<std::int64_t>(one);
 }
 
 // A dry rock of a few hundred discs that does not break.

@@ -288,7 +288,7 @@ bool has_marks(const Comparison& comparison) {
 
 std::string how_drawn(const Comparison& comparison) {
   if (comparison.given_spread) return "Bars and bands: the spread given in the table.";
-  if (comparison.most_runs < 2) return "One value per point.";
+  if (comparison.most_runs < 2) return "";
   const std::string means = "Means of up to " + std::to_string(comparison.most_runs) + " runs; ";
   return means + (has_marks(comparison) ? "bars: their standard deviation; faint dots: single runs."
                                         : "bands: their standard deviation.");

@@ -6,9 +6,11 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
+#include <csignal>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -20,8 +22,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void demand(bool good) {
-  if (!good) std::abort();
+void demand(bool good, const std::string& what) {
+  if (good) return;
+  std::fprintf(stderr, "http_fuzz ERROR: %s\n", what.c_str());
+  std::abort();
+}
+
+std::string reason() {
+  return std::strerror(errno);
 }
 
 /** A run folder with one table, and a server of it that lives as long as the process. */
@@ -30,12 +38,17 @@ struct Served {
       : folder(fs::temp_directory_path() / ("hfrac-fuzz-" + std::to_string(::getpid()))), server(folder) {
     fs::create_directories(folder);
     std::ofstream(folder / "history.csv") << "step,time_s\n" << std::string(3000, '7') << "\n";
-    demand(server.bind(0));
+    demand(server.bind(0), "no port for the server");
     const std::string address = server.address();
     const std::string before_port = "http://127.0.0.1:";
     port = static_cast<uint16_t>(std::stoi(address.substr(before_port.size())));
     base = address.substr(address.find('/', before_port.size()));
+    // libFuzzer's clock is a signal, and one that comes while the server waits for connections would end it.
+    sigset_t all, before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
     thread = std::thread([this] { server.serve(); });
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
   }
   ~Served() {
     server.stop();
@@ -50,35 +63,52 @@ struct Served {
   std::thread thread;
 };
 
-/** A connection. Closed ones keep their port for a minute: a fast search runs out of ports and waits for them. */
+/**
+ * A connection to the server. A closed one keeps its pair of addresses for a minute, and a fast search makes more of them than one
+ * address has ports: so each comes from an address of its own, of the 16 million that are this machine.
+ */
 int connect_to(std::uint16_t port) {
-  sockaddr_in place{};
-  place.sin_family = AF_INET;
-  place.sin_port = htons(port);
-  place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  for (int tries = 0; tries < 200; ++tries) {
-    const int plug = ::socket(AF_INET, SOCK_STREAM, 0);
-    demand(plug >= 0);
-    if (::connect(plug, reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0) return plug;
-    demand(errno == EADDRNOTAVAIL);
-    ::close(plug);
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  }
-  demand(false);
-  return -1;
+  static std::uint32_t count = 0;
+  const int plug = ::socket(AF_INET, SOCK_STREAM, 0);
+  demand(plug >= 0, "socket: " + reason());
+  sockaddr_in from{};
+  from.sin_family = AF_INET;
+  from.sin_addr.s_addr = htonl(INADDR_LOOPBACK + count++ % 0xffff00);
+  demand(::bind(plug, reinterpret_cast<const sockaddr*>(&from), sizeof from) == 0, "bind: " + reason());
+  sockaddr_in to{};
+  to.sin_family = AF_INET;
+  to.sin_port = htons(port);
+  to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  demand(::connect(plug, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0, "connect: " + reason());
+  return plug;
 }
 
-/** All that comes back for `text`. */
-std::string answer_to(const Served& served, const std::string& text) {
+/** All that comes back for `text`, and why no more came. */
+struct Heard {
+  std::string text, end;
+};
+Heard answer_to(const Served& served, const std::string& text) {
   const int plug = connect_to(served.port);
-  ::send(plug, text.data(), text.size(), MSG_NOSIGNAL);
+  size_t sent = 0;
+  while (sent < text.size()) {
+    const ssize_t count = ::send(plug, text.data() + sent, text.size() - sent, MSG_NOSIGNAL);
+    if (count > 0) sent += static_cast<size_t>(count);
+    if (count < 0 && errno != EINTR) break;  // it may answer and close before it has read all
+  }
   ::shutdown(plug, SHUT_WR);
-  std::string answer;
-  char part[65536];
-  for (ssize_t got = 0; (got = ::recv(plug, part, sizeof part, 0)) > 0;)
-    answer.append(part, static_cast<size_t>(got));
+  Heard heard;
+  for (;;) {
+    char part[65536];
+    const ssize_t got = ::recv(plug, part, sizeof part, 0);
+    if (got < 0 && errno == EINTR) continue;  // libFuzzer's clock
+    if (got <= 0) {
+      heard.end = got == 0 ? "closed" : reason();
+      break;
+    }
+    heard.text.append(part, static_cast<size_t>(got));
+  }
   ::close(plug);
-  return answer;
+  return heard;
 }
 
 }  // namespace
@@ -92,14 +122,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     else
       text += static_cast<char>(data[i]);
   }
-  const std::string answer = answer_to(served, text);
-  demand(answer.empty() || answer.starts_with("HTTP/1."));
-  demand(answer.find("HTTP/1.1 206") == std::string::npos);
+  const std::string answer = answer_to(served, text).text;
+  demand(answer.empty() || answer.starts_with("HTTP/1."), "an answer that is none: " + answer.substr(0, 200));
+  demand(answer.find("HTTP/1.1 206") == std::string::npos, "a part of a file");
   // The largest answer is the page's script, half a megabyte; a text of n bytes holds at most n / 16 requests.
-  demand(answer.size() < (1 + size / 16) * 1000000);
+  demand(answer.size() < (1 + size / 16) * 1000000, "an answer longer than the files");
 
   const std::string good =
       "GET " + served.base + "files/history.csv HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n";
-  demand(answer_to(served, good).ends_with(std::string(3000, '7') + "\n"));
+  const Heard heard = answer_to(served, good);
+  demand(heard.text.ends_with(std::string(3000, '7') + "\n"),
+         "after it a good request got " + std::to_string(heard.text.size()) + " bytes (" + heard.end +
+             "): " + heard.text.substr(0, 200));
   return 0;
 }

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A fracture of facets beside a joint that conducts: what the joint's fluid pushes, its faces alone, stays what it was.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "equilibrium/coupled_system.hpp"
+#include "small_case.hpp"
+#include "step/simulation.hpp"
+
+namespace {
+
+using namespace testing_unit;
+
+constexpr double confining = 20e6, pore = 12e6;  // Pa
+
+class FacetsAtJoints : public testing::Test {
+ protected:
+  static CaseDefinition definition() {
+    CaseDefinition definition = quiet_case();
+    definition.wells.clear();
+    Options& o = definition.options;
+    o.packing_disc_count = 600;
+    o.contact_mode = choice(ContactMode::after_break);
+    o.contact_shear_stiffness = 0.0;  // no kink between sticking and sliding
+    o.bond_tensile_strength = o.bond_shear_strength = 1e12;
+    o.boundary_kind = choice(BoundaryKind::stress);
+    o.stress_sigma_Hmax = o.stress_sigma_hmin = confining;
+    o.fluid_formation_pressure = pore;
+    o.stepping_mode = choice(SteppingMode::coupled);
+    o.solver_kind = choice(SolverKind::quasi_static);
+    o.fracture_law = choice(FractureLaw::facet);
+    JointOptions joint;
+    joint.x1 = 20.0;
+    joint.y1 = 40.0;
+    joint.x2 = 80.0;
+    joint.y2 = 55.0;
+    joint.state = choice(JointState::smooth_broken);
+    joint.normal_stiffness = joint.shear_stiffness = 1e10;
+    joint.friction = 5.0;
+    joint.aperture = 1e-3;
+    definition.joints.push_back(joint);
+    return definition;
+  }
+
+  FacetsAtJoints()
+      : s_(definition(), {}, {}),
+        a_(const_cast<Assembly&>(s_.assembly())),
+        n_(const_cast<Network&>(s_.network())),
+        team_(2),
+        system_(a_, n_, *s_.engine().boundary, s_.engine().mechanics->non_bonded_contacts(), s_.options(),
+                team_, facets_) {
+    facets_.begin(a_, n_, {}, s_.options());
+  }
+
+  // Bonds of rock with a pore of the joint on one side or both.
+  std::vector<std::int64_t> beside_the_joint() const {
+    std::vector<std::int64_t> bonds;
+    for (std::int64_t e = 0; e < a_.bond_count(); ++e) {
+      const auto left = n_.left[e], right = n_.right[e];
+      if (a_.smooth.of(e) != nullptr || n_.kind[left] != DomainKind::rock ||
+          n_.kind[right] != DomainKind::rock)
+        continue;
+      if (n_.joint_pore[left] != 0 || n_.joint_pore[right] != 0) bonds.push_back(e);
+    }
+    return bonds;
+  }
+  CoupledSystem::Vector forces() {
+    system_.begin(1e-3, {});
+    system_.evaluate();
+    return system_.residual().head(3 * a_.disc_count());
+  }
+
+  Simulation s_;
+  Assembly& a_;
+  Network& n_;
+  Facets facets_;
+  Workers team_;
+  CoupledSystem system_;
+};
+
+TEST_F(FacetsAtJoints, BreakingABondMovesNothingWhileItStaysShut) {
+  const auto before = forces();
+  const auto bonds = beside_the_joint();
+  ASSERT_GT(bonds.size(), 20U);
+  // What a megapascal does to a disc, in the residual's own measure.
+  n_.pressure[n_.left[bonds[0]]] += 1e6;
+  n_.pressure[n_.right[bonds[0]]] += 1e6;
+  const double much = (forces() - before).lpNorm<Eigen::Infinity>();
+  n_.pressure[n_.left[bonds[0]]] -= 1e6;
+  n_.pressure[n_.right[bonds[0]]] -= 1e6;
+  ASSERT_GT(much, 0.0);
+  double most = 0.0;
+  for (const auto e : bonds) {
+    a_.intact[e] = 0;
+    facets_.update(a_, n_);
+    most = std::max(most, (forces() - before).lpNorm<Eigen::Infinity>());
+    a_.intact[e] = 1;
+    facets_.update(a_, n_);
+  }
+  EXPECT_LT(most, 1e-9 * much);
+}
+
+TEST_F(FacetsAtJoints, StressAroundAPoreIsThePlatesUntilSomethingChanges) {
+  for (const auto e : beside_the_joint()) {
+    double stress[3];
+    facets_.stress_around(a_, n_, s_.options(), n_.left[e], stress);
+    EXPECT_NEAR(stress[0], confining, 1e-6 * confining);
+    EXPECT_NEAR(stress[1], confining, 1e-6 * confining);
+    EXPECT_NEAR(stress[2], 0.0, 1e-6 * confining);
+  }
+}
+
+// Fluid that pushes the faces of a joint apart presses the rock beside it as it presses the joint.
+TEST_F(FacetsAtJoints, PressureInTheJointIsStressAcrossIt) {
+  const double raise = 1e6;
+  for (std::int64_t d = 1; d < n_.domain_count(); ++d)
+    if (n_.joint_pore[d] != 0) n_.pressure[d] += raise;
+  // The rock held where it is: the joint's faces bear what they bore, and the fluid so much more.
+  const Vec2 normal = a_.smooth.contacts[0].normal;
+  double sum = 0.0;
+  int count = 0;
+  for (const auto& contact : a_.smooth.contacts) {
+    double stress[3];
+    facets_.stress_around(a_, n_, s_.options(), n_.left[contact.bond], stress);
+    sum += stress[0] * normal.x * normal.x + stress[1] * normal.y * normal.y +
+           2.0 * stress[2] * normal.x * normal.y;
+    ++count;
+  }
+  const double more = sum / count - confining;
+  std::printf(" across the joint %.3f MPa more by 1 MPa in it, rock held\n", 1e-6 * more);
+  EXPECT_GT(more, 0.1 * raise);
+  EXPECT_LT(more, 1.0 * raise);
+}
+
+TEST_F(FacetsAtJoints, TangentIsTheChangeOfTheResidual) {
+  const auto bonds = beside_the_joint();
+  for (std::size_t k = 0; k < bonds.size(); k += 5) {
+    a_.intact[bonds[k]] = 0;
+    for (const auto d : {n_.left[bonds[k]], n_.right[bonds[k]]}) n_.pressure[d] = confining + 10e6;
+  }
+  facets_.update(a_, n_);
+  const auto open = std::count_if(facets_.all().begin(), facets_.all().end(),
+                                  [&](const Facet& f) { return facets_.opening(a_, n_, f) > 0.0; });
+  ASSERT_GT(open, 4);
+  system_.begin(1e-3, {});
+  system_.evaluate();
+  Random random(7);
+  CoupledSystem::Vector x(system_.size()), y;
+  for (Eigen::Index k = 0; k < x.size(); ++k) x[k] = 1e-7 * (random.uniform() - 0.5);
+  for (std::int64_t d = 0; d < n_.domain_count(); ++d)
+    if (n_.stiffness[d] == 0.0) x[3 * a_.disc_count() + d] = 0.0;
+  system_.product(x, y);
+  const CoupledSystem::Vector before = system_.residual();
+  system_.move(x, 1.0);
+  system_.evaluate();
+  const CoupledSystem::Vector change = before - system_.residual();
+  EXPECT_LT((change - y).norm(), 1e-3 * y.norm());
+}
+
+}  // namespace
