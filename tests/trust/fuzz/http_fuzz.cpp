@@ -69,18 +69,19 @@ struct Served {
  */
 int connect_to(std::uint16_t port) {
   static std::uint32_t count = 0;
-  const int plug = ::socket(AF_INET, SOCK_STREAM, 0);
-  demand(plug >= 0, "socket: " + reason());
-  sockaddr_in from{};
-  from.sin_family = AF_INET;
-  from.sin_addr.s_addr = htonl(INADDR_LOOPBACK + count++ % 0xffff00);
-  demand(::bind(plug, reinterpret_cast<const sockaddr*>(&from), sizeof from) == 0, "bind: " + reason());
-  sockaddr_in to{};
-  to.sin_family = AF_INET;
+  sockaddr_in from{}, to{};
+  from.sin_family = to.sin_family = AF_INET;
   to.sin_port = htons(port);
   to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  demand(::connect(plug, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0, "connect: " + reason());
-  return plug;
+  for (;;) {
+    const int plug = ::socket(AF_INET, SOCK_STREAM, 0);
+    demand(plug >= 0, "socket: " + reason());
+    from.sin_addr.s_addr = htonl(INADDR_LOOPBACK + count++ % 0xffff00);
+    demand(::bind(plug, reinterpret_cast<const sockaddr*>(&from), sizeof from) == 0, "bind: " + reason());
+    if (::connect(plug, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0) return plug;
+    demand(errno == EINTR, "connect: " + reason());  // libFuzzer's clock
+    ::close(plug);
+  }
 }
 
 /** All that comes back for `text`, and why no more came. */
@@ -100,7 +101,7 @@ Heard answer_to(const Served& served, const std::string& text) {
   for (;;) {
     char part[65536];
     const ssize_t got = ::recv(plug, part, sizeof part, 0);
-    if (got < 0 && errno == EINTR) continue;  // libFuzzer's clock
+    if (got < 0 && errno == EINTR) continue;
     if (got <= 0) {
       heard.end = got == 0 ? "closed" : reason();
       break;
