@@ -29,7 +29,10 @@ double band_permeability(const Network& n, const Assembly& a, double low, double
   const auto domains = static_cast<std::size_t>(n.domain_count());
   std::vector<std::int32_t> unknown(domains, -1);
   const auto [y_low, y_high] = std::minmax_element(a.y.begin(), a.y.end());
-  double bottom = *y_low - a.coarsest_radius(), top = *y_high + a.coarsest_radius();
+  // Coarse pores along the sides of a graded packing lack too much of their pipes: it is measured within them.
+  const double rim =
+      a.sizes.graded() ? std::min(3.0 * a.coarsest_radius(), 0.2 * (*y_high - *y_low)) : -a.mean_radius;
+  double bottom = *y_low + rim, top = *y_high - rim;
   const auto within = [&](std::size_t d) {
     return n.kind[d] == DomainKind::rock && n.centroid[d].y >= bottom && n.centroid[d].y <= top;
   };
