@@ -657,6 +657,21 @@ module hfrac_c
     !> [Pa] Bulk modulus K_s of the grains, which store (alpha - porosity) / K_s per pressure beside the fluid's
     !> porosity / K_f. 0: grains that do not give. Default 0.0.
     real(c_double) :: rock_grain_modulus = 0.0_c_double
+    !> [1] Mean disc radius far from where fractures go over that along them; disc_count is the number of all discs,
+    !> and the fine ones' radius follows. 1: the same everywhere. Above 1 with method relaxed only. Default 1.0.
+    real(c_double) :: packing_coarsening = 0.0_c_double
+    !> [m] Coarsening above 1: discs are fine along a line of this half length through the centre of every well
+    !> (without wells, of the model). 0: as far as stop.extent_fraction lets a fracture grow. Default 0.0.
+    real(c_double) :: packing_fine_half_length = 0.0_c_double
+    !> [m] Coarsening above 1: discs are fine within this distance of that line. 0: a twentieth of the smaller model
+    !> side. Default 0.0.
+    real(c_double) :: packing_fine_half_width = 0.0_c_double
+    !> [rad] Coarsening above 1: direction of that line, from the x axis, along which stress.sigma_Hmax acts.
+    !> Default 0.0.
+    real(c_double) :: packing_fine_azimuth = 0.0_c_double
+    !> [1] Coarsening above 1: metres that the mean radius grows by per metre beyond that distance, up to coarsening
+    !> times the fine discs'. Default 0.1.
+    real(c_double) :: packing_radius_growth = 0.0_c_double
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.
@@ -728,10 +743,10 @@ module hfrac_c
   !> What the set-up made. Set struct_size before the call.
   type, bind(C) :: hfrac_setup_report
     !> sizeof(hfrac_setup_report) of the caller
-    integer(c_int32_t) :: struct_size = 120_c_int32_t
+    integer(c_int32_t) :: struct_size = 136_c_int32_t
     !> 0
     integer(c_int32_t) :: struct_pad = 0_c_int32_t
-    !> [m] mean radius of all discs packed
+    !> [m] mean radius of all discs packed; of a graded packing (packing.coarsening) that of its fine discs
     real(c_double) :: mean_radius = 0.0_c_double
     !> void fraction of the packing before the well is cut
     real(c_double) :: porosity = 0.0_c_double
@@ -760,6 +775,10 @@ module hfrac_c
     real(c_double) :: packing_seconds = 0.0_c_double
     !> wall time of all of hfrac_sim_create
     real(c_double) :: setup_seconds = 0.0_c_double
+    !> [m] mean radius of the discs farthest from the fine ones of a graded packing; uniform: mean_radius
+    real(c_double) :: coarsest_radius = 0.0_c_double
+    !> discs packed where a graded packing is fine; uniform: all
+    integer(c_int64_t) :: fine_discs = 0_c_int64_t
   end type hfrac_setup_report
 
   !> Energy and fluid mass since the end of the initial equilibration. Set struct_size before the call.
@@ -1492,6 +1511,16 @@ module hfrac_c
       character(kind=c_char), intent(in) :: path(*)
       integer(c_int32_t) :: hfrac_sim_def_check_file
     end function hfrac_sim_def_check_file
+    !> Mean radius [m] of the discs of the packing where they are fine, and where they are coarsest
+    !> (packing.coarsening); in a uniform packing both are the mean of all. As foreseen: the packing's own are
+    !> within a hundredth (hfrac_sim_get_setup). Unstable since 0.1.
+    function hfrac_sim_def_disc_radii(def, fine, coarsest) bind(C, name="hfrac_sim_def_disc_radii")
+      import
+      type(hfrac_sim_def), intent(in) :: def
+      real(c_double), intent(out) :: fine
+      real(c_double), intent(out) :: coarsest
+      integer(c_int32_t) :: hfrac_sim_def_disc_radii
+    end function hfrac_sim_def_disc_radii
     !> Sets an option by its key, e.g. "bond.tensile_strength", "well[0].pressure", "joint[0].x1" or
     !> "schedule[0].time". The first value of the well, joint or entry after the last one adds it; a well's centre
     !> is then the model's, as wide and high as it is at that moment. Stable since 0.1.

@@ -60,6 +60,7 @@ module hfrac_definition_module
     procedure :: set_joints
     procedure :: set_schedule
     procedure :: check
+    procedure :: disc_radii
     procedure :: get
     procedure :: get_integer
     procedure :: get_text
@@ -190,6 +191,16 @@ contains
       call report(hfrac_sim_def_check(self%values), c_null_ptr, stat, errmsg)
     end if
   end subroutine check
+
+  !> Mean radius of the packing's discs where they are fine, and where they are coarsest [m]; the same in a uniform packing.
+  subroutine disc_radii(self, fine, coarsest, stat, errmsg)
+    class(hfrac_definition), intent(inout) :: self
+    real(c_double), intent(out) :: fine, coarsest
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call self%init()
+    call report(hfrac_sim_def_disc_radii(self%values, fine, coarsest), c_null_ptr, stat, errmsg)
+  end subroutine disc_radii
 
   !> An option by its key, integers and choices as a double.
   function get(self, key, stat, errmsg) result(value)

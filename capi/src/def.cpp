@@ -12,6 +12,7 @@
 #include "def_image.hpp"
 #include "def_lists.hpp"
 #include "internal.hpp"
+#include "options/grading.hpp"
 #include "options/number_text.hpp"
 #include "traces.hpp"
 #include "utf8.hpp"
@@ -251,6 +252,18 @@ std::int32_t hfrac_sim_def_check(const hfrac_sim_def* def) {
   return guarded([&] {
     const hfrac_sim_def full = read_def(def);
     validate(case_of(full), given_discs_of(full), given_bonds_of(full));
+  });
+}
+
+std::int32_t hfrac_sim_def_disc_radii(const hfrac_sim_def* def, double* fine, double* coarsest) {
+  return guarded([&] {
+    require_not_null(fine, "fine");
+    require_not_null(coarsest, "coarsest");
+    const CaseDefinition definition = case_of(read_def(def));
+    check_ranges(definition);
+    const Grading sizes = grading_of(definition);
+    *fine = sizes.fine;
+    *coarsest = sizes.coarsest();
   });
 }
 

@@ -28,8 +28,21 @@ void tell_setup(const hfrac_sim& sim) {
              " discs of mean radius " + rounded_text(s.assembly().mean_radius) + " m, " +
              number_text(s.assembly().bond_count()) + " bonds, " + std::to_string(s.wells().size()) +
              " wells");
+    if (s.assembly().sizes.graded())
+      tell(sim, HFRAC_LOG_INFO,
+           "graded packing: " + number_text(setup.fine_discs) + " of " + number_text(setup.packed) +
+               " discs are within " + rounded_text(s.assembly().sizes.half_width) +
+               " m of where fractures go, with that mean radius; the coarsest have " +
+               rounded_text(setup.coarsest_radius) + " m");
   }
   if (!sim.listener.hears(HFRAC_LOG_WARNING)) return;
+  const Options& o = s.options();
+  if (s.assembly().sizes.graded() && o.bond_fracture_toughness <= 0.0 &&
+      o.bond_toughness_reference_radius <= 0.0) {
+    tell(sim, HFRAC_LOG_WARNING,
+         "bonds of fine and coarse discs are equally strong, so the rock's toughness goes with the root of "
+         "their radius; give bond.fracture_toughness");
+  }
   if (setup.cracks > setup.broken_joints) {
     tell(sim, HFRAC_LOG_WARNING,
          number_text(setup.cracks - setup.broken_joints) +

@@ -300,6 +300,8 @@ int32_t hfrac_sim_get_setup(const hfrac_sim* sim, hfrac_setup_report* report) {
     full.equilibration_force_ratio = setup.force_ratio;
     full.packing_seconds = setup.packing_seconds;
     full.setup_seconds = setup.setup_seconds;
+    full.coarsest_radius = setup.coarsest_radius;
+    full.fine_discs = setup.fine_discs;
     write_struct(report, full, "hfrac_setup_report");
   });
 }

@@ -34,21 +34,29 @@ Packing take_given(std::span<const double> discs) {
 
 }  // namespace
 
-Packing take_discs(const Options& o, std::span<const double> given_discs, const Progress& progress,
-                   SetupReport& report) {
+Packing take_discs(const CaseDefinition& definition, std::span<const double> given_discs,
+                   const Progress& progress, SetupReport& report) {
+  const Options& o = definition.options;
   const auto start = std::chrono::steady_clock::now();
   bool stop = false;
   Packing packing;
   if (given_discs.empty()) {
-    packing = pack_discs(packing_options(o), [&](double done) {
-      return stop = progress && progress(0.5 * done, "packing the discs");
-    });
+    PackingOptions asked = packing_options(o);
+    asked.sizes = grading_of(definition);
+    packing = pack_discs(
+        asked, [&](double done) { return stop = progress && progress(0.5 * done, "packing the discs"); });
     if (stop) throw Stopped{};
   } else {
     packing = take_given(given_discs);
   }
   report.packing_residual = packing.residual;
   report.packed = static_cast<std::int64_t>(packing.x.size());
+  report.fine_discs = report.packed;
+  if (packing.sizes.graded()) {
+    report.fine_discs = 0;
+    for (std::size_t i = 0; i < packing.x.size(); ++i)
+      report.fine_discs += packing.sizes.is_fine({packing.x[i], packing.y[i]}) ? 1 : 0;
+  }
   double solid = 0.0;
   for (const double r : packing.radius) solid += std::numbers::pi * r * r;
   report.porosity = 1.0 - solid / (o.model_width * o.model_height);
@@ -62,8 +70,8 @@ Model build_model(const CaseDefinition& definition, Packing packing,
   Model model;
   std::vector<Hole> holes;
   for (const auto& well : definition.wells) holes.push_back({{well.x, well.y}, well.radius});
-  ContactGraph graph =
-      build_contact_graph(packing.x, packing.y, packing.radius, holes, o.bond_gap_tolerance, given_bonds);
+  ContactGraph graph = build_contact_graph(packing.x, packing.y, packing.radius, holes, o.bond_gap_tolerance,
+                                           given_bonds, packing.sizes);
   packing = {};
   report.removed_in_wells = graph.removed_in_wells;
   report.removed_floaters = graph.removed_floaters;
@@ -91,6 +99,7 @@ Model build_model(const CaseDefinition& definition, Packing packing,
     apply_fracture_toughness(assembly, o);
   report.joints = static_cast<std::int64_t>(definition.joints.size());
   report.joints_left_out = apply_joints(assembly, definition.joints, o, model.cracks);
+  report.coarsest_radius = assembly.coarsest_radius();
   report.coordination =
       2.0 * static_cast<double>(assembly.bond_count()) / static_cast<double>(assembly.disc_count());
   for (std::size_t w = 0; w < definition.wells.size(); ++w) {

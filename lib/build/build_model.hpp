@@ -25,6 +25,8 @@ struct SetupReport {
   std::int64_t packed = 0, removed_in_wells = 0, removed_floaters = 0, removed_crossings = 0;
   std::int64_t unbonded = 0;                     // contacts that a host's list of bonds left out
   std::int64_t joints = 0, joints_left_out = 0;  // solid/joints.hpp
+  std::int64_t fine_discs = 0;                   // packed where a graded packing is fine; uniform: all
+  double coarsest_radius = 0.0;                  // m
   std::uint64_t bonded = 0;                      // hash of which contacts are bonded
   double packing_seconds = 0.0, setup_seconds = 0.0;
   std::int64_t cracks = 0,
@@ -32,8 +34,8 @@ struct SetupReport {
 };
 
 // The host's own discs (x, y, radius each) or, if there are none, a packing by the options.
-Packing take_discs(const Options& options, std::span<const double> given_discs, const Progress& progress,
-                   SetupReport& report);
+Packing take_discs(const CaseDefinition& definition, std::span<const double> given_discs,
+                   const Progress& progress, SetupReport& report);
 
 // Discs, bonds, joints, pores and wells of the definition; `given_bonds` (two indices each): which discs are bonded, empty for all
 // that are near. Throws Error(model).

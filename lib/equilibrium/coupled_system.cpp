@@ -335,7 +335,7 @@ void CoupledSystem::evaluate_pipe(std::size_t e) {
   } else if (plane != nullptr && joint <= 0.0) {
     opening_[e] = CrackPlanes::opening(*plane, assembly_, e);
     opening_way_[e] = {plane->normal, plane->by_first, plane->by_second};
-    w = crack_aperture_response(options_, n.zero_stress_aperture, opening_[e], bonds_[e].normal,
+    w = crack_aperture_response(options_, n.pipe_at_rest(e), opening_[e], bonds_[e].normal,
                                 bonds_[e].normal_stiffness);
   } else {
     opening_[e] = joint > 0.0 ? joint : bonds_[e].gap;
@@ -343,7 +343,7 @@ void CoupledSystem::evaluate_pipe(std::size_t e) {
     if (const SmoothContact* smooth = assembly_.smooth.of(static_cast<std::int64_t>(e)))
       opening_way_[e] = {opening_way_[e].along, smooth->opens_by_first, smooth->opens_by_second};
     const auto of_gap =
-        aperture_response(options_, n.zero_stress_aperture, opening_[e], joint > 0.0 ? 0.0 : bonds_[e].normal,
+        aperture_response(options_, n.pipe_at_rest(e), opening_[e], joint > 0.0 ? 0.0 : bonds_[e].normal,
                           bonds_[e].normal_stiffness, assembly_.intact[e] > 0.0);
     w = {of_gap.aperture, 0.0, of_gap.by_gap};
   }
@@ -505,7 +505,7 @@ void CoupledSystem::evaluate_facet_pipe(std::size_t e, std::size_t facet) {
   const Facet& f = facets_.all()[facet];
   opening_[e] = facets_.jump(assembly_, f, f.normal);
   opening_way_[e] = {f.normal, 0.0, 0.0};
-  auto w = aperture_response(options_, n.zero_stress_aperture, opening_[e], 0.0, 0.0, false);
+  auto w = aperture_response(options_, n.pipe_at_rest(e), opening_[e], 0.0, 0.0, false);
   if (f.slot && w.aperture < slot_width) w = {slot_width, 0.0};
   n.aperture[e] = w.aperture;
   const bool held = facet < held_.size();

@@ -24,7 +24,7 @@ constexpr int most_single = 12;     // a fresh factor that needs more has too fe
 // Pores of joints are a thousand times stiffer than the rock: what is left in their rows is a large error of pressure.
 constexpr double of_joints_tolerance = 1e-8;
 constexpr double first_tolerance = 1e-2, later_tolerance = 1e-3, loosest_tolerance = 0.1;
-constexpr double longest_move = 0.2;  // of the mean radius, per iteration
+constexpr double longest_move = 0.2;  // of the mean radius (graded: of fine discs), per iteration
 constexpr double apart = 6.0;         // mean radii between bonds that break in one round
 
 }  // namespace
@@ -255,9 +255,10 @@ void EquilibriumSolver::break_farthest(CrackLog& log) {
   for (const auto& candidate : exceeding_) {
     const Vec2 middle = 0.5 * (assembly_.position(assembly_.first[candidate.bond]) +
                                assembly_.position(assembly_.second[candidate.bond]));
+    const double radius = assembly_.mean_radius_of(candidate.bond);
     const bool near = std::any_of(broken.begin(), broken.end(), [&](Vec2 at) {
       const Vec2 between = middle - at;
-      return dot(between, between) < apart * apart * assembly_.mean_radius * assembly_.mean_radius;
+      return dot(between, between) < apart * apart * radius * radius;
     });
     if (near || mechanics_.stays(candidate.bond))
       continue;  // some of its discs' other bonds may have broken just now

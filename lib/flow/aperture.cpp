@@ -25,11 +25,14 @@ constexpr std::int32_t most_measured = 250000;
 // `pressure`: as measure_permeability says.
 double band_permeability(const Network& n, const Assembly& a, double low, double high, double viscosity,
                          std::vector<double>& pressure) {
-  const double edge = 2.0 * a.mean_radius;
+  const double edge = 2.0 * a.coarsest_radius();
   const auto domains = static_cast<std::size_t>(n.domain_count());
   std::vector<std::int32_t> unknown(domains, -1);
   const auto [y_low, y_high] = std::minmax_element(a.y.begin(), a.y.end());
-  double bottom = *y_low - a.mean_radius, top = *y_high + a.mean_radius;
+  // Coarse pores along the sides of a graded packing lack too much of their pipes: it is measured within them.
+  const double rim =
+      a.sizes.graded() ? std::min(3.0 * a.coarsest_radius(), 0.2 * (*y_high - *y_low)) : -a.mean_radius;
+  double bottom = *y_low + rim, top = *y_high - rim;
   const auto within = [&](std::size_t d) {
     return n.kind[d] == DomainKind::rock && n.centroid[d].y >= bottom && n.centroid[d].y <= top;
   };
@@ -120,13 +123,13 @@ double band_permeability(const Network& n, const Assembly& a, double low, double
 
 }  // namespace
 
-ApertureResponse aperture_response(const Options& o, double zero_stress_aperture, double gap, double normal,
+ApertureResponse aperture_response(const Options& o, PipeAtRest rest, double gap, double normal,
                                    double normal_stiffness, bool intact) {
   const double squeeze = -normal;
-  ApertureResponse r{zero_stress_aperture, 0.0};
+  ApertureResponse r{rest.aperture, 0.0};
   if (squeeze > 0.0) {
-    const double sum = o.flow_half_aperture_force + squeeze;
-    r.aperture *= o.flow_half_aperture_force / sum;
+    const double half = o.flow_half_aperture_force * rest.force_share, sum = half + squeeze;
+    r.aperture *= half / sum;
     r.by_gap = r.aperture / sum * normal_stiffness;
   } else if (gap > 0.0) {
     r.by_gap = intact ? o.flow_bonded_gap_factor : o.flow_gap_factor;
@@ -136,10 +139,11 @@ ApertureResponse aperture_response(const Options& o, double zero_stress_aperture
   return r;
 }
 
-CrackApertureResponse crack_aperture_response(const Options& o, double zero_stress_aperture, double opening,
+CrackApertureResponse crack_aperture_response(const Options& o, PipeAtRest rest, double opening,
                                               double normal, double normal_stiffness) {
-  const double squeeze = std::max(0.0, -normal), sum = o.flow_half_aperture_force + squeeze;
-  CrackApertureResponse r{zero_stress_aperture * o.flow_half_aperture_force / sum, 0.0, 0.0};
+  const double half = o.flow_half_aperture_force * rest.force_share, squeeze = std::max(0.0, -normal),
+               sum = half + squeeze;
+  CrackApertureResponse r{rest.aperture * half / sum, 0.0, 0.0};
   if (squeeze > 0.0) r.by_gap = r.aperture / sum * normal_stiffness;
   if (opening > 0.0) {
     r.aperture += o.flow_gap_factor * opening;
@@ -155,8 +159,8 @@ CrackApertureResponse joint_aperture_response(const Options& o, const JointLaw& 
   return {w.value, 0.0, w.slope};
 }
 
-double pipe_aperture(const Options& o, double zero_stress_aperture, const BondView& bond, bool intact) {
-  return aperture_response(o, zero_stress_aperture, bond.gap, bond.normal_force(), 0.0, intact).aperture;
+double pipe_aperture(const Options& o, PipeAtRest rest, const BondView& bond, bool intact) {
+  return aperture_response(o, rest, bond.gap, bond.normal_force(), 0.0, intact).aperture;
 }
 
 void update_apertures(Network& n, const Assembly& a, const Options& o) {
@@ -172,13 +176,13 @@ void update_apertures(Network& n, const Assembly& a, const Options& o) {
     if (const SmoothContact* contact = flowing_contact(n, a, e)) {
       w = joint_aperture_response(o, a.smooth.law_of(*contact), smooth_opening(a, *contact)).aperture;
     } else if (joint > 0.0) {
-      w = aperture_response(o, n.zero_stress_aperture, joint, 0.0, 0.0, false).aperture;
+      w = aperture_response(o, n.pipe_at_rest(e), joint, 0.0, 0.0, false).aperture;
     } else if (plane != nullptr) {
-      w = crack_aperture_response(o, n.zero_stress_aperture, CrackPlanes::opening(*plane, a, e),
+      w = crack_aperture_response(o, n.pipe_at_rest(e), CrackPlanes::opening(*plane, a, e),
                                   bond.normal_force(), 0.0)
               .aperture;
     } else {
-      w = pipe_aperture(o, n.zero_stress_aperture, bond, a.intact[e] != 0);
+      w = pipe_aperture(o, n.pipe_at_rest(e), bond, a.intact[e] != 0);
     }
     n.aperture[e] = w;
     if (!n.length.empty()) n.length[e] = length;
@@ -193,12 +197,12 @@ double measure_permeability(const Network& n, const Assembly& a, const std::vect
   const auto [x_low, x_high] = std::minmax_element(a.x.begin(), a.x.end());
   double left_end = *x_high, right_begin = *x_low;
   for (const auto& well : wells) {
-    left_end = std::min(left_end, well.x - well.radius - 3.0 * a.mean_radius);
-    right_begin = std::max(right_begin, well.x + well.radius + 3.0 * a.mean_radius);
+    left_end = std::min(left_end, well.x - well.radius - 3.0 * a.mean_radius_at({well.x, well.y}));
+    right_begin = std::max(right_begin, well.x + well.radius + 3.0 * a.mean_radius_at({well.x, well.y}));
   }
   double sum = 0.0, weight = 0.0;
   const auto add = [&](double low, double high) {
-    if (high - low < 12.0 * a.mean_radius) return;
+    if (high - low < 12.0 * a.coarsest_radius()) return;
     const double k = band_permeability(n, a, low, high, viscosity, pressure);
     if (k <= 0.0) return;
     sum += (high - low) * k;
@@ -210,7 +214,7 @@ double measure_permeability(const Network& n, const Assembly& a, const std::vect
     add(*x_low, left_end);
     add(right_begin, *x_high);
   }
-  if (weight == 0.0) add(*x_low - a.mean_radius, *x_high + a.mean_radius);
+  if (weight == 0.0) add(*x_low - a.coarsest_radius(), *x_high + a.coarsest_radius());
   return weight > 0.0 ? sum / weight : 0.0;
 }
 

@@ -7,19 +7,19 @@
 
 namespace hfrac {
 
-// Aperture of one pipe with r0 = zero_stress_aperture:
+// Aperture of one pipe with r0 and F0 of `rest`:
 //   pressed together   w = r0 F0 / (F + F0)                                             (eq. 7)
 //   open               w = r0 + lambda gap, lambda by whether the bond still holds      (eq. 7)
 // capped at flow.aperture_limit.
-double pipe_aperture(const Options& options, double zero_stress_aperture, const BondView& bond, bool intact);
+double pipe_aperture(const Options& options, PipeAtRest rest, const BondView& bond, bool intact);
 
 // The same with its change, for a pipe whose discs answer a gap with `normal` [N, tension positive] and normal_stiffness [N/m].
 struct ApertureResponse {
   double aperture;  // m
   double by_gap;    // d aperture / d gap
 };
-ApertureResponse aperture_response(const Options& options, double zero_stress_aperture, double gap,
-                                   double normal, double normal_stiffness, bool intact);
+ApertureResponse aperture_response(const Options& options, PipeAtRest rest, double gap, double normal,
+                                   double normal_stiffness, bool intact);
 
 // Of a broken bond in a fracture with a plane (crack_plane.hpp): w = r0 F0 / (F + F0) + lambda max(0, U), the first factor 1 where
 // the discs are not pressed together.
@@ -28,8 +28,8 @@ struct CrackApertureResponse {
   double by_gap;      // d aperture / d gap of the discs
   double by_opening;  // d aperture / d U
 };
-CrackApertureResponse crack_aperture_response(const Options& options, double zero_stress_aperture,
-                                              double opening, double normal, double normal_stiffness);
+CrackApertureResponse crack_aperture_response(const Options& options, PipeAtRest rest, double opening,
+                                              double normal, double normal_stiffness);
 
 // Of a broken contact of a joint that conducts (model/joint_pores.hpp), by its opening.
 CrackApertureResponse joint_aperture_response(const Options& options, const JointLaw& law, double opening);

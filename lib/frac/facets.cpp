@@ -257,7 +257,7 @@ Vec2 Facets::mean_force(const Network& n, const Facet& f, bool left) const {
 // The facet turned into the fracture around it, from the pores a few facets away on one side to those on the other, and what the mean
 // stress releases on it then.
 void Facets::lay_along_fracture(const Assembly& a, const Network& n, Facet& f) const {
-  const double reach = plane_reach * a.mean_radius;
+  const double reach = plane_reach * a.mean_radius_at(f.middle);
   const auto walk = [&](std::int32_t from, std::int32_t to) -> Vec2 {
     // The farthest point that is reached through broken bonds, starting into `to`.
     Vec2 best = n.kind[to] == DomainKind::rock ? n.centroid[to] : f.middle;
@@ -293,7 +293,7 @@ void Facets::lay_along_fracture(const Assembly& a, const Network& n, Facet& f) c
   f.left_length = dot(left, f.normal);
   f.right_length = dot(right, f.normal);
   f.length = f.left_length + f.right_length;
-  f.way = std::max(std::abs(f.length), shortest_way * a.mean_radius);
+  f.way = std::max(std::abs(f.length), shortest_way * a.mean_radius_at(f.middle));
   const Vec2 mean = mean_force(n, f, true) + mean_force(n, f, false);
   f.initial_normal = dot(mean, f.normal);
   f.initial_shear = dot(mean, {-f.normal.y, f.normal.x});

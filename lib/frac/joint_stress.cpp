@@ -26,9 +26,10 @@ std::vector<JointStress> mean_along(const Assembly& a, const Options& o) {
   for (const auto& joint : on)
     for (const auto k : joint) {
       double area = 0.0;
+      const double radius = a.mean_radius_at(place_of(a, contacts[k]));
       for (const auto other : joint) {
         const Vec2 way = place_of(a, contacts[other]) - place_of(a, contacts[k]);
-        if (dot(way, way) > reach * reach * a.mean_radius * a.mean_radius) continue;
+        if (dot(way, way) > reach * reach * radius * radius) continue;
         mean[k].normal += bears[other].normal;
         mean[k].shear += bears[other].shear;
         area += contacts[other].area;

@@ -81,14 +81,15 @@ Path path_behind(const Facets& facets, const Assembly& a, const Network& n, cons
 void measure(const Path& path, const Facets& facets, const Assembly& a, const Network& n, const Options& o,
              double speed, Tip& tip) {
   const Vec2 normal{-path.ahead.y, path.ahead.x};
-  const double half = half_length(facets, a, n, tip.domain) + beyond * a.mean_radius;
+  const double half = half_length(facets, a, n, tip.domain) + beyond * a.mean_radius_at(path.end);
   const double modulus = o.fracture_plane_modulus;
   const double tough = 4.0 * std::sqrt(2.0 / std::numbers::pi) * o.bond_fracture_toughness / modulus;
   const double viscous = beta_cubed * 12.0 * o.fluid_viscosity * speed / modulus;
   double by_shape = 0.0, shapes = 0.0, by_wanted = 0.0, wanted = 0.0;
   for (std::size_t k = 0; k < path.facets.size(); ++k) {
     const Facet& f = *path.facets[k];
-    const double s = std::max(dot(path.end - f.middle, path.ahead), 0.0) + beyond * a.mean_radius;
+    const double s =
+        std::max(dot(path.end - f.middle, path.ahead), 0.0) + beyond * a.mean_radius_at(path.end);
     if (k > 0 && s > half) break;
     const double push = n.pressure[f.left] * f.left_length + n.pressure[f.right] * f.right_length;
     const double w = path.side[k] * facets.jump(a, f, normal) + (push - f.initial_normal) / facets.stiffness;

@@ -27,17 +27,20 @@ struct Join {
 }
 
 std::vector<Join> near_pairs(const Array<double>& x, const Array<double>& y, const Array<double>& radius,
-                             double tolerance) {
+                             double mean_radius, const Grading& sizes, double gap_tolerance) {
   const double largest = *std::max_element(radius.begin(), radius.end());
-  const CellGrid grid(x, y, 2.0 * largest + tolerance);
+  const double widest = gap_tolerance * (sizes.graded() ? sizes.coarsest() : mean_radius);
+  const CellGrid grid(x, y, 2.0 * largest + widest);
   std::vector<Join> joins;
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(x.size()); ++i) {
     const auto begin = joins.size();
-    grid.near(x[i], y[i], radius[i] + largest + tolerance, [&](std::int32_t j) {
+    grid.near(x[i], y[i], radius[i] + largest + widest, [&](std::int32_t j) {
       if (j <= i) return;
       const double dx = x[j] - x[i], dy = y[j] - y[i];
       const double gap = std::sqrt(dx * dx + dy * dy) - radius[i] - radius[j];
       if (gap < -std::max(radius[i], radius[j])) refuse_overlap(i, j, x[i], y[i]);
+      const double tolerance =
+          sizes.graded() ? gap_tolerance * sizes.at({x[i] + 0.5 * dx, y[i] + 0.5 * dy}) : widest;
       if (gap < tolerance) joins.push_back({i, j, gap});
     });
     std::sort(joins.begin() + static_cast<std::ptrdiff_t>(begin), joins.end(),
@@ -169,10 +172,13 @@ std::vector<char> discs_held(std::size_t n, const std::vector<Join>& joins) {
 
 ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y, const Array<double>& radius,
                                  const std::vector<Hole>& holes, double gap_tolerance,
-                                 std::span<const std::int64_t> bonds) {
+                                 std::span<const std::int64_t> bonds, const Grading& sizes) {
   ContactGraph graph;
   const std::size_t n = x.size();
-  graph.mean_radius = std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(n);
+  graph.sizes = sizes;
+  graph.mean_radius = sizes.graded()
+                          ? sizes.fine
+                          : std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(n);
 
   Array<double> cx, cy, cr;
   std::vector<std::int32_t> left(n, -1);  // number of each disc once the wells are cut
@@ -196,7 +202,7 @@ ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y,
     throw Error(ErrorKind::model,
                 "fewer than 4 discs are left after cutting the wells; use more discs or smaller wells");
 
-  auto joins = near_pairs(cx, cy, cr, gap_tolerance * graph.mean_radius);
+  auto joins = near_pairs(cx, cy, cr, graph.mean_radius, sizes, gap_tolerance);
   if (!bonds.empty()) apply_bonds(cx, cy, cr, bonds, left, joins);
   graph.removed_crossings = remove_crossings(cx, cy, *std::max_element(cr.begin(), cr.end()), joins);
   const auto held = discs_held(cx.size(), joins);

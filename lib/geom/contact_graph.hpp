@@ -12,6 +12,7 @@
 
 #include "core/array.hpp"
 #include "core/layout.hpp"
+#include "options/grading.hpp"
 
 namespace hfrac {
 
@@ -38,14 +39,15 @@ struct ContactGraph {
   // Edges inside tile t: tile_first_edge[t] .. tile_first_edge[t + 1), interleaved (edge_at); then those across tiles,
   // sorted by (first, second).
   std::vector<std::int64_t> tile_first_edge;
-  double mean_radius = 0.0;  // m, of all discs given
+  double mean_radius = 0.0;  // m, of all discs given; graded: of the fine ones
+  Grading sizes;             // of a graded packing
   std::int64_t removed_in_wells = 0, removed_floaters = 0, removed_crossings = 0;
 };
 
 // `bonds`: pairs of indices of discs that are bonded, near or not; none: all that are near. Near discs that a list leaves out
-// are edges without a bond. Throws Error(model) if nothing coherent is left.
+// are edges without a bond. `sizes`: of a graded packing, whose tolerance goes with the mean radius around each disc. Throws Error(model) if nothing coherent is left.
 ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y, const Array<double>& radius,
                                  const std::vector<Hole>& holes, double gap_tolerance,
-                                 std::span<const std::int64_t> bonds = {});
+                                 std::span<const std::int64_t> bonds = {}, const Grading& sizes = {});
 
 }  // namespace hfrac

@@ -20,28 +20,7 @@ double mean_of(const Array<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-void renumber(Packing& p) {
-  const auto order = hilbert_order(p.x, p.y);
-  Array<double> sorted(p.x.size());
-  for (auto* values : {&p.x, &p.y, &p.radius}) {
-    for (std::size_t i = 0; i < sorted.size(); ++i) sorted[i] = (*values)[order[i]];
-    values->swap(sorted);
-  }
-}
-
-void relax(const PackingOptions& options, Packing& p, const std::function<bool(double)>& progress) {
-  const auto report = relax_overlaps({options.width, options.height}, p.radius, p.x, p.y, {},
-                                     options.residual, most_iterations, progress);
-  p.residual = report.residual;
-  p.mean_overlap = report.mean_overlap;
-  if (report.iterations < most_iterations) return;
-  throw Error(ErrorKind::model,
-              "the packing did not relax below packing.residual = " + std::to_string(options.residual) +
-                  " (reached " + std::to_string(p.residual) +
-                  "); raise packing.residual or lower packing.porosity");
-}
-
-// Discs at random, grown from half their size in stages, loosely relaxed at each (relax() does the last one).
+// Discs at random, grown from half their size in stages, loosely relaxed at each (relax_packing() does the last one).
 void grow(const PackingOptions& options, Random& random, Packing& p,
           const std::function<bool(double)>& progress) {
   constexpr int stages = 10;
@@ -66,6 +45,27 @@ void grow(const PackingOptions& options, Random& random, Packing& p,
 }
 
 }  // namespace
+
+void renumber(Packing& p) {
+  const auto order = hilbert_order(p.x, p.y);
+  Array<double> sorted(p.x.size());
+  for (auto* values : {&p.x, &p.y, &p.radius}) {
+    for (std::size_t i = 0; i < sorted.size(); ++i) sorted[i] = (*values)[order[i]];
+    values->swap(sorted);
+  }
+}
+
+void relax_packing(const PackingOptions& options, Packing& p, const std::function<bool(double)>& progress) {
+  const auto report = relax_overlaps({options.width, options.height}, p.radius, p.x, p.y, {},
+                                     options.residual, most_iterations, progress);
+  p.residual = report.residual;
+  p.mean_overlap = report.mean_overlap;
+  if (report.iterations < most_iterations) return;
+  throw Error(ErrorKind::model,
+              "the packing did not relax below packing.residual = " + std::to_string(options.residual) +
+                  " (reached " + std::to_string(p.residual) +
+                  "); raise packing.residual or lower packing.porosity");
+}
 
 std::vector<std::int32_t> hilbert_order(const Array<double>& x, const Array<double>& y) {
   const std::size_t n = x.size();
@@ -168,6 +168,7 @@ Packing pack_discs(const PackingOptions& options, const std::function<bool(doubl
     renumber(square);
     return square;
   }
+  if (options.sizes.graded()) return pack_graded(options, progress);
   Random random(options.seed);
   Packing p;
   p.radius = spread_radii(options, options.count, options.width * options.height, random);
@@ -183,7 +184,7 @@ Packing pack_discs(const PackingOptions& options, const std::function<bool(doubl
     place_on_lattice(options.width, options.height, random, p);
     renumber(p);
   }
-  if (!stop) relax(options, p, last_stage);
+  if (!stop) relax_packing(options, p, last_stage);
   renumber(p);
   return p;
 }

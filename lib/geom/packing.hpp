@@ -10,6 +10,8 @@
 //   square   Equal discs in rows and columns that touch. As rock it is elastic with E' = k_n and nu = 0 per metre of thickness
 //            (contacts after a break only), isotropic if k_s = k_n; cracks along rows are slits of the cubic law.
 //
+// A relaxed packing may be graded, fine where a fracture goes and coarser outwards (graded_packing.cpp).
+//
 // What overlap is left carries no stress later: bonding takes the gaps it finds as reference.
 #pragma once
 
@@ -20,6 +22,7 @@
 #include "core/array.hpp"
 #include "core/random.hpp"
 #include "options/choices.hpp"
+#include "options/grading.hpp"
 
 namespace hfrac {
 
@@ -35,16 +38,18 @@ struct PackingOptions {
   std::uint64_t seed = 1;
   PackingMethod method = PackingMethod::relaxed;
   std::int64_t brick = 5000;  // discs in a brick (tiled)
+  Grading sizes;              // by place, if graded
 };
 
-// What the options of a model say of its packing.
+// What the options of a model say of its packing, but for the places of fine discs.
 PackingOptions packing_options(const Options& options);
 
 struct Packing {
   Array<double> x, y, radius;  // m; numbered along a Hilbert curve
   double residual = 0.0;       // mean unbalanced over mean contact force
-  double mean_radius = 0.0;    // m
-  double mean_overlap = 0.0;   // mean overlap of contacts over mean radius
+  double mean_radius = 0.0;    // m; graded: of the fine discs
+  double mean_overlap = 0.0;   // mean overlap of contacts over mean radius of all
+  Grading sizes;               // of a graded packing, as it came out
 };
 
 // progress(fraction) may return true to stop; the packing is then not relaxed. Throws Error(model) if it does not relax.
@@ -53,11 +58,16 @@ Packing pack_discs(const PackingOptions& options, const std::function<bool(doubl
 // The permutation that numbers points along a Hilbert curve: order[new] = old.
 std::vector<std::int32_t> hilbert_order(const Array<double>& x, const Array<double>& y);
 
-// Parts of the above, for tiled_packing.cpp.
+// Parts of the above, for tiled_packing.cpp and graded_packing.cpp.
 // `count` radii evenly over the range, shuffled, filling (1 - porosity) of `area`.
 Array<double> spread_radii(const PackingOptions& options, std::int64_t count, double area, Random& random);
 // Jittered lattice sites for as many discs as the packing has radii.
 void place_on_lattice(double width, double height, Random& random, Packing& packing);
+// To rest, or Error(model); numbered along the curve.
+void relax_packing(const PackingOptions& options, Packing& packing,
+                   const std::function<bool(double)>& progress);
+void renumber(Packing& packing);
 Packing pack_tiled(const PackingOptions& options, const std::function<bool(double)>& progress);
+Packing pack_graded(const PackingOptions& options, const std::function<bool(double)>& progress);
 
 }  // namespace hfrac

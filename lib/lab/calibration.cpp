@@ -340,6 +340,13 @@ void check(const CaseDefinition& definition, const CalibrationTargets& t) {
     throw Error(ErrorKind::argument, "packings = " + number_text(t.packings) + "; give 1 to 1000.");
   if (t.seed < 0) throw Error(ErrorKind::argument, "seed = " + number_text(t.seed) + "; give 0 or more.");
   const Options& o = definition.options;
+  if (o.packing_coarsening > 1.0) {
+    throw Error(
+        ErrorKind::argument,
+        "packing.coarsening = " + number_text(o.packing_coarsening) +
+            " has no one disc size to calibrate strengths and apertures for; calibrate with 1, then set it: "
+            "stiffnesses and bond.toughness_coefficient hold for discs of any size.");
+  }
   if (!(o.bond_normal_stiffness > 0.0) || !(o.bond_shear_stiffness > 0.0) ||
       !(o.bond_tensile_strength > 0.0) || !(o.bond_shear_strength > 0.0)) {
     throw Error(ErrorKind::argument,

@@ -17,6 +17,7 @@ Assembly build_assembly(ContactGraph graph, const Options& options) {
   a.second = std::move(graph.second);
   a.tile_first_bond = std::move(graph.tile_first_edge);
   a.mean_radius = graph.mean_radius;
+  a.sizes = std::move(graph.sizes);
   a.density = options.disc_density;
   const std::size_t n = a.x.size(), bonds = a.first.size();
   for (auto* values :
@@ -40,6 +41,11 @@ Assembly build_assembly(ContactGraph graph, const Options& options) {
     a.geometry.put(a.part_of(bond), bond,
                    {dx, dy, length, length * a.radius[i] / (a.radius[i] + a.radius[j]),
                     options.bond_radius_factor * std::min(a.radius[i], a.radius[j])});
+  }
+  if (a.sizes.graded() && options.bond_toughness_reference_radius > 0.0) {
+    for (std::int64_t e = 0; e < a.bond_count(); ++e)
+      a.strength_scale.push_back(std::sqrt(a.mean_radius / a.mean_radius_of(e)));
+    combine_factors(a, options);
   }
   return a;
 }

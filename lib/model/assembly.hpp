@@ -60,7 +60,8 @@ struct Assembly {
   ThermalState thermal;
   BondFactors factors;  // of toughness, joints and temperature together (bond_factors.hpp)
   std::vector<std::int64_t> tile_first_bond;  // one more than tiles
-  double mean_radius = 0.0;                   // m
+  double mean_radius = 0.0;                   // m; of a graded packing that of its fine discs
+  Grading sizes;                              // of a graded packing
   double density = 0.0;                       // kg/m3
   double strength_factor = 1.0;               // strengths used over strengths given
   double tensile_per_radius = 0.0;            // N per metre of bond radius: 2 sigma_c, unit thickness
@@ -107,6 +108,18 @@ struct Assembly {
   [[nodiscard]] double pipe_length(std::int64_t bond) const {  // m: R_i + R_j (eq. 6)
     return radius[first[bond]] + radius[second[bond]];
   }
+  [[nodiscard]] Vec2 contact_point(std::int64_t bond) const {  // m, at bonding
+    const double share = arm(bond) / length(bond);
+    return {x[first[bond]] + share * dx(bond), y[first[bond]] + share * dy(bond)};
+  }
+  // Mean radius of the discs around a place and around a bond, and of the coarsest [m].
+  [[nodiscard]] double mean_radius_at(Vec2 place) const {
+    return sizes.graded() ? sizes.at(place) : mean_radius;
+  }
+  [[nodiscard]] double mean_radius_of(std::int64_t bond) const {
+    return sizes.graded() ? sizes.at(contact_point(bond)) : mean_radius;
+  }
+  [[nodiscard]] double coarsest_radius() const { return sizes.graded() ? sizes.coarsest() : mean_radius; }
   // The bond of two discs, -1 if they have none.
   [[nodiscard]] std::int64_t bond_between(std::int32_t i, std::int32_t j) const;
 };

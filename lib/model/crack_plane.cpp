@@ -66,8 +66,8 @@ void CrackPlanes::refresh(const Network& n, const Assembly& a) {
   if (mended)
     std::erase_if(broken_, [&](std::int32_t e) { return intact_[static_cast<std::size_t>(e)] != 0; });
   std::sort(broken_.begin(), broken_.end());
-  const double far = reach * a.mean_radius;
   for (const auto e : broken_) {
+    const double far = reach * a.mean_radius_of(e);
     const Vec2 at = middle(a, e);
     const bool near = std::any_of(changed.begin(), changed.end(), [&](Vec2 place) {
       const Vec2 between = place - at;
@@ -108,7 +108,7 @@ CrackPlane CrackPlanes::fit(const Network& n, const Assembly& a, std::int32_t e)
   };
   enter(n.left[bond], -1.0);
   enter(n.right[bond], 1.0);
-  const double far = reach * a.mean_radius;
+  const double far = reach * a.mean_radius_of(e);
   for (std::size_t k = 0; k < queue_.size(); ++k) {
     const Visit here = queue_[k];
     for (auto q = pipe_start_[static_cast<std::size_t>(here.domain)];

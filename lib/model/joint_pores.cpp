@@ -100,7 +100,8 @@ void begin_joint_pores(Network& n, const Assembly& a, const Options& o) {
     if (!smooth.law_of(contact).conducts() || n.left[e] == n.right[e]) continue;
     // Where two joints cross, either's fluid passes the other's contact: that is no way of its own.
     const bool crossing = std::binary_search(smooth.shared.begin(), smooth.shared.end(), contact.bond);
-    n.joint_length[e] = std::max(crossing ? 0.0 : contact.area, shortest_pipe * a.mean_radius);
+    n.joint_length[e] = std::max(crossing ? 0.0 : contact.area,
+                                 shortest_pipe * a.mean_radius_of(static_cast<std::int64_t>(e)));
     for (const auto d : {n.left[e], n.right[e]}) take(d, contact, contact.area);
   }
   stretch_pipes(n, a);
@@ -108,7 +109,7 @@ void begin_joint_pores(Network& n, const Assembly& a, const Options& o) {
     const SmoothContact& contact = smooth.contacts[static_cast<std::size_t>(bridge.contact)];
     const auto e = static_cast<std::size_t>(bridge.bond);
     if (!smooth.law_of(contact).conducts()) continue;
-    n.joint_length[e] = shortest_pipe * a.mean_radius;
+    n.joint_length[e] = shortest_pipe * a.mean_radius_of(static_cast<std::int64_t>(e));
     // A pore between two of them is passed, too, and must not swallow what passes: those beside contacts are the joint's already.
     for (const auto d : {n.left[e], n.right[e]})
       if (n.joint_pore[d] == 0) take(d, contact, n.joint_length[e]);
@@ -116,7 +117,8 @@ void begin_joint_pores(Network& n, const Assembly& a, const Options& o) {
   for (std::size_t d = 1; d < n.kind.size(); ++d) {
     if (n.kind[d] == DomainKind::well) add_face_weights(n, a, static_cast<std::int32_t>(d));
     if (n.joint_pore[d] == 0) continue;
-    n.storing[d] = moves ? std::max(stored[d], smallest_explicit * a.mean_radius * a.mean_radius) : stored[d];
+    const double size = a.mean_radius_at(n.centroid[d]);
+    n.storing[d] = moves ? std::max(stored[d], smallest_explicit * size * size) : stored[d];
     for (auto k = 2 * n.corner_start[d]; k < 2 * n.corner_start[d + 1]; ++k) n.corner_weight[k] = 0.0;
     add_face_weights(n, a, static_cast<std::int32_t>(d));
   }

@@ -31,6 +31,10 @@ Network build_network(Faces faces, const Assembly& a, const std::vector<std::int
     if ((n.left[e] == 0) != (n.right[e] == 0)) n.outer_pipe.push_back(static_cast<std::int32_t>(e));
   }
   n.outer_excess.assign(n.outer_pipe.size(), 0.0);
+  for (std::size_t e = 0; wet && a.sizes.graded() && e < pipes; ++e) {
+    const double size = a.mean_radius_of(static_cast<std::int64_t>(e)) / a.mean_radius;
+    n.pipe_sizes.emplace_back(std::cbrt(size), size);
+  }
 
   n.kind.assign(domains, DomainKind::rock);
   n.kind[0] = DomainKind::outside;
@@ -63,7 +67,8 @@ Network build_network(Faces faces, const Assembly& a, const std::vector<std::int
       }
       sectors += 0.5 * a.radius[i] * a.radius[i] * angle_between(ahead, back);
     }
-    n.volume[d] = std::max(faces.polygon_area[d] - sectors, smallest_pore * a.mean_radius * a.mean_radius);
+    const double size = a.mean_radius_at(n.centroid[d]);
+    n.volume[d] = std::max(faces.polygon_area[d] - sectors, smallest_pore * size * size);
     if (n.kind[d] != DomainKind::rock) continue;
     pores += n.volume[d];
     rock += faces.polygon_area[d];

@@ -26,6 +26,14 @@ namespace hfrac {
 
 enum class DomainKind : std::uint8_t { rock = 0, well = 1, outside = 2 };
 
+// What eq. 7 says of a pipe that nothing presses: r0, and its F0 over flow.half_aperture_force.
+struct PipeAtRest {
+  // NOLINTNEXTLINE(google-explicit-constructor): where sizes are the same everywhere r0 is all there is
+  PipeAtRest(double r0, double share = 1.0) : aperture(r0), force_share(share) {}
+  double aperture;  // m
+  double force_share;
+};
+
 struct Network {
   // pipes, one per bond, from the domain left of (first -> second) to the one right of it
   std::vector<std::int32_t> left, right;
@@ -58,15 +66,22 @@ struct Network {
   Array<double> joint_length;            // m, per pipe: of the piece of a joint that it runs along
   std::vector<std::uint8_t> joint_pore;  // per domain
   double reference_pressure = 0.0, floor_pressure = 0.0;  // Pa
-  double zero_stress_aperture = 0.0;                      // m, r0
-  double porosity_share = 1.0;                            // of the rock's over the packing's
-  CrackPlanes planes;                                     // with flow.fracture_aperture = "plane"
+  double zero_stress_aperture = 0.0;  // m, r0; where discs have the assembly's mean radius
+  // Of a graded packing, per pipe; else empty. Permeability goes with r0^3 / R and forces under the same stress with R, so that
+  // r0 goes with the cube root of R and F0 with R: rock then has one permeability, at any stress.
+  std::vector<PipeAtRest> pipe_sizes;
+  double porosity_share = 1.0;  // of the rock's over the packing's
+  CrackPlanes planes;           // with flow.fracture_aperture = "plane"
 
   // 0 in a dry model, for those who look at either.
   [[nodiscard]] double aperture_of(std::size_t pipe) const { return aperture.empty() ? 0.0 : aperture[pipe]; }
   [[nodiscard]] double flow_of(std::size_t pipe) const { return flow.empty() ? 0.0 : flow[pipe]; }
   [[nodiscard]] double conductance_of(std::size_t pipe) const {
     return conductance.empty() ? 0.0 : conductance[pipe];
+  }
+  [[nodiscard]] PipeAtRest pipe_at_rest(std::size_t pipe) const {
+    if (pipe_sizes.empty()) return zero_stress_aperture;
+    return {zero_stress_aperture * pipe_sizes[pipe].aperture, pipe_sizes[pipe].force_share};
   }
   [[nodiscard]] std::int64_t domain_count() const { return static_cast<std::int64_t>(kind.size()); }
 

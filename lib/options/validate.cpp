@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "options/choices.hpp"
+#include "options/grading.hpp"
 #include "options/number_text.hpp"
 #include "options/options.hpp"
 
@@ -24,8 +25,11 @@ constexpr double shortest_side = 4.0;
 constexpr std::int64_t fewest_discs = 20;
 
 struct Radii {
-  double mean;
-  double largest;
+  Grading mean;
+  double largest_share = 1.0;  // largest radius over the mean around it
+
+  [[nodiscard]] double largest() const { return largest_share * mean.coarsest(); }
+  [[nodiscard]] double largest_at(Vec2 place) const { return largest_share * mean.at(place); }
 };
 
 [[noreturn]] void refuse(const std::string& text) {
@@ -36,9 +40,9 @@ std::string value_text(const char* key, double value, const char* unit) {
   return std::string(key) + " = " + number_text(value) + " " + unit;
 }
 
-Radii radii_of_packing(const Options& o) {
-  const double mean = expected_mean_radius(o);
-  return {mean, mean * 2.0 * o.packing_radius_ratio / (1.0 + o.packing_radius_ratio)};
+Radii radii_of_packing(const CaseDefinition& definition) {
+  const double ratio = definition.options.packing_radius_ratio;
+  return {grading_of(definition), 2.0 * ratio / (1.0 + ratio)};
 }
 
 Radii radii_of_given(std::span<const double> discs, const Options& o) {
@@ -47,7 +51,7 @@ Radii radii_of_given(std::span<const double> discs, const Options& o) {
     refuse("given_disc_count = " + number_text(count) + " is too few; give at least " +
            number_text(fewest_discs) + " discs.");
   }
-  Radii radii{0.0, 0.0};
+  double mean = 0.0, largest = 0.0;
   for (std::int64_t i = 0; i < count; ++i) {
     const double* disc = &discs[static_cast<std::size_t>(3 * i)];
     const std::string name = "given_discs[" + number_text(i) + "]";
@@ -60,10 +64,13 @@ Radii radii_of_given(std::span<const double> discs, const Options& o) {
              ") m, outside the model of " + number_text(o.model_width) + " m x " +
              number_text(o.model_height) + " m; the origin is its lower left corner.");
     }
-    radii.mean += disc[2];
-    radii.largest = std::max(radii.largest, disc[2]);
+    mean += disc[2];
+    largest = std::max(largest, disc[2]);
   }
-  radii.mean /= static_cast<double>(count);
+  mean /= static_cast<double>(count);
+  Radii radii;
+  radii.mean.fine = mean;
+  radii.largest_share = largest / mean;
   return radii;
 }
 
@@ -106,12 +113,21 @@ void check_bonds(std::span<const std::int64_t> bonds, std::span<const double> di
   }
 }
 
-void check_packing(const Options& o, const Radii& radii) {
+void check_packing(const Options& o, const Radii& radii, bool given) {
+  if (o.packing_coarsening > 1.0) {
+    const std::string asked = value_text("packing.coarsening", o.packing_coarsening, "");
+    if (given) refuse(asked + "is for discs that are packed, and given_discs come as they are; set it to 1.");
+    if (PackingMethod{o.packing_method} != PackingMethod::relaxed) {
+      refuse(asked +
+             "is for packing.method = \"relaxed\" only: bricks, rows and grown discs are the same "
+             "size everywhere; take that method, or a coarsening of 1.");
+    }
+  }
   const double side = std::min(o.model_width, o.model_height);
-  if (side < shortest_side * radii.largest) {
+  if (side < shortest_side * radii.largest()) {
     refuse("The smaller model side of " + number_text(side) + " m is shorter than " +
            number_text(shortest_side) + " times the largest disc radius, about " +
-           rounded_text(radii.largest) +
+           rounded_text(radii.largest()) +
            " m; raise packing.disc_count or make model.width and model.height less unequal.");
   }
 }
@@ -418,12 +434,12 @@ void check_well(const std::string& name, const WellOptions& well, const Options&
            " of the smaller model side, " + number_text(largest_hole * side) +
            " m; enlarge the model or the hole is its boundary.");
   }
-  if (well.radius < smallest_hole * radii.mean) {
+  if (const double mean = radii.mean.at({well.x, well.y}); well.radius < smallest_hole * mean) {
     refuse(name + "." + value_text("radius", well.radius, "m") + " is below " + number_text(smallest_hole) +
-           " mean disc radii, about " + rounded_text(smallest_hole * radii.mean) +
+           " mean disc radii, about " + rounded_text(smallest_hole * mean) +
            " m; raise packing.disc_count or enlarge the hole.");
   }
-  const double margin = well.radius + 2.0 * radii.largest;
+  const double margin = well.radius + 2.0 * radii.largest();
   if (well.x < margin || well.x > o.model_width - margin || well.y < margin ||
       well.y > o.model_height - margin) {
     refuse(name + " at (" + number_text(well.x) + ", " + number_text(well.y) +
@@ -437,7 +453,8 @@ void check_well(const std::string& name, const WellOptions& well, const Options&
 void check_pair(std::size_t i, std::size_t j, const WellOptions& a, const WellOptions& b,
                 const Radii& radii) {
   const double distance = std::hypot(a.x - b.x, a.y - b.y);
-  const double least = a.radius + b.radius + 2.0 * radii.largest;
+  const Vec2 middle{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
+  const double least = a.radius + b.radius + 2.0 * radii.largest_at(middle);
   if (distance >= least) return;
   refuse("well[" + std::to_string(i) + "] and well[" + std::to_string(j) + "] overlap: their centres are " +
          rounded_text(distance) + " m apart, at least " + rounded_text(least) +
@@ -471,9 +488,9 @@ void validate(const CaseDefinition& definition, std::span<const double> given_di
               std::span<const std::int64_t> given_bonds) {
   check_ranges(definition);
   const Options& o = definition.options;
-  const Radii radii = given_discs.empty() ? radii_of_packing(o) : radii_of_given(given_discs, o);
+  const Radii radii = given_discs.empty() ? radii_of_packing(definition) : radii_of_given(given_discs, o);
   check_bonds(given_bonds, given_discs);
-  check_packing(o, radii);
+  check_packing(o, radii, !given_discs.empty());
   check_stresses(o);
   check_facets(definition);
   check_rock(definition.options);

@@ -42,8 +42,8 @@ Boundary::Boundary(Model& model, const Options& o)
   state_.walls[3] = {{0.0, -1.0}, width, 0.0, 0.0, 0.0, {}};
   wall_start_ = {0.0, width, 0.0, height};
   put_far_field(o.stress_sigma_Hmax, o.stress_sigma_hmin);
-  const double tolerance = std::max(o.bond_gap_tolerance, 0.01) * a.mean_radius;
   for (std::int32_t i = 0; i < a.disc_count(); ++i) {
+    const double tolerance = std::max(o.bond_gap_tolerance, 0.01) * a.mean_radius_at({a.x[i], a.y[i]});
     const double distance[4] = {a.x[i] - a.radius[i], width - a.x[i] - a.radius[i], a.y[i] - a.radius[i],
                                 height - a.y[i] - a.radius[i]};
     for (std::size_t w = 0; w < 4; ++w) {

@@ -30,8 +30,9 @@ std::int64_t find_crossed(const Assembly& a, const std::vector<JointOptions>& jo
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const Vec2 from{joints[k].x1, joints[k].y1}, to{joints[k].x2, joints[k].y2};
     bool found = false;
+    const double radius = a.mean_radius_at(0.5 * (from + to));
     if (is_smooth(JointState{joints[k].state}) &&
-        dot(to - from, to - from) < shortest_smooth * shortest_smooth * a.mean_radius * a.mean_radius) {
+        dot(to - from, to - from) < shortest_smooth * shortest_smooth * radius * radius) {
       ++left_out;
       continue;
     }

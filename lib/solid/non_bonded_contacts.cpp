@@ -32,15 +32,14 @@ double gap_of(const Assembly& a, std::int32_t i, std::int32_t j) {  // m
 // memory nor, away from the cracks, more than a look at their bounding box.
 std::vector<NonBondedContacts::Pair> pairs_near_cracks(const Assembly& a,
                                                        const std::vector<std::int32_t>& cracked) {
-  const double largest = *std::max_element(a.radius.begin(), a.radius.end()),
-               reach = search_gap * a.mean_radius;
+  const double largest = *std::max_element(a.radius.begin(), a.radius.end());
   std::vector<double> x, y;
   for (const auto i : cracked) {
     const Vec2 p = a.position(i);
     x.push_back(p.x);
     y.push_back(p.y);
   }
-  const double cell = 2.0 * largest + reach;
+  const double cell = 2.0 * largest + search_gap * a.coarsest_radius();
   const CellGrid grid(x, y, cell);
   const auto [left, right] = std::minmax_element(x.begin(), x.end());
   const auto [low, high] = std::minmax_element(y.begin(), y.end());
@@ -49,6 +48,7 @@ std::vector<NonBondedContacts::Pair> pairs_near_cracks(const Assembly& a,
     const Vec2 p = a.position(d);
     if (p.x < *left - cell || p.x > *right + cell || p.y < *low - cell || p.y > *high + cell) continue;
     const auto j = static_cast<std::int32_t>(d);
+    const double reach = search_gap * a.mean_radius_at({a.x[d], a.y[d]});
     grid.near(p.x, p.y, cell, [&](std::int32_t k) {
       const auto i = cracked[static_cast<std::size_t>(k)];
       if (i == j) return;
@@ -70,10 +70,10 @@ bool NonBondedContacts::search(Assembly& a, const Boundary& boundary, const Crac
   if (cracks.empty()) return false;
   bool due = cracks.size() != list_.cracks_seen;
   if (!due) {
-    const double limit = search_move * a.mean_radius;
     for (std::size_t k = 0; k < list_.cracked.size() && !due; ++k) {
-      due = std::hypot(a.ux[list_.cracked[k]] - list_.searched_x[k],
-                       a.uy[list_.cracked[k]] - list_.searched_y[k]) > limit;
+      const auto i = list_.cracked[k];
+      const double limit = search_move * a.mean_radius_at({a.x[i], a.y[i]});
+      due = std::hypot(a.ux[i] - list_.searched_x[k], a.uy[i] - list_.searched_y[k]) > limit;
     }
   }
   if (!due) return false;

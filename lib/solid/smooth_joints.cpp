@@ -54,7 +54,9 @@ std::vector<Piece> pieces_of(const Assembly& a, std::vector<Crossing>& met, doub
   std::vector<Piece> pieces;
   for (std::size_t first = 0; first < met.size();) {
     std::size_t last = first;
-    while (last + 1 < met.size() && met[last + 1].at - met[last].at <= widest_gap * a.mean_radius) ++last;
+    while (last + 1 < met.size() &&
+           met[last + 1].at - met[last].at <= widest_gap * a.mean_radius_of(met[last].bond))
+      ++last;
     struct Cut {
       double at, count;
     };
@@ -165,7 +167,7 @@ void begin_smooth_joints(Assembly& a, const std::vector<JointOptions>& joints,
       c.opens_by_second = dot(c.normal, turned(c.second_arm));
       c.slides_by_first = -dot(turned(c.normal), turned(c.first_arm));
       c.slides_by_second = dot(turned(c.normal), turned(c.second_arm));
-      c.area = std::max(piece.end - piece.begin, smallest_piece * a.mean_radius);
+      c.area = std::max(piece.end - piece.begin, smallest_piece * a.mean_radius_at(place));
       c.holds = a.intact[e] != 0;
       smooth.contacts.push_back(c);
     }

@@ -20,7 +20,7 @@ Simulation::Simulation(CaseDefinition definition, std::span<const double> given_
   validate(definition_, given_discs, given_bonds);
   set_stop(options().stop_extent_fraction, options().stop_cracks);
   const auto start = std::chrono::steady_clock::now();
-  Packing packing = take_discs(options(), given_discs, progress, setup_);
+  Packing packing = take_discs(definition_, given_discs, progress, setup_);
   if (progress && progress(0.5, "bonding")) throw Stopped{};
   model_ = build_model(definition_, std::move(packing), given_bonds, setup_);
   engine_ = std::make_unique<Engine>(options(), model_);

@@ -6,8 +6,8 @@
 namespace hfrac {
 
 void log_slips(Model& m, std::int64_t step, double time, double duration) {
-  const double least = logged_slip * 2.0 * m.assembly.mean_radius;
   for (auto& contact : m.assembly.smooth.contacts) {
+    const double least = logged_slip * 2.0 * m.assembly.mean_radius_of(contact.bond);
     const double more = contact.slip - contact.slip_logged;
     if (std::abs(more) < least) continue;
     m.slips.push_back({contact.bond, step, time, duration, more});

@@ -130,6 +130,7 @@ contains
     type(hfrac_definition) :: def
     integer :: stat
     character(200) :: message
+    real(real64) :: fine, coarsest
     call expect(def%get('model.width') == 100.0_real64, 'a default')
     call def%set('model.width', 80.0_real64)
     call def%set('packing.disc_count', 400)
@@ -141,6 +142,8 @@ contains
     call expect(index(def%case_text(), 'title = "from Fortran"') == 1, 'definition as text')
 
     call expect(def%get_integer('packing.disc_count') == 401, 'an integer')
+    call def%disc_radii(fine, coarsest)
+    call expect(fine > 0.0_real64 .and. fine == coarsest, 'one mean radius')
     call expect(def%get_integer('boundary.kind') == 1, 'the index of a choice')
     call expect(def%get_text('boundary.kind') == 'walls', 'the word of a choice')
     call expect(def%get_text('title') == 'from Fortran', 'the title')

@@ -64,6 +64,7 @@ static void define(hfrac_sim_def* def, hfrac_well_def* well) {
   hfrac_option_info info;
   int64_t integer = 0;
   int32_t needed = 0, count = 0;
+  double fine = 0.0, coarsest = 0.0;
   good(hfrac_sim_def_init(def, (int32_t)sizeof *def), NULL, "def_init");
   list_options(def);
   def->stress_sigma_Hmax = 0.0;
@@ -82,6 +83,8 @@ static void define(hfrac_sim_def* def, hfrac_well_def* well) {
   def->well_count = 1;
   def->well_size = sizeof *well;
   good(hfrac_sim_def_check(def), NULL, "def_check");
+  good(hfrac_sim_def_disc_radii(def, &fine, &coarsest), NULL, "def_disc_radii");
+  check(fine > 0.0 && fine == coarsest, "a uniform packing has one mean radius");
   good(hfrac_sim_def_get_i64(def, "packing.disc_count", &integer), NULL, "get_i64");
   good(hfrac_sim_def_get_str(def, "boundary.kind", text, (int32_t)sizeof text, NULL), NULL, "get_str");
   check(integer == 500 && strcmp(text, "walls") == 0, "options are read in their own types");

@@ -209,6 +209,21 @@ TEST(DefKeys, TitlesMustFit) {
   EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_ERR_ARGUMENT);
 }
 
+TEST(DefKeys, SayHowLargeThePackingsDiscsAre) {
+  hfrac::Definition def = new_def();
+  double fine = 0.0, coarsest = 0.0, same = 0.0;
+  ASSERT_EQ(hfrac_sim_def_disc_radii(&def, &same, &coarsest), HFRAC_OK);
+  EXPECT_EQ(same, coarsest);
+  def.packing_coarsening = 4.0;
+  ASSERT_EQ(hfrac_sim_def_disc_radii(&def, &fine, &coarsest), HFRAC_OK);
+  EXPECT_LT(fine, same);
+  EXPECT_NEAR(coarsest / fine, 4.0, 1e-12);
+  def.packing_radius_growth = 0.01;  // nowhere four times as coarse then
+  ASSERT_EQ(hfrac_sim_def_disc_radii(&def, &fine, &coarsest), HFRAC_OK);
+  EXPECT_LT(coarsest / fine, 4.0);
+  EXPECT_EQ(hfrac_sim_def_disc_radii(&def, nullptr, &coarsest), HFRAC_ERR_ARGUMENT);
+}
+
 TEST(DefKeys, NullIsRefused) {
   hfrac::Definition def = new_def();
   double value = 0.0;

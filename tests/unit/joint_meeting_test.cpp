@@ -33,7 +33,7 @@ class JointMeeting : public testing::Test {
     definition_.wells.clear();
     definition_.options.packing_disc_count = 1000;
     SetupReport report;
-    packing_ = take_discs(definition_.options, {}, {}, report);
+    packing_ = take_discs(definition_, {}, {}, report);
     mean_radius_ = expected_mean_radius(definition_.options);
   }
 

@@ -28,6 +28,7 @@ constexpr double pi = 3.14159265358979323846;
 
 struct Discs {
   Array<double> x, y, radius;
+  Grading sizes = {};  // of a graded packing
 };
 
 // Rows and columns of equal discs that just touch; the first centre lies at (radius, radius).
@@ -44,8 +45,12 @@ inline Discs square_lattice(int columns, int rows, double radius) {
 }
 
 inline Discs packed(const Options& o) {
-  const Packing packing = pack_discs(packing_options(o));
-  return {packing.x, packing.y, packing.radius};
+  CaseDefinition definition;
+  definition.options = o;
+  PackingOptions asked = packing_options(o);
+  asked.sizes = grading_of(definition);
+  const Packing packing = pack_discs(asked);
+  return {packing.x, packing.y, packing.radius, packing.sizes};
 }
 
 class TestModel {
@@ -53,7 +58,8 @@ class TestModel {
   TestModel(const Options& given, const Discs& discs, const std::vector<Hole>& holes = {},
             int worker_count = 1)
       : options(given),
-        graph(build_contact_graph(discs.x, discs.y, discs.radius, holes, given.bond_gap_tolerance)),
+        graph(build_contact_graph(discs.x, discs.y, discs.radius, holes, given.bond_gap_tolerance, {},
+                                  discs.sizes)),
         faces(build_faces(graph)) {
     assembly = build_assembly(graph, options);
     if (options.bond_fracture_toughness > 0.0) apply_fracture_toughness(assembly, options);

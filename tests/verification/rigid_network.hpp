@@ -15,8 +15,8 @@ using namespace hfrac;
 class RigidNetwork {
  public:
   // 100 m x 100 m, no well, no flow across the outside.
-  RigidNetwork(std::int64_t discs, std::int64_t seed)
-      : model_(options_of(discs, seed), testing_unit::packed(options_of(discs, seed))) {
+  RigidNetwork(std::int64_t discs, std::int64_t seed) : RigidNetwork(options_of(discs, seed)) {}
+  explicit RigidNetwork(const Options& o) : model_(o, testing_unit::packed(o)) {
     model_.fill_pores();
     for (std::int64_t d = 0; d < network().domain_count(); ++d)
       network().pressure[d] = network().reference_pressure;
@@ -66,11 +66,14 @@ class RigidNetwork {
     return pores / area;
   }
 
+  // Of a domain [m2].
+  [[nodiscard]] double area(std::int64_t d) const {
+    return model_.faces.polygon_area[static_cast<std::size_t>(d)];
+  }
   Network& network() { return model_.network; }
   Assembly& assembly() { return model_.assembly; }
   [[nodiscard]] const Options& options() const { return model_.options; }
 
- private:
   static Options options_of(std::int64_t discs, std::int64_t seed) {
     Options o = testing_unit::dry_options(discs);
     o.model_width = o.model_height = 100.0;
@@ -79,6 +82,8 @@ class RigidNetwork {
     o.flow_scheme = testing_unit::choice(FlowScheme::implicit_scheme);
     return o;
   }
+
+ private:
   testing_unit::TestModel model_;
 };
 

@@ -37,6 +37,14 @@ ExitCode check(const std::string& file) {
   if (definition.title[0] != '\0') fmt::print("  title      {}\n", definition.title);
   fmt::print("  model      {:g} m x {:g} m, about {} discs, porosity {:g}\n", definition.model_width,
              definition.model_height, definition.packing_disc_count, definition.packing_porosity);
+  double fine = 0.0, coarsest = 0.0;
+  if (definition.given_discs == nullptr &&
+      hfrac_sim_def_disc_radii(&definition, &fine, &coarsest) == HFRAC_OK)
+    fmt::print(
+        "  discs      {}\n",
+        coarsest > fine
+            ? fmt::format("mean radius {:.3g} m where fractures go, up to {:.3g} m outwards", fine, coarsest)
+            : fmt::format("mean radius {:.3g} m", fine));
   fmt::print("  stresses   {}\n", definition.stress_convention == 0 ? "total" : "effective");
   fmt::print(
       "  far field  sigma_Hmax {:g} MPa along x, sigma_hmin {:g} MPa along y, formation pressure {:g} MPa\n",

@@ -30,7 +30,9 @@ json setup_part(const hfrac_setup_report& setup) {
           {"permeability_m2", setup.permeability},
           {"equilibration_force_ratio", setup.equilibration_force_ratio},
           {"packing_seconds", setup.packing_seconds},
-          {"setup_seconds", setup.setup_seconds}};
+          {"setup_seconds", setup.setup_seconds},
+          {"coarsest_radius_m", setup.coarsest_radius},
+          {"fine_discs", setup.fine_discs}};
 }
 
 json state_part(const hfrac_sim_state& state) {

@@ -529,6 +529,11 @@ class hfrac_sim_def(ctypes.Structure):
         ("rock_biot_coefficient", ctypes.c_double),
         ("rock_porosity", ctypes.c_double),
         ("rock_grain_modulus", ctypes.c_double),
+        ("packing_coarsening", ctypes.c_double),
+        ("packing_fine_half_length", ctypes.c_double),
+        ("packing_fine_half_width", ctypes.c_double),
+        ("packing_fine_azimuth", ctypes.c_double),
+        ("packing_radius_growth", ctypes.c_double),
     ]
 
 
@@ -595,6 +600,8 @@ class hfrac_setup_report(ctypes.Structure):
         ("equilibration_force_ratio", ctypes.c_double),
         ("packing_seconds", ctypes.c_double),
         ("setup_seconds", ctypes.c_double),
+        ("coarsest_radius", ctypes.c_double),
+        ("fine_discs", ctypes.c_int64),
     ]
 
 
@@ -1048,6 +1055,11 @@ SIGNATURES = {
     "hfrac_sim_def_check_file": (
         ctypes.POINTER(hfrac_sim_def),
         ctypes.c_char_p,
+    ),
+    "hfrac_sim_def_disc_radii": (
+        ctypes.POINTER(hfrac_sim_def),
+        ctypes.POINTER(ctypes.c_double),
+        ctypes.POINTER(ctypes.c_double),
     ),
     "hfrac_sim_def_set_f64": (
         ctypes.POINTER(hfrac_sim_def),

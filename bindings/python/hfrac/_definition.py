@@ -255,6 +255,13 @@ class Definition:
         else:
             call("hfrac_sim_def_check_file", ctypes.byref(self._struct), os.fsencode(path))
 
+    @property
+    def disc_radii(self) -> Tuple[float, float]:
+        """Mean radius of the packing's discs where they are fine, and where they are coarsest [m]; the same in a uniform packing."""
+        fine, coarsest = ctypes.c_double(), ctypes.c_double()
+        call("hfrac_sim_def_disc_radii", ctypes.byref(self._struct), ctypes.byref(fine), ctypes.byref(coarsest))
+        return fine.value, coarsest.value
+
     def copy(self) -> "Definition":
         """An independent definition with the same values."""
         other = Definition()

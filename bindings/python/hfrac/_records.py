@@ -78,7 +78,7 @@ class SimState(NamedTuple):
 class SetupReport(NamedTuple):
     """What the set-up made."""
 
-    #: [m] mean radius of all discs packed
+    #: [m] mean radius of all discs packed; of a graded packing (packing.coarsening) that of its fine discs
     mean_radius: float
     #: void fraction of the packing before the well is cut
     porosity: float
@@ -107,6 +107,10 @@ class SetupReport(NamedTuple):
     packing_seconds: float
     #: wall time of all of hfrac_sim_create
     setup_seconds: float
+    #: [m] mean radius of the discs farthest from the fine ones of a graded packing; uniform: mean_radius
+    coarsest_radius: float
+    #: discs packed where a graded packing is fine; uniform: all
+    fine_discs: int
 
     @classmethod
     def of(cls, struct: _abi.hfrac_setup_report) -> "SetupReport":
@@ -126,6 +130,8 @@ class SetupReport(NamedTuple):
             struct.equilibration_force_ratio,
             struct.packing_seconds,
             struct.setup_seconds,
+            struct.coarsest_radius,
+            struct.fine_discs,
         )
 
 

@@ -449,6 +449,24 @@ typedef struct hfrac_sim_def {
   /** [Pa] Bulk modulus K_s of the grains, which store (alpha - porosity) / K_s per pressure beside the
    * fluid's porosity / K_f. 0: grains that do not give. Default 0.0. */
   double rock_grain_modulus;
+
+  /** [1] Mean disc radius far from where fractures go over that along them; disc_count is the number of all
+   * discs, and the fine ones' radius follows. 1: the same everywhere. Above 1 with method relaxed only.
+   * Default 1.0. */
+  double packing_coarsening;
+  /** [m] Coarsening above 1: discs are fine along a line of this half length through the centre of every
+   * well (without wells, of the model). 0: as far as stop.extent_fraction lets a fracture grow. Default
+   * 0.0. */
+  double packing_fine_half_length;
+  /** [m] Coarsening above 1: discs are fine within this distance of that line. 0: a twentieth of the
+   * smaller model side. Default 0.0. */
+  double packing_fine_half_width;
+  /** [rad] Coarsening above 1: direction of that line, from the x axis, along which stress.sigma_Hmax acts.
+   * Default 0.0. */
+  double packing_fine_azimuth;
+  /** [1] Coarsening above 1: metres that the mean radius grows by per metre beyond that distance, up to
+   * coarsening times the fine discs'. Default 0.1. */
+  double packing_radius_growth;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */
@@ -481,6 +499,10 @@ HFRAC_API int32_t hfrac_sim_def_check(const hfrac_sim_def *def);
 /** The same for a definition that was read from the case file `path`: the text begins with the file, and with the line of the
  * first value it names that the file has (HFRAC_ERR_CASE_FILE). Unstable since 0.1. */
 HFRAC_UNSTABLE_API int32_t hfrac_sim_def_check_file(const hfrac_sim_def *def, const char *path);
+
+/** Mean radius [m] of the discs of the packing where they are fine, and where they are coarsest (packing.coarsening); in a uniform
+ * packing both are the mean of all. As foreseen: the packing's own are within a hundredth (hfrac_sim_get_setup). Unstable since 0.1. */
+HFRAC_UNSTABLE_API int32_t hfrac_sim_def_disc_radii(const hfrac_sim_def *def, double *fine, double *coarsest);
 
 /** Sets an option by its key, e.g. "bond.tensile_strength", "well[0].pressure", "joint[0].x1" or "schedule[0].time". The first
  * value of the well, joint or entry after the last one adds it; a well's centre is then the model's, as wide and high as it is

@@ -105,7 +105,7 @@ HFRAC_API int32_t hfrac_sim_get_state(const hfrac_sim *sim, hfrac_sim_state *sta
 typedef struct hfrac_setup_report {
   int32_t struct_size;           /**< sizeof(hfrac_setup_report) of the caller */
   int32_t struct_pad;            /**< 0 */
-  double mean_radius;            /**< [m] mean radius of all discs packed */
+  double mean_radius;            /**< [m] mean radius of all discs packed; of a graded packing (packing.coarsening) that of its fine discs */
   double porosity;               /**< void fraction of the packing before the well is cut */
   double packing_residual;       /**< unbalanced over mean contact force of the relaxed packing */
   double coordination;           /**< bonds per disc times two */
@@ -120,6 +120,8 @@ typedef struct hfrac_setup_report {
   double equilibration_force_ratio; /**< unbalanced over mean contact force after the initial equilibrium */
   double packing_seconds;        /**< wall time of the packing */
   double setup_seconds;          /**< wall time of all of hfrac_sim_create */
+  double coarsest_radius;        /**< [m] mean radius of the discs farthest from the fine ones of a graded packing; uniform: mean_radius */
+  int64_t fine_discs;            /**< discs packed where a graded packing is fine; uniform: all */
 } hfrac_setup_report;
 /** What the set-up made. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_get_setup(const hfrac_sim *sim, hfrac_setup_report *report);

@@ -52,6 +52,13 @@ class Definition(unittest.TestCase):
         with self.assertRaisesRegex(hfrac.ModelError, r"schedule\[499\]"):
             copied.check()
 
+    def test_disc_radii(self):
+        uniform, graded = hfrac.Definition(), hfrac.Definition(packing_coarsening=4.0)
+        self.assertEqual(*uniform.disc_radii)
+        fine, coarsest = graded.disc_radii
+        self.assertLess(fine, uniform.disc_radii[0])
+        self.assertAlmostEqual(coarsest / fine, 4.0)
+
     def test_wells(self):
         definition = hfrac.Definition(
             model_width=80, wells=[{"radius": 5, "pressure": 40e6}, {"x": 10, "y": 20, "radius": 2, "control": "rate"}]

@@ -56,7 +56,15 @@ class Model:
         rock = self.start_volume[self.kind == 0].sum()
         self.porosity = rock / (rock + math.pi * (self.radius**2).sum())
         self.start_pressure = np.array(sim.domains.pressure)
-        self.mean_radius = self.radius.mean()
+        self.position = np.array(sim.discs.position)
+        self.graded = sim.setup.coarsest_radius > sim.setup.mean_radius
+
+    def mean_radius(self, at: np.ndarray) -> float:
+        """Of the discs around a place [m]: of all in a uniform packing, of the nearest 12 in a graded one."""
+        if not self.graded:
+            return float(self.radius.mean())
+        away = np.hypot(*(self.position - at).T)
+        return float(self.radius[np.argpartition(away, 12)[:12]].mean())
 
 
 def _graph(model: Model, bonds: np.ndarray, middle: np.ndarray, centres: np.ndarray) -> Dict[int, List[Tuple[int, float, int]]]:
@@ -86,9 +94,9 @@ def _ways(graph: Dict[int, List[Tuple[int, float, int]]], start: int, resists: n
 
 def _jumps(model: Model, middle: np.ndarray, position: np.ndarray, moved: np.ndarray, intact: np.ndarray) -> np.ndarray:
     """Opening across the local line of cracks at each crack."""
-    reach = 3.0 * model.mean_radius
     result = np.zeros(len(middle))
     for k, at in enumerate(middle):
+        reach = 3.0 * model.mean_radius(at)
         near = middle[np.hypot(*(middle - at).T) <= reach] - at
         spread = (near - near.mean(axis=0)).T @ (near - near.mean(axis=0)) if len(near) > 1 else np.diag([1.0, 0.0])
         along = np.linalg.eigh(spread)[1][:, 1]
@@ -144,7 +152,8 @@ def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float, shap
     offset = middle - model.centre
     distance = np.hypot(*offset.T)
     heading = np.array([math.cos(own.azimuth), math.sin(own.azimuth)])
-    mouths = [jump[(sign * (offset @ heading) > 0) & (distance < model.well_radius + 5.0 * model.mean_radius)] for sign in (1.0, -1.0)]
+    mouth = model.well_radius + 5.0 * model.mean_radius(model.centre)
+    mouths = [jump[(sign * (offset @ heading) > 0) & (distance < mouth)] for sign in (1.0, -1.0)]
     volume = along + model.well_radius * sum(float(np.median(m)) for m in mouths if len(m) > 0)
     wings = []
     normal = np.array(mine.normal)
