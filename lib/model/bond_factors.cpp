@@ -30,7 +30,7 @@ void combine_factors(Assembly& a, const Options& o) {
   }
 }
 
-void even_factors(Assembly& a, const Options& o) {
+void refill_factors(Assembly& a, const Options& o) {
   combine_factors(a, o);
   if (!a.thermal.empty() || !a.strength_scale.empty() || !a.joint_tensile.empty()) return;
   BondFactors& factors = a.factors;

@@ -15,7 +15,6 @@
 #include "solid/stable_step.hpp"
 
 namespace hfrac {
-void hold_bond(Assembly& a, std::int64_t bond);  // TODO header
 namespace {
 
 // Cycles between looks at the force ratio. Breakage is watched in every cycle.

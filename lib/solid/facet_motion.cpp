@@ -5,8 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "options/choices.hpp"
+
 namespace hfrac {
-void hold_bond(Assembly& a, std::int64_t bond);  // TODO header
 namespace {
 
 constexpr double settled = 1e-11;  // of the largest pressure
@@ -15,6 +16,20 @@ constexpr int most_sweeps = 400;
 void sort_out(std::vector<std::int32_t>& values) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+// As the quasi-static solver chooses those that its pins are on.
+std::vector<std::int32_t> discs_far_apart(const Assembly& a) {
+  std::int32_t lowest = 0, far = 0;
+  const auto discs = static_cast<std::int32_t>(a.disc_count());
+  for (std::int32_t i = 1; i < discs; ++i)
+    if (a.x[i] + a.y[i] < a.x[lowest] + a.y[lowest]) lowest = i;
+  const auto distance = [&](std::int32_t i) {
+    return std::hypot(a.x[i] - a.x[lowest], a.y[i] - a.y[lowest]);
+  };
+  for (std::int32_t i = 1; i < discs; ++i)
+    if (distance(i) > distance(far)) far = i;
+  return {lowest, far};
 }
 
 // The bonds around a tip break when the openings behind it say so (frac/tip.hpp), not by what they bear.
@@ -36,8 +51,9 @@ void hold_bond(Assembly& a, std::int64_t bond) {
 void FacetMotion::begin(const FacetStart& start, const Array<double>& weight) {
   start_ = &start;
   weight_ = &weight;
-  even_factors(assembly_, options_);
+  refill_factors(assembly_, options_);
   count_.assign(network_.kind.size(), 0);
+  if (BoundaryKind{options_.boundary_kind} == BoundaryKind::stress) far_apart_ = discs_far_apart(assembly_);
 }
 
 void FacetMotion::take(std::span<const Facet> facets, std::vector<Push> pushes, std::vector<Face> faces) {
@@ -46,7 +62,7 @@ void FacetMotion::take(std::span<const Facet> facets, std::vector<Push> pushes, 
   facets_ = facets;
   pushes_ = std::move(pushes);
   faces_ = std::move(faces);
-  even_factors(assembly_, options_);
+  refill_factors(assembly_, options_);
   discs_.clear();
   std::vector<std::int32_t> rock, holes;
   std::fill(count_.begin(), count_.end(), 0);
@@ -62,6 +78,7 @@ void FacetMotion::take(std::span<const Facet> facets, std::vector<Push> pushes, 
   for (const auto& push : pushes_)
     discs_.insert(discs_.end(), {assembly_.first[push.bond], assembly_.second[push.bond]});
   for (const auto& face : faces_) discs_.push_back(face.disc);
+  if (!facets.empty()) discs_.insert(discs_.end(), far_apart_.begin(), far_apart_.end());
   for (auto* list : {&rock, &holes, &discs_}) sort_out(*list);
   holes_.clear();
   for (const auto d : holes) holes_.push_back({d, n.pressure[d]});
@@ -194,14 +211,26 @@ void FacetMotion::answer(bool undrained) {
   push_all();  // without what rounding left
 }
 
+void FacetMotion::push_pair(std::int64_t bond, Vec2 force, double on_first, double on_second) {
+  Assembly& a = assembly_;
+  const auto i = a.first[bond], j = a.second[bond];
+  a.external_x[i] += force.x;
+  a.external_y[i] += force.y;
+  a.external_x[j] -= force.x;
+  a.external_y[j] -= force.y;
+  a.external_moment[i] += on_first;
+  a.external_moment[j] += on_second;
+  turns_ += on_first + on_second - cross(Vec2{a.dx(bond) + a.ux[j] - a.ux[i], a.dy(bond) + a.uy[j] - a.uy[i]}, force);
+}
+
 void FacetMotion::add_forces() {
   Assembly& a = assembly_;
+  turns_ = 0.0;
   for (std::size_t k = 0; k < items_.size(); ++k) {
     const Facet& f = facets_[k];
-    const auto i = a.first[f.bond], j = a.second[f.bond];
     const Vec2 n = f.normal, t{-n.y, n.x};
     Vec2 force = f.locked;
-    double on_first = f.locked_first, on_second = f.locked_second;
+    double on_first = -f.locked_first, on_second = -f.locked_second;
     const double opening = items_[k].apart + items_[k].push / start_->stiffness;
     if (opening >= 0.0) {
       // A hole pushes on its own corners.
@@ -213,30 +242,30 @@ void FacetMotion::add_forces() {
       const ClosedFacet c = closed_facet(a, options_, *start_, f, opening);
       const double arm_i = a.arm(f.bond), arm_j = a.length(f.bond) - arm_i;
       force = force + c.normal * n + c.shear * t;
-      on_first -= arm_i * c.shear;
-      on_second -= arm_j * c.shear;
+      on_first += arm_i * c.shear;
+      on_second += arm_j * c.shear;
     }
-    a.external_x[i] += force.x;
-    a.external_y[i] += force.y;
-    a.external_x[j] -= force.x;
-    a.external_y[j] -= force.y;
-    a.external_moment[i] -= on_first;
-    a.external_moment[j] -= on_second;
+    push_pair(f.bond, force, on_first, on_second);
   }
-  for (const auto& [bond, force] : pushes_) {
-    const auto i = a.first[bond], j = a.second[bond];
-    a.external_x[i] += force.x;
-    a.external_y[i] += force.y;
-    a.external_x[j] -= force.x;
-    a.external_y[j] -= force.y;
-  }
+  for (const auto& [bond, force] : pushes_) push_pair(bond, force, 0.0, 0.0);
   for (const auto& face : faces_) {
     const auto at = std::lower_bound(pores_.begin(), pores_.end(), face.domain,
                                      [](const Pore& pore, std::int32_t d) { return pore.domain < d; });
-    a.external_x[face.disc] += at->pressure * face.weight.x;
-    a.external_y[face.disc] += at->pressure * face.weight.y;
-    a.external_moment[face.disc] += at->pressure * face.turn;
+    const Vec2 force = at->pressure * face.weight;
+    const double moment = at->pressure * face.turn;
+    a.external_x[face.disc] += force.x;
+    a.external_y[face.disc] += force.y;
+    a.external_moment[face.disc] += moment;
+    turns_ += moment + cross(a.position(face.disc), force);
   }
+  if (far_apart_.empty() || items_.empty()) return;
+  const auto p = far_apart_[0], q = far_apart_[1];
+  const Vec2 between = a.position(q) - a.position(p);
+  const Vec2 couple = (turns_ / dot(between, between)) * Vec2{-between.y, between.x};
+  a.external_x[p] += couple.x;
+  a.external_y[p] += couple.y;
+  a.external_x[q] -= couple.x;
+  a.external_y[q] -= couple.y;
 }
 
 }  // namespace hfrac

@@ -7,7 +7,9 @@
 //              goes with the pressures of both its pores, since the half discs at its faces give way; the equations are the gradient of a
 //              convex function of the pressures and are solved pore by pore, to and fro along the list (nonlinear Gauss-Seidel), until no
 //              pressure changes by more than `settled`. Whatever is left, no fluid is lost: contents do not change here.
-//   forces     what facet_law.hpp says of each facet, and on intact bonds around such pores the locked-in push of the pressure before
+//   forces     what facet_law.hpp says of each facet, and on intact bonds around such pores the locked-in push of the pressure before.
+//              They turn a body that nothing holds, since facets do not look along their bonds: what they turn two discs far apart bear, those
+//              that the quasi-static solver's pins are on.
 //
 // Open facets are no stiffer than closed ones: the fluid of a pore gives way with the faces, so m facets of a pore add up to at most
 // (1 + sqrt(m)) / 2 times k_n per facet. So the stable step of intact rock, with each bond as stiff as a facet that looks any way and each pore
@@ -25,6 +27,9 @@
 #include "solid/facet_law.hpp"
 
 namespace hfrac {
+
+// This bond does not break by what it bears, until the facets change.
+void hold_bond(Assembly& assembly, std::int64_t bond);
 
 class FacetMotion {
  public:
@@ -93,6 +98,8 @@ class FacetMotion {
                       : holes_[static_cast<std::size_t>(~place)].pressure;
   }
   [[nodiscard]] double volume_change(const Pore& pore) const;
+  // Puts a force on the first of two discs and the opposite on the second; moments as they are. Adds what that turns the whole [N m].
+  void push_pair(std::int64_t bond, Vec2 force, double on_first, double on_second);
   double correct(Pore& pore);
 
   Assembly& assembly_;
@@ -109,8 +116,9 @@ class FacetMotion {
   std::vector<Hole> holes_;
   std::vector<std::int32_t> discs_;
   std::vector<std::uint8_t> count_;  // facets per pore
-  std::vector<std::int64_t> shut_;   // bonds that have no stiffness in the kernels
   Array<double> stiffness_;
+  double turns_ = 0.0;                   // N m, what all here turns the whole by
+  std::vector<std::int32_t> far_apart_;  // two discs; none between walls
   std::int64_t changes_ = 0;
 };
 
