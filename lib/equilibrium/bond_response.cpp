@@ -166,24 +166,18 @@ BondResponse respond(const Assembly& a, const Options& o, const Network& network
   r.force[3] = f.locked_second;
   if (r.gap >= 0.0) return r;
   const auto e = f.bond;
-  const auto i = a.first[e], j = a.second[e];
   const Vec2 n = f.normal, t{-n.y, n.x};
   const double arm_i = a.arm(e), arm_j = a.length(e) - arm_i;
-  const double k = facets.stiffness, k_s = o.contact_shear_stiffness;
-  r.normal = k * facets.jump(a, f, n) - f.initial_normal;
+  const double k = facets.start().stiffness;
+  const ClosedFacet c = closed_facet(a, o, facets.start(), f, r.gap);
+  r.normal = c.normal;
   r.normal_stiffness = k;
-  // The grains bear what the facet transmits beyond the fluid's push, -k_n w: nothing where the facet opens.
-  const double limit = -o.contact_friction * k * r.gap;
-  const double slide = facets.jump(a, f, t) - arm_i * (a.rotation[i] - facets.start_rotation[i]) -
-                       arm_j * (a.rotation[j] - facets.start_rotation[j]);
-  const double trial = k_s * slide - f.initial_shear;
-  double shear_stiffness = k_s, by_gap = 0.0;
-  r.shear = trial;
-  if (std::abs(trial) > limit) {
-    r.shear = std::copysign(limit, trial);
+  r.shear = c.shear;
+  double shear_stiffness = o.contact_shear_stiffness, by_gap = 0.0;
+  if (c.slides != 0.0) {
     shear_stiffness = 0.0;
-    by_gap = -std::copysign(o.contact_friction * k, trial);
-    r.by_push = -std::copysign(o.contact_friction, trial);
+    by_gap = -std::copysign(o.contact_friction * k, c.slides);
+    r.by_push = -std::copysign(o.contact_friction, c.slides);
   }
   const double opens[4] = {n.x, n.y, 0.0, 0.0}, slides[4] = {t.x, t.y, -arm_i, -arm_j};
   for (int row = 0; row < 4; ++row) {

@@ -197,7 +197,7 @@ void CoupledSystem::products_of_facets(const Vector& x, Vector& y) const {
     const Facet& f = facets_.all()[k];
     const double push = x[pressure_at(f.left)] * f.left_length + x[pressure_at(f.right)] * f.right_length;
     if (facet_open_[k] != 0) {
-      const double more = push * pressure_scale_ / facets_.stiffness / length_scale_;
+      const double more = push * pressure_scale_ / facets_.start().stiffness / length_scale_;
       for (const auto& [domain, length] :
            {std::pair{f.left, f.left_length}, std::pair{f.right, f.right_length}})
         if (network_.kind[domain] == DomainKind::rock && at_floor_[domain] == 0)

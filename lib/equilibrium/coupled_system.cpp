@@ -11,11 +11,6 @@
 #include "solid/smooth_joints.hpp"
 
 namespace hfrac {
-namespace {
-
-constexpr double slot_width = 1e-3;  // m, that a cut slot lets fluid through by at least
-
-}  // namespace
 
 CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& boundary,
                              const NonBondedContacts& non_bonded, const Options& options, Workers& workers,
@@ -145,8 +140,8 @@ void CoupledSystem::open_facets() {
       n.corner_weight[2 * cj] += part.x;
       n.corner_weight[2 * cj + 1] += part.y;
       facet_change_[static_cast<std::size_t>(d)] +=
-          length * more / facets_.stiffness -
-          dot(part, {facets_.start_x[j] - facets_.start_x[i], facets_.start_y[j] - facets_.start_y[i]});
+          length * more / facets_.start().stiffness -
+          dot(part, {facets_.start().x[j] - facets_.start().x[i], facets_.start().y[j] - facets_.start().y[i]});
     }
   }
 }
@@ -506,7 +501,7 @@ void CoupledSystem::evaluate_facet_pipe(std::size_t e, std::size_t facet) {
   opening_[e] = facets_.jump(assembly_, f, f.normal);
   opening_way_[e] = {f.normal, 0.0, 0.0};
   auto w = aperture_response(options_, n.pipe_at_rest(e), opening_[e], 0.0, 0.0, false);
-  if (f.slot && w.aperture < slot_width) w = {slot_width, 0.0};
+  if (w.aperture < n.facet_least[e]) w = {n.facet_least[e], 0.0};
   n.aperture[e] = w.aperture;
   const bool held = facet < held_.size();
   const auto flow = law_.respond(held ? held_[facet] : w.aperture, f.way, drop(e));

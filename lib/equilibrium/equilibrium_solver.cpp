@@ -252,6 +252,7 @@ void EquilibriumSolver::break_farthest(CrackLog& log) {
     return a.excess != b.excess ? a.excess > b.excess : a.bond < b.bond;
   });
   std::vector<Vec2> broken;
+  std::vector<std::int64_t> bonds;
   for (const auto& candidate : exceeding_) {
     const Vec2 middle = 0.5 * (assembly_.position(assembly_.first[candidate.bond]) +
                                assembly_.position(assembly_.second[candidate.bond]));
@@ -263,6 +264,7 @@ void EquilibriumSolver::break_farthest(CrackLog& log) {
     if (near || mechanics_.stays(candidate.bond))
       continue;  // some of its discs' other bonds may have broken just now
     broken.push_back(middle);
+    bonds.push_back(candidate.bond);
     mechanics_.break_bond(candidate.bond, log);
     if (candidate.at_tip) log.back().mode = CrackMode::tension;
     if (facets_.active()) network_.facet_time[candidate.bond] = time_;
@@ -277,7 +279,7 @@ void EquilibriumSolver::break_farthest(CrackLog& log) {
       }
     }
   }
-  facets_.update(assembly_, network_);
+  facets_.add(assembly_, network_, bonds);
 }
 
 }  // namespace hfrac

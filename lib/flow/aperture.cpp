@@ -171,9 +171,13 @@ void update_apertures(Network& n, const Assembly& a, const Options& o) {
     const BondView bond = view_bond(a, o, static_cast<std::int64_t>(e));
     const double joint = joint_opening(a, static_cast<std::int64_t>(e));
     const CrackPlane* plane = n.planes.of(e);
-    const double length = pipe_length(n, a, e);
+    const double way = n.facet_way.empty() ? 0.0 : n.facet_way[e];
+    const double length = way > 0.0 ? way : pipe_length(n, a, e);
     double w;
-    if (const SmoothContact* contact = flowing_contact(n, a, e)) {
+    if (way > 0.0) {  // of a facet
+      w = std::max(n.facet_least[e],
+                   aperture_response(o, n.zero_stress_aperture, n.facet_opening[e], 0.0, 0.0, false).aperture);
+    } else if (const SmoothContact* contact = flowing_contact(n, a, e)) {
       w = joint_aperture_response(o, a.smooth.law_of(*contact), smooth_opening(a, *contact)).aperture;
     } else if (joint > 0.0) {
       w = aperture_response(o, n.pipe_at_rest(e), joint, 0.0, 0.0, false).aperture;

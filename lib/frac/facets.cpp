@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "model/joint_pores.hpp"
 
@@ -12,6 +13,7 @@ namespace {
 constexpr double plane_reach = 4.0;   // mean radii to either side that a fracture's plane is fitted over
 constexpr double long_ago = -1e30;    // s
 constexpr double shortest_way = 0.2;  // mean radii
+constexpr double slot_width = 1e-3;   // m, that a cut slot lets fluid through by at least
 constexpr double gauss =
     0.28867513459481287;  // 1 / (2 sqrt(3)): points of the two-point rule from the middle
 
@@ -55,17 +57,17 @@ void Facets::begin(const Assembly& a, Network& n, const std::vector<WellPlace>& 
   active_ = true;
   assembly_ = &a;
   network_ = &n;
-  stiffness = o.contact_normal_stiffness;
+  start_.stiffness = o.contact_normal_stiffness;
   const auto bonds = a.first.size();
-  start_x = a.ux;
-  start_y = a.uy;
-  start_rotation = a.rotation;
+  start_.x = a.ux;
+  start_.y = a.uy;
+  start_.rotation = a.rotation;
   of_.assign(bonds, -1);
   cut_.assign(bonds, 0);
   fractured_.assign(n.kind.size(), 0);
   bonds_.assign(n.kind.size(), {});
   n.facet_offset.assign(n.kind.size(), 0.0);
-  n.facet_opening.assign(bonds, 0.0);
+  for (auto* values : {&n.facet_opening, &n.facet_way, &n.facet_least}) values->assign(bonds, 0.0);
   n.facet_time.assign(bonds, long_ago);
   biot_ = o.rock_biot_coefficient;
   pressure_.assign(n.pressure.begin(), n.pressure.end());
@@ -73,6 +75,7 @@ void Facets::begin(const Assembly& a, Network& n, const std::vector<WellPlace>& 
     if (n.kind[d] == DomainKind::rock && !in_joint(static_cast<std::int32_t>(d))) pressure_[d] *= biot_;
   pore_push_.assign(2 * bonds, 0.0);
   weight_ = n.corner_weight;
+  turn_ = n.corner_turn;
   force_.assign(4 * bonds, 0.0);
   contact_.resize(bonds);
   const auto discs = static_cast<std::size_t>(a.disc_count());
@@ -138,7 +141,7 @@ void Facets::stress_around(const Assembly& a, const Network& n, const Options& o
         const Facet& f = facets_[of_[e]];
         const double push = n.pressure[f.left] * f.left_length + n.pressure[f.right] * f.right_length;
         const double w = opening(a, n, f);
-        now = (w >= 0.0 ? -push : stiffness * jump(a, f, f.normal) - f.initial_normal) * f.normal + f.locked;
+        now = (w >= 0.0 ? -push : start_.stiffness * jump(a, f, f.normal) - f.initial_normal) * f.normal + f.locked;
       } else {
         const auto borne = [&](std::int32_t pore) {
           if (in_joint(pore)) return n.pressure[pore];
@@ -160,75 +163,196 @@ void Facets::stress_around(const Assembly& a, const Network& n, const Options& o
   for (int k = 0; k < 3; ++k) stress[k] /= area;
 }
 
-double Facets::jump(const Assembly& a, const Facet& f, Vec2 way) const {
-  const auto i = a.first[f.bond], j = a.second[f.bond];
-  return dot({a.ux[j] - start_x[j] - (a.ux[i] - start_x[i]), a.uy[j] - start_y[j] - (a.uy[i] - start_y[i])},
-             way);
-}
-
 double Facets::opening(const Assembly& a, const Network& n, const Facet& f) const {
   const double push = n.pressure[f.left] * f.left_length + n.pressure[f.right] * f.right_length;
-  return jump(a, f, f.normal) + (push - f.initial_normal) / stiffness;
+  return facet_opening(a, start_, f, push);
 }
 
 void Facets::tell_openings(const Assembly& a, Network& n) const {
   for (const Facet& f : facets_) n.facet_opening[f.bond] = std::max(0.0, jump(a, f, f.normal));
 }
 
+bool Facets::is_face(const Assembly& a, const Network& n, std::int64_t e) const {
+  if (a.intact[e] != 0 || n.left[e] == n.right[e]) return false;
+  if (a.smooth.of(e) != nullptr) return false;  // a joint's has a law of its own
+  return n.kind[n.left[e]] != DomainKind::outside && n.kind[n.right[e]] != DomainKind::outside;
+}
+
+Facet Facets::face_of(const Assembly& a, const Network& n, std::int64_t e) const {
+  Facet f;
+  f.bond = e;
+  f.left = n.left[e];
+  f.right = n.right[e];
+  f.middle = contact_[e];
+  f.slot = cut_[e] != 0;
+  for (int side = 0; side < 2; ++side) {
+    const auto dom = side == 0 ? f.left : f.right;
+    if (n.kind[dom] != DomainKind::rock) continue;
+    for (auto k = n.corner_start[dom]; k < n.corner_start[dom + 1]; ++k) {
+      if (n.corner_disc[k] == a.first[e]) f.corner[2 * side] = k;
+      if (n.corner_disc[k] == a.second[e]) f.corner[2 * side + 1] = k;
+    }
+  }
+  return f;
+}
+
+// What a pore was pushed apart by when its fluid began to act on facets instead [m2].
+double Facets::change_before(const Assembly& a, const Network& n, std::int32_t d) const {
+  // A joint's faces go on as they were (add_face_weights).
+  if (in_joint(d)) return 0.0;
+  double change = 0.0;
+  for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k)
+    change += n.corner_weight[2 * k] * a.ux[n.corner_disc[k]] +
+              n.corner_weight[2 * k + 1] * a.uy[n.corner_disc[k]];
+  return change;
+}
+
+void Facets::put_weights(Network& n, std::int32_t d, bool open) const {
+  const auto begin = n.corner_start[d], end = n.corner_start[d + 1];
+  for (auto k = 2 * begin; k < 2 * end; ++k) n.corner_weight[k] = open ? 0.0 : weight_[k];
+  if (n.corner_turn.empty()) return;
+  for (auto k = begin; k < end; ++k) n.corner_turn[k] = open ? 0.0 : turn_[k];
+}
+
+void Facets::put_pipe(Network& n, const Facet& f) const {
+  n.facet_way[f.bond] = f.way;
+  n.facet_least[f.bond] = f.slot ? slot_width : 0.0;
+}
+
+// What the explicit solver has to know.
+void Facets::tell_motion(const Assembly& a, Network& n) const {
+  if (motion_ == nullptr) return;
+  std::vector<std::int32_t> pores;
+  for (const Facet& f : facets_)
+    for (const auto d : {f.left, f.right})
+      if (fractured_[d] != 0) pores.push_back(d);
+  std::sort(pores.begin(), pores.end());
+  pores.erase(std::unique(pores.begin(), pores.end()), pores.end());
+  std::vector<std::int64_t> bonds;
+  std::vector<FacetMotion::Face> faces;
+  for (const auto d : pores) {
+    for (const auto e : bonds_[d])
+      if (of_[e] < 0 && a.smooth.of(e) == nullptr) bonds.push_back(e);
+    if (!in_joint(d)) continue;
+    add_face_weights(n, a, d);
+    for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
+      const Vec2 weight{n.corner_weight[2 * k], n.corner_weight[2 * k + 1]};
+      if (weight.x != 0.0 || weight.y != 0.0 || n.corner_turn[k] != 0.0)
+        faces.push_back({d, n.corner_disc[k], weight, n.corner_turn[k]});
+    }
+    put_weights(n, d, true);
+  }
+  std::sort(bonds.begin(), bonds.end());
+  bonds.erase(std::unique(bonds.begin(), bonds.end()), bonds.end());
+  std::vector<FacetMotion::Push> pushes;
+  for (const auto e : bonds) pushes.push_back({e, locked_of(e)});
+  motion_->take(facets_, std::move(pushes), std::move(faces));
+}
+
+void Facets::put_push(const Assembly& a, const Network& n, std::int64_t e) {
+  Vec2 push{};
+  const auto low = std::min(n.left[e], n.right[e]), high = std::max(n.left[e], n.right[e]);
+  if (of_[e] < 0 && a.smooth.of(e) == nullptr)
+    for (const auto d : {low, high})
+      if (fractured_[d] != 0 && (d == low || high != low))
+        push = push - pressure_[d] * pushed(e, n.left[e] == d);
+  pore_push_[2 * e] = push.x;
+  pore_push_[2 * e + 1] = push.y;
+}
+
 void Facets::update(const Assembly& a, Network& n, bool restored) {
   if (!active_) return;
   facets_.clear();
   std::fill(of_.begin(), of_.end(), -1);
-  std::fill(pore_push_.begin(), pore_push_.end(), 0.0);
   std::vector<char> before = fractured_;
   std::fill(fractured_.begin(), fractured_.end(), 0);
-  for (std::size_t e = 0; e < a.first.size(); ++e) {
-    if (a.intact[e] != 0 || n.left[e] == n.right[e]) continue;
-    if (a.smooth.of(static_cast<std::int64_t>(e)) != nullptr) continue;  // a joint's has a law of its own
-    if (n.kind[n.left[e]] == DomainKind::outside || n.kind[n.right[e]] == DomainKind::outside) continue;
-    const auto b = static_cast<std::int64_t>(e);
-    Facet f;
-    f.bond = b;
-    f.left = n.left[e];
-    f.right = n.right[e];
-    f.middle = contact_[e];
-    f.slot = cut_[e] != 0;
-    for (int side = 0; side < 2; ++side) {
-      const auto dom = side == 0 ? f.left : f.right;
-      if (n.kind[dom] != DomainKind::rock) continue;
-      for (auto k = n.corner_start[dom]; k < n.corner_start[dom + 1]; ++k) {
-        if (n.corner_disc[k] == a.first[e]) f.corner[2 * side] = k;
-        if (n.corner_disc[k] == a.second[e]) f.corner[2 * side + 1] = k;
-      }
-    }
+  for (std::int64_t e = 0; e < a.bond_count(); ++e) {
+    if (!is_face(a, n, e)) continue;
     of_[e] = static_cast<std::int32_t>(facets_.size());
-    facets_.push_back(f);
-    for (const auto dom : {f.left, f.right})
+    facets_.push_back(face_of(a, n, e));
+    for (const auto dom : {n.left[e], n.right[e]})
       if (n.kind[dom] == DomainKind::rock) fractured_[dom] = 1;
   }
-  for (auto& f : facets_) lay_along_fracture(a, n, f);
-  tell_openings(a, n);
-  for (std::size_t d = 1; d < fractured_.size(); ++d) {
-    if (fractured_[d] != before[d])
-      std::copy(weight_.begin() + 2 * n.corner_start[d], weight_.begin() + 2 * n.corner_start[d + 1],
-                n.corner_weight.begin() + 2 * n.corner_start[d]);
-    if (fractured_[d] == 0) continue;
-    if (before[d] == 0 && !restored) {
-      double change = 0.0;
-      for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k)
-        change += n.corner_weight[2 * k] * a.ux[n.corner_disc[k]] +
-                  n.corner_weight[2 * k + 1] * a.uy[n.corner_disc[k]];
-      // A joint's faces go on as they were (add_face_weights).
-      n.facet_offset[d] = in_joint(static_cast<std::int32_t>(d)) ? 0.0 : change;
-    }
-    for (auto k = 2 * n.corner_start[d]; k < 2 * n.corner_start[d + 1]; ++k) n.corner_weight[k] = 0.0;
-    for (const auto e : bonds_[d]) {
-      if (of_[e] >= 0 || a.smooth.of(e) != nullptr) continue;
-      const Vec2 push = -pressure_[d] * pushed(e, n.left[e] == static_cast<std::int32_t>(d));
-      pore_push_[2 * e] += push.x;
-      pore_push_[2 * e + 1] += push.y;
-    }
+  std::fill(n.facet_way.begin(), n.facet_way.end(), 0.0);
+  std::fill(n.facet_least.begin(), n.facet_least.end(), 0.0);
+  for (auto& f : facets_) {
+    lay_along_fracture(a, n, f);
+    put_pipe(n, f);
   }
+  tell_openings(a, n);
+  for (std::int32_t d = 1; d < n.domain_count(); ++d) {
+    if (fractured_[d] != before[d]) put_weights(n, d, false);
+    if (fractured_[d] == 0) continue;
+    if (before[d] == 0 && !restored) n.facet_offset[d] = change_before(a, n, d);
+    put_weights(n, d, true);
+  }
+  for (std::int64_t e = 0; e < a.bond_count(); ++e) put_push(a, n, e);
+  tell_motion(a, n);
+}
+
+void Facets::add(const Assembly& a, Network& n, std::span<const std::int64_t> broken) {
+  if (!active_) return;
+  std::vector<std::int64_t> fresh;
+  for (const auto e : broken)
+    if (of_[e] < 0 && is_face(a, n, e)) fresh.push_back(e);
+  std::sort(fresh.begin(), fresh.end());
+  for (const auto e : fresh) {
+    const auto at = std::lower_bound(facets_.begin(), facets_.end(), e,
+                                     [](const Facet& f, std::int64_t bond) { return f.bond < bond; });
+    facets_.insert(at, face_of(a, n, e));
+  }
+  for (std::size_t k = 0; k < facets_.size(); ++k) of_[facets_[k].bond] = static_cast<std::int32_t>(k);
+  for (const auto e : fresh)
+    for (const auto d : {n.left[e], n.right[e]}) {
+      if (n.kind[d] != DomainKind::rock || fractured_[d] != 0) continue;
+      n.facet_offset[d] = change_before(a, n, d);
+      fractured_[d] = 1;
+    }
+  for (const auto bond : near_to(a, n, fresh)) {
+    Facet& f = facets_[of_[bond]];
+    lay_along_fracture(a, n, f);
+    put_pipe(n, f);
+  }
+  tell_openings(a, n);
+  for (const Facet& f : facets_)
+    for (const auto d : {f.left, f.right})
+      if (fractured_[d] != 0) put_weights(n, d, true);
+  for (const auto e : fresh)
+    for (const auto d : {n.left[e], n.right[e]})
+      for (const auto bond : bonds_[d]) put_push(a, n, bond);
+  tell_motion(a, n);
+}
+
+// Facets that may lie otherwise for new ones: whose way through the rock's pores (lay_along_fracture) can come to a pore of theirs. The pores
+// that such a way goes on from are, but for its first, within its reach of the facet, so within twice that of each other.
+std::vector<std::int64_t> Facets::near_to(const Assembly& a, const Network& n,
+                                          const std::vector<std::int64_t>& fresh) const {
+  const double reach = 2.0 * (1.0 + 1e-9) * plane_reach * a.mean_radius;
+  std::vector<std::int64_t> near;
+  const auto take = [&](std::int32_t pore) {
+    for (const auto e : bonds_[pore])
+      if (of_[e] >= 0) near.push_back(e);
+  };
+  for (const auto e : fresh)
+    for (const auto from : {n.left[e], n.right[e]}) {
+      if (n.kind[from] != DomainKind::rock) continue;
+      std::vector<std::int32_t> pores{from};
+      take(from);
+      for (std::size_t k = 0; k < pores.size(); ++k)
+        for (const auto by : bonds_[pores[k]]) {
+          if (of_[by] < 0) continue;
+          const auto next = n.left[by] == pores[k] ? n.right[by] : n.left[by];
+          if (n.kind[next] != DomainKind::rock ||
+              std::find(pores.begin(), pores.end(), next) != pores.end())
+            continue;
+          take(next);
+          if (size(n.centroid[next] - n.centroid[from]) <= reach) pores.push_back(next);
+        }
+    }
+  near.insert(near.end(), fresh.begin(), fresh.end());
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  return near;
 }
 
 // Force of the plate's stress on a facet's part on one side. Beside a hole that is what lies between the contact at its wall and the

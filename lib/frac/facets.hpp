@@ -20,6 +20,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/array.hpp"
@@ -29,23 +30,10 @@
 #include "model/well.hpp"
 #include "options/options.hpp"
 #include "solid/bond_law.hpp"
+#include "solid/facet_law.hpp"
+#include "solid/facet_motion.hpp"
 
 namespace hfrac {
-
-struct Facet {
-  std::int64_t bond = -1;
-  std::int32_t left = 0, right = 0;  // pores
-  Vec2 normal;                       // unit, of the fracture around it, towards the second disc
-  double length = 0.0;               // m, along the fracture
-  double way = 0.0;                  // m, that its fluid flows
-  double left_length = 0.0, right_length = 0.0;
-  double initial_normal = 0.0, initial_shear = 0.0;  // N: of F_0 below, along n and (-n.y, n.x)
-  Vec2 locked;                                       // N on the first disc while open
-  double locked_first = 0.0, locked_second = 0.0;    // N m, as BondResponse::force[2], [3]
-  Vec2 middle;                                       // m
-  bool slot = false;  // cut, not broken: the fluid passes whether the rock opens it or not
-  std::int32_t corner[4] = {-1, -1, -1, -1};  // of left pore: first, second disc; of right pore
-};
 
 class Facets {
  public:
@@ -55,8 +43,15 @@ class Facets {
   [[nodiscard]] bool active() const { return active_; }
   // This bond's facet, once it is broken, will be a slot.
   void cut(std::int64_t bond) { cut_[bond] = 1; }
-  // After a bond broke, or after a restore.
+  // From all bonds as they stand: at the beginning, or after a restore.
   void update(const Assembly& assembly, Network& network, bool restored = false);
+  // After these bonds broke: looks at what lies near them only, and leaves what update() would, bit for bit.
+  void add(const Assembly& assembly, Network& network, std::span<const std::int64_t> broken);
+
+  // The explicit solver's list of them follows from now on.
+  void follow(FacetMotion& motion) { motion_ = &motion; }
+  // Weights of the pores' corners in rock without fractures.
+  [[nodiscard]] const Array<double>& rock_weight() const { return weight_; }
 
   [[nodiscard]] std::int32_t of(std::int64_t bond) const { return active_ ? of_[bond] : -1; }
   [[nodiscard]] const std::vector<Facet>& all() const { return facets_; }
@@ -68,7 +63,9 @@ class Facets {
     return disc_bonds_[disc];
   }
   // m; n . (du - du_0) along `way`.
-  [[nodiscard]] double jump(const Assembly& a, const Facet& f, Vec2 way) const;
+  [[nodiscard]] double jump(const Assembly& a, const Facet& f, Vec2 way) const {
+    return facet_jump(a, start_, f, way);
+  }
   // What others read of openings: network.facet_opening.
   void tell_openings(const Assembly& assembly, Network& network) const;
   [[nodiscard]] double opening(const Assembly& a, const Network& n, const Facet& f) const;
@@ -84,16 +81,25 @@ class Facets {
   // Mean total stress of the discs around a pore now, compression positive: xx, yy, xy [Pa].
   void stress_around(const Assembly& a, const Network& n, const Options& o, std::int32_t domain,
                      double* stress) const;
-  double stiffness = 0.0;  // k_n, N/m
-  Array<double> start_x, start_y, start_rotation;
+  [[nodiscard]] const FacetStart& start() const { return start_; }
 
  private:
   [[nodiscard]] bool in_joint(std::int32_t domain) const {
     return !network_->joint_pore.empty() && network_->joint_pore[domain] != 0;
   }
   [[nodiscard]] Vec2 pushed(std::int64_t bond, bool left) const;
+  [[nodiscard]] bool is_face(const Assembly& a, const Network& n, std::int64_t bond) const;
+  [[nodiscard]] Facet face_of(const Assembly& a, const Network& n, std::int64_t bond) const;
+  [[nodiscard]] double change_before(const Assembly& a, const Network& n, std::int32_t domain) const;
+  void put_weights(Network& n, std::int32_t domain, bool open) const;
+  void put_push(const Assembly& a, const Network& n, std::int64_t bond);
+  void put_pipe(Network& n, const Facet& f) const;
+  void tell_motion(const Assembly& a, Network& n) const;
+  [[nodiscard]] std::vector<std::int64_t> near_to(const Assembly& a, const Network& n,
+                                                  const std::vector<std::int64_t>& fresh) const;
   void lay_along_fracture(const Assembly& a, const Network& n, Facet& f) const;
   [[nodiscard]] Vec2 mean_force(const Network& n, const Facet& f, bool left) const;
+  FacetStart start_;
   HoledPlate plate_;
   bool active_ = false;
   const Network* network_ = nullptr;
@@ -105,7 +111,8 @@ class Facets {
   Array<double>
       pressure_;  // per domain: what the rock around it, or its joint's faces, bore of its pressure initially [Pa]
   double biot_ = 1.0;
-  Array<double> pore_push_, weight_;
+  Array<double> pore_push_, weight_, turn_;
+  FacetMotion* motion_ = nullptr;
   std::vector<Vec2> contact_;
   std::vector<std::vector<std::int32_t>> disc_bonds_;
   Array<double> area_;

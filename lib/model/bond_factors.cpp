@@ -30,4 +30,14 @@ void combine_factors(Assembly& a, const Options& o) {
   }
 }
 
+void refill_factors(Assembly& a, const Options& o) {
+  combine_factors(a, o);
+  if (!a.thermal.empty() || !a.strength_scale.empty() || !a.joint_tensile.empty()) return;
+  BondFactors& factors = a.factors;
+  factors.growth.assign(a.first.size(), 0.0);
+  for (auto* values : {&factors.stiffness, &factors.tensile, &factors.shear})
+    values->assign(a.first.size(), 1.0);
+  factors.friction.assign(a.first.size(), o.contact_friction);
+}
+
 }  // namespace hfrac

@@ -33,5 +33,7 @@ struct Options;
 
 // Fills assembly.factors from its toughness, joints and temperature. To be called when any of them has changed.
 void combine_factors(Assembly& assembly, const Options& options);
+// Likewise where the rock is the same everywhere, for single ones to be changed then.
+void refill_factors(Assembly& assembly, const Options& options);
 
 }  // namespace hfrac

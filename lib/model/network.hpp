@@ -61,7 +61,10 @@ struct Network {
   // with fracture.law facet (frac/facets.hpp), else empty
   Array<double> facet_offset;   // m2, per domain: of a fracture's pore before its facets open
   Array<double> facet_time;     // s, per pipe: when its bond broke
-  Array<double> facet_opening;  // m, per pipe: across the fracture; follows from the state
+  // These follow from the state:
+  Array<double> facet_opening;  // m, per pipe: across the fracture
+  Array<double> facet_way;      // m, per pipe: that a facet's fluid flows; 0: no facet
+  Array<double> facet_least;    // m, per pipe: that a facet's aperture has at least
   // with joints that conduct (model/joint_pores.hpp), else empty
   Array<double> joint_length;            // m, per pipe: of the piece of a joint that it runs along
   std::vector<std::uint8_t> joint_pore;  // per domain

@@ -141,12 +141,16 @@ void check_facets(const CaseDefinition& definition) {
           "fracture.perforation_length needs fracture.law = \"facet\"; set it, or leave the length at 0 m.");
     return;
   }
-  if (SteppingMode{o.stepping_mode} != SteppingMode::coupled ||
-      SolverKind{o.solver_kind} != SolverKind::quasi_static) {
+  const bool coupled = SteppingMode{o.stepping_mode} == SteppingMode::coupled;
+  if (!coupled && SolverKind{o.solver_kind} == SolverKind::quasi_static) {
     refuse(
-        "fracture.law = \"facet\" is for stepping.mode = \"coupled\" with solver.kind = \"quasi-static\" "
-        "only; "
-        "set both, or take fracture.law = \"bond\".");
+        "fracture.law = \"facet\" with solver.kind = \"quasi-static\" is for stepping.mode = \"coupled\" only; "
+        "set that, or solver.kind = \"explicit\", or take fracture.law = \"bond\".");
+  }
+  if (FlowScheme{o.flow_scheme} == FlowScheme::off) {
+    refuse(
+        "fracture.law = \"facet\" needs fluid, but flow.scheme = \"off\"; set flow.scheme = \"implicit\" or "
+        "\"explicit\", or take fracture.law = \"bond\".");
   }
   if (ThermalMode{o.thermal_mode} != ThermalMode::off) {
     refuse(

@@ -50,7 +50,8 @@ ExplicitSolver::ExplicitSolver(Model& model, Boundary& boundary, const Options& 
       domains_left_(workers.count()),
       tiles_left_(workers.count()),
       kernels_(kernels()),
-      fragments_(assembly_, options) {
+      fragments_(assembly_, options),
+      facets_(assembly_, network_, options) {
   const auto discs = static_cast<std::size_t>(assembly_.disc_count());
   pushed_ = discs_of_smooth(assembly_);
   inverse_mass_.resize(discs);
@@ -135,7 +136,8 @@ void ExplicitSolver::bind_arrays() {
 // Row sums of the stiffness matrix [N/m].
 void ExplicitSolver::stiffness(std::vector<double>& row_x, std::vector<double>& row_y,
                                std::vector<double>& row_rotation) const {
-  stiffness_rows(assembly_, network_, options_, row_x, row_y, row_rotation);
+  stiffness_rows(assembly_, network_, options_, facets_.active() ? &facets_.rock_weight() : nullptr, row_x,
+                 row_y, row_rotation);
   boundary_.add_stiffness(row_x, row_y);
   non_bonded_.add_stiffness(assembly_, row_x, row_y, row_rotation);
   add_smooth_stiffness(assembly_, row_x, row_y, row_rotation);
@@ -227,16 +229,70 @@ void ExplicitSolver::break_bond(std::int64_t bond, CrackLog& log) {
   energies_.fracture += log.back().released;
 }
 
+FacetMotion& ExplicitSolver::follow_facets(const FacetStart& start, const Array<double>& rock_weight,
+                                           FacetRules rules) {
+  facets_.begin(start, rock_weight);
+  facet_rules_ = std::move(rules);
+  bind_arrays();
+  refresh_stiffness();
+  return facets_;
+}
+
+// The list of discs that are pushed follows that of facets.
+void ExplicitSolver::take_facets() {
+  if (facets_seen_ == facets_.changes()) return;
+  facets_seen_ = facets_.changes();
+  pushed_ = discs_of_smooth(assembly_);
+  for (const auto disc : facets_.discs()) pushed_.push_back({disc, false, {}});
+  const auto before = [](const PushedDisc& a, const PushedDisc& b) { return a.disc < b.disc; };
+  std::sort(pushed_.begin(), pushed_.end(), before);
+  pushed_.erase(std::unique(pushed_.begin(), pushed_.end(),
+                            [](const PushedDisc& a, const PushedDisc& b) { return a.disc == b.disc; }),
+                pushed_.end());
+}
+
+// Between two cycles: what was found to break becomes facets, in the order of bonds. Whether one stays depends on those before it.
+void ExplicitSolver::break_into_facets(std::int64_t cycle, std::vector<Found>& found) {
+  std::vector<std::int64_t> bonds, broken;
+  for (auto& part : found) {
+    bonds.insert(bonds.end(), part.to_facets.begin(), part.to_facets.end());
+    part.to_facets.clear();
+  }
+  std::sort(bonds.begin(), bonds.end());
+  for (const auto e : bonds) {
+    if (stays(e)) {
+      hold_bond(assembly_, e);
+      continue;
+    }
+    break_bond(view_bond(assembly_, options_, e), e, cycle, found[0].cracks);
+    network_.facet_time[e] = time_ + (scaled_ ? 0.0 : arrays_.step * static_cast<double>(cycle - cycles_then_));
+    broken.push_back(e);
+  }
+  if (broken.empty()) return;
+  facets_.end_cycles();
+  facet_rules_.breaks(broken);
+  take_facets();
+  facets_.begin_cycles();
+  arrays_.stiffness = facets_.stiffness();
+  put_loads(pushed_, boundary_);
+  mark_left_alone();
+}
+
 // Scalar look at bonds some of which exceed their strength; rare. True if any broke.
-bool ExplicitSolver::break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, CrackLog& found) {
-  const std::size_t before = found.size();
+bool ExplicitSolver::break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, Found& found) {
+  const std::size_t before = found.cracks.size();
   for (std::int64_t e = first; e < last; ++e) {
     if (assembly_.intact[e] == 0 || assembly_.smooth.of(e) != nullptr) continue;
     const BondView bond = view_bond(assembly_, options_, e);
-    if (!bond.breaks() || is_held(e) || fragments_.is_last(assembly_, e)) continue;
-    break_bond(bond, e, cycle, found);
+    if (!bond.breaks() || is_held(e)) continue;
+    if (facets_.active()) {
+      found.to_facets.push_back(e);
+      facets_to_come_ = cycle;
+      continue;
+    }
+    if (!fragments_.is_last(assembly_, e)) break_bond(bond, e, cycle, found.cracks);
   }
-  return found.size() > before;
+  return found.cracks.size() > before;
 }
 
 // Those of smooth joints: which break, and the forces of all on top of the other external ones.
@@ -251,18 +307,18 @@ void ExplicitSolver::take_smooth_joints(std::int64_t cycle, CrackLog& found) {
 }
 
 // After breakage the forces are computed again, as those of what is left.
-void ExplicitSolver::take_cross_block(std::int64_t block, std::int64_t cycle, CrackLog& found) {
+void ExplicitSolver::take_cross_block(std::int64_t block, std::int64_t cycle, Found& found) {
   kernels_.cross_bonds(arrays_, block);
   if (break_cross_block(block, cycle, found)) kernels_.cross_bonds(arrays_, block);
 }
 
-bool ExplicitSolver::break_cross_block(std::int64_t block, std::int64_t cycle, CrackLog& found) {
+bool ExplicitSolver::break_cross_block(std::int64_t block, std::int64_t cycle, Found& found) {
   if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + block)].flagged == 0) return false;
   const auto first = arrays_.first_cross_bond + block * cross_block;
   return break_bonds(first, std::min(first + cross_block, arrays_.bond_count), cycle, found);
 }
 
-void ExplicitSolver::take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, CrackLog& found) {
+void ExplicitSolver::take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, Found& found) {
   kernels_.tile_forces(arrays_, tile, scratch);
   const auto t = static_cast<std::size_t>(tile);
   if (bond_sums_[t].flagged != 0 &&
@@ -282,6 +338,7 @@ void ExplicitSolver::each_pushed_disc(const Visit& visit) const {
     visit(assembly_.first[contact.bond]);
     visit(assembly_.second[contact.bond]);
   }
+  for (const auto disc : facets_.discs()) visit(disc);
 }
 
 // Which tiles nothing outside pushes, now and in the cycles to come: most, and they are spared three arrays.
@@ -302,8 +359,10 @@ void ExplicitSolver::mark_left_alone() {
   each_pushed_disc(pushed);
 }
 
-void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
-  arrays_.stiffness = network_.stiffness.data();
+void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
+  take_facets();
+  if (facets_.active()) facets_.begin_cycles();
+  arrays_.stiffness = facets_.active() ? facets_.stiffness() : network_.stiffness.data();
   arrays_.undrained = undrained_ ? 1 : 0;
   mark_left_alone();
   if (may_block()) {
@@ -344,11 +403,15 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
       if (worker == 0 && boundary_.reacts()) {
         boundary_.cycle(assembly_, arrays_.step, options_.stepping_safety, arrays_.damping);
       }
-      const bool smooth = worker == 0 && !assembly_.smooth.empty();
-      if (smooth) release_smooth(assembly_, pushed_);
+      const bool smooth = worker == 0 && !assembly_.smooth.empty(), faces = worker == 0 && facets_.active();
+      if (worker == 0 && !pushed_.empty()) release_smooth(assembly_, pushed_);
       if (worker == 0 && !non_bonded_.empty())
         non_bonded_.cycle(assembly_, boundary_, arrays_.step, energies_.friction);
-      if (smooth) watched([&] { take_smooth_joints(now, found[w]); });
+      if (smooth) watched([&] { take_smooth_joints(now, found[w].cracks); });
+      if (faces) {
+        facets_.answer(undrained_);
+        facets_.add_forces();
+      }
       workers_.barrier();
       if (worker == 0) {
         bonds_left_.refill(workers_, plan_.bond_blocks);
@@ -368,6 +431,10 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
         tiles_left_.take(worker, [&](std::int64_t tile) { take_tile(tile, now, scratch, found[w]); });
       });
       workers_.barrier();
+      if (facets_to_come_ == now) {
+        if (worker == 0) watched([&] { break_into_facets(now, found); });
+        workers_.barrier();
+      }
       if (worker == 0) {
         tiles_left_.refill(workers_, arrays_.tile_count);
         done = cycle + 1;
@@ -381,6 +448,7 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<CrackLog>& found) {
     tiles_left_.refill(workers_, arrays_.tile_count);
     workers_.run(task);
   }
+  if (facets_.active()) facets_.end_cycles();
   assembly_.smooth.write_state(assembly_.intact, assembly_.slip);
   if (no_memory) throw std::bad_alloc();
   total_cycles_ += cycles;
@@ -423,7 +491,7 @@ std::string ExplicitSolver::first_not_finite() const {
 ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, CrackLog& log,
                                               const std::function<bool()>& interrupt) {
   Outcome outcome;
-  std::vector<CrackLog> found(static_cast<std::size_t>(workers_.count()));
+  std::vector<Found> found(static_cast<std::size_t>(workers_.count()));
   while (outcome.cycles < most) {
     const std::int64_t cycles = std::min(look_every, most - outcome.cycles);
     batch(cycles, found);
@@ -435,8 +503,8 @@ ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, C
     energies_.fluid += take_work(domain_sums_);
     std::vector<Crack> broken;
     for (auto& part : found) {
-      broken.insert(broken.end(), part.begin(), part.end());
-      part.clear();
+      broken.insert(broken.end(), part.cracks.begin(), part.cracks.end());
+      part.cracks.clear();
     }
     // Order of breakage, whatever worker found it.
     std::sort(broken.begin(), broken.end(), [](const Crack& a, const Crack& b) {
@@ -444,7 +512,15 @@ ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, C
     });
     for (const auto& crack : broken) energies_.fracture += crack.released;
     log.insert(log.end(), broken.begin(), broken.end());
-    if (broken.empty() && outcome.force_ratio <= ratio) {
+    const bool rest = broken.empty() && outcome.force_ratio <= ratio;
+    const bool asked = (rest || !scaled_) && facet_rules_.grow;
+    if (asked) {
+      facets_.begin_cycles();
+      facets_.answer(undrained_);
+      facets_.end_cycles();
+    }
+    const bool grows = asked && facet_rules_.grow(log);
+    if (rest && !grows) {
       outcome.at_rest = true;
       break;
     }
@@ -475,7 +551,9 @@ ExplicitSolver::Outcome ExplicitSolver::run_for(double duration, CrackLog& log,
 }
 
 void ExplicitSolver::evaluate() {
-  arrays_.stiffness = network_.stiffness.data();
+  take_facets();
+  if (facets_.active()) facets_.begin_cycles();
+  arrays_.stiffness = facets_.active() ? facets_.stiffness() : network_.stiffness.data();
   arrays_.undrained = 1;  // volumes are looked at
   mark_left_alone();
   for (std::int64_t block = 0; block < plan_.bond_blocks; ++block) kernels_.cross_bonds(arrays_, block);
@@ -487,6 +565,9 @@ void ExplicitSolver::evaluate() {
   energies_.friction += take_work(bond_sums_);
   energies_.fluid += take_work(domain_sums_);
   keep_smooth_slips(assembly_, options_, energies_.friction);
+  if (!facets_.active()) return;
+  facets_.answer(true);
+  facets_.end_cycles();
 }
 
 void ExplicitSolver::search_contacts(const CrackLog& cracks) {
@@ -494,6 +575,7 @@ void ExplicitSolver::search_contacts(const CrackLog& cracks) {
 }
 
 void ExplicitSolver::after_restore(double sigma_Hmax, double sigma_hmin) {
+  take_facets();
   // What stands on those discs was saved with them; a restored state is the one saved, to the last bit.
   saved_push_.clear();
   each_pushed_disc([&](auto i) {

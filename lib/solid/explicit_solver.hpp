@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@
 #include "options/options.hpp"
 #include "solid/bond_law.hpp"
 #include "solid/boundary.hpp"
+#include "solid/facet_motion.hpp"
 #include "solid/fragments.hpp"
 #include "solid/kernels.hpp"
 #include "solid/non_bonded_contacts.hpp"
@@ -36,6 +38,22 @@ class ExplicitSolver {
   // How the next cycles run.
   void use_scaled_masses();
   void use_real_masses();
+  // Facets of fractures (fracture.law = "facet"). A bond that is to break is not gone in the cycle that finds it: between that and the next,
+  // `breaks` makes facets of all found, ascending. `grow` breaks bonds at tips that the openings behind them ask to go on, and says whether
+  // there were any: asked at rest, and in real motion from time to time.
+  struct FacetRules {
+    std::function<void(std::span<const std::int64_t> broken)> breaks;
+    std::function<bool(CrackLog& log)> grow;
+  };
+  FacetMotion& follow_facets(const FacetStart& start, const Array<double>& rock_weight, FacetRules rules);
+  // Model time as the cycles to come begin, with real masses, or for all of them [s]; and that of the cycle at hand.
+  void set_time(double time) {
+    time_ = time;
+    cycles_then_ = total_cycles_;
+  }
+  [[nodiscard]] double time() const {
+    return time_ + (scaled_ ? 0.0 : arrays_.step * static_cast<double>(total_cycles_ - cycles_then_));
+  }
   [[nodiscard]] double step() const { return arrays_.step; }
   // Real stable step times safety [s].
   [[nodiscard]] double real_step() const { return real_step_; }
@@ -100,19 +118,26 @@ class ExplicitSolver {
   [[nodiscard]] std::string first_not_finite() const;
 
  private:
-  void batch(std::int64_t cycles, std::vector<CrackLog>& found);
+  // What one worker found in a batch.
+  struct Found {
+    CrackLog cracks;
+    std::vector<std::int64_t> to_facets;  // bonds that break
+  };
+  void batch(std::int64_t cycles, std::vector<Found>& found);
+  void take_facets();
+  void break_into_facets(std::int64_t cycle, std::vector<Found>& found);
   template <class Visit>
   void each_pushed_disc(const Visit& visit) const;
   void take_smooth_joints(std::int64_t cycle, CrackLog& found);
   [[nodiscard]] bool may_block() const;
   void mark_left_alone();
-  void run_blocked(std::int64_t cycles, std::vector<CrackLog>& found);
+  void run_blocked(std::int64_t cycles, std::vector<Found>& found);
   [[nodiscard]] bool is_held(std::int64_t bond) const;
-  bool break_cross_block(std::int64_t block, std::int64_t cycle, CrackLog& found);
-  void take_cross_block(std::int64_t block, std::int64_t cycle, CrackLog& found);
-  void take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, CrackLog& found);
+  bool break_cross_block(std::int64_t block, std::int64_t cycle, Found& found);
+  void take_cross_block(std::int64_t block, std::int64_t cycle, Found& found);
+  void take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, Found& found);
   void break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, CrackLog& found);
-  bool break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, CrackLog& found);
+  bool break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, Found& found);
   void put_masses(const std::vector<double>& row_x, const std::vector<double>& row_y,
                   const std::vector<double>& row_rotation);
   void stiffness(std::vector<double>& row_x, std::vector<double>& row_y,
@@ -131,7 +156,13 @@ class ExplicitSolver {
   Workers::Pass bonds_left_, domains_left_, tiles_left_;  // of a cycle: blocks of bonds, of domains, tiles
   const KernelTable& kernels_;
   Fragments fragments_;
-  std::vector<PushedDisc> pushed_;  // by smooth joints
+  std::vector<PushedDisc> pushed_;  // by smooth joints and facets
+  FacetMotion facets_;
+  FacetRules facet_rules_;
+  std::int64_t facets_seen_ = 0;                        // FacetMotion::changes
+  std::atomic<std::int64_t> facets_to_come_{-1};        // cycle in which a bond was found that breaks
+  double time_ = 0.0;
+  std::int64_t cycles_then_ = 0;
   std::vector<char> held_;          // per disc: its bonds do not break; empty: none
   TilePlan plan_;
   KernelArrays arrays_{};

@@ -19,10 +19,10 @@ void ExplicitSolver::set_blocking(const BlockingShape& shape) {
 bool ExplicitSolver::may_block() const {
   const bool pores_answer = arrays_.with_pressure != 0 && arrays_.undrained != 0;
   return !blocking_.empty() && !pores_answer && !fragments_.kept() && boundary_.acts_disc_by_disc() &&
-         non_bonded_.empty() && assembly_.smooth.empty();
+         non_bonded_.empty() && assembly_.smooth.empty() && !facets_.active();
 }
 
-void ExplicitSolver::run_blocked(std::int64_t cycles, std::vector<CrackLog>& found) {
+void ExplicitSolver::run_blocked(std::int64_t cycles, std::vector<Found>& found) {
   if (arrays_.with_pressure != 0) {
     for (std::int64_t block = 0; block < plan_.domain_blocks; ++block) kernels_.cross_domains(arrays_, block);
   }

@@ -4,14 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <numbers>
 #include <tuple>
 
 #include "options/choices.hpp"
 
 namespace hfrac {
 
-void stiffness_rows(const Assembly& a, const Network& n, const Options& o, std::vector<double>& row_x,
-                    std::vector<double>& row_y, std::vector<double>& row_rotation) {
+void stiffness_rows(const Assembly& a, const Network& n, const Options& o, const Array<double>* rock_weight,
+                    std::vector<double>& row_x, std::vector<double>& row_y,
+                    std::vector<double>& row_rotation) {
+  const bool facets = rock_weight != nullptr;
+  const Array<double>& corner_weight = facets ? *rock_weight : n.corner_weight;
   const auto discs = static_cast<std::size_t>(a.disc_count());
   row_x.assign(discs, 0.0);
   row_y.assign(discs, 0.0);
@@ -23,11 +27,17 @@ void stiffness_rows(const Assembly& a, const Network& n, const Options& o, std::
   const double stiffest_s = parallel ? o.bond_shear_stiffness + o.contact_shear_stiffness
                                      : std::max(o.bond_shear_stiffness, o.contact_shear_stiffness);
   for (std::size_t e = 0; e < a.first.size(); ++e) {
-    const double share = a.factors.stiffness_of(static_cast<std::int64_t>(e)), kn = stiffest_n * share,
-                 ks = stiffest_s * share;
-    const double nx = a.dx(e) / a.length(e), ny = a.dy(e) / a.length(e);
-    const double xx = kn * nx * nx + ks * ny * ny, yy = kn * ny * ny + ks * nx * nx,
-                 xy = std::abs((kn - ks) * nx * ny);
+    const bool smooth = facets && a.smooth.of(static_cast<std::int64_t>(e)) != nullptr;
+    const double share = facets ? (smooth ? 0.0 : 1.0) : a.factors.stiffness_of(static_cast<std::int64_t>(e)),
+                 kn = stiffest_n * share, ks = stiffest_s * share;
+    double nx = a.dx(e) / a.length(e), ny = a.dy(e) / a.length(e);
+    double xx = kn * nx * nx + ks * ny * ny, yy = kn * ny * ny + ks * nx * nx,
+           xy = std::abs((kn - ks) * nx * ny);
+    if (facets) {  // the largest that xx + xy, |nx| + |ny| and |nx| get
+      xx = yy = 0.5 * (kn + ks);
+      xy = std::abs(kn - ks) * std::numbers::sqrt2 / 2.0;
+      nx = ny = 1.0;
+    }
     const auto i = a.first[e], j = a.second[e];
     const double arm_i = a.arm(e), arm_j = a.length(e) - a.arm(e);
     const double lever = arm_i / a.radius[i] + arm_j / a.radius[j];
@@ -45,13 +55,13 @@ void stiffness_rows(const Assembly& a, const Network& n, const Options& o, std::
     if (n.kind[d] == DomainKind::outside) continue;
     double weight = 0.0;
     for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
-      weight += std::abs(n.corner_weight[2 * k]) + std::abs(n.corner_weight[2 * k + 1]);
+      weight += std::abs(corner_weight[2 * k]) + std::abs(corner_weight[2 * k + 1]);
       if (!n.corner_turn.empty()) weight += std::abs(n.corner_turn[k]) / a.radius[n.corner_disc[k]];
     }
     const double per_weight = weight * o.fluid_bulk_modulus / n.storing[d];
     for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
-      row_x[n.corner_disc[k]] += std::abs(n.corner_weight[2 * k]) * per_weight;
-      row_y[n.corner_disc[k]] += std::abs(n.corner_weight[2 * k + 1]) * per_weight;
+      row_x[n.corner_disc[k]] += std::abs(corner_weight[2 * k]) * per_weight;
+      row_y[n.corner_disc[k]] += std::abs(corner_weight[2 * k + 1]) * per_weight;
       if (!n.corner_turn.empty())
         row_rotation[n.corner_disc[k]] +=
             a.radius[n.corner_disc[k]] * std::abs(n.corner_turn[k]) * per_weight;

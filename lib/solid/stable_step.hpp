@@ -10,9 +10,10 @@
 namespace hfrac {
 
 // Sum of the absolute entries of each disc's rows [N/m for translations; N m for rotations, taken with the rotation
-// scaled by the radius]: bonds, contacts, and pores that answer undrained (K_f w w^T / V).
+// scaled by the radius]: bonds, contacts, and pores that answer undrained (K_f w w^T / V). With `rock_weight`, the pores' weights in rock without
+// fractures, each bond counts as a facet that may look any way (solid/facet_motion.hpp).
 void stiffness_rows(const Assembly& assembly, const Network& network, const Options& options,
-                    std::vector<double>& row_x, std::vector<double>& row_y,
+                    const Array<double>* rock_weight, std::vector<double>& row_x, std::vector<double>& row_y,
                     std::vector<double>& row_rotation);
 
 }  // namespace hfrac

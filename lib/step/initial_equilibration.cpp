@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "core/error.hpp"
@@ -18,8 +19,10 @@
 #include "rock/seeping_well.hpp"
 #include "step/checks.hpp"
 #include "step/ledger.hpp"
+#include "step/rest.hpp"
 #include "step/slips.hpp"
 #include "step/snapshot.hpp"
+#include "step/stages.hpp"
 
 namespace hfrac {
 namespace {
@@ -83,27 +86,46 @@ void require_rock_stands(const Engine& e, std::size_t cracks_before, double shar
 
 // The state that facets are open or closed against: holes at the pressure at which fractures grow, sigma_hmin. What the discs around
 // a hole bear of its pressure scatters and lies nearer to the wall than in a plate; with that pressure in it, little is left of either.
+// Walls follow the far field until then, whatever they do afterwards: they bear the stress that facets are to release.
 void begin_facets(Engine& e) {
   const Options& o = e.options;
   Model& m = e.model;
   const Array<double> pressure = m.network.pressure;
+  const BoundaryState boundary = m.boundary;
   bool changed = false;
+  m.boundary.servo = true;
   for (const auto& well : m.wells) {
     double& p = m.network.pressure[well.place.domain];
     changed = changed || p < o.stress_sigma_hmin;
     p = std::max(p, o.stress_sigma_hmin);
   }
-  if (changed && !e.equilibrium->rest_unbroken())
+  std::unique_ptr<EquilibriumSolver> own;  // that knows walls as they are now, or of a model that moves explicitly
+  if (!e.equilibrium || e.boundary->walled())
+    own = std::make_unique<EquilibriumSolver>(m, e.facets, *e.boundary, *e.mechanics, o, *e.workers);
+  if (changed && !(own ? *own : *e.equilibrium).rest_unbroken())
     throw Error(ErrorKind::collapsed,
                 "the rock does not come to rest with sigma_hmin = " + rounded_text(o.stress_sigma_hmin) +
                     " Pa in its wells, from where fracture.law facet measures openings; raise "
                     "bond.tensile_strength and bond.shear_strength, or make the wells smaller");
   e.facets.begin(m.assembly, m.network, m.well_places(), o);
   m.network.pressure = pressure;
+  m.boundary = boundary;
   m.assembly.ux = m.start.x;
   m.assembly.uy = m.start.y;
   m.assembly.rotation = m.start.rotation;
   e.mechanics->evaluate();
+}
+
+// The explicit solver moves them, too.
+void move_facets(Engine& e) {
+  ExplicitSolver::FacetRules rules;
+  rules.breaks = [&e](std::span<const std::int64_t> broken) {
+    e.facets.add(e.model.assembly, e.model.network, broken);
+  };
+  if (e.options.bond_fracture_toughness > 0.0)
+    rules.grow = [&e](CrackLog& log) { return grow_tips(e, log); };
+  e.facets.follow(
+      e.mechanics->follow_facets(e.facets.start(), e.facets.rock_weight(), std::move(rules)));
 }
 
 // Slots in the walls of holes, to either side, cut into rock at rest.
@@ -255,8 +277,10 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
         std::make_unique<EquilibriumSolver>(m, e.facets, *e.boundary, *e.mechanics, o, *e.workers);
   if (FractureLaw{o.fracture_law} == FractureLaw::facet) {
     begin_facets(e);
+    if (!e.equilibrium) move_facets(e);
     perforate(e);
     e.facets.update(m.assembly, m.network);
+    if (!e.equilibrium) update_geometry(e);
   }
   log_slips(m, 0, m.clock.time, 0.0);
   begin_ledger(e);

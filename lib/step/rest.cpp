@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/rest.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "core/error.hpp"
+#include "frac/tip.hpp"
 #include "options/number_text.hpp"
 #include "step/snapshot.hpp"
 
@@ -58,11 +61,39 @@ std::string place_text(Vec2 at) {
   return text;
 }
 
+bool grow_tips(Engine& e, CrackLog& log) {
+  constexpr double apart = 6.0;  // mean radii between bonds that break at once
+  Model& m = e.model;
+  std::vector<Tip> tips = find_tips(e.facets, m.assembly, m.network, e.options, e.mechanics->time());
+  std::sort(tips.begin(), tips.end(), [](const Tip& a, const Tip& b) {
+    return a.excess != b.excess ? a.excess > b.excess : a.ahead < b.ahead;
+  });
+  std::vector<std::int64_t> broken;
+  const auto near = [&](std::int64_t bond) {
+    return std::any_of(broken.begin(), broken.end(), [&](std::int64_t other) {
+      const Vec2 between = e.facets.contact(bond) - e.facets.contact(other);
+      return dot(between, between) < apart * apart * m.assembly.mean_radius * m.assembly.mean_radius;
+    });
+  };
+  for (const Tip& tip : tips) {
+    if (tip.excess < 1.0 || tip.ahead < 0 || near(tip.ahead) || m.assembly.intact[tip.ahead] == 0 ||
+        e.mechanics->stays(tip.ahead))
+      continue;
+    e.mechanics->break_bond(tip.ahead, log);
+    log.back().mode = CrackMode::tension;
+    m.network.facet_time[tip.ahead] = e.mechanics->time();
+    broken.push_back(tip.ahead);
+  }
+  e.facets.add(m.assembly, m.network, broken);
+  return !broken.empty();
+}
+
 RestOutcome find_rest(Engine& e, const Interrupt& interrupt) {
   return e.equilibrium ? solve_for_rest(e, interrupt) : relax(e, interrupt);
 }
 
 RestOutcome move_rock(Engine& e, double duration, const Interrupt& interrupt) {
+  e.mechanics->set_time(e.model.clock.time);
   const auto motion = e.mechanics->run_for(duration, e.model.cracks, interrupt);
   if (motion.stopped) return {true};
   e.model.clock.force_ratio = motion.force_ratio;

@@ -18,6 +18,10 @@ RestOutcome find_rest(Engine& engine, const Interrupt& interrupt);
 // `duration` seconds of motion in real time, pores undrained.
 RestOutcome move_rock(Engine& engine, double duration, const Interrupt& interrupt);
 
+// Fractures of facets go on from tips that the openings behind them ask to (frac/tip.hpp), the farthest beyond first and none beside another.
+// Whether any did.
+bool grow_tips(Engine& engine, CrackLog& log);
+
 // Where the quasi-static solver finds no equilibrium: damped motion leads on from the state as it stands, after fluid has flowed for
 // `increment` seconds, and equilibrium is solved for where it ends.
 EquilibriumSolver::Outcome relax_dynamically(Engine& engine, double increment, const Interrupt& interrupt);

@@ -101,8 +101,10 @@ void feel_heat_again(Engine& e) {
 }
 
 void update_geometry(Engine& e) {
-  if (e.flow && !e.facets.active()) update_apertures(e.model.network, e.model.assembly, e.options);
   e.facets.tell_openings(e.model.assembly, e.model.network);
+  // Of facets the quasi-static solver finds the apertures with the equilibrium.
+  if (e.flow && !(e.facets.active() && e.equilibrium))
+    update_apertures(e.model.network, e.model.assembly, e.options);
   e.mechanics->search_contacts(e.model.cracks);
 }
 

@@ -14,6 +14,7 @@ StepOutcome substep(Engine& e, double duration, const Interrupt& interrupt) {
   const std::size_t cracks_before = e.model.cracks.size();
   drive_wells(e);
   move_fluid(e, duration);
+  e.mechanics->set_time(e.model.clock.time + duration);
   if (find_rest(e, interrupt).stopped) return {true, e.model.clock.at_rest};
   log_slips(e.model, e.model.clock.step + 1, e.model.clock.time + duration, duration);
   update_geometry(e);

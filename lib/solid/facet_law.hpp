@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The law of one facet of a fracture: what its two discs answer to where they stand and to the fluid between them.
+//
+// frac/facets.hpp says what facets are and what they start from. Both solvers take their forces from here: the quasi-static one with the
+// tangent (equilibrium/bond_response.cpp), the explicit one in every cycle (solid/facet_motion.hpp). With the push
+// P = p_A L_A + p_B L_B of the fluid across the facet:
+//   opening   w = n.(du - du_0) + (P - n.F_0) / k_n
+//   open      w >= 0: no more than the fluid's push and the locked-in force
+//   closed    n.F_0 - k_n n.(du - du_0) pressed together, and along it k_s times the slide less t.F_0, at most mu times what it
+//             transmits beyond P, which is -k_n w
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "core/array.hpp"
+#include "model/assembly.hpp"
+#include "options/options.hpp"
+
+namespace hfrac {
+
+struct Facet {
+  std::int64_t bond = -1;
+  std::int32_t left = 0, right = 0;  // pores
+  Vec2 normal;                       // unit, of the fracture around it, towards the second disc
+  double length = 0.0;               // m, along the fracture
+  double way = 0.0;                  // m, that its fluid flows
+  double left_length = 0.0, right_length = 0.0;
+  double initial_normal = 0.0, initial_shear = 0.0;  // N: of F_0, along n and (-n.y, n.x)
+  Vec2 locked;                                       // N on the first disc while open
+  double locked_first = 0.0, locked_second = 0.0;    // N m, as BondResponse::force[2], [3]
+  Vec2 middle;                                       // m
+  bool slot = false;  // cut, not broken: the fluid passes whether the rock opens it or not
+  std::int32_t corner[4] = {-1, -1, -1, -1};  // of left pore: first, second disc; of right pore
+};
+
+// The state that facets count from.
+struct FacetStart {
+  Array<double> x, y, rotation;  // m, m, rad: displacements of the discs
+  double stiffness = 0.0;        // k_n, N/m
+};
+
+// m; n.(du - du_0) along `way`.
+inline double facet_jump(const Assembly& a, const FacetStart& s, const Facet& f, Vec2 way) {
+  const auto i = a.first[f.bond], j = a.second[f.bond];
+  return dot({a.ux[j] - s.x[j] - (a.ux[i] - s.x[i]), a.uy[j] - s.y[j] - (a.uy[i] - s.y[i])}, way);
+}
+
+// m; `push`: the fluid's [N].
+inline double facet_opening(const Assembly& a, const FacetStart& s, const Facet& f, double push) {
+  return facet_jump(a, s, f, f.normal) + (push - f.initial_normal) / s.stiffness;
+}
+
+// What a facet whose opening is below 0 transmits.
+struct ClosedFacet {
+  double normal, shear;  // N, tension positive
+  double slides = 0.0;   // the sign of its shear force where friction limits it, else 0
+};
+inline ClosedFacet closed_facet(const Assembly& a, const Options& o, const FacetStart& s, const Facet& f,
+                                double opening) {
+  const auto e = f.bond;
+  const auto i = a.first[e], j = a.second[e];
+  const double arm_i = a.arm(e), arm_j = a.length(e) - arm_i;
+  ClosedFacet c{s.stiffness * facet_jump(a, s, f, f.normal) - f.initial_normal, 0.0};
+  // The grains bear what the facet transmits beyond the fluid's push, -k_n w: nothing where the facet opens.
+  const double limit = -o.contact_friction * s.stiffness * opening;
+  const double slide = facet_jump(a, s, f, {-f.normal.y, f.normal.x}) -
+                       arm_i * (a.rotation[i] - s.rotation[i]) - arm_j * (a.rotation[j] - s.rotation[j]);
+  c.shear = o.contact_shear_stiffness * slide - f.initial_shear;
+  if (std::abs(c.shear) > limit) {
+    c.slides = std::copysign(1.0, c.shear);
+    c.shear = std::copysign(limit, c.shear);
+  }
+  return c;
+}
+
+}  // namespace hfrac

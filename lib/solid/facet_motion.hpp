@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Facets of fractures where the rock's motion is followed explicitly: a short list beside the kernels, as contacts of smooth joints are.
+//
+// In the kernels the bond of a facet has no stiffness, and a fractured pore neither pushes nor changes its volume. What they do instead one worker
+// finds in every cycle, facet by facet:
+//   pressures  the pore holds its content, so  (p - p_ref) V / K_f + V_0 + sum over open facets of L w = zeta,  w by facet_law.hpp. An opening
+//              goes with the pressures of both its pores, since the half discs at its faces give way; the equations are the gradient of a
+//              convex function of the pressures and are solved pore by pore, to and fro along the list (nonlinear Gauss-Seidel), until no
+//              pressure changes by more than `settled`. Whatever is left, no fluid is lost: contents do not change here.
+//   forces     what facet_law.hpp says of each facet, and on intact bonds around such pores the locked-in push of the pressure before.
+//              They turn a body that nothing holds, since facets do not look along their bonds: what they turn two discs far apart bear, those
+//              that the quasi-static solver's pins are on.
+//
+// Open facets are no stiffer than closed ones: the fluid of a pore gives way with the faces, so m facets of a pore add up to at most
+// (1 + sqrt(m)) / 2 times k_n per facet. So the stable step of intact rock, with each bond as stiff as a facet that looks any way and each pore
+// as it was, is that of broken rock too (stable_step.hpp), and breakage asks for no shorter one.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "model/assembly.hpp"
+#include "model/network.hpp"
+#include "options/options.hpp"
+#include "solid/facet_law.hpp"
+
+namespace hfrac {
+
+// This bond does not break by what it bears, until the facets change.
+void hold_bond(Assembly& assembly, std::int64_t bond);
+
+class FacetMotion {
+ public:
+  FacetMotion(Assembly& assembly, Network& network, const Options& options)
+      : assembly_(assembly), network_(network), options_(options) {}
+
+  // From now on there may be facets. `weight`: of the pores' corners (Network::corner_weight) in rock without fractures.
+  void begin(const FacetStart& start, const Array<double>& weight);
+  [[nodiscard]] bool active() const { return start_ != nullptr; }
+  [[nodiscard]] const Array<double>& rock_weight() const { return *weight_; }
+
+  struct Push {
+    std::int64_t bond;  // intact
+    Vec2 force;         // N, on its first disc
+  };
+  // The fluid in a joint that conducts goes on to push on its faces where a fracture meets it.
+  struct Face {
+    std::int32_t domain, disc;
+    Vec2 weight;  // m
+    double turn;  // m2
+  };
+  // The facets as they are now, ascending by bond. To be called after each change, outside of begin_cycles and end_cycles.
+  void take(std::span<const Facet> facets, std::vector<Push> pushes, std::vector<Face> faces);
+
+  // Of a pore with a single facet, where a fracture ends: bonds around it break by bond.fracture_toughness.
+  [[nodiscard]] bool at_tip(std::int32_t domain) const {
+    return options_.bond_fracture_toughness > 0.0 && count_[domain] == 1;
+  }
+  // Discs that anything here pushes, ascending.
+  [[nodiscard]] const std::vector<std::int32_t>& discs() const { return discs_; }
+  // How often the list changed.
+  [[nodiscard]] std::int64_t changes() const { return changes_; }
+
+  // Around cycles: what kernels see of fractured pores is a constant pressure that pushes nothing.
+  void begin_cycles();
+  void end_cycles();
+  // Stiffness of each domain as the kernels are to see it [Pa/m2].
+  [[nodiscard]] const double* stiffness() const { return stiffness_.data(); }
+
+  // Pressures at the displacements as they stand, unless drained.
+  void answer(bool undrained);
+  // On top of external_x, external_y, external_moment.
+  void add_forces();
+
+ private:
+  struct Side {
+    std::int32_t facet;
+    double length;  // m
+  };
+  struct Pore {
+    std::int32_t domain;
+    std::int32_t first, last;  // of its sides
+    double pressure, fixed;    // Pa; m2, of its volume change
+  };
+  struct Item {
+    std::int32_t left, right;  // pores of the list; below 0: ~ a hole of the list
+    double apart;              // m, opening but for the push of the fluid
+    double push;               // N, by the pressures at hand
+  };
+  struct Hole {
+    std::int32_t domain;
+    double pressure;
+  };
+  [[nodiscard]] double pressure_at(std::int32_t place) const {
+    return place >= 0 ? pores_[static_cast<std::size_t>(place)].pressure
+                      : holes_[static_cast<std::size_t>(~place)].pressure;
+  }
+  [[nodiscard]] double volume_change(const Pore& pore) const;
+  // Puts a force on the first of two discs and the opposite on the second; moments as they are. Adds what that turns the whole [N m].
+  void push_pair(std::int64_t bond, Vec2 force, double on_first, double on_second);
+  double correct(Pore& pore);
+
+  Assembly& assembly_;
+  Network& network_;
+  const Options& options_;
+  const FacetStart* start_ = nullptr;
+  const Array<double>* weight_ = nullptr;
+  std::span<const Facet> facets_;
+  std::vector<Push> pushes_;
+  std::vector<Face> faces_;
+  std::vector<Pore> pores_;
+  std::vector<Side> sides_;
+  std::vector<Item> items_;
+  std::vector<Hole> holes_;
+  std::vector<std::int32_t> discs_;
+  std::vector<std::uint8_t> count_;  // facets per pore
+  Array<double> stiffness_;
+  double turns_ = 0.0;                   // N m, what all here turns the whole by
+  std::vector<std::int32_t> far_apart_;  // two discs; none between walls
+  std::int64_t changes_ = 0;
+};
+
+}  // namespace hfrac
