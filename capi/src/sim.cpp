@@ -300,6 +300,8 @@ int32_t hfrac_sim_get_setup(const hfrac_sim* sim, hfrac_setup_report* report) {
     full.equilibration_force_ratio = setup.force_ratio;
     full.packing_seconds = setup.packing_seconds;
     full.setup_seconds = setup.setup_seconds;
+    full.exterior_modulus = setup.exterior_modulus;
+    full.exterior_poisson_ratio = setup.exterior_poisson_ratio;
     write_struct(report, full, "hfrac_setup_report");
   });
 }

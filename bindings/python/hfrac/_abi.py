@@ -529,6 +529,9 @@ class hfrac_sim_def(ctypes.Structure):
         ("rock_biot_coefficient", ctypes.c_double),
         ("rock_porosity", ctypes.c_double),
         ("rock_grain_modulus", ctypes.c_double),
+        ("boundary_exterior_modulus", ctypes.c_double),
+        ("boundary_exterior_poisson_ratio", ctypes.c_double),
+        ("boundary_flow_distance", ctypes.c_double),
     ]
 
 
@@ -595,6 +598,8 @@ class hfrac_setup_report(ctypes.Structure):
         ("equilibration_force_ratio", ctypes.c_double),
         ("packing_seconds", ctypes.c_double),
         ("setup_seconds", ctypes.c_double),
+        ("exterior_modulus", ctypes.c_double),
+        ("exterior_poisson_ratio", ctypes.c_double),
     ]
 
 

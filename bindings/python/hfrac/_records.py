@@ -107,6 +107,10 @@ class SetupReport(NamedTuple):
     packing_seconds: float
     #: wall time of all of hfrac_sim_create
     setup_seconds: float
+    #: [Pa] E' of the rock beyond with boundary.kind infinite, given or measured; else 0
+    exterior_modulus: float
+    #: its Poisson's ratio in plane strain
+    exterior_poisson_ratio: float
 
     @classmethod
     def of(cls, struct: _abi.hfrac_setup_report) -> "SetupReport":
@@ -126,6 +130,8 @@ class SetupReport(NamedTuple):
             struct.equilibration_force_ratio,
             struct.packing_seconds,
             struct.setup_seconds,
+            struct.exterior_modulus,
+            struct.exterior_poisson_ratio,
         )
 
 
@@ -138,7 +144,7 @@ class Balance(NamedTuple):
     kinetic: float
     #: [J/m] stored in intact bonds now
     bond_elastic: float
-    #: [J/m] stored in contacts now (discs and walls)
+    #: [J/m] stored in contacts now (discs and walls), and in the rock beyond (boundary.kind infinite)
     contact_elastic: float
     #: [J/m] work of fluid pressure on the discs since the initial equilibration
     fluid_work: float
