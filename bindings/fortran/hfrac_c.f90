@@ -407,8 +407,9 @@ module hfrac_c
     real(c_double) :: stress_sigma_Hmax = 0.0_c_double
     !> [Pa] Far-field stress along y, compression positive. Default 25e6.
     real(c_double) :: stress_sigma_hmin = 0.0_c_double
-    !> 0: stress, 1: walls. stress: far-field stress as forces on the outermost discs. walls: four rigid
-    !> frictionless walls, servo-driven to the far-field stress. Default 0.
+    !> 0: stress, 1: walls, 2: infinite. stress: far-field stress as forces on the outermost discs. walls: four
+    !> rigid frictionless walls, servo-driven to the far-field stress. infinite: as stress, and the elastic rock
+    !> beyond answers to what wells and fractures do to the outer boundary. Default 0.
     integer(c_int64_t) :: boundary_kind = 0_c_int64_t
     !> 0: fixed, 1: servo. Walls after the initial equilibrium: fixed in place, or kept at their stress by the
     !> servo. Default 0.
@@ -672,6 +673,15 @@ module hfrac_c
     !> [1] Coarsening above 1: metres that the mean radius grows by per metre beyond that distance, up to coarsening
     !> times the fine discs'. Default 0.1.
     real(c_double) :: packing_radius_growth = 0.0_c_double
+    !> [Pa] Kind infinite: E' = E / (1 - nu^2) of the rock beyond. 0: measured on the model's own packing at its far
+    !> field, and undrained where the model has flow. Default 0.0.
+    real(c_double) :: boundary_exterior_modulus = 0.0_c_double
+    !> [1] Kind infinite: Poisson's ratio of the rock beyond in plane strain; with boundary.exterior_modulus only.
+    !> Default 0.0.
+    real(c_double) :: boundary_exterior_poisson_ratio = 0.0_c_double
+    !> [m] Kind infinite: distance from the model's middle at which the pores have the formation pressure; fluid
+    !> flows there steadily through rock of the model's permeability. 0: at the outermost discs. Default 0.0.
+    real(c_double) :: boundary_flow_distance = 0.0_c_double
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.
@@ -743,7 +753,7 @@ module hfrac_c
   !> What the set-up made. Set struct_size before the call.
   type, bind(C) :: hfrac_setup_report
     !> sizeof(hfrac_setup_report) of the caller
-    integer(c_int32_t) :: struct_size = 136_c_int32_t
+    integer(c_int32_t) :: struct_size = 152_c_int32_t
     !> 0
     integer(c_int32_t) :: struct_pad = 0_c_int32_t
     !> [m] mean radius of all discs packed; of a graded packing (packing.coarsening) that of its fine discs
@@ -779,6 +789,10 @@ module hfrac_c
     real(c_double) :: coarsest_radius = 0.0_c_double
     !> discs packed where a graded packing is fine; uniform: all
     integer(c_int64_t) :: fine_discs = 0_c_int64_t
+    !> [Pa] E' of the rock beyond with boundary.kind infinite, given or measured; else 0
+    real(c_double) :: exterior_modulus = 0.0_c_double
+    !> its Poisson's ratio in plane strain
+    real(c_double) :: exterior_poisson_ratio = 0.0_c_double
   end type hfrac_setup_report
 
   !> Energy and fluid mass since the end of the initial equilibration. Set struct_size before the call.
@@ -791,7 +805,7 @@ module hfrac_c
     real(c_double) :: kinetic = 0.0_c_double
     !> [J/m] stored in intact bonds now
     real(c_double) :: bond_elastic = 0.0_c_double
-    !> [J/m] stored in contacts now (discs and walls)
+    !> [J/m] stored in contacts now (discs and walls), and in the rock beyond (boundary.kind infinite)
     real(c_double) :: contact_elastic = 0.0_c_double
     !> [J/m] work of fluid pressure on the discs since the initial equilibration
     real(c_double) :: fluid_work = 0.0_c_double

@@ -302,6 +302,8 @@ int32_t hfrac_sim_get_setup(const hfrac_sim* sim, hfrac_setup_report* report) {
     full.setup_seconds = setup.setup_seconds;
     full.coarsest_radius = setup.coarsest_radius;
     full.fine_discs = setup.fine_discs;
+    full.exterior_modulus = setup.exterior_modulus;
+    full.exterior_poisson_ratio = setup.exterior_poisson_ratio;
     write_struct(report, full, "hfrac_setup_report");
   });
 }

@@ -77,6 +77,19 @@ void CoupledSystem::each_entry(const Emit& emit) const {
       emit(at(d), p + 2, solved ? -turn : 0.0);
     }
   }
+  each_rim_weight([&](std::int32_t disc, std::int32_t point, double weight) {
+    const double held = adrift_[static_cast<std::size_t>(disc)] != 0 ? 0.0 : 1.0;
+    for (std::int32_t axis = 0; axis < 2; ++axis) {
+      const auto traction = static_cast<std::int32_t>(traction_at(2 * point + axis));
+      emit(3 * disc + axis, traction, held * weight / length_scale_);
+      emit(traction, 3 * disc + axis, weight / length_scale_);
+    }
+  });
+  for (std::int64_t column = 0; column < tractions_; ++column) {
+    for (std::int64_t row = 0; row < tractions_; ++row)
+      emit(static_cast<std::int32_t>(traction_at(row)), static_cast<std::int32_t>(traction_at(column)),
+           -boundary_.exterior()->compliance()(row, column) * pressure_scale_ / length_scale_);
+  }
   if (!wet_ || duration_ <= 0.0) return;
   for (std::size_t e = 0; e < bonds_.size(); ++e) {
     const auto l = n.left[e], r = n.right[e];
@@ -115,9 +128,10 @@ void CoupledSystem::entries(std::vector<double>& values) const {
 CoupledSystem::Structure CoupledSystem::structure() const {
   const auto& n = network_;
   Structure s;
-  // Nodes: discs with three unknowns, then domains and servo-driven walls with one each.
+  // Nodes: discs with three unknowns, then domains, servo-driven walls and tractions of the rock beyond with one each.
   const auto discs = static_cast<std::int32_t>(discs_);
-  const auto nodes = discs + static_cast<std::int32_t>(domains_) + static_cast<std::int32_t>(servo_walls_);
+  const auto nodes = discs + static_cast<std::int32_t>(domains_) + static_cast<std::int32_t>(servo_walls_) +
+                     static_cast<std::int32_t>(tractions_);
   for (std::int32_t k = 0; k <= nodes; ++k) s.node_start.push_back(k <= discs ? 3 * k : 2 * discs + k);
   s.late.assign(static_cast<std::size_t>(nodes), 0);
   for (std::int32_t i = 0; i < discs; ++i) s.position.push_back({assembly_.x[i], assembly_.y[i]});
@@ -128,6 +142,10 @@ CoupledSystem::Structure CoupledSystem::structure() const {
   for (std::size_t w = 0; w < servo_walls_; ++w) {
     s.position.push_back({});
     s.late[static_cast<std::size_t>(discs) + n.centroid.size() + w] = 1;
+  }
+  for (std::int64_t k = 0; k < tractions_; ++k) {
+    s.position.push_back(boundary_.exterior()->points()[static_cast<std::size_t>(k / 2)]);
+    s.late[static_cast<std::size_t>(nodes - tractions_ + k)] = 1;
   }
   each_entry([&](std::int32_t row, std::int32_t column, double) { s.places.push_back({row, column}); });
   const auto node_of = [&](std::int32_t unknown) {

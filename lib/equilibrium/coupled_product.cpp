@@ -162,6 +162,7 @@ void CoupledSystem::products_of_few(const Vector& x, Vector& y) const {
     y[3 * pin.disc] += moved * pin.along.x;
     y[3 * pin.disc + 1] += moved * pin.along.y;
   }
+  if (tractions_ > 0) products_of_exterior(x, y);
   if (!boundary_.walled()) return;
   for (std::size_t w = 0; w < boundary_.walls().size(); ++w) {
     const auto& wall = boundary_.walls()[w];
@@ -175,6 +176,25 @@ void CoupledSystem::products_of_few(const Vector& x, Vector& y) const {
       if (w < servo_walls_) y[wall_at(w)] += closing;
     }
   }
+}
+
+void CoupledSystem::products_of_exterior(const Vector& x, Vector& y) const {
+  const Eigen::MatrixXd& compliance = boundary_.exterior()->compliance();
+  const double scale = pressure_scale_ / length_scale_;
+  for (std::int64_t row = 0; row < tractions_; ++row) y[traction_at(row)] = 0.0;
+  for (std::int64_t column = 0; column < tractions_; ++column) {
+    const double by = scale * x[traction_at(column)];
+    for (std::int64_t row = 0; row < tractions_; ++row)
+      y[traction_at(row)] -= compliance(row, column) * by;
+  }
+  each_rim_weight([&](std::int32_t disc, std::int32_t point, double weight) {
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+      const auto traction = traction_at(2 * point + axis);
+      const double share = weight / length_scale_;
+      y[traction] += share * x[3 * disc + axis];
+      if (adrift_[static_cast<std::size_t>(disc)] == 0) y[3 * disc + axis] += share * x[traction];
+    }
+  });
 }
 
 void CoupledSystem::product(const Vector& x, Vector& y) const {

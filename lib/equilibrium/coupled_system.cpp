@@ -24,6 +24,7 @@ CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& bou
       facets_(facets),
       discs_(assembly.disc_count()),
       domains_(network.domain_count()),
+      tractions_(boundary.exterior() == nullptr ? 0 : static_cast<std::int64_t>(boundary.exterior()->size())),
       servo_walls_(boundary.walled() && boundary.follows_far_field() ? boundary.walls().size() : 0),
       wet_(FlowScheme{options.flow_scheme} != FlowScheme::off),
       closed_outside_(OuterPores{options.flow_outer} == OuterPores::closed),
@@ -39,9 +40,9 @@ CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& bou
       opening_(static_cast<std::size_t>(assembly.bond_count()), 0.0),
       opening_way_(static_cast<std::size_t>(assembly.bond_count())),
       at_floor_(static_cast<std::size_t>(domains_), 0) {
-  residual_.setZero(3 * discs_ + domains_ + static_cast<Eigen::Index>(servo_walls_));
+  residual_.setZero(traction_at(tractions_));
   list_neighbours();
-  if (boundary.walled()) return;
+  if (boundary.walled() || tractions_ > 0) return;
   // A body held by nothing: three springs take up rounding. At equilibrium they bear nothing.
   std::int32_t lowest = 0, far = 0;
   const auto& a = assembly_;
@@ -149,6 +150,7 @@ void CoupledSystem::open_facets() {
 void CoupledSystem::evaluate() {
   network_.planes.refresh(network_, assembly_);
   open_facets();
+  boundary_.answer(assembly_);
   answer_all();
   evaluate_few();
   find_fragments();
@@ -345,8 +347,10 @@ void CoupledSystem::evaluate_pipe(std::size_t e) {
   n.aperture[e] = w.aperture;
   const bool held = flowing != nullptr && !held_joints_.empty();
   const auto place = held ? flowing - assembly_.smooth.contacts.data() : 0;
-  const auto flow = law_.respond(held ? held_joints_[static_cast<std::size_t>(place)] : w.aperture,
-                                 pipe_length(n, assembly_, e), drop(e));
+  const auto flow =
+      FluidLaw::in_series(law_.respond(held ? held_joints_[static_cast<std::size_t>(place)] : w.aperture,
+                                       pipe_length(n, assembly_, e), drop(e)),
+                          n.beyond_of(e));
   n.conductance[e] = flow.conductance;
   slope_[e] = flow.slope;
   if (held || w.aperture <= 0.0) return;  // or pressed shut
@@ -504,7 +508,8 @@ void CoupledSystem::evaluate_facet_pipe(std::size_t e, std::size_t facet) {
   if (w.aperture < n.facet_least[e]) w = {n.facet_least[e], 0.0};
   n.aperture[e] = w.aperture;
   const bool held = facet < held_.size();
-  const auto flow = law_.respond(held ? held_[facet] : w.aperture, f.way, drop(e));
+  const auto flow =
+      FluidLaw::in_series(law_.respond(held ? held_[facet] : w.aperture, f.way, drop(e)), n.beyond_of(e));
   n.conductance[e] = flow.conductance;
   slope_[e] = flow.slope;
   squeeze_change_[e] = 0.0;

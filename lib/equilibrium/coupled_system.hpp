@@ -4,6 +4,9 @@
 //   forces of bonds, contacts, walls and far field + W p = 0                        (eq. 11, 12 without inertia; eq. 9-14)
 //   V / K_f (p - p_ref) + W' u = zeta + dt (sum q + source),  q = w^3 / (12 eta L) dp     (eq. 6-8, backward Euler)
 //   p >= floor; a domain at the floor is a void that fills first
+// The rock beyond the model (boundary.kind infinite) answers to its discs' displacements u by the tractions s of a few points (solid/exterior.hpp),
+//   N' w u - inverse(H) s = 0,  -w N s  on the discs:
+// s are unknowns of the tangent, so that it stays sparse, and follow exactly from u in the residual.
 // With dt = 0 pores answer undrained. Apertures are those of the unknown displacements. Unknowns and equations are scaled
 // (lengths by 1 m, forces by k_n, rotations by 1 / R, pressures by k_n / R), so that they are alike in size; the tangent is then
 //   [ K  -W ; -W'  -(S + dt C) ],
@@ -106,6 +109,13 @@ class CoupledSystem {
     const double stiffness = network_.stiffness[domain];
     return stiffness > 0.0 ? pressure_scale_ / stiffness / length_scale_ : 1.0;
   }
+  // Of the rock beyond, behind all others.
+  [[nodiscard]] Eigen::Index traction_at(std::int64_t unknown) const {
+    return 3 * discs_ + domains_ + static_cast<Eigen::Index>(servo_walls_) + unknown;
+  }
+  template <class Visit>
+  void each_rim_weight(const Visit& visit) const;
+  void products_of_exterior(const Vector& x, Vector& y) const;
   void add_pair(const BondResponse& r, std::int32_t i, std::int32_t j);
   void list_neighbours();
   // What the forces of a pair change by if unknowns change by x.
@@ -150,6 +160,7 @@ class CoupledSystem {
   std::vector<double> held_;         // per facet: aperture its conductance goes by [m]
   std::vector<double> held_joints_;  // likewise, per contact of smooth joints
   std::int64_t discs_, domains_;
+  std::int64_t tractions_;  // unknowns of the rock beyond
   std::size_t servo_walls_ = 0;
   bool wet_, closed_outside_;
   double force_scale_, length_scale_, pressure_scale_;
@@ -189,5 +200,14 @@ class CoupledSystem {
   Vector residual_;
   double contact_force_ = 0.0, force_ratio_ = 0.0, pressure_error_ = 0.0;
 };
+
+// visit(disc, point, weight of the traction at the point on the disc [m]).
+template <class Visit>
+void CoupledSystem::each_rim_weight(const Visit& visit) const {
+  if (tractions_ == 0) return;
+  for (const auto& at : boundary_.exterior()->rim()) {
+    for (std::size_t p = 0; p < 2; ++p) visit(at.disc, at.point[p], at.weight[p]);
+  }
+}
 
 }  // namespace hfrac

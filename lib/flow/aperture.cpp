@@ -176,7 +176,7 @@ void update_apertures(Network& n, const Assembly& a, const Options& o) {
     double w;
     if (way > 0.0) {  // of a facet
       w = std::max(n.facet_least[e],
-                   aperture_response(o, n.zero_stress_aperture, n.facet_opening[e], 0.0, 0.0, false).aperture);
+                   aperture_response(o, n.pipe_at_rest(e), n.facet_opening[e], 0.0, 0.0, false).aperture);
     } else if (const SmoothContact* contact = flowing_contact(n, a, e)) {
       w = joint_aperture_response(o, a.smooth.law_of(*contact), smooth_opening(a, *contact)).aperture;
     } else if (joint > 0.0) {
@@ -192,7 +192,8 @@ void update_apertures(Network& n, const Assembly& a, const Options& o) {
     if (!n.length.empty()) n.length[e] = length;
     const bool shut = n.left[e] == n.right[e] || (closed && (n.left[e] == 0 || n.right[e] == 0));
     n.conductance[e] =
-        shut ? 0.0 : law.respond(w, length, n.pressure[n.left[e]] - n.pressure[n.right[e]]).conductance;
+        shut ? 0.0
+             : FluidLaw::in_series(law.respond(w, length, n.pressure[n.left[e]] - n.pressure[n.right[e]]), n.beyond_of(e)).conductance;
   }
 }
 

@@ -41,6 +41,12 @@ class FluidLaw {
     double slope;        // d q / d dp
     double by_aperture;  // d q / d w over q / w
   };
+  // With rock of this conductance behind the pipe; 0: none. Of a fluid that does not thin.
+  [[nodiscard]] static Response in_series(Response pipe, double beyond) {
+    if (beyond <= 0.0) return pipe;
+    const double share = beyond / (pipe.conductance + beyond);  // of the drop that is the pipe's
+    return {pipe.conductance * share, pipe.slope * share, pipe.by_aperture * share};
+  }
   [[nodiscard]] Response respond(double aperture, double length, double drop) const {
     const double rest = at_rest(aperture, length);
     if (!thins_) return {rest, rest, 3.0};

@@ -58,6 +58,7 @@ struct Network {
   // pipes to the outside, and how far the pressure beyond each is above domain 0's: a host may say what lies there
   std::vector<std::int32_t> outer_pipe;
   Array<double> outer_excess;  // Pa
+  Array<double> beyond;  // m2/(Pa s), per pipe: conductance of the rock behind those (boundary.flow_distance); empty or 0: none
   // with fracture.law facet (frac/facets.hpp), else empty
   Array<double> facet_offset;   // m2, per domain: of a fracture's pore before its facets open
   Array<double> facet_time;     // s, per pipe: when its bond broke
@@ -86,6 +87,7 @@ struct Network {
     if (pipe_sizes.empty()) return zero_stress_aperture;
     return {zero_stress_aperture * pipe_sizes[pipe].aperture, pipe_sizes[pipe].force_share};
   }
+  [[nodiscard]] double beyond_of(std::size_t pipe) const { return beyond.empty() ? 0.0 : beyond[pipe]; }
   [[nodiscard]] std::int64_t domain_count() const { return static_cast<std::int64_t>(kind.size()); }
 
   // The disc at a domain's corner k (of corner_start), and those before and after it around the domain.

@@ -115,7 +115,8 @@ static_assert(is_word("flow.solver", "auto", FlowMatrixSolver::automatic) &&
 static_assert(is_word("contact.mode", "parallel", ContactMode::parallel) &&
               is_word("contact.mode", "after-break", ContactMode::after_break));
 static_assert(is_word("boundary.kind", "stress", BoundaryKind::stress) &&
-              is_word("boundary.kind", "walls", BoundaryKind::walls));
+              is_word("boundary.kind", "walls", BoundaryKind::walls) &&
+              is_word("boundary.kind", "infinite", BoundaryKind::infinite));
 static_assert(is_word("boundary.walls_after_equilibration", "fixed", WallsAfterEquilibration::fixed) &&
               is_word("boundary.walls_after_equilibration", "servo", WallsAfterEquilibration::servo));
 static_assert(is_word("flow.scheme", "implicit", FlowScheme::implicit_scheme) &&

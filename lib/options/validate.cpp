@@ -23,6 +23,8 @@ constexpr double largest_hole = 0.25;
 // Sides shorter than this many of the largest radii hold no packing.
 constexpr double shortest_side = 4.0;
 constexpr std::int64_t fewest_discs = 20;
+// The quasi-static solver's factor takes some 10 kB a disc.
+constexpr std::int64_t most_discs_of_block = 200000;
 
 struct Radii {
   Grading mean;
@@ -206,6 +208,42 @@ void check_stresses(const Options& o) {
     refuse(value_text("stress.sigma_hmin", o.stress_sigma_hmin, "Pa") +
            " is tension, and walls only push; give at least 0 Pa or set boundary.kind = \"stress\".");
   }
+}
+
+// The rock beyond the model.
+void check_exterior(const Options& o, std::size_t given_discs) {
+  const bool infinite = BoundaryKind{o.boundary_kind} == BoundaryKind::infinite;
+  const auto need = [&](bool fine, const std::string& text) {
+    if (!fine) refuse(text);
+  };
+  const bool told = o.boundary_exterior_modulus > 0.0 || o.boundary_exterior_poisson_ratio > 0.0;
+  need(infinite || !told,
+       "boundary.exterior_modulus and boundary.exterior_poisson_ratio are of the rock beyond the model, which "
+       "boundary.kind = \"infinite\" has alone; set it, or leave both at 0.");
+  need(o.boundary_exterior_modulus > 0.0 || !(o.boundary_exterior_poisson_ratio > 0.0),
+       value_text("boundary.exterior_poisson_ratio", o.boundary_exterior_poisson_ratio, "") +
+           "needs boundary.exterior_modulus: both are measured, or both given.");
+  const std::int64_t discs =
+      given_discs > 0 ? static_cast<std::int64_t>(given_discs) : o.packing_disc_count;
+  need(!infinite || discs <= most_discs_of_block,
+       "boundary.kind = \"infinite\" solves for the rest of all discs at once, and " + number_text(discs) +
+           " discs are more than its " + number_text(most_discs_of_block) +
+           "; take fewer, or boundary.kind = \"stress\".");
+  if (!(o.boundary_flow_distance > 0.0)) return;
+  need(infinite, value_text("boundary.flow_distance", o.boundary_flow_distance, "m") +
+                     " is for boundary.kind = \"infinite\"; set it, or leave the distance at 0 m.");
+  const double radius = std::sqrt(o.model_width * o.model_height / std::numbers::pi);
+  need(o.boundary_flow_distance > radius,
+       value_text("boundary.flow_distance", o.boundary_flow_distance, "m") +
+           " is not beyond the model, whose area is that of a circle of " + rounded_text(radius) +
+           " m; give more, or 0 for the formation pressure at the outermost discs.");
+  need(FlowScheme{o.flow_scheme} != FlowScheme::off && OuterPores{o.flow_outer} == OuterPores::formation,
+       "boundary.flow_distance needs flow.outer = \"formation\" and a flow.scheme other than \"off\"; no fluid "
+       "passes the outer boundary, leave the distance at 0 m.");
+  need(o.flow_permeability > 0.0 || o.flow_zero_stress_aperture > 0.0,
+       "boundary.flow_distance needs flow.permeability above 0 m2: rock without it lets nothing through.");
+  need(!(o.fluid_consistency > 0.0),
+       "boundary.flow_distance takes Newtonian fluids, and fluid.consistency makes this one thin; leave the distance at 0 m.");
 }
 
 void check_material(const Options& o) {
@@ -496,6 +534,7 @@ void validate(const CaseDefinition& definition, std::span<const double> given_di
   check_bonds(given_bonds, given_discs);
   check_packing(o, radii, !given_discs.empty());
   check_stresses(o);
+  check_exterior(o, given_discs.size() / 3);
   check_facets(definition);
   check_rock(definition.options);
   check_material(o);

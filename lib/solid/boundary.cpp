@@ -10,6 +10,8 @@ namespace hfrac {
 
 Boundary::Boundary(Model& model, const Options& o)
     : state_(model.boundary),
+      sigma_Hmax_(o.stress_sigma_Hmax),
+      sigma_hmin_(o.stress_sigma_hmin),
       walled_(BoundaryKind{o.boundary_kind} == BoundaryKind::walls),
       wet_(FlowScheme{o.flow_scheme} != FlowScheme::off),
       stiffness_(o.contact_normal_stiffness) {
@@ -72,6 +74,7 @@ void Boundary::put_far_field(double sigma_Hmax, double sigma_hmin) {
     state_.walls[2].target = state_.walls[3].target = sigma_hmin - outside_pressure_;
     return;
   }
+  if (exterior_) exterior_->add_far_field(sigma_Hmax - sigma_Hmax_, sigma_hmin - sigma_hmin_);
   for (std::size_t k = 0; k < edge_.size(); ++k) {
     load_on_[k] = pore_[k] +
                   Vec2{(sigma_Hmax - outside_pressure_) * weight_[k].x,
@@ -87,22 +90,49 @@ std::size_t Boundary::place_of(std::int32_t disc) const {
 Vec2 Boundary::load_on(std::int32_t disc) const {
   if (walled_) return {};
   const std::size_t at = place_of(disc);
-  return at == edge_.size() || edge_[at] != disc ? Vec2{} : state_.load * load_on_[at];
+  if (at == edge_.size() || edge_[at] != disc) return {};
+  return answer_.empty() ? state_.load * load_on_[at] : state_.load * load_on_[at] + answer_[at];
+}
+
+void Boundary::engage(std::unique_ptr<Exterior> exterior) {
+  exterior_ = std::move(exterior);
+  for (const auto& place : exterior_->rim()) rim_place_.push_back(place_of(place.disc));
+  answer_.assign(edge_.size(), Vec2{});
+}
+
+void Boundary::answer(const Assembly& a) {
+  if (!exterior_) return;
+  exterior_->answer(a, state_.load);
+  std::fill(answer_.begin(), answer_.end(), Vec2{});
+  for (std::size_t k = 0; k < rim_place_.size(); ++k) {
+    Vec2& on_disc = answer_[rim_place_[k]];
+    on_disc = on_disc + exterior_->force_on(exterior_->rim()[k]);
+  }
+}
+
+void Boundary::push_rim(Assembly& a) {
+  answer(a);
+  for (std::size_t k = 0; k < edge_.size(); ++k) {
+    const Vec2 force = state_.load * load_on_[k] + answer_[k];
+    a.external_x[edge_[k]] = force.x;
+    a.external_y[edge_[k]] = force.y;
+  }
 }
 
 bool Boundary::touches_wall(std::int32_t disc) const {
   if (std::any_of(grips_.begin(), grips_.end(), [&](const Grip& grip) { return grip.disc == disc; }))
     return true;
-  return walled_ && std::binary_search(edge_.begin(), edge_.end(), disc);
+  return (walled_ || exterior_) && std::binary_search(edge_.begin(), edge_.end(), disc);
 }
 
 void Boundary::set_far_field(Assembly& a, double sigma_Hmax, double sigma_hmin) {
   // The work done so far stays what it was: load_work() measures from where displacements began.
-  const double before = load_work(a);
+  const double before = load_work(a) - exterior_energy(a);
   put_far_field(sigma_Hmax, sigma_hmin);
   if (!walled_) {
     set_load(a, state_.load);
-    state_.carried_work += before - load_work(a);
+    // What strains the rock beyond from far away is work of the far field.
+    state_.carried_work += before - (load_work(a) - exterior_energy(a));
   }
 }
 
@@ -114,7 +144,10 @@ void Boundary::set_outside_pressure(Assembly& a, const Network& n, double sigma_
 void Boundary::restore_load(Assembly& a, const Network& n, double sigma_Hmax, double sigma_hmin) {
   put_outside_pressure(n);
   put_far_field(sigma_Hmax, sigma_hmin);
-  if (!walled_) set_load(a, state_.load);
+  if (exterior_)
+    answer(a);  // the forces on its discs are those of the last cycle, and were saved with the state
+  else if (!walled_)
+    set_load(a, state_.load);
 }
 
 std::vector<Vec2> Boundary::load_of_stress(const Assembly& a, const Network& n,
@@ -163,10 +196,11 @@ void Boundary::set_load(Assembly& a, double share) {
     a.external_x[edge_[k]] = share * load_on_[k].x;
     a.external_y[edge_[k]] = share * load_on_[k].y;
   }
+  if (exterior_) push_rim(a);
 }
 
 void Boundary::remove_rigid_motion(Assembly& a) const {
-  if (walled_ || !grips_.empty()) return;
+  if (walled_ || exterior_ || !grips_.empty()) return;
   const auto n = static_cast<std::size_t>(a.disc_count());
   double mass = 0.0, inertia = 0.0;
   Vec2 centre{}, shift{}, drift{};
@@ -205,6 +239,7 @@ void Boundary::cycle(Assembly& a, double step, double safety, double damping) {
   for (auto& wall : state_.walls) {
     for (const auto i : wall.discs) a.external_x[i] = a.external_y[i] = 0.0;
   }
+  if (exterior_) push_rim(a);
   for (const auto& grip : grips_) {
     const Vec2 load = load_on(grip.disc);
     a.external_x[grip.disc] = load.x;
@@ -269,6 +304,7 @@ void Boundary::add_stiffness(std::vector<double>& row_x, std::vector<double>& ro
     row_x[grip.disc] += stiffness_;
     row_y[grip.disc] += stiffness_;
   }
+  if (exterior_) exterior_->add_stiffness(row_x, row_y);
 }
 
 double Boundary::wall_stress(const Assembly& a, std::size_t w) const {

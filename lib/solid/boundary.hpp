@@ -9,6 +9,7 @@
 // walls   Frictionless rigid walls press on the discs that touch them at set-up, with the contacts' stiffness and no
 //         tension. While a wall is servo-driven it is a body with one degree of freedom whose unbalanced force is
 //         target stress times length minus what the discs push back; afterwards it may be fixed.
+// infinite The forces of `stress`, and besides those of the elastic rock beyond (exterior.hpp), which change with the displacements.
 // Besides, single discs may be gripped (the laboratory's platens): led along one direction to where they are told, free across
 // it and in rotation, by a spring of the contacts' stiffness.
 #pragma once
@@ -16,11 +17,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "model/model.hpp"
 #include "options/options.hpp"
+#include "solid/exterior.hpp"
 
 namespace hfrac {
 
@@ -29,24 +32,31 @@ class Boundary {
   // Finds the discs it acts on; puts the far field of the options on, at load 0.
   Boundary(Model& model, const Options& options);
 
+  // The rock beyond answers from here on (kind infinite).
+  void engage(std::unique_ptr<Exterior> exterior);
+  [[nodiscard]] const Exterior* exterior() const { return exterior_.get(); }
+  // Its forces at the displacements as they stand: load_on() has them until the next call.
+  void answer(const Assembly& assembly);
+
   // Share of the far-field stress in force, 0 to 1 (for loading in stages).
   void set_load(Assembly& assembly, double share);
 
-  // One cycle: forces of the walls on their discs into external_*, motion of servo-driven walls. `step` as the solver's.
+  // One cycle: forces of walls and of the rock beyond on their discs into external_*, motion of servo-driven walls. `step` as the solver's.
   void cycle(Assembly& assembly, double step, double safety, double damping);
 
   // The forces of walls at rest on the discs from `first` up to `last`, as cycle() finds them; those of other discs stay.
   void press(Assembly& assembly, std::int64_t first, std::int64_t last) const;
-  // Nothing from outside needs to know of more than one disc: no wall moves, no disc is gripped.
-  [[nodiscard]] bool acts_disc_by_disc() const { return !walls_move() && grips_.empty(); }
+  // Nothing from outside needs to know of more than one disc: no wall moves, no disc is gripped, no rock beyond answers.
+  [[nodiscard]] bool acts_disc_by_disc() const { return !walls_move() && grips_.empty() && !exterior_; }
 
   // Takes the mean displacement and rotation since bonding, and their rates, out of a model held by nothing else.
   void remove_rigid_motion(Assembly& assembly) const;
 
-  // Adds the walls' share to the row sums of stiffness that set the stable step.
+  // Adds the share of walls and rock beyond to the row sums of stiffness that set the stable step.
   void add_stiffness(std::vector<double>& row_x, std::vector<double>& row_y) const;
 
-  // The far field's force on a disc now (stress boundary) [N], and whether a disc is one of a wall's or gripped.
+  // The force of far field and rock beyond on a disc now [N], and whether it is written anew in every cycle: of a wall's discs, of those gripped, of the
+  // rim's.
   [[nodiscard]] Vec2 load_on(std::int32_t disc) const;
   [[nodiscard]] bool touches_wall(std::int32_t disc) const;
 
@@ -80,6 +90,10 @@ class Boundary {
   [[nodiscard]] double wall_imbalance() const { return state_.servo ? state_.imbalance : 0.0; }
   // Energy stored in wall contacts now [J/m].
   [[nodiscard]] double wall_energy(const Assembly& assembly) const;
+  // Energy stored in the rock beyond now [J/m].
+  [[nodiscard]] double exterior_energy(const Assembly& assembly) const {
+    return exterior_ ? exterior_->energy(assembly, state_.load) : 0.0;
+  }
   // The constant force of the far field on each disc [N] (stress boundary), for the work it does.
   [[nodiscard]] double load_work(const Assembly& assembly) const;
 
@@ -91,7 +105,7 @@ class Boundary {
   std::vector<Grip>& grips() { return grips_; }
   [[nodiscard]] const std::vector<Grip>& grips() const { return grips_; }
   // Forces on some discs change with every cycle.
-  [[nodiscard]] bool reacts() const { return walled_ || !grips_.empty(); }
+  [[nodiscard]] bool reacts() const { return walled_ || !grips_.empty() || exterior_; }
   // Force of a grip on its disc, along its direction [N].
   [[nodiscard]] double grip_force(const Assembly& a, const Grip& grip) const {
     return stiffness_ * (grip.target - (a.ux[grip.disc] * grip.along.x + a.uy[grip.disc] * grip.along.y));
@@ -119,8 +133,10 @@ class Boundary {
   void put_outside_pressure(const Network& network);
   [[nodiscard]] std::size_t place_of(std::int32_t disc) const;  // in edge_
   void put_far_field(double sigma_Hmax, double sigma_hmin);
+  void push_rim(Assembly& assembly);
 
   BoundaryState& state_;
+  double sigma_Hmax_, sigma_hmin_;  // Pa, with which the model begins
   bool walled_, wet_;
   double stiffness_;
   std::array<double, 4> wall_start_{};  // m
@@ -129,6 +145,9 @@ class Boundary {
   std::vector<Vec2> pore_;              // N: what balances the pores' pressure at the start
   std::vector<Vec2> weight_;            // m: force per stress beyond that along x, y
   std::vector<Vec2> load_on_;           // N at full load
+  std::unique_ptr<Exterior> exterior_;  // follows from the model
+  std::vector<std::size_t> rim_place_;  // in edge_, of the exterior's rim
+  std::vector<Vec2> answer_;            // N: the exterior's, per disc of edge_
   std::vector<Grip> grips_;             // no part of a state: the laboratory takes none
 };
 

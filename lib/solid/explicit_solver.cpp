@@ -356,6 +356,8 @@ void ExplicitSolver::mark_left_alone() {
   };
   for (const auto& wall : boundary_.walls()) std::for_each(wall.discs.begin(), wall.discs.end(), pushed);
   for (const auto& grip : boundary_.grips()) pushed(grip.disc);
+  if (boundary_.exterior() != nullptr)
+    std::for_each(boundary_.edge().begin(), boundary_.edge().end(), pushed);
   each_pushed_disc(pushed);
 }
 

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "model/visit_state.hpp"
+#include "options/choices.hpp"
 #include "step/snapshot.hpp"
 
 namespace hfrac {
@@ -84,7 +85,11 @@ std::uint64_t fingerprint_of(const Engine& e, const SetupReport& report) {
   }
   hash.add_all(e.model.network.volume);
   if (report.unbonded > 0) hash.add(report.bonded);
+  // Models without the rock beyond have the fingerprints that they had before there was any.
+  const bool beyond = BoundaryKind{e.options.boundary_kind} == BoundaryKind::infinite;
   for (const auto& info : option_table()) {
+    const std::string_view key = info.key;
+    if (!beyond && (key.starts_with("boundary.exterior_") || key == "boundary.flow_distance")) continue;
     const bool thermal = e.heat && std::string_view(info.key).starts_with("thermal.");
     if (thermal || is_of_the_model(info.key)) hash.add(get_value(e.options, info));
   }

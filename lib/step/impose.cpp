@@ -118,6 +118,10 @@ void set_boundary_pressure(Simulation& s, std::span<const double> pressure) {
                 "flow.scheme other than "
                 "\"off\".");
   }
+  if (s.options().boundary_flow_distance > 0.0) {
+    throw Error(ErrorKind::argument,
+                "a host's pressure holds at the model's outer boundary, and boundary.flow_distance puts rock between; set it to 0 m.");
+  }
   Loads loads = s.loads();
   if (pressure.empty()) {  // taken back: the same all around again
     std::fill(loads.boundary_excess.begin(), loads.boundary_excess.end(), 0.0);
@@ -148,6 +152,11 @@ void set_cell_stress(Simulation& s, std::span<const double> stress) {
     throw Error(ErrorKind::argument,
                 "walls are straight and cannot carry a stress that changes along them; use boundary.kind = "
                 "\"stress\".");
+  }
+  if (boundary.exterior() != nullptr) {
+    throw Error(ErrorKind::argument,
+                "boundary.kind = \"infinite\" has elastic rock of its own beyond the model, whose answer a host's stress holds "
+                "already; use boundary.kind = \"stress\".");
   }
   std::vector<double> loop;
   for (const auto c : s.grid().loop_cell()) {

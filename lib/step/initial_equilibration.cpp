@@ -18,6 +18,7 @@
 #include "options/number_text.hpp"
 #include "rock/seeping_well.hpp"
 #include "step/checks.hpp"
+#include "step/exterior_rock.hpp"
 #include "step/ledger.hpp"
 #include "step/rest.hpp"
 #include "step/slips.hpp"
@@ -261,6 +262,7 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
         std::exchange(n.joint_length, {});  // it is the rock between them that is measured
     calibrate_aperture(n, m.assembly, o, wells, pressure);
     report.permeability = measure_permeability(n, m.assembly, wells, o.fluid_viscosity, pressure);
+    put_rock_beyond_pipes(e, report.permeability);
     pressure = {};
     const double uniform = uniform_gradient_permeability(m.assembly, n, o.fluid_viscosity);
     if (uniform > 0.0 && report.permeability > 0.0) oda_matrix = report.permeability / uniform;

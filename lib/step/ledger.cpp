@@ -71,7 +71,7 @@ Balance balance_of(const Engine& engine) {
 ElasticEnergy elastic_energy(const Engine& e) {
   const Assembly& a = e.model.assembly;
   ElasticEnergy energy;
-  energy.contacts = e.boundary->walled() ? e.boundary->wall_energy(a) : 0.0;
+  energy.contacts = e.boundary->walled() ? e.boundary->wall_energy(a) : e.boundary->exterior_energy(a);
   for (std::int64_t bond = 0; bond < a.bond_count(); ++bond) {
     const BondView view = view_bond(a, e.options, bond);
     energy.bonds += view.bond_energy;

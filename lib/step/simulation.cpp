@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "options/choices.hpp"
 #include "step/checks.hpp"
+#include "step/exterior_rock.hpp"
 #include "step/image.hpp"
 #include "step/initial_equilibration.hpp"
 #include "step/snapshot.hpp"
@@ -22,8 +24,11 @@ Simulation::Simulation(CaseDefinition definition, std::span<const double> given_
   const auto start = std::chrono::steady_clock::now();
   Packing packing = take_discs(definition_, given_discs, progress, setup_);
   if (progress && progress(0.5, "bonding")) throw Stopped{};
+  const bool infinite = BoundaryKind{options().boundary_kind} == BoundaryKind::infinite;
+  Packing whole = infinite ? packing : Packing{};
   model_ = build_model(definition_, std::move(packing), given_bonds, setup_);
   engine_ = std::make_unique<Engine>(options(), model_);
+  if (infinite) begin_exterior(*engine_, definition_, std::move(whole), setup_);
   equilibrate(*engine_, progress, setup_);
   oda_matrix_ = begin_run(*engine_, definition_.wells, setup_);
   loads_ = loads_of(model_);

@@ -534,6 +534,9 @@ class hfrac_sim_def(ctypes.Structure):
         ("packing_fine_half_width", ctypes.c_double),
         ("packing_fine_azimuth", ctypes.c_double),
         ("packing_radius_growth", ctypes.c_double),
+        ("boundary_exterior_modulus", ctypes.c_double),
+        ("boundary_exterior_poisson_ratio", ctypes.c_double),
+        ("boundary_flow_distance", ctypes.c_double),
     ]
 
 
@@ -602,6 +605,8 @@ class hfrac_setup_report(ctypes.Structure):
         ("setup_seconds", ctypes.c_double),
         ("coarsest_radius", ctypes.c_double),
         ("fine_discs", ctypes.c_int64),
+        ("exterior_modulus", ctypes.c_double),
+        ("exterior_poisson_ratio", ctypes.c_double),
     ]
 
 

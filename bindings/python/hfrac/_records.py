@@ -111,6 +111,10 @@ class SetupReport(NamedTuple):
     coarsest_radius: float
     #: discs packed where a graded packing is fine; uniform: all
     fine_discs: int
+    #: [Pa] E' of the rock beyond with boundary.kind infinite, given or measured; else 0
+    exterior_modulus: float
+    #: its Poisson's ratio in plane strain
+    exterior_poisson_ratio: float
 
     @classmethod
     def of(cls, struct: _abi.hfrac_setup_report) -> "SetupReport":
@@ -132,6 +136,8 @@ class SetupReport(NamedTuple):
             struct.setup_seconds,
             struct.coarsest_radius,
             struct.fine_discs,
+            struct.exterior_modulus,
+            struct.exterior_poisson_ratio,
         )
 
 
@@ -144,7 +150,7 @@ class Balance(NamedTuple):
     kinetic: float
     #: [J/m] stored in intact bonds now
     bond_elastic: float
-    #: [J/m] stored in contacts now (discs and walls)
+    #: [J/m] stored in contacts now (discs and walls), and in the rock beyond (boundary.kind infinite)
     contact_elastic: float
     #: [J/m] work of fluid pressure on the discs since the initial equilibration
     fluid_work: float

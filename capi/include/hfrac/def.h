@@ -175,8 +175,9 @@ typedef struct hfrac_sim_def {
   /** [Pa] Far-field stress along y, compression positive. Default 25e6. */
   double stress_sigma_hmin;
 
-  /** 0: stress, 1: walls. stress: far-field stress as forces on the outermost discs. walls: four rigid
-   * frictionless walls, servo-driven to the far-field stress. Default 0. */
+  /** 0: stress, 1: walls, 2: infinite. stress: far-field stress as forces on the outermost discs. walls:
+   * four rigid frictionless walls, servo-driven to the far-field stress. infinite: as stress, and the
+   * elastic rock beyond answers to what wells and fractures do to the outer boundary. Default 0. */
   int64_t boundary_kind;
   /** 0: fixed, 1: servo. Walls after the initial equilibrium: fixed in place, or kept at their stress by
    * the servo. Default 0. */
@@ -467,6 +468,17 @@ typedef struct hfrac_sim_def {
   /** [1] Coarsening above 1: metres that the mean radius grows by per metre beyond that distance, up to
    * coarsening times the fine discs'. Default 0.1. */
   double packing_radius_growth;
+
+  /** [Pa] Kind infinite: E' = E / (1 - nu^2) of the rock beyond. 0: measured on the model's own packing at
+   * its far field, and undrained where the model has flow. Default 0.0. */
+  double boundary_exterior_modulus;
+  /** [1] Kind infinite: Poisson's ratio of the rock beyond in plane strain; with boundary.exterior_modulus
+   * only. Default 0.0. */
+  double boundary_exterior_poisson_ratio;
+  /** [m] Kind infinite: distance from the model's middle at which the pores have the formation pressure;
+   * fluid flows there steadily through rock of the model's permeability. 0: at the outermost discs.
+   * Default 0.0. */
+  double boundary_flow_distance;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */

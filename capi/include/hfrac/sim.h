@@ -122,6 +122,8 @@ typedef struct hfrac_setup_report {
   double setup_seconds;          /**< wall time of all of hfrac_sim_create */
   double coarsest_radius;        /**< [m] mean radius of the discs farthest from the fine ones of a graded packing; uniform: mean_radius */
   int64_t fine_discs;            /**< discs packed where a graded packing is fine; uniform: all */
+  double exterior_modulus;       /**< [Pa] E' of the rock beyond with boundary.kind infinite, given or measured; else 0 */
+  double exterior_poisson_ratio; /**< its Poisson's ratio in plane strain */
 } hfrac_setup_report;
 /** What the set-up made. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_get_setup(const hfrac_sim *sim, hfrac_setup_report *report);
@@ -132,7 +134,7 @@ typedef struct hfrac_balance {
   int32_t energy_checked;    /**< 1: energy_error says something; 0: the quasi-static solver closes its balance by `damping` */
   double kinetic;            /**< [J/m] kinetic energy now */
   double bond_elastic;       /**< [J/m] stored in intact bonds now */
-  double contact_elastic;    /**< [J/m] stored in contacts now (discs and walls) */
+  double contact_elastic;    /**< [J/m] stored in contacts now (discs and walls), and in the rock beyond (boundary.kind infinite) */
   double fluid_work;         /**< [J/m] work of fluid pressure on the discs since the initial equilibration */
   double boundary_work;      /**< [J/m] work of the far field on the model since the initial equilibration */
   double friction;           /**< [J/m] dissipated by sliding since the initial equilibration */
