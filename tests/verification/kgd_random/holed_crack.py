@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""K of two cracks that start from opposite sides of a round hole, by displacement discontinuities (Crouch 1976; Crouch and Starfield 1983).
+"""K of two cracks that start from opposite sides of a round hole, by displacement discontinuities (Crouch and Starfield 1983).
 
 Hole and cracks are lines of elements on which the displacement jumps by a constant; what the far field and the fluid put on them gives the
 jumps. Inside the hole lies rock that nothing holds, and the smallest jumps are taken (least squares), which fixes it. K follows from the opening

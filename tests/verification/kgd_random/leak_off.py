@@ -16,12 +16,13 @@ with S the storage of rock that cannot widen along the fracture (Detournay and C
 gives l(t). V_in is the injected volume less what the hole stores and what leaks through its own wall, both measured: the formula has no hole.
 
 Rock that takes up fluid swells and presses on the fracture. Thin against l, a layer with int P dy = u / S along the fracture is a line of
-dilation centres (Goodier 1937); with eta_p = alpha G / (K + G) it presses with (eta_p / pi) d/dx int P / (x - s) ds, which for u as of an ellipse
+dilation centres; with eta_p = alpha G / (K + G) it presses with (eta_p / pi) d/dx int P / (x - s) ds, which for u as of an ellipse
 (so it is where l grows as sqrt(t)) is even (derived here):
 
   backstress = 2 eta_p V_leaked / (pi l^2 S)
 
-It adds to the pressure at the well and to D, and changes neither opening nor growth.
+It adds to the pressure at the well and to D, and changes neither opening nor growth. Carter's law as the limit of diffusion straight into the rock,
+and backstress beside it: Liu, Zhang and Detournay 2026 (Journal of Fluid Mechanics), who treat what this leaves out, diffusion in the plane.
 """
 import math
 from typing import List, NamedTuple, Tuple
