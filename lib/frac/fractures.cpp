@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 
+#include "frac/facets.hpp"
 #include "frac/fracture_graph.hpp"
 #include "solid/bond_law.hpp"
 
@@ -106,7 +107,8 @@ double farthest_tip(const Assembly& a, const Network& n, const Options& o,
 }
 
 std::vector<Fracture> find_fractures(const Assembly& a, const Network& n, const Options& o,
-                                     const std::vector<WellPlace>& wells, CrackLog& log) {
+                                     const std::vector<WellPlace>& wells, CrackLog& log,
+                                     const Facets* facets) {
   const auto cracks = static_cast<std::int32_t>(log.size());
   Sets sets(log.size());
   std::map<std::int32_t, std::int32_t> first_in_domain;  // ordered: results do not depend on hashing
@@ -138,7 +140,13 @@ std::vector<Fracture> find_fractures(const Assembly& a, const Network& n, const 
       const CrackLine line = crack_line(n, a, o, bond);
       // What it stands for of the fracture's length.
       const auto e = static_cast<std::size_t>(bond);
-      const double length = n.planes.of(e) != nullptr ? pipe_length(n, a, e) : line.length;
+      double length = n.planes.of(e) != nullptr ? pipe_length(n, a, e) : line.length;
+      double opening = line.aperture;
+      if (const auto facet = facets != nullptr ? facets->of(bond) : -1; facet >= 0) {
+        const Facet& face = facets->all()[facet];
+        length = face.length;
+        opening = std::max(0.0, facets->opening(a, n, face));
+      }
       const Vec2 along{-line.normal.y, line.normal.x};
       ends.push_back(line.middle + (0.5 * line.length) * along);
       ends.push_back(line.middle - (0.5 * line.length) * along);
@@ -146,7 +154,7 @@ std::vector<Fracture> find_fractures(const Assembly& a, const Network& n, const 
       ++f.crack_count;
       f.tensile_cracks += log[c].mode == CrackMode::tension ? 1 : 0;
       f.largest_aperture = std::max(f.largest_aperture, line.aperture);
-      f.volume += line.aperture * length;
+      f.volume += opening * length;
       length_sum += length;
       const auto l = n.left[bond], r = n.right[bond];
       pressure_sum += 0.5 * (n.pressure[l] + n.pressure[r]);

@@ -15,6 +15,8 @@
 
 namespace hfrac {
 
+class Facets;
+
 struct Fracture {
   std::int64_t crack_count = 0, tensile_cracks = 0;
   std::int64_t wings = 0;  // separate branches that start at the well; 1 if not connected to one
@@ -39,8 +41,10 @@ CrackLine crack_line(const Network& network, const Assembly& assembly, const Opt
 double farthest_tip(const Assembly& assembly, const Network& network, const Options& options,
                     const std::vector<WellPlace>& wells, const CrackLog& log);
 
-// All fractures, most cracks first; writes each crack's fracture into the log.
+// All fractures, most cracks first; writes each crack's fracture into the log. The volume of facets is what the fluid between them
+// fills, opening by length along the fracture; of other cracks it is aperture by the crack's line, or its pipe's length on a plane.
 std::vector<Fracture> find_fractures(const Assembly& assembly, const Network& network, const Options& options,
-                                     const std::vector<WellPlace>& wells, CrackLog& log);
+                                     const std::vector<WellPlace>& wells, CrackLog& log,
+                                     const Facets* facets = nullptr);
 
 }  // namespace hfrac

@@ -136,7 +136,8 @@ std::uint64_t Simulation::state_hash() const {
 }
 
 std::vector<Fracture> Simulation::fractures() {
-  return find_fractures(model_.assembly, model_.network, options(), model_.well_places(), model_.cracks);
+  return find_fractures(model_.assembly, model_.network, options(), model_.well_places(), model_.cracks,
+                        &engine_->facets);
 }
 
 std::vector<FracturePoint> Simulation::fracture_line(std::int32_t fracture) const {

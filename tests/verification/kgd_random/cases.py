@@ -31,6 +31,8 @@ class Case(NamedTuple):
     sigma_max: float  # Pa, along x
     sigma_min: float  # Pa
     formation: float  # Pa
+    permeability: float = 1e-17  # m2
+    leaks: bool = False  # so much that it takes part in the comparison (leak_off.py)
 
 
 CASES = {
@@ -39,6 +41,7 @@ CASES = {
     "T35": Case(5e6, 0.01, 35e6, 30e6, 10e6),
     "V10": Case(2e6, 1.0, 12e6, 10e6, 5e6),
     "M1": Case(5e6, 1.0, 12e6, 10e6, 5e6),
+    "L10": Case(5e6, 0.001, 12e6, 10e6, 8e6, 8e-15, True),
 }
 
 
@@ -50,10 +53,12 @@ def options(case: Case, seed: int, discs: int, **more: Any) -> Dict[str, Any]:
         bond_normal_stiffness=16e9, bond_shear_stiffness=5.6e9,
         bond_tensile_strength=10e6, bond_shear_strength=40e6, bond_fracture_toughness=case.toughness,
         stress_sigma_Hmax=case.sigma_max, stress_sigma_hmin=case.sigma_min, fluid_formation_pressure=case.formation,
-        fluid_viscosity=case.viscosity, fluid_bulk_modulus=BULK, flow_permeability=1e-17, flow_aperture_limit=0.1,
+        fluid_viscosity=case.viscosity, fluid_bulk_modulus=BULK, flow_permeability=case.permeability, flow_aperture_limit=0.1,
         solver_kind="quasi-static", stepping_mode="coupled", stepping_flow_step=1.0,
         solver_smallest_step=1e-2, solver_pressure_change=0.3, solver_strength_overshoot=0.1, run_workers=1,
     )
+    if case.leaks:
+        given["flow_half_aperture_force"] = 1e15  # no closing of the rock's pipes: one permeability
     given.update(more)
     return given
 
@@ -65,6 +70,13 @@ def undrained(porosity: float, biot: float = 1.0, grains: float = 0.0) -> float:
     shear = young / (2.0 * (1.0 + POISSON))
     bulk = DRAINED * shear / (4.0 * shear - DRAINED) + biot**2 / storage
     return 4.0 * shear * bulk / (bulk + shear)
+
+
+def volume_of(case: Case, modulus: float, length: float) -> float:
+    """What a fracture of this half length holds [m2]: the inverse of `analytic`."""
+    thick = 12.0 * case.viscosity
+    by_length = prefactors(_regime(case, modulus))[0]
+    return RATE * (length / (by_length * (modulus * RATE**3 / thick) ** (1.0 / 6.0))) ** 1.5
 
 
 class Analytic(NamedTuple):
