@@ -123,12 +123,17 @@ void compare(int64_t discs, int64_t packings, double coarsening, double toleranc
     const double ratio = strain_ratio(turned);
     const Elasticity whole = elasticity(block(discs, seed, coarsening), 1e6),
                      plain = elasticity(block(discs, seed, 1.0), 1e6);
-    const Flow flow = flow_by_zone(discs, seed, coarsening);
+    const Flow flow = flow_by_zone(discs, seed, coarsening), as_uniform = flow_by_zone(discs, seed, 1.0);
+    hfrac::Definition same = turned;
+    same.packing_coarsening = 1.0;
     std::printf(
         "  seed %lld: strain fine over coarse %.3f, E' over uniform %.3f, nu' less uniform %+.3f, porosity "
-        "%.3f and %.3f, permeability %.3f and %.3f\n",
+        "%.3f and %.3f, permeability %.3f and %.3f\n    uniform packing, same zones: strain %.3f, "
+        "permeability "
+        "%.3f and %.3f\n",
         static_cast<long long>(seed), ratio, whole.modulus / plain.modulus, whole.poisson - plain.poisson,
-        flow.porosity[fine], flow.porosity[coarse], flow.permeability[fine], flow.permeability[coarse]);
+        flow.porosity[fine], flow.porosity[coarse], flow.permeability[fine], flow.permeability[coarse],
+        strain_ratio(same), as_uniform.permeability[fine], as_uniform.permeability[coarse]);
     strain += share * ratio;
     modulus += share * whole.modulus / plain.modulus;
     poisson += share * (whole.poisson - plain.poisson);
