@@ -74,6 +74,19 @@ Elastic rock_of(const Simulation& sim) {
   return {modulus, 0.5 * modulus * (1.0 - nu)};  // E' = 2 G / (1 - nu)
 }
 
+// Area [m2] that the hole's pressure acts on the rim of: what the pore would gain if all places grew by their own size, halved.
+double area_of_hole(const Simulation& sim) {
+  const Network& n = sim.network();
+  const Assembly& a = sim.assembly();
+  const auto d = sim.wells()[0].place.domain;
+  double area = 0.0;
+  for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
+    const auto i = n.corner_disc[k];
+    area += 0.5 * (n.corner_weight[2 * k] * a.x[i] + n.corner_weight[2 * k + 1] * a.y[i]);
+  }
+  return area;
+}
+
 // Mean of u_r r [m2] of the discs around the hole, from what the well's pressure does.
 double push_of_hole(Simulation& sim, double radius) {
   const Assembly& a = sim.assembly();
@@ -150,9 +163,8 @@ Ratios lame(std::int64_t discs, std::int64_t seed) {
       small(with_hole(side, BoundaryKind::infinite), middle, {}),
       control(with_hole(side, BoundaryKind::stress), middle, {});
   const double far = push_of_hole(large, radius), near = push_of_hole(small, radius);
-  const double hole = small.wells()[0].place.equivalent_radius;
   const Ratios r{near / far, push_of_hole(control, radius) / far,
-                 near / (pressure * hole * hole / (2.0 * rock_of(large).shear))};
+                 near / (pressure * area_of_hole(small) / (2.0 * pi * rock_of(large).shear))};
   print("hole", seed, r, middle.size() / 3);
   return r;
 }
