@@ -34,6 +34,7 @@ class Fracture(NamedTuple):
     pores: float  # m2, gained by hole and pores beside its cracks
     reported: float  # m2, volume of the fracture as the program reports it, without the hole
     wall_leak: float  # m2/s, out of the hole through the rock at its wall now
+    stretched: float  # m2, of what its pores gained: before their first bonds broke, as rock (to a step)
     balanced: float  # m2, the same by the fluid's balance: injected less what hole, rock pores and the outside took
     cracks: int
     wing_count: int
@@ -50,6 +51,8 @@ class Model:
         self.facets = facets
         self.start_volume = np.array(sim.domains.volume)
         self.storing = self.start_volume  # m2, of stiff grains: without rock.grain_modulus
+        self.last_volume = self.start_volume
+        self.stretched: Dict[int, float] = {}  # m2, by pore of the fracture: gained before its first bond broke, as rock
         self.kind = np.array(sim.domains.kind)
         self.radius = np.array(sim.discs.radius)
         self.bond_discs = np.array(sim.bonds.discs)
@@ -204,7 +207,7 @@ def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float, shap
     intact = np.array(sim.discs.intact_bonds)
     if own is None:
         nothing = Wing(0.0, math.nan, math.nan, True)
-        return Fracture(0.0, 0.0, net, 0.0, injected, 0.0, 0.0, _wall_leak(model, []), 0.0, sim.crack_count, 0, 0.0, int((intact == 0).sum()), (nothing, nothing))
+        return Fracture(0.0, 0.0, net, 0.0, injected, 0.0, 0.0, _wall_leak(model, []), 0.0, 0.0, sim.crack_count, 0, 0.0, int((intact == 0).sum()), (nothing, nothing))
     cracks = sim.cracks  # with their fractures
     mine = cracks[cracks.fracture == own.index]
     middle, bonds = np.array(mine.position), np.array(mine.bond)
@@ -217,6 +220,9 @@ def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float, shap
     far, _ = _ways(graph, model.domain, np.ones(len(bonds)))
     _, before = _ways(graph, model.domain, 1.0 / np.maximum(aperture[bonds], 1e-7) ** 3)
     pores = set(int(d) for d in model.pipe_domains[bonds].ravel()) - {0, model.domain}
+    for d in pores - model.stretched.keys():
+        model.stretched[d] = float(model.last_volume[d] - model.start_volume[d])
+    model.last_volume = volume_now
     along = sum(volume_now[d] - model.start_volume[d] for d in pores)
     gained = along + volume_now[model.domain] - hole
     balanced = state.injected_volume - sim.balance.leaked_volume - _stored_elsewhere(model, pores, volume_now, pressure, bulk)
@@ -254,6 +260,6 @@ def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float, shap
     half = 0.5 * (wings[0].length + wings[1].length)
     xi = (offset @ heading - 0.5 * (wings[0].length - wings[1].length)) / half
     return Fracture(
-        half, _in_the_middle(read, xi, shape), net, volume, injected, gained, own.volume, _wall_leak(model, bonds), balanced,
+        half, _in_the_middle(read, xi, shape), net, volume, injected, gained, own.volume, _wall_leak(model, bonds), sum(model.stretched.values()), balanced,
         len(cracks), own.wings, math.degrees(azimuth), int((intact == 0).sum()), (wings[0], wings[1]),
     )
