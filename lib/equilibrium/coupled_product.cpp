@@ -184,8 +184,7 @@ void CoupledSystem::products_of_exterior(const Vector& x, Vector& y) const {
   for (std::int64_t row = 0; row < tractions_; ++row) y[traction_at(row)] = 0.0;
   for (std::int64_t column = 0; column < tractions_; ++column) {
     const double by = scale * x[traction_at(column)];
-    for (std::int64_t row = 0; row < tractions_; ++row)
-      y[traction_at(row)] -= compliance(row, column) * by;
+    for (std::int64_t row = 0; row < tractions_; ++row) y[traction_at(row)] -= compliance(row, column) * by;
   }
   each_rim_weight([&](std::int32_t disc, std::int32_t point, double weight) {
     for (Eigen::Index axis = 0; axis < 2; ++axis) {

@@ -58,7 +58,8 @@ struct Network {
   // pipes to the outside, and how far the pressure beyond each is above domain 0's: a host may say what lies there
   std::vector<std::int32_t> outer_pipe;
   Array<double> outer_excess;  // Pa
-  Array<double> beyond;  // m2/(Pa s), per pipe: conductance of the rock behind those (boundary.flow_distance); empty or 0: none
+  Array<double>
+      beyond;  // m2/(Pa s), per pipe: conductance of the rock behind those (boundary.flow_distance); empty or 0: none
   // with fracture.law facet (frac/facets.hpp), else empty
   Array<double> facet_offset;   // m2, per domain: of a fracture's pore before its facets open
   Array<double> facet_time;     // s, per pipe: when its bond broke

@@ -217,14 +217,14 @@ void check_exterior(const Options& o, std::size_t given_discs) {
     if (!fine) refuse(text);
   };
   const bool told = o.boundary_exterior_modulus > 0.0 || o.boundary_exterior_poisson_ratio > 0.0;
-  need(infinite || !told,
-       "boundary.exterior_modulus and boundary.exterior_poisson_ratio are of the rock beyond the model, which "
-       "boundary.kind = \"infinite\" has alone; set it, or leave both at 0.");
+  need(
+      infinite || !told,
+      "boundary.exterior_modulus and boundary.exterior_poisson_ratio are of the rock beyond the model, which "
+      "boundary.kind = \"infinite\" has alone; set it, or leave both at 0.");
   need(o.boundary_exterior_modulus > 0.0 || !(o.boundary_exterior_poisson_ratio > 0.0),
        value_text("boundary.exterior_poisson_ratio", o.boundary_exterior_poisson_ratio, "") +
            "needs boundary.exterior_modulus: both are measured, or both given.");
-  const std::int64_t discs =
-      given_discs > 0 ? static_cast<std::int64_t>(given_discs) : o.packing_disc_count;
+  const std::int64_t discs = given_discs > 0 ? static_cast<std::int64_t>(given_discs) : o.packing_disc_count;
   need(!infinite || discs <= most_discs_of_block,
        "boundary.kind = \"infinite\" solves for the rest of all discs at once, and " + number_text(discs) +
            " discs are more than its " + number_text(most_discs_of_block) +
@@ -238,12 +238,14 @@ void check_exterior(const Options& o, std::size_t given_discs) {
            " is not beyond the model, whose area is that of a circle of " + rounded_text(radius) +
            " m; give more, or 0 for the formation pressure at the outermost discs.");
   need(FlowScheme{o.flow_scheme} != FlowScheme::off && OuterPores{o.flow_outer} == OuterPores::formation,
-       "boundary.flow_distance needs flow.outer = \"formation\" and a flow.scheme other than \"off\"; no fluid "
+       "boundary.flow_distance needs flow.outer = \"formation\" and a flow.scheme other than \"off\"; no "
+       "fluid "
        "passes the outer boundary, leave the distance at 0 m.");
   need(o.flow_permeability > 0.0 || o.flow_zero_stress_aperture > 0.0,
        "boundary.flow_distance needs flow.permeability above 0 m2: rock without it lets nothing through.");
   need(!(o.fluid_consistency > 0.0),
-       "boundary.flow_distance takes Newtonian fluids, and fluid.consistency makes this one thin; leave the distance at 0 m.");
+       "boundary.flow_distance takes Newtonian fluids, and fluid.consistency makes this one thin; leave the "
+       "distance at 0 m.");
 }
 
 void check_material(const Options& o) {

@@ -101,8 +101,8 @@ void Exterior::lay_points(const Assembly& a, const Network& n) {
   std::vector<std::size_t> corner{0, farthest(1.0, -1.0), farthest(1.0, 1.0), farthest(-1.0, 1.0),
                                   loop.size()};
   if (!std::is_sorted(corner.begin(), corner.end())) refuse("the outline of the discs has no four corners");
-  const double wanted = static_cast<double>(
-      std::clamp(loop.size() / discs_per_point, fewest_points, most_points));
+  const double wanted =
+      static_cast<double>(std::clamp(loop.size() / discs_per_point, fewest_points, most_points));
   for (std::size_t side = 0; side < 4; ++side) {
     const double from = way[corner[side]], length = way[corner[side + 1]] - from;
     const auto pairs = std::max(1.0, std::round(0.5 * wanted * length / way.back()));

@@ -18,10 +18,10 @@
 namespace hfrac {
 namespace {
 
-constexpr double gauge = 0.35;          // half of the sides' share that strain is taken over
-constexpr double little_more = 1e-4;    // stress over the bonds' normal stiffness: a strain of about as much
-constexpr double closest_rest = 1e-6;   // mean unbalanced over mean contact force
-constexpr double unbreakable = 1e30;    // N per radius
+constexpr double gauge = 0.35;         // half of the sides' share that strain is taken over
+constexpr double little_more = 1e-4;   // stress over the bonds' normal stiffness: a strain of about as much
+constexpr double closest_rest = 1e-6;  // mean unbalanced over mean contact force
+constexpr double unbreakable = 1e30;   // N per radius
 
 Options options_of_block(Options o) {
   o.boundary_kind = static_cast<std::int64_t>(BoundaryKind::stress);
@@ -77,12 +77,13 @@ class Block {
     const Options& o = definition_.options;
     const auto moved = engine_.mechanics->relax(closest_rest, 20 * o.stepping_max_cycles, model_.cracks);
     if (moved.at_rest) return;
-    throw Error(ErrorKind::collapsed,
-                "boundary.kind = \"infinite\": the packing without wells does not come to rest under sigma_Hmax = " +
-                    rounded_text(sigma_Hmax) + " Pa and sigma_hmin = " + rounded_text(sigma_hmin) +
-                    " Pa (unbalanced-force ratio " + rounded_text(moved.force_ratio) + ", wanted " +
-                    rounded_text(closest_rest) +
-                    "); lower the stresses or raise the stiffnesses, or use boundary.kind = \"stress\"");
+    throw Error(
+        ErrorKind::collapsed,
+        "boundary.kind = \"infinite\": the packing without wells does not come to rest under sigma_Hmax = " +
+            rounded_text(sigma_Hmax) + " Pa and sigma_hmin = " + rounded_text(sigma_hmin) +
+            " Pa (unbalanced-force ratio " + rounded_text(moved.force_ratio) + ", wanted " +
+            rounded_text(closest_rest) +
+            "); lower the stresses or raise the stiffnesses, or use boundary.kind = \"stress\"");
   }
 
   [[nodiscard]] Strain strain() const {
@@ -156,9 +157,10 @@ std::vector<Vec2> rest_of_rim(const Places& block, const Assembly& a, const Exte
   for (const auto& at : exterior.rim()) {
     const auto same = block.find({a.x[at.disc], a.y[at.disc]});
     if (same == block.end())
-      throw Error(ErrorKind::model,
-                  "boundary.kind = \"infinite\": a disc of the outer boundary is not bonded to the packing without "
-                  "wells; bond the outermost discs, or use boundary.kind = \"stress\".");
+      throw Error(
+          ErrorKind::model,
+          "boundary.kind = \"infinite\": a disc of the outer boundary is not bonded to the packing without "
+          "wells; bond the outermost discs, or use boundary.kind = \"stress\".");
     rest.push_back(same->second);
   }
   return rest;
@@ -177,10 +179,11 @@ void begin_exterior(Engine& e, const CaseDefinition& definition, Packing packing
   if (rock.modulus == 0.0) {
     rock = measure(block, o);
     if (!(rock.modulus > 0.0) || !(std::abs(rock.poisson) < 1.0))
-      throw Error(ErrorKind::model,
-                  "boundary.kind = \"infinite\": the packing has no elastic constants under the far field (E' = " +
-                      rounded_text(rock.modulus) + " Pa, nu' = " + rounded_text(rock.poisson) +
-                      "); give boundary.exterior_modulus and boundary.exterior_poisson_ratio.");
+      throw Error(
+          ErrorKind::model,
+          "boundary.kind = \"infinite\": the packing has no elastic constants under the far field (E' = " +
+              rounded_text(rock.modulus) + " Pa, nu' = " + rounded_text(rock.poisson) +
+              "); give boundary.exterior_modulus and boundary.exterior_poisson_ratio.");
     const double storing = block.storing();
     if (storing > 0.0) rock = undrained(rock, o.fluid_bulk_modulus / storing, o.rock_biot_coefficient);
   }
@@ -200,10 +203,11 @@ void put_rock_beyond_pipes(Engine& e, double permeability) {
   double around = 0.0;  // m
   for (const auto pipe : n.outer_pipe) around += a.length(pipe);
   const double radius = std::sqrt(o.model_width * o.model_height / std::numbers::pi);
-  const double whole = 2.0 * std::numbers::pi * permeability / o.fluid_viscosity /
-                       std::log(o.boundary_flow_distance / radius);
+  const double whole =
+      2.0 * std::numbers::pi * permeability / o.fluid_viscosity / std::log(o.boundary_flow_distance / radius);
   n.beyond.assign(n.left.size(), 0.0);
-  for (const auto pipe : n.outer_pipe) n.beyond[static_cast<std::size_t>(pipe)] = whole * a.length(pipe) / around;
+  for (const auto pipe : n.outer_pipe)
+    n.beyond[static_cast<std::size_t>(pipe)] = whole * a.length(pipe) / around;
   update_apertures(n, a, o);
 }
 

@@ -120,7 +120,8 @@ void set_boundary_pressure(Simulation& s, std::span<const double> pressure) {
   }
   if (s.options().boundary_flow_distance > 0.0) {
     throw Error(ErrorKind::argument,
-                "a host's pressure holds at the model's outer boundary, and boundary.flow_distance puts rock between; set it to 0 m.");
+                "a host's pressure holds at the model's outer boundary, and boundary.flow_distance puts rock "
+                "between; set it to 0 m.");
   }
   Loads loads = s.loads();
   if (pressure.empty()) {  // taken back: the same all around again
@@ -155,7 +156,8 @@ void set_cell_stress(Simulation& s, std::span<const double> stress) {
   }
   if (boundary.exterior() != nullptr) {
     throw Error(ErrorKind::argument,
-                "boundary.kind = \"infinite\" has elastic rock of its own beyond the model, whose answer a host's stress holds "
+                "boundary.kind = \"infinite\" has elastic rock of its own beyond the model, whose answer a "
+                "host's stress holds "
                 "already; use boundary.kind = \"stress\".");
   }
   std::vector<double> loop;

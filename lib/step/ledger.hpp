@@ -35,7 +35,9 @@ void require_heat(const Engine& engine);
 double stored_heat(const Engine& engine);  // J/m
 
 struct ElasticEnergy {
-  double bonds = 0.0, contacts = 0.0;  // J/m; contacts with walls, non-bonded ones, and the rock beyond (boundary.kind infinite)
+  double bonds = 0.0,
+         contacts =
+             0.0;  // J/m; contacts with walls, non-bonded ones, and the rock beyond (boundary.kind infinite)
 };
 ElasticEnergy elastic_energy(const Engine& engine);
 

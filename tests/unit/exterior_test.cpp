@@ -90,7 +90,8 @@ TEST(InfinitePlane, ResistsATurnAndHardlyAShift) {
   }
   EXPECT_NEAR(turn.dot(k * turn) / (4.0 * pi * shear * radius * radius), 1.0, 1e-3);
   // The force F that moves a rigid disc by one metre against rest at the distance R is 8 pi G (1 - nu) / ((3 - 4 nu) ln(R / a)), about.
-  const double nu = rock.poisson / (1.0 + rock.poisson), by_log = 8.0 * pi * shear * (1.0 - nu) / (3.0 - 4.0 * nu);
+  const double nu = rock.poisson / (1.0 + rock.poisson),
+               by_log = 8.0 * pi * shear * (1.0 - nu) / (3.0 - 4.0 * nu);
   const double logarithm = by_log / shift.dot(k * shift);
   EXPECT_GT(logarithm, std::log(1e3));
   EXPECT_LT(logarithm, 1.1 * std::log(1e6));
@@ -153,7 +154,8 @@ TEST(Exterior, ATurnOfAllDiscsIsOneOfThePlane) {
   constexpr double angle = 1e-6;
   double area = 0.0;  // of the rim, by its points
   const auto& points = m.boundary->exterior()->points();
-  for (std::size_t p = 0; p < points.size(); ++p) area += 0.5 * cross(points[p], points[(p + 1) % points.size()]);
+  for (std::size_t p = 0; p < points.size(); ++p)
+    area += 0.5 * cross(points[p], points[(p + 1) % points.size()]);
   for (std::int64_t i = 0; i < m.assembly.disc_count(); ++i) {
     m.assembly.ux[i] = -angle * m.assembly.y[i];
     m.assembly.uy[i] = angle * m.assembly.x[i];
@@ -206,6 +208,7 @@ CaseDefinition holed(SolverKind solver, BoundaryKind kind) {
   o.solver_kind = choice(solver);
   o.stepping_flow_step = 1e-3;
   o.stepping_force_ratio = 1e-7;
+  o.solver_tolerance = 1e-9;
   o.stepping_max_cycles = 400000;
   WellOptions well;
   well.x = well.y = 30.0;
@@ -265,9 +268,12 @@ TEST(InfiniteRock, BearsNothingOfTheFarFieldAlone) {
   // More of it strains the rock beyond, too.
   set_far_field(infinite, 14e6, 9e6);
   set_far_field(plain, 14e6, 9e6);
+  const double before = infinite.balance().bond_elastic;
   infinite.step();
   plain.step();
-  EXPECT_LT(difference(infinite.assembly(), plain.assembly()), 0.01);
+  EXPECT_LT(difference(infinite.assembly(), plain.assembly()), 0.02);
+  EXPECT_LT(infinite.engine().boundary->exterior_energy(infinite.assembly()),
+            1e-3 * (infinite.balance().bond_elastic - before));
 }
 
 TEST(InfiniteRock, ResultsDependNeitherOnWorkersNorOnRestoring) {
@@ -326,7 +332,8 @@ TEST(InfiniteRock, ItsTangentIsTheChangeOfTheResidual) {
   const auto tractions = static_cast<Eigen::Index>(e.boundary->exterior()->size());
   x.tail(tractions).setZero();
   system.product(x, y);
-  const double scale = sim.options().contact_normal_stiffness / (m.assembly.mean_radius * m.assembly.mean_radius);
+  const double scale =
+      sim.options().contact_normal_stiffness / (m.assembly.mean_radius * m.assembly.mean_radius);
   const Eigen::MatrixXd& compliance = e.boundary->exterior()->compliance();
   const Eigen::VectorXd in_rows = y.tail(tractions);
   x.tail(tractions) = compliance.llt().solve(in_rows) / scale;
@@ -346,7 +353,8 @@ TEST(InfiniteRock, ItsTangentIsTheChangeOfTheResidual) {
   system.evaluate();
   system.entries(values);
   system.product(x, y);
-  for (std::size_t k = 0; k < values.size(); ++k) by_entries[places[k].row] += values[k] * x[places[k].column];
+  for (std::size_t k = 0; k < values.size(); ++k)
+    by_entries[places[k].row] += values[k] * x[places[k].column];
   EXPECT_LT((by_entries - y).cwiseAbs().maxCoeff(), 1e-9 * y.cwiseAbs().maxCoeff());
 }
 
@@ -385,9 +393,11 @@ TEST(InfiniteRock, RefusesWhatDoesNotGoTogether) {
     EXPECT_NE(text.find(words), std::string::npos) << text;
   };
   EXPECT_EQ(why([](Options&) {}), "");
-  expect(why([](Options& o) { o.boundary_exterior_modulus = 1e9; }, BoundaryKind::stress), "beyond the model");
+  expect(why([](Options& o) { o.boundary_exterior_modulus = 1e9; }, BoundaryKind::stress),
+         "beyond the model");
   expect(why([](Options& o) { o.boundary_exterior_poisson_ratio = 0.2; }), "both are measured");
-  expect(why([](Options& o) { o.boundary_flow_distance = 500.0; }, BoundaryKind::walls), "is for boundary.kind");
+  expect(why([](Options& o) { o.boundary_flow_distance = 500.0; }, BoundaryKind::walls),
+         "is for boundary.kind");
   expect(why([](Options& o) { o.boundary_flow_distance = 20.0; }), "is not beyond the model");
   expect(why([](Options& o) {
            o.boundary_flow_distance = 500.0;
