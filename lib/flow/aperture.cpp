@@ -171,8 +171,9 @@ void update_apertures(Network& n, const Assembly& a, const Options& o) {
     const double length = way > 0.0 ? way : pipe_length(n, a, e);
     double w;
     if (way > 0.0) {  // of a facet
-      w = std::max(n.facet_least[e],
-                   aperture_response(o, n.zero_stress_aperture, n.facet_opening[e], 0.0, 0.0, false).aperture);
+      w = std::max(
+          n.facet_least[e],
+          aperture_response(o, n.zero_stress_aperture, n.facet_opening[e], 0.0, 0.0, false).aperture);
     } else if (const SmoothContact* contact = flowing_contact(n, a, e)) {
       w = joint_aperture_response(o, a.smooth.law_of(*contact), smooth_opening(a, *contact)).aperture;
     } else if (joint > 0.0) {
