@@ -92,7 +92,8 @@ void measure(const Path& path, const Facets& facets, const Assembly& a, const Ne
         std::max(dot(path.end - f.middle, path.ahead), 0.0) + beyond * a.mean_radius_at(path.end);
     if (k > 0 && s > half) break;
     const double push = n.pressure[f.left] * f.left_length + n.pressure[f.right] * f.right_length;
-    const double w = path.side[k] * facets.jump(a, f, normal) + (push - f.initial_normal) / facets.start().stiffness;
+    const double w =
+        path.side[k] * facets.jump(a, f, normal) + (push - f.initial_normal) / facets.start().stiffness;
     const double of_whole = std::sqrt(1.0 - std::min(0.5, 0.5 * s / half));
     const double shape = std::sqrt(s) * of_whole;
     by_shape += w * shape;

@@ -61,8 +61,8 @@ struct Network {
   Array<double>
       beyond;  // m2/(Pa s), per pipe: conductance of the rock behind those (boundary.flow_distance); empty or 0: none
   // with fracture.law facet (frac/facets.hpp), else empty
-  Array<double> facet_offset;   // m2, per domain: of a fracture's pore before its facets open
-  Array<double> facet_time;     // s, per pipe: when its bond broke
+  Array<double> facet_offset;  // m2, per domain: of a fracture's pore before its facets open
+  Array<double> facet_time;    // s, per pipe: when its bond broke
   // These follow from the state:
   Array<double> facet_opening;  // m, per pipe: across the fracture
   Array<double> facet_way;      // m, per pipe: that a facet's fluid flows; 0: no facet

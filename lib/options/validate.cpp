@@ -146,7 +146,8 @@ void check_facets(const CaseDefinition& definition) {
   const bool coupled = SteppingMode{o.stepping_mode} == SteppingMode::coupled;
   if (!coupled && SolverKind{o.solver_kind} == SolverKind::quasi_static) {
     refuse(
-        "fracture.law = \"facet\" with solver.kind = \"quasi-static\" is for stepping.mode = \"coupled\" only; "
+        "fracture.law = \"facet\" with solver.kind = \"quasi-static\" is for stepping.mode = \"coupled\" "
+        "only; "
         "set that, or solver.kind = \"explicit\", or take fracture.law = \"bond\".");
   }
   if (FlowScheme{o.flow_scheme} == FlowScheme::off) {

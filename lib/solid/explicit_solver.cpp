@@ -265,7 +265,8 @@ void ExplicitSolver::break_into_facets(std::int64_t cycle, std::vector<Found>& f
       continue;
     }
     break_bond(view_bond(assembly_, options_, e), e, cycle, found[0].cracks);
-    network_.facet_time[e] = time_ + (scaled_ ? 0.0 : arrays_.step * static_cast<double>(cycle - cycles_then_));
+    network_.facet_time[e] =
+        time_ + (scaled_ ? 0.0 : arrays_.step * static_cast<double>(cycle - cycles_then_));
     broken.push_back(e);
   }
   if (broken.empty()) return;

@@ -159,11 +159,11 @@ class ExplicitSolver {
   std::vector<PushedDisc> pushed_;  // by smooth joints and facets
   FacetMotion facets_;
   FacetRules facet_rules_;
-  std::int64_t facets_seen_ = 0;                        // FacetMotion::changes
-  std::atomic<std::int64_t> facets_to_come_{-1};        // cycle in which a bond was found that breaks
+  std::int64_t facets_seen_ = 0;                  // FacetMotion::changes
+  std::atomic<std::int64_t> facets_to_come_{-1};  // cycle in which a bond was found that breaks
   double time_ = 0.0;
   std::int64_t cycles_then_ = 0;
-  std::vector<char> held_;          // per disc: its bonds do not break; empty: none
+  std::vector<char> held_;  // per disc: its bonds do not break; empty: none
   TilePlan plan_;
   KernelArrays arrays_{};
   Array<double> inverse_mass_, inverse_inertia_;

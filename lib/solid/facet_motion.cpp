@@ -85,8 +85,7 @@ void FacetMotion::take(std::span<const Facet> facets, std::vector<Push> pushes, 
   const auto place = [&](std::int32_t d) {
     const bool pore = n.kind[d] == DomainKind::rock;
     const auto& list = pore ? rock : holes;
-    const auto at =
-        static_cast<std::int32_t>(std::lower_bound(list.begin(), list.end(), d) - list.begin());
+    const auto at = static_cast<std::int32_t>(std::lower_bound(list.begin(), list.end(), d) - list.begin());
     return pore ? at : ~at;
   };
   items_.clear();
@@ -139,8 +138,8 @@ double FacetMotion::volume_change(const Pore& pore) const {
 // One step of Newton's method on a pore's own pressure. Returns by how much it changed [Pa].
 double FacetMotion::correct(Pore& pore) {
   const double storing = 1.0 / network_.stiffness[pore.domain];
-  double lacking = network_.content[pore.domain] - (pore.pressure - network_.reference_pressure) * storing -
-                   pore.fixed;
+  double lacking =
+      network_.content[pore.domain] - (pore.pressure - network_.reference_pressure) * storing - pore.fixed;
   double slope = storing;
   for (auto k = pore.first; k < pore.last; ++k) {
     const Side& side = sides_[static_cast<std::size_t>(k)];
@@ -172,9 +171,8 @@ void FacetMotion::answer(bool undrained) {
       change += n.corner_weight[2 * k] * a.ux[i] + n.corner_weight[2 * k + 1] * a.uy[i];
       if (!n.corner_turn.empty()) change += n.corner_turn[k] * a.rotation[i];
     }
-    hole.pressure = std::max(n.floor_pressure,
-                             n.reference_pressure +
-                                 n.stiffness[hole.domain] * (n.content[hole.domain] - change));
+    hole.pressure = std::max(n.floor_pressure, n.reference_pressure + n.stiffness[hole.domain] *
+                                                                          (n.content[hole.domain] - change));
   }
   for (auto& pore : pores_) pore.fixed = n.facet_offset[pore.domain];
   for (const auto& face : faces_) {
@@ -188,8 +186,8 @@ void FacetMotion::answer(bool undrained) {
                        pressure_at(items_[k].right) * facets_[k].right_length;
   };
   for (std::size_t k = 0; k < items_.size(); ++k)
-    items_[k].apart = facet_jump(a, *start_, facets_[k], facets_[k].normal) -
-                      facets_[k].initial_normal / start_->stiffness;
+    items_[k].apart =
+        facet_jump(a, *start_, facets_[k], facets_[k].normal) - facets_[k].initial_normal / start_->stiffness;
   push_all();
   if (!undrained) return;
   double largest = 0.0;
@@ -211,7 +209,7 @@ void FacetMotion::answer(bool undrained) {
   push_all();  // without what rounding left
 }
 
-void FacetMotion::push_pair(std::int64_t bond, Vec2 force, double on_first, double on_second) {
+double FacetMotion::push_pair(std::int64_t bond, Vec2 force, double on_first, double on_second) {
   Assembly& a = assembly_;
   const auto i = a.first[bond], j = a.second[bond];
   a.external_x[i] += force.x;
@@ -220,12 +218,13 @@ void FacetMotion::push_pair(std::int64_t bond, Vec2 force, double on_first, doub
   a.external_y[j] -= force.y;
   a.external_moment[i] += on_first;
   a.external_moment[j] += on_second;
-  turns_ += on_first + on_second - cross(Vec2{a.dx(bond) + a.ux[j] - a.ux[i], a.dy(bond) + a.uy[j] - a.uy[i]}, force);
+  const Vec2 between{a.dx(bond) + a.ux[j] - a.ux[i], a.dy(bond) + a.uy[j] - a.uy[i]};
+  return on_first + on_second - cross(between, force);
 }
 
 void FacetMotion::add_forces() {
   Assembly& a = assembly_;
-  turns_ = 0.0;
+  double turns = 0.0;  // N m, what all here turns the whole by
   for (std::size_t k = 0; k < items_.size(); ++k) {
     const Facet& f = facets_[k];
     const Vec2 n = f.normal, t{-n.y, n.x};
@@ -245,9 +244,9 @@ void FacetMotion::add_forces() {
       on_first += arm_i * c.shear;
       on_second += arm_j * c.shear;
     }
-    push_pair(f.bond, force, on_first, on_second);
+    turns += push_pair(f.bond, force, on_first, on_second);
   }
-  for (const auto& [bond, force] : pushes_) push_pair(bond, force, 0.0, 0.0);
+  for (const auto& [bond, force] : pushes_) turns += push_pair(bond, force, 0.0, 0.0);
   for (const auto& face : faces_) {
     const auto at = std::lower_bound(pores_.begin(), pores_.end(), face.domain,
                                      [](const Pore& pore, std::int32_t d) { return pore.domain < d; });
@@ -256,12 +255,12 @@ void FacetMotion::add_forces() {
     a.external_x[face.disc] += force.x;
     a.external_y[face.disc] += force.y;
     a.external_moment[face.disc] += moment;
-    turns_ += moment + cross(a.position(face.disc), force);
+    turns += moment + cross(a.position(face.disc), force);
   }
   if (far_apart_.empty() || items_.empty()) return;
   const auto p = far_apart_[0], q = far_apart_[1];
   const Vec2 between = a.position(q) - a.position(p);
-  const Vec2 couple = (turns_ / dot(between, between)) * Vec2{-between.y, between.x};
+  const Vec2 couple = (turns / dot(between, between)) * Vec2{-between.y, between.x};
   a.external_x[p] += couple.x;
   a.external_y[p] += couple.y;
   a.external_x[q] -= couple.x;

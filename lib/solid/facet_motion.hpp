@@ -98,8 +98,8 @@ class FacetMotion {
                       : holes_[static_cast<std::size_t>(~place)].pressure;
   }
   [[nodiscard]] double volume_change(const Pore& pore) const;
-  // Puts a force on the first of two discs and the opposite on the second; moments as they are. Adds what that turns the whole [N m].
-  void push_pair(std::int64_t bond, Vec2 force, double on_first, double on_second);
+  // Puts a force on the first of two discs and the opposite on the second; moments as they are. Returns what that turns the whole by [N m].
+  double push_pair(std::int64_t bond, Vec2 force, double on_first, double on_second);
   double correct(Pore& pore);
 
   Assembly& assembly_;
@@ -115,10 +115,9 @@ class FacetMotion {
   std::vector<Item> items_;
   std::vector<Hole> holes_;
   std::vector<std::int32_t> discs_;
-  std::vector<std::uint8_t> count_;  // facets per pore
-  Array<double> stiffness_;
-  double turns_ = 0.0;                   // N m, what all here turns the whole by
+  std::vector<std::uint8_t> count_;      // facets per pore
   std::vector<std::int32_t> far_apart_;  // two discs; none between walls
+  Array<double> stiffness_;
   std::int64_t changes_ = 0;
 };
 

@@ -100,7 +100,8 @@ void begin_facets(Engine& e) {
     changed = changed || p < o.stress_sigma_hmin;
     p = std::max(p, o.stress_sigma_hmin);
   }
-  std::unique_ptr<EquilibriumSolver> own;  // that knows walls as they are now, or of a model that moves explicitly
+  std::unique_ptr<EquilibriumSolver>
+      own;  // that knows walls as they are now, or of a model that moves explicitly
   if (!e.equilibrium || e.boundary->walled())
     own = std::make_unique<EquilibriumSolver>(m, e.facets, *e.boundary, *e.mechanics, o, *e.workers);
   if (changed && !(own ? *own : *e.equilibrium).rest_unbroken())
@@ -123,10 +124,8 @@ void move_facets(Engine& e) {
   rules.breaks = [&e](std::span<const std::int64_t> broken) {
     e.facets.add(e.model.assembly, e.model.network, broken);
   };
-  if (e.options.bond_fracture_toughness > 0.0)
-    rules.grow = [&e](CrackLog& log) { return grow_tips(e, log); };
-  e.facets.follow(
-      e.mechanics->follow_facets(e.facets.start(), e.facets.rock_weight(), std::move(rules)));
+  if (e.options.bond_fracture_toughness > 0.0) rules.grow = [&e](CrackLog& log) { return grow_tips(e, log); };
+  e.facets.follow(e.mechanics->follow_facets(e.facets.start(), e.facets.rock_weight(), std::move(rules)));
 }
 
 // Slots in the walls of holes, to either side, cut into rock at rest.

@@ -33,7 +33,7 @@ CaseDefinition slotted(std::int64_t seed = 1) {
   o.fluid_formation_pressure = 5e6;
   o.fracture_law = choice(FractureLaw::facet);
   o.fracture_perforation_length = 10.0;
-  o.stepping_force_ratio = 1e-6;
+  o.stepping_force_ratio = 1e-5;
   o.stepping_max_cycles = 20000;
   o.stepping_flow_step = 0.5;
   definition.wells[0].radius = 6.0;
@@ -63,7 +63,11 @@ CaseDefinition growing(std::int64_t seed = 1) {
 // Where damped motion comes to rest, the quasi-static solver's equations are fulfilled: forces of facets open and shut, what pores
 // hold, what they push.
 TEST(FacetMotion, RestsWhereTheQuasiStaticEquationsDo) {
-  for (const bool joint : {false, true}) {
+  struct Case {
+    bool joint;
+    double more;  // fluid in each pore of the slots, over the mean radius [m]
+  };
+  for (const auto& [joint, more] : {Case{false, 2e-3}, Case{false, 6e-3}, Case{true, 6e-3}}) {
     CaseDefinition definition = slotted();
     if (joint) {
       JointOptions along;
@@ -77,26 +81,47 @@ TEST(FacetMotion, RestsWhereTheQuasiStaticEquationsDo) {
       definition.joints.push_back(along);
     }
     Simulation s(definition, {}, {});
-    for (int k = 0; k < 4; ++k) s.step();
     Engine& e = const_cast<Engine&>(s.engine());
+    Network& n = e.model.network;
+    for (std::int64_t d = 0; d < n.domain_count(); ++d)
+      if (e.facets.fractured(d)) n.content[d] += more * s.assembly().mean_radius;
+    const auto motion = e.mechanics->relax(s.options().stepping_force_ratio, 20000, e.model.cracks);
+    e.mechanics->evaluate();
     int open = 0, shut = 0;
-    for (const Facet& f : e.facets.all()) ++(e.facets.opening(s.assembly(), s.network(), f) > 0.0 ? open : shut);
-    EXPECT_GT(open, 2);
+    for (const Facet& f : e.facets.all())
+      ++(e.facets.opening(s.assembly(), s.network(), f) > 0.0 ? open : shut);
+    if (joint) {
+      EXPECT_GT(std::min(open, shut), 0);
+    } else {
+      EXPECT_GT(more > 4e-3 ? open : shut, 4);
+    }
     CoupledSystem system(e.model.assembly, e.model.network, *e.boundary, e.mechanics->non_bonded_contacts(),
                          s.options(), *e.workers, e.facets);
     system.begin(0.0, {});
     system.evaluate();
-    std::printf(" %s joint: %d open, %d shut; force ratio %.1e (motion: %.1e), pressures off by %.1e\n",
-                joint ? "with" : "without", open, shut, system.force_ratio(), s.engine().model.clock.force_ratio,
-                system.pressure_error());
-    EXPECT_TRUE(s.engine().model.clock.at_rest);
-    EXPECT_LT(system.force_ratio(), 1e-5);
+    // Two discs bear what turns the whole, there by pins.
+    const Assembly& a = s.assembly();
+    std::vector<double> off;
+    for (std::int64_t i = 0; i < a.disc_count(); ++i)
+      off.push_back(system.residual().segment<3>(3 * i).lpNorm<1>());
+    std::sort(off.begin(), off.end());
+    off.resize(off.size() - 2);
+    double mean = 0.0;
+    for (const double one : off) mean += one / static_cast<double>(off.size());
+    // Over the force of 20 MPa on a disc.
+    mean /= 20e6 * 2.0 * a.mean_radius / s.options().contact_normal_stiffness;
+    std::printf(
+        " %s joint: %d open, %d shut; off by %.1e of a contact's force (motion: %.1e), pressures by %.1e\n",
+        joint ? "with" : "without", open, shut, mean, motion.force_ratio, system.pressure_error());
+    EXPECT_TRUE(motion.at_rest);
+    EXPECT_LT(mean, 3e-5);
     EXPECT_LT(system.pressure_error(), 1e-6);
   }
 }
 
 // Growth from slots: fluid is accounted for to rounding, an image goes on with the same bits, and so does any number of workers.
 void grows(const CaseDefinition& definition, int steps, std::size_t cracks) {
+  const auto slots = Simulation(definition, {}, {}).cracks().size();
   const auto run = [&](int workers, Simulation*& kept) {
     CaseDefinition mine = definition;
     mine.options.run_workers = workers;
@@ -112,9 +137,10 @@ void grows(const CaseDefinition& definition, int steps, std::size_t cracks) {
     const std::unique_ptr<Simulation> owner(s);
     if (workers > 1) continue;
     const Balance balance = s->balance();
-    std::printf(" %zu cracks, %zu facets, %.2e m2 in, off by %.1e of it\n", s->cracks().size(),
-                s->engine().facets.all().size(), balance.injected, balance.fluid_error / balance.injected);
-    EXPECT_GE(s->cracks().size(), cracks);
+    std::printf(" %zu cracks, %zu of them slots; %zu facets, %.2e m2 in, off by %.1e of it\n",
+                s->cracks().size(), slots, s->engine().facets.all().size(), balance.injected,
+                balance.fluid_error / balance.injected);
+    EXPECT_GE(s->cracks().size(), slots + cracks);
     EXPECT_LT(std::abs(balance.fluid_error), 1e-12 * balance.injected);
     EXPECT_FALSE(balance.energy_checked);
     std::vector<std::byte> image(s->image_size());
@@ -135,7 +161,7 @@ void grows(const CaseDefinition& definition, int steps, std::size_t cracks) {
 }
 
 TEST(FacetMotion, GrowsByImplicitFlow) {
-  grows(growing(), 20, 8);
+  grows(growing(), 40, 8);
 }
 
 TEST(FacetMotion, GrowsByExplicitFlow) {
@@ -143,7 +169,7 @@ TEST(FacetMotion, GrowsByExplicitFlow) {
   definition.options.flow_scheme = choice(FlowScheme::explicit_scheme);
   definition.options.fluid_viscosity = 0.1;
   definition.options.stepping_flow_step = 0.2;
-  definition.wells[0].rate = 5e-2;
+  definition.wells[0].rate = 0.1;
   grows(definition, 20, 6);
 }
 
