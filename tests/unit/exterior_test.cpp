@@ -262,7 +262,10 @@ TEST(InfiniteRock, BearsNothingOfTheFarFieldAlone) {
   with.wells.clear();
   without.wells.clear();
   Simulation infinite(with, {}, {}), plain(without, {}, {});
-  EXPECT_LT(difference(infinite.assembly(), plain.assembly()), 1e-5);
+  // What differs is the disc at the lower left corner, where springs hold a model without rock beyond: they bear the moment of its loads.
+  EXPECT_LT(difference(infinite.assembly(), plain.assembly()), 2e-3);
+  EXPECT_LT(infinite.engine().boundary->exterior_energy(infinite.assembly()),
+            1e-6 * infinite.balance().bond_elastic);
   EXPECT_NEAR(infinite.setup().exterior_poisson_ratio, 0.2, 0.15);
   EXPECT_GT(infinite.setup().exterior_modulus, 10e9);
   // More of it strains the rock beyond, too.
