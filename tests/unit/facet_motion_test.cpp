@@ -167,10 +167,9 @@ TEST(FacetMotion, GrowsByImplicitFlow) {
 TEST(FacetMotion, GrowsByExplicitFlow) {
   CaseDefinition definition = growing();
   definition.options.flow_scheme = choice(FlowScheme::explicit_scheme);
-  definition.options.fluid_viscosity = 0.1;
   definition.options.stepping_flow_step = 0.2;
   definition.wells[0].rate = 0.1;
-  grows(definition, 20, 6);
+  grows(definition, 20, 3);
 }
 
 TEST(FacetMotion, GrowsInRealTime) {
