@@ -80,12 +80,13 @@ Matrix infinite_plane_stiffness(const std::vector<Vec2>& rim, Vec2 centre, const
       }
     }
   }
-  for (; ratio < far_away; ratio *= ratio) {
+  while (ratio < far_away) {
     const Eigen::LLT<Matrix> between(c + a);
     const Matrix from_outside = between.solve(b), from_inside = between.solve(b.transpose());
     a -= b * from_inside;
     c -= b.transpose() * from_outside;
     b = -(b * from_outside).eval();
+    ratio *= ratio;
   }
   return 0.5 * (a + a.transpose());
 }
