@@ -98,6 +98,7 @@ void Facets::tell_motion(const Assembly& a, Network& n) const {
   std::sort(bonds.begin(), bonds.end());
   bonds.erase(std::unique(bonds.begin(), bonds.end()), bonds.end());
   std::vector<FacetMotion::Push> pushes;
+  pushes.reserve(bonds.size());
   for (const auto e : bonds) pushes.push_back({e, locked_of(e)});
   motion_->take(facets_, std::move(pushes), std::move(faces));
 }

@@ -95,7 +95,7 @@ class FacetMotion {
   };
   [[nodiscard]] double pressure_at(std::int32_t place) const {
     return place >= 0 ? pores_[static_cast<std::size_t>(place)].pressure
-                      : holes_[static_cast<std::size_t>(~place)].pressure;
+                      : holes_[-1 - static_cast<std::ptrdiff_t>(place)].pressure;
   }
   [[nodiscard]] double volume_change(const Pore& pore) const;
   // Puts a force on the first of two discs and the opposite on the second; moments as they are. Returns what that turns the whole by [N m].

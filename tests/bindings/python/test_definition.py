@@ -14,7 +14,7 @@ class Definition(unittest.TestCase):
         width = table["model.width"]
         self.assertEqual((width.type, width.unit, width.default, width.keyword), ("real", "m", 100.0, "model_width"))
         self.assertEqual(table["model.seed"].default, 1)
-        self.assertEqual(table["boundary.kind"].choices, ("stress", "walls"))
+        self.assertEqual(table["boundary.kind"].choices, ("stress", "walls", "infinite"))
         self.assertEqual(table["boundary.kind"].default, "stress")
         self.assertTrue(all(option.help for option in table.values()))
 
@@ -138,7 +138,7 @@ class Definition(unittest.TestCase):
             ({"fluid_viscosity": -1}, ValueError, "fluid.viscosity = -1"),
             ({"fluid_viscosity": float("nan")}, hfrac.ArgumentError, "fluid.viscosity"),
             ({"model_seed": 10**30}, hfrac.ArgumentError, "model.seed"),
-            ({"boundary_kind": "wall"}, hfrac.ArgumentError, "stress or walls"),
+            ({"boundary_kind": "wall"}, hfrac.ArgumentError, "stress, walls or infinite"),
             ({"case": "/nonexistent.toml"}, hfrac.CaseFileError, "nonexistent"),
             ({"title": "x" * 500}, hfrac.ArgumentError, "title"),
         ]:
