@@ -123,25 +123,9 @@ std::vector<Ratios> drive(std::int64_t discs, std::int64_t seed, double excess,
   const double diffusivity = aperture * aperture * bulk / (12.0 * viscosity);
   Simulation sim(fault(discs, seed, excess), {}, {});
   for (const double window : {8.0, 32.0}) print_scatter(sim, window);
-  const Assembly& a = sim.assembly();
-  const auto& contacts = a.smooth.contacts;
-  const auto at = [&](const SmoothContact& c) {
-    const auto i = a.first[c.bond];
-    return std::sqrt(0.5) * (a.x[i] + c.first_arm.x - 0.5 * side + a.y[i] + c.first_arm.y - 0.5 * side);
-  };
-  sim.step();  // what set-up left of the slip
-  std::vector<double> before;
-  for (const auto& c : contacts) before.push_back(c.slip);
-  const auto middle = std::min_element(contacts.begin(), contacts.end(), [&](const auto& p, const auto& q) {
-    return std::abs(at(p)) < std::abs(at(q));
-  });
-  Network& n = sim.engine().model.network;
-  // In one pore, so at the beginning of that contact.
-  const double source = at(*middle) - 0.5 * middle->area;
-  const Vec2 way = n.centroid[n.right[middle->bond]] - n.centroid[n.left[middle->bond]];
-  const auto inlet = way.x + way.y > 0.0 ? n.left[middle->bond] : n.right[middle->bond];
-  n.stiffness[inlet] = 0.0;
-  n.pressure[inlet] = n.reference_pressure + over;
+  const verification::DrivenJoint driven(sim, 0.5 * side, over);
+  const auto& contacts = driven.contacts();
+  const Network& n = sim.network();
   std::vector<Ratios> result;
   double time = 0.0;
   for (const double half_length : reached) {
@@ -153,7 +137,7 @@ std::vector<Ratios> drive(std::int64_t discs, std::int64_t seed, double excess,
            moment_formula = 0.0;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       const SmoothContact& c = contacts[k];
-      const double x = at(c) - source, slip = std::abs(c.slip - before[k]), A = c.area;
+      const double x = driven.at(k), slip = driven.slip(k), A = c.area;
       const double formula = std::abs(x) < half_length
                                  ? friction * over / modulus * slip_at(x, half_length, lambda, excess)
                                  : 0.0;
@@ -177,7 +161,7 @@ std::vector<Ratios> drive(std::int64_t discs, std::int64_t seed, double excess,
         "  %lld discs, packing %lld, T %.1f, a = %4.1f m = %2.0f R: pressure rms %.3f, slip %.3f, length "
         "%.3f\n",
         static_cast<long long>(discs), static_cast<long long>(seed), excess, half_length,
-        half_length / a.mean_radius, r.pressure, r.slip, r.length);
+        half_length / sim.assembly().mean_radius, r.pressure, r.slip, r.length);
     std::fflush(stdout);
     result.push_back(r);
   }

@@ -131,24 +131,7 @@ double measured(std::int64_t discs, std::int64_t seed, double residual, double l
   joint.weakening_slip = (peak - residual) / weakening;
   definition.joints = {joint};
   hfrac::Simulation sim(definition, {}, {});
-  const Assembly& a = sim.assembly();
-  const auto& contacts = a.smooth.contacts;
-  const auto at = [&](const SmoothContact& c) {
-    const auto i = a.first[c.bond];
-    return std::sqrt(0.5) * (a.x[i] + c.first_arm.x - 0.5 * side + a.y[i] + c.first_arm.y - 0.5 * side);
-  };
-  sim.step();  // what set-up left of the slip
-  std::vector<double> before;
-  for (const auto& c : contacts) before.push_back(c.slip);
-  const auto middle = std::min_element(contacts.begin(), contacts.end(), [&](const auto& p, const auto& q) {
-    return std::abs(at(p)) < std::abs(at(q));
-  });
-  Network& n = sim.engine().model.network;
-  const double source = at(*middle) - 0.5 * middle->area;  // in one pore, so at the beginning of that contact
-  const Vec2 way = n.centroid[n.right[middle->bond]] - n.centroid[n.left[middle->bond]];
-  const auto inlet = way.x + way.y > 0.0 ? n.left[middle->bond] : n.right[middle->bond];
-  n.stiffness[inlet] = 0.0;
-  n.pressure[inlet] = n.reference_pressure + over;
+  const verification::DrivenJoint driven(sim, 0.5 * side, over);
   const double diffusivity = aperture * aperture * bulk / (12.0 * viscosity);
   double time = 0.0;
   for (double L = first_reach; L < longest; L *= growth) {
@@ -156,8 +139,8 @@ double measured(std::int64_t discs, std::int64_t seed, double residual, double l
     sim.step(sim.loads(), until - time);
     time = until;
     std::vector<Piece> pieces;
-    for (std::size_t k = 0; k < contacts.size(); ++k)
-      pieces.push_back({at(contacts[k]) - source, contacts[k].area, std::abs(contacts[k].slip - before[k])});
+    for (std::size_t k = 0; k < driven.contacts().size(); ++k)
+      pieces.push_back({driven.at(k), driven.contacts()[k].area, driven.slip(k)});
     readings.push_back(read(pieces, L));
     if (readings.back().extent > 0.8) return L / std::sqrt(growth);
   }

@@ -2,10 +2,14 @@
 // Random packings with natural fractures in rock that does not break and lets nothing through: what V23 and V24 share.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "model.hpp"
 #include "options/choices.hpp"
+#include "step/simulation.hpp"
 #include "support.hpp"
 
 namespace verification {
@@ -61,5 +65,39 @@ inline JointOptions plate_joint(Vec2 from, Vec2 to, double friction, double stif
   joint.residual_aperture = aperture;
   return joint;
 }
+
+// A joint at 45 degrees through the model's middle, and the overpressure that one of its pores is held at. No well: its hole would be as wide as
+// the slip is long at first.
+class DrivenJoint {
+ public:
+  DrivenJoint(hfrac::Simulation& sim, double middle, double over) : sim_(sim), middle_(middle) {
+    sim.step();  // what set-up left of the slip
+    for (const auto& c : contacts()) before_.push_back(c.slip);
+    const auto nearest = std::min_element(
+        contacts().begin(), contacts().end(),
+        [&](const auto& p, const auto& q) { return std::abs(along(p)) < std::abs(along(q)); });
+    source_ = along(*nearest) - 0.5 * nearest->area;  // in one pore, so at the beginning of that contact
+    Network& n = sim.engine().model.network;
+    const auto left = n.left[nearest->bond], right = n.right[nearest->bond];
+    const Vec2 way = n.centroid[right] - n.centroid[left];
+    const auto inlet = way.x + way.y > 0.0 ? left : right;
+    n.stiffness[inlet] = 0.0;
+    n.pressure[inlet] = n.reference_pressure + over;
+  }
+  [[nodiscard]] const std::vector<SmoothContact>& contacts() const { return sim_.assembly().smooth.contacts; }
+  // Of contact k: from that pore along the joint [m], and slip since then [m].
+  [[nodiscard]] double at(std::size_t k) const { return along(contacts()[k]) - source_; }
+  [[nodiscard]] double slip(std::size_t k) const { return std::abs(contacts()[k].slip - before_[k]); }
+
+ private:
+  [[nodiscard]] double along(const SmoothContact& c) const {
+    const Assembly& a = sim_.assembly();
+    const auto i = a.first[c.bond];
+    return std::sqrt(0.5) * (a.x[i] + c.first_arm.x - middle_ + a.y[i] + c.first_arm.y - middle_);
+  }
+  hfrac::Simulation& sim_;
+  double middle_, source_ = 0.0;
+  std::vector<double> before_;
+};
 
 }  // namespace verification
