@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "flow/aperture.hpp"
+#include "model/far_discs.hpp"
 #include "model/joint_pores.hpp"
 #include "options/choices.hpp"
 #include "solid/smooth_joints.hpp"
@@ -44,18 +45,9 @@ CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& bou
   list_neighbours();
   if (boundary.walled() || tractions_ > 0) return;
   // A body held by nothing: three springs take up rounding. At equilibrium they bear nothing.
-  std::int32_t lowest = 0, far = 0;
-  const auto& a = assembly_;
-  for (std::int32_t i = 1; i < discs_; ++i) {
-    if (a.x[i] + a.y[i] < a.x[lowest] + a.y[lowest]) lowest = i;
-  }
-  const auto distance = [&](std::int32_t i) {
-    return std::hypot(a.x[i] - a.x[lowest], a.y[i] - a.y[lowest]);
-  };
-  for (std::int32_t i = 1; i < discs_; ++i) {
-    if (distance(i) > distance(far)) far = i;
-  }
-  const Vec2 line = (1.0 / distance(far)) * Vec2{a.x[far] - a.x[lowest], a.y[far] - a.y[lowest]};
+  const auto [lowest, far, distance] = far_discs(assembly_);
+  const Vec2 line =
+      (1.0 / distance) * Vec2{assembly_.x[far] - assembly_.x[lowest], assembly_.y[far] - assembly_.y[lowest]};
   pins_ = {{lowest, {1.0, 0.0}, 0.0}, {lowest, {0.0, 1.0}, 0.0}, {far, {-line.y, line.x}, 0.0}};
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "model/far_discs.hpp"
 #include "options/choices.hpp"
 
 namespace hfrac {
@@ -16,20 +17,6 @@ constexpr int most_sweeps = 400;
 void sort_out(std::vector<std::int32_t>& values) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
-// As the quasi-static solver chooses those that its pins are on.
-std::vector<std::int32_t> discs_far_apart(const Assembly& a) {
-  std::int32_t lowest = 0, far = 0;
-  const auto discs = static_cast<std::int32_t>(a.disc_count());
-  for (std::int32_t i = 1; i < discs; ++i)
-    if (a.x[i] + a.y[i] < a.x[lowest] + a.y[lowest]) lowest = i;
-  const auto distance = [&](std::int32_t i) {
-    return std::hypot(a.x[i] - a.x[lowest], a.y[i] - a.y[lowest]);
-  };
-  for (std::int32_t i = 1; i < discs; ++i)
-    if (distance(i) > distance(far)) far = i;
-  return {lowest, far};
 }
 
 // The bonds around a tip break when the openings behind it say so (frac/tip.hpp), not by what they bear.
@@ -53,7 +40,9 @@ void FacetMotion::begin(const FacetStart& start, const Array<double>& weight) {
   weight_ = &weight;
   refill_factors(assembly_, options_);
   count_.assign(network_.kind.size(), 0);
-  if (BoundaryKind{options_.boundary_kind} == BoundaryKind::stress) far_apart_ = discs_far_apart(assembly_);
+  if (BoundaryKind{options_.boundary_kind} != BoundaryKind::stress) return;
+  const FarDiscs two = far_discs(assembly_);
+  far_apart_ = {two.lowest, two.far};
 }
 
 void FacetMotion::take(std::span<const Facet> facets, std::vector<Push> pushes, std::vector<Face> faces) {
