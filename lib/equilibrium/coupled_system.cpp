@@ -404,11 +404,13 @@ double CoupledSystem::evaluate_domain(std::int64_t d) {
   }
   const double change = volume_change(d);
   const double full = n.reference_pressure + n.stiffness[d] * (n.content[d] - change);
-  const double target = std::max(full, n.floor_pressure);
-  if (full > n.floor_pressure) at_floor_[at] = 0;
-  // One scale on either side of the floor, or the residual would jump where a domain comes to it.
-  r = (n.pressure[d] - target) / n.stiffness[d] / length_scale_;
-  const double off = std::abs(n.pressure[d] - target);
+  // The fluid fills the domain, or its pressure is at the floor: whichever is farther from fulfilled. Both in one scale, or the residual
+  // would jump, and one no stiffer than the rock, or the little that a joint's pore stores would decide.
+  const double filled = (n.pressure[d] - full) / n.stiffness[d],
+               above = (n.pressure[d] - n.floor_pressure) / floor_stiffness(d);
+  if (filled < above) at_floor_[at] = 0;
+  r = std::min(filled, above) / length_scale_;
+  const double off = std::abs(n.pressure[d] - std::max(full, n.floor_pressure));
   if (n.joint_pore.empty()) return off;
   // A joint's pore holds little of what passes it in a long increment: the last digits of pressures are worth more than its content.
   constexpr double last_digits = 16.0 * std::numeric_limits<double>::epsilon();

@@ -106,8 +106,13 @@ class CoupledSystem {
   }
   // Of a domain whose pressure follows no content, on its own row.
   [[nodiscard]] double floor_entry(std::int64_t domain) const {
-    const double stiffness = network_.stiffness[domain];
-    return stiffness > 0.0 ? pressure_scale_ / stiffness / length_scale_ : 1.0;
+    return network_.stiffness[domain] > 0.0 ? pressure_scale_ / floor_stiffness(domain) / length_scale_ : 1.0;
+  }
+  // Pa/m2, by which pressure above the floor is compared with void: a joint's pore is stiffer than the rock around it.
+  [[nodiscard]] double floor_stiffness(std::int64_t domain) const {
+    const double own = network_.stiffness[domain];
+    if (network_.joint_pore.empty()) return own;
+    return std::min(own, options_.contact_normal_stiffness / (assembly_.mean_radius * assembly_.mean_radius));
   }
   // Of the rock beyond, behind all others.
   [[nodiscard]] Eigen::Index traction_at(std::int64_t unknown) const {
