@@ -20,13 +20,13 @@
 namespace hfrac::capi {
 namespace {
 
-using Entry = std::pair<std::string_view, const toml::node*>;
+using KeyAndNode = std::pair<std::string_view, const toml::node*>;
 
 // toml++ sorts tables by name.
-std::vector<Entry> entries_by_line(const toml::table& table) {
-  std::vector<Entry> entries;
+std::vector<KeyAndNode> entries_by_line(const toml::table& table) {
+  std::vector<KeyAndNode> entries;
   for (const auto& [key, node] : table) entries.emplace_back(key.str(), &node);
-  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+  std::stable_sort(entries.begin(), entries.end(), [](const KeyAndNode& a, const KeyAndNode& b) {
     return a.second->source().begin.line < b.second->source().begin.line;
   });
   return entries;

@@ -19,7 +19,7 @@ using namespace hfrac::capi;
 
 namespace {
 
-struct Entry {
+struct FieldEntry {
   std::int32_t field;
   const char* name;
   const char* unit;
@@ -28,10 +28,10 @@ struct Entry {
 };
 #define HFRAC_ENTRY_(name, value, key, unit, location, dtype, components, help) \
   {value, key, unit, location, dtype, components, help},
-constexpr Entry entries[] = {HFRAC_FIELD_LIST(HFRAC_ENTRY_)};
+constexpr FieldEntry entries[] = {HFRAC_FIELD_LIST(HFRAC_ENTRY_)};
 #undef HFRAC_ENTRY_
 
-const Entry& entry_of(std::int32_t field) {
+const FieldEntry& entry_of(std::int32_t field) {
   for (const auto& entry : entries) {
     if (entry.field == field) return entry;
   }
@@ -55,7 +55,7 @@ std::int64_t item_count(const Simulation& s, std::int32_t location) {
   }
 }
 
-void require_dtype(const Entry& entry, std::int32_t dtype) {
+void require_dtype(const FieldEntry& entry, std::int32_t dtype) {
   if (entry.dtype == dtype) return;
   throw Error(ErrorKind::argument,
               std::string(entry.name) + (dtype == 0 ? " holds int32; use hfrac_field_copy_i32."
@@ -67,7 +67,7 @@ std::int32_t copy_out(hfrac_sim* sim, std::int32_t field, std::int32_t dtype, Va
                       std::int64_t capacity, std::int64_t* count) {
   return guarded_sim(sim, Access::read, [&] {
     require_not_null(count, "count");
-    const Entry& entry = entry_of(field);
+    const FieldEntry& entry = entry_of(field);
     require_dtype(entry, dtype);
     const std::int64_t values = item_count(*sim->simulation, entry.location) * entry.components;
     if (destination == nullptr) {
@@ -92,7 +92,7 @@ std::int32_t copy_out(hfrac_sim* sim, std::int32_t field, std::int32_t dtype, Va
 
 int32_t hfrac_field_info(const hfrac_sim* sim, int32_t field, hfrac_field_desc* desc) {
   return guarded_sim(sim, [&] {
-    const Entry& entry = entry_of(field);
+    const FieldEntry& entry = entry_of(field);
     hfrac_field_desc full{};
     full.field = field;
     full.name = entry.name;
@@ -144,7 +144,7 @@ int32_t hfrac_field_view(hfrac_sim* sim, int32_t field, const void** data, int64
   return guarded_sim(sim, Access::read, [&] {
     require_not_null(data, "data");
     require_not_null(count, "count");
-    const Entry& entry = entry_of(field);
+    const FieldEntry& entry = entry_of(field);
     const std::int64_t values = item_count(*sim->simulation, entry.location) * entry.components;
     auto& cached = sim->views[field];
     if (cached.epoch != sim->epoch) {

@@ -17,14 +17,14 @@ struct Unit {
   double scale;
   bool whole = false;  // of the whole thickness
 };
-constexpr Unit times[] = {{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}, {"d", 86400.0}};
-constexpr Unit rates[] = {{"m2_s", 1.0},
-                          {"m3_s", 1.0, true},
-                          {"m3_min", 1.0 / 60.0, true},
-                          {"m3_h", 1.0 / 3600.0, true},
-                          {"L_s", 1e-3, true},
-                          {"L_min", 1e-3 / 60.0, true}};
-constexpr Unit pressures[] = {{"Pa", 1.0}, {"kPa", 1e3}, {"MPa", 1e6}, {"bar", 1e5}};
+constexpr Unit time_units[] = {{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}, {"d", 86400.0}};
+constexpr Unit rate_units[] = {{"m2_s", 1.0},
+                               {"m3_s", 1.0, true},
+                               {"m3_min", 1.0 / 60.0, true},
+                               {"m3_h", 1.0 / 3600.0, true},
+                               {"L_s", 1e-3, true},
+                               {"L_min", 1e-3 / 60.0, true}};
+constexpr Unit pressure_units[] = {{"Pa", 1.0}, {"kPa", 1e3}, {"MPa", 1e6}, {"bar", 1e5}};
 
 struct Quantity {
   std::string_view name;
@@ -107,8 +107,8 @@ void refuse_record(const std::string& path, std::size_t line, const std::string&
 RecordColumns columns_of_record(const std::vector<std::string_view>& names, const RecordWishes& wishes,
                                 const std::string& path, std::size_t line) {
   const Header header(names, wishes, path, line);
-  return {*header.find({"time", times}, Wish::must), header.find({"rate", rates}, wishes.rate),
-          header.find({"pressure", pressures}, wishes.pressure)};
+  return {*header.find({"time", time_units}, Wish::must), header.find({"rate", rate_units}, wishes.rate),
+          header.find({"pressure", pressure_units}, wishes.pressure)};
 }
 
 std::optional<double> seconds_of_date(std::string_view text) {

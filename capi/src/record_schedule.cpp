@@ -12,7 +12,7 @@ namespace hfrac::capi {
 namespace {
 
 constexpr double still = 0.01;  // of the largest rate: less is a pump at rest
-constexpr int deepest =
+constexpr int most_halvings =
     40;  // divisions at the farthest row; further ones at the middle bound the time for any record
 
 class Entries {
@@ -48,7 +48,7 @@ class Volume {
   void divide(std::size_t first, std::size_t end, int depth, std::vector<std::size_t>& ends) const {
     const Farthest row = farthest(first, end);
     if (row.distance > allowed_) {
-      const std::size_t at = depth < deepest ? row.row : std::midpoint(first, end);
+      const std::size_t at = depth < most_halvings ? row.row : std::midpoint(first, end);
       divide(first, at, depth + 1, ends);
       divide(at, end, depth + 1, ends);
     } else {

@@ -58,6 +58,13 @@ inline Vec2 operator*(double s, Vec2 a) {
 inline double dot(Vec2 a, Vec2 b) {
   return a.x * b.x + a.y * b.y;
 }
+inline double norm(Vec2 a) {
+  return std::sqrt(dot(a, a));
+}
+// A quarter turn clockwise.
+inline Vec2 clockwise(Vec2 a) {
+  return {a.y, -a.x};
+}
 inline double cross(Vec2 a, Vec2 b) {
   return a.x * b.y - a.y * b.x;
 }

@@ -137,7 +137,7 @@ BondResponse respond(const Assembly& a, const Options& o, const NonBondedContact
                      const PairStart& start) {
   const auto i = pair.first, j = pair.second;
   const Vec2 d = a.position(j) - a.position(i);
-  const double now = std::sqrt(dot(d, d)), touch = a.radius[i] + a.radius[j];
+  const double now = norm(d), touch = a.radius[i] + a.radius[j];
   BondResponse r{};
   r.gap = now - touch - pair.reference_gap - a.thermal.growth_of(i) - a.thermal.growth_of(j);
   r.direction = (1.0 / now) * d;

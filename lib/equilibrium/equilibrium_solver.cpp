@@ -19,7 +19,7 @@ constexpr int most_turns = 40;           // between apertures and equilibrium
 constexpr double held_tolerance = 0.01;  // of the largest aperture
 constexpr int most_krylov = 40;          // iterations of a linear solve
 constexpr double renew_rate = 4.5;  // iterations per power of ten gained: a factor that needs more is renewed
-constexpr int most_single = 12;     // a fresh factor that needs more has too few digits
+constexpr int most_iterations_of_fresh = 12;  // a fresh factor that needs more has too few digits
 // What a linear solve leaves of the residual: the first of a round meets kinks all the same, later ones are to be the last.
 // Pores of joints are a thousand times stiffer than the rock: what is left in their rows is a large error of pressure.
 constexpr double of_joints_tolerance = 1e-8;
@@ -142,7 +142,8 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
     }
     auto linear = krylov_.solve(product, precondition, right, linear_tolerance, most_krylov, step);
     outcome.krylov += linear.iterations;
-    if ((!linear.converged && !fresh) || (fresh && linear.iterations > most_single && factor_.refine())) {
+    if ((!linear.converged && !fresh) ||
+        (fresh && linear.iterations > most_iterations_of_fresh && factor_.refine())) {
       factor_.compute(system_);
       ++outcome.factors;
       linear = krylov_.solve(product, precondition, right, linear_tolerance, most_krylov, step);

@@ -15,8 +15,6 @@
 namespace hfrac {
 namespace {
 
-constexpr std::int32_t largest_to_factorise = 60000;  // domains; beyond, conjugate gradients
-
 // A band of more domains than this is measured over a part of its height, in the middle of the model: permeability is a
 // mean, and that of a quarter of a million pores is known to a few thousandths.
 constexpr std::int32_t most_measured = 250000;

@@ -11,8 +11,6 @@
 namespace hfrac {
 namespace {
 
-// Domains up to which a factorisation is the faster way: its cost grows with the power 1.5 of their number.
-constexpr std::int64_t largest_to_factorise = 60000;
 // Conjugate gradients: residual over right-hand side. Fluid is conserved whatever is left.
 constexpr double iterative_tolerance = 1e-12;
 constexpr int most_iterations = 20000;

@@ -41,7 +41,7 @@ SeismicEvent event_of_members(std::span<const CatalogueCrack> cracks, const Memb
   event.position = (1.0 / static_cast<double>(members.size())) * event.position;
   for (const auto c : members) {
     const Vec2 arm = cracks[c].position - event.position;
-    event.radius = std::max(event.radius, std::sqrt(dot(arm, arm)));
+    event.radius = std::max(event.radius, norm(arm));
   }
   rate_strength(event);
   return event;

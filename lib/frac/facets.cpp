@@ -12,17 +12,11 @@ namespace {
 
 constexpr double long_ago = -1e30;  // s
 
-Vec2 turned(Vec2 v) {
-  return {v.y, -v.x};
-}
-double size(Vec2 v) {
-  return std::sqrt(dot(v, v));
-}
 // What a bond and its contact pull their first disc with, as in the equations of equilibrium (bond_response.cpp).
 Vec2 force_on_first(const Assembly& a, std::int64_t e, const BondView& v) {
   const auto i = a.first[e], j = a.second[e];
   const Vec2 now{a.dx(e) + a.ux[j] - a.ux[i], a.dy(e) + a.uy[j] - a.uy[i]};
-  const double turn = a.smooth.of(e) != nullptr ? 1.0 : a.length(e) / size(now);
+  const double turn = a.smooth.of(e) != nullptr ? 1.0 : a.length(e) / norm(now);
   return v.normal_force() * v.normal + turn * v.shear_force() * Vec2{-v.normal.y, v.normal.x};
 }
 }  // namespace
@@ -32,7 +26,7 @@ Vec2 Facets::part(std::int64_t e, bool left) const {
   const auto d = left ? network_->left[e] : network_->right[e];
   if (network_->kind[d] != DomainKind::rock) return {};
   const Vec2 way = network_->centroid[d] - contact_[e];
-  return left ? turned(way) : -1.0 * turned(way);
+  return left ? clockwise(way) : -1.0 * clockwise(way);
 }
 
 // What a pore pushes on the first disc of a bond, per pressure [m]: over the chord from the contact; the fluid in a joint that conducts

@@ -16,13 +16,6 @@ constexpr double slot_width = 1e-3;   // m, that a cut slot lets fluid through b
 constexpr double gauss =
     0.28867513459481287;  // 1 / (2 sqrt(3)): points of the two-point rule from the middle
 
-Vec2 turned(Vec2 v) {
-  return {v.y, -v.x};
-}
-double size(Vec2 v) {
-  return std::sqrt(dot(v, v));
-}
-
 }  // namespace
 
 bool Facets::is_face(const Assembly& a, const Network& n, std::int64_t e) const {
@@ -199,7 +192,7 @@ std::vector<std::int64_t> Facets::near_to(const Assembly& a, const Network& n,
           if (n.kind[next] != DomainKind::rock || std::find(pores.begin(), pores.end(), next) != pores.end())
             continue;
           take(next);
-          if (size(n.centroid[next] - n.centroid[from]) <= reach) pores.push_back(next);
+          if (norm(n.centroid[next] - n.centroid[from]) <= reach) pores.push_back(next);
         }
     }
   near.insert(near.end(), fresh.begin(), fresh.end());
@@ -217,8 +210,8 @@ Vec2 Facets::mean_force(const Network& n, const Facet& f, bool left) const {
   for (const auto& hole : plate_.holes) {
     if (hole.domain != domain) continue;
     const Vec2 out = f.middle - hole.centre;
-    to = hole.centre + (hole.radius / size(out)) * out;
-    length = std::abs(dot(turned(to - f.middle), f.normal)) * (size(out) > hole.radius ? 1.0 : -1.0);
+    to = hole.centre + (hole.radius / norm(out)) * out;
+    length = std::abs(dot(clockwise(to - f.middle), f.normal)) * (norm(out) > hole.radius ? 1.0 : -1.0);
     pressure = hole.pressure;
   }
   Vec2 sum;
@@ -241,7 +234,7 @@ void Facets::lay_along_fracture(const Assembly& a, const Network& n, Facet& f) c
     if (n.kind[to] != DomainKind::rock) return best;
     std::vector<std::pair<std::int32_t, std::int64_t>> stack{{to, f.bond}};
     std::vector<std::int32_t> seen{from, to};
-    double far = size(best - f.middle);
+    double far = norm(best - f.middle);
     while (!stack.empty()) {
       const auto [d, by] = stack.back();
       stack.pop_back();
@@ -251,7 +244,7 @@ void Facets::lay_along_fracture(const Assembly& a, const Network& n, Facet& f) c
         if (std::find(seen.begin(), seen.end(), other) != seen.end()) continue;
         seen.push_back(other);
         const Vec2 at = n.kind[other] == DomainKind::rock ? n.centroid[other] : contact_[e];
-        const double way = size(at - f.middle);
+        const double way = norm(at - f.middle);
         if (way > far) {
           far = way;
           best = at;
@@ -263,9 +256,9 @@ void Facets::lay_along_fracture(const Assembly& a, const Network& n, Facet& f) c
   };
   const Vec2 left = part(f.bond, true), right = part(f.bond, false);
   const Vec2 along = walk(f.right, f.left) - walk(f.left, f.right);
-  f.normal = turned(along);  // towards the second disc's flank
-  if (!(size(f.normal) > 0.0)) f.normal = left + right;
-  f.normal = (1.0 / size(f.normal)) * f.normal;
+  f.normal = clockwise(along);  // towards the second disc's flank
+  if (!(norm(f.normal) > 0.0)) f.normal = left + right;
+  f.normal = (1.0 / norm(f.normal)) * f.normal;
   // Negative where the way from pore to pore turns back: along a fracture they add up to the way from end to end.
   f.left_length = dot(left, f.normal);
   f.right_length = dot(right, f.normal);

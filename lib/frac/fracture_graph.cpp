@@ -21,7 +21,7 @@ std::int32_t farthest(const FractureGraph::Ways& ways) {
 double FractureGraph::leg(const Network& n, std::int32_t domain, Vec2 crack) {
   if (n.kind[domain] != DomainKind::rock) return 0.0;
   const Vec2 way = n.centroid[domain] - crack;
-  return std::sqrt(dot(way, way));
+  return norm(way);
 }
 
 void FractureGraph::add(const Network& n, std::int64_t bond, Vec2 middle) {

@@ -86,7 +86,7 @@ std::vector<FracturePoint> fracture_line(const Assembly& a, const Network& n, co
   for (const auto end : ends) {
     const auto bonds = FractureGraph::bonds_to(ways, end);
     const Vec2 mouth = lines.at(bonds.front()).middle - well->centre;
-    auto wing = along(bonds, well->domain, std::sqrt(dot(mouth, mouth)), lines, n, o);
+    auto wing = along(bonds, well->domain, norm(mouth), lines, n, o);
     const bool first = ends.size() == 2 ? end == ends[0] : leads_back(place(end) - well->centre);
     for (auto& p : wing) {
       p.wing = first ? 0 : 1;

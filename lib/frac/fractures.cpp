@@ -98,7 +98,7 @@ double farthest_tip(const Assembly& a, const Network& n, const Options& o,
         const CrackLine line = crack_line(a, o, bond);
         const Vec2 along{-0.5 * line.length * line.normal.y, 0.5 * line.length * line.normal.x};
         for (const Vec2 from : {line.middle + along - well.centre, line.middle - along - well.centre})
-          farthest = std::max(farthest, std::sqrt(dot(from, from)));
+          farthest = std::max(farthest, norm(from));
         open.push_back(n.left[bond] == d ? n.right[bond] : n.left[bond]);
       }
     }
@@ -175,9 +175,7 @@ std::vector<Fracture> find_fractures(const Assembly& a, const Network& n, const 
       f.wings = static_cast<std::int64_t>(wings.size());
       for (std::size_t k = 0; k < std::min<std::size_t>(2, wings.size()); ++k)
         f.length += ways.at(wings[k]).length;
-      for (const auto& p : ends)
-        f.reach =
-            std::max(f.reach, std::sqrt(dot(p - well.centre, p - well.centre)) - well.equivalent_radius);
+      for (const auto& p : ends) f.reach = std::max(f.reach, norm(p - well.centre) - well.equivalent_radius);
       f.azimuth = main_direction(ends, well.centre);
     } else {
       const auto [from, to] = graph.ends();

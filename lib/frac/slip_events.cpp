@@ -38,7 +38,7 @@ SeismicEvent event_of_members(std::span<const CatalogueSlip> slips, const std::v
   event.position = (1.0 / static_cast<double>(members.size())) * event.position;
   for (const auto k : members) {
     const Vec2 arm = slips[k].position - event.position;
-    event.radius = std::max(event.radius, std::sqrt(dot(arm, arm)));
+    event.radius = std::max(event.radius, norm(arm));
   }
   rate_strength(event);
   return event;

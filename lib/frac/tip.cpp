@@ -16,10 +16,6 @@ constexpr double widest_turn = 0.5;  // cosine
 constexpr double beta_cubed = 2.0 * 15.588457268119896;  // 2 * 3^(5/2)
 constexpr double shortest_time = 1e-9;                   // s
 
-double size(Vec2 v) {
-  return std::sqrt(dot(v, v));
-}
-
 // Half the way from a tip to the farthest pore of its fracture, holes included [m].
 double half_length(const Facets& facets, const Assembly& a, const Network& n, std::int32_t tip) {
   double farthest = 0.0;
@@ -33,11 +29,11 @@ double half_length(const Facets& facets, const Assembly& a, const Network& n, st
       if (seen[next] != 0) continue;
       seen[next] = 1;
       pores.push_back(next);
-      double way = size(n.centroid[next] - n.centroid[tip]);
+      double way = norm(n.centroid[next] - n.centroid[tip]);
       // To the far wall of a hole.
       if (n.kind[next] == DomainKind::well)
         for (auto c = n.corner_start[next]; c < n.corner_start[next + 1]; ++c)
-          way = std::max(way, size(a.position(n.corner_disc[c]) - n.centroid[tip]));
+          way = std::max(way, norm(a.position(n.corner_disc[c]) - n.centroid[tip]));
       farthest = std::max(farthest, way);
     }
   }
@@ -73,7 +69,7 @@ Path path_behind(const Facets& facets, const Assembly& a, const Network& n, cons
   }
   Vec2 from = path.facets.back()->middle;
   if (path.facets.size() == 1 && n.kind[at] == DomainKind::rock) from = n.centroid[at];
-  path.ahead = (1.0 / size(path.end - from)) * (path.end - from);
+  path.ahead = (1.0 / norm(path.end - from)) * (path.end - from);
   return path;
 }
 

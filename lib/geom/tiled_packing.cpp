@@ -20,7 +20,7 @@ namespace hfrac {
 namespace {
 
 constexpr std::size_t most_kinds = 8;
-constexpr std::int64_t most_iterations = 200000;
+constexpr std::int64_t most_relaxations = 200000;
 // The last relaxation only has seams and sides to mend, but would go on for long-ranged rest that bonding forgets.
 constexpr double seam_residual = 3e-3;
 constexpr std::int64_t most_seam_iterations = 250;
@@ -65,7 +65,7 @@ Brick another_kind(const Brick& first, const std::vector<char>& frame, double re
     p.x[i] += p.mean_radius * (random.uniform() - 0.5);
     p.y[i] += p.mean_radius * (random.uniform() - 0.5);
   }
-  relax_overlaps({brick.width, brick.height, true}, p.radius, p.x, p.y, frame, residual, most_iterations,
+  relax_overlaps({brick.width, brick.height, true}, p.radius, p.x, p.y, frame, residual, most_relaxations,
                  progress);
   wrap(brick);
   return brick;
@@ -98,7 +98,7 @@ Packing pack_tiled(const PackingOptions& options, const std::function<bool(doubl
       std::accumulate(first.discs.radius.begin(), first.discs.radius.end(), 0.0) / static_cast<double>(count);
   place_on_lattice(first.width, first.height, random, first.discs);
   relax_overlaps({first.width, first.height, true}, first.discs.radius, first.discs.x, first.discs.y, {},
-                 options.residual, most_iterations, watch);
+                 options.residual, most_relaxations, watch);
   wrap(first);
   const std::vector<char> frame = frame_of(first);
   std::vector<Brick> kinds{std::move(first)};

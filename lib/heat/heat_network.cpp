@@ -12,8 +12,6 @@
 namespace hfrac {
 namespace {
 
-constexpr std::int64_t largest_to_factorise = 60000;  // unknowns; beyond, conjugate gradients
-
 // Width of the face between two discs: the distance of the two pores' centroids across the line of centres. On the outer boundary and
 // at wells only the side that is rock counts.
 double face_width(const Assembly& a, const Network& n, std::size_t e) {

@@ -120,7 +120,7 @@ std::vector<CellReport> report_cells(const HostGrid& grid, const Assembly& a, co
       sides += 1.0;
     }
     const Vec2 way = crack.end - crack.begin;
-    const double whole = std::sqrt(dot(way, way));
+    const double whole = norm(way);
     grid.along(crack.begin, crack.end, [&](std::int64_t at, double share) {
       auto& cell = cells[static_cast<std::size_t>(at)];
       const double length = share * whole;

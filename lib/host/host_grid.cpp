@@ -176,14 +176,14 @@ Vec2 HostGrid::i_direction(std::int64_t c) const {
   // Corner 1 is that beyond corner 0 along i; after turning a clockwise cell around it stands last.
   const Vec2 along = turned_[static_cast<std::size_t>(c)] != 0 ? (q[2] + q[3]) - (q[0] + q[1])
                                                                : (q[1] + q[2]) - (q[0] + q[3]);
-  return (1.0 / std::sqrt(dot(along, along))) * along;
+  return (1.0 / norm(along)) * along;
 }
 
 Vec2 HostGrid::j_direction(std::int64_t c) const {
   const Quad& q = cell(c);
   const Vec2 along = turned_[static_cast<std::size_t>(c)] != 0 ? (q[1] + q[2]) - (q[0] + q[3])
                                                                : (q[2] + q[3]) - (q[0] + q[1]);
-  return (1.0 / std::sqrt(dot(along, along))) * along;
+  return (1.0 / norm(along)) * along;
 }
 
 PipeWay pipe_way(const Assembly& a, const Network& n, std::size_t pipe) {

@@ -39,7 +39,7 @@ double distance_to(const Quad& q, Vec2 p) {
     const Vec2 along = q[(k + 1) % 4] - q[k];
     const double at = std::clamp(dot(p - q[k], along) / dot(along, along), 0.0, 1.0);
     const Vec2 from = p - (q[k] + at * along);
-    const double distance = std::sqrt(dot(from, from));
+    const double distance = norm(from);
     if (nearest < 0.0 || distance < nearest) nearest = distance;
   }
   return nearest;

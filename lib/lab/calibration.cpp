@@ -16,7 +16,7 @@ namespace hfrac {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double width = 10.0;                          // m, of specimens; nothing but R over it counts
+constexpr double specimen_width = 10.0;                 // m, of specimens; nothing but R over it counts
 constexpr double least_ratio = 0.02, most_ratio = 5.0;  // k_s / k_n looked at
 constexpr double least_strengths = 0.25, most_strengths = 4.0;  // tau_c / sigma_c looked at
 constexpr double poisson_tolerance = 5e-4, ratio_tolerance = 0.02;
@@ -71,14 +71,14 @@ class Calibrator {
     ++result_.tests;
     LabSpec spec;
     spec.test = which;
-    spec.width = width;
+    spec.width = specimen_width;
     spec.seed = seed;
     spec.end_share = 0.85;  // only the peak is wanted
     spec.discs = which == LabTest::elastic || which == LabTest::permeability ? targets_.discs
                                                                              : targets_.strength_discs;
     const auto key = std::pair(specimen_aspect(which) * static_cast<double>(spec.discs), seed);
     auto& packing = packings_[key];
-    if (packing.x.empty()) packing = pack_specimen(material, which, width, spec.discs, seed);
+    if (packing.x.empty()) packing = pack_specimen(material, which, specimen_width, spec.discs, seed);
     LabReport report = run_lab(material, spec, packing).report;
     if (report.end == TestEnd::no_equilibrium && which == LabTest::elastic)
       throw Error(ErrorKind::diverged, "no equilibrium was found in the elastic test of seed " +

@@ -11,6 +11,8 @@
 #include "options/choices.hpp"
 
 namespace hfrac {
+using End = EquilibriumSolver::End;
+
 namespace {
 
 constexpr double platen_reach = 0.5;  // mean radii between a disc's rim and a platen that holds it
@@ -167,7 +169,6 @@ void Specimen::pressurise(double pressure) {
 }
 
 EquilibriumSolver::Outcome Specimen::solve(double most_excess, const std::function<bool()>& interrupt) {
-  using End = EquilibriumSolver::End;
   auto outcome = equilibrium_->solve(0.0, {}, most_excess, model_.cracks, interrupt);
   factors_ += outcome.factors;
   const bool held = !boundary_->grips().empty();

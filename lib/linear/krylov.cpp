@@ -9,13 +9,13 @@ namespace hfrac {
 namespace {
 
 constexpr Eigen::Index chunk = 2048;
-constexpr std::size_t worth_sharing = 4;  // chunks
+constexpr std::size_t chunks_worth_sharing = 4;  // chunks
 
 }  // namespace
 
 void Krylov::orthogonalise(int k, double* column) {
   const auto size = next_.size(), chunks = static_cast<Eigen::Index>(sums_[0].size());
-  workers_.share(sums_[0].size() >= worth_sharing, [&](const Workers::Member& member) {
+  workers_.share(sums_[0].size() >= chunks_worth_sharing, [&](const Workers::Member& member) {
     const auto mine_are = member.part(chunks, 1);
     const auto each_chunk = [&](const auto& visit) {
       for (auto c = mine_are.first; c < mine_are.last; ++c)

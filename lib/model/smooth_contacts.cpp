@@ -15,7 +15,7 @@ bool crosses(Vec2 from, Vec2 to, Vec2 p, Vec2 q) {
 
 std::vector<Vec2> places_along(Vec2 from, Vec2 to, double pace) {
   const Vec2 along = to - from;
-  const auto paces = static_cast<std::int64_t>(std::ceil(std::sqrt(dot(along, along)) / pace));
+  const auto paces = static_cast<std::int64_t>(std::ceil(norm(along) / pace));
   std::vector<Vec2> places;
   for (std::int64_t k = 0; k <= paces; ++k)
     places.push_back(from + (static_cast<double>(k) / static_cast<double>(std::max<std::int64_t>(1, paces))) *
@@ -41,7 +41,7 @@ bool SmoothJoints::separate(Vec2 p, Vec2 q) const {
   if (lines.empty()) return false;
   const Vec2 middle = 0.5 * (p + q);
   bool found = false;
-  const double reach = 0.5 * std::sqrt(dot(q - p, q - p)) + pace_;
+  const double reach = 0.5 * norm(q - p) + pace_;
   places_->near(middle.x, middle.y, reach, [&](std::int32_t at) {
     const Line& line = lines[static_cast<std::size_t>(line_at_[static_cast<std::size_t>(at)])];
     found = found || crosses(line.from, line.to, p, q);

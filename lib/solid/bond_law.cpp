@@ -14,7 +14,7 @@ PairMotion motion_of(const Assembly& a, std::int64_t e) {
   const auto i = a.first[e], j = a.second[e];
   const Vec2 du{a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, d0{a.dx(e), a.dy(e)}, d = d0 + du;
   PairMotion m{};
-  m.now = std::sqrt(dot(d, d));
+  m.now = norm(d);
   m.length = a.length(e);
   m.arm_i = a.arm(e);
   m.arm_j = m.length - m.arm_i;

@@ -88,7 +88,7 @@ std::int64_t apply_joints(Assembly& a, const std::vector<JointOptions>& joints, 
     if (joint_of[static_cast<std::size_t>(e)] < 0) continue;
     const JointOptions* of = &joints[static_cast<std::size_t>(joint_of[static_cast<std::size_t>(e)])];
     const Vec2 along{of->x2 - of->x1, of->y2 - of->y1};
-    const double length = std::sqrt(dot(along, along));
+    const double length = norm(along);
     const Vec2 normal{-along.y / length, along.x / length};
     a.joint_normal[static_cast<std::size_t>(e)] =
         dot(normal, {a.dx(e), a.dy(e)}) > 0.0 ? normal : -1.0 * normal;

@@ -25,7 +25,7 @@ std::vector<std::int32_t> discs_with_broken_bonds(const Assembly& a, const Crack
 
 double gap_of(const Assembly& a, std::int32_t i, std::int32_t j) {  // m
   const Vec2 d = a.position(j) - a.position(i);
-  return std::sqrt(dot(d, d)) - a.radius[i] - a.radius[j] - a.thermal.growth_of(i) - a.thermal.growth_of(j);
+  return norm(d) - a.radius[i] - a.radius[j] - a.thermal.growth_of(i) - a.thermal.growth_of(j);
 }
 
 // The few discs beside cracks are sorted into cells; all others only ask whether one of those is near, which needs neither
@@ -134,7 +134,7 @@ void NonBondedContacts::cycle(Assembly& a, const Boundary& boundary, double step
     const double kn = options_.contact_normal_stiffness * stiffness,
                  ks = options_.contact_shear_stiffness * stiffness;
     const Vec2 d = a.position(j) - a.position(i);
-    const double distance = std::sqrt(dot(d, d));
+    const double distance = norm(d);
     const double gap = distance - a.radius[i] - a.radius[j] - pair.reference_gap - a.thermal.growth_of(i) -
                        a.thermal.growth_of(j);
     if (gap >= 0.0) {

@@ -149,7 +149,7 @@ void begin_smooth_joints(Assembly& a, const std::vector<JointOptions>& joints,
     if (!is_smooth(JointState{joint.state})) continue;
     const Vec2 from{joint.x1, joint.y1}, to{joint.x2, joint.y2};
     smooth.lines.push_back({from, to});
-    const double length = std::sqrt(dot(to - from, to - from));
+    const double length = norm(to - from);
     const Vec2 along = (1.0 / length) * (to - from);
     std::vector<Crossing> met;
     for (const auto e : crossed[k]) met.push_back(crossing_of(a, e, from, along));

@@ -16,6 +16,8 @@
 #include "options/number_text.hpp"
 
 namespace hfrac {
+using End = EquilibriumSolver::End;
+
 namespace {
 
 constexpr double gauge = 0.35;         // half of the sides' share that strain is taken over
@@ -71,7 +73,6 @@ class Block {
 
   void load(double sigma_Hmax, double sigma_hmin) {
     engine_.boundary->set_far_field(model_.assembly, sigma_Hmax, sigma_hmin);
-    using End = EquilibriumSolver::End;
     if (solver_.solve(0.0, {}, std::numeric_limits<double>::infinity(), model_.cracks).end == End::rest)
       return;
     const Options& o = definition_.options;
