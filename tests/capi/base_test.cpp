@@ -7,7 +7,7 @@
 
 #include "support.hpp"
 
-namespace {
+namespace base_test {
 
 using namespace testing_capi;
 
@@ -110,4 +110,4 @@ TEST(Base, WhatIsNoSimulationIsRefused) {
   EXPECT_EQ(hfrac_last_error(no_sim, nullptr, 0, &needed), HFRAC_ERR_BAD_HANDLE);
 }
 
-}  // namespace
+}  // namespace base_test

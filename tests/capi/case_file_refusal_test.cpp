@@ -11,7 +11,7 @@
 
 #include "support.hpp"
 
-namespace {
+namespace case_file_refusal_test {
 
 using namespace testing_capi;
 
@@ -237,4 +237,4 @@ TEST(ContradictoryCase, ValuesFromElsewhereNameTheFileAlone) {
   EXPECT_EQ(last_error().rfind(path + ": well[0].radius = 60 m", 0), 0u) << last_error();
 }
 
-}  // namespace
+}  // namespace case_file_refusal_test

@@ -6,7 +6,7 @@
 
 #include "support.hpp"
 
-namespace {
+namespace case_file_test {
 
 using namespace testing_capi;
 
@@ -104,4 +104,4 @@ TEST(CaseFile, WhatCannotBeReadIsNotWritten) {
   EXPECT_EQ(last_error(), "packing.porosity = 0.9 is outside 0.08 to 0.2.");
 }
 
-}  // namespace
+}  // namespace case_file_test

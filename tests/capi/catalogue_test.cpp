@@ -5,7 +5,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace catalogue_test {
 
 using namespace testing_capi;
 
@@ -123,4 +123,4 @@ TEST(MagnitudeLawFromC, GivesTheLikelihoodsSlope) {
   EXPECT_EQ(hfrac_find_magnitude_law(magnitudes, 5, nan, nullptr), HFRAC_ERR_ARGUMENT);
 }
 
-}  // namespace
+}  // namespace catalogue_test

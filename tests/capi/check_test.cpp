@@ -9,7 +9,7 @@
 #include "../joint_def.hpp"
 #include "support.hpp"
 
-namespace {
+namespace check_test {
 
 using namespace testing_capi;
 
@@ -223,4 +223,4 @@ TEST(Check, GivenDiscsAreLookedAt) {
   EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_ERR_MODEL);
 }
 
-}  // namespace
+}  // namespace check_test

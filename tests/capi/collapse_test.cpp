@@ -7,7 +7,7 @@
 #include "sim_support.hpp"
 #include "support.hpp"
 
-namespace {
+namespace collapse_test {
 
 using namespace testing_capi;
 
@@ -78,4 +78,4 @@ TEST(Collapse, HasItsOwnText) {
   expect_words(text, {"the rock fell apart"});
 }
 
-}  // namespace
+}  // namespace collapse_test

@@ -9,7 +9,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace crack_test {
 
 using namespace testing_capi;
 
@@ -347,4 +347,4 @@ TEST(CracksOverTime, OnlyGrowInNumber) {
   }
 }
 
-}  // namespace
+}  // namespace crack_test

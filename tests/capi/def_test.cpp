@@ -9,7 +9,7 @@
 
 #include "support.hpp"
 
-namespace {
+namespace def_test {
 
 using namespace testing_capi;
 
@@ -258,4 +258,4 @@ TEST(OptionTable, IndexAndSizeAreChecked) {
   EXPECT_EQ(info.struct_size, static_cast<int32_t>(sizeof info));
 }
 
-}  // namespace
+}  // namespace def_test

@@ -19,7 +19,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace environment_test {
 
 using namespace testing_capi;
 
@@ -132,4 +132,4 @@ TEST(Environment, LocaleOfTheHostChangesNothing) {
   std::locale::global(std::locale::classic());  // C's too
 }
 
-}  // namespace
+}  // namespace environment_test

@@ -11,7 +11,7 @@
 #include <mutex>
 #include <thread>
 
-namespace {
+namespace every_call_test {
 
 using namespace testing_capi;
 
@@ -317,4 +317,4 @@ TEST_F(EveryCall, MembersOfAGridAreChecked) {
                      });
 }
 
-}  // namespace
+}  // namespace every_call_test

@@ -6,7 +6,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace field_test {
 
 using namespace testing_capi;
 
@@ -420,4 +420,4 @@ TEST(FieldFlow, WhatLeavesThroughPipesIsWhatTheBalanceSays) {
   EXPECT_NEAR(out * def.stepping_flow_step, leaked, 1e-12 * leaked);
 }
 
-}  // namespace
+}  // namespace field_test

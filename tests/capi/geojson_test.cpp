@@ -7,7 +7,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace geojson_test {
 
 using namespace testing_capi;
 
@@ -168,4 +168,4 @@ TEST(GeoJson, AnyBytesAreReadOrRefused) {
   EXPECT_GT(refused, 1500);
 }
 
-}  // namespace
+}  // namespace geojson_test

@@ -6,7 +6,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace given_discs_test {
 
 using namespace testing_capi;
 
@@ -286,4 +286,4 @@ TEST(GivenDiscs, AndTheirCountMustAgree) {
   }
 }
 
-}  // namespace
+}  // namespace given_discs_test

@@ -11,7 +11,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace grdecl_test {
 
 using namespace testing_capi;
 
@@ -143,4 +143,4 @@ TEST_F(Grdecl, AFailedWriteLeavesTheEarlierFile) {
   EXPECT_EQ(text, "earlier");
 }
 
-}  // namespace
+}  // namespace grdecl_test

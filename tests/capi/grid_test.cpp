@@ -10,7 +10,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace grid_test {
 
 using namespace testing_capi;
 
@@ -455,4 +455,4 @@ TEST(Grid, MisuseIsRefused) {
   EXPECT_EQ(hfrac_set_boundary_pressure(walled, values, 4), HFRAC_ERR_ARGUMENT);
 }
 
-}  // namespace
+}  // namespace grid_test

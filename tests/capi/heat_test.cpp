@@ -10,7 +10,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace heat_test {
 
 using namespace testing_capi;
 
@@ -194,4 +194,4 @@ TEST(Heat, AnImageOfAnotherModeIsRefused) {
   EXPECT_EQ(hash_of(plain), hash);
 }
 
-}  // namespace
+}  // namespace heat_test

@@ -8,7 +8,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace isolation_test {
 
 using namespace testing_capi;
 
@@ -153,4 +153,4 @@ TEST(Isolation, WorkersDoNotChangeResults) {
   }
 }
 
-}  // namespace
+}  // namespace isolation_test

@@ -7,7 +7,7 @@
 #include "../joint_def.hpp"
 #include "sim_support.hpp"
 
-namespace {
+namespace joint_field_test {
 
 using namespace testing_capi;
 
@@ -120,4 +120,4 @@ TEST(JointFields, ComeBackWithTheState) {
   }
 }
 
-}  // namespace
+}  // namespace joint_field_test

@@ -6,7 +6,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace joint_refusals_test {
 
 using namespace testing_capi;
 
@@ -177,4 +177,4 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
-}  // namespace
+}  // namespace joint_refusals_test

@@ -6,7 +6,7 @@
 #include "../joint_def.hpp"
 #include "sim_support.hpp"
 
-namespace {
+namespace joint_test {
 
 using namespace testing_capi;
 
@@ -239,4 +239,4 @@ TEST(Schedule, IsPartOfTheState) {
   EXPECT_LT(hfrac_well_set_schedule(sim, 0, 2, time, control, below), 0);
 }
 
-}  // namespace
+}  // namespace joint_test

@@ -8,7 +8,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace keyed_test {
 
 using namespace testing_capi;
 
@@ -137,4 +137,4 @@ TEST(FieldNames, TheNearestIsNamed) {
   EXPECT_EQ(field, -77);
 }
 
-}  // namespace
+}  // namespace keyed_test

@@ -7,7 +7,7 @@
 
 #include "support.hpp"
 
-namespace {
+namespace lab_test {
 
 using namespace testing_capi;
 
@@ -184,4 +184,4 @@ TEST(Calibration, RefusesTargetsOutOfRangeAndNone) {
   EXPECT_EQ(written(def), written(before));
 }
 
-}  // namespace
+}  // namespace lab_test

@@ -10,7 +10,7 @@
 #include "sim_support.hpp"
 #include "support.hpp"
 
-namespace {
+namespace list_test {
 
 using namespace testing_capi;
 
@@ -204,4 +204,4 @@ TEST(Lists, LongOnesAreBuiltDrivenAndRestored) {
   EXPECT_EQ(well.target_pressure, 26e6 + 1e3 * 10);
 }
 
-}  // namespace
+}  // namespace list_test

@@ -10,7 +10,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace listening_test {
 
 using namespace testing_capi;
 
@@ -209,4 +209,4 @@ TEST(OnStep, StopsAfterTheStepItSaw) {
   EXPECT_EQ(state_of(sim).step, 4);
 }
 
-}  // namespace
+}  // namespace listening_test

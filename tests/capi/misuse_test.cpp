@@ -10,7 +10,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace misuse_test {
 
 using namespace testing_capi;
 
@@ -251,4 +251,4 @@ TEST(Misuse, AnExceptionWhileBuildingLeavesNothing) {
   EXPECT_EQ(last_error(), "a callback threw: thrown by the host");
 }
 
-}  // namespace
+}  // namespace misuse_test

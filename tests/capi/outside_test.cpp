@@ -8,7 +8,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace outside_test {
 
 using namespace testing_capi;
 
@@ -196,4 +196,4 @@ TEST(StepLimits, TheFlowLimitIsTheSolversOwn) {
   EXPECT_EQ(state_of(sim).flow_subcycles, 2);
 }
 
-}  // namespace
+}  // namespace outside_test

@@ -5,7 +5,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace progress_test {
 
 using namespace testing_capi;
 
@@ -202,4 +202,4 @@ TEST(Progress, RefusesWhatIsNoInterval) {
   EXPECT_NE(last_error(sim).find("seconds"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace progress_test

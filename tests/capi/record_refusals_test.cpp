@@ -5,7 +5,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace record_refusals_test {
 
 using namespace testing_capi;
 
@@ -155,4 +155,4 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
-}  // namespace
+}  // namespace record_refusals_test

@@ -7,7 +7,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace record_test {
 
 using namespace testing_capi;
 
@@ -256,4 +256,4 @@ TEST(Record, OfAMillionRows) {
   EXPECT_LT(entries_of(text).size(), 110U);
 }
 
-}  // namespace
+}  // namespace record_test

@@ -6,7 +6,7 @@
 
 #include "support.hpp"
 
-namespace {
+namespace renamed_options_test {
 
 using namespace testing_capi;
 
@@ -74,4 +74,4 @@ TEST(RenamedOptions, NewWordsOfAChoiceAreNamed) {
   EXPECT_EQ(def.stress_convention, 1);
 }
 
-}  // namespace
+}  // namespace renamed_options_test

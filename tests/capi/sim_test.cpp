@@ -5,7 +5,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace sim_test {
 
 using namespace testing_capi;
 
@@ -412,4 +412,4 @@ TEST(SimStructs, MayBeOlderOrNewer) {
   EXPECT_EQ(hfrac_sim_def_free(def), HFRAC_OK);
 }
 
-}  // namespace
+}  // namespace sim_test

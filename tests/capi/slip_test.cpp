@@ -13,7 +13,7 @@
 #include "../joint_def.hpp"
 #include "sim_support.hpp"
 
-namespace {
+namespace slip_test {
 
 using namespace testing_capi;
 
@@ -224,4 +224,4 @@ TEST(Slips, AreNoneWithoutSmoothJoints) {
   EXPECT_TRUE(slips_of(sim).empty());
 }
 
-}  // namespace
+}  // namespace slip_test

@@ -15,7 +15,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace state_file_test {
 
 using namespace testing_capi;
 namespace fs = std::filesystem;
@@ -215,4 +215,4 @@ TEST_F(StateFile, AnOpenStepRefusesToLoad) {
   EXPECT_EQ(hfrac_state_load_file(sim, file().c_str()), HFRAC_OK);
 }
 
-}  // namespace
+}  // namespace state_file_test

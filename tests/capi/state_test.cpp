@@ -8,7 +8,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace state_test {
 
 using namespace testing_capi;
 
@@ -166,4 +166,4 @@ TEST(FarField, MoreStressPressesTheModelTogether) {
   EXPECT_EQ(hfrac_set_far_field(walled, 45e6, 26e6), HFRAC_ERR_ARGUMENT);
 }
 
-}  // namespace
+}  // namespace state_test

@@ -4,7 +4,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace traces_test {
 
 using namespace testing_capi;
 
@@ -117,4 +117,4 @@ TEST(SmoothJoints, OfAnOlderHeaderHaveNoLawOfTheirOwn) {
   EXPECT_EQ(hfrac_sim_def_set_f64(&def, "joint[1].friction", 0.4), HFRAC_OK) << last_error();
 }
 
-}  // namespace
+}  // namespace traces_test

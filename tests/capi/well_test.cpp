@@ -5,7 +5,7 @@
 
 #include "sim_support.hpp"
 
-namespace {
+namespace well_test {
 
 using namespace testing_capi;
 
@@ -185,4 +185,4 @@ TEST(Well, RefusesARateWithoutFlow) {
   EXPECT_EQ(balance_of(sim).fluid_error, 0.0);
 }
 
-}  // namespace
+}  // namespace well_test

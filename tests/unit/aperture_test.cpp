@@ -6,7 +6,7 @@
 
 #include "model.hpp"
 
-namespace {
+namespace aperture_test {
 
 using namespace testing_unit;
 
@@ -64,4 +64,4 @@ TEST(Aperture, SetsTheConductanceOfItsPipe) {
   }
 }
 
-}  // namespace
+}  // namespace aperture_test

@@ -8,7 +8,7 @@
 
 #include "model.hpp"
 
-namespace {
+namespace boundary_test {
 
 using namespace testing_unit;
 
@@ -148,4 +148,4 @@ TEST(Walls, OfADryRockCarryTheWholeStress) {
   EXPECT_EQ(m.boundary->walls()[0].target, 4e7);
 }
 
-}  // namespace
+}  // namespace boundary_test

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-namespace {
+namespace catalogue_test {
 
 using namespace hfrac;
 
@@ -140,4 +140,4 @@ TEST(MagnitudeLaw, SaysNothingOfTooFewOrEqualMagnitudes) {
   EXPECT_EQ(magnitude_law(std::vector<double>{nan, 0.5, 1.0, nan}, 0.0).count, 2);
 }
 
-}  // namespace
+}  // namespace catalogue_test

@@ -14,7 +14,7 @@
 #include "geom/faces.hpp"
 #include "model.hpp"
 
-namespace {
+namespace contact_graph_test {
 
 using namespace testing_unit;
 
@@ -187,4 +187,4 @@ TEST(ContactGraph, NothingCoherentIsRefused) {
   EXPECT_THROW(graph_of(square_lattice(5, 5, 0.5), {{{2.5, 2.5}, 10.0}}), Error);
 }
 
-}  // namespace
+}  // namespace contact_graph_test

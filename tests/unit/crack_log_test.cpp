@@ -9,7 +9,7 @@
 
 #include "model.hpp"
 
-namespace {
+namespace crack_log_test {
 
 using namespace testing_unit;
 
@@ -57,4 +57,4 @@ TEST(CrackLog, IsInOrderOfBreakage) {
   EXPECT_NEAR(m.solver->energies().fracture, energy, 1e-9 * energy);
 }
 
-}  // namespace
+}  // namespace crack_log_test

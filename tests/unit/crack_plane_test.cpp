@@ -11,7 +11,7 @@
 #include "flow/aperture.hpp"
 #include "small_case.hpp"
 
-namespace {
+namespace crack_plane_test {
 
 using namespace testing_unit;
 
@@ -240,4 +240,4 @@ TEST(SetUp, RefusesRockThatDoesNotInWords) {
   }
 }
 
-}  // namespace
+}  // namespace crack_plane_test

@@ -16,7 +16,7 @@
 #include "small_case.hpp"
 #include "step/simulation.hpp"
 
-namespace {
+namespace equilibrium_test {
 
 using namespace testing_unit;
 
@@ -361,4 +361,4 @@ TEST(CoupledFactor, SolvesTheTangent) {
   EXPECT_LT((y - right).norm(), 2e-10 * right.norm());
 }
 
-}  // namespace
+}  // namespace equilibrium_test

@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "model.hpp"
 
-namespace {
+namespace explicit_solver_test {
 
 using namespace testing_unit;
 
@@ -164,4 +164,4 @@ TEST(ExplicitSolver, CanBeInterrupted) {
   EXPECT_LT(outcome.cycles, 1000);
 }
 
-}  // namespace
+}  // namespace explicit_solver_test

@@ -16,7 +16,7 @@
 #include "step/impose.hpp"
 #include "step/simulation.hpp"
 
-namespace {
+namespace exterior_test {
 
 using namespace testing_unit;
 using Complex = std::complex<double>;
@@ -410,4 +410,4 @@ TEST(InfiniteRock, RefusesWhatDoesNotGoTogether) {
   expect(why([](Options& o) { o.packing_disc_count = 1000000; }), "more than its");
 }
 
-}  // namespace
+}  // namespace exterior_test

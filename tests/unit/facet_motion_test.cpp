@@ -15,7 +15,7 @@
 #include "small_case.hpp"
 #include "step/simulation.hpp"
 
-namespace {
+namespace facet_motion_test {
 
 using namespace testing_unit;
 
@@ -183,4 +183,4 @@ TEST(FacetMotion, GrowsInRealTime) {
   grows(definition, 40, 5);
 }
 
-}  // namespace
+}  // namespace facet_motion_test

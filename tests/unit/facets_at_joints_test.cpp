@@ -10,7 +10,7 @@
 #include "small_case.hpp"
 #include "step/simulation.hpp"
 
-namespace {
+namespace facets_at_joints_test {
 
 using namespace testing_unit;
 
@@ -160,4 +160,4 @@ TEST_F(FacetsAtJoints, TangentIsTheChangeOfTheResidual) {
   EXPECT_LT((change - y).norm(), 1e-3 * y.norm());
 }
 
-}  // namespace
+}  // namespace facets_at_joints_test

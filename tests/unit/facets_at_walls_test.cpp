@@ -13,7 +13,7 @@
 #include "small_case.hpp"
 #include "step/simulation.hpp"
 
-namespace {
+namespace facets_at_walls_test {
 
 using namespace testing_unit;
 
@@ -100,4 +100,4 @@ TEST(FacetsAtWalls, TakeThePapersMainCase) {
   }
 }
 
-}  // namespace
+}  // namespace facets_at_walls_test

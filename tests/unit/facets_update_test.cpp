@@ -12,7 +12,7 @@
 #include "small_case.hpp"
 #include "step/simulation.hpp"
 
-namespace {
+namespace facets_update_test {
 
 using namespace testing_unit;
 
@@ -124,4 +124,4 @@ TEST(FacetsUpdate, NearBrokenBondsAloneIsTheWholeBitForBit) {
   EXPECT_GT(most, 60);
 }
 
-}  // namespace
+}  // namespace facets_update_test

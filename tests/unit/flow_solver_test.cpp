@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "model.hpp"
 
-namespace {
+namespace flow_solver_test {
 
 using namespace testing_unit;
 
@@ -227,4 +227,4 @@ TEST(ConjugateGradient, IsExactOnChainsHoweverTheirConductancesDiffer) {
   EXPECT_FALSE(solver.factorise(lower));
 }
 
-}  // namespace
+}  // namespace flow_solver_test

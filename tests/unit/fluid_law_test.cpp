@@ -10,7 +10,7 @@
 #include "flow/flow_solver.hpp"
 #include "model.hpp"
 
-namespace {
+namespace fluid_law_test {
 
 using namespace testing_unit;
 
@@ -147,4 +147,4 @@ TEST(FluidLaw, TheCoupledTangentIsTheDerivative) {
   EXPECT_LT((change - predicted).norm(), 1e-4 * predicted.norm());
 }
 
-}  // namespace
+}  // namespace fluid_law_test

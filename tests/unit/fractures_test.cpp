@@ -8,7 +8,7 @@
 
 #include "model.hpp"
 
-namespace {
+namespace fractures_test {
 
 using namespace testing_unit;
 
@@ -182,4 +182,4 @@ TEST(Fractures, WithoutCracksThereAreNone) {
   EXPECT_TRUE(lattice.find().empty());
 }
 
-}  // namespace
+}  // namespace fractures_test

@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "model.hpp"
 
-namespace {
+namespace graded_packing_test {
 
 using namespace testing_unit;
 
@@ -202,4 +202,4 @@ TEST(GradedPacking, RefusesWhatMakesNoSense) {
   EXPECT_NE(refusal(definition).find("mean disc radii"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace graded_packing_test

@@ -10,7 +10,7 @@
 
 #include "internal.hpp"
 
-namespace {
+namespace guard_test {
 
 using namespace hfrac;
 using namespace hfrac::capi;
@@ -110,4 +110,4 @@ TEST(CallHost, GivesTheHostItsOwnEnvironment) {
   EXPECT_EQ(after, FE_DOWNWARD);
 }
 
-}  // namespace
+}  // namespace guard_test

@@ -9,7 +9,7 @@
 #include "heat/expansion.hpp"
 #include "small_case.hpp"
 
-namespace {
+namespace heat_test {
 
 using namespace testing_unit;
 
@@ -265,4 +265,4 @@ TEST(Expansion, KernelsFollowTheLawInEveryInstructionSet) {
   }
 }
 
-}  // namespace
+}  // namespace heat_test

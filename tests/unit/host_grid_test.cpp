@@ -9,7 +9,7 @@
 #include "core/error.hpp"
 #include "model.hpp"
 
-namespace {
+namespace host_grid_test {
 
 using namespace testing_unit;
 
@@ -83,4 +83,4 @@ TEST(HostGrid, DividesTheModelWithoutLoss) {
   }
 }
 
-}  // namespace
+}  // namespace host_grid_test

@@ -14,7 +14,7 @@
 #include "model/joint_pores.hpp"
 #include "solid/joints.hpp"
 
-namespace {
+namespace joint_cells_test {
 
 using namespace testing_unit;
 
@@ -106,4 +106,4 @@ TEST(JointCells, RockIsAsTightWhereJointsMeet) {
   expect_plates(star, Upscaling::flow, 0.01);
 }
 
-}  // namespace
+}  // namespace joint_cells_test

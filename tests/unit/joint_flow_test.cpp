@@ -10,7 +10,7 @@
 #include "solid/smooth_joints.hpp"
 #include "step/simulation.hpp"
 
-namespace {
+namespace joint_flow_test {
 
 using namespace testing_unit;
 
@@ -163,4 +163,4 @@ TEST(JointCrossing, LetsFluidThrough) {
   EXPECT_NEAR(sum / count, 15e6, 1e6);
 }
 
-}  // namespace
+}  // namespace joint_flow_test

@@ -12,7 +12,7 @@
 #include "solid/smooth_joints.hpp"
 #include "tangent_check.hpp"
 
-namespace {
+namespace joint_law_test {
 
 using namespace testing_unit;
 
@@ -136,4 +136,4 @@ TEST(JointLaw, DilationPressesAJointThatIsHeld) {
   EXPECT_NEAR(r.shear, contact.area * law.shear_stiffness * (4e-4 - r.slipped), 1e-9 * r.shear);
 }
 
-}  // namespace
+}  // namespace joint_law_test

@@ -11,7 +11,7 @@
 #include "model/joint_pores.hpp"
 #include "small_case.hpp"
 
-namespace {
+namespace joint_meeting_test {
 
 using namespace testing_unit;
 
@@ -94,4 +94,4 @@ TEST_F(JointMeeting, NotAcrossDiscsOfRock) {
   EXPECT_EQ(met_by_ends(4.0), 0);
 }
 
-}  // namespace
+}  // namespace joint_meeting_test

@@ -13,7 +13,7 @@
 #include "solid/joints.hpp"
 #include "solid/smooth_joints.hpp"
 
-namespace {
+namespace joint_view_test {
 
 using namespace testing_unit;
 
@@ -140,4 +140,4 @@ TEST(JointView, LiesOnItsJointAndHasThePressureBesideIt) {
   EXPECT_NEAR(length, 20.0 / block.along.x, 3.0 * block.a.mean_radius);
 }
 
-}  // namespace
+}  // namespace joint_view_test

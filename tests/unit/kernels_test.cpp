@@ -14,7 +14,7 @@
 
 #include "model.hpp"
 
-namespace {
+namespace kernels_test {
 
 using namespace testing_unit;
 
@@ -333,4 +333,4 @@ TEST(Kernels, TurningTheBodyStrainsNothing) {
   EXPECT_LT(worst_shear, 105.0 / 3456.0 * std::pow(std::sin(angle), 9) * 1.1);
 }
 
-}  // namespace
+}  // namespace kernels_test

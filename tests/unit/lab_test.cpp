@@ -9,7 +9,7 @@
 #include "lab/laboratory.hpp"
 #include "model.hpp"
 
-namespace {
+namespace lab_test {
 
 using namespace testing_unit;
 
@@ -117,4 +117,4 @@ TEST(Lab, ASpecimenTooCoarseForItsSlitIsRefused) {
   EXPECT_THROW(run_lab(linear(), spec), Error);
 }
 
-}  // namespace
+}  // namespace lab_test

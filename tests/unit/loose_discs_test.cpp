@@ -9,7 +9,7 @@
 #include "solid/discs_held.hpp"
 #include "solid/non_bonded_contacts.hpp"
 
-namespace {
+namespace loose_discs_test {
 
 using namespace testing_unit;
 
@@ -118,4 +118,4 @@ TEST_F(LooseDiscs, ThatAreFoundOverlappingCarryNoForceYet) {
               1e-3 * sim_.options().contact_normal_stiffness * closer);
 }
 
-}  // namespace
+}  // namespace loose_discs_test

@@ -9,7 +9,7 @@
 
 #include "model.hpp"
 
-namespace {
+namespace network_test {
 
 using namespace testing_unit;
 
@@ -111,4 +111,4 @@ TEST(Network, ConventionSetsReferenceAndFloor) {
   EXPECT_EQ(paper.network.floor_pressure, -25e6);
 }
 
-}  // namespace
+}  // namespace network_test

@@ -14,7 +14,7 @@
 #include "options/nearest.hpp"
 #include "options/number_text.hpp"
 
-namespace {
+namespace options_test {
 
 using namespace hfrac;
 
@@ -97,4 +97,4 @@ TEST(ExpectedRadius, FillsTheModel) {
   EXPECT_NEAR(3.14159265358979 * squares, 0.85 * 100.0 * 100.0, 1e-2);
 }
 
-}  // namespace
+}  // namespace options_test

@@ -11,7 +11,7 @@
 
 #include "model.hpp"
 
-namespace {
+namespace packing_test {
 
 using namespace testing_unit;
 
@@ -209,4 +209,4 @@ TEST(Packing, SquareIsAGridOfEqualDiscs) {
   EXPECT_GE(*low, 0.5);
 }
 
-}  // namespace
+}  // namespace packing_test

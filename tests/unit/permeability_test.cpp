@@ -7,7 +7,7 @@
 #include "flow/aperture.hpp"
 #include "model.hpp"
 
-namespace {
+namespace permeability_test {
 
 using namespace testing_unit;
 
@@ -79,4 +79,4 @@ TEST(Permeability, GivenApertureIsTaken) {
   for (const double w : m.network.aperture) EXPECT_EQ(w, 7e-5);
 }
 
-}  // namespace
+}  // namespace permeability_test

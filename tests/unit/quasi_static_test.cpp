@@ -8,7 +8,7 @@
 #include "small_case.hpp"
 #include "step/simulation.hpp"
 
-namespace {
+namespace quasi_static_test {
 
 using namespace testing_unit;
 
@@ -226,4 +226,4 @@ TEST(QuasiStaticChoice, RefusesWhatDoesNotGoTogether) {
   refused(definition);
 }
 
-}  // namespace
+}  // namespace quasi_static_test

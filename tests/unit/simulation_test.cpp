@@ -9,7 +9,7 @@
 #include "core/error.hpp"
 #include "small_case.hpp"
 
-namespace {
+namespace simulation_test {
 
 using namespace testing_unit;
 
@@ -202,4 +202,4 @@ TEST(Simulation, FluidBalanceClosesWithTheIterativeSolverToo) {
   EXPECT_LT(std::abs(b.fluid_error), 1e-6 * b.injected);
 }
 
-}  // namespace
+}  // namespace simulation_test

@@ -7,7 +7,7 @@
 #include "small_case.hpp"
 #include "step/simulation.hpp"
 
-namespace {
+namespace simulation_wells_test {
 
 using namespace testing_unit;
 
@@ -105,4 +105,4 @@ TEST(Wells, TwoOfThemKeepTheirOwnBalance) {
   EXPECT_LE(std::abs(s.balance().fluid_error), 1e-6 * s.balance().injected);
 }
 
-}  // namespace
+}  // namespace simulation_wells_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace {
+namespace slip_events_test {
 
 using namespace hfrac;
 
@@ -86,4 +86,4 @@ TEST(SlipEvents, SlowSlipIsLeftOutByItsRate) {
   EXPECT_TRUE(find_slip_events(std::vector{slip_at(0, 0)}, {.slip_rate = 0.041}).empty());
 }
 
-}  // namespace
+}  // namespace slip_events_test

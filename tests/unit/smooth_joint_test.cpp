@@ -12,7 +12,7 @@
 #include "solid/smooth_joints.hpp"
 #include "tangent_check.hpp"
 
-namespace {
+namespace smooth_joint_test {
 
 using namespace testing_unit;
 
@@ -343,4 +343,4 @@ TEST(SmoothJoint, FluidAndRockTogetherComeWhereShortStepsFromRestToRestLead) {
   EXPECT_LT(std::abs(off[2]), 0.01 * together);
 }
 
-}  // namespace
+}  // namespace smooth_joint_test

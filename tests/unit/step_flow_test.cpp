@@ -9,7 +9,7 @@
 
 #include "small_case.hpp"
 
-namespace {
+namespace step_flow_test {
 
 using namespace testing_unit;
 
@@ -119,4 +119,4 @@ constexpr Way ways[] = {
 INSTANTIATE_TEST_SUITE_P(Ways, StepFlow, testing::ValuesIn(ways),
                          [](const auto& way) { return way.param.name; });
 
-}  // namespace
+}  // namespace step_flow_test

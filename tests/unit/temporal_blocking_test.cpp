@@ -12,7 +12,7 @@
 #include "core/hash.hpp"
 #include "model.hpp"
 
-namespace {
+namespace temporal_blocking_test {
 
 using namespace testing_unit;
 
@@ -167,4 +167,4 @@ TEST(TemporalBlocking, LeavesMovingWallsToSingleCycles) {
   EXPECT_EQ(squeezed({4, 2, 1}), squeezed({1, 1, 1}));
 }
 
-}  // namespace
+}  // namespace temporal_blocking_test

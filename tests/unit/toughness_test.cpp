@@ -8,7 +8,7 @@
 #include "model.hpp"
 #include "solid/toughness.hpp"
 
-namespace {
+namespace toughness_test {
 
 using namespace testing_unit;
 
@@ -82,4 +82,4 @@ TEST(FractureToughness, IsRefusedBesideAReferenceRadius) {
   EXPECT_THROW(validate(definition), Error);
 }
 
-}  // namespace
+}  // namespace toughness_test

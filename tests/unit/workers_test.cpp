@@ -11,7 +11,7 @@
 
 #include "core/workers.hpp"
 
-namespace {
+namespace workers_test {
 
 using namespace hfrac;
 
@@ -126,4 +126,4 @@ TEST(Workers, BlockSignalsAndLeaveTheCallersMask) {
   EXPECT_EQ(sigismember(&mine, SIGINT), 0);
 }
 
-}  // namespace
+}  // namespace workers_test

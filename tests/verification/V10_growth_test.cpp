@@ -7,7 +7,7 @@
 // Tolerance  Mean azimuth of the six within 15 degrees of sigma_Hmax; each one nearer to sigma_Hmax than to sigma_hmin.
 #include "support.hpp"
 
-namespace {
+namespace V10_growth {
 
 // Mean azimuth [degrees] of the packings' fractures.
 double grow(int packings) {
@@ -47,4 +47,4 @@ TEST(V10Growth, FracturesRunAlongTheLargerStress) {
   verification::report_absolute("azimuth, mean of six packings, degrees", grow(6), 0.0, 15.0);
 }
 
-}  // namespace
+}  // namespace V10_growth

@@ -15,7 +15,7 @@
 #include "kgd_model.hpp"
 #include "support.hpp"
 
-namespace {
+namespace V11_kgd {
 
 using verification::fit_line;
 using verification::KgdCase;
@@ -136,4 +136,4 @@ TEST(V11KgdLong, TheWidthsExponentComesToOneHalf) {
   }
 }
 
-}  // namespace
+}  // namespace V11_kgd

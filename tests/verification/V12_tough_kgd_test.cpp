@@ -22,7 +22,7 @@
 
 #include "lab_support.hpp"
 
-namespace {
+namespace V12_tough_kgd {
 
 using namespace verification;
 
@@ -238,4 +238,4 @@ TEST(V12ToughKgdLong, StiffPoreFluidUnderConfinementAddsToTheToughness) {
   EXPECT_GT(stiff, 1.1 * free);
 }
 
-}  // namespace
+}  // namespace V12_tough_kgd

@@ -19,7 +19,7 @@
 
 #include "support.hpp"
 
-namespace {
+namespace V13_wave {
 
 using namespace verification;
 
@@ -133,4 +133,4 @@ TEST(V13Wave, RunsAtTheSpeedOfSound) {
   run(8000, 3, 0.02);
 }
 
-}  // namespace
+}  // namespace V13_wave

@@ -13,7 +13,7 @@
 
 #include "support.hpp"
 
-namespace {
+namespace V14_fluid_balance {
 
 using namespace verification;
 
@@ -39,8 +39,6 @@ void check_balance(const char* name, const hfrac_sim_def& def) {
   report_absolute("fluid lost over that injected", error, 0.0, 1e-12);
 }
 
-}  // namespace
-
 TEST(V14FluidBalanceSmoke, ClosesByEverySolver) {
   hfrac::Definition def = paper_rock(1);
   def.wells[0].pressure = 45e6;
@@ -57,3 +55,5 @@ TEST(V14FluidBalanceSmoke, ClosesByEverySolver) {
   def.wells[0].rate = 1500.0;
   check_balance("quasi-static solver, coupled, at a rate", def);
 }
+
+}  // namespace V14_fluid_balance

@@ -15,7 +15,7 @@
 
 #include "support.hpp"
 
-namespace {
+namespace V15_solvers {
 
 using verification::Simulation;
 
@@ -109,4 +109,4 @@ TEST(V15Solvers, GiveTheSameInitiationPressure) {
   }
 }
 
-}  // namespace
+}  // namespace V15_solvers

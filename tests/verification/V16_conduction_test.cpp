@@ -14,7 +14,7 @@
 
 #include "heat_support.hpp"
 
-namespace {
+namespace V16_conduction {
 
 using namespace verification;
 
@@ -121,4 +121,4 @@ TEST(V16Conduction, ConvergesWithDiscSize) {
   conduct(8000, 1, 0.01);
 }
 
-}  // namespace
+}  // namespace V16_conduction

@@ -19,7 +19,7 @@
 #include "heat_support.hpp"
 #include "rigid_network.hpp"
 
-namespace {
+namespace V17_advection {
 
 using namespace verification;
 
@@ -180,4 +180,4 @@ TEST(V17Advection, DispersesFrontsByLessThanADisc) {
   EXPECT_LT(finer.rms, fast.rms);
 }
 
-}  // namespace
+}  // namespace V17_advection

@@ -15,7 +15,7 @@
 //            (c) strain 1e-3, change of stress 5e-3 of E' alpha dT; (d) 5 %, mean within 10 m.
 #include "heat_support.hpp"
 
-namespace {
+namespace V18_thermal_stress {
 
 using namespace verification;
 
@@ -170,4 +170,4 @@ TEST(V18ThermalStress, HotCircleInAColdBlock) {
          0.5 * rock.plane * alpha * rise * (1.0 - a * a / (b * b)), 0.05);
 }
 
-}  // namespace
+}  // namespace V18_thermal_stress

@@ -23,7 +23,7 @@
 #include "rigid_network.hpp"
 #include "support.hpp"
 
-namespace {
+namespace V19_fracture_section {
 
 using namespace hfrac;
 using verification::Curves;
@@ -267,4 +267,4 @@ TEST(V19FractureSection, LeaksOffMoreExactlyWithSmallerDiscs) {
   leak_off(8000, 0.05);
 }
 
-}  // namespace
+}  // namespace V19_fracture_section

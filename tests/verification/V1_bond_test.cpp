@@ -18,7 +18,7 @@
 #include "model.hpp"
 #include "support.hpp"
 
-namespace {
+namespace V1_bond {
 
 using namespace testing_unit;
 
@@ -152,4 +152,4 @@ TEST(V1BondSmoke, CompressionDoesNotBreak) {
                                 0.0, 0.0);
 }
 
-}  // namespace
+}  // namespace V1_bond

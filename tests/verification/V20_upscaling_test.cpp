@@ -20,7 +20,7 @@
 #include "rigid_network.hpp"
 #include "support.hpp"
 
-namespace {
+namespace V20_upscaling {
 
 using namespace verification;
 
@@ -219,4 +219,4 @@ TEST(V20Upscaling, BlindCrack) {
   EXPECT_GT(oda, 3.0) << "Oda takes a blind crack as connected; if that no longer shows, say so in V20.md";
 }
 
-}  // namespace
+}  // namespace V20_upscaling

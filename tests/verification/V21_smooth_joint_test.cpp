@@ -16,7 +16,7 @@
 #include "../joint_def.hpp"
 #include "support.hpp"
 
-namespace {
+namespace V21_smooth_joint {
 
 using namespace verification;
 
@@ -145,4 +145,4 @@ TEST(V21SmoothJointLong, IsCoulombsAtAllAnglesInASquarePacking) {
   compare(true, 3600, {0.0, 5.0, 10.0, 20.0, 30.0, 40.0, 50.0, 55.0, 70.0, 90.0});
 }
 
-}  // namespace
+}  // namespace V21_smooth_joint

@@ -20,7 +20,7 @@
 #include "cracked_plate.hpp"
 #include "support.hpp"
 
-namespace {
+namespace V22_joint_slip {
 
 using namespace verification;
 
@@ -172,4 +172,4 @@ TEST(V22JointSlipLong, ALongJointSlipsMoreByThePlatesEdges) {
          long_one.plate / short_one.plate, 0.10);
 }
 
-}  // namespace
+}  // namespace V22_joint_slip

@@ -25,7 +25,7 @@
 #include "step/simulation.hpp"
 #include "support.hpp"
 
-namespace {
+namespace V23_fault_injection {
 
 using namespace hfrac;
 
@@ -209,4 +209,4 @@ TEST(V23FaultInjectionLong, NearsTheFormulaWithFinerDiscs) {
   hold(40000, 0.9, {2.0, 3.0, 4.0}, 0.15);
 }
 
-}  // namespace
+}  // namespace V23_fault_injection

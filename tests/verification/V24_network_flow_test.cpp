@@ -25,7 +25,7 @@
 #include "step/simulation.hpp"
 #include "support.hpp"
 
-namespace {
+namespace V24_network_flow {
 
 using namespace hfrac;
 
@@ -252,4 +252,4 @@ TEST(V24NetworkFlowLong, WhereEndsNearlyMeetThePackingDecides) {
   }
 }
 
-}  // namespace
+}  // namespace V24_network_flow

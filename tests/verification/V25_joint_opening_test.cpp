@@ -17,7 +17,7 @@
 #include "step/simulation.hpp"
 #include "support.hpp"
 
-namespace {
+namespace V25_joint_opening {
 
 using namespace hfrac;
 
@@ -95,4 +95,4 @@ TEST(V25JointOpeningLong, NearsTheFormulaWithFinerDiscs) {
   hold(40000, 0.10);
 }
 
-}  // namespace
+}  // namespace V25_joint_opening

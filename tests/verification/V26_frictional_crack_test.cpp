@@ -24,7 +24,7 @@
 #include "step/simulation.hpp"
 #include "support.hpp"
 
-namespace {
+namespace V26_frictional_crack {
 
 using namespace hfrac;
 using namespace verification;
@@ -135,4 +135,4 @@ TEST(V26FrictionalCrackLong, SlipsAsTheFormulaSaysWithFinerDiscs) {
   hold(10000, 6);
 }
 
-}  // namespace
+}  // namespace V26_frictional_crack

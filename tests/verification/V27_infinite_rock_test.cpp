@@ -25,7 +25,7 @@
 #include "step/simulation.hpp"
 #include "support.hpp"
 
-namespace {
+namespace V27_infinite_rock {
 
 using namespace hfrac;
 using verification::pi;
@@ -214,4 +214,4 @@ TEST(V27InfiniteRock, ASlitOneAndAHalfHalfLengthsFromTheEdge) {
   hold("slit", sneddon, 10000, packings, 0.13);
 }
 
-}  // namespace
+}  // namespace V27_infinite_rock

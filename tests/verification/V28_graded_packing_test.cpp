@@ -23,7 +23,7 @@
 #include "rigid_network.hpp"
 #include "support.hpp"
 
-namespace {
+namespace V28_graded_packing {
 
 using namespace verification;
 
@@ -59,9 +59,9 @@ hfrac::Definition block(int64_t discs, int64_t seed, double coarsening) {
 // Strain along y of the fine zone over that of the coarse one, under stress along y.
 double strain_ratio(hfrac::Definition def) {
   def.stress_sigma_Hmax = def.stress_sigma_hmin = 1e6;
-  const auto before = Simulation(def).values(HFRAC_DISC_POSITION);
+  const auto before = verification::Simulation(def).values(HFRAC_DISC_POSITION);
   def.stress_sigma_Hmax = 2e6;  // along x, which the turned model's layers cross
-  const auto displacement = moved(before, Simulation(def).values(HFRAC_DISC_POSITION));
+  const auto displacement = moved(before, verification::Simulation(def).values(HFRAC_DISC_POSITION));
   std::array<hfrac::PlaneFit, zones> fit;
   for (std::size_t i = 0; i < before.size(); i += 2) {
     const auto zone = zone_of(before[i + 1], before[i]);
@@ -165,4 +165,4 @@ TEST(V28GradedPackingLong, IsOneRockInTheMeanOfMorePackings) {
   compare(8000, 8, 8.0, 0.03);
 }
 
-}  // namespace
+}  // namespace V28_graded_packing

@@ -19,7 +19,7 @@
 
 #include "support.hpp"
 
-namespace {
+namespace V2_block {
 
 using namespace verification;
 
@@ -195,4 +195,4 @@ TEST(V2BlockSmoke, EqualStiffnessesGiveLittlePoissonEffect) {
   EXPECT_NEAR(equal.poisson, 0.04, 0.02);
 }
 
-}  // namespace
+}  // namespace V2_block

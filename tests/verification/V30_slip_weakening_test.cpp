@@ -25,7 +25,7 @@
 #include "step/simulation.hpp"
 #include "support.hpp"
 
-namespace {
+namespace V30_slip_weakening {
 
 using namespace hfrac;
 
@@ -201,4 +201,4 @@ TEST(V30SlipWeakeningLong, DoesSoWithFinerDiscs) {
   hold(40000);
 }
 
-}  // namespace
+}  // namespace V30_slip_weakening

@@ -23,7 +23,7 @@
 
 #include "support.hpp"
 
-namespace {
+namespace V3_kirsch {
 
 using namespace verification;
 
@@ -243,4 +243,4 @@ TEST(V3Kirsch, HoopStressAroundAHole) {
   around_a_hole(4, 0.02, 0.08);
 }
 
-}  // namespace
+}  // namespace V3_kirsch

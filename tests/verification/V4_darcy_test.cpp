@@ -20,7 +20,7 @@
 #include "rigid_network.hpp"
 #include "support.hpp"
 
-namespace {
+namespace V4_darcy {
 
 using namespace verification;
 
@@ -124,4 +124,4 @@ TEST(V4DarcySmoke, LinearFlow) {
   report_absolute("linear: rms of the pressure over the drop", std::sqrt(square / count), 0.0, 0.03);
 }
 
-}  // namespace
+}  // namespace V4_darcy

@@ -19,7 +19,7 @@
 #include "rigid_network.hpp"
 #include "support.hpp"
 
-namespace {
+namespace V5_diffusion {
 
 using namespace verification;
 
@@ -111,4 +111,4 @@ TEST(V5Diffusion, FollowsItMoreCloselyWithSmallerDiscs) {
   diffuse(8000, 0.02);
 }
 
-}  // namespace
+}  // namespace V5_diffusion

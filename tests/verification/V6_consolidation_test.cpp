@@ -25,7 +25,7 @@
 #include "rock/biot_solver.hpp"
 #include "support.hpp"
 
-namespace {
+namespace V6_consolidation {
 
 using namespace hfrac;
 using verification::pi;
@@ -109,8 +109,6 @@ class Mandel {
   double start_;
   std::vector<double> root_;
 };
-
-}  // namespace
 
 TEST(V6ContinuumSmoke, ColumnConsolidatesAsTerzaghiSays) {
   const BiotMaterial m = sandstone();
@@ -276,8 +274,6 @@ TEST(V6Continuum, SeepingWellIsInEquilibrium) {
   }
 }
 
-namespace {
-
 hfrac::Definition square_of_discs(int64_t discs) {
   hfrac::Definition def = verification::new_def();
   def.packing_disc_count = discs;
@@ -424,8 +420,6 @@ double consolidate(int64_t discs, double biot = 1.0) {
   return peak;
 }
 
-}  // namespace
-
 TEST(V6Discs, ConsolidateAsTheContinuumDoes) {
   EXPECT_GT(consolidate(4000), 1.05) << "the Cryer effect: the middle's pressure rises before it falls";
 }
@@ -437,3 +431,5 @@ TEST(V6Discs, OfABiotCoefficientOfOneHalfDoSoToo) {
 TEST(V6DiscsLong, ComeCloserWithTheirNumber) {
   for (const int64_t discs : {2000, 8000}) EXPECT_GT(consolidate(discs), 1.05);
 }
+
+}  // namespace V6_consolidation

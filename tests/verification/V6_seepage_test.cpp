@@ -17,7 +17,7 @@
 #include "rock/biot_solver.hpp"
 #include "support.hpp"
 
-namespace {
+namespace V6_seepage {
 
 using namespace hfrac;
 
@@ -66,8 +66,6 @@ std::vector<Ring> rings(verification::Simulation& rock) {
   }
   return all;
 }
-
-}  // namespace
 
 TEST(V6Seepage, DiscsTakeOverTheContinuumsState) {
   hfrac::Definition def = rock_with_well();
@@ -189,3 +187,5 @@ TEST(V6Seepage, IsRefusedWhereItHasNoMeaning) {
   refused += text_of(tight).find("needs flow.permeability") != std::string::npos ? 1.0 : 0.0;
   verification::report_absolute("cases without a meaning refused with the reason", refused, 4.0, 0.0);
 }
+
+}  // namespace V6_seepage

@@ -17,7 +17,7 @@
 #include "lab_support.hpp"
 #include "rock/biot_solver.hpp"
 
-namespace {
+namespace V7_sneddon {
 
 using namespace verification;
 using hfrac::LabTest;
@@ -160,4 +160,4 @@ TEST(V7SneddonLong, FinerDiscsAndALargerPlate) {
   }
 }
 
-}  // namespace
+}  // namespace V7_sneddon

@@ -15,7 +15,7 @@
 
 #include "lab_support.hpp"
 
-namespace {
+namespace V8_toughness {
 
 using namespace verification;
 
@@ -82,4 +82,4 @@ TEST(V8ToughnessLong, HoldsForThePressureThatBreaksANotch) {
        {{600, 16}, {2400, 6}, {9600, 2}, {38400, 1}});
 }
 
-}  // namespace
+}  // namespace V8_toughness

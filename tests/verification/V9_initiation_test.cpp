@@ -23,7 +23,7 @@
 #include "lab_support.hpp"
 #include "rock/biot_solver.hpp"
 
-namespace {
+namespace V9_initiation {
 
 using namespace verification;
 using hfrac::RockSide;
@@ -208,4 +208,4 @@ TEST(V9Initiation, SoItDoesInLinearRock) {
   compare("linear rock", linear_rock(), 2, true);
 }
 
-}  // namespace
+}  // namespace V9_initiation

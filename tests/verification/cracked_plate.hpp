@@ -8,6 +8,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace verification {
@@ -19,8 +20,7 @@ struct PlateSlip {
 // Crack of half length c under `angle` to x, its middle `off` beside the plate's along its normal.
 inline PlateSlip plate_slip(double side, double c, double angle, double off, int along_crack = 80,
                             int along_edge = 60) {
-  constexpr double pi = 3.14159265358979323846,
-                   nu = 0.2;  // of a modulus E / (1 - nu^2) = 1; tractions given: nu does not matter
+  constexpr double nu = 0.2;  // of a modulus E / (1 - nu^2) = 1; tractions given: nu does not matter
   struct Element {
     double x, y, cosine, sine, half;
   };
@@ -34,13 +34,14 @@ inline PlateSlip plate_slip(double side, double c, double angle, double off, int
   };
   line(-off * std::sin(angle), off * std::cos(angle), angle, 2.0 * c, along_crack);
   for (int edge = 0; edge < 4; ++edge) {
-    const double way = 0.5 * pi * edge;
+    const double way = 0.5 * std::numbers::pi * edge;
     line(0.5 * side * std::sin(way), -0.5 * side * std::cos(way), way, side, along_edge);
   }
   const auto n = static_cast<Eigen::Index>(elements.size());
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(2 * n);
-  const double twice_shear = 1.0 - nu, share = twice_shear / (4.0 * pi * (1.0 - nu));  // 2 G = E / (1 + nu)
+  const double twice_shear = 1.0 - nu,
+               share = twice_shear / (4.0 * std::numbers::pi * (1.0 - nu));  // 2 G = E / (1 + nu)
   for (Eigen::Index i = 0; i < n; ++i) {
     const Element& at = elements[static_cast<std::size_t>(i)];
     const double c2 = at.cosine * at.cosine, s2 = at.sine * at.sine, cs = at.cosine * at.sine;

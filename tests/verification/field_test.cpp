@@ -11,7 +11,7 @@
 
 #include "support.hpp"
 
-namespace {
+namespace field {
 
 using verification::Simulation;
 
@@ -156,4 +156,4 @@ TEST(StressShadow, IsSneddons) {
   verification::report_absolute("width beside the first over that alone", beside / alone, expected, 0.1);
 }
 
-}  // namespace
+}  // namespace field

@@ -79,7 +79,7 @@ class KgdModel {
     well.control = WellControl::rate;
     well.rate = c.rate;
     definition.wells.push_back(well);
-    sim_ = std::make_unique<Simulation>(std::move(definition), discs, Progress{});
+    sim_ = std::make_unique<hfrac::Simulation>(std::move(definition), discs, Progress{});
     // Strengths along the line, through the model's own arrays, since no option describes a line of weakness: strength goes
     // with a bond's radius, and bonds that thin bear no moment.
     auto& a = const_cast<Assembly&>(sim_->assembly());
