@@ -18,6 +18,7 @@ COMMAND = {
     "full": "examples/paper/run --full",
     "fast": "examples/paper/run --fast",
     "fine": "examples/paper/run --fine",
+    "facets": "examples/paper/run --facets",
 }
 
 
@@ -97,17 +98,39 @@ def cell(text):
     return text.replace("|", "\\|").replace("\n", " ")
 
 
-# Tables that are kept, and the disc count of each.
-KEPT = {"full": ("examples/paper/measured.csv", "2 000"), "fine": ("examples/paper/measured-fine.csv", "10 000")}
+# Tables that are kept, and what is said of each where it stands beside another.
+KEPT = {
+    "full": ("examples/paper/measured.csv", "with 2 000 discs, broken contacts"),
+    "fine": ("examples/paper/measured-fine.csv", "with 10 000 discs"),
+    "facets": ("examples/paper/measured-facets.csv", "with facets"),
+}
+TITLES = {
+    "fine": "# The paper's claims with finer discs",
+    "facets": "# The paper's claims with fractures as facets",
+}
+ABOUT = {
+    "fine": "The set of the [verdict](paper-reproduction.md) with 10 000 discs in place of 2 000, strengths at "
+    "constant toughness, half the packings, and three values of each series of Figures 7 to 9. It asks "
+    "whether what holds there is the rock's or the discs'; the verdict is the other page's. Changed physics was "
+    "not tried here.",
+    "facets": "The set of the [verdict](paper-reproduction.md) with `fracture.law = \"facet\"` and nothing else changed, half the "
+    "packings, and three values of each series of Figures 7 to 9. It asks whether what holds there holds for fractures that "
+    "follow linear elastic fracture mechanics, too ([KGD](verification/kgd-random.md)); the verdict is the other page's. Changed "
+    "physics was not tried here.",
+}
 
 
-def other_size(which, limit):
-    """(disc count, verdict by claim) of the kept set with the other size of discs; no verdicts where there is none."""
-    other = {"full": "fine", "fine": "full"}.get(which)
-    if other is None or not (HERE.parents[2] / KEPT[other][0]).is_file():
-        return "", {}
-    data = Measured.read(HERE.parents[2] / KEPT[other][0], families.expand(other)[1])
-    return KEPT[other][1], {claim.words: verdict_of(claim, data, limit)[0] for claim in CLAIMS}
+def others_than(which, limit):
+    """[(what it is, verdict by claim)] of the kept sets beside this one."""
+    if which not in KEPT:
+        return []
+    found = []
+    for other, (table, words) in KEPT.items():
+        if other == which or (which != "full" and other != "full") or not (HERE.parents[2] / table).is_file():
+            continue
+        data = Measured.read(HERE.parents[2] / table, families.expand(other)[1])
+        found.append((words, {claim.words: verdict_of(claim, data, limit)[0] for claim in CLAIMS}))
+    return found
 
 
 def page(which, data, limit, path):
@@ -120,7 +143,7 @@ def page(which, data, limit, path):
         word = "holds only if" if verdict.startswith("holds only if") else verdict
         count[word] = count.get(word, 0) + 1
     lines = [
-        "# Does it do what the paper says?" if which != "fine" else "# The paper's claims with finer discs",
+        TITLES.get(which, "# Does it do what the paper says?"),
         "",
         f"Written by `{COMMAND[which]}` from {len(runs) - len(lacking)} of {len(runs)} runs, {len(seeds)} packings "
         f"each; measurements in `{path}`. Thresholds: `examples/paper/workflow/thresholds.toml`, set before the runs. "
@@ -135,14 +158,8 @@ def page(which, data, limit, path):
             '(`examples/paper/families/beyond-*.toml`); so "holds only if" says what can help, not how surely.',
             "",
         ]
-    if which == "fine":
-        lines += [
-            "The set of the [verdict](paper-reproduction.md) with 10 000 discs in place of 2 000, strengths at "
-            "constant toughness, half the packings, and three values of each series of Figures 7 to 9. It asks "
-            "whether what holds there is the rock's or the discs'; the verdict is the other page's. Changed physics was "
-            "not tried here.",
-            "",
-        ]
+    if which in ABOUT:
+        lines += [ABOUT[which], ""]
     elif len(seeds) < limit["packings"]["least"]:
         lines += [
             f"**{len(seeds)} packings are no sample** ({limit['packings']['least']} are the least): this page shows "
@@ -167,13 +184,13 @@ def page(which, data, limit, path):
         "as fine as the ramp, 1 MPa.",
         "",
     ]
-    discs, others = other_size(which, limit)
+    others = others_than(which, limit)
     lines += [
-        f"| place | claim | verdict |{f' with {discs} discs |' if others else ''}",
-        "|---|---|---|" + "---|" * bool(others),
+        "| place | claim | verdict |" + "".join(f" {words} |" for words, _ in others),
+        "|---|---|---|" + "---|" * len(others),
     ]
     for claim, verdict, *_ in judged:
-        beside = f" {cell(others[claim.words])} |" if others else ""
+        beside = "".join(f" {cell(verdicts[claim.words])} |" for _, verdicts in others)
         lines += [f"| {claim.place} | {claim.words} | **{cell(verdict)}** |{beside}"]
     lines += ["", "## One by one"]
     for claim, verdict, figure, test, why in judged:
