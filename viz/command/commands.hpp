@@ -12,6 +12,7 @@ namespace hfrac::command {
 /** What the chosen subcommand does; gives the exit code. */
 using Action = std::function<ExitCode()>;
 
+void add_new(CLI::App& program, Action& action);
 void add_run(CLI::App& program, Action& action);
 void add_resume(CLI::App& program, Action& action);
 void add_check(CLI::App& program, Action& action);
