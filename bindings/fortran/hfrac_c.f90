@@ -640,8 +640,9 @@ module hfrac_c
     !> stepping.mode coupled with solver.kind quasi-static, or substep and dynamic with explicit; with fluid,
     !> without rough joints and temperature. Default 0.
     integer(c_int64_t) :: fracture_law = 0_c_int64_t
-    !> [Pa] Law facet: E' = E / (1 - nu^2) of the rock at a tip, undrained where its pores are tight; 'hfrac lab
-    !> elastic' gives the drained one. Needed with bond.fracture_toughness. Default 0.0.
+    !> [Pa] Law facet: E' = E / (1 - nu^2) of the rock at a tip, undrained where its pores are tight. With
+    !> bond.fracture_toughness 0 means: measured on the model's own packing under the far field, undrained. Default
+    !> 0.0.
     real(c_double) :: fracture_plane_modulus = 0.0_c_double
     !> [1] Share of the bonds, or 10 of them if that is more, that may break in the initial equilibration; where
     !> more break the rock does not bear the far field, and no simulation is built. Default 0.01.
@@ -754,7 +755,7 @@ module hfrac_c
   !> What the set-up made. Set struct_size before the call.
   type, bind(C) :: hfrac_setup_report
     !> sizeof(hfrac_setup_report) of the caller
-    integer(c_int32_t) :: struct_size = 152_c_int32_t
+    integer(c_int32_t) :: struct_size = 160_c_int32_t
     !> 0
     integer(c_int32_t) :: struct_pad = 0_c_int32_t
     !> [m] mean radius of all discs packed; of a graded packing (packing.coarsening) that of its fine discs
@@ -794,6 +795,8 @@ module hfrac_c
     real(c_double) :: exterior_modulus = 0.0_c_double
     !> its Poisson's ratio in plane strain
     real(c_double) :: exterior_poisson_ratio = 0.0_c_double
+    !> [Pa] E' at tips with fracture.law facet, given or measured; else 0
+    real(c_double) :: plane_modulus = 0.0_c_double
   end type hfrac_setup_report
 
   !> Energy and fluid mass since the end of the initial equilibration. Set struct_size before the call.

@@ -304,6 +304,7 @@ int32_t hfrac_sim_get_setup(const hfrac_sim* sim, hfrac_setup_report* report) {
     full.fine_discs = setup.fine_discs;
     full.exterior_modulus = setup.exterior_modulus;
     full.exterior_poisson_ratio = setup.exterior_poisson_ratio;
+    full.plane_modulus = setup.plane_modulus;
     write_struct(report, full, "hfrac_setup_report");
   });
 }

@@ -28,6 +28,7 @@ struct SetupReport {
   std::int64_t fine_discs = 0;                   // packed where a graded packing is fine; uniform: all
   double coarsest_radius = 0.0;                  // m
   std::uint64_t bonded = 0;                      // hash of which contacts are bonded
+  double plane_modulus = 0.0;  // Pa, E' at tips: fracture.plane_modulus as given or measured; 0: none
   double exterior_modulus = 0.0,
          exterior_poisson_ratio = 0.0;  // Pa, 1: E' and nu of the rock beyond; 0: none
   double packing_seconds = 0.0, setup_seconds = 0.0;

@@ -166,11 +166,6 @@ void check_facets(const CaseDefinition& definition) {
            "].state: fracture.law = \"facet\" takes smooth joints only; set it to \"smooth-bonded\" or "
            "\"smooth-broken\", or take fracture.law = \"bond\".");
   }
-  if (o.bond_fracture_toughness > 0.0 && !(o.fracture_plane_modulus > 0.0)) {
-    refuse(
-        "fracture.law = \"facet\" with bond.fracture_toughness needs fracture.plane_modulus above 0 Pa: the "
-        "openings behind a tip tell its stress intensity by E'.");
-  }
 }
 
 void check_rock(const Options& o) {

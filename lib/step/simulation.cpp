@@ -11,10 +11,20 @@
 #include "step/exterior_rock.hpp"
 #include "step/image.hpp"
 #include "step/initial_equilibration.hpp"
+#include "step/rock_block.hpp"
 #include "step/snapshot.hpp"
 #include "step/stages.hpp"
 
 namespace hfrac {
+namespace {
+
+// Law facet judges tips by E', which is the packing's own unless it is given.
+bool wants_plane_modulus(const Options& o) {
+  return FractureLaw{o.fracture_law} == FractureLaw::facet && o.bond_fracture_toughness > 0.0 &&
+         o.fracture_plane_modulus == 0.0;
+}
+
+}  // namespace
 
 Simulation::Simulation(CaseDefinition definition, std::span<const double> given_discs,
                        const Progress& progress, std::span<const std::int64_t> given_bonds)
@@ -24,6 +34,12 @@ Simulation::Simulation(CaseDefinition definition, std::span<const double> given_
   const auto start = std::chrono::steady_clock::now();
   Packing packing = take_discs(definition_, given_discs, progress, setup_);
   if (progress && progress(0.5, "bonding")) throw Stopped{};
+  if (wants_plane_modulus(options())) {
+    RockBlock block(definition_, packing, "fracture.law = \"facet\" with fracture.plane_modulus = 0",
+                    "give fracture.plane_modulus.");
+    definition_.options.fracture_plane_modulus = block.measure().modulus;
+  }
+  setup_.plane_modulus = options().fracture_plane_modulus;
   const bool infinite = BoundaryKind{options().boundary_kind} == BoundaryKind::infinite;
   Packing whole = infinite ? packing : Packing{};
   model_ = build_model(definition_, std::move(packing), given_bonds, setup_);

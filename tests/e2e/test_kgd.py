@@ -100,7 +100,7 @@ class BesideKgd(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         done = hfrac("plot", folder, "--kgd")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("fracture.plane_modulus", done.stderr)
+        self.assertIn("bond.fracture_toughness", done.stderr)
 
     def test_the_table_is_that_of_the_solution(self):
         table = pathlib.Path(__file__).resolve().parents[2] / "viz" / "command" / "kgd_table.inc"

@@ -181,6 +181,24 @@ TEST(Facets, ReleaseTheForceOfThePlate) {
             0.008);  // 0.006; 0.010 without what lies between the wall's contacts and its circle
 }
 
+// E' that is not given is the packing's own: near what its laboratory test says, undrained; and what is measured acts as if it were given.
+TEST(Facets, MeasureThePlaneModulusThatIsNotGiven) {
+  CaseDefinition definition = with_hole(6.0);
+  definition.options.bond_fracture_toughness = 5e6;
+  definition.options.bond_tensile_strength = 20e6;
+  definition.options.bond_shear_strength = 60e6;
+  Simulation measured(definition, {}, {});
+  const double modulus = measured.setup().plane_modulus;
+  EXPECT_NEAR(modulus, 18.6e9, 0.1 * 18.6e9);  // docs/verification/kgd-random.md: 1.3 of the drained one
+  EXPECT_EQ(measured.options().fracture_plane_modulus, modulus);
+  definition.options.fracture_plane_modulus = modulus;
+  Simulation given(definition, {}, {});
+  EXPECT_EQ(given.setup().plane_modulus, modulus);
+  measured.step();
+  given.step();
+  EXPECT_EQ(measured.state_hash(), given.state_hash());
+}
+
 // A fracture that grows from slots: its fluid is accounted for, and a simulation put back to an image goes on with the same bits.
 TEST(Facets, GrowWithoutLosingFluidAndGoOnFromAnImage) {
   CaseDefinition definition = with_hole(6.0);

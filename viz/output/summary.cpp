@@ -32,7 +32,8 @@ json setup_part(const hfrac_setup_report& setup) {
           {"packing_seconds", setup.packing_seconds},
           {"setup_seconds", setup.setup_seconds},
           {"coarsest_radius_m", setup.coarsest_radius},
-          {"fine_discs", setup.fine_discs}};
+          {"fine_discs", setup.fine_discs},
+          {"plane_modulus_Pa", setup.plane_modulus}};
 }
 
 json state_part(const hfrac_sim_state& state) {

@@ -607,6 +607,7 @@ class hfrac_setup_report(ctypes.Structure):
         ("fine_discs", ctypes.c_int64),
         ("exterior_modulus", ctypes.c_double),
         ("exterior_poisson_ratio", ctypes.c_double),
+        ("plane_modulus", ctypes.c_double),
     ]
 
 

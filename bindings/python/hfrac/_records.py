@@ -115,6 +115,8 @@ class SetupReport(NamedTuple):
     exterior_modulus: float
     #: its Poisson's ratio in plane strain
     exterior_poisson_ratio: float
+    #: [Pa] E' at tips with fracture.law facet, given or measured; else 0
+    plane_modulus: float
 
     @classmethod
     def of(cls, struct: _abi.hfrac_setup_report) -> "SetupReport":
@@ -138,6 +140,7 @@ class SetupReport(NamedTuple):
             struct.fine_discs,
             struct.exterior_modulus,
             struct.exterior_poisson_ratio,
+            struct.plane_modulus,
         )
 
 

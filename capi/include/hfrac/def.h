@@ -428,8 +428,9 @@ typedef struct hfrac_sim_def {
    * stepping.mode coupled with solver.kind quasi-static, or substep and dynamic with explicit; with fluid,
    * without rough joints and temperature. Default 0. */
   int64_t fracture_law;
-  /** [Pa] Law facet: E' = E / (1 - nu^2) of the rock at a tip, undrained where its pores are tight; 'hfrac
-   * lab elastic' gives the drained one. Needed with bond.fracture_toughness. Default 0.0. */
+  /** [Pa] Law facet: E' = E / (1 - nu^2) of the rock at a tip, undrained where its pores are tight. With
+   * bond.fracture_toughness 0 means: measured on the model's own packing under the far field, undrained.
+   * Default 0.0. */
   double fracture_plane_modulus;
 
   /** [1] Share of the bonds, or 10 of them if that is more, that may break in the initial equilibration;

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The rock that discs make, measured: the same packing without holes, joints and strengths to exceed, on the stress boundary, drained, at
+// rest under the far field. Its strain under a little more stress along x and along y, over the inner 70 % of its sides, gives E' and nu'.
+// Where fluid stays in its pores the rock is stiffer (Rice and Cleary 1976, Rev. Geophys. Space Phys. 14, 227-241), with plane-strain
+// moduli
+//   K_u = K + alpha^2 M,   E'_u = 4 G K_u / (K_u + G),   nu'_u = (K_u - G) / (K_u + G)
+#pragma once
+
+#include "build/build_model.hpp"
+#include "equilibrium/equilibrium_solver.hpp"
+#include "solid/exterior.hpp"
+#include "step/engine.hpp"
+
+namespace hfrac {
+
+class RockBlock {
+ public:
+  // `asked_by`: the option that asks, and `instead`: what to do without, for messages. `packing`: the model's, before wells were cut.
+  RockBlock(const CaseDefinition& definition, Packing packing, const char* asked_by, const char* instead);
+  // Brings it to rest under these stresses [Pa]. Throws Error(collapsed) where it finds none.
+  void load(double sigma_Hmax, double sigma_hmin);
+  // E' [Pa] and nu' under the far field, undrained where the model has flow. Leaves the block under other stresses.
+  [[nodiscard]] PlaneElasticity measure();
+  [[nodiscard]] const Assembly& assembly() const { return model_.assembly; }
+
+ private:
+  struct Strain {
+    double x, y;  // contraction positive
+  };
+  [[nodiscard]] Strain strain() const;
+  [[nodiscard]] double storing() const;
+
+  CaseDefinition definition_;
+  Model model_;
+  Engine engine_;
+  EquilibriumSolver solver_;
+  const char *asked_by_, *instead_;
+};
+
+}  // namespace hfrac
