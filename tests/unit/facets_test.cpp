@@ -249,9 +249,6 @@ TEST(Facets, AreRefusedWhereTheyAreNotKnown) {
   definition.options.stepping_mode = static_cast<std::int64_t>(SteppingMode::substep);
   EXPECT_ANY_THROW(Simulation(definition, {}, {}));
   definition = confined(20e6);
-  definition.options.bond_fracture_toughness = 1e6;
-  EXPECT_ANY_THROW(Simulation(definition, {}, {}));  // needs E'
-  definition = confined(20e6);
   definition.options.fracture_law = static_cast<std::int64_t>(FractureLaw::bond);
   definition.options.fracture_perforation_length = 1.0;
   EXPECT_ANY_THROW(Simulation(definition, {}, {}));
