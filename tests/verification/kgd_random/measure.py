@@ -20,7 +20,7 @@ class Wing(NamedTuple):
     length: float  # m, from the middle of the well
     ratio: float  # effective hydraulic over mechanical aperture; nan: too short
     by_flanks: float  # the same over the jump between the flanks, along the way from pore to pore
-    monotone: bool  # pressure falls from the well to the tip
+    rise: float  # most that pressure rises from a pore to the next on the way to the tip, over the net pressure; up to 0.01 it falls
 
 
 class Fracture(NamedTuple):
@@ -157,12 +157,12 @@ class Step(NamedTuple):
 def _wing(model: Model, reach: float, steps: List[Step], centres: np.ndarray, pressure: np.ndarray, viscosity: float, net: float) -> Wing:
     """Resistance to flow along a wing, seen by its fluid and by its openings, without the last cracks that are hardly open: the tip."""
     hydraulic = mechanical = by_flanks = 0.0
-    monotone, last = True, pressure[model.domain]
+    rise, last = 0.0, pressure[model.domain]
     lowest = max(1e-4, 0.3 * max(step.opened for step in steps))
     for step in steps:
         if step.opened < lowest or step.flow <= 0.0 or step.flank <= 0.0:
             continue
-        monotone = monotone and pressure[step.node] <= last + 0.01 * net
+        rise = max(rise, (pressure[step.node] - last) / max(net, 1.0))
         last = pressure[step.node]
         ends = [step.middle if d == model.domain else centres[d] for d in (step.parent, step.node)]
         mechanical += abs((ends[1] - ends[0]) @ step.along) / step.opened**3
@@ -170,7 +170,7 @@ def _wing(model: Model, reach: float, steps: List[Step], centres: np.ndarray, pr
         hydraulic += abs(pressure[step.parent] - pressure[step.node]) / (12.0 * viscosity * step.flow)
     enough = len(steps) >= 4 and hydraulic > 0.0
     ratios = [(each / hydraulic) ** (1.0 / 3.0) if enough else math.nan for each in (mechanical, by_flanks)]
-    return Wing(reach, ratios[0], ratios[1], monotone)
+    return Wing(reach, ratios[0], ratios[1], float(rise))
 
 
 def _stored_elsewhere(model: Model, pores: Set[int], volume_now: np.ndarray, pressure: np.ndarray, bulk: float) -> float:
@@ -206,7 +206,7 @@ def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float, shap
     own = next((f for f in fractures if f.well == 0), None)
     intact = np.array(sim.discs.intact_bonds)
     if own is None:
-        nothing = Wing(0.0, math.nan, math.nan, True)
+        nothing = Wing(0.0, math.nan, math.nan, 0.0)
         return Fracture(0.0, 0.0, net, 0.0, injected, 0.0, 0.0, _wall_leak(model, []), 0.0, 0.0, sim.crack_count, 0, 0.0, int((intact == 0).sum()), (nothing, nothing))
     cracks = sim.cracks  # with their fractures
     mine = cracks[cracks.fracture == own.index]
@@ -245,7 +245,7 @@ def fracture(model: Model, sigma_min: float, viscosity: float, bulk: float, shap
         reach = max([model.well_radius] + [float(d) for d in np.hypot(*mine_ends.T)])
         side = [d for d in far if d not in (0, model.domain) and sign * ((centres[d] - model.centre) @ axis) > 0]
         if not side:
-            wings.append(Wing(reach, math.nan, math.nan, True))
+            wings.append(Wing(reach, math.nan, math.nan, 0.0))
             continue
         node, path = max(side, key=lambda d: far[d]), []
         while node != model.domain:
