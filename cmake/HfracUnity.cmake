@@ -4,10 +4,10 @@ option(HFRAC_UNITY "Compile several sources of a folder as one unit" ON)
 set(HFRAC_UNITY_SIZE 8)  # sources in a unit
 
 if(HFRAC_UNITY)
-  add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage>)  # meant for headers, told of every source but a unit's own
+  add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)  # meant for headers, told of every source but a unit's own
 endif()
 
-# Sources with compile options of their own stay alone: CMake leaves them out.
+# To be called when all of a target's sources are named. Sources with compile options of their own stay alone: CMake leaves them out.
 function(unite target)
   if(NOT HFRAC_UNITY)
     return()

@@ -795,7 +795,7 @@ module hfrac_c
     real(c_double) :: exterior_modulus = 0.0_c_double
     !> its Poisson's ratio in plane strain
     real(c_double) :: exterior_poisson_ratio = 0.0_c_double
-    !> [Pa] E' at tips with fracture.law facet, given or measured; else 0
+    !> [Pa] E' at tips: fracture.plane_modulus, given or measured; else 0
     real(c_double) :: plane_modulus = 0.0_c_double
   end type hfrac_setup_report
 

@@ -111,7 +111,7 @@ class CoupledSystem {
   // Pa/m2, by which pressure above the floor is compared with void: a joint's pore is stiffer than the rock around it.
   [[nodiscard]] double floor_stiffness(std::int64_t domain) const {
     const double own = network_.stiffness[domain];
-    if (network_.joint_pore.empty()) return own;
+    if (network_.joint_pore.empty() || network_.joint_pore[domain] == 0) return own;
     return std::min(own, options_.contact_normal_stiffness / (assembly_.mean_radius * assembly_.mean_radius));
   }
   // Of the rock beyond, behind all others.

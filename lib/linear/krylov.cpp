@@ -9,7 +9,7 @@ namespace hfrac {
 namespace {
 
 constexpr Eigen::Index chunk = 2048;
-constexpr std::size_t chunks_worth_sharing = 4;  // chunks
+constexpr std::size_t chunks_worth_sharing = 4;
 
 }  // namespace
 

@@ -18,11 +18,12 @@ namespace hfrac {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 using SymmetricFactor = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower>;
-// Unknowns of a symmetric matrix up to which a factorisation is the faster way, its cost grows with the power 1.5 of their number; beyond,
-// conjugate gradients.
-constexpr std::int64_t largest_to_factorise = 60000;
 using GeneralFactor = Eigen::SparseLU<SparseMatrix>;
 using OrderedFactor = Eigen::SparseLU<SparseMatrix, Eigen::AMDOrdering<int>>;
 using BiconjugateGradients = Eigen::BiCGSTAB<SparseMatrix, Eigen::DiagonalPreconditioner<double>>;
+
+// Unknowns of a symmetric matrix up to which its factor is the faster way, whose cost grows with the power 1.5 of their number; beyond,
+// conjugate gradients.
+constexpr std::int64_t largest_to_factorise = 60000;
 
 }  // namespace hfrac

@@ -10,7 +10,6 @@
 #include "core/error.hpp"
 #include "flow/aperture.hpp"
 #include "options/choices.hpp"
-#include "step/rock_block.hpp"
 
 namespace hfrac {
 namespace {
@@ -42,13 +41,8 @@ std::vector<Vec2> rest_of_rim(const Places& block, const Assembly& a, const Exte
 
 }  // namespace
 
-void begin_exterior(Engine& e, const CaseDefinition& definition, Packing packing, SetupReport& report) {
+void begin_exterior(Engine& e, RockBlock& block, SetupReport& report) {
   const Options& o = e.options;
-  RockBlock block(
-      definition, std::move(packing), "boundary.kind = \"infinite\"",
-      "give boundary.exterior_modulus and boundary.exterior_poisson_ratio, or use boundary.kind = "
-      "\"stress\".");
-  block.load(o.stress_sigma_Hmax, o.stress_sigma_hmin);
   const Assembly& a = e.model.assembly;
   PlaneElasticity rock{o.boundary_exterior_modulus,
                        o.boundary_exterior_poisson_ratio / (1.0 - o.boundary_exterior_poisson_ratio)};

@@ -55,21 +55,24 @@ PlaneElasticity undrained(const PlaneElasticity& rock, double biot_modulus, doub
   return {4.0 * shear * bulk / (bulk + shear), (bulk - shear) / (bulk + shear)};
 }
 
+std::string asked_by(bool exterior) {
+  return exterior ? "boundary.kind = \"infinite\": " : "fracture.plane_modulus = 0, that is to be measured: ";
+}
+
 }  // namespace
 
-RockBlock::RockBlock(const CaseDefinition& definition, Packing packing, const char* asked_by,
-                     const char* instead)
-    : definition_(definition_of_block(definition)),
+RockBlock::RockBlock(const CaseDefinition& definition, Packing packing)
+    : exterior_(BoundaryKind{definition.options.boundary_kind} == BoundaryKind::infinite),
+      definition_(definition_of_block(definition)),
       model_(model_of_block(definition_, std::move(packing))),
       engine_(definition_.options, model_),
       solver_(model_, engine_.facets, *engine_.boundary, *engine_.mechanics, definition_.options,
-              *engine_.workers),
-      asked_by_(asked_by),
-      instead_(instead) {
+              *engine_.workers) {
   engine_.mechanics->use_scaled_masses();
   engine_.mechanics->set_undrained(false);
   solver_.begin_step();
   engine_.boundary->set_load(model_.assembly, 1.0);
+  load(definition_.options.stress_sigma_Hmax, definition_.options.stress_sigma_hmin);
 }
 
 void RockBlock::load(double sigma_Hmax, double sigma_hmin) {
@@ -78,12 +81,12 @@ void RockBlock::load(double sigma_Hmax, double sigma_hmin) {
   const auto moved =
       engine_.mechanics->relax(closest_rest, 20 * definition_.options.stepping_max_cycles, model_.cracks);
   if (moved.at_rest) return;
-  throw Error(
-      ErrorKind::collapsed,
-      std::string(asked_by_) + ": the packing without wells does not come to rest under sigma_Hmax = " +
-          rounded_text(sigma_Hmax) + " Pa and sigma_hmin = " + rounded_text(sigma_hmin) +
-          " Pa (unbalanced-force ratio " + rounded_text(moved.force_ratio) + ", wanted " +
-          rounded_text(closest_rest) + "); lower the stresses or raise the stiffnesses, or " + instead_);
+  throw Error(ErrorKind::collapsed,
+              asked_by(exterior_) + "the packing without wells does not come to rest under sigma_Hmax = " +
+                  rounded_text(sigma_Hmax) + " Pa and sigma_hmin = " + rounded_text(sigma_hmin) +
+                  " Pa (unbalanced-force ratio " + rounded_text(moved.force_ratio) + ", wanted " +
+                  rounded_text(closest_rest) + "); lower the stresses or raise the stiffnesses, or " +
+                  (exterior_ ? "use boundary.kind = \"stress\"." : "give fracture.plane_modulus."));
 }
 
 RockBlock::Strain RockBlock::strain() const {
@@ -114,25 +117,26 @@ double RockBlock::storing() const {
 }
 
 PlaneElasticity RockBlock::measure() {
+  if (measured_) return *measured_;
   const Options& o = definition_.options;
-  const double sigma_Hmax = o.stress_sigma_Hmax, sigma_hmin = o.stress_sigma_hmin;
   const double more = little_more * std::max(o.bond_normal_stiffness, o.contact_normal_stiffness);
-  load(sigma_Hmax, sigma_hmin);
   const Strain before = strain();
-  load(sigma_Hmax + more, sigma_hmin);
+  load(o.stress_sigma_Hmax + more, o.stress_sigma_hmin);
   const Strain by_x = strain();
-  load(sigma_Hmax, sigma_hmin + more);
+  load(o.stress_sigma_Hmax, o.stress_sigma_hmin + more);
   const Strain by_y = strain();
   const double along = 0.5 * (by_x.x - before.x + by_y.y - before.y) / more,
                across = 0.5 * (by_x.y - before.y + by_y.x - before.x) / more;
   const PlaneElasticity rock{1.0 / along, -across / along};
   if (!(rock.modulus > 0.0) || !(std::abs(rock.poisson) < 1.0))
-    throw Error(ErrorKind::model, std::string(asked_by_) +
-                                      ": the packing has no elastic constants under the far field (E' = " +
-                                      rounded_text(rock.modulus) +
-                                      " Pa, nu' = " + rounded_text(rock.poisson) + "); " + instead_);
+    throw Error(ErrorKind::model,
+                asked_by(exterior_) + "the packing has no elastic constants under the far field (E' = " +
+                    rounded_text(rock.modulus) + " Pa, nu' = " + rounded_text(rock.poisson) + "); give " +
+                    (exterior_ ? "boundary.exterior_modulus and boundary.exterior_poisson_ratio."
+                               : "fracture.plane_modulus."));
   const double pores = storing();
-  return pores > 0.0 ? undrained(rock, o.fluid_bulk_modulus / pores, o.rock_biot_coefficient) : rock;
+  measured_ = pores > 0.0 ? undrained(rock, o.fluid_bulk_modulus / pores, o.rock_biot_coefficient) : rock;
+  return *measured_;
 }
 
 }  // namespace hfrac

@@ -6,6 +6,8 @@
 //   K_u = K + alpha^2 M,   E'_u = 4 G K_u / (K_u + G),   nu'_u = (K_u - G) / (K_u + G)
 #pragma once
 
+#include <optional>
+
 #include "build/build_model.hpp"
 #include "equilibrium/equilibrium_solver.hpp"
 #include "solid/exterior.hpp"
@@ -15,11 +17,9 @@ namespace hfrac {
 
 class RockBlock {
  public:
-  // `asked_by`: the option that asks, and `instead`: what to do without, for messages. `packing`: the model's, before wells were cut.
-  RockBlock(const CaseDefinition& definition, Packing packing, const char* asked_by, const char* instead);
-  // Brings it to rest under these stresses [Pa]. Throws Error(collapsed) where it finds none.
-  void load(double sigma_Hmax, double sigma_hmin);
-  // E' [Pa] and nu' under the far field, undrained where the model has flow. Leaves the block under other stresses.
+  // At rest under the far field. `packing`: the model's, before wells were cut. Throws Error(collapsed) where no rest is found.
+  RockBlock(const CaseDefinition& definition, Packing packing);
+  // E' [Pa] and nu' under the far field, undrained where the model has flow. The first call leaves the block under other stresses.
   [[nodiscard]] PlaneElasticity measure();
   [[nodiscard]] const Assembly& assembly() const { return model_.assembly; }
 
@@ -27,14 +27,16 @@ class RockBlock {
   struct Strain {
     double x, y;  // contraction positive
   };
+  void load(double sigma_Hmax, double sigma_hmin);
   [[nodiscard]] Strain strain() const;
   [[nodiscard]] double storing() const;
 
+  bool exterior_;  // asked for by boundary.kind infinite; else by fracture.plane_modulus
+  std::optional<PlaneElasticity> measured_;
   CaseDefinition definition_;
   Model model_;
   Engine engine_;
   EquilibriumSolver solver_;
-  const char *asked_by_, *instead_;
 };
 
 }  // namespace hfrac

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <utility>
 
 #include "core/error.hpp"
@@ -34,17 +35,15 @@ Simulation::Simulation(CaseDefinition definition, std::span<const double> given_
   const auto start = std::chrono::steady_clock::now();
   Packing packing = take_discs(definition_, given_discs, progress, setup_);
   if (progress && progress(0.5, "bonding")) throw Stopped{};
-  if (wants_plane_modulus(options())) {
-    RockBlock block(definition_, packing, "fracture.law = \"facet\" with fracture.plane_modulus = 0",
-                    "give fracture.plane_modulus.");
-    definition_.options.fracture_plane_modulus = block.measure().modulus;
-  }
-  setup_.plane_modulus = options().fracture_plane_modulus;
   const bool infinite = BoundaryKind{options().boundary_kind} == BoundaryKind::infinite;
-  Packing whole = infinite ? packing : Packing{};
+  std::optional<RockBlock> block;
+  if (infinite || wants_plane_modulus(options())) block.emplace(definition_, packing);
   model_ = build_model(definition_, std::move(packing), given_bonds, setup_);
   engine_ = std::make_unique<Engine>(options(), model_);
-  if (infinite) begin_exterior(*engine_, definition_, std::move(whole), setup_);
+  if (infinite) begin_exterior(*engine_, *block, setup_);
+  if (wants_plane_modulus(options())) definition_.options.fracture_plane_modulus = block->measure().modulus;
+  setup_.plane_modulus = options().fracture_plane_modulus;
+  block.reset();
   equilibrate(*engine_, progress, setup_);
   oda_matrix_ = begin_run(*engine_, definition_.wells, setup_);
   loads_ = loads_of(model_);

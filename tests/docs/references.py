@@ -8,6 +8,7 @@ Read are all tracked .md files and the head comment (the first lines that begin 
   `folder/file`               in code quotes, with a known first folder: the file, folder or pattern is there
   `file.cpp: name, other`     a file of that name is there, and holds the names as words
   file.cpp, folder/file.hpp   in code quotes or in a head comment: a file of that name is there
+  `hfrac_name`                in code quotes: a function, type or program of that name stands in headers, bindings or CMake files
 """
 import fnmatch
 import pathlib
@@ -21,6 +22,7 @@ FILE = re.compile(rf"(?<![\w./<*{{-])((?:[\w.-]+/)*[\w-]+\.{SOURCE})\b(?!\()")
 NAMES = re.compile(rf"`((?:[\w.-]+/)*[\w-]+\.(?:{SOURCE}|py|h|c)): ([\w:~]+(?:\(\))?(?:, [\w:~]+(?:\(\))?)*)`")
 CODE = re.compile(r"`([^`\n]+)`")
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
+OURS = re.compile(r"(?<![\w./*-])hfrac_\w+\b(?![*./-])")
 # Files that the programs make, and examples of names of a user's own.
 MADE = re.compile(r"^(build|out)(/|$)|[A-Z]{4}|[<>{}$]|\.\.\.|^docs/images/.*\*")
 
@@ -58,6 +60,10 @@ class References:
         self.by_name = {}
         for path in self.files:
             self.by_name.setdefault(path.rsplit("/", 1)[-1], []).append(path)
+        self.ours = set()
+        for path in self.files:
+            if re.search(r"include/hfrac/|^bindings/|CMakeLists\.txt$|\.cmake$", path) and not path.endswith(".md"):
+                self.ours.update(re.findall(r"\bhfrac_\w+", (ROOT / path).read_text()))
         self.faults = []
         self.checked = 0
 
@@ -94,6 +100,10 @@ class References:
         for code in CODE.findall(text):
             if re.search(rf"^[\w.*/-]+\.{SOURCE}$", code):
                 self.sources(path, code)
+            for name in OURS.findall(code):
+                self.checked += 1
+                if name not in self.ours and not MADE.search(name):
+                    self.fault(path, f"no {name} in headers, bindings or CMake files")
             word = code.split(" ")[0].rstrip(":,")
             first = word.split("/")[0]
             if "/" in word and first in self.top and not MADE.search(word):

@@ -239,6 +239,11 @@ class Families(unittest.TestCase):
         self.assertEqual(run["packing"]["disc_count"], 10000)
         self.assertEqual(run["bond"]["toughness_reference_radius"], 1.14)
 
+    def test_facets_change_the_law_alone(self):
+        of_facets, of_full = (families.expand(which)[0]["figure-05-paper-45-s1"].case for which in ("facets", "full"))
+        self.assertEqual(of_facets.pop("fracture"), {"law": "facet"})
+        self.assertEqual(of_facets, of_full)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -38,15 +38,14 @@ struct Purpose {
   std::string_view about;
 };
 const std::array<Purpose, 8> purposes = {
-    {{"fracture", hfrac_case_fracture,
-      "granite at depth, a perforated well at a constant rate, shut-in; 20 s"},
+    {{"fracture", hfrac_case_fracture, "granite at depth, a perforated well at a constant rate, shut-in"},
      {"minifrac", hfrac_case_minifrac, "injection, shut-in, and closure read from the pressure"},
      {"hour", hfrac_case_hour, "an hour at a constant rate in a model of 600 m"},
      {"crossing", hfrac_case_crossing, "a fracture meets a natural fracture at an angle"},
      {"stress-shadow", hfrac_case_shadow, "two wells side by side, a fracture at each"},
      {"cold-water", hfrac_case_cold, "cold water into hot rock: temperature and thermal stress"},
-     {"paper", hfrac_case_paper, "the paper's main case, 45 MPa in the well; a minute"},
-     {"smoke", hfrac_case_smoke, "the same, small: seconds"}}};
+     {"paper", hfrac_case_paper, "the paper's main case, 45 MPa in the well"},
+     {"smoke", hfrac_case_smoke, "the same, small"}}};
 
 std::string all_purposes() {
   std::string text;

@@ -115,7 +115,7 @@ class SetupReport(NamedTuple):
     exterior_modulus: float
     #: its Poisson's ratio in plane strain
     exterior_poisson_ratio: float
-    #: [Pa] E' at tips with fracture.law facet, given or measured; else 0
+    #: [Pa] E' at tips: fracture.plane_modulus, given or measured; else 0
     plane_modulus: float
 
     @classmethod

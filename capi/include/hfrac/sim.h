@@ -124,7 +124,7 @@ typedef struct hfrac_setup_report {
   int64_t fine_discs;            /**< discs packed where a graded packing is fine; uniform: all */
   double exterior_modulus;       /**< [Pa] E' of the rock beyond with boundary.kind infinite, given or measured; else 0 */
   double exterior_poisson_ratio; /**< its Poisson's ratio in plane strain */
-  double plane_modulus;          /**< [Pa] E' at tips with fracture.law facet, given or measured; else 0 */
+  double plane_modulus;          /**< [Pa] E' at tips: fracture.plane_modulus, given or measured; else 0 */
 } hfrac_setup_report;
 /** What the set-up made. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_get_setup(const hfrac_sim *sim, hfrac_setup_report *report);
