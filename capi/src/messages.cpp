@@ -2,12 +2,31 @@
 // Sentences are only put together if somebody hears them.
 #include "messages.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
+#include "options/choices.hpp"
 #include "options/number_text.hpp"
 #include "step/simulation.hpp"
 
 namespace hfrac::capi {
+namespace {
+
+// K that a tip of law bond asks for under confining stress, over bond.fracture_toughness: a bond ahead feels the mean stress over a disc,
+// so it breaks at K_Ic + 0.8 sigma' sqrt(R) (docs/verification/kgd-random.md, "With contacts and planes"). 1 where that does not apply.
+double excess_of_tips(const Simulation& s) {
+  const Options& o = s.options();
+  if (FractureLaw{o.fracture_law} != FractureLaw::bond || o.bond_fracture_toughness <= 0.0 ||
+      FlowScheme{o.flow_scheme} == FlowScheme::off || s.wells().empty()) {
+    return 1.0;
+  }
+  const bool total = StressConvention{o.stress_convention} == StressConvention::total;
+  const double borne = o.stress_sigma_hmin - (total ? o.fluid_formation_pressure : 0.0);
+  return 1.0 + 0.8 * std::max(0.0, borne) * std::sqrt(s.assembly().mean_radius) / o.bond_fracture_toughness;
+}
+
+}  // namespace
 
 Listener listener_of(hfrac_log_fn function, void* user, std::int64_t level) {
   if (function == nullptr) return {};
@@ -42,6 +61,12 @@ void tell_setup(const hfrac_sim& sim) {
     tell(sim, HFRAC_LOG_WARNING,
          "bonds of fine and coarse discs are equally strong, so the rock's toughness goes with the root of "
          "their radius; give bond.fracture_toughness");
+  }
+  if (excess_of_tips(s) > 1.25) {
+    tell(sim, HFRAC_LOG_WARNING,
+         "with fracture.law = \"bond\" a tip asks for about " + rounded_text(excess_of_tips(s)) +
+             " times bond.fracture_toughness under this stress, so fractures are too short and their pressure too "
+             "high; fracture.law = \"facet\" asks for the toughness alone");
   }
   if (setup.cracks > setup.broken_joints) {
     tell(sim, HFRAC_LOG_WARNING,

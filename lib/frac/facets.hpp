@@ -62,7 +62,7 @@ class Facets {
   [[nodiscard]] const std::vector<std::int32_t>& bonds_of_disc(std::int32_t disc) const {
     return disc_bonds_[disc];
   }
-  // m; n . (du - du_0) along `way`.
+  // m; n . (du - du_0 - g) along `way`.
   [[nodiscard]] double jump(const Assembly& a, const Facet& f, Vec2 way) const {
     return facet_jump(a, start_, f, way);
   }

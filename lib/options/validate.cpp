@@ -156,9 +156,14 @@ void check_facets(const CaseDefinition& definition) {
         "\"explicit\", or take fracture.law = \"bond\".");
   }
   if (ThermalMode{o.thermal_mode} != ThermalMode::off) {
-    refuse(
-        "fracture.law = \"facet\" takes no temperature; set thermal.mode = \"off\", or take "
-        "fracture.law = \"bond\".");
+    if (!coupled)
+      refuse(
+          "fracture.law = \"facet\" takes temperature with stepping.mode = \"coupled\" only; set that and "
+          "solver.kind = \"quasi-static\", or thermal.mode = \"off\", or take fracture.law = \"bond\".");
+    if (ThermalParameters{o.thermal_parameters} == ThermalParameters::table)
+      refuse(
+          "fracture.law = \"facet\" takes no micro-parameters that follow temperature; set "
+          "thermal.parameters = \"constant\", or take fracture.law = \"bond\".");
   }
   for (std::size_t k = 0; k < definition.joints.size(); ++k) {
     if (is_smooth(JointState{definition.joints[k].state})) continue;

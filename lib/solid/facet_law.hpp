@@ -4,7 +4,8 @@
 // frac/facets.hpp says what facets are and what they start from. Both solvers take their forces from here: the quasi-static one with the
 // tangent (equilibrium/bond_response.cpp), the explicit one in every cycle (solid/facet_motion.hpp). With the push
 // P = p_A L_A + p_B L_B of the fluid across the facet:
-//   opening   w = n.(du - du_0) + (P - n.F_0) / k_n
+//   opening   w = n.(du - du_0 - g) + (P - n.F_0) / k_n,  g what the two discs have grown by with temperature along the line between
+//             their centres (model/bond_factors.hpp): where rock shrinks without stress no fracture opens, and where it is held one does
 //   open      w >= 0: no more than the fluid's push and the locked-in force
 //   closed    n.F_0 - k_n n.(du - du_0) pressed together, and along it k_s times the slide less t.F_0, at most mu times what it
 //             transmits beyond P, which is -k_n w
@@ -40,10 +41,17 @@ struct FacetStart {
   double stiffness = 0.0;        // k_n, N/m
 };
 
-// m; n.(du - du_0) along `way`.
+// m; g along `way`.
+inline double facet_growth(const Assembly& a, std::int64_t bond, Vec2 way) {
+  const double growth = a.factors.growth_of(bond);
+  return growth == 0.0 ? 0.0 : growth * dot({a.dx(bond), a.dy(bond)}, way) / a.length(bond);
+}
+
+// m; n.(du - du_0 - g) along `way`.
 inline double facet_jump(const Assembly& a, const FacetStart& s, const Facet& f, Vec2 way) {
   const auto i = a.first[f.bond], j = a.second[f.bond];
-  return dot({a.ux[j] - s.x[j] - (a.ux[i] - s.x[i]), a.uy[j] - s.y[j] - (a.uy[i] - s.y[i])}, way);
+  return dot({a.ux[j] - s.x[j] - (a.ux[i] - s.x[i]), a.uy[j] - s.y[j] - (a.uy[i] - s.y[i])}, way) -
+         facet_growth(a, f.bond, way);
 }
 
 // m; `push`: the fluid's [N].

@@ -311,6 +311,8 @@ inline double undrained_pressure(const KernelArrays& a, int64_t d, double change
   return p;
 }
 
+// turns: whether turning discs change volumes, too (domain_corner_turn is there). Asked once a tile, not once a domain.
+template <bool turns>
 double tile_domains(const KernelArrays& a, const Tile& t, const Quad* motion, Quad* force) {
   double work = 0.0;
   for (int64_t d = t.first_domain; d < t.last_domain; ++d) {
@@ -322,7 +324,7 @@ double tile_domains(const KernelArrays& a, const Tile& t, const Quad* motion, Qu
         const Quad& u = motion[a.domain_corner_disc[k] - t.first_disc];
         change += a.domain_corner_weight[2 * k] * u[0] + a.domain_corner_weight[2 * k + 1] * u[1];
       }
-      if (a.domain_corner_turn != nullptr) {
+      if constexpr (turns) {
         for (int32_t k = begin; k < end; ++k)
           change += a.domain_corner_turn[k] * motion[a.domain_corner_disc[k] - t.first_disc][2];
       }
@@ -332,9 +334,10 @@ double tile_domains(const KernelArrays& a, const Tile& t, const Quad* motion, Qu
       const Quad push = {p * a.domain_corner_weight[2 * k], p * a.domain_corner_weight[2 * k + 1], 0.0, 0.0};
       force[a.domain_corner_disc[k] - t.first_disc] += push;
     }
-    if (a.domain_corner_turn == nullptr) continue;
-    for (int32_t k = begin; k < end; ++k)
-      force[a.domain_corner_disc[k] - t.first_disc] += Quad{0.0, 0.0, p * a.domain_corner_turn[k], 0.0};
+    if constexpr (turns) {
+      for (int32_t k = begin; k < end; ++k)
+        force[a.domain_corner_disc[k] - t.first_disc] += Quad{0.0, 0.0, p * a.domain_corner_turn[k], 0.0};
+    }
   }
   return work;
 }
@@ -383,7 +386,10 @@ void tile_forces(const KernelArrays& a, int64_t tile, double* scratch) {
     scatter(a.first + e, a.second + e, t.first_disc, force, n, c);
   }
   sums.put(a.bond_sums[tile]);
-  if (a.with_pressure != 0) a.domain_sums[tile].work += tile_domains(a, t, motion, force);
+  if (a.with_pressure != 0) {
+    a.domain_sums[tile].work += a.domain_corner_turn == nullptr ? tile_domains<false>(a, t, motion, force)
+                                                                : tile_domains<true>(a, t, motion, force);
+  }
 }
 
 // The same from the arrays of all discs, for bonds that know no tile.

@@ -39,8 +39,8 @@ void load_state(Engine& e, std::span<const std::byte> image, bool whole) {
   if (loader.left() != 0)
     throw Error(ErrorKind::argument, "the state image is longer than this simulation's state.");
   count_logged_slips(e.model);
-  e.facets.update(e.model.assembly, e.model.network, true);
   feel_heat_again(e);
+  e.facets.update(e.model.assembly, e.model.network, true);
   e.model.network.planes.refresh(e.model.network, e.model.assembly);
   e.mechanics->after_restore(e.model.far_field.sigma_Hmax, e.model.far_field.sigma_hmin);
 }

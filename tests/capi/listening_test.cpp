@@ -115,6 +115,30 @@ TEST(Listening, AStepThatDoesNotComeToRestIsAWarning) {
   EXPECT_TRUE(ear.has(HFRAC_LOG_WARNING, "did not come to rest"));
 }
 
+// A C program that takes the defaults would not learn from anything else that its fractures are too short.
+TEST(Listening, ToughnessThatGrowsWithDepthIsAWarning) {
+  const auto warned = [](int64_t law, double sigma) {
+    hfrac::Definition def = cracking_def();
+    Ear ear;
+    def.stress_convention = 0;
+    def.stress_sigma_Hmax = def.stress_sigma_hmin = sigma;
+    def.fluid_formation_pressure = 1e6;
+    def.bond_fracture_toughness = 50e6;
+    def.bond_tensile_strength = def.bond_shear_strength = 1e9;
+    def.wells[0].pressure = 1e6;
+    def.fracture_law = law;
+    if (law == 1) def.fracture_plane_modulus = 16e9;
+    def.log = Ear::hear;
+    def.log_user = &ear;
+    def.log_level = HFRAC_LOG_WARNING;
+    const Sim sim(def);
+    return ear.has(HFRAC_LOG_WARNING, "times bond.fracture_toughness under this stress");
+  };
+  EXPECT_TRUE(warned(0, 20e6));
+  EXPECT_FALSE(warned(0, 2e6));
+  EXPECT_FALSE(warned(1, 20e6));
+}
+
 // Nor does it hear of its own failures, which would never end.
 TEST(Listening, MayReadButNotChange) {
   const Sim sim(cracking_def());
