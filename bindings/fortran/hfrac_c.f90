@@ -637,8 +637,8 @@ module hfrac_c
     !> 0: bond, 1: facet. What a broken bond becomes. bond: a contact of its two discs (the paper). facet: a face
     !> between two pores on which the rock's mean stress before the treatment is released, with
     !> bond.fracture_toughness judged at tips by the openings behind them and strengths as given elsewhere;
-    !> stepping.mode coupled with solver.kind quasi-static, or substep and dynamic with explicit; with fluid,
-    !> without rough joints and temperature. Default 0.
+    !> stepping.mode coupled with solver.kind quasi-static, or substep and dynamic with explicit; with fluid and
+    !> without rough joints; with temperature in mode coupled only. Default 0.
     integer(c_int64_t) :: fracture_law = 0_c_int64_t
     !> [Pa] Law facet: E' = E / (1 - nu^2) of the rock at a tip, undrained where its pores are tight. With
     !> bond.fracture_toughness 0 means: measured on the model's own packing under the far field, undrained. Default
