@@ -245,8 +245,33 @@ class Loader {
   bool compact_;
 };
 
+// What looks at a state takes all arrays alike, however they are kept.
+template <class Look>
+class ReadOnly {
+ public:
+  template <class Flags>
+  void flags(const Flags& values) {
+    look().array(values);
+  }
+  template <class Values>
+  void often_zero(const Values& values) {
+    look().array(values);
+  }
+  template <class Values>
+  void mostly_zero(const Values& values) {
+    look().array(values);
+  }
+  void require(bool /*sound*/) const {}
+  static constexpr bool loading = false;
+
+ private:
+  friend Look;
+  ReadOnly() = default;
+  Look& look() { return static_cast<Look&>(*this); }
+};
+
 // Whether every number it is shown is finite.
-class FiniteCheck {
+class FiniteCheck : public ReadOnly<FiniteCheck> {
  public:
   template <class Value>
   void value(const Value& v) {
@@ -260,32 +285,18 @@ class FiniteCheck {
       finite_ = finite_ && all;
     }
   }
-  template <class Flags>
-  void flags(const Flags& values) {
-    array(values);
-  }
-  template <class Values>
-  void often_zero(const Values& values) {
-    array(values);
-  }
-  template <class Values>
-  void mostly_zero(const Values& values) {
-    array(values);
-  }
   template <class Values, class Item>
   void list(const Values& values, Item&& item) {
     for (const auto& element : values) item(*this, element);
   }
-  void require(bool /*sound*/) const {}
   [[nodiscard]] bool finite() const { return finite_; }
-  static constexpr bool loading = false;
 
  private:
   bool finite_ = true;
 };
 
 // Hashes what it is shown.
-class Hasher {
+class Hasher : public ReadOnly<Hasher> {
  public:
   template <class Value>
   void value(const Value& v) {
@@ -299,26 +310,12 @@ class Hasher {
   void array(const Values& values) {
     for (const auto& v : values) value(v);
   }
-  template <class Flags>
-  void flags(const Flags& values) {
-    array(values);
-  }
-  template <class Values>
-  void often_zero(const Values& values) {
-    array(values);
-  }
-  template <class Values>
-  void mostly_zero(const Values& values) {
-    array(values);
-  }
   template <class Values, class Item>
   void list(const Values& values, Item&& item) {
     value(static_cast<std::int64_t>(values.size()));
     for (const auto& element : values) item(*this, element);
   }
-  void require(bool /*sound*/) const {}
   [[nodiscard]] std::uint64_t result() const { return hash_.value(); }
-  static constexpr bool loading = false;
 
  private:
   Hash hash_;
