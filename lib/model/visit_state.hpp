@@ -77,6 +77,12 @@ void visit_state(Archive& archive, Self& s, bool wet) {
     for (auto* values : {&n.pressure, &n.content, &n.stiffness}) ar.value((*values)[well.place.domain]);
   });
   archive.require(s.wells.size() == s.well_count);
+  // Hashes of models without friction in their wells are what they were before there was any.
+  for (auto& wellbore : s.wellbores) {
+    for (auto* value : {&wellbore.pressure, &wellbore.content, &wellbore.pumped, &wellbore.taken, &wellbore.pump_rate})
+      archive.value(*value);
+    for (auto& cluster : wellbore.clusters) archive.value(cluster.rate);
+  }
   archive.list(s.cracks, [&a](auto& ar, auto& crack) {
     ar.value(crack.bond);
     ar.require(crack.bond >= 0 && crack.bond < a.bond_count());

@@ -33,15 +33,19 @@ constexpr OptionInfo option_rows[] = {
 #undef I64
 
 #define F64(name, unit, initial, min, max, help) \
-  WellOptionInfo{{#name, unit, ValueType::real, nullptr, initial, min, max, help}, &WellOptions::name},
+  WellOptionInfo{{#name, unit, ValueType::real, nullptr, initial, min, max, help}, &WellOptions::name, nullptr},
+#define I64(name, initial, min, max, help) \
+  WellOptionInfo{{#name, "1", ValueType::integer, nullptr, initial, min, max, help}, nullptr, &WellOptions::name},
 #define CHOICE(name, initial, words, help)                                                                 \
   WellOptionInfo{{#name, "1", ValueType::choice, words, static_cast<double>(choice_index(words, initial)), \
                   0.0, static_cast<double>(choice_count(words) - 1), help},                                \
+                 nullptr,                                                                                  \
                  nullptr},
 constexpr WellOptionInfo well_rows[] = {
 #include "options/well_list.inc"
 };
 #undef F64
+#undef I64
 #undef CHOICE
 
 #define HFRAC_ITEM_F64(Item, name, unit, initial, min, max, help) \
@@ -278,7 +282,9 @@ double get_value(const Options& values, const OptionInfo& info) noexcept {
 }
 
 double get_value(const WellOptions& values, const WellOptionInfo& info) noexcept {
-  return info.real != nullptr ? values.*info.real : static_cast<double>(values.control);
+  if (info.real != nullptr) return values.*info.real;
+  return static_cast<double>(info.integer != nullptr ? values.*info.integer
+                                                     : static_cast<std::int64_t>(values.control));
 }
 
 void set_real(Options& values, const OptionInfo& info, std::string_view key, double value) {
@@ -308,6 +314,8 @@ void set_integer(WellOptions& values, const WellOptionInfo& info, std::string_vi
   check_integer(info, key, value);
   if (info.real != nullptr) {
     values.*info.real = static_cast<double>(value);
+  } else if (info.integer != nullptr) {
+    values.*info.integer = value;
   } else {
     values.control = WellControl{value};
   }
