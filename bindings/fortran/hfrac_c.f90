@@ -702,6 +702,10 @@ module hfrac_c
     !> [m] Kind infinite: distance from the model's middle at which the pores have the formation pressure; fluid
     !> flows there steadily through rock of the model's permeability. 0: at the outermost discs. Default 0.0.
     real(c_double) :: boundary_flow_distance = 0.0_c_double
+    !> 0: given, 1: water. given: fluid.viscosity and thermal.fluid_density. water: both are those of water (IAPWS
+    !> R12-08 and R7-97) at thermal.rock_temperature and fluid.formation_pressure; with thermal.mode other than off
+    !> every pore's viscosity follows its temperature and pressure, step by step. Default 0.
+    integer(c_int64_t) :: fluid_kind = 0_c_int64_t
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.

@@ -20,8 +20,8 @@ void begin_wellbores(Model& model, const CaseDefinition& definition) {
     const double density =
         given.fluid_density > 0.0 ? given.fluid_density : definition.options.thermal_fluid_density;
     const WellFriction friction =
-        well_friction(density, given.perforation_count, given.perforation_diameter, given.discharge_coefficient,
-                      given.near_well_friction, given.height);
+        well_friction(density, given.perforation_count, given.perforation_diameter,
+                      given.discharge_coefficient, given.near_well_friction, given.height);
     well.head = density * gravity * given.depth;
     if (!friction.any()) {
       well.storage = given.storage;
@@ -33,8 +33,9 @@ void begin_wellbores(Model& model, const CaseDefinition& definition) {
     Wellbore& wellbore = model.wellbores[static_cast<std::size_t>(well.wellbore)];
     for (const auto& other : wellbore.clusters) {
       if (other.domain == well.place.domain)
-        throw Error(ErrorKind::model, "well[" + std::to_string(w) + "] and well[" + std::to_string(other.well) +
-                                          "] of one wellbore lie in the same hole; place them farther apart.");
+        throw Error(ErrorKind::model,
+                    "well[" + std::to_string(w) + "] and well[" + std::to_string(other.well) +
+                        "] of one wellbore lie in the same hole; place them farther apart.");
     }
     wellbore.clusters.push_back({static_cast<std::int64_t>(w), well.place.domain, friction, 0.0});
     wellbore.storage += given.storage;

@@ -346,7 +346,7 @@ void CoupledSystem::evaluate_pipe(std::size_t e) {
   const auto place = held ? flowing - assembly_.smooth.contacts.data() : 0;
   const auto flow =
       FluidLaw::in_series(law_.respond(held ? held_joints_[static_cast<std::size_t>(place)] : w.aperture,
-                                       pipe_length(n, assembly_, e), drop(e)),
+                                       pipe_length(n, assembly_, e), drop(e), n.viscosity_share_of(e)),
                           n.beyond_of(e));
   n.conductance[e] = flow.conductance;
   slope_[e] = flow.slope;
@@ -370,7 +370,8 @@ void CoupledSystem::evaluate_wellbores() {
 }
 
 void CoupledSystem::keep_wellbores() {
-  for (std::size_t w = 0; duration_ > 0.0 && w < wellbore_flow_.size(); ++w) wellbore_flow_[w].keep((*wellbores_)[w]);
+  for (std::size_t w = 0; duration_ > 0.0 && w < wellbore_flow_.size(); ++w)
+    wellbore_flow_[w].keep((*wellbores_)[w]);
 }
 
 void CoupledSystem::evaluate_domains() {
@@ -524,8 +525,9 @@ void CoupledSystem::evaluate_facet_pipe(std::size_t e, std::size_t facet) {
   if (w.aperture < n.facet_least[e]) w = {n.facet_least[e], 0.0};
   n.aperture[e] = w.aperture;
   const bool held = facet < held_.size();
-  const auto flow =
-      FluidLaw::in_series(law_.respond(held ? held_[facet] : w.aperture, f.way, drop(e)), n.beyond_of(e));
+  const auto flow = FluidLaw::in_series(
+      law_.respond(held ? held_[facet] : w.aperture, f.way, drop(e), n.viscosity_share_of(e)),
+      n.beyond_of(e));
   n.conductance[e] = flow.conductance;
   slope_[e] = flow.slope;
   squeeze_change_[e] = 0.0;

@@ -34,7 +34,8 @@ class CoupledSystem {
   using Vector = Eigen::VectorXd;
 
   CoupledSystem(Assembly& assembly, Network& network, Boundary& boundary, const NonBondedContacts& non_bonded,
-                const Options& options, Workers& workers, Facets& facets, std::vector<Wellbore>* wellbores = nullptr);
+                const Options& options, Workers& workers, Facets& facets,
+                std::vector<Wellbore>* wellbores = nullptr);
 
   // What the step starts from: contents, shear forces and pins as they stand now. `duration` [s] of flow, 0 for none;
   // source[d] [m2/s] into domain d.

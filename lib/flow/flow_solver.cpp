@@ -62,7 +62,8 @@ FlowSolver::FlowSolver(const Network& n, const Options& options, std::vector<Wel
       const auto& clusters = (*wellbores_)[w].clusters;
       for (std::size_t i = 0; i < clusters.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j)
-          visit(std::min(clusters[i].domain, clusters[j].domain), std::max(clusters[i].domain, clusters[j].domain));
+          visit(std::min(clusters[i].domain, clusters[j].domain),
+                std::max(clusters[i].domain, clusters[j].domain));
       }
     }
   };
@@ -224,14 +225,17 @@ void FlowSolver::answer_of_wellbores(const Network& n, double step, Eigen::Vecto
   std::size_t at = 0, pair = 0;
   for (std::size_t w = 0; w < wellbore_flow_.size(); ++w) {
     const auto& clusters = (*wellbores_)[w].clusters;
-    const auto solved = [&](std::size_t i) { return cavitated_[static_cast<std::size_t>(clusters[i].domain)] == 0; };
+    const auto solved = [&](std::size_t i) {
+      return cavitated_[static_cast<std::size_t>(clusters[i].domain)] == 0;
+    };
     for (std::size_t i = 0; i < clusters.size(); ++i) {
       for (std::size_t j = 0; j < clusters.size(); ++j) {
         const double by = step * wellbore_flow_[w].by_pressure(i, j);
         const std::size_t place = i > j ? static_cast<std::size_t>(cluster_places_[pair++])
                                         : static_cast<std::size_t>(diagonal[clusters[i].domain]);
         if (!solved(i)) continue;
-        rhs[clusters[i].domain] -= by * (solved(j) ? linear_at_[at + j] : linear_at_[at + j] - n.floor_pressure);
+        rhs[clusters[i].domain] -=
+            by * (solved(j) ? linear_at_[at + j] : linear_at_[at + j] - n.floor_pressure);
         if (solved(j) && i >= j) value[place] -= by;
       }
     }
@@ -315,10 +319,11 @@ int FlowSolver::solve_step(Network& n, double step, const std::vector<double>& s
     }
   }
   if (changed) {
-    throw Error(ErrorKind::diverged, std::string("which pores are cavitated") +
-                                         (wellbores_ != nullptr ? ", or how wellbores divide their rates," : "") + " did not settle in " +
-                                         std::to_string(most_rounds) +
-                                         " rounds of the flow step; use a smaller stepping.flow_step");
+    throw Error(ErrorKind::diverged,
+                std::string("which pores are cavitated") +
+                    (wellbores_ != nullptr ? ", or how wellbores divide their rates," : "") +
+                    " did not settle in " + std::to_string(most_rounds) +
+                    " rounds of the flow step; use a smaller stepping.flow_step");
   }
   return round;
 }

@@ -36,7 +36,8 @@ double WellboreFlow::surplus(double pressure, std::span<const double> hole) {
 double WellboreFlow::balanced_pressure(std::span<const double> hole) {
   const Wellbore& w = *wellbore_;
   if (hole.size() == 1 && w.storage == 0.0) return hole[0] + w.clusters[0].friction.drop(w.rate);
-  double low = *std::min_element(hole.begin(), hole.end()), high = *std::max_element(hole.begin(), hole.end());
+  double low = *std::min_element(hole.begin(), hole.end()),
+         high = *std::max_element(hole.begin(), hole.end());
   if (w.storage > 0.0) {
     low = std::min(low, start_);
     high = std::max(high, start_);

@@ -34,7 +34,7 @@ struct Model {
   FarField far_field;
   std::vector<Well> wells;
   std::vector<Wellbore> wellbores;  // those with friction or several clusters
-  std::size_t well_count = 0;  // as built, whatever an image says
+  std::size_t well_count = 0;       // as built, whatever an image says
   CrackLog cracks;
   SlipLog slips;                  // of smooth joints
   std::optional<HeatState> heat;  // none with thermal.mode = "off"

@@ -31,6 +31,7 @@ void visit_state(Archive& archive, Self& s, bool wet) {
     archive.array(n.facet_offset);
     archive.array(n.facet_time);
   }
+  if (!n.viscosity_share.empty()) archive.array(n.viscosity_share);  // likewise
   archive.value(n.zero_stress_aperture);
   archive.often_zero(s.increment.pressure_rate);
   for (auto* value : {&s.clock.time, &s.clock.force_ratio, &s.accounts.leaked, &s.clock.tip_distance,
@@ -79,7 +80,8 @@ void visit_state(Archive& archive, Self& s, bool wet) {
   archive.require(s.wells.size() == s.well_count);
   // Hashes of models without friction in their wells are what they were before there was any.
   for (auto& wellbore : s.wellbores) {
-    for (auto* value : {&wellbore.pressure, &wellbore.content, &wellbore.pumped, &wellbore.taken, &wellbore.pump_rate})
+    for (auto* value :
+         {&wellbore.pressure, &wellbore.content, &wellbore.pumped, &wellbore.taken, &wellbore.pump_rate})
       archive.value(*value);
     for (auto& cluster : wellbore.clusters) archive.value(cluster.rate);
   }

@@ -30,7 +30,8 @@ struct WellFriction {
 };
 
 // What a well's numbers make of the law; a length of 0 is 1 m, a coefficient of 0 is 0.6.
-WellFriction well_friction(double density, double count, double diameter, double discharge, double near_well, double height);
+WellFriction well_friction(double density, double count, double diameter, double discharge, double near_well,
+                           double height);
 
 struct Cluster {
   std::int64_t well = 0;  // number of the well
@@ -44,14 +45,14 @@ struct Wellbore {
   double storage = 0.0;           // m2/Pa
   double start_pressure = 0.0;    // Pa, of content 0
   // State:
-  double pressure = 0.0;  // Pa
-  double content = 0.0;   // m2 more than at the start
-  double pumped = 0.0;    // m2 since the model came to rest
-  double taken = 0.0;     // m2 pumped in the increments of the step so far
-  double pump_rate = 0.0; // m2/s, mean of the last step
+  double pressure = 0.0;   // Pa
+  double content = 0.0;    // m2 more than at the start
+  double pumped = 0.0;     // m2 since the model came to rest
+  double taken = 0.0;      // m2 pumped in the increments of the step so far
+  double pump_rate = 0.0;  // m2/s, mean of the last step
   // As driven in the step at hand:
-  bool held = false;   // at `pressure`
-  double rate = 0.0;   // m2/s that the pump gives; not held
+  bool held = false;  // at `pressure`
+  double rate = 0.0;  // m2/s that the pump gives; not held
 };
 
 }  // namespace hfrac

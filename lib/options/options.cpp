@@ -33,9 +33,11 @@ constexpr OptionInfo option_rows[] = {
 #undef I64
 
 #define F64(name, unit, initial, min, max, help) \
-  WellOptionInfo{{#name, unit, ValueType::real, nullptr, initial, min, max, help}, &WellOptions::name, nullptr},
+  WellOptionInfo{                                \
+      {#name, unit, ValueType::real, nullptr, initial, min, max, help}, &WellOptions::name, nullptr},
 #define I64(name, initial, min, max, help) \
-  WellOptionInfo{{#name, "1", ValueType::integer, nullptr, initial, min, max, help}, nullptr, &WellOptions::name},
+  WellOptionInfo{                          \
+      {#name, "1", ValueType::integer, nullptr, initial, min, max, help}, nullptr, &WellOptions::name},
 #define CHOICE(name, initial, words, help)                                                                 \
   WellOptionInfo{{#name, "1", ValueType::choice, words, static_cast<double>(choice_index(words, initial)), \
                   0.0, static_cast<double>(choice_count(words) - 1), help},                                \
@@ -109,6 +111,8 @@ constexpr bool is_word(std::string_view key, std::string_view word, auto index) 
 }
 static_assert(is_word("stress.convention", "total", StressConvention::total) &&
               is_word("stress.convention", "effective", StressConvention::effective));
+static_assert(is_word("fluid.kind", "given", FluidKind::given) &&
+              is_word("fluid.kind", "water", FluidKind::water));
 static_assert(is_word("packing.method", "relaxed", PackingMethod::relaxed) &&
               is_word("packing.method", "tiled", PackingMethod::tiled) &&
               is_word("packing.method", "growth", PackingMethod::growth) &&

@@ -88,7 +88,8 @@ std::uint64_t fingerprint_of(const Engine& e, const SetupReport& report) {
   for (const auto& wellbore : e.model.wellbores) {
     hash.add(wellbore.storage);
     for (const auto& cluster : wellbore.clusters) {
-      for (const double value : {static_cast<double>(cluster.well), cluster.friction.square, cluster.friction.root})
+      for (const double value :
+           {static_cast<double>(cluster.well), cluster.friction.square, cluster.friction.root})
         hash.add(value);
     }
   }
@@ -101,6 +102,7 @@ std::uint64_t fingerprint_of(const Engine& e, const SetupReport& report) {
   for (const auto& info : option_table()) {
     const std::string_view key = info.key;
     if (!beyond && (key.starts_with("boundary.exterior_") || key == "boundary.flow_distance")) continue;
+    if (key == "fluid.kind" && e.options.fluid_kind == 0) continue;  // likewise
     const bool thermal = e.heat && std::string_view(info.key).starts_with("thermal.");
     if (thermal || is_of_the_model(info.key)) hash.add(get_value(e.options, info));
   }

@@ -20,7 +20,8 @@ void require_driver(const Simulation& s, std::size_t well) {
   const auto first = s.model().wellbores[static_cast<std::size_t>(wellbore)].clusters.front().well;
   if (first == static_cast<std::int64_t>(well)) return;
   throw Error(ErrorKind::argument, "well " + std::to_string(well) + " is a cluster of a wellbore that well " +
-                                       std::to_string(first) + " drives; drive well " + std::to_string(first) + ".");
+                                       std::to_string(first) + " drives; drive well " +
+                                       std::to_string(first) + ".");
 }
 
 // The well's schedule ends; the value it is now driven by is changed by `set`.

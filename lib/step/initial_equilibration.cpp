@@ -269,6 +269,7 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
       n.joint_length = joints;
       update_apertures(n, m.assembly, o);
     }
+    if (e.heat && FluidKind{o.fluid_kind} == FluidKind::water) n.viscosity_share.assign(n.left.size(), 1.0);
     e.flow = std::make_unique<FlowSolver>(n, o, &m.wellbores);
     e.mechanics->set_undrained(true);
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/water.hpp"
 #include "flow/aperture.hpp"
 #include "frac/fractures.hpp"
 #include "heat/expansion.hpp"
@@ -36,8 +37,9 @@ void drive_wellbore(Engine& e, Wellbore& wellbore, const WellDrive& drive) {
   if (!wellbore.held) return;
   const double before = wellbore.pressure, gap = drive.target_pressure - before;
   const bool there = drive.control == WellControl::pressure || std::abs(gap) <= drive.ramp_per_step;
-  wellbore.pressure = std::max(there ? drive.target_pressure : before + std::copysign(drive.ramp_per_step, gap),
-                               e.model.network.floor_pressure);
+  wellbore.pressure =
+      std::max(there ? drive.target_pressure : before + std::copysign(drive.ramp_per_step, gap),
+               e.model.network.floor_pressure);
   e.well_jumped = e.well_jumped || wellbore.pressure != before;
 }
 
@@ -94,7 +96,8 @@ void drive_wells(Engine& e) {
     }
   }
   for (auto& wellbore : e.model.wellbores)
-    drive_wellbore(e, wellbore, e.model.wells[static_cast<std::size_t>(wellbore.clusters.front().well)].drive);
+    drive_wellbore(e, wellbore,
+                   e.model.wells[static_cast<std::size_t>(wellbore.clusters.front().well)].drive);
 }
 
 void move_fluid(Engine& e, double duration) {
@@ -122,7 +125,24 @@ void feel_heat_again(Engine& e) {
   if (e.heat) feel_temperature(e.model.assembly, e.model.heat->felt, e.heat->table, e.options);
 }
 
+namespace {
+// Of water in every pipe, the mean of the pores at its ends; until the end of the next step or increment it is fixed, and the tangent exact.
+void update_viscosity(Engine& e) {
+  Network& n = e.model.network;
+  if (n.viscosity_share.empty()) return;
+  const Options& o = e.options;
+  const double datum = o.fluid_formation_pressure - n.reference_pressure;
+  std::vector<double> share(n.kind.size());
+  for (std::size_t d = 0; d < share.size(); ++d)
+    share[d] = water_viscosity_at(e.model.heat->fluid[d], n.pressure[d] + datum) / o.fluid_viscosity;
+  for (std::size_t p = 0; p < n.left.size(); ++p)
+    n.viscosity_share[p] =
+        0.5 * (share[static_cast<std::size_t>(n.left[p])] + share[static_cast<std::size_t>(n.right[p])]);
+}
+}  // namespace
+
 void update_geometry(Engine& e) {
+  update_viscosity(e);
   e.facets.tell_openings(e.model.assembly, e.model.network);
   // Of facets the quasi-static solver finds the apertures with the equilibrium.
   if (e.flow && !(e.facets.active() && e.equilibrium))

@@ -53,11 +53,13 @@ void stimulation_columns(hfrac_sim* sim, const std::vector<hfrac_well_state>& we
 
 /** Of models with wellbore storage, friction or depth. */
 template <class Visit>
-void wellbore_columns(const std::vector<hfrac_well_state>& wells, const hfrac_sim_def& def, const Visit& visit) {
+void wellbore_columns(const std::vector<hfrac_well_state>& wells, const hfrac_sim_def& def,
+                      const Visit& visit) {
   bool any = false;
   for (int64_t i = 0; i < def.well_count; ++i) {
     const hfrac_well_def& well = def.wells[i];
-    any = any || well.storage > 0.0 || well.perforation_count > 0.0 || well.near_well_friction > 0.0 || well.depth > 0.0;
+    any = any || well.storage > 0.0 || well.perforation_count > 0.0 || well.near_well_friction > 0.0 ||
+          well.depth > 0.0;
   }
   for (size_t i = 0; any && i < wells.size(); ++i) {
     const std::string prefix = well_prefix(i);

@@ -546,6 +546,7 @@ class hfrac_sim_def(ctypes.Structure):
         ("boundary_exterior_modulus", ctypes.c_double),
         ("boundary_exterior_poisson_ratio", ctypes.c_double),
         ("boundary_flow_distance", ctypes.c_double),
+        ("fluid_kind", ctypes.c_int64),
     ]
 
 

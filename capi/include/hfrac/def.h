@@ -490,6 +490,11 @@ typedef struct hfrac_sim_def {
    * fluid flows there steadily through rock of the model's permeability. 0: at the outermost discs.
    * Default 0.0. */
   double boundary_flow_distance;
+
+  /** 0: given, 1: water. given: fluid.viscosity and thermal.fluid_density. water: both are those of water
+   * (IAPWS R12-08 and R7-97) at thermal.rock_temperature and fluid.formation_pressure; with thermal.mode
+   * other than off every pore's viscosity follows its temperature and pressure, step by step. Default 0. */
+  int64_t fluid_kind;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */
