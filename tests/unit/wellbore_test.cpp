@@ -2,9 +2,11 @@
 // Wellbores: perforation and near-well friction, storage and how a rate divides among clusters, against solutions by hand within 1 %.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "core/error.hpp"
 #include "flow/wellbore_flow.hpp"
 #include "small_case.hpp"
 #include "step/simulation.hpp"
@@ -103,28 +105,36 @@ TEST(WellboreFlow, APumpThatTakesOutMoreThanTheFrictionLetsGetsLess) {
   EXPECT_NEAR(wellbore.pumped, -1e-2 - 1e-10 * 30e6, 2e-5);
 }
 
-// Storage of the wellbore a thousand times the hole's: in rock that lets little in, dp / dt = Q / C.
+// In rock that lets nothing in, dp / dt = Q / C, C the wellbore's storage and what the hole stores by itself, which a run without tells.
 TEST(WellboreStorage, RisesByTheRateOverIt) {
   for (const auto mode : {SteppingMode::substep, SteppingMode::coupled}) {
+    CaseDefinition definition = quiet_case();
+    Options& o = definition.options;
+    o.flow_permeability = 1e-22;
+    o.stepping_force_ratio = 1e-6;  // what damped motion leaves would be seen in the pressure
+    o.stepping_mode = choice(mode);
+    if (mode == SteppingMode::coupled) o.solver_kind = choice(SolverKind::quasi_static);
+    WellOptions& well = definition.wells[0];
+    well.control = WellControl::rate;
+    well.rate = 10.0;
+    Simulation alone(definition, {}, {});
+    alone.step();
+    const double own = 10.0 / (hole_pressure(alone, 0) - 25e6);  // m2/Pa
     for (const double near_well : {0.0, 1e4}) {  // part of the hole, or beyond a little friction
-      CaseDefinition definition = quiet_case();
-      Options& o = definition.options;
-      o.flow_permeability = 1e-22;
-      o.stepping_mode = choice(mode);
-      if (mode == SteppingMode::coupled) o.solver_kind = choice(SolverKind::quasi_static);
-      WellOptions& well = definition.wells[0];
-      well.control = WellControl::rate;
-      well.rate = 1e-2;
-      well.storage = 1e-4;
+      well.storage = 2e-5;
       well.near_well_friction = near_well;
       Simulation s(definition, {}, {});
       for (int k = 1; k <= 5; ++k) {
         s.step();
-        EXPECT_NEAR(hole_pressure(s, 0) - 25e6, k * 1e-2 / 1e-4, one_percent * k * 1e-2 / 1e-4);
+        const double rise = k * 10.0 / (2e-5 + own);
+        // Beyond friction that of the wellbore: in mode substep a hole gives way after the flow and is filled in the next step.
+        const double pressure = near_well > 0.0 ? s.model().wellbores.front().pressure : hole_pressure(s, 0);
+        EXPECT_NEAR(pressure - 25e6, rise, one_percent * rise);
       }
       EXPECT_LE(std::abs(s.balance().fluid_error), 1e-12 * s.balance().injected);
-      EXPECT_NEAR(s.balance().injected, 5e-2, 1e-12);
+      EXPECT_NEAR(s.balance().injected, 50.0, 1e-10);
     }
+    EXPECT_LT(own, 0.1 * 2e-5);  // or the storage would not be what is tested
   }
 }
 
@@ -133,12 +143,15 @@ TEST(WellboreStorage, EmptiesExponentially) {
   CaseDefinition definition = quiet_case();
   Options& o = definition.options;
   o.fluid_bulk_modulus = 1e11;  // of pores that store little
-  o.stepping_flow_step = 50.0;
+  o.flow_permeability = 1e-11;
+  o.stepping_mode = choice(SteppingMode::coupled);  // what damped motion leaves would be seen in the rate
+  o.solver_kind = choice(SolverKind::quasi_static);
+  o.stepping_flow_step = 2000.0;  // 20 of them to come to a steady flow
   definition.wells[0].pressure = 25.1e6;
-  definition.wells[0].storage = 2e-5;
+  definition.wells[0].storage = 1e-3;  // far above what the rock stores as it gives
   Simulation s(definition, {}, {});
   for (int k = 0; k < 20; ++k) s.step();
-  const double conductance = s.wells()[0].rate / 0.1e6, time = 2e-5 / conductance;
+  const double conductance = s.wells()[0].rate / 0.1e6, time = 1e-3 / conductance;
   set_well_rate(s, 0, 0.0);
   const double step = time / 400.0;
   for (int k = 0; k < 400; ++k) s.step(s.loads(), step);
@@ -183,10 +196,12 @@ TEST(SharedWellbore, DividesItsRateInEveryModeOfStepping) {
     EXPECT_NEAR(q0 / q1, 2.0, one_percent * 2.0);  // drops of MPa, holes that differ by little
     const double drop =
         8.0 * 1000.0 * std::pow(10.0 * q0, 2) / (std::numbers::pi * std::numbers::pi * 16.0 * 1e-8 * 0.64);
-    if (mode == SteppingMode::coupled)
+    if (mode == SteppingMode::coupled) {
       EXPECT_NEAR(wellbore.pressure - hole_pressure(s, 0), drop, one_percent * drop);
+    }
     EXPECT_NEAR(s.wells()[0].injected + s.wells()[1].injected, s.balance().injected, 1e-14);
-    EXPECT_LE(std::abs(s.balance().fluid_error), 1e-12 * s.balance().injected);
+    // Of what was injected, or of the holes' volume changes, whose digits the books have.
+    EXPECT_LE(std::abs(s.balance().fluid_error), 1e-12 * std::max(s.balance().injected, 1e-3));
     EXPECT_EQ(wellbore.pump_rate, 3e-3);
   }
 }
