@@ -267,6 +267,24 @@ module hfrac_c
     real(c_double) :: rate = 0.0_c_double
     !> enum hfrac_well_control
     integer(c_int64_t) :: control = 0_c_int64_t
+    !> [m2/Pa] volume of the wellbore's fluid per metre of thickness times compressibility
+    real(c_double) :: storage = 0.0_c_double
+    !> [1] perforations between wellbore and hole; 0: no perforation friction
+    real(c_double) :: perforation_count = 0.0_c_double
+    !> [m] of one
+    real(c_double) :: perforation_diameter = 0.0_c_double
+    !> [1] of one; 0: 0.6
+    real(c_double) :: discharge_coefficient = 0.0_c_double
+    !> [Pa/(m3/s)^0.5] coefficient k of k sqrt(Q), Q = rate times height
+    real(c_double) :: near_well_friction = 0.0_c_double
+    !> [m] of the well over which the rate per thickness is spread; 0: 1 m
+    real(c_double) :: height = 0.0_c_double
+    !> [m] of the perforations below the wellhead
+    real(c_double) :: depth = 0.0_c_double
+    !> [kg/m3] in wellbore and perforations; 0: thermal.fluid_density
+    real(c_double) :: fluid_density = 0.0_c_double
+    !> number of the wellbore it is a cluster of, the first of which drives it; 0: one of its own
+    integer(c_int64_t) :: wellbore = 0_c_int64_t
   end type hfrac_well_def
 
   !> A straight line along which the rock is weaker or broken: it takes the bonds between discs whose centres lie on
@@ -684,6 +702,10 @@ module hfrac_c
     !> [m] Kind infinite: distance from the model's middle at which the pores have the formation pressure; fluid
     !> flows there steadily through rock of the model's permeability. 0: at the outermost discs. Default 0.0.
     real(c_double) :: boundary_flow_distance = 0.0_c_double
+    !> 0: given, 1: water. given: fluid.viscosity and thermal.fluid_density. water: both are those of water (IAPWS
+    !> R12-08 and R7-97) at thermal.rock_temperature and fluid.formation_pressure; with thermal.mode other than off
+    !> every pore's viscosity follows its temperature and pressure, step by step. Default 0.
+    integer(c_int64_t) :: fluid_kind = 0_c_int64_t
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.
@@ -901,7 +923,7 @@ module hfrac_c
   !> One well as it stands. Set struct_size before the call.
   type, bind(C) :: hfrac_well_state
     !> sizeof(hfrac_well_state) of the caller
-    integer(c_int32_t) :: struct_size = 80_c_int32_t
+    integer(c_int32_t) :: struct_size = 104_c_int32_t
     !> enum hfrac_well_control in force
     integer(c_int32_t) :: control = 0_c_int32_t
     !> [m] centre
@@ -922,6 +944,12 @@ module hfrac_c
     integer(c_int64_t) :: domain = 0_c_int64_t
     !> [m] of the hole that was asked for; its wall follows discs (equivalent_radius)
     real(c_double) :: radius = 0.0_c_double
+    !> [Pa] before the perforations, as stress.convention says; without friction that of the hole
+    real(c_double) :: wellbore_pressure = 0.0_c_double
+    !> [Pa] absolute: that of the wellbore less rho g depth
+    real(c_double) :: wellhead_pressure = 0.0_c_double
+    !> [m2/s] that the pump gave the wellbore, with all its clusters, in the last step
+    real(c_double) :: wellbore_rate = 0.0_c_double
   end type hfrac_well_state
 
   !> What a field is. Texts point into the library.

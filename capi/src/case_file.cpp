@@ -323,6 +323,12 @@ class CaseReader {
     }
     const auto has = [&](const char* key) { return table.contains(key); };
     if (!has("radius")) refuse(table, name + " has no radius; a well needs radius, and pressure or rate.");
+    const bool driven = well.wellbore > 0 && std::any_of(result_.wells.begin(), result_.wells.end(),
+                                                         [&](const WellOptions& first) {
+                                                           return first.wellbore == well.wellbore;
+                                                         });
+    if (driven && !has("pressure") && !has("rate") && !has("schedule_file"))
+      return well;  // by the wellbore's first
     if (!has("control")) {
       if (has("pressure") == has("rate")) {
         refuse(

@@ -48,6 +48,7 @@ std::string value_text(const OptionInfo& info, const Options& values) {
 
 std::string value_text(const WellOptionInfo& info, const WellOptions& values) {
   if (info.real != nullptr) return real_text(values.*info.real);
+  if (info.integer != nullptr) return number_text(values.*info.integer);
   return quoted(choice_word(info.choices, static_cast<std::int64_t>(values.control)));
 }
 

@@ -113,7 +113,8 @@ void set_count(List list, hfrac_sim_def& def, std::int64_t count) {
   put_items(list, items, def);
 }
 
-std::int64_t integer_of(const WellOptions& values, const WellOptionInfo& /*info*/) {
+std::int64_t integer_of(const WellOptions& values, const WellOptionInfo& info) {
+  if (info.integer != nullptr) return values.*info.integer;
   return static_cast<std::int64_t>(values.control);
 }
 template <class Item>

@@ -30,10 +30,12 @@ constexpr std::int32_t def_version = 2;
 
 #define F64(name, unit, initial, min, max, help) \
   static_assert(std::is_same_v<decltype(hfrac_well_def::name), double>);
-#define CHOICE(name, initial, words, help) \
+#define I64(name, initial, min, max, help) \
   static_assert(std::is_same_v<decltype(hfrac_well_def::name), std::int64_t>);
+#define CHOICE(name, initial, words, help) I64(name, initial, 0, 0, help)
 #include "options/well_list.inc"
 #undef F64
+#undef I64
 #undef CHOICE
 
 #define F64(name, unit, initial, min, max, help) \

@@ -41,17 +41,27 @@ struct Wells {
   static auto& size(auto& def) { return def.well_size; }
   static auto& in(auto& definition) { return definition.wells; }
   static const WellOptionInfo* find(std::string_view value) { return find_well_option(value); }
-  static Values get(const Item& w) {
-    return {w.x, w.y, w.radius, w.pressure, w.ramp_per_step, w.rate, WellControl{w.control}};
-  }
-  static Item put(const Values& w) {
-    return {w.x, w.y, w.radius, w.pressure, w.ramp_per_step, w.rate, static_cast<std::int64_t>(w.control)};
-  }
+  static Values get(const Item& w) { return converted<Values>(w); }
+  static Item put(const Values& w) { return converted<Item>(w); }
   static Values fresh(const hfrac_sim_def& def) {  // in the model's middle
     Values well;
     well.x = 0.5 * def.model_width;
     well.y = 0.5 * def.model_height;
     return well;
+  }
+
+ private:
+  template <class To>
+  static To converted(const auto& from) {
+    To to{};
+#define F64(name, ...) to.name = from.name;
+#define I64(name, ...) to.name = from.name;
+#define CHOICE(name, ...) to.name = static_cast<decltype(to.name)>(from.name);
+#include "options/well_list.inc"
+#undef F64
+#undef I64
+#undef CHOICE
+    return to;
   }
 };
 

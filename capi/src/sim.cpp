@@ -423,6 +423,17 @@ int32_t hfrac_well_get(const hfrac_sim* sim, int32_t index, hfrac_well_state* st
     full.injected_volume = well.injected;
     full.domain = well.place.domain;
     full.radius = sim->simulation->definition().wells[static_cast<std::size_t>(index)].radius;
+    const Simulation& s = *sim->simulation;
+    full.wellbore_pressure = full.pressure;
+    full.wellbore_rate = full.rate;
+    if (well.wellbore >= 0) {
+      const Wellbore& wellbore = s.model().wellbores[static_cast<std::size_t>(well.wellbore)];
+      full.wellbore_pressure = wellbore.pressure;
+      full.wellbore_rate = wellbore.pump_rate;
+    }
+    const bool net = StressConvention{s.options().stress_convention} == StressConvention::effective;
+    full.wellhead_pressure =
+        full.wellbore_pressure + (net ? s.options().fluid_formation_pressure : 0.0) - well.head;
     write_struct(state, full, "hfrac_well_state");
   });
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "build/wellbores.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "geom/faces.hpp"
@@ -117,8 +118,13 @@ Model build_model(const CaseDefinition& definition, Packing packing,
     }
     model.wells.push_back(well);
   }
+  begin_wellbores(model, definition);
   model.network = build_network(std::move(faces), assembly, well_domains, o);
   begin_joint_pores(model.network, assembly, o);
+  for (auto& wellbore : model.wellbores)
+    wellbore.start_pressure = wellbore.pressure = model.network.reference_pressure;
+  for (const auto& well : model.wells)
+    model.network.storing[well.place.domain] += well.storage * o.fluid_bulk_modulus;
   model.well_count = model.wells.size();
   model.far_field = {o.stress_sigma_Hmax, o.stress_sigma_hmin, o.fluid_formation_pressure, false};
   return model;

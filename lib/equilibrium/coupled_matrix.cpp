@@ -91,6 +91,9 @@ void CoupledSystem::each_entry(const Emit& emit) const {
            -boundary_.exterior()->compliance()(row, column) * pressure_scale_ / length_scale_);
   }
   if (!wet_ || duration_ <= 0.0) return;
+  each_cluster_pair([&](std::int32_t row, std::int32_t column, double by) {
+    emit(at(row), at(column), at_floor_[static_cast<std::size_t>(row)] == 0 ? by : 0.0);
+  });
   for (std::size_t e = 0; e < bonds_.size(); ++e) {
     const auto l = n.left[e], r = n.right[e];
     if (l == r) continue;

@@ -207,6 +207,9 @@ void CoupledSystem::product(const Vector& x, Vector& y) const {
   });
   products_of_few(x, y);
   if (!wet_) return;
+  each_cluster_pair([&](std::int32_t row, std::int32_t column, double by) {
+    if (at_floor_[static_cast<std::size_t>(row)] == 0) y[pressure_at(row)] += by * x[pressure_at(column)];
+  });
   products_of_facets(x, y);
 }
 

@@ -15,7 +15,7 @@ namespace hfrac {
 
 CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& boundary,
                              const NonBondedContacts& non_bonded, const Options& options, Workers& workers,
-                             Facets& facets)
+                             Facets& facets, std::vector<Wellbore>* wellbores)
     : assembly_(assembly),
       network_(network),
       boundary_(boundary),
@@ -23,6 +23,7 @@ CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& bou
       options_(options),
       workers_(workers),
       facets_(facets),
+      wellbores_(wellbores),
       discs_(assembly.disc_count()),
       domains_(network.domain_count()),
       tractions_(boundary.exterior() == nullptr ? 0 : static_cast<std::int64_t>(boundary.exterior()->size())),
@@ -56,6 +57,9 @@ void CoupledSystem::begin(double duration, const std::vector<double>& source) {
   duration_ = duration;
   source_ = source;
   source_.resize(static_cast<std::size_t>(domains_), 0.0);
+  wellbore_flow_.resize(wet_ && wellbores_ != nullptr ? wellbores_->size() : 0);
+  for (std::size_t w = 0; w < wellbore_flow_.size(); ++w)
+    wellbore_flow_[w].begin((*wellbores_)[w], duration, network_.floor_pressure);
   content_start_.assign(network_.content.begin(), network_.content.end());
   outer_drop_.assign(bonds_.size(), 0.0);
   for (std::size_t k = 0; k < network_.outer_pipe.size(); ++k) {
@@ -150,6 +154,7 @@ void CoupledSystem::evaluate() {
   for (std::int64_t i = 0; i < discs_; ++i) {
     if (adrift_[static_cast<std::size_t>(i)] != 0) residual_.segment<3>(3 * i).setZero();
   }
+  evaluate_wellbores();
   if (wet_) evaluate_domains();
   measure();
   for (std::int64_t i = 0; i < discs_; ++i) {
@@ -342,7 +347,7 @@ void CoupledSystem::evaluate_pipe(std::size_t e) {
   const auto place = held ? flowing - assembly_.smooth.contacts.data() : 0;
   const auto flow =
       FluidLaw::in_series(law_.respond(held ? held_joints_[static_cast<std::size_t>(place)] : w.aperture,
-                                       pipe_length(n, assembly_, e), drop(e)),
+                                       pipe_length(n, assembly_, e), drop(e), n.viscosity_share_of(e)),
                           n.beyond_of(e));
   n.conductance[e] = flow.conductance;
   slope_[e] = flow.slope;
@@ -350,6 +355,24 @@ void CoupledSystem::evaluate_pipe(std::size_t e) {
   const double by_aperture = duration_ * flow.by_aperture * n.conductance[e] / w.aperture;
   aperture_change_[e] = by_aperture * w.by_opening * drop(e);
   squeeze_change_[e] = by_aperture * w.by_gap * drop(e);
+}
+
+// Rates of clusters at the pressures of their holes as they stand.
+void CoupledSystem::evaluate_wellbores() {
+  for (std::size_t w = 0; duration_ > 0.0 && w < wellbore_flow_.size(); ++w) {
+    const auto& clusters = (*wellbores_)[w].clusters;
+    hole_.clear();
+    for (const auto& cluster : clusters)
+      hole_.push_back(std::max(network_.pressure[cluster.domain], network_.floor_pressure));
+    wellbore_flow_[w].solve(hole_);
+    for (std::size_t i = 0; i < clusters.size(); ++i)
+      source_[static_cast<std::size_t>(clusters[i].domain)] = wellbore_flow_[w].rate(i);
+  }
+}
+
+void CoupledSystem::keep_wellbores() {
+  for (std::size_t w = 0; duration_ > 0.0 && w < wellbore_flow_.size(); ++w)
+    wellbore_flow_[w].keep((*wellbores_)[w]);
 }
 
 void CoupledSystem::evaluate_domains() {
@@ -503,8 +526,9 @@ void CoupledSystem::evaluate_facet_pipe(std::size_t e, std::size_t facet) {
   if (w.aperture < n.facet_least[e]) w = {n.facet_least[e], 0.0};
   n.aperture[e] = w.aperture;
   const bool held = facet < held_.size();
-  const auto flow =
-      FluidLaw::in_series(law_.respond(held ? held_[facet] : w.aperture, f.way, drop(e)), n.beyond_of(e));
+  const auto flow = FluidLaw::in_series(
+      law_.respond(held ? held_[facet] : w.aperture, f.way, drop(e), n.viscosity_share_of(e)),
+      n.beyond_of(e));
   n.conductance[e] = flow.conductance;
   slope_[e] = flow.slope;
   squeeze_change_[e] = 0.0;

@@ -20,6 +20,7 @@
 #include "core/workers.hpp"
 #include "equilibrium/bond_response.hpp"
 #include "flow/fluid_law.hpp"
+#include "flow/wellbore_flow.hpp"
 #include "frac/facets.hpp"
 #include "linear/front_tree.hpp"
 #include "model/network.hpp"
@@ -33,7 +34,8 @@ class CoupledSystem {
   using Vector = Eigen::VectorXd;
 
   CoupledSystem(Assembly& assembly, Network& network, Boundary& boundary, const NonBondedContacts& non_bonded,
-                const Options& options, Workers& workers, Facets& facets);
+                const Options& options, Workers& workers, Facets& facets,
+                std::vector<Wellbore>* wellbores = nullptr);
 
   // What the step starts from: contents, shear forces and pins as they stand now. `duration` [s] of flow, 0 for none;
   // source[d] [m2/s] into domain d.
@@ -89,6 +91,8 @@ class CoupledSystem {
 
   // Content of every domain and flow of every pipe after the step.
   void keep_flow();
+  // Pressure, content and rates of wellbores after the step.
+  void keep_wellbores();
 
  private:
   // Share of k_n added to every disc's tangent, not to its forces: what nothing holds moves finitely.
@@ -149,6 +153,10 @@ class CoupledSystem {
   void evaluate_few();
   void find_fragments();
   void evaluate_pipe(std::size_t e);
+  void evaluate_wellbores();
+  // visit(domain, other domain, d(rate into the first) dt / d(pressure of the second), scaled as entries of the tangent are).
+  template <class Visit>
+  void each_cluster_pair(const Visit& visit) const;
   void evaluate_domains();
   double evaluate_domain(std::int64_t d);
   void measure();
@@ -160,6 +168,9 @@ class CoupledSystem {
   const Options& options_;
   Workers& workers_;
   Facets& facets_;
+  std::vector<Wellbore>* wellbores_;  // none: there are none with friction
+  std::vector<WellboreFlow> wellbore_flow_;
+  std::vector<double> hole_;          // Pa, of a wellbore's clusters
   std::vector<double> facet_change_;  // per domain: volume change beside that of the corners [m2]
   std::vector<char> facet_open_;
   std::vector<double> held_;         // per facet: aperture its conductance goes by [m]
@@ -205,6 +216,18 @@ class CoupledSystem {
   Vector residual_;
   double contact_force_ = 0.0, force_ratio_ = 0.0, pressure_error_ = 0.0;
 };
+
+template <class Visit>
+void CoupledSystem::each_cluster_pair(const Visit& visit) const {
+  for (std::size_t w = 0; duration_ > 0.0 && w < wellbore_flow_.size(); ++w) {
+    const auto& clusters = (*wellbores_)[w].clusters;
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+      for (std::size_t j = 0; j < clusters.size(); ++j)
+        visit(clusters[i].domain, clusters[j].domain,
+              duration_ * wellbore_flow_[w].by_pressure(i, j) * pressure_scale_ / length_scale_);
+    }
+  }
+}
 
 // visit(disc, point, weight of the traction at the point on the disc [m]).
 template <class Visit>

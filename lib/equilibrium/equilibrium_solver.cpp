@@ -38,7 +38,7 @@ EquilibriumSolver::EquilibriumSolver(Model& model, Facets& facets, Boundary& bou
       options_(options),
       facets_(facets),
       system_(model.assembly, model.network, boundary, mechanics.non_bonded_contacts(), options, workers,
-              facets),
+              facets, &model.wellbores),
       factor_(workers),
       krylov_(workers) {}
 
@@ -75,7 +75,10 @@ EquilibriumSolver::Outcome EquilibriumSolver::solve(double duration, const std::
       return outcome;
     }
     // Before pressures are made to follow the contents: the balance counts what those were moved by.
-    if (exceeding_.empty() && duration > 0.0) system_.keep_flow();
+    if (exceeding_.empty() && duration > 0.0) {
+      system_.keep_flow();
+      system_.keep_wellbores();
+    }
     keep_round();
     if (exceeding_.empty()) {
       boundary_.remove_rigid_motion(assembly_);

@@ -191,7 +191,8 @@ void update_apertures(Network& n, const Assembly& a, const Options& o) {
     const bool shut = n.left[e] == n.right[e] || (closed && (n.left[e] == 0 || n.right[e] == 0));
     n.conductance[e] =
         shut ? 0.0
-             : FluidLaw::in_series(law.respond(w, length, n.pressure[n.left[e]] - n.pressure[n.right[e]]),
+             : FluidLaw::in_series(law.respond(w, length, n.pressure[n.left[e]] - n.pressure[n.right[e]],
+                                               n.viscosity_share_of(e)),
                                    n.beyond_of(e))
                    .conductance;
   }

@@ -18,6 +18,9 @@ constexpr int most_iterations = 20000;
 constexpr double floor_slack = 0.1;  // Pa
 // A fluid that thins: sum of the flows' errors over the flows, at which conductances and pressures agree.
 constexpr double thinning_tolerance = 1e-7;
+// Error of a cluster's rate over what its wellbore's clusters take, at which rates and pressures agree; and above which rates answer by
+// their chord instead of their tangent, which goes to and fro where flow turns round.
+constexpr double wellbore_tolerance = 1e-9, wellbore_settled = 0.2;
 
 // Pressure from content without the floor of cavitation.
 double full_pressure(const Network& n, std::size_t d) {
@@ -33,8 +36,10 @@ double outer_flow(const Network& n, std::size_t k) {
 
 }  // namespace
 
-FlowSolver::FlowSolver(const Network& n, const Options& options)
-    : explicit_(FlowScheme{options.flow_scheme} == FlowScheme::explicit_scheme), law_(options) {
+FlowSolver::FlowSolver(const Network& n, const Options& options, std::vector<Wellbore>* wellbores)
+    : explicit_(FlowScheme{options.flow_scheme} == FlowScheme::explicit_scheme),
+      law_(options),
+      wellbores_(wellbores != nullptr && !wellbores->empty() ? wellbores : nullptr) {
   const auto domains = static_cast<Eigen::Index>(n.domain_count());
   cavitated_.assign(static_cast<std::size_t>(domains), 0);
   const FlowMatrixSolver wanted{options.flow_solver};
@@ -52,6 +57,17 @@ FlowSolver::FlowSolver(const Network& n, const Options& options)
   for (std::size_t e = 0; e < n.left.size(); ++e) {
     if (joins(e)) ++start[static_cast<std::size_t>(std::min(n.left[e], n.right[e])) + 1];
   }
+  const auto each_pair = [&](const auto& visit) {
+    for (std::size_t w = 0; wellbores_ != nullptr && w < wellbores_->size(); ++w) {
+      const auto& clusters = (*wellbores_)[w].clusters;
+      for (std::size_t i = 0; i < clusters.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j)
+          visit(std::min(clusters[i].domain, clusters[j].domain),
+                std::max(clusters[i].domain, clusters[j].domain));
+      }
+    }
+  };
+  each_pair([&](std::int32_t low, std::int32_t) { ++start[static_cast<std::size_t>(low) + 1]; });
   for (std::size_t d = 0; d < static_cast<std::size_t>(domains); ++d) start[d + 1] += start[d];
   std::vector<int> neighbour(static_cast<std::size_t>(start.back()));
   auto cursor = start;
@@ -61,6 +77,9 @@ FlowSolver::FlowSolver(const Network& n, const Options& options)
           cursor[static_cast<std::size_t>(std::min(n.left[e], n.right[e]))]++)] =
           std::max(n.left[e], n.right[e]);
   }
+  each_pair([&](std::int32_t low, std::int32_t high) {
+    neighbour[static_cast<std::size_t>(cursor[static_cast<std::size_t>(low)]++)] = high;
+  });
   matrix_.resize(domains, domains);
   Eigen::VectorXi most(domains);
   for (Eigen::Index d = 0; d < domains; ++d)
@@ -85,6 +104,7 @@ FlowSolver::FlowSolver(const Network& n, const Options& options)
     off_diagonal_.push_back(joins(e) ? place(std::max(n.left[e], n.right[e]), std::min(n.left[e], n.right[e]))
                                      : -1);
   }
+  each_pair([&](std::int32_t low, std::int32_t high) { cluster_places_.push_back(place(high, low)); });
 }
 
 void FlowSolver::solve_pressures(Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
@@ -125,7 +145,14 @@ int FlowSolver::advance_implicit(Network& n, double step, const std::vector<doub
       thinning_[e] = shut ? 0.0 : law_.thinning(n.aperture[e], n.length[e]);
     }
   }
-  int rounds = solve_step(n, step, source);
+  if (wellbores_ != nullptr) {
+    source_ = source;
+    wellbore_flow_.resize(wellbores_->size());
+    for (std::size_t w = 0; w < wellbores_->size(); ++w)
+      wellbore_flow_[w].begin((*wellbores_)[w], step, n.floor_pressure);
+  }
+  const std::vector<double>& fed = wellbores_ != nullptr ? source_ : source;
+  int rounds = solve_step(n, step, fed);
   constexpr int most_passes = 400;
   int passes = 0;
   while (law_.thins() && follow_thinning(n) > thinning_tolerance) {
@@ -134,13 +161,14 @@ int FlowSolver::advance_implicit(Network& n, double step, const std::vector<doub
                   "the flow of the thinning fluid did not settle in " + std::to_string(most_passes) +
                       " passes; use a smaller stepping.flow_step or a smaller fluid.viscosity");
     }
-    rounds += solve_step(n, step, source);
+    rounds += solve_step(n, step, fed);
   }
   for (std::size_t d = 0; d < domains; ++d) {
     if (n.stiffness[d] <= 0.0) continue;
-    n.content[d] += fill_[d] + (source.empty() ? 0.0 : step * source[d]);
+    n.content[d] += fill_[d] + (fed.empty() ? 0.0 : step * fed[d]);
     n.pressure[d] = std::max(n.floor_pressure, full_pressure(n, d));
   }
+  for (std::size_t w = 0; w < wellbore_flow_.size(); ++w) wellbore_flow_[w].keep((*wellbores_)[w]);
   return rounds;
 }
 
@@ -159,6 +187,62 @@ double FlowSolver::follow_thinning(Network& n) {
   return all > 0.0 ? off / all : 0.0;
 }
 
+double FlowSolver::drive_wellbores(const Network& n, const Eigen::VectorXd& p) {
+  double most_off = 0.0;
+  std::size_t at = 0;
+  for (std::size_t w = 0; w < wellbore_flow_.size(); ++w) {
+    const auto& clusters = (*wellbores_)[w].clusters;
+    double off = 0.0, all = 0.0;
+    const bool solved_before = linear_at_.size() >= at + clusters.size();
+    std::vector<double>& hole = hole_;
+    hole.clear();
+    for (const auto& cluster : clusters) hole.push_back(std::max(p[cluster.domain], n.floor_pressure));
+    wellbore_rate_.assign(clusters.size(), 0.0);
+    for (std::size_t i = 0; solved_before && i < clusters.size(); ++i) {
+      wellbore_rate_[i] = source_[static_cast<std::size_t>(clusters[i].domain)];
+      for (std::size_t j = 0; j < clusters.size(); ++j)
+        wellbore_rate_[i] += wellbore_flow_[w].by_pressure(i, j) * (hole[j] - linear_at_[at + j]);
+    }
+    wellbore_flow_[w].solve(hole);
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+      const double rate = wellbore_flow_[w].rate(i);
+      source_[static_cast<std::size_t>(clusters[i].domain)] = rate;
+      off = std::max(off, std::abs(rate - wellbore_rate_[i]));
+      all += std::abs(rate);
+    }
+    if (solved_before && off > wellbore_settled * all) wellbore_flow_[w].answer_by_chords(hole);
+    most_off = std::max(most_off, solved_before && all > 0.0 ? off / all : 0.0);
+    linear_at_.resize(std::max(linear_at_.size(), at + clusters.size()));
+    std::copy(hole.begin(), hole.end(), linear_at_.begin() + static_cast<std::ptrdiff_t>(at));
+    at += clusters.size();
+  }
+  return most_off;
+}
+
+void FlowSolver::answer_of_wellbores(const Network& n, double step, Eigen::VectorXd& rhs) {
+  double* value = matrix_.valuePtr();
+  const int* diagonal = matrix_.outerIndexPtr();
+  std::size_t at = 0, pair = 0;
+  for (std::size_t w = 0; w < wellbore_flow_.size(); ++w) {
+    const auto& clusters = (*wellbores_)[w].clusters;
+    const auto solved = [&](std::size_t i) {
+      return cavitated_[static_cast<std::size_t>(clusters[i].domain)] == 0;
+    };
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+      for (std::size_t j = 0; j < clusters.size(); ++j) {
+        const double by = step * wellbore_flow_[w].by_pressure(i, j);
+        const std::size_t place = i > j ? static_cast<std::size_t>(cluster_places_[pair++])
+                                        : static_cast<std::size_t>(diagonal[clusters[i].domain]);
+        if (!solved(i)) continue;
+        rhs[clusters[i].domain] -=
+            by * (solved(j) ? linear_at_[at + j] : linear_at_[at + j] - n.floor_pressure);
+        if (solved(j) && i >= j) value[place] -= by;
+      }
+    }
+    at += clusters.size();
+  }
+}
+
 int FlowSolver::solve_step(Network& n, double step, const std::vector<double>& source) {
   const auto domains = static_cast<std::size_t>(n.domain_count());
   // A domain is solved for unless its pressure is imposed or, in this round, at the floor.
@@ -171,6 +255,8 @@ int FlowSolver::solve_step(Network& n, double step, const std::vector<double>& s
   const double slack = iterative_ ? floor_slack : 0.0;
   // Rows of imposed pressures weigh as much as others, or the residual would be all theirs.
   const double unit = iterative_ ? imposed_weight_ : 1.0;
+  linear_at_.clear();
+  if (wellbores_ != nullptr) drive_wellbores(n, p);
   int round = 0;
   bool changed = true;
   for (; changed && round < most_rounds; ++round) {
@@ -207,9 +293,10 @@ int FlowSolver::solve_step(Network& n, double step, const std::vector<double>& s
       const auto inner = static_cast<std::size_t>(n.left[e] == 0 ? n.right[e] : n.left[e]);
       if (solved(inner)) rhs[static_cast<Eigen::Index>(inner)] += step * n.conductance[e] * n.outer_excess[k];
     }
+    if (wellbores_ != nullptr) answer_of_wellbores(n, step, rhs);
     solve_pressures(rhs, p);
 
-    changed = false;
+    changed = wellbores_ != nullptr && drive_wellbores(n, p) > wellbore_tolerance;
     for (std::size_t e = 0; e < n.left.size(); ++e) {
       n.flow[e] = n.conductance[e] * (p[n.left[e]] - p[n.right[e]]);
     }
@@ -232,9 +319,11 @@ int FlowSolver::solve_step(Network& n, double step, const std::vector<double>& s
     }
   }
   if (changed) {
-    throw Error(ErrorKind::diverged, "which pores are cavitated did not settle in " +
-                                         std::to_string(most_rounds) +
-                                         " rounds of the flow step; use a smaller stepping.flow_step");
+    throw Error(ErrorKind::diverged,
+                std::string("which pores are cavitated") +
+                    (wellbores_ != nullptr ? ", or how wellbores divide their rates," : "") +
+                    " did not settle in " + std::to_string(most_rounds) +
+                    " rounds of the flow step; use a smaller stepping.flow_step");
   }
   return round;
 }

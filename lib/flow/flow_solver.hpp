@@ -7,6 +7,8 @@
 //             a complementarity problem: p >= floor, a domain at the floor first fills its void. A primal-dual active
 //             set finds it in a few rounds. A fluid that thins is followed by solving again at the conductances of the
 //             pressure drops found (Picard), until they agree.
+//             Wellbores with friction (wellbore_flow.hpp) are solved with it: their clusters' rates as they answer to the pressures of
+//             the holes, linear in a round and found again after it, until they agree.
 //   explicit  the paper's eq. 8 as it stands, sub-cycled below its stability limit V / (K_f sum of conductances).
 #pragma once
 
@@ -14,6 +16,7 @@
 #include <vector>
 
 #include "flow/fluid_law.hpp"
+#include "flow/wellbore_flow.hpp"
 #include "linear/conjugate_gradient.hpp"
 #include "linear/sparse.hpp"
 #include "model/network.hpp"
@@ -22,7 +25,8 @@ namespace hfrac {
 
 class FlowSolver {
  public:
-  FlowSolver(const Network& network, const Options& options);
+  // `wellbores` are moved along with the network; none: there are no such.
+  FlowSolver(const Network& network, const Options& options, std::vector<Wellbore>* wellbores = nullptr);
 
   // Advances contents and pressures by `step` [s]. source[d] [m2/s] is injected into domain d (empty: none).
   // Domains with stiffness 0 keep their pressure. Returns sub-cycles (explicit) or rounds (implicit).
@@ -37,6 +41,10 @@ class FlowSolver {
   int solve_step(Network& network, double step, const std::vector<double>& source);
   // A fluid that thins: conductances nearer to those of the pressure drops found. Returns how far off the flows were.
   double follow_thinning(Network& network);
+  // Rates of the wellbores' clusters at pressures `p`, into source_; how far off those of the last round were, over what they share.
+  double drive_wellbores(const Network& network, const Eigen::VectorXd& p);
+  // What the clusters' rates answer to pressures, in the matrix and on the right-hand side.
+  void answer_of_wellbores(const Network& network, double step, Eigen::VectorXd& rhs);
   int advance_explicit(Network& network, double step, const std::vector<double>& source);
 
   using Matrix = SparseMatrix;
@@ -49,6 +57,12 @@ class FlowSolver {
   double imposed_weight_ = 1.0;
   Matrix matrix_;                           // lower triangle, pattern of all domains
   std::vector<std::int32_t> off_diagonal_;  // per pipe, its place in the value array (-1: none)
+  std::vector<Wellbore>* wellbores_;
+  std::vector<WellboreFlow> wellbore_flow_;
+  std::vector<std::int32_t> cluster_places_;  // of pairs i < j of each wellbore's clusters in the value array
+  std::vector<double> source_;                // m2/s per domain with the clusters' rates
+  std::vector<double> hole_, wellbore_rate_;  // Pa and m2/s, of a wellbore's clusters
+  std::vector<double> linear_at_;             // Pa, by cluster: pressures about which the rates are linear
   SymmetricFactor factor_;
   ConjugateGradient conjugate_gradient_;
   Eigen::VectorXd rhs_, pressure_;

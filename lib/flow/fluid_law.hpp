@@ -47,8 +47,9 @@ class FluidLaw {
     const double share = beyond / (pipe.conductance + beyond);  // of the drop that is the pipe's
     return {pipe.conductance * share, pipe.slope * share, pipe.by_aperture * share};
   }
-  [[nodiscard]] Response respond(double aperture, double length, double drop) const {
-    const double rest = at_rest(aperture, length);
+  // `share`: viscosity in the pipe over fluid.viscosity; 1 of a fluid that thins.
+  [[nodiscard]] Response respond(double aperture, double length, double drop, double share = 1.0) const {
+    const double rest = at_rest(aperture, length) / share;
     if (!thins_) return {rest, rest, 3.0};
     const double thin = thinning(aperture, length) * std::pow(std::abs(drop), power_ - 1.0),
                  sum = rest + thin;

@@ -91,8 +91,13 @@ CellFlow flow_through_cell(const HostGrid& grid, std::int64_t cell, double cover
   for (const auto& part : grid.pipes_of(cell)) {
     const auto e = static_cast<std::size_t>(part.item);
     const PipeWay way = pipe_way(a, n, e);
-    CellPipe pipe{unknown_of(n.left[e]), unknown_of(n.right[e]),  way.left - middle, way.right - middle, 1.0,
-                  n.conductance_of(e),   a.pipe_length(part.item)};
+    CellPipe pipe{unknown_of(n.left[e]),
+                  unknown_of(n.right[e]),
+                  way.left - middle,
+                  way.right - middle,
+                  1.0,
+                  n.conductance_of(e) * n.viscosity_share_of(e),
+                  a.pipe_length(part.item)};
     if (pipe.left < 0 && pipe.right < 0) {
       pipe.weight = part.amount;  // passes through: its part in the cell under the gradient
     } else if (part.amount < 1.0) {
@@ -104,7 +109,7 @@ CellFlow flow_through_cell(const HostGrid& grid, std::int64_t cell, double cover
     }
     pipes.push_back(pipe);
     if (!carries_fracture_fluid(a, n, e)) {
-      cube += part.amount * n.conductance_of(e) * a.pipe_length(part.item);
+      cube += part.amount * n.conductance_of(e) * n.viscosity_share_of(e) * a.pipe_length(part.item);
       shares += part.amount;
     } else {
       cracked = true;

@@ -95,7 +95,7 @@ std::vector<CellReport> report_cells(const HostGrid& grid, const Assembly& a, co
     auto& cell = cells[static_cast<std::size_t>(part.cell)];
     const PipeWay way = pipe_way(a, n, e);
     const Vec2 d = way.right - way.left;
-    const double c = part.amount * n.conductance_of(e) * o.fluid_viscosity;
+    const double c = part.amount * n.conductance_of(e) * o.fluid_viscosity * n.viscosity_share_of(e);
     const auto l = static_cast<std::size_t>(n.left[e]), r = static_cast<std::size_t>(n.right[e]);
     if (!carries_fracture_fluid(a, n, e)) {
       intact_energy[static_cast<std::size_t>(part.cell)] += 0.5 * c * dot(d, d);

@@ -15,6 +15,7 @@
 #include "model/network.hpp"
 #include "model/slip_log.hpp"
 #include "model/well.hpp"
+#include "model/wellbore.hpp"
 
 namespace hfrac {
 
@@ -32,7 +33,8 @@ struct Model {
   BoundaryState boundary;      // walls and far-field loads
   FarField far_field;
   std::vector<Well> wells;
-  std::size_t well_count = 0;  // as built, whatever an image says
+  std::vector<Wellbore> wellbores;  // those with friction or several clusters
+  std::size_t well_count = 0;       // as built, whatever an image says
   CrackLog cracks;
   SlipLog slips;                  // of smooth joints
   std::optional<HeatState> heat;  // none with thermal.mode = "off"

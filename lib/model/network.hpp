@@ -60,6 +60,8 @@ struct Network {
   Array<double> outer_excess;  // Pa
   Array<double>
       beyond;  // m2/(Pa s), per pipe: conductance of the rock behind those (boundary.flow_distance); empty or 0: none
+  Array<double>
+      viscosity_share;  // per pipe: viscosity over fluid.viscosity, with fluid.kind water and temperature; empty: 1
   // with fracture.law facet (frac/facets.hpp), else empty
   Array<double> facet_offset;  // m2, per domain: of a fracture's pore before its facets open
   Array<double> facet_time;    // s, per pipe: when its bond broke
@@ -87,6 +89,9 @@ struct Network {
   [[nodiscard]] PipeAtRest pipe_at_rest(std::size_t pipe) const {
     if (pipe_sizes.empty()) return zero_stress_aperture;
     return {zero_stress_aperture * pipe_sizes[pipe].aperture, pipe_sizes[pipe].force_share};
+  }
+  [[nodiscard]] double viscosity_share_of(std::size_t pipe) const {
+    return viscosity_share.empty() ? 1.0 : viscosity_share[pipe];
   }
   [[nodiscard]] double beyond_of(std::size_t pipe) const { return beyond.empty() ? 0.0 : beyond[pipe]; }
   [[nodiscard]] std::int64_t domain_count() const { return static_cast<std::int64_t>(kind.size()); }

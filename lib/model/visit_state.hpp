@@ -31,6 +31,7 @@ void visit_state(Archive& archive, Self& s, bool wet) {
     archive.array(n.facet_offset);
     archive.array(n.facet_time);
   }
+  if (!n.viscosity_share.empty()) archive.array(n.viscosity_share);  // likewise
   archive.value(n.zero_stress_aperture);
   archive.often_zero(s.increment.pressure_rate);
   for (auto* value : {&s.clock.time, &s.clock.force_ratio, &s.accounts.leaked, &s.clock.tip_distance,
@@ -77,6 +78,13 @@ void visit_state(Archive& archive, Self& s, bool wet) {
     for (auto* values : {&n.pressure, &n.content, &n.stiffness}) ar.value((*values)[well.place.domain]);
   });
   archive.require(s.wells.size() == s.well_count);
+  // Hashes of models without friction in their wells are what they were before there was any.
+  for (auto& wellbore : s.wellbores) {
+    for (auto* value :
+         {&wellbore.pressure, &wellbore.content, &wellbore.pumped, &wellbore.taken, &wellbore.pump_rate})
+      archive.value(*value);
+    for (auto& cluster : wellbore.clusters) archive.value(cluster.rate);
+  }
   archive.list(s.cracks, [&a](auto& ar, auto& crack) {
     ar.value(crack.bond);
     ar.require(crack.bond >= 0 && crack.bond < a.bond_count());

@@ -14,6 +14,7 @@ enum class BoundaryKind : std::int64_t { stress = 0, walls = 1, infinite = 2 };
 enum class WallsAfterEquilibration : std::int64_t { fixed = 0, servo = 1 };
 enum class FlowScheme : std::int64_t { implicit_scheme = 0, explicit_scheme = 1, off = 2 };
 enum class FlowMatrixSolver : std::int64_t { automatic = 0, direct = 1, iterative = 2 };
+enum class FluidKind : std::int64_t { given = 0, water = 1 };
 enum class FractureAperture : std::int64_t { bond = 0, plane = 1 };
 enum class OuterPores : std::int64_t { formation = 0, closed = 1 };
 enum class SteppingMode : std::int64_t { substep = 0, dynamic = 1, coupled = 2 };

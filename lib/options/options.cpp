@@ -33,15 +33,21 @@ constexpr OptionInfo option_rows[] = {
 #undef I64
 
 #define F64(name, unit, initial, min, max, help) \
-  WellOptionInfo{{#name, unit, ValueType::real, nullptr, initial, min, max, help}, &WellOptions::name},
+  WellOptionInfo{                                \
+      {#name, unit, ValueType::real, nullptr, initial, min, max, help}, &WellOptions::name, nullptr},
+#define I64(name, initial, min, max, help) \
+  WellOptionInfo{                          \
+      {#name, "1", ValueType::integer, nullptr, initial, min, max, help}, nullptr, &WellOptions::name},
 #define CHOICE(name, initial, words, help)                                                                 \
   WellOptionInfo{{#name, "1", ValueType::choice, words, static_cast<double>(choice_index(words, initial)), \
                   0.0, static_cast<double>(choice_count(words) - 1), help},                                \
+                 nullptr,                                                                                  \
                  nullptr},
 constexpr WellOptionInfo well_rows[] = {
 #include "options/well_list.inc"
 };
 #undef F64
+#undef I64
 #undef CHOICE
 
 #define HFRAC_ITEM_F64(Item, name, unit, initial, min, max, help) \
@@ -105,6 +111,8 @@ constexpr bool is_word(std::string_view key, std::string_view word, auto index) 
 }
 static_assert(is_word("stress.convention", "total", StressConvention::total) &&
               is_word("stress.convention", "effective", StressConvention::effective));
+static_assert(is_word("fluid.kind", "given", FluidKind::given) &&
+              is_word("fluid.kind", "water", FluidKind::water));
 static_assert(is_word("packing.method", "relaxed", PackingMethod::relaxed) &&
               is_word("packing.method", "tiled", PackingMethod::tiled) &&
               is_word("packing.method", "growth", PackingMethod::growth) &&
@@ -278,7 +286,9 @@ double get_value(const Options& values, const OptionInfo& info) noexcept {
 }
 
 double get_value(const WellOptions& values, const WellOptionInfo& info) noexcept {
-  return info.real != nullptr ? values.*info.real : static_cast<double>(values.control);
+  if (info.real != nullptr) return values.*info.real;
+  return static_cast<double>(info.integer != nullptr ? values.*info.integer
+                                                     : static_cast<std::int64_t>(values.control));
 }
 
 void set_real(Options& values, const OptionInfo& info, std::string_view key, double value) {
@@ -308,6 +318,8 @@ void set_integer(WellOptions& values, const WellOptionInfo& info, std::string_vi
   check_integer(info, key, value);
   if (info.real != nullptr) {
     values.*info.real = static_cast<double>(value);
+  } else if (info.integer != nullptr) {
+    values.*info.integer = value;
   } else {
     values.control = WellControl{value};
   }

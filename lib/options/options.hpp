@@ -70,6 +70,14 @@ struct WellOptions {
   double ramp_per_step = 0.0;
   double rate = 0.0;
   WellControl control = WellControl::pressure;
+  // Of the wellbore and what lies between it and the hole (model/wellbore.hpp); 0 is what well_list.inc says
+  double storage = 0.0;                                        // m2/Pa
+  double perforation_count = 0.0, perforation_diameter = 0.0;  // 1, m
+  double discharge_coefficient = 0.0;                          // 1
+  double near_well_friction = 0.0;                             // Pa/(m3/s)^0.5
+  double height = 0.0, depth = 0.0;                            // m
+  double fluid_density = 0.0;                                  // kg/m3
+  std::int64_t wellbore = 0;                                   // 0: one of its own
 };
 
 // A line along which the rock is weaker or broken (solid/joints.hpp).
@@ -118,7 +126,8 @@ struct OptionInfo : ValueInfo {
   std::int64_t Options::*integer;  // of type integer or choice
 };
 struct WellOptionInfo : ValueInfo {
-  double WellOptions::*real;  // nullptr: the control
+  double WellOptions::*real;
+  std::int64_t WellOptions::*integer;  // neither of both: the control
 };
 // Of an item of a list: one of the two members is set.
 template <class Item>

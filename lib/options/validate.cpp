@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/water.hpp"
 #include "options/choices.hpp"
 #include "options/grading.hpp"
 #include "options/number_text.hpp"
@@ -317,7 +318,25 @@ void check_initial(const CaseDefinition& c) {
   }
 }
 
+void check_water(const Options& o) {
+  if (FluidKind{o.fluid_kind} != FluidKind::water) return;
+  if (o.fluid_consistency > 0.0)
+    refuse("fluid.kind = \"water\" does not thin; set fluid.consistency = 0, or fluid.kind = \"given\".");
+  if (o.thermal_rock_temperature < coldest_water || o.thermal_rock_temperature > hottest_water)
+    refuse(value_text("thermal.rock_temperature", o.thermal_rock_temperature, "K") +
+           " is outside 273.15 to 623.15 K, where "
+           "the law of fluid.kind = \"water\" holds; set fluid.kind = \"given\".");
+  const double boils = saturation_pressure(o.thermal_rock_temperature);
+  if (o.fluid_formation_pressure < boils || o.fluid_formation_pressure > highest_water_pressure)
+    refuse(value_text("fluid.formation_pressure", o.fluid_formation_pressure, "Pa") + " is outside " +
+           rounded_text(boils) +
+           " Pa, at which water of thermal.rock_temperature boils, to 100e6 Pa, where the law of fluid.kind "
+           "= \"water\" "
+           "holds; set fluid.kind = \"given\".");
+}
+
 void check_fluid(const Options& o) {
+  check_water(o);
   const bool thinning = o.fluid_consistency > 0.0;
   if (thinning != (o.fluid_power_index < 1.0)) {
     refuse(
@@ -495,6 +514,48 @@ void check_well(const std::string& name, const WellOptions& well, const Options&
   }
 }
 
+// Wellbore, perforations and what a well shares with others.
+void check_wellbore(std::size_t w, const CaseDefinition& c) {
+  const WellOptions& well = c.wells[w];
+  const Options& o = c.options;
+  const std::string name = "well[" + std::to_string(w) + "]";
+  const bool friction = well.perforation_count > 0.0 || well.near_well_friction > 0.0;
+  if (well.perforation_count > 0.0 && !(well.perforation_diameter > 0.0))
+    refuse(
+        name +
+        ".perforation_diameter = 0 m lets nothing through; give that of a perforation, some 0.01 m, or set " +
+        name + ".perforation_count = 0.");
+  if (FlowScheme{o.flow_scheme} == FlowScheme::off && (friction || well.storage > 0.0))
+    refuse(name +
+           " has wellbore storage or friction, which need flow, but flow.scheme = \"off\"; set flow.scheme = "
+           "\"implicit\".");
+  if (friction && FlowScheme{o.flow_scheme} == FlowScheme::explicit_scheme)
+    refuse(name +
+           " has friction, which the explicit flow scheme does not follow; set flow.scheme = \"implicit\".");
+  if (friction && InitialState{o.initial_state} == InitialState::seepage)
+    refuse(
+        name +
+        " has friction, and initial.state = \"seepage\" knows no wellbore; set initial.state = \"uniform\".");
+  if (well.wellbore == 0) return;
+  std::size_t first = 0;
+  while (c.wells[first].wellbore != well.wellbore) ++first;
+  const bool shared = std::any_of(c.wells.begin(), c.wells.end(), [&](const WellOptions& other) {
+    return &other != &well && other.wellbore == well.wellbore;
+  });
+  if (shared && !friction)
+    refuse(name + " shares wellbore " + number_text(well.wellbore) +
+           " and has no friction, by which the rate divides; "
+           "give it perforation_count and perforation_diameter, or near_well_friction.");
+  if (first == w) return;
+  const bool scheduled = std::any_of(c.schedule.begin(), c.schedule.end(), [&](const ScheduleEntry& entry) {
+    return entry.well == static_cast<std::int64_t>(w);
+  });
+  if (well.control == WellControl::pressure && well.pressure == 0.0 && well.rate == 0.0 && !scheduled) return;
+  refuse(name + " is a cluster of wellbore " + number_text(well.wellbore) + ", which well[" +
+         std::to_string(first) +
+         "] drives; give the rate, pressure or schedule there, for all clusters together.");
+}
+
 void check_pair(std::size_t i, std::size_t j, const WellOptions& a, const WellOptions& b,
                 const Radii& radii) {
   const double distance = std::hypot(a.x - b.x, a.y - b.y);
@@ -552,6 +613,7 @@ void validate(const CaseDefinition& definition, std::span<const double> given_di
     const std::string name = "well[" + std::to_string(i) + "]";
     check_well(name, wells[i], o, radii);
     check_control(name, wells[i], o);
+    check_wellbore(i, definition);
     for (std::size_t j = 0; j < i; ++j) check_pair(j, i, wells[j], wells[i], radii);
   }
 }

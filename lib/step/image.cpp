@@ -26,7 +26,7 @@ struct ImageHeader {
   std::uint64_t model, size, checksum;  // the checksum is of the header before it and of the state
 };
 constexpr char image_magic[8] = {'h', 'f', 'r', 'a', 'c', 'i', 'm', 'g'};
-constexpr std::uint32_t image_format = 4, image_byte_order = 0x01020304;
+constexpr std::uint32_t image_format = 5, image_byte_order = 0x01020304;
 
 std::uint64_t checksum(const ImageHeader& header, std::span<const std::byte> bytes) {
   Hash hash;
@@ -84,12 +84,25 @@ std::uint64_t fingerprint_of(const Engine& e, const SetupReport& report) {
       for (const double value : more) hash.add(value);
   }
   hash.add_all(e.model.network.volume);
+  // Models whose wells are holes and nothing else have the fingerprints that they had before there was more.
+  for (const auto& wellbore : e.model.wellbores) {
+    hash.add(wellbore.storage);
+    for (const auto& cluster : wellbore.clusters) {
+      for (const double value :
+           {static_cast<double>(cluster.well), cluster.friction.square, cluster.friction.root})
+        hash.add(value);
+    }
+  }
+  for (const auto& well : e.model.wells) {
+    if (well.storage > 0.0) hash.add(well.storage);
+  }
   if (report.unbonded > 0) hash.add(report.bonded);
   // Models without the rock beyond have the fingerprints that they had before there was any.
   const bool beyond = BoundaryKind{e.options.boundary_kind} == BoundaryKind::infinite;
   for (const auto& info : option_table()) {
     const std::string_view key = info.key;
     if (!beyond && (key.starts_with("boundary.exterior_") || key == "boundary.flow_distance")) continue;
+    if (key == "fluid.kind" && e.options.fluid_kind == 0) continue;  // likewise
     const bool thermal = e.heat && std::string_view(info.key).starts_with("thermal.");
     if (thermal || is_of_the_model(info.key)) hash.add(get_value(e.options, info));
   }

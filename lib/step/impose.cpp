@@ -13,9 +13,21 @@
 namespace hfrac {
 namespace {
 
+// Of a wellbore's clusters the first is driven, and the others with it.
+void require_driver(const Simulation& s, std::size_t well) {
+  const auto wellbore = s.wells()[well].wellbore;
+  if (wellbore < 0) return;
+  const auto first = s.model().wellbores[static_cast<std::size_t>(wellbore)].clusters.front().well;
+  if (first == static_cast<std::int64_t>(well)) return;
+  throw Error(ErrorKind::argument, "well " + std::to_string(well) + " is a cluster of a wellbore that well " +
+                                       std::to_string(first) + " drives; drive well " +
+                                       std::to_string(first) + ".");
+}
+
 // The well's schedule ends; the value it is now driven by is changed by `set`.
 template <class Set>
 void drive(Simulation& s, std::size_t well, WellControl control, const Set& set) {
+  require_driver(s, well);
   Loads loads = s.loads();
   WellLoad& load = loads.wells[well];
   load = {s.wells()[well].drive, {}};
@@ -53,6 +65,7 @@ void set_well_rate(Simulation& s, std::size_t well, double rate) {
 }
 
 void set_well_schedule(Simulation& s, std::size_t well, std::vector<ScheduleEntry> schedule) {
+  require_driver(s, well);
   Loads loads = s.loads();
   loads.wells[well] = {s.wells()[well].drive, std::move(schedule)};
   s.impose(loads);

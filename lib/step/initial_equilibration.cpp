@@ -269,7 +269,8 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
       n.joint_length = joints;
       update_apertures(n, m.assembly, o);
     }
-    e.flow = std::make_unique<FlowSolver>(n, o);
+    if (e.heat && FluidKind{o.fluid_kind} == FluidKind::water) n.viscosity_share.assign(n.left.size(), 1.0);
+    e.flow = std::make_unique<FlowSolver>(n, o, &m.wellbores);
     e.mechanics->set_undrained(true);
   }
   if (wet) m.increment.pressure_rate.assign(static_cast<std::size_t>(n.domain_count()), 0.0);

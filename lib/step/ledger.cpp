@@ -17,6 +17,7 @@ double stored_fluid(const Engine& e) {
   double stored = 0.0;
   if (e.wet()) {
     for (std::size_t d = 1; d < m.start.content.size(); ++d) stored += n.content[d] - m.start.content[d];
+    for (const auto& wellbore : m.wellbores) stored += wellbore.content;
   } else {
     for (std::size_t w = 0; w < m.wells.size(); ++w) {
       const auto d = m.wells[w].place.domain;
@@ -52,7 +53,9 @@ Balance full_balance(const Engine& engine) {
                    (elastic.contacts - m.start.contact_energy) - b.friction - b.damping - b.fracture +
                    (m.heat ? m.heat->thermal_work : 0.0);
   b.energy_checked = !engine.equilibrium && !engine.facets.active();  // facets' work is not counted
-  for (const auto& well : m.wells) b.injected += well.injected;
+  // A wellbore with friction counts by its pump, and stores beside the pores.
+  for (const auto& well : m.wells) b.injected += well.wellbore < 0 ? well.injected : 0.0;
+  for (const auto& wellbore : m.wellbores) b.injected += wellbore.pumped;
   b.stored = stored_fluid(engine);
   b.leaked = m.accounts.leaked;
   b.host = m.accounts.host_added;
@@ -124,10 +127,17 @@ void accumulate_flow(Engine& e, double duration) {
       well.injected += duration * outflow[w] + content - well.content;
       n.content[d] = content;
     } else {
-      if (e.flow) well.injected += duration * e.source[static_cast<std::size_t>(d)];
+      if (e.flow && well.wellbore < 0) well.injected += duration * e.source[static_cast<std::size_t>(d)];
     }
     well.content = n.content[d];
     well.taken += well.injected - injected_before;
+  }
+  for (const auto& wellbore : e.model.wellbores) {
+    for (const auto& cluster : wellbore.clusters) {
+      Well& well = wells[static_cast<std::size_t>(cluster.well)];
+      well.injected += duration * cluster.rate;
+      well.taken += duration * cluster.rate;
+    }
   }
 }
 

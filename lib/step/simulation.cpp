@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/water.hpp"
 #include "options/choices.hpp"
 #include "step/checks.hpp"
 #include "step/exterior_rock.hpp"
@@ -18,6 +19,13 @@
 
 namespace hfrac {
 namespace {
+
+// Water of the formation: what the rest of the engine takes as the fluid's viscosity and density.
+void resolve_fluid(Options& o) {
+  if (FluidKind{o.fluid_kind} != FluidKind::water) return;
+  o.thermal_fluid_density = water_density(o.thermal_rock_temperature, o.fluid_formation_pressure);
+  o.fluid_viscosity = water_viscosity(o.thermal_rock_temperature, o.thermal_fluid_density);
+}
 
 // Law facet judges tips by E', which is the packing's own unless it is given.
 bool wants_plane_modulus(const Options& o) {
@@ -31,6 +39,7 @@ Simulation::Simulation(CaseDefinition definition, std::span<const double> given_
                        const Progress& progress, std::span<const std::int64_t> given_bonds)
     : definition_(std::move(definition)) {
   validate(definition_, given_discs, given_bonds);
+  resolve_fluid(definition_.options);
   set_stop(options().stop_extent_fraction, options().stop_cracks);
   const auto start = std::chrono::steady_clock::now();
   Packing packing = take_discs(definition_, given_discs, progress, setup_);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/water.hpp"
 #include "flow/aperture.hpp"
 #include "frac/fractures.hpp"
 #include "heat/expansion.hpp"
@@ -29,6 +30,27 @@ void follow_schedules(Engine& e) {
   if (turned) std::fill(rate.begin(), rate.end(), 0.0);
 }
 
+// Of a wellbore with friction: its first well's drive. The holes of all its clusters take what comes through.
+void drive_wellbore(Engine& e, Wellbore& wellbore, const WellDrive& drive) {
+  wellbore.held = drive.control != WellControl::rate;
+  wellbore.rate = wellbore.held ? 0.0 : drive.set_rate;
+  if (!wellbore.held) return;
+  const double before = wellbore.pressure, gap = drive.target_pressure - before;
+  const bool there = drive.control == WellControl::pressure || std::abs(gap) <= drive.ramp_per_step;
+  wellbore.pressure =
+      std::max(there ? drive.target_pressure : before + std::copysign(drive.ramp_per_step, gap),
+               e.model.network.floor_pressure);
+  e.well_jumped = e.well_jumped || wellbore.pressure != before;
+}
+
+// The hole's pressure follows its content.
+void release_hole(Engine& e, std::int32_t d) {
+  Network& n = e.model.network;
+  if (n.stiffness[d] != 0.0) return;
+  n.stiffness[d] = e.options.fluid_bulk_modulus / n.storing[d];
+  n.content[d] = content_at(n, d, e.options.fluid_bulk_modulus, n.pressure[d]);
+}
+
 void impose_well_pressure(Engine& e, const Well& well, double pressure) {
   Network& n = e.model.network;
   n.stiffness[well.place.domain] = 0.0;
@@ -46,12 +68,15 @@ bool is_due(const Engine& e, const ScheduleEntry& entry) {
 
 void drive_wells(Engine& e) {
   Network& n = e.model.network;
-  const double bulk_modulus = e.options.fluid_bulk_modulus;
   follow_schedules(e);
   e.well_jumped = false;
   std::fill(e.source.begin(), e.source.end(), 0.0);
   for (auto& well : e.model.wells) {
     const auto d = well.place.domain;
+    if (well.wellbore >= 0) {
+      release_hole(e, d);
+      continue;
+    }
     switch (well.drive.control) {
       case WellControl::pressure:
         impose_well_pressure(e, well, well.drive.target_pressure);
@@ -65,14 +90,14 @@ void drive_wells(Engine& e) {
         break;
       }
       case WellControl::rate:
-        if (n.stiffness[d] == 0.0) {
-          n.stiffness[d] = bulk_modulus / n.storing[d];
-          n.content[d] = content_at(n, d, bulk_modulus, n.pressure[d]);
-        }
+        release_hole(e, d);
         if (e.flow) e.source[static_cast<std::size_t>(d)] = well.drive.set_rate;
         break;
     }
   }
+  for (auto& wellbore : e.model.wellbores)
+    drive_wellbore(e, wellbore,
+                   e.model.wells[static_cast<std::size_t>(wellbore.clusters.front().well)].drive);
 }
 
 void move_fluid(Engine& e, double duration) {
@@ -100,7 +125,24 @@ void feel_heat_again(Engine& e) {
   if (e.heat) feel_temperature(e.model.assembly, e.model.heat->felt, e.heat->table, e.options);
 }
 
+namespace {
+// Of water in every pipe, the mean of the pores at its ends; until the end of the next step or increment it is fixed, and the tangent exact.
+void update_viscosity(Engine& e) {
+  Network& n = e.model.network;
+  if (n.viscosity_share.empty()) return;
+  const Options& o = e.options;
+  const double datum = o.fluid_formation_pressure - n.reference_pressure;
+  std::vector<double> share(n.kind.size());
+  for (std::size_t d = 0; d < share.size(); ++d)
+    share[d] = water_viscosity_at(e.model.heat->fluid[d], n.pressure[d] + datum) / o.fluid_viscosity;
+  for (std::size_t p = 0; p < n.left.size(); ++p)
+    n.viscosity_share[p] =
+        0.5 * (share[static_cast<std::size_t>(n.left[p])] + share[static_cast<std::size_t>(n.right[p])]);
+}
+}  // namespace
+
 void update_geometry(Engine& e) {
+  update_viscosity(e);
   e.facets.tell_openings(e.model.assembly, e.model.network);
   // Of facets the quasi-static solver finds the apertures with the equilibrium.
   if (e.flow && !(e.facets.active() && e.equilibrium))
@@ -115,6 +157,10 @@ void close_step(Engine& e, double duration, std::size_t cracks_before) {
   for (auto& well : m.wells) {
     well.rate = well.taken / duration;
     well.taken = 0.0;
+  }
+  for (auto& wellbore : m.wellbores) {
+    wellbore.pump_rate = wellbore.taken / duration;
+    wellbore.taken = 0.0;
   }
   for (std::size_t c = cracks_before; c < m.cracks.size(); ++c) {
     m.cracks[c].step = m.clock.step;

@@ -49,6 +49,26 @@ TEST(Well, IsHeldAtItsPressure) {
   EXPECT_LT(well_of(sim).injected_volume, injected);
 }
 
+TEST(Well, TellsThePressuresOfWellboreAndWellhead) {
+  hfrac::Definition def = quiet_def();
+  def.wells[0].control = HFRAC_WELL_RATE;
+  def.wells[0].rate = 2e-3;
+  ASSERT_EQ(hfrac_sim_def_set_f64(&def, "well[0].near_well_friction", 1e7), HFRAC_OK);
+  ASSERT_EQ(hfrac_sim_def_set_f64(&def, "well[0].height", 5.0), HFRAC_OK);
+  ASSERT_EQ(hfrac_sim_def_set_f64(&def, "well[0].depth", 1000.0), HFRAC_OK);
+  ASSERT_EQ(hfrac_sim_def_set_i64(&def, "well[0].wellbore", 7), HFRAC_OK);
+  int64_t number = 0;
+  ASSERT_EQ(hfrac_sim_def_get_i64(&def, "well[0].wellbore", &number), HFRAC_OK);
+  EXPECT_EQ(number, 7);
+  const Sim sim(def);
+  ASSERT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+  const auto well = well_of(sim);
+  EXPECT_GT(well.wellbore_pressure, well.pressure + 0.99e6);  // 1e7 sqrt(5 * 2e-3)
+  EXPECT_NEAR(well.wellhead_pressure, well.wellbore_pressure - 1000.0 * 9.80665 * 1000.0, 1e-3);
+  EXPECT_NEAR(well.wellbore_rate, 2e-3, 1e-15);
+  EXPECT_NEAR(well.rate, 2e-3, 1e-15);
+}
+
 TEST(Well, RampsUpAndDown) {
   hfrac::Definition def = quiet_def();
   def.wells[0].control = HFRAC_WELL_RAMP;

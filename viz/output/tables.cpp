@@ -51,6 +51,24 @@ void stimulation_columns(hfrac_sim* sim, const std::vector<hfrac_well_state>& we
   }
 }
 
+/** Of models with wellbore storage, friction or depth. */
+template <class Visit>
+void wellbore_columns(const std::vector<hfrac_well_state>& wells, const hfrac_sim_def& def,
+                      const Visit& visit) {
+  bool any = false;
+  for (int64_t i = 0; i < def.well_count; ++i) {
+    const hfrac_well_def& well = def.wells[i];
+    any = any || well.storage > 0.0 || well.perforation_count > 0.0 || well.near_well_friction > 0.0 ||
+          well.depth > 0.0;
+  }
+  for (size_t i = 0; any && i < wells.size(); ++i) {
+    const std::string prefix = well_prefix(i);
+    visit(prefix + "_wellbore_pressure_Pa", wells[i].wellbore_pressure);
+    visit(prefix + "_wellhead_pressure_Pa", wells[i].wellhead_pressure);
+    visit(prefix + "_wellbore_rate_m2_per_s", wells[i].wellbore_rate);
+  }
+}
+
 /** `well_...` is the first well; further ones are well_1_..., well_2_... as in the case file, where wells count from 0.
  * A model without a well has the first one's columns, empty. */
 template <class Visit>
@@ -92,6 +110,7 @@ void history_columns(hfrac_sim* sim, const Visit& visit) {
   visit("rejected_strength", solver.rejected_strength);
   visit("rejected_divergence", solver.rejected_divergence);
   stimulation_columns(sim, wells, visit);
+  wellbore_columns(wells, definition_of(sim), visit);
 }
 
 /** A line of names, then one per item; `columns` takes an item, its place in the list and a visitor. */

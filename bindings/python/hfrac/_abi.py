@@ -343,6 +343,15 @@ class hfrac_well_def(ctypes.Structure):
         ("ramp_per_step", ctypes.c_double),
         ("rate", ctypes.c_double),
         ("control", ctypes.c_int64),
+        ("storage", ctypes.c_double),
+        ("perforation_count", ctypes.c_double),
+        ("perforation_diameter", ctypes.c_double),
+        ("discharge_coefficient", ctypes.c_double),
+        ("near_well_friction", ctypes.c_double),
+        ("height", ctypes.c_double),
+        ("depth", ctypes.c_double),
+        ("fluid_density", ctypes.c_double),
+        ("wellbore", ctypes.c_int64),
     ]
 
 
@@ -537,6 +546,7 @@ class hfrac_sim_def(ctypes.Structure):
         ("boundary_exterior_modulus", ctypes.c_double),
         ("boundary_exterior_poisson_ratio", ctypes.c_double),
         ("boundary_flow_distance", ctypes.c_double),
+        ("fluid_kind", ctypes.c_int64),
     ]
 
 
@@ -696,6 +706,9 @@ class hfrac_well_state(ctypes.Structure):
         ("injected_volume", ctypes.c_double),
         ("domain", ctypes.c_int64),
         ("radius", ctypes.c_double),
+        ("wellbore_pressure", ctypes.c_double),
+        ("wellhead_pressure", ctypes.c_double),
+        ("wellbore_rate", ctypes.c_double),
     ]
 
 

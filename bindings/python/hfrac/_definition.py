@@ -88,7 +88,8 @@ class Definition:
 
     Options are keyword arguments, whole (``bond_tensile_strength=40e6``) or by section
     (``bond={"tensile_strength": 40e6}``). ``wells`` holds one mapping per well: x, y (the model's centre if left
-    out), radius, pressure, ramp_per_step, rate, control ("pressure", "ramp" or "rate"). Wells of a case file are
+    out), radius, pressure, ramp_per_step, rate, control ("pressure", "ramp" or "rate"), and the
+    values of its wellbore (``well_options()``). Wells of a case file are
     changed in order, further ones are added. ``joints`` likewise: lines of weakness from x1, y1 to x2, y2 with
     tensile_factor, shear_factor, friction, state ("bonded" or "broken"). ``schedule``: entries of well, time, value,
     control ("pressure" or "rate"). ``discs``: rows of x, y, radius [m], packed elsewhere; ``bonds``: pairs of their

@@ -321,6 +321,12 @@ class WellState(NamedTuple):
     domain: int
     #: [m] of the hole that was asked for; its wall follows discs (equivalent_radius)
     radius: float
+    #: [Pa] before the perforations, as stress.convention says; without friction that of the hole
+    wellbore_pressure: float
+    #: [Pa] absolute: that of the wellbore less rho g depth
+    wellhead_pressure: float
+    #: [m2/s] that the pump gave the wellbore, with all its clusters, in the last step
+    wellbore_rate: float
 
     @classmethod
     def of(cls, struct: _abi.hfrac_well_state) -> "WellState":
@@ -336,6 +342,9 @@ class WellState(NamedTuple):
             struct.injected_volume,
             struct.domain,
             struct.radius,
+            struct.wellbore_pressure,
+            struct.wellhead_pressure,
+            struct.wellbore_rate,
         )
 
 

@@ -40,6 +40,11 @@ class Well:
         """[m2] since the initial equilibration, at formation pressure"""
         return self.state.injected_volume
 
+    @property
+    def wellhead_pressure(self) -> float:
+        """[Pa] absolute: that of the wellbore less rho g depth"""
+        return self.state.wellhead_pressure
+
     def set_pressure(self, pressure: float) -> None:
         """Holds the well at a pressure [Pa]."""
         self._simulation._call("hfrac_well_set_pressure", self.index, pressure)

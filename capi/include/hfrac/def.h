@@ -48,6 +48,16 @@ typedef struct hfrac_well_def {
   double ramp_per_step; /**< [Pa] rise per sub-step (control ramp) */
   double rate;          /**< [m2/s] injected volume per thickness and time (control rate) */
   int64_t control;      /**< enum hfrac_well_control */
+  /* Of the wellbore and what lies between it and the hole; 0 is the default of each. */
+  double storage;               /**< [m2/Pa] volume of the wellbore's fluid per metre of thickness times compressibility */
+  double perforation_count;     /**< [1] perforations between wellbore and hole; 0: no perforation friction */
+  double perforation_diameter;  /**< [m] of one */
+  double discharge_coefficient; /**< [1] of one; 0: 0.6 */
+  double near_well_friction;    /**< [Pa/(m3/s)^0.5] coefficient k of k sqrt(Q), Q = rate times height */
+  double height;                /**< [m] of the well over which the rate per thickness is spread; 0: 1 m */
+  double depth;                 /**< [m] of the perforations below the wellhead */
+  double fluid_density;         /**< [kg/m3] in wellbore and perforations; 0: thermal.fluid_density */
+  int64_t wellbore;             /**< number of the wellbore it is a cluster of, the first of which drives it; 0: one of its own */
 } hfrac_well_def;
 
 /** Whether the bonds of a joint hold. */
@@ -480,6 +490,11 @@ typedef struct hfrac_sim_def {
    * fluid flows there steadily through rock of the model's permeability. 0: at the outermost discs.
    * Default 0.0. */
   double boundary_flow_distance;
+
+  /** 0: given, 1: water. given: fluid.viscosity and thermal.fluid_density. water: both are those of water
+   * (IAPWS R12-08 and R7-97) at thermal.rock_temperature and fluid.formation_pressure; with thermal.mode
+   * other than off every pore's viscosity follows its temperature and pressure, step by step. Default 0. */
+  int64_t fluid_kind;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */

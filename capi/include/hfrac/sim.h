@@ -220,6 +220,9 @@ typedef struct hfrac_well_state {
   double injected_volume;    /**< [m2] since the initial equilibration, at formation pressure */
   int64_t domain;            /**< index of its domain */
   double radius;             /**< [m] of the hole that was asked for; its wall follows discs (equivalent_radius) */
+  double wellbore_pressure;  /**< [Pa] before the perforations, as stress.convention says; without friction that of the hole */
+  double wellhead_pressure;  /**< [Pa] absolute: that of the wellbore less rho g depth */
+  double wellbore_rate;      /**< [m2/s] that the pump gave the wellbore, with all its clusters, in the last step */
 } hfrac_well_state;
 /** Number of wells. Stable since 0.1. */
 HFRAC_API int32_t hfrac_well_count(const hfrac_sim *sim, int32_t *count);

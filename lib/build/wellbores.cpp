@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "build/wellbores.hpp"
+
+#include <map>
+
+#include "core/error.hpp"
+
+namespace hfrac {
+namespace {
+
+constexpr double gravity = 9.80665;  // m/s2, standard
+
+}  // namespace
+
+void begin_wellbores(Model& model, const CaseDefinition& definition) {
+  std::map<std::int64_t, std::int32_t> shared;  // by the number in the case
+  for (std::size_t w = 0; w < definition.wells.size(); ++w) {
+    const WellOptions& given = definition.wells[w];
+    Well& well = model.wells[w];
+    const double density =
+        given.fluid_density > 0.0 ? given.fluid_density : definition.options.thermal_fluid_density;
+    const WellFriction friction =
+        well_friction(density, given.perforation_count, given.perforation_diameter,
+                      given.discharge_coefficient, given.near_well_friction, given.height);
+    well.head = density * gravity * given.depth;
+    if (!friction.any()) {
+      well.storage = given.storage;
+      continue;
+    }
+    const auto fresh = static_cast<std::int32_t>(model.wellbores.size());
+    well.wellbore = given.wellbore == 0 ? fresh : shared.try_emplace(given.wellbore, fresh).first->second;
+    if (well.wellbore == fresh) model.wellbores.emplace_back();
+    Wellbore& wellbore = model.wellbores[static_cast<std::size_t>(well.wellbore)];
+    for (const auto& other : wellbore.clusters) {
+      if (other.domain == well.place.domain)
+        throw Error(ErrorKind::model,
+                    "well[" + std::to_string(w) + "] and well[" + std::to_string(other.well) +
+                        "] of one wellbore lie in the same hole; place them farther apart.");
+    }
+    wellbore.clusters.push_back({static_cast<std::int64_t>(w), well.place.domain, friction, 0.0});
+    wellbore.storage += given.storage;
+  }
+}
+
+}  // namespace hfrac

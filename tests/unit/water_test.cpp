@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Water against the values that the releases give for checking programs, within 0.1 %: IAPWS R7-97 table 5 (region 1, specific volume),
+// table 35 (saturation pressure) and R12-08 table 4 (viscosity, without critical enhancement). And what a simulation makes of them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/water.hpp"
+#include "small_case.hpp"
+
+namespace water_test {
+
+using namespace testing_unit;
+
+constexpr double a_thousandth = 1e-3;
+
+TEST(Water, HasTheDensityOfTheRelease) {
+  const struct {
+    double kelvin, pressure, volume;
+  } table_5[] = {{300.0, 3e6, 0.100215168e-2}, {300.0, 80e6, 0.971180894e-3}, {500.0, 3e6, 0.120241800e-2}};
+  for (const auto& row : table_5) {
+    const double ratio = water_density(row.kelvin, row.pressure) * row.volume;
+    EXPECT_NEAR(ratio, 1.0, 1e-8);
+  }
+}
+
+TEST(Water, BoilsWhereTheReleaseSays) {
+  EXPECT_NEAR(saturation_pressure(300.0), 0.353658941e4, a_thousandth * 3.5e3);
+  EXPECT_NEAR(saturation_pressure(500.0), 0.263889776e7, a_thousandth * 2.6e6);
+  EXPECT_NEAR(saturation_pressure(600.0), 0.123443146e8, a_thousandth * 1.2e7);
+}
+
+TEST(Water, HasTheViscosityOfTheRelease) {
+  const struct {
+    double kelvin, density, viscosity;
+  } table_4[] = {{298.15, 998.0, 889.735100}, {298.15, 1200.0, 1437.649467}, {373.15, 1000.0, 307.883622},
+                 {433.15, 1.0, 14.538324},    {433.15, 1000.0, 217.685358},  {873.15, 1.0, 32.619287},
+                 {873.15, 100.0, 35.802262},  {873.15, 600.0, 77.430195},    {1173.15, 1.0, 44.217245},
+                 {1173.15, 100.0, 47.640433}, {1173.15, 400.0, 64.154608}};
+  for (const auto& row : table_4)
+    EXPECT_NEAR(water_viscosity(row.kelvin, row.density) * 1e6 / row.viscosity, 1.0,
+                1e-7);  // eight digits are printed
+}
+
+TEST(Water, OfTheFormationIsTheFluidOfARunWithoutTemperature) {
+  CaseDefinition definition = quiet_case();
+  definition.options.fluid_kind = choice(FluidKind::water);
+  definition.options.thermal_rock_temperature = 423.15;
+  Simulation s(definition, {}, {});
+  EXPECT_EQ(s.options().fluid_viscosity, water_viscosity_at(423.15, 25e6));
+  EXPECT_EQ(s.options().thermal_fluid_density, water_density(423.15, 25e6));
+  EXPECT_TRUE(s.network().viscosity_share.empty());
+}
+
+// Cold water in hot rock: pipes of the cold pores let through less, as the pores' own viscosities say.
+TEST(Water, FollowsTheTemperatureOfEveryPore) {
+  for (const auto mode : {SteppingMode::substep, SteppingMode::coupled}) {
+    CaseDefinition definition = quiet_case();
+    Options& o = definition.options;
+    o.fluid_kind = choice(FluidKind::water);
+    o.thermal_mode = choice(ThermalMode::transport);
+    o.thermal_parameters = choice(ThermalParameters::constant);
+    o.thermal_expansion = 0.0;
+    o.thermal_rock_temperature = 473.15;
+    o.thermal_fluid_temperature = 293.15;
+    o.flow_permeability = 1e-12;
+    o.stepping_flow_step = 100.0;
+    o.stepping_mode = choice(mode);
+    if (mode == SteppingMode::coupled) o.solver_kind = choice(SolverKind::quasi_static);
+    Simulation s(definition, {}, {});
+    for (int k = 0; k < 3; ++k) s.step();
+    const Network& n = s.network();
+    const HeatState& heat = *s.model().heat;
+    double largest = 0.0, smallest = 1e9;
+    for (std::size_t p = 0; p < n.left.size(); ++p) {
+      const auto l = static_cast<std::size_t>(n.left[p]), r = static_cast<std::size_t>(n.right[p]);
+      const double mean = 0.5 * (water_viscosity_at(heat.fluid[l], n.pressure[l]) +
+                                 water_viscosity_at(heat.fluid[r], n.pressure[r]));
+      EXPECT_NEAR(n.viscosity_share[p] * s.options().fluid_viscosity, mean, 1e-9 * mean);
+      largest = std::max(largest, n.viscosity_share[p]);
+      smallest = std::min(smallest, n.viscosity_share[p]);
+    }
+    EXPECT_GT(largest, 2.0);
+    EXPECT_NEAR(smallest, 1.0, 0.05);
+    std::vector<std::byte> image(s.image_size());
+    s.write_image(image);
+    s.step();
+    const auto after = s.state_hash();
+    s.restore(image);
+    s.step();
+    EXPECT_EQ(s.state_hash(), after);
+  }
+}
+
+TEST(Water, IsRefusedWhereItsLawsDoNotHold) {
+  CaseDefinition definition = quiet_case();
+  definition.options.fluid_kind = choice(FluidKind::water);
+  definition.options.thermal_rock_temperature = 700.0;
+  EXPECT_THROW(validate(definition), Error);
+  definition.options.thermal_rock_temperature = 500.0;
+  definition.options.fluid_formation_pressure = 1e6;  // steam
+  EXPECT_THROW(validate(definition), Error);
+  definition.options.fluid_formation_pressure = 25e6;
+  validate(definition);
+}
+
+}  // namespace water_test
