@@ -684,6 +684,12 @@ module hfrac_c
     !> [m] Kind infinite: distance from the model's middle at which the pores have the formation pressure; fluid
     !> flows there steadily through rock of the model's permeability. 0: at the outermost discs. Default 0.0.
     real(c_double) :: boundary_flow_distance = 0.0_c_double
+    !> 0: round, 1: flat. round: a contact bears no moment. flat: one as wide as the bond, which opens from one edge
+    !> and hinders rolling (flat joint without bond, Potyondy 2012); with fracture.law = bond. Default 0.
+    integer(c_int64_t) :: contact_shape = 0_c_int64_t
+    !> [1] Share of contacts drawn at random that are never bonded, closed cracks of the rock; every disc keeps
+    !> three bonds, so that a little less than asked come of large shares. Default 0.0.
+    real(c_double) :: bond_open_share = 0.0_c_double
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.

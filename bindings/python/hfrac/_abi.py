@@ -537,6 +537,8 @@ class hfrac_sim_def(ctypes.Structure):
         ("boundary_exterior_modulus", ctypes.c_double),
         ("boundary_exterior_poisson_ratio", ctypes.c_double),
         ("boundary_flow_distance", ctypes.c_double),
+        ("contact_shape", ctypes.c_int64),
+        ("bond_open_share", ctypes.c_double),
     ]
 
 

@@ -480,6 +480,15 @@ typedef struct hfrac_sim_def {
    * fluid flows there steadily through rock of the model's permeability. 0: at the outermost discs.
    * Default 0.0. */
   double boundary_flow_distance;
+
+  /** 0: round, 1: flat. round: a contact bears no moment. flat: one as wide as the bond, which opens from
+   * one edge and hinders rolling (flat joint without bond, Potyondy 2012); with fracture.law = bond.
+   * Default 0. */
+  int64_t contact_shape;
+
+  /** [1] Share of contacts drawn at random that are never bonded, closed cracks of the rock; every disc
+   * keeps three bonds, so that a little less than asked come of large shares. Default 0.0. */
+  double bond_open_share;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */
