@@ -23,11 +23,11 @@ constexpr double least_strengths = 0.25, most_strengths = 4.0;  // tau_c / sigma
 constexpr double poisson_tolerance = 5e-4, ratio_tolerance = 0.02;
 
 // What makes UCS over tensile strength larger, in order: bending that breaks no bond and contacts that hinder rolling; closed
-// cracks, which take more of the tensile strength than of the UCS; friction of rock on rock (Byerlee 1978).
+// cracks, which take more of the tensile strength than of the UCS; friction of rock on rock (Byerlee 1978), and that of rough faces under low stress (Barton 1973).
 struct HarderRock {
   double open_share, friction;
 };
-constexpr HarderRock harder_rocks[] = {{0.0, 0.0}, {0.15, 0.0}, {0.3, 0.0}, {0.3, 0.85}};
+constexpr HarderRock harder_rocks[] = {{0.0, 0.0}, {0.15, 0.0}, {0.3, 0.0}, {0.3, 0.85}, {0.3, 1.2}};
 
 struct Stop {};
 
