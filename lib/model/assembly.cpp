@@ -16,8 +16,12 @@ namespace {
 void leave_unbonded(Assembly& a, double share) {
   constexpr std::int64_t fewest = 3;
   std::vector<std::int64_t> held(a.x.size(), 0);
-  const auto count = [&](std::int64_t e) -> auto& { return held[static_cast<std::size_t>(a.first[e])]; };
-  const auto other = [&](std::int64_t e) -> auto& { return held[static_cast<std::size_t>(a.second[e])]; };
+  const auto count = [&](std::int64_t e) -> auto& {
+    return held[static_cast<std::size_t>(a.first[e])];
+  };
+  const auto other = [&](std::int64_t e) -> auto& {
+    return held[static_cast<std::size_t>(a.second[e])];
+  };
   for (std::int64_t e = 0; e < a.bond_count(); ++e) {
     count(e) += a.intact[e];
     other(e) += a.intact[e];

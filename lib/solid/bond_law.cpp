@@ -46,8 +46,7 @@ void press(BondLaw& law, double stiffness, double radius, bool flat) {
   law.contact_stiffness = 0.5 * stiffness * part;
   law.contact_normal = 0.25 * stiffness * deep * part;
   law.contact_moment = std::copysign(law.contact_normal * radius * (1.0 - part / 3.0), m.bend);
-  law.contact_moment_stiffness =
-      stiffness * radius * radius * part * (3.0 - 3.0 * part + part * part) / 6.0;
+  law.contact_moment_stiffness = stiffness * radius * radius * part * (3.0 - 3.0 * part + part * part) / 6.0;
   law.contact_coupling = -std::copysign(0.25 * stiffness * radius * part * (2.0 - part), m.bend);
   law.contact_energy = law.contact_normal * deep / 3.0;
 }

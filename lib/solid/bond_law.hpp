@@ -31,8 +31,9 @@ struct BondLaw {
   double contact_normal = 0.0, contact_shear = 0.0;               // N compression positive, N
   double contact_stiffness = 0.0, contact_shear_stiffness = 0.0;  // N/m, of a contact that is there
   double contact_moment = 0.0, contact_moment_stiffness = 0.0,
-         contact_coupling = 0.0;  // N m, N m, N: of a flat one; its moment by the gap, and its pull by the bend
-  double contact_energy = 0.0;    // J/m, of pressure
+         contact_coupling =
+             0.0;               // N m, N m, N: of a flat one; its moment by the gap, and its pull by the bend
+  double contact_energy = 0.0;  // J/m, of pressure
   double friction = 0.0;
   bool pressed = false;  // the contact is there and closed, at least in part
   bool slides = false;   // its shear force is at the Coulomb limit

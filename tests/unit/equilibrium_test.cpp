@@ -106,7 +106,8 @@ TEST(BondResponse, AFlatContactsTangentIsTheChangeOfForceAndItsForceThatOfTheEne
         *pair.unknown(k) -= 2.0 * step;
         const double down = view_bond(pair.a, pair.o, 0).contact_energy;
         *pair.unknown(k) += step;
-        EXPECT_NEAR(force, (up - down) / (2.0 * step), 1e-8 * pair.o.contact_normal_stiffness) << gap << " " << k;
+        EXPECT_NEAR(force, (up - down) / (2.0 * step), 1e-8 * pair.o.contact_normal_stiffness)
+            << gap << " " << k;
       }
     }
   }

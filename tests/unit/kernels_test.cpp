@@ -28,9 +28,9 @@ Options kernel_options(ContactMode mode, ContactShape shape = ContactShape::roun
 }
 
 constexpr std::pair<ContactMode, ContactShape> laws[] = {{ContactMode::parallel, ContactShape::round},
-                                                          {ContactMode::after_break, ContactShape::round},
-                                                          {ContactMode::parallel, ContactShape::flat},
-                                                          {ContactMode::after_break, ContactShape::flat}};
+                                                         {ContactMode::after_break, ContactShape::round},
+                                                         {ContactMode::parallel, ContactShape::flat},
+                                                         {ContactMode::after_break, ContactShape::flat}};
 
 // A state with everything in it: broken bonds, sliding, pressures, motion.
 void stir(TestModel& m) {
@@ -142,8 +142,8 @@ TEST(Kernels, FollowTheLawOfViewBond) {
       EXPECT_NEAR(force.fx, bond.normal_force() * bond.normal.x - tangential * bond.normal.y, scale);
       EXPECT_NEAR(force.fy, bond.normal_force() * bond.normal.y + tangential * bond.normal.x, scale);
       EXPECT_NEAR(force.moment_i, bond.shear_force() * m.assembly.arm(e) + moment, scale);
-      EXPECT_NEAR(force.moment_j,
-                  bond.shear_force() * (m.assembly.length(e) - m.assembly.arm(e)) - moment, scale);
+      EXPECT_NEAR(force.moment_j, bond.shear_force() * (m.assembly.length(e) - m.assembly.arm(e)) - moment,
+                  scale);
       // Sliding leaves the contact at the Coulomb limit, and never above it.
       m.assembly.slip[e] = slipped[e];
       const BondView after = view_bond(m.assembly, o, e);
