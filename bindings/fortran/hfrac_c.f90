@@ -706,6 +706,12 @@ module hfrac_c
     !> R12-08 and R7-97) at thermal.rock_temperature and fluid.formation_pressure; with thermal.mode other than off
     !> every pore's viscosity follows its temperature and pressure, step by step. Default 0.
     integer(c_int64_t) :: fluid_kind = 0_c_int64_t
+    !> 0: round, 1: flat. round: a contact bears no moment. flat: one as wide as the bond, which opens from one edge
+    !> and hinders rolling (flat joint without bond, Potyondy 2012); with fracture.law = bond. Default 0.
+    integer(c_int64_t) :: contact_shape = 0_c_int64_t
+    !> [1] Share of contacts drawn at random that are never bonded, closed cracks of the rock; every disc keeps
+    !> three bonds, so that a little less than asked come of large shares. Default 0.0.
+    real(c_double) :: bond_open_share = 0.0_c_double
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.

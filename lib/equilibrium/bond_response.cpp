@@ -14,6 +14,7 @@ namespace {
 struct Components {
   double normal = 0.0, shear = 0.0, moment = 0.0;  // N, N, N m
   double normal_stiffness = 0.0, shear_stiffness = 0.0, shear_by_gap = 0.0, moment_stiffness = 0.0;
+  double normal_by_bend = 0.0, shear_by_bend = 0.0;  // N, N; the first is the moment's by the gap too
 };
 
 void fill(BondResponse& r, const Components& c, Vec2 n, double now, double length, double arm_i,
@@ -47,6 +48,20 @@ void fill(BondResponse& r, const Components& c, Vec2 n, double now, double lengt
   k[10] = c.shear_stiffness * arm_i * arm_i + c.moment_stiffness;
   k[11] = k[14] = c.shear_stiffness * arm_i * arm_j - c.moment_stiffness;
   k[15] = c.shear_stiffness * arm_j * arm_j + c.moment_stiffness;
+  if (c.normal_by_bend == 0.0) return;
+  const Vec2 pull = c.normal_by_bend * n, all = pull + (c.shear_by_bend * turn) * t;
+  k[2] -= all.x;
+  k[3] += all.x;
+  k[6] -= all.y;
+  k[7] += all.y;
+  k[8] -= pull.x;
+  k[9] -= pull.y;
+  k[12] += pull.x;
+  k[13] += pull.y;
+  k[10] += arm_i * c.shear_by_bend;
+  k[11] -= arm_i * c.shear_by_bend;
+  k[14] += arm_j * c.shear_by_bend;
+  k[15] -= arm_j * c.shear_by_bend;
 }
 
 struct ContactLaw {
@@ -123,8 +138,12 @@ BondResponse respond(const Assembly& a, const Options& o, std::int64_t e) {
     c.normal -= law.contact_normal;
     c.shear += law.contact_shear;
     c.normal_stiffness += law.contact_stiffness;
+    c.moment += law.contact_moment;
+    c.moment_stiffness += law.contact_moment_stiffness;
+    c.normal_by_bend = law.contact_coupling;
     if (law.slides) {
       c.shear_by_gap -= std::copysign(law.friction * law.contact_stiffness, law.contact_shear);
+      c.shear_by_bend = std::copysign(law.friction, -law.contact_shear) * law.contact_coupling;
     } else {
       c.shear_stiffness += law.contact_shear_stiffness;
     }

@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "lab/laboratory.hpp"
+#include "options/choices.hpp"
 #include "options/number_text.hpp"
 
 namespace hfrac {
@@ -20,6 +21,13 @@ constexpr double specimen_width = 10.0;                 // m, of specimens; noth
 constexpr double least_ratio = 0.02, most_ratio = 5.0;  // k_s / k_n looked at
 constexpr double least_strengths = 0.25, most_strengths = 4.0;  // tau_c / sigma_c looked at
 constexpr double poisson_tolerance = 5e-4, ratio_tolerance = 0.02;
+
+// What makes UCS over tensile strength larger, in order: bending that breaks no bond and contacts that hinder rolling; closed
+// cracks, which take more of the tensile strength than of the UCS; friction of rock on rock (Byerlee 1978), and that of rough faces under low stress (Barton 1973).
+struct HarderRock {
+  double open_share, friction;
+};
+constexpr HarderRock harder_rocks[] = {{0.0, 0.0}, {0.15, 0.0}, {0.3, 0.0}, {0.3, 0.85}, {0.3, 1.2}};
 
 struct Stop {};
 
@@ -173,20 +181,46 @@ class Calibrator {
     return o;
   }
 
+  [[nodiscard]] bool asks_ratio() const { return asked(Macro::compressive) && asked(Macro::tensile); }
+  [[nodiscard]] double wanted_ratio() const { return target(Macro::compressive) / target(Macro::tensile); }
+
+  // UCS over tensile strength, with tau_c at `at` sigma_c.
+  double strengths_at(double at) {
+    const auto peak = [](const LabReport& r) { return r.value; };
+    const Options o = with_strengths(started_.bond_tensile_strength, at);
+    if (asked(Macro::tensile)) tensile_ = over_packings(LabTest::tension, o, peak).value;
+    if (asked(Macro::compressive)) compressive_ = over_packings(LabTest::uniaxial, o, peak).value;
+    return asks_ratio() ? compressive_ / tensile_ : 0.0;
+  }
+
+  // Rock that is stronger in compression than the start's can be at any tau_c / sigma_c: one change more each time, until one
+  // reaches what is asked. What each gives stands in docs/laboratory.md.
+  void harden() {
+    if (!asks_ratio()) return;
+    const bool facets = FractureLaw{started_.fracture_law} == FractureLaw::facet;  // it takes round contacts
+    for (const HarderRock& harder : harder_rocks) {
+      most_ratio_ = strengths_at(most_strengths);
+      if (most_ratio_ > wanted_ratio()) return;
+      if (harder.open_share < started_.bond_open_share) continue;
+      started_.bond_moment_contribution = 0.0;
+      if (!facets) started_.contact_shape = static_cast<std::int64_t>(ContactShape::flat);
+      started_.contact_friction = std::max(started_.contact_friction, harder.friction);
+      started_.bond_open_share = harder.open_share;
+      result_.options.bond_moment_contribution = started_.bond_moment_contribution;
+      result_.options.contact_shape = started_.contact_shape;
+      result_.options.contact_friction = started_.contact_friction;
+      result_.options.bond_open_share = started_.bond_open_share;
+      if (asked(Macro::modulus) || asked(Macro::poisson)) fit_elastic();
+    }
+    most_ratio_ = strengths_at(most_strengths);
+  }
+
   void fit_strength() {
     const double sigma = started_.bond_tensile_strength;
-    double ratio = started_.bond_shear_strength / sigma, tensile = 0.0, compressive = 0.0;
-    const auto peak = [](const LabReport& r) { return r.value; };
-    const auto measure = [&](double at) {
-      const Options o = with_strengths(sigma, at);
-      if (asked(Macro::tensile)) tensile = over_packings(LabTest::tension, o, peak).value;
-      if (asked(Macro::compressive)) compressive = over_packings(LabTest::uniaxial, o, peak).value;
-      return asked(Macro::tensile) ? compressive / tensile : 0.0;
-    };
-    double scale = 1.0;
-    if (asked(Macro::compressive) && asked(Macro::tensile)) {
-      const double wanted = target(Macro::compressive) / target(Macro::tensile);
-      const double least = measure(least_strengths), most = measure(most_strengths);
+    double ratio = started_.bond_shear_strength / sigma, scale = 1.0;
+    harden();
+    if (asks_ratio()) {
+      const double wanted = wanted_ratio(), least = strengths_at(least_strengths), most = most_ratio_;
       double low = std::log(least_strengths), high = std::log(most_strengths);
       const auto t = static_cast<std::size_t>(Macro::tensile),
                  c = static_cast<std::size_t>(Macro::compressive);
@@ -196,21 +230,21 @@ class Calibrator {
       } else {
         for (double found = 0.0; std::abs(found / wanted - 1.0) > ratio_tolerance && high - low > 0.02;) {
           ratio = std::exp(0.5 * (low + high));
-          found = measure(ratio);
+          found = strengths_at(ratio);
           (found < wanted ? low : high) = std::log(ratio);
         }
       }
-      measure(ratio);
+      strengths_at(ratio);
       // Both off by the same factor, if both cannot be had.
-      scale = std::sqrt(target(Macro::tensile) / tensile * target(Macro::compressive) / compressive);
+      scale = std::sqrt(target(Macro::tensile) / tensile_ * target(Macro::compressive) / compressive_);
       result_.lowest[c] = least * target(Macro::tensile);
       result_.highest[c] = most * target(Macro::tensile);
       result_.lowest[t] = target(Macro::compressive) / most;
       result_.highest[t] = target(Macro::compressive) / least;
     } else {
-      measure(ratio);
-      scale =
-          asked(Macro::tensile) ? target(Macro::tensile) / tensile : target(Macro::compressive) / compressive;
+      strengths_at(ratio);
+      scale = asked(Macro::tensile) ? target(Macro::tensile) / tensile_
+                                    : target(Macro::compressive) / compressive_;
     }
     result_.options = with_strengths(scale * sigma, ratio);
   }
@@ -317,6 +351,7 @@ class Calibrator {
   std::function<bool(std::int64_t)> step_;
   Options started_;
   CalibrationResult result_;
+  double tensile_ = 0.0, compressive_ = 0.0, most_ratio_ = 0.0;  // Pa, Pa, 1: as measured last
   std::map<std::pair<double, std::int64_t>, Packing> packings_;
 };
 

@@ -5,11 +5,12 @@
 //   nu               falls as k_s / k_n rises and depends on no stiffness by itself: bracketed on linear solves
 //   E                goes with all stiffnesses together: one division
 //   UCS over T       rises with tau_c / sigma_c up to a bound: bracketed on strength tests
+//                    Beyond the bound, step by step: beta 0 with flat contacts, closed cracks, friction (harder_rocks)
 //   T, UCS, K_Ic     go with both strengths together: one division
 //   K_Ic with T      K_Ic over T goes with sqrt(R): fixes the disc size, and so the number of discs of the model
 //   permeability     goes with r0^3 / R: the engine calibrates r0 by itself, here it is said
-// Kept as given: contact.mode, friction, the bonds' share of the stiffness (bond over contact, normal and shear), beta, lambda,
-// packing. Values are means over packings; what is achieved is measured anew on other packings than those calibrated on.
+// Kept as given: contact.mode, the bonds' share of the stiffness (bond over contact, normal and shear), lambda, packing; friction and
+// beta where UCS over T does not ask for other ones. Values are means over packings; what is achieved is measured anew on other packings than those calibrated on.
 #pragma once
 
 #include <array>

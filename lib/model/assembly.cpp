@@ -5,9 +5,42 @@
 #include <cmath>
 #include <utility>
 
+#include "core/hash.hpp"
+#include "core/random.hpp"
 #include "options/choices.hpp"
 
 namespace hfrac {
+namespace {
+
+// Rock has cracks before it is tested: contacts without bond, drawn by where they lie. Discs keep enough bonds to be held.
+void leave_unbonded(Assembly& a, double share) {
+  constexpr std::int64_t fewest = 3;
+  std::vector<std::int64_t> held(a.x.size(), 0);
+  const auto count = [&](std::int64_t e) -> auto& {
+    return held[static_cast<std::size_t>(a.first[e])];
+  };
+  const auto other = [&](std::int64_t e) -> auto& {
+    return held[static_cast<std::size_t>(a.second[e])];
+  };
+  for (std::int64_t e = 0; e < a.bond_count(); ++e) {
+    count(e) += a.intact[e];
+    other(e) += a.intact[e];
+  }
+  for (std::int64_t e = 0; e < a.bond_count(); ++e) {
+    Hash place;
+    place.add(a.dx(e));
+    place.add(a.dy(e));
+    if (a.intact[e] == 0 || Random(place.value()).uniform() >= share || count(e) <= fewest ||
+        other(e) <= fewest)
+      continue;
+    a.intact[e] = 0;
+    --count(e);
+    --other(e);
+  }
+}
+
+}  // namespace
+
 Assembly build_assembly(ContactGraph graph, const Options& options) {
   Assembly a;
   a.x = std::move(graph.x);
@@ -42,6 +75,7 @@ Assembly build_assembly(ContactGraph graph, const Options& options) {
                    {dx, dy, length, length * a.radius[i] / (a.radius[i] + a.radius[j]),
                     options.bond_radius_factor * std::min(a.radius[i], a.radius[j])});
   }
+  if (options.bond_open_share > 0.0) leave_unbonded(a, options.bond_open_share);
   if (a.sizes.graded() && options.bond_toughness_reference_radius > 0.0) {
     for (std::int64_t e = 0; e < a.bond_count(); ++e)
       a.strength_scale.push_back(std::sqrt(a.mean_radius / a.mean_radius_of(e)));

@@ -10,6 +10,7 @@ namespace hfrac {
 enum class StressConvention : std::int64_t { total = 0, effective = 1 };
 enum class PackingMethod : std::int64_t { relaxed = 0, tiled = 1, growth = 2, square = 3 };
 enum class ContactMode : std::int64_t { parallel = 0, after_break = 1 };
+enum class ContactShape : std::int64_t { round = 0, flat = 1 };
 enum class BoundaryKind : std::int64_t { stress = 0, walls = 1, infinite = 2 };
 enum class WallsAfterEquilibration : std::int64_t { fixed = 0, servo = 1 };
 enum class FlowScheme : std::int64_t { implicit_scheme = 0, explicit_scheme = 1, off = 2 };

@@ -120,6 +120,8 @@ static_assert(is_word("packing.method", "relaxed", PackingMethod::relaxed) &&
 static_assert(is_word("flow.solver", "auto", FlowMatrixSolver::automatic) &&
               is_word("flow.solver", "direct", FlowMatrixSolver::direct) &&
               is_word("flow.solver", "iterative", FlowMatrixSolver::iterative));
+static_assert(is_word("contact.shape", "round", ContactShape::round) &&
+              is_word("contact.shape", "flat", ContactShape::flat));
 static_assert(is_word("contact.mode", "parallel", ContactMode::parallel) &&
               is_word("contact.mode", "after-break", ContactMode::after_break));
 static_assert(is_word("boundary.kind", "stress", BoundaryKind::stress) &&

@@ -257,6 +257,13 @@ void check_material(const Options& o) {
         "stiffness; "
         "give bond.normal_stiffness or set contact.mode = \"parallel\".");
   }
+  if (ContactShape{o.contact_shape} == ContactShape::flat &&
+      FractureLaw{o.fracture_law} == FractureLaw::facet) {
+    refuse(
+        "contact.shape = \"flat\" is a law of broken bonds, and fracture.law = \"facet\" makes them faces of "
+        "the "
+        "rock; leave the shape \"round\", or set fracture.law = \"bond\".");
+  }
   if (o.bond_fracture_toughness > 0.0 && o.bond_toughness_reference_radius > 0.0) {
     refuse(value_text("bond.fracture_toughness", o.bond_fracture_toughness, "Pa m^0.5") + " and " +
            value_text("bond.toughness_reference_radius", o.bond_toughness_reference_radius, "m") +

@@ -28,6 +28,29 @@ PairMotion motion_of(const Assembly& a, std::int64_t e) {
   return m;
 }
 
+// The contact's normal force and moment by gap and bend: a line of springs that bear pressure only (kernels_body.hpp).
+void press(BondLaw& law, double stiffness, double radius, bool flat) {
+  const PairMotion& m = law.motion;
+  const double edge = flat ? radius * std::abs(m.bend) : 0.0;
+  law.contact_stiffness = stiffness;
+  if (-m.gap >= edge) {
+    law.contact_normal = -stiffness * m.gap;
+    law.contact_energy = 0.5 * law.contact_normal * std::max(0.0, -m.gap);
+    if (!flat) return;
+    law.contact_moment_stiffness = stiffness * radius * radius / 3.0;
+    law.contact_moment = law.contact_moment_stiffness * m.bend;
+    law.contact_energy += 0.5 * law.contact_moment * m.bend;
+    return;
+  }
+  const double deep = edge - m.gap, part = deep / edge;
+  law.contact_stiffness = 0.5 * stiffness * part;
+  law.contact_normal = 0.25 * stiffness * deep * part;
+  law.contact_moment = std::copysign(law.contact_normal * radius * (1.0 - part / 3.0), m.bend);
+  law.contact_moment_stiffness = stiffness * radius * radius * part * (3.0 - 3.0 * part + part * part) / 6.0;
+  law.contact_coupling = -std::copysign(0.25 * stiffness * radius * part * (2.0 - part), m.bend);
+  law.contact_energy = law.contact_normal * deep / 3.0;
+}
+
 }  // namespace
 
 BondLaw bond_law(const Assembly& a, const Options& o, std::int64_t e) {
@@ -45,12 +68,13 @@ BondLaw bond_law(const Assembly& a, const Options& o, std::int64_t e) {
     law.bond_shear = law.bond_shear_stiffness * m.shear;
     law.bond_moment = law.bond_moment_stiffness * m.bend;
   }
-  law.pressed = m.gap < 0.0 && (!intact || ContactMode{o.contact_mode} == ContactMode::parallel);
+  const bool flat = ContactShape{o.contact_shape} == ContactShape::flat;
+  const double edge = flat ? a.bond_radius(e) * std::abs(m.bend) : 0.0;
+  law.pressed = m.gap < edge && (!intact || ContactMode{o.contact_mode} == ContactMode::parallel);
   if (!law.pressed) return law;
-  law.contact_stiffness = o.contact_normal_stiffness * share;
   law.contact_shear_stiffness = o.contact_shear_stiffness * share;
   law.friction = a.factors.friction_of(e, o.contact_friction);
-  law.contact_normal = -law.contact_stiffness * m.gap;
+  press(law, o.contact_normal_stiffness * share, a.bond_radius(e), flat);
   const double limit = law.friction * law.contact_normal,
                trial = law.contact_shear_stiffness * (m.shear - a.slip[e]);
   law.slides = !(std::abs(trial) <= limit);
@@ -74,7 +98,8 @@ BondView view_bond(const Assembly& a, const Options& o, std::int64_t e) {
   v.bond_energy = 0.5 * (v.bond_normal * m.gap + v.bond_shear * m.shear + v.bond_moment * m.bend);
   v.contact_normal = law.contact_normal;
   v.contact_shear = law.contact_shear;
-  v.contact_energy = 0.5 * v.contact_normal * std::max(0.0, -m.gap);
+  v.contact_moment = law.contact_moment;
+  v.contact_energy = law.contact_energy;
   if (law.contact_shear_stiffness > 0.0)
     v.contact_energy += 0.5 * v.contact_shear * v.contact_shear / law.contact_shear_stiffness;
   const double pull =

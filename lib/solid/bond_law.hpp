@@ -30,8 +30,12 @@ struct BondLaw {
   double bond_stiffness = 0.0, bond_shear_stiffness = 0.0, bond_moment_stiffness = 0.0;  // N/m, N/m, N m
   double contact_normal = 0.0, contact_shear = 0.0;               // N compression positive, N
   double contact_stiffness = 0.0, contact_shear_stiffness = 0.0;  // N/m, of a contact that is there
+  double contact_moment = 0.0, contact_moment_stiffness = 0.0,
+         contact_coupling =
+             0.0;               // N m, N m, N: of a flat one; its moment by the gap, and its pull by the bend
+  double contact_energy = 0.0;  // J/m, of pressure
   double friction = 0.0;
-  bool pressed = false;  // the contact is there and closed
+  bool pressed = false;  // the contact is there and closed, at least in part
   bool slides = false;   // its shear force is at the Coulomb limit
 };
 BondLaw bond_law(const Assembly& assembly, const Options& options, std::int64_t bond);
@@ -46,6 +50,7 @@ struct BondView {
   double bond_normal;     // N, tension positive
   double bond_shear;      // N
   double bond_moment;     // N m
+  double contact_moment;  // N m, of a flat contact
   double contact_normal;  // N, compression positive
   double contact_shear;   // N
   double bond_energy;     // J/m

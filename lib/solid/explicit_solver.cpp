@@ -123,6 +123,7 @@ void ExplicitSolver::bind_arrays() {
   k.shear_capacity = a.shear_per_radius;
   k.friction = options_.contact_friction;
   k.bending_share = options_.bond_moment_contribution;
+  k.flat = ContactShape{options_.contact_shape} == ContactShape::flat ? 1 : 0;
   k.contact_with_bond = ContactMode{options_.contact_mode} == ContactMode::parallel ? 1.0 : 0.0;
   k.damping = options_.stepping_damping;
   k.reference_pressure = n.reference_pressure;

@@ -87,6 +87,7 @@ struct KernelArrays {
   double tensile_capacity, shear_capacity;  // N per metre of bond radius: 2 sigma_c, 2 tau_c
   double friction;
   double bending_share;                       // beta of eq. 21
+  int32_t flat;                               // 1: contacts as wide as bonds, which bear moments
   double contact_with_bond;                   // 1: contact beside an intact bond, 0: only after it broke
   double damping;                             // local damping
   double step;                                // s, or 1 with scaled masses

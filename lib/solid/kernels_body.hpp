@@ -9,6 +9,8 @@
 //   shear          u_s = L0 phi - (a_i theta_i + a_j theta_j)
 //   bond           F_n = k_n g, F_s = k_s u_s, M = k_n (R^2 / 3) (theta_j - theta_i)     (eq. 16-20; I / A = R^2 / 3)
 //   contact        F_n = -k_n max(0, -g), F_s = k_s (u_s - slip), |F_s| <= mu F_n
+//   flat contact   springs along 2 R that bear pressure only: with a = R |theta_j - theta_i|, h = a - g and q = h / a < 2 (partly open)
+//                  F_n = -k_n h q / 4, |M| = |F_n| R (1 - q / 3); as the bond's where all of it is pressed, q >= 2
 //   forces on i    F_n n + F_s (L0 / L) t, moments F_s a_i + M and F_s a_j - M: the exact gradient of the energy
 //   varied         g less what the discs grew, k and strengths times their factors, mu by bond (bond_factors.hpp)
 //   breakage       F_n + 3 beta |M| / R >= sigma_c A  or  |F_s| >= tau_c A                (eq. 21-23, tension positive)
@@ -62,8 +64,9 @@ struct alignas(64) Chunk {
   double slip[chunk];                                 // after this cycle
 };
 
-// The law, for bonds e to e + n - 1, whose geometry begins with `block`. With `varied`, bonds differ (bond_factors.hpp).
-template <bool varied>
+// The law, for bonds e to e + n - 1, whose geometry begins with `block`. With `varied`, bonds differ (bond_factors.hpp);
+// with `flat`, contacts bear moments.
+template <bool varied, bool flat>
 __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, int64_t n,
                                              const double* __restrict block, Chunk& c) {
   const double* __restrict slip_ = a.slip + e;
@@ -104,10 +107,20 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
     const double bond_n = bond_normal * share * intact * gap;
     const double bond_s = bond_shear * share * intact * shear;
     const double bend = bond_normal * share * intact * radius * turn;  // 3 M / R
-    const double moment = bend * radius * (1.0 / 3.0);
 
     const double present = intact > 0.0 ? contact_with_bond : 1.0;
-    const double contact_n = contact_normal * share * present * positive(-gap);
+    double squeeze = positive(-gap), contact_bend = 0.0;  // over stiffness
+    if (flat) {
+      const double edge = radius * magnitude(turn);
+      const double deep = positive(edge - gap), part = deep / (edge + 1e-300);
+      const bool whole = -gap >= edge;
+      squeeze = whole ? -gap : 0.25 * deep * part;
+      contact_bend = whole ? edge : squeeze * (3.0 - part);
+      contact_bend = turn < 0.0 ? -contact_bend : contact_bend;
+    }
+    const double contact_n = contact_normal * share * present * squeeze;
+    const double moment =
+        (flat ? bend + contact_normal * share * present * contact_bend : bend) * radius * (1.0 / 3.0);
     const double limit = (varied ? friction_[k] : friction) * contact_n;
     const double slip = slip_[k];
     const double trial = contact_shear * share * (shear - slip);
@@ -149,10 +162,11 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
 
 // The geometry of bond e is that of value `at` on.
 inline void bond_law(const KernelArrays& a, int64_t e, int64_t n, int64_t at, Chunk& c) {
+  const bool flat = a.flat != 0;
   if (a.tensile_factor != nullptr) {
-    bond_law_with<true>(a, e, n, a.geometry + at, c);
+    (flat ? bond_law_with<true, true> : bond_law_with<true, false>)(a, e, n, a.geometry + at, c);
   } else {
-    bond_law_with<false>(a, e, n, a.geometry + at, c);
+    (flat ? bond_law_with<false, true> : bond_law_with<false, false>)(a, e, n, a.geometry + at, c);
   }
 }
 

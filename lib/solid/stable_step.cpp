@@ -26,6 +26,9 @@ void stiffness_rows(const Assembly& a, const Network& n, const Options& o, const
                                      : std::max(o.bond_normal_stiffness, o.contact_normal_stiffness);
   const double stiffest_s = parallel ? o.bond_shear_stiffness + o.contact_shear_stiffness
                                      : std::max(o.bond_shear_stiffness, o.contact_shear_stiffness);
+  // A flat contact that is partly open is nowhere stiffer than when all of it is pressed.
+  const double stiffest_bending =
+      ContactShape{o.contact_shape} == ContactShape::flat ? stiffest_n : o.bond_normal_stiffness;
   for (std::size_t e = 0; e < a.first.size(); ++e) {
     const bool smooth = facets && a.smooth.of(static_cast<std::int64_t>(e)) != nullptr;
     const double share = facets ? (smooth ? 0.0 : 1.0) : a.factors.stiffness_of(static_cast<std::int64_t>(e)),
@@ -41,7 +44,7 @@ void stiffness_rows(const Assembly& a, const Network& n, const Options& o, const
     const auto i = a.first[e], j = a.second[e];
     const double arm_i = a.arm(e), arm_j = a.length(e) - a.arm(e);
     const double lever = arm_i / a.radius[i] + arm_j / a.radius[j];
-    const double bending = o.bond_normal_stiffness * share * a.bond_radius(e) * a.bond_radius(e) / 3.0;
+    const double bending = stiffest_bending * share * a.bond_radius(e) * a.bond_radius(e) / 3.0;
     for (const auto& [d, arm, other] : {std::tuple{i, arm_i, j}, std::tuple{j, arm_j, i}}) {
       row_x[d] += 2.0 * (xx + xy) + ks * std::abs(ny) * lever;
       row_y[d] += 2.0 * (yy + xy) + ks * std::abs(nx) * lever;

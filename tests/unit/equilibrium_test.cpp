@@ -15,6 +15,7 @@
 #include "linear/separator.hpp"
 #include "small_case.hpp"
 #include "step/simulation.hpp"
+#include "tangent_check.hpp"
 
 namespace equilibrium_test {
 
@@ -87,6 +88,49 @@ TEST(BondResponse, ForcesAreTheKernels) {
       EXPECT_DOUBLE_EQ(r.gap, view.gap);
     }
   }
+}
+
+// Open, pressed at one edge from either side of touching, and pressed all along; sliding and sticking.
+TEST(BondResponse, AFlatContactsTangentIsTheChangeOfForceAndItsForceThatOfTheEnergy) {
+  for (const double friction : {0.0, 0.01, 10.0}) {
+    for (const double gap : {3e-4, 1e-5, -1e-4, -3e-4, -3e-3}) {
+      Pair pair(false, gap);
+      pair.o.contact_shape = choice(ContactShape::flat);
+      pair.o.contact_friction = friction;
+      expect_tangent(pair.a, pair.o, 0, 1e-8, 1e-4 * pair.o.contact_normal_stiffness);
+      if (friction > 0.0) continue;
+      for (int k = 0; k < 4; ++k) {
+        const double step = 1e-8, force = respond(pair.a, pair.o, 0).force[k];
+        *pair.unknown(k) += step;
+        const double up = view_bond(pair.a, pair.o, 0).contact_energy;
+        *pair.unknown(k) -= 2.0 * step;
+        const double down = view_bond(pair.a, pair.o, 0).contact_energy;
+        *pair.unknown(k) += step;
+        EXPECT_NEAR(force, (up - down) / (2.0 * step), 1e-8 * pair.o.contact_normal_stiffness)
+            << gap << " " << k;
+      }
+    }
+  }
+}
+
+// Turned by more than it is pressed, it bears h q / 4 at its edge, and a moment of a third of the lever less (statics of a wedge).
+TEST(BondResponse, AFlatContactBearsAMomentAndARoundOneNone) {
+  Pair pair(false, -1e-3);
+  EXPECT_EQ(view_bond(pair.a, pair.o, 0).contact_moment, 0.0);
+  pair.o.contact_shape = choice(ContactShape::flat);
+  pair.a.rotation = {0.0, 2e-3};
+  const BondView v = view_bond(pair.a, pair.o, 0);
+  const double k = pair.o.contact_normal_stiffness, radius = 0.8;
+  double force = 0.0, moment = 0.0;  // of 4000 springs side by side
+  for (int s = 0; s < 4000; ++s) {
+    const double at = radius * ((s + 0.5) / 2000.0 - 1.0), deep = -(v.gap + 2e-3 * at);
+    if (deep <= 0.0) continue;
+    force += k / 4000.0 * deep;
+    moment -= k / 4000.0 * deep * at;
+  }
+  EXPECT_NEAR(v.contact_normal, force, 1e-5 * force);
+  EXPECT_NEAR(v.contact_moment, moment, 1e-5 * moment);
+  EXPECT_GT(moment, 0.0);
 }
 
 // One node of weight 3 faces two of weight 1; beside them one of weight 1 faces two of weight 3.

@@ -53,6 +53,9 @@ void print(const hfrac_sim_def& d, const hfrac_targets& t, const hfrac_calibrati
              d.bond_shear_stiffness);
   fmt::print("  bond.tensile_strength {:.5g} Pa, shear_strength {:.5g} Pa; packing.disc_count {}\n",
              d.bond_tensile_strength, d.bond_shear_strength, d.packing_disc_count);
+  fmt::print("  bond.moment_contribution {:.4g}, open_share {:.4g}; contact.shape {}, friction {:.4g}\n",
+             d.bond_moment_contribution, d.bond_open_share, d.contact_shape == 1 ? "flat" : "round",
+             d.contact_friction);
   if (c.toughness_coefficient > 0.0) fmt::print("  K_Ic = {:.3f} sigma_c sqrt(R)\n", c.toughness_coefficient);
   if (c.zero_stress_aperture > 0.0)
     fmt::print("  r0 {:.4g} um at the model's disc size\n", c.zero_stress_aperture * 1e6);

@@ -547,6 +547,8 @@ class hfrac_sim_def(ctypes.Structure):
         ("boundary_exterior_poisson_ratio", ctypes.c_double),
         ("boundary_flow_distance", ctypes.c_double),
         ("fluid_kind", ctypes.c_int64),
+        ("contact_shape", ctypes.c_int64),
+        ("bond_open_share", ctypes.c_double),
     ]
 
 

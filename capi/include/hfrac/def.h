@@ -495,6 +495,15 @@ typedef struct hfrac_sim_def {
    * (IAPWS R12-08 and R7-97) at thermal.rock_temperature and fluid.formation_pressure; with thermal.mode
    * other than off every pore's viscosity follows its temperature and pressure, step by step. Default 0. */
   int64_t fluid_kind;
+
+  /** 0: round, 1: flat. round: a contact bears no moment. flat: one as wide as the bond, which opens from
+   * one edge and hinders rolling (flat joint without bond, Potyondy 2012); with fracture.law = bond.
+   * Default 0. */
+  int64_t contact_shape;
+
+  /** [1] Share of contacts drawn at random that are never bonded, closed cracks of the rock; every disc
+   * keeps three bonds, so that a little less than asked come of large shares. Default 0.0. */
+  double bond_open_share;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */
