@@ -33,7 +33,7 @@ class Progress:
             wall = time.monotonic() - self.began
             each = [result.seconds for result in pool.results.values() if result.seconds > 0.0]
             left = (self.total - done) * wall / pool.fresh
-            words += f"; {sum(each) / max(1, len(each)):.2g} s of a core a run, {duration(left)} left with {pool.jobs} at a time"
+            words += f"; {sum(each) / max(1, len(each)):.2g} s a run, {duration(left)} left with {pool.jobs} at a time"
         return words
 
     def __call__(self, pool: Pool) -> None:

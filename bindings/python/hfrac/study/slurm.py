@@ -51,7 +51,7 @@ def add_arguments(one: argparse.ArgumentParser) -> None:
     part.add_argument("--cpus", type=int, default=1, metavar="N", help="of them at a time (1)")
     part.add_argument("--minutes", type=int, default=60, metavar="N", help="time of a task (60)")
     part.add_argument("--memory", type=int, default=1000, metavar="MB", help="memory of a task per cpu (1000)")
-    part.add_argument("--sbatch", default="", metavar="WORDS", help="further words for sbatch, as --account=mine --partition=short")
+    part.add_argument("--sbatch", default="", metavar="WORDS", help="further words for sbatch: --sbatch=\"--account=mine --partition=short\"")
 
 
 def indices(text: str, total: int) -> List[int]:

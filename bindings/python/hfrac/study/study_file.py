@@ -76,7 +76,7 @@ class Reader:
 
     def number(self, key: str, low: float, high: float, default: Any = None, needed: bool = False) -> float:
         value = self.take(key, (int, float), "a number", default, needed)
-        if value is not None and not (math.isfinite(value) and low <= value <= high):
+        if key in self.table and not (math.isfinite(value) and low <= value <= high):
             raise self.fail(key, f"= {value!r} must be a number from {low:g} to {high:g}")
         return value
 
