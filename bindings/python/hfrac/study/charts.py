@@ -60,8 +60,9 @@ def tornado(path: pathlib.Path, found: Sequence[Tuple[str, float, List[Swing]]],
     for axis, (name, middle, bars) in zip(axes, found):
         label, factor = shown(name)
         for row, bar in enumerate(reversed(bars)):
+            centre = 0.5 * (bar.low + bar.high)  # both ends may lie on one side of the middle of all runs
             for value, colour in ((bar.low, BLUE), (bar.high, RED)):
-                axis.barh(row, (value - middle) * factor, left=middle * factor, height=0.62, color=colour)
+                axis.barh(row, (value - centre) * factor, left=centre * factor, height=0.62, color=colour)
         axis.axvline(middle * factor, color=GREY, linewidth=0.8)
         axis.set_yticks(range(len(bars)), [bar.name for bar in reversed(bars)])
         axis.set_xlabel(label)

@@ -138,7 +138,8 @@ def draw(study: Study, task: Match, path: pathlib.Path, outcome: Outcome) -> Non
         logarithmic = one.law in ("loguniform", "lognormal")
         for shares, colour in ((outcome.prior.shares, charts.GREY), (outcome.posterior.shares, charts.BLUE)):
             values = np.array([one.value(float(share)) for share in shares[:, place]])
-            axis.hist(np.log10(values) if logarithmic else values, bins=15, color=colour, alpha=0.55, density=True)
+            counts, edges = np.histogram(np.log10(values) if logarithmic else values, bins=12)
+            axis.bar(edges[:-1], counts / counts.max(), np.diff(edges), align="edge", color=colour, alpha=0.55)
         axis.set_xlabel(f"log10 {one.name}" if logarithmic else one.name)
         axis.set_yticks([])
     figure.tight_layout()

@@ -83,6 +83,8 @@ def submit(asked: argparse.Namespace, plan: Plan, command: str) -> int:
     """Writes the job scripts into DIR/slurm and submits them."""
     if shutil.which("sbatch") is None:
         raise StudyError("--slurm: there is no sbatch on the PATH; submit from a node of the cluster, or leave --slurm out")
+    if asked.minutes < 5:
+        raise StudyError(f"--minutes {asked.minutes} must be at least 5: a task puts itself back into the queue 2 minutes before its end")
     missing = []
     for run in plan.runs:
         known = result_of(run)
