@@ -51,12 +51,6 @@ class Designs(unittest.TestCase):
                                        (np.log(values[3]).mean(), math.log(3.0), 0.5), ((values[4] == 5).mean(), 1 / 3, 1.0)):
                 self.assertLess(abs(got - wanted), tolerance * scale, sampling)
 
-    def test_share_is_the_inverse_of_value(self):
-        for law, numbers in (("uniform", (2.0, 6.0)), ("loguniform", (1e-3, 1e3)), ("normal", (1.0, 3.0)), ("lognormal", (1.0, 3.0))):
-            one = Parameter("x", ("x",), law, numbers, 3)
-            for share in (0.01, 0.3, 0.5, 0.99):
-                self.assertAlmostEqual(one.share(one.value(share)), share, 9)
-
     def test_latin_hypercube_has_one_point_in_each_class(self):
         points = design(study(THREE, "latin-hypercube", 20))
         for column in points.T:

@@ -75,12 +75,13 @@ def indices(path: pathlib.Path, names: Sequence[str], found: Sequence[Tuple[str,
     figure, axes = _panels(len(found), 0.9 + 0.36 * len(names))
     rows = np.arange(len(names))[::-1]
     for axis, (name, first, total) in zip(axes, found):
-        axis.barh(rows + 0.19, np.nan_to_num(first), height=0.36, color=BLUE, label="first order")
-        if np.isfinite(total).any():
+        both = np.isfinite(total).any()
+        axis.barh(rows + (0.19 if both else 0.0), np.nan_to_num(first), height=0.36, color=BLUE, label="first order")
+        if both:
             axis.barh(rows - 0.19, np.nan_to_num(total), height=0.36, color=RED, label="total order")
         axis.set_yticks(rows, names)
         axis.set_xlim(left=min(0.0, axis.get_xlim()[0]), right=max(1.0, axis.get_xlim()[1]))
-        axis.set_xlabel(f"share of the variance of {shown(name)[0]}")
+        axis.set_xlabel(f"share of the variance of {shown(name)[0].partition(' [')[0]}")
     axes[0].legend(frameon=False, fontsize=8.0, loc="lower right")
     _save(figure, path)
 

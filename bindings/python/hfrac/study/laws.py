@@ -8,7 +8,7 @@ import math
 from typing import Any, Dict, List, NamedTuple, Tuple
 
 import numpy as np
-from scipy.special import ndtr, ndtri
+from scipy.special import ndtri
 
 #: what each law needs
 KEYS: Dict[str, Tuple[str, ...]] = {
@@ -49,22 +49,7 @@ class Parameter(NamedTuple):
             return first + second * score
         return first * math.exp(second * score)
 
-    def share(self, value: float) -> float:
-        """The inverse of `value`; a list has none."""
-        first, second = self.numbers
-        if self.law == "uniform":
-            return (value - first) / (second - first)
-        if self.law == "loguniform":
-            return math.log(value / first) / math.log(second / first)
-        score = (value - first) / second if self.law == "normal" else math.log(value / first) / second
-        return float(ndtr(score))
-
     def grid(self) -> List[float]:
         """Middles of classes of equal probability; of a list, of its entries."""
         count = len(self.numbers[0]) if self.law == "list" else self.levels
         return list((np.arange(count) + 0.5) / count)
-
-    @property
-    def numeric(self) -> bool:
-        """Whether its values are numbers, so that a chart can order them."""
-        return self.law != "list" or all(isinstance(value, (int, float)) for value in self.numbers[0])
