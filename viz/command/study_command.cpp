@@ -43,6 +43,7 @@ ExitCode become_python(const std::string& name, const std::vector<std::string>& 
   std::vector<std::string> all = {interpreter(), "-B", "-m", "hfrac.study", name};
   all.insert(all.end(), words.begin(), words.end());
   std::vector<char*> arguments;
+  arguments.reserve(all.size() + 1);
   for (std::string& word : all) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   ::execvp(arguments.front(), arguments.data());
