@@ -23,6 +23,7 @@ void add_calibrate(CLI::App& program, Action& action);
 void add_analyse(CLI::App& program, Action& action);
 void add_catalogue(CLI::App& program, Action& action);
 void add_dfn(CLI::App& program, Action& action);
+void add_studies(CLI::App& program, Action& action);
 void add_options(CLI::App& program, Action& action);
 void add_view(CLI::App& program, Action& action);
 void add_render(CLI::App& program, Action& action);

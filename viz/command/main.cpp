@@ -55,6 +55,7 @@ int run_program(int argument_count, char** arguments) {
   add_catalogue(program, action);
   add_analyse(program, action);
   add_dfn(program, action);
+  add_studies(program, action);
   add_options(program, action);
   add_view(program, action);
   add_lab(program, action);

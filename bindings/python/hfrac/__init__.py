@@ -38,6 +38,7 @@ from ._records import (
     WallState,
     WellState,
 )
+from ._run import Run
 from ._simulation import Advance, Simulation
 from ._view import View
 from ._well import Well
@@ -68,7 +69,7 @@ __all__ = [
     "CaseFileError", "Crack", "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "Event", "EventKind", "FieldInfo",
     "FileError", "Fracture", "FracturePoint", "GrdeclKind", "Grid", "Heat", "HfracError", "InjectionRow", "InternalError", "JointState", "Joints", "LabReport",
     "LabResult", "LibraryError", "LogLevel", "MagnitudeLaw", "ModelError", "OpenStep", "Option", "OutOfMemoryError",
-    "Pipes", "PoisonedError", "SetupReport", "SimState", "Simulation", "Slip", "SolverReport", "StaleViewError", "Status",
+    "Pipes", "PoisonedError", "Run", "SetupReport", "SimState", "Simulation", "Slip", "SolverReport", "StaleViewError", "Status",
     "StepLimit", "StepLimits", "StopReason", "StoppedError", "StructSizeError", "UnknownKeyError", "Upscaling", "View",
     "WallState", "Well", "WellControl", "WellState", "build_info", "calibrate", "joint_options", "lab", "library_path",
     "magnitude_law", "options", "read_record", "schedule_options", "version", "well_options",
