@@ -71,8 +71,13 @@ std::string case_text(const CaseDefinition& definition) {
   for (const auto& [name, lines] : sections) text += "\n[" + std::string(name) + "]\n" + lines;
   for (std::size_t w = 0; w < definition.wells.size(); ++w) {
     text += "\n[[well]]\n";
-    for (const auto& info : well_option_table())
-      text += std::string(info.key) + " = " + value_text(info, definition.wells[w]) + "\n";
+    bool of_wellbore = false;  // what stands after `control`, most of it as a rule at its default
+    for (const auto& info : well_option_table()) {
+      const std::string value = value_text(info, definition.wells[w]);
+      if (!of_wellbore || value != value_text(info, WellOptions{}))
+        text += std::string(info.key) + " = " + value + "\n";
+      of_wellbore = of_wellbore || std::string_view(info.key) == "control";
+    }
     for (const auto& entry : definition.schedule) {
       if (entry.well != static_cast<std::int64_t>(w)) continue;
       const bool by_rate = WellControl{entry.control} == WellControl::rate;

@@ -119,7 +119,7 @@ contains
     call expect(hfrac_option_at(0, info) == HFRAC_OK, 'an option')
     call expect(c_associated(info%key) .and. info%default_value == 100.0_real64, 'the first option')
     call expect(hfrac_well_option_count(count) == HFRAC_OK .and. count >= 7, 'number of values of a well')
-    call expect(hfrac_well_option_at(count - 1, info) == HFRAC_OK .and. info%type == 2, 'a value of a well')
+    call expect(hfrac_well_option_at(6, info) == HFRAC_OK .and. info%type == 2, 'how a well is driven')
     call expect(hfrac_joint_option_count(count) == HFRAC_OK .and. count >= 8, 'number of values of a joint')
     call expect(hfrac_joint_option_at(7, info) == HFRAC_OK .and. info%type == 2, 'a value of a joint')
     call expect(hfrac_schedule_option_count(count) == HFRAC_OK .and. count >= 4, 'number of values of an entry')
