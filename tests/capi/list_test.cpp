@@ -129,7 +129,8 @@ TEST(Lists, ThousandsOfItemsGoThroughAFile) {
   std::vector<hfrac_joint_def> joints;
   std::vector<hfrac_schedule_def> schedule;
   for (int k = 0; k < 1000; ++k) {
-    wells.push_back({4.0 + 2.9 * (k % 32), 4.0 + 2.9 * (k / 32), 0.5, 45e6, 0.0, 0.0, HFRAC_WELL_PRESSURE});
+    wells.push_back({4.0 + 2.9 * (k % 32), 4.0 + 2.9 * (k / 32), 0.5, 45e6, 0.0, 0.0, HFRAC_WELL_PRESSURE, 0,
+                     0, 0, 0, 0, 0, 0, 0, 0});
     joints.push_back(joint_at(0.09 * (k + 1)));
   }
   for (int k = 0; k < 10000; ++k) schedule.push_back({k % 1000, 1.0 + k / 1000, 40e6, HFRAC_WELL_PRESSURE});
@@ -169,7 +170,8 @@ TEST(Lists, LongOnesAreBuiltDrivenAndRestored) {
   std::vector<hfrac_joint_def> joints;
   std::vector<hfrac_schedule_def> schedule;
   for (int k = 0; k < 12; ++k)
-    wells.push_back({14.0 + 24.0 * (k % 4), 20.0 + 30.0 * (k / 4), 4.0, 26e6, 0.0, 0.0, HFRAC_WELL_PRESSURE});
+    wells.push_back({14.0 + 24.0 * (k % 4), 20.0 + 30.0 * (k / 4), 4.0, 26e6, 0.0, 0.0, HFRAC_WELL_PRESSURE,
+                     0, 0, 0, 0, 0, 0, 0, 0, 0});
   for (int k = 0; k < 100; ++k)
     joints.push_back(joint_def(5.0, 0.9 * (k + 1), 95.0, 0.9 * (k + 1), 2.0, 2.0, -1.0, HFRAC_JOINT_BONDED));
   for (int k = 0; k < 120; ++k)

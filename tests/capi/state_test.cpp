@@ -21,7 +21,7 @@ hfrac::Definition ramped_def() {
   def.stress_sigma_Hmax = 30e6;
   def.stress_sigma_hmin = 26e6;
   hfrac_sim_def_set_i64(&def, "well_count", 1);
-  def.wells[0] = {20.0, 20.0, 4.0, 75e6, 8e6, 0.0, HFRAC_WELL_RAMP};
+  def.wells[0] = {20.0, 20.0, 4.0, 75e6, 8e6, 0.0, HFRAC_WELL_RAMP, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   return def;
 }
 
