@@ -71,8 +71,13 @@ std::string case_text(const CaseDefinition& definition) {
   for (const auto& [name, lines] : sections) text += "\n[" + std::string(name) + "]\n" + lines;
   for (std::size_t w = 0; w < definition.wells.size(); ++w) {
     text += "\n[[well]]\n";
-    for (const auto& info : well_option_table())
+    // What a wellbore does not have is left out, or a thousand wells would no longer be a case file.
+    bool of_hole = true;
+    for (const auto& info : well_option_table()) {
+      if (!of_hole && get_value(definition.wells[w], info) == info.initial) continue;
+      of_hole = of_hole && info.type != ValueType::choice;  // the control is the hole's last
       text += std::string(info.key) + " = " + value_text(info, definition.wells[w]) + "\n";
+    }
     for (const auto& entry : definition.schedule) {
       if (entry.well != static_cast<std::int64_t>(w)) continue;
       const bool by_rate = WellControl{entry.control} == WellControl::rate;

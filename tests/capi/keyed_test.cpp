@@ -100,7 +100,7 @@ TEST(WellOptions, AreListedLikeTheOthers) {
     EXPECT_LE(info.minimum, info.maximum) << info.key;
     EXPECT_EQ(info.type == 2, info.choices != nullptr) << info.key;
     const std::string key = "well[0]." + std::string(info.key);
-    const int32_t status = info.type == 2 ? hfrac_sim_def_set_i64(&def, key.c_str(), 1)
+    const int32_t status = info.type != 0 ? hfrac_sim_def_set_i64(&def, key.c_str(), 1)
                                           : hfrac_sim_def_set_f64(&def, key.c_str(), info.maximum);
     EXPECT_EQ(status, HFRAC_OK) << key << ": " << last_error();
   }
