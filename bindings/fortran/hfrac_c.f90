@@ -1538,8 +1538,8 @@ module hfrac_c
       character(kind=c_char), intent(in) :: path(*)
       integer(c_int32_t) :: hfrac_sim_def_add_traces
     end function hfrac_sim_def_add_traces
-    !> The definition as a TOML text with every option filled in; loading it gives the same definition. Stable since
-    !> 0.1.
+    !> The definition as a TOML text with every option filled in, but for a well those of its wellbore that are at
+    !> their default; loading it gives the same definition. Stable since 0.1.
     function hfrac_sim_def_write(def, buffer, capacity, needed) bind(C, name="hfrac_sim_def_write")
       import
       type(hfrac_sim_def), intent(in) :: def

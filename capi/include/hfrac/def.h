@@ -527,7 +527,8 @@ HFRAC_API int32_t hfrac_sim_def_load(hfrac_sim_def *def, const char *path);
  * is refused with file and line (HFRAC_ERR_CASE_FILE); `def` is then unchanged. Unstable since 0.1. */
 HFRAC_UNSTABLE_API int32_t hfrac_sim_def_add_traces(hfrac_sim_def *def, const char *path);
 
-/** The definition as a TOML text with every option filled in; loading it gives the same definition. Stable since 0.1. */
+/** The definition as a TOML text with every option filled in, but for a well those of its wellbore that are at their default;
+ * loading it gives the same definition. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_def_write(const hfrac_sim_def *def, char *buffer, int32_t capacity, int32_t *needed);
 
 /** Refuses what cannot be built: values out of range, contradictory stresses, wells outside the model or
