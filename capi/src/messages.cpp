@@ -65,7 +65,8 @@ void tell_setup(const hfrac_sim& sim) {
   if (excess_of_tips(s) > 1.25) {
     tell(sim, HFRAC_LOG_WARNING,
          "with fracture.law = \"bond\" a tip asks for about " + rounded_text(excess_of_tips(s)) +
-             " times bond.fracture_toughness under this stress, so fractures are too short and their pressure too "
+             " times bond.fracture_toughness under this stress, so fractures are too short and their "
+             "pressure too "
              "high; fracture.law = \"facet\" asks for the toughness alone");
   }
   if (setup.cracks > setup.broken_joints) {

@@ -136,10 +136,10 @@ void CoupledSystem::open_facets() {
       n.corner_weight[2 * ci + 1] -= part.y;
       n.corner_weight[2 * cj] += part.x;
       n.corner_weight[2 * cj + 1] += part.y;
-      facet_change_[static_cast<std::size_t>(d)] += length * more / facets_.start().stiffness -
-                                                    facet_growth(assembly_, f.bond, part) -
-                                                    dot(part, {facets_.start().x[j] - facets_.start().x[i],
-                                                               facets_.start().y[j] - facets_.start().y[i]});
+      facet_change_[static_cast<std::size_t>(d)] +=
+          length * more / facets_.start().stiffness - facet_growth(assembly_, f.bond, part) -
+          dot(part,
+              {facets_.start().x[j] - facets_.start().x[i], facets_.start().y[j] - facets_.start().y[i]});
     }
   }
 }

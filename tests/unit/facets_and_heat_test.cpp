@@ -29,7 +29,8 @@ CaseDefinition slotted(std::int64_t seed, BoundaryKind kind) {
   o.boundary_kind = choice(kind);
   o.stress_sigma_Hmax = o.stress_sigma_hmin = 10e6;
   o.fluid_formation_pressure = formation;
-  o.fluid_bulk_modulus = 1e6;  // pores feel the motion of discs and not their growth (docs/theory.md): not the matter here
+  o.fluid_bulk_modulus =
+      1e6;  // pores feel the motion of discs and not their growth (docs/theory.md): not the matter here
   o.flow_permeability = 1e-20;
   o.fracture_law = choice(FractureLaw::facet);
   o.fracture_perforation_length = 6.0;
