@@ -62,12 +62,11 @@ void tell_setup(const hfrac_sim& sim) {
          "bonds of fine and coarse discs are equally strong, so the rock's toughness goes with the root of "
          "their radius; give bond.fracture_toughness");
   }
-  if (excess_of_tips(s) > 1.25) {
+  if (const double excess = excess_of_tips(s); excess > 1.25) {
     tell(sim, HFRAC_LOG_WARNING,
-         "with fracture.law = \"bond\" a tip asks for about " + rounded_text(excess_of_tips(s)) +
-             " times bond.fracture_toughness under this stress, so fractures are too short and their "
-             "pressure too "
-             "high; fracture.law = \"facet\" asks for the toughness alone");
+         "with fracture.law = \"bond\" a tip asks for about " + rounded_text(excess) +
+             " times bond.fracture_toughness under this stress, so fractures are too short and at too high a "
+             "pressure; fracture.law = \"facet\" asks for the toughness alone");
   }
   if (setup.cracks > setup.broken_joints) {
     tell(sim, HFRAC_LOG_WARNING,

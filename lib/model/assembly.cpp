@@ -15,27 +15,20 @@ namespace {
 // Rock has cracks before it is tested: contacts without bond, drawn by where they lie. Discs keep enough bonds to be held.
 void leave_unbonded(Assembly& a, double share) {
   constexpr std::int64_t fewest = 3;
-  std::vector<std::int64_t> held(a.x.size(), 0);
-  const auto count = [&](std::int64_t e) -> auto& {
-    return held[static_cast<std::size_t>(a.first[e])];
-  };
-  const auto other = [&](std::int64_t e) -> auto& {
-    return held[static_cast<std::size_t>(a.second[e])];
-  };
+  Array<std::int64_t> bonds(a.x.size(), 0);  // of each disc
   for (std::int64_t e = 0; e < a.bond_count(); ++e) {
-    count(e) += a.intact[e];
-    other(e) += a.intact[e];
+    for (const auto disc : {a.first[e], a.second[e]}) bonds[disc] += a.intact[e] == 0 ? 0 : 1;
   }
   for (std::int64_t e = 0; e < a.bond_count(); ++e) {
+    auto &here = bonds[a.first[e]], &there = bonds[a.second[e]];
+    if (a.intact[e] == 0 || std::min(here, there) <= fewest) continue;
     Hash place;
     place.add(a.dx(e));
     place.add(a.dy(e));
-    if (a.intact[e] == 0 || Random(place.value()).uniform() >= share || count(e) <= fewest ||
-        other(e) <= fewest)
-      continue;
+    if (Random(place.value()).uniform() >= share) continue;
     a.intact[e] = 0;
-    --count(e);
-    --other(e);
+    --here;
+    --there;
   }
 }
 

@@ -110,7 +110,7 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
 
     const double present = intact > 0.0 ? contact_with_bond : 1.0;
     double squeeze = positive(-gap), contact_bend = 0.0;  // over stiffness
-    if (flat) {
+    if constexpr (flat) {
       const double edge = radius * magnitude(turn);
       const double deep = positive(edge - gap), part = deep / (edge + 1e-300);
       const bool whole = -gap >= edge;

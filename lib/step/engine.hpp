@@ -41,6 +41,7 @@ struct Engine {
   std::unique_ptr<FlowSolver> flow;  // from the end of the initial equilibration on; none in a dry model
   std::unique_ptr<EquilibriumSolver> equilibrium;  // likewise; none with solver.kind = "explicit"
   std::vector<double> source;                      // m2/s per domain, from wells at a rate
+  std::vector<double> pore_viscosity;              // of water over fluid.viscosity, work space
   bool well_jumped = false;                        // a well's imposed pressure changed in the step at hand
   std::vector<std::array<float, 2>>
       moved_before;                         // m, displacement of each disc as the step began (checks.hpp)

@@ -30,16 +30,20 @@ void follow_schedules(Engine& e) {
   if (turned) std::fill(rate.begin(), rate.end(), 0.0);
 }
 
+// Where a well that is driven by pressure is taken to in a step, from `now` [Pa].
+double next_pressure(const WellDrive& drive, double now) {
+  const double gap = drive.target_pressure - now;
+  const bool there = drive.control == WellControl::pressure || std::abs(gap) <= drive.ramp_per_step;
+  return there ? drive.target_pressure : now + std::copysign(drive.ramp_per_step, gap);
+}
+
 // Of a wellbore with friction: its first well's drive. The holes of all its clusters take what comes through.
 void drive_wellbore(Engine& e, Wellbore& wellbore, const WellDrive& drive) {
   wellbore.held = drive.control != WellControl::rate;
   wellbore.rate = wellbore.held ? 0.0 : drive.set_rate;
   if (!wellbore.held) return;
-  const double before = wellbore.pressure, gap = drive.target_pressure - before;
-  const bool there = drive.control == WellControl::pressure || std::abs(gap) <= drive.ramp_per_step;
-  wellbore.pressure =
-      std::max(there ? drive.target_pressure : before + std::copysign(drive.ramp_per_step, gap),
-               e.model.network.floor_pressure);
+  const double before = wellbore.pressure;
+  wellbore.pressure = std::max(next_pressure(drive, before), e.model.network.floor_pressure);
   e.well_jumped = e.well_jumped || wellbore.pressure != before;
 }
 
@@ -57,6 +61,21 @@ void impose_well_pressure(Engine& e, const Well& well, double pressure) {
   const double before = n.pressure[well.place.domain];
   n.pressure[well.place.domain] = std::max(pressure, n.floor_pressure);
   e.well_jumped = e.well_jumped || n.pressure[well.place.domain] != before;
+}
+
+// Of water in every pipe, the mean of the pores at its ends; until the end of the next step or increment it is fixed, and the tangent exact.
+void update_viscosity(Engine& e) {
+  Network& n = e.model.network;
+  if (n.viscosity_share.empty()) return;
+  const Options& o = e.options;
+  const double datum = o.fluid_formation_pressure - n.reference_pressure;
+  auto& share = e.pore_viscosity;
+  share.resize(n.kind.size());
+  for (std::size_t d = 0; d < share.size(); ++d)
+    share[d] = water_viscosity_at(e.model.heat->fluid[d], n.pressure[d] + datum) / o.fluid_viscosity;
+  for (std::size_t p = 0; p < n.left.size(); ++p)
+    n.viscosity_share[p] =
+        0.5 * (share[static_cast<std::size_t>(n.left[p])] + share[static_cast<std::size_t>(n.right[p])]);
 }
 
 }  // namespace
@@ -79,16 +98,9 @@ void drive_wells(Engine& e) {
     }
     switch (well.drive.control) {
       case WellControl::pressure:
-        impose_well_pressure(e, well, well.drive.target_pressure);
+      case WellControl::ramp:
+        impose_well_pressure(e, well, next_pressure(well.drive, n.pressure[d]));
         break;
-      case WellControl::ramp: {
-        const double now = n.pressure[d], gap = well.drive.target_pressure - now;
-        impose_well_pressure(e, well,
-                             std::abs(gap) <= well.drive.ramp_per_step
-                                 ? well.drive.target_pressure
-                                 : now + std::copysign(well.drive.ramp_per_step, gap));
-        break;
-      }
       case WellControl::rate:
         release_hole(e, d);
         if (e.flow) e.source[static_cast<std::size_t>(d)] = well.drive.set_rate;
@@ -124,22 +136,6 @@ void feel_heat(Engine& e) {
 void feel_heat_again(Engine& e) {
   if (e.heat) feel_temperature(e.model.assembly, e.model.heat->felt, e.heat->table, e.options);
 }
-
-namespace {
-// Of water in every pipe, the mean of the pores at its ends; until the end of the next step or increment it is fixed, and the tangent exact.
-void update_viscosity(Engine& e) {
-  Network& n = e.model.network;
-  if (n.viscosity_share.empty()) return;
-  const Options& o = e.options;
-  const double datum = o.fluid_formation_pressure - n.reference_pressure;
-  std::vector<double> share(n.kind.size());
-  for (std::size_t d = 0; d < share.size(); ++d)
-    share[d] = water_viscosity_at(e.model.heat->fluid[d], n.pressure[d] + datum) / o.fluid_viscosity;
-  for (std::size_t p = 0; p < n.left.size(); ++p)
-    n.viscosity_share[p] =
-        0.5 * (share[static_cast<std::size_t>(n.left[p])] + share[static_cast<std::size_t>(n.right[p])]);
-}
-}  // namespace
 
 void update_geometry(Engine& e) {
   update_viscosity(e);

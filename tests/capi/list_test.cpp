@@ -18,6 +18,15 @@ constexpr hfrac_joint_def joint_at(double y) {
   return joint_def(20.0, y, 80.0, y, 0.5, 0.25, 0.125, HFRAC_JOINT_BONDED);
 }
 
+hfrac_well_def well_at(double x, double y, double radius, double pressure) {
+  hfrac_well_def well{};
+  well.x = x;
+  well.y = y;
+  well.radius = radius;
+  well.pressure = pressure;
+  return well;
+}
+
 template <class Item>
 void give(hfrac_sim_def& def, Item*& list, int64_t& count, int64_t& size, std::vector<Item>& items) {
   (void)def;
@@ -129,8 +138,7 @@ TEST(Lists, ThousandsOfItemsGoThroughAFile) {
   std::vector<hfrac_joint_def> joints;
   std::vector<hfrac_schedule_def> schedule;
   for (int k = 0; k < 1000; ++k) {
-    wells.push_back({4.0 + 2.9 * (k % 32), 4.0 + 2.9 * (k / 32), 0.5, 45e6, 0.0, 0.0, HFRAC_WELL_PRESSURE, 0,
-                     0, 0, 0, 0, 0, 0, 0, 0});
+    wells.push_back(well_at(4.0 + 2.9 * (k % 32), 4.0 + 2.9 * (k / 32), 0.5, 45e6));
     joints.push_back(joint_at(0.09 * (k + 1)));
   }
   for (int k = 0; k < 10000; ++k) schedule.push_back({k % 1000, 1.0 + k / 1000, 40e6, HFRAC_WELL_PRESSURE});
@@ -170,8 +178,7 @@ TEST(Lists, LongOnesAreBuiltDrivenAndRestored) {
   std::vector<hfrac_joint_def> joints;
   std::vector<hfrac_schedule_def> schedule;
   for (int k = 0; k < 12; ++k)
-    wells.push_back({14.0 + 24.0 * (k % 4), 20.0 + 30.0 * (k / 4), 4.0, 26e6, 0.0, 0.0, HFRAC_WELL_PRESSURE,
-                     0, 0, 0, 0, 0, 0, 0, 0, 0});
+    wells.push_back(well_at(14.0 + 24.0 * (k % 4), 20.0 + 30.0 * (k / 4), 4.0, 26e6));
   for (int k = 0; k < 100; ++k)
     joints.push_back(joint_def(5.0, 0.9 * (k + 1), 95.0, 0.9 * (k + 1), 2.0, 2.0, -1.0, HFRAC_JOINT_BONDED));
   for (int k = 0; k < 120; ++k)

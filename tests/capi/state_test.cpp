@@ -21,7 +21,12 @@ hfrac::Definition ramped_def() {
   def.stress_sigma_Hmax = 30e6;
   def.stress_sigma_hmin = 26e6;
   hfrac_sim_def_set_i64(&def, "well_count", 1);
-  def.wells[0] = {20.0, 20.0, 4.0, 75e6, 8e6, 0.0, HFRAC_WELL_RAMP, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  hfrac_well_def& well = def.wells[0];
+  well.x = well.y = 20.0;
+  well.radius = 4.0;
+  well.pressure = 75e6;
+  well.ramp_per_step = 8e6;
+  well.control = HFRAC_WELL_RAMP;
   return def;
 }
 

@@ -22,9 +22,7 @@ CaseDefinition slotted(std::int64_t seed, BoundaryKind kind, WallsAfterEquilibra
   Options& o = definition.options;
   o.model_seed = seed;
   o.packing_disc_count = 1000;
-  o.contact_mode = choice(ContactMode::after_break);
-  o.contact_normal_stiffness = o.bond_normal_stiffness = 16e9;
-  o.contact_shear_stiffness = o.bond_shear_stiffness = 5.6e9;
+  make_linear(o);
   o.boundary_kind = choice(kind);
   o.boundary_walls_after_equilibration = choice(after);
   o.stress_sigma_Hmax = 15e6;

@@ -25,6 +25,13 @@ inline CaseDefinition cracking_case() {
   return definition;
 }
 
+// Rock whose stiffness is the same in tension and compression.
+inline void make_linear(Options& o) {
+  o.contact_mode = choice(ContactMode::after_break);
+  o.contact_normal_stiffness = o.bond_normal_stiffness = 16e9;
+  o.contact_shear_stiffness = o.bond_shear_stiffness = 5.6e9;
+}
+
 // Total stresses, stress boundary, nothing breaks.
 inline CaseDefinition quiet_case() {
   CaseDefinition definition = cracking_case();
