@@ -443,7 +443,8 @@ void cross_bonds(const KernelArrays& a, int64_t block) {
   sums.put(a.bond_sums[a.tile_count + block]);
 }
 
-void cross_domains(const KernelArrays& a, int64_t block) {
+template <bool turns>
+void cross_domains_with(const KernelArrays& a, int64_t block) {
   const int64_t begin = block * cross_block;
   const int64_t end = begin + cross_block < a.cross_domain_count ? begin + cross_block : a.cross_domain_count;
   double work = 0.0;
@@ -456,7 +457,7 @@ void cross_domains(const KernelArrays& a, int64_t block) {
       for (int32_t k = first; k < last; ++k) {
         const int32_t disc = a.domain_corner_disc[k];
         change += a.domain_corner_weight[2 * k] * a.ux[disc] + a.domain_corner_weight[2 * k + 1] * a.uy[disc];
-        if (a.domain_corner_turn != nullptr) change += a.domain_corner_turn[k] * a.rotation[disc];
+        if constexpr (turns) change += a.domain_corner_turn[k] * a.rotation[disc];
       }
       p = undrained_pressure(a, d, change, work);
     }
@@ -466,10 +467,14 @@ void cross_domains(const KernelArrays& a, int64_t block) {
       BufferedForce& to = a.force_buffer[place[k - first]];
       to.fx = p * a.domain_corner_weight[2 * k];
       to.fy = p * a.domain_corner_weight[2 * k + 1];
-      if (a.domain_corner_turn != nullptr) to.moment = p * a.domain_corner_turn[k];
+      if constexpr (turns) to.moment = p * a.domain_corner_turn[k];
     }
   }
   a.domain_sums[a.tile_count + block].work += work;
+}
+
+void cross_domains(const KernelArrays& a, int64_t block) {
+  (a.domain_corner_turn == nullptr ? cross_domains_with<false> : cross_domains_with<true>)(a, block);
 }
 
 // One degree of freedom of some discs: leap-frog with local damping (Cundall 1987). Adds up the damping work.
