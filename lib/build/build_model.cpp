@@ -96,7 +96,7 @@ Model build_model(const CaseDefinition& definition, Packing packing,
   }
   Assembly& assembly = model.assembly;
   assembly = build_assembly(std::move(graph), o);
-  if (o.bond_fracture_toughness > 0.0 && FractureLaw{o.fracture_law} == FractureLaw::bond)
+  if (o.bond_fracture_toughness > 0.0 && FractureLaw{o.fracture_law} != FractureLaw::facet)
     apply_fracture_toughness(assembly, o);
   report.joints = static_cast<std::int64_t>(definition.joints.size());
   report.joints_left_out = apply_joints(assembly, definition.joints, o, model.cracks);

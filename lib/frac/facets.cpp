@@ -66,6 +66,7 @@ void Facets::begin(const Assembly& a, Network& n, const std::vector<WellPlace>& 
   weight_ = n.corner_weight;
   turn_ = n.corner_turn;
   force_.assign(4 * bonds, 0.0);
+  energy_.assign(bonds, 0.0);
   contact_.resize(bonds);
   const auto discs = static_cast<std::size_t>(a.disc_count());
   Array<double> area;
@@ -78,6 +79,7 @@ void Facets::begin(const Assembly& a, Network& n, const std::vector<WellPlace>& 
     contact_[e] = Vec2{a.x[i], a.y[i]} + a.arm(b) * d;
     bonds_[n.left[e]].push_back(static_cast<std::int32_t>(e));
     if (n.right[e] != n.left[e]) bonds_[n.right[e]].push_back(static_cast<std::int32_t>(e));
+    energy_[e] = v.bond_energy + v.contact_energy;
     const Vec2 f = force_on_first(a, b, v);
     const double arm_i = a.arm(b), arm_j = a.length(b) - arm_i;
     force_[4 * e] = f.x;
@@ -156,6 +158,24 @@ void Facets::stress_around(const Assembly& a, const Network& n, const Options& o
 double Facets::opening(const Assembly& a, const Network& n, const Facet& f) const {
   const double push = n.pressure[f.left] * f.left_length + n.pressure[f.right] * f.right_length;
   return facet_opening(a, start_, f, push);
+}
+
+double Facets::energy(const Assembly& a, const Network& n, const Options& o) const {
+  if (!active_) return 0.0;
+  double energy = -n.facet_pushed;
+  // In motion by the pressures up to which work is counted; fluid that flowed since has not moved the rock.
+  const Array<double>& pressure = n.facet_worked.empty() ? n.pressure : n.facet_worked;
+  for (const Facet& f : facets_) {
+    const auto at = [&](std::int32_t d) {
+      return n.kind[d] == DomainKind::rock ? pressure[d] : n.pressure[d];
+    };
+    energy += facet_energy(a, o, start_, f, at(f.left) * f.left_length + at(f.right) * f.right_length);
+  }
+  for (std::int64_t e = 0; e < a.bond_count(); ++e) {
+    const Vec2 force = locked_of(e);
+    if (force.x != 0.0 || force.y != 0.0) energy += push_energy(a, start_, e, force);
+  }
+  return energy;
 }
 
 void Facets::tell_openings(const Assembly& a, Network& n) const {

@@ -69,6 +69,8 @@ class Facets {
   // What others read of openings: network.facet_opening.
   void tell_openings(const Assembly& assembly, Network& network) const;
   [[nodiscard]] double opening(const Assembly& a, const Network& n, const Facet& f) const;
+  // J/m, that facets and locked-in pushes store.
+  [[nodiscard]] double energy(const Assembly& a, const Network& n, const Options& o) const;
   // Force of the locked-in pressure on an intact bond of a fracture's pore, on its first disc [N].
   [[nodiscard]] Vec2 locked_of(std::int64_t bond) const {
     return {pore_push_[2 * bond], pore_push_[2 * bond + 1]};
@@ -92,9 +94,9 @@ class Facets {
   [[nodiscard]] Facet face_of(const Assembly& a, const Network& n, std::int64_t bond) const;
   [[nodiscard]] double change_before(const Assembly& a, const Network& n, std::int32_t domain) const;
   void put_weights(Network& n, std::int32_t domain, bool open) const;
-  void put_push(const Assembly& a, const Network& n, std::int64_t bond);
+  void put_push(const Assembly& a, Network& n, std::int64_t bond, bool restored);
   void put_pipe(Network& n, const Facet& f) const;
-  void tell_motion(const Assembly& a, Network& n) const;
+  void tell_motion(const Assembly& a, Network& n, bool restored) const;
   [[nodiscard]] std::vector<std::int64_t> near_to(const Assembly& a, const Network& n,
                                                   const std::vector<std::int64_t>& fresh) const;
   void lay_along_fracture(const Assembly& a, const Network& n, Facet& f) const;
@@ -107,7 +109,8 @@ class Facets {
   std::vector<Facet> facets_;
   std::vector<char> fractured_, cut_;
   std::vector<std::vector<std::int32_t>> bonds_;  // of a domain
-  Array<double> force_;  // per bond at the initial state: force on the first disc, two couples
+  Array<double> force_;   // per bond at the initial state: force on the first disc, two couples
+  Array<double> energy_;  // likewise: of bond and contact [J/m]
   Array<double>
       pressure_;  // per domain: what the rock around it, or its joint's faces, bore of its pressure initially [Pa]
   double biot_ = 1.0;

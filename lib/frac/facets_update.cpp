@@ -66,7 +66,7 @@ void Facets::put_pipe(Network& n, const Facet& f) const {
 }
 
 // What the explicit solver has to know.
-void Facets::tell_motion(const Assembly& a, Network& n) const {
+void Facets::tell_motion(const Assembly& a, Network& n, bool restored) const {
   if (motion_ == nullptr) return;
   std::vector<std::int32_t> pores;
   for (const Facet& f : facets_)
@@ -93,16 +93,17 @@ void Facets::tell_motion(const Assembly& a, Network& n) const {
   std::vector<FacetMotion::Push> pushes;
   pushes.reserve(bonds.size());
   for (const auto e : bonds) pushes.push_back({e, locked_of(e)});
-  motion_->take(facets_, std::move(pushes), std::move(faces));
+  motion_->take(facets_, std::move(pushes), std::move(faces), restored);
 }
 
-void Facets::put_push(const Assembly& a, const Network& n, std::int64_t e) {
+void Facets::put_push(const Assembly& a, Network& n, std::int64_t e, bool restored) {
   Vec2 push{};
   const auto low = std::min(n.left[e], n.right[e]), high = std::max(n.left[e], n.right[e]);
   if (of_[e] < 0 && a.smooth.of(e) == nullptr)
     for (const auto d : {low, high})
       if (fractured_[d] != 0 && (d == low || high != low))
         push = push - pressure_[d] * pushed(e, n.left[e] == d);
+  if (!restored) n.facet_pushed += push_energy(a, start_, e, push - locked_of(e));
   pore_push_[2 * e] = push.x;
   pore_push_[2 * e + 1] = push.y;
 }
@@ -133,8 +134,8 @@ void Facets::update(const Assembly& a, Network& n, bool restored) {
     if (before[d] == 0 && !restored) n.facet_offset[d] = change_before(a, n, d);
     put_weights(n, d, true);
   }
-  for (std::int64_t e = 0; e < a.bond_count(); ++e) put_push(a, n, e);
-  tell_motion(a, n);
+  for (std::int64_t e = 0; e < a.bond_count(); ++e) put_push(a, n, e, restored);
+  tell_motion(a, n, restored);
 }
 
 void Facets::add(const Assembly& a, Network& n, std::span<const std::int64_t> broken) {
@@ -166,8 +167,8 @@ void Facets::add(const Assembly& a, Network& n, std::span<const std::int64_t> br
       if (fractured_[d] != 0) put_weights(n, d, true);
   for (const auto e : fresh)
     for (const auto d : {n.left[e], n.right[e]})
-      for (const auto bond : bonds_[d]) put_push(a, n, bond);
-  tell_motion(a, n);
+      for (const auto bond : bonds_[d]) put_push(a, n, bond, false);
+  tell_motion(a, n, false);
 }
 
 // Facets that may lie otherwise for new ones: whose way through the rock's pores (lay_along_fracture) can come to a pore of theirs. The pores
@@ -270,6 +271,7 @@ void Facets::lay_along_fracture(const Assembly& a, const Network& n, Facet& f) c
   // What the bond bore with the fluid around it, less that of the mean.
   f.locked = initial_force(f.bond) -
              (pressure_[f.left] * pushed(f.bond, true) + pressure_[f.right] * pushed(f.bond, false)) + mean;
+  f.initial_energy = energy_[f.bond];
   f.locked_first = force_[4 * f.bond + 2];
   f.locked_second = force_[4 * f.bond + 3];
 }

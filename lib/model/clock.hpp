@@ -34,6 +34,7 @@ struct IncrementState {
 // Work of friction, damping and fluid, and what breakage released: J/m since the model came to rest.
 struct Energies {
   double friction = 0.0, damping = 0.0, fluid = 0.0, fracture = 0.0;
+  double held = 0.0;  // work of the couple against what facets turn the whole by (solid/facet_motion.hpp)
 };
 
 // What the ledger (step/ledger.hpp) adds up besides.

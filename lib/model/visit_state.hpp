@@ -30,6 +30,11 @@ void visit_state(Archive& archive, Self& s, bool wet) {
   if (!n.facet_offset.empty()) {
     archive.array(n.facet_offset);
     archive.array(n.facet_time);
+    archive.value(n.facet_pushed);
+  }
+  if (!n.facet_worked.empty()) {
+    archive.array(n.facet_worked);
+    archive.value(s.accounts.energies.held);
   }
   if (!n.viscosity_share.empty()) archive.array(n.viscosity_share);  // likewise
   archive.value(n.zero_stress_aperture);

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/water.hpp"
 #include "options/choices.hpp"
+#include "options/fracture_law.hpp"
 #include "options/grading.hpp"
 #include "options/number_text.hpp"
 #include "options/options.hpp"
@@ -137,45 +138,17 @@ void check_packing(const Options& o, const Radii& radii, bool given) {
 
 // Facets of fractures: what they do not go with yet is refused.
 void check_facets(const CaseDefinition& definition) {
-  const Options& o = definition.options;
-  if (FractureLaw{o.fracture_law} != FractureLaw::facet) {
-    if (o.fracture_perforation_length > 0.0)
-      refuse(
-          "fracture.perforation_length needs fracture.law = \"facet\"; set it, or leave the length at 0 m.");
-    return;
-  }
-  const bool coupled = SteppingMode{o.stepping_mode} == SteppingMode::coupled;
-  if (!coupled && SolverKind{o.solver_kind} == SolverKind::quasi_static) {
+  if (fracture_law_of(definition) == FractureLaw::facet) {
+    if (const std::string why = why_no_facets(definition); !why.empty()) refuse(why);
+  } else if (definition.options.fracture_perforation_length > 0.0) {
     refuse(
-        "fracture.law = \"facet\" with solver.kind = \"quasi-static\" is for stepping.mode = \"coupled\" "
-        "only; "
-        "set that, or solver.kind = \"explicit\", or take fracture.law = \"bond\".");
-  }
-  if (FlowScheme{o.flow_scheme} == FlowScheme::off) {
-    refuse(
-        "fracture.law = \"facet\" needs fluid, but flow.scheme = \"off\"; set flow.scheme = \"implicit\" or "
-        "\"explicit\", or take fracture.law = \"bond\".");
-  }
-  if (ThermalMode{o.thermal_mode} != ThermalMode::off) {
-    if (!coupled)
-      refuse(
-          "fracture.law = \"facet\" takes temperature with stepping.mode = \"coupled\" only; set that and "
-          "solver.kind = \"quasi-static\", or thermal.mode = \"off\", or take fracture.law = \"bond\".");
-    if (ThermalParameters{o.thermal_parameters} == ThermalParameters::table)
-      refuse(
-          "fracture.law = \"facet\" takes no micro-parameters that follow temperature; set "
-          "thermal.parameters = \"constant\", or take fracture.law = \"bond\".");
-  }
-  for (std::size_t k = 0; k < definition.joints.size(); ++k) {
-    if (is_smooth(JointState{definition.joints[k].state})) continue;
-    refuse("joint[" + std::to_string(k) +
-           "].state: fracture.law = \"facet\" takes smooth joints only; set it to \"smooth-bonded\" or "
-           "\"smooth-broken\", or take fracture.law = \"bond\".");
+        "fracture.perforation_length needs fracture.law = \"facet\"; set it, or leave the length at 0 m.");
   }
 }
 
-void check_rock(const Options& o) {
-  if (o.rock_biot_coefficient < 1.0 && FractureLaw{o.fracture_law} != FractureLaw::facet)
+void check_rock(const CaseDefinition& definition) {
+  const Options& o = definition.options;
+  if (o.rock_biot_coefficient < 1.0 && fracture_law_of(definition) != FractureLaw::facet)
     refuse("rock.biot_coefficient = " + number_text(o.rock_biot_coefficient) +
            " needs fracture.law = \"facet\": the fluid pushes whole on a fracture's faces, which contacts of "
            "law bond cannot "
@@ -256,13 +229,6 @@ void check_material(const Options& o) {
         "bond.normal_stiffness = 0 N/m with contact.mode = \"after-break\" leaves intact rock without "
         "stiffness; "
         "give bond.normal_stiffness or set contact.mode = \"parallel\".");
-  }
-  if (ContactShape{o.contact_shape} == ContactShape::flat &&
-      FractureLaw{o.fracture_law} == FractureLaw::facet) {
-    refuse(
-        "contact.shape = \"flat\" is a law of broken bonds, and fracture.law = \"facet\" makes them faces of "
-        "the "
-        "rock; leave the shape \"round\", or set fracture.law = \"bond\".");
   }
   if (o.bond_fracture_toughness > 0.0 && o.bond_toughness_reference_radius > 0.0) {
     refuse(value_text("bond.fracture_toughness", o.bond_fracture_toughness, "Pa m^0.5") + " and " +
@@ -607,7 +573,7 @@ void validate(const CaseDefinition& definition, std::span<const double> given_di
   check_stresses(o);
   check_exterior(o, given_discs.size() / 3);
   check_facets(definition);
-  check_rock(definition.options);
+  check_rock(definition);
   check_material(o);
   check_solver(o);
   check_initial(definition);

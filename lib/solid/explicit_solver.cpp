@@ -51,7 +51,7 @@ ExplicitSolver::ExplicitSolver(Model& model, Boundary& boundary, const Options& 
       tiles_left_(workers.count()),
       kernels_(kernels()),
       fragments_(assembly_, options),
-      facets_(assembly_, network_, options) {
+      facets_(assembly_, network_, options, energies_) {
   const auto discs = static_cast<std::size_t>(assembly_.disc_count());
   pushed_ = discs_of_smooth(assembly_);
   inverse_mass_.resize(discs);

@@ -30,6 +30,7 @@ struct Facet {
   double initial_normal = 0.0, initial_shear = 0.0;  // N: of F_0, along n and (-n.y, n.x)
   Vec2 locked;                                       // N on the first disc while open
   double locked_first = 0.0, locked_second = 0.0;    // N m, as BondResponse::force[2], [3]
+  double initial_energy = 0.0;                       // J/m, of the bond and its contact
   Vec2 middle;                                       // m
   bool slot = false;  // cut, not broken: the fluid passes whether the rock opens it or not
   std::int32_t corner[4] = {-1, -1, -1, -1};  // of left pore: first, second disc; of right pore
@@ -59,6 +60,14 @@ inline double facet_opening(const Assembly& a, const FacetStart& s, const Facet&
   return facet_jump(a, s, f, f.normal) + (push - f.initial_normal) / s.stiffness;
 }
 
+// m, of its faces along it.
+inline double facet_slide(const Assembly& a, const FacetStart& s, const Facet& f) {
+  const auto i = a.first[f.bond], j = a.second[f.bond];
+  const double arm_i = a.arm(f.bond), arm_j = a.length(f.bond) - arm_i;
+  return facet_jump(a, s, f, {-f.normal.y, f.normal.x}) - arm_i * (a.rotation[i] - s.rotation[i]) -
+         arm_j * (a.rotation[j] - s.rotation[j]);
+}
+
 // What a facet whose opening is below 0 transmits.
 struct ClosedFacet {
   double normal, shear;  // N, tension positive
@@ -66,20 +75,37 @@ struct ClosedFacet {
 };
 inline ClosedFacet closed_facet(const Assembly& a, const Options& o, const FacetStart& s, const Facet& f,
                                 double opening) {
-  const auto e = f.bond;
-  const auto i = a.first[e], j = a.second[e];
-  const double arm_i = a.arm(e), arm_j = a.length(e) - arm_i;
   ClosedFacet c{s.stiffness * facet_jump(a, s, f, f.normal) - f.initial_normal, 0.0};
   // The grains bear what the facet transmits beyond the fluid's push, -k_n w: nothing where the facet opens.
   const double limit = -o.contact_friction * s.stiffness * opening;
-  const double slide = facet_jump(a, s, f, {-f.normal.y, f.normal.x}) -
-                       arm_i * (a.rotation[i] - s.rotation[i]) - arm_j * (a.rotation[j] - s.rotation[j]);
-  c.shear = o.contact_shear_stiffness * slide - f.initial_shear;
+  c.shear = o.contact_shear_stiffness * facet_slide(a, s, f) - f.initial_shear;
   if (std::abs(c.shear) > limit) {
     c.slides = std::copysign(1.0, c.shear);
     c.shear = std::copysign(limit, c.shear);
   }
   return c;
+}
+
+// J/m: the potential of a constant force on the first disc of a bond, and the opposite on the second.
+inline double push_energy(const Assembly& a, const FacetStart& s, std::int64_t bond, Vec2 force) {
+  const auto i = a.first[bond], j = a.second[bond];
+  return dot(force, {a.ux[j] - s.x[j] - (a.ux[i] - s.x[i]), a.uy[j] - s.y[j] - (a.uy[i] - s.y[i])});
+}
+
+// J/m, of a facet: what its bond stored at the start, and what the half discs at its faces, its shear spring and the potential of the force
+// that is locked in have taken up since. In motion discs and fluid do no other work on it than this, and friction:
+// P dw = T dj + d(T^2 / 2 k_n) with T = P where it is open. A facet that is shut as it was stores what its bond did.
+inline double facet_energy(const Assembly& a, const Options& o, const FacetStart& s, const Facet& f,
+                           double push) {
+  const auto i = a.first[f.bond], j = a.second[f.bond];
+  const double k_s = o.contact_shear_stiffness;
+  double energy = f.initial_energy + push_energy(a, s, f.bond, f.locked) + f.locked_first * (a.rotation[i] - s.rotation[i]) +
+                  f.locked_second * (a.rotation[j] - s.rotation[j]);
+  const double opening = facet_opening(a, s, f, push);
+  const ClosedFacet c = opening < 0.0 ? closed_facet(a, o, s, f, opening) : ClosedFacet{-push, 0.0};
+  energy += 0.5 * (c.normal * c.normal - f.initial_normal * f.initial_normal) / s.stiffness;
+  if (k_s > 0.0) energy += 0.5 * (c.shear * c.shear - f.initial_shear * f.initial_shear) / k_s;
+  return energy;
 }
 
 }  // namespace hfrac

@@ -7,6 +7,7 @@
 
 #include "model/far_discs.hpp"
 #include "options/choices.hpp"
+#include "solid/bond_law.hpp"
 
 namespace hfrac {
 namespace {
@@ -40,13 +41,15 @@ void FacetMotion::begin(const FacetStart& start, const Array<double>& weight) {
   weight_ = &weight;
   refill_factors(assembly_, options_);
   count_.assign(network_.kind.size(), 0);
+  network_.facet_worked = network_.pressure;
   if (BoundaryKind{options_.boundary_kind} != BoundaryKind::stress) return;
   const FarDiscs two = far_discs(assembly_);
   far_apart_ = {two.lowest, two.far};
 }
 
-void FacetMotion::take(std::span<const Facet> facets, std::vector<Push> pushes, std::vector<Face> faces) {
-  const Network& n = network_;
+void FacetMotion::take(std::span<const Facet> facets, std::vector<Push> pushes, std::vector<Face> faces,
+                       bool restored) {
+  Network& n = network_;
   ++changes_;
   facets_ = facets;
   pushes_ = std::move(pushes);
@@ -79,10 +82,14 @@ void FacetMotion::take(std::span<const Facet> facets, std::vector<Push> pushes, 
   };
   items_.clear();
   for (const Facet& f : facets) items_.push_back({place(f.left), place(f.right), 0.0, 0.0});
+  const auto before = std::move(pores_);
   pores_.clear();
   std::int32_t sides = 0;
+  auto known = before.begin();
   for (const auto d : rock) {
-    pores_.push_back({d, sides, sides, n.pressure[d], n.facet_offset[d]});
+    known = std::find_if(known, before.end(), [d](const Pore& pore) { return pore.domain >= d; });
+    if (!restored && (known == before.end() || known->domain != d)) n.facet_worked[d] = n.pressure[d];
+    pores_.push_back({d, sides, sides, n.facet_worked[d], n.facet_offset[d], n.volume_change[d]});
     sides += count_[d];
   }
   sides_.resize(static_cast<std::size_t>(sides));
@@ -94,6 +101,72 @@ void FacetMotion::take(std::span<const Facet> facets, std::vector<Push> pushes, 
             static_cast<std::int32_t>(k), length};
   for (const auto& pore : pores_)
     if (at_tip(pore.domain)) hold_bonds_around(assembly_, n, pore.domain);
+  book_change(restored);
+}
+
+// What was stored before, with the contacts of bonds that have become facets, is stored now, was taken up by the fluid where its pores got
+// another volume, or is gone.
+void FacetMotion::book_change(bool restored) {
+  const auto known = std::move(bonds_);
+  bonds_.clear();
+  for (const Facet& f : facets_) bonds_.push_back(f.bond);
+  measure();
+  for (std::size_t k = 0; k < items_.size(); ++k) {
+    items_[k].shear = shear_of(k);
+    items_[k].slide = facet_slide(assembly_, *start_, facets_[k]);
+  }
+  const double stored = energy();
+  if (restored) return;
+  double released = stored_ - stored;
+  for (const auto bond : bonds_)
+    if (!std::binary_search(known.begin(), known.end(), bond))
+      released += view_bond(assembly_, options_, bond).contact_energy;
+  for (auto& pore : pores_) {
+    const double work = pore.pressure * (volume_change(pore) - pore.volume);
+    network_.volume_change[pore.domain] = volume_change(pore);
+    energies_.fluid += work;
+    released += work;
+  }
+  energies_.fracture += released;
+  stored_ = stored;
+}
+
+double FacetMotion::shear_of(std::size_t k) const {
+  const double opening = items_[k].apart + items_[k].push / start_->stiffness;
+  return opening < 0.0 ? closed_facet(assembly_, options_, *start_, facets_[k], opening).shear : 0.0;
+}
+
+double FacetMotion::energy() const {
+  double sum = -network_.facet_pushed;
+  for (std::size_t k = 0; k < items_.size(); ++k)
+    sum += facet_energy(assembly_, options_, *start_, facets_[k], items_[k].push);
+  for (const auto& [bond, force] : pushes_) sum += push_energy(assembly_, *start_, bond, force);
+  return sum;
+}
+
+void FacetMotion::count_work() {
+  for (auto& pore : pores_) {
+    const double volume = volume_change(pore);
+    double& worked = network_.facet_worked[pore.domain];
+    energies_.fluid += 0.5 * (worked + pore.pressure) * (volume - pore.volume);
+    worked = pore.pressure;
+    pore.volume = volume;
+  }
+  if (!far_apart_.empty()) {
+    const Vec2 apart = assembly_.position(far_apart_[1]) - assembly_.position(far_apart_[0]);
+    energies_.held -= dot(couple_, apart - apart_);
+    apart_ = apart;
+  }
+  const double k_s = options_.contact_shear_stiffness;
+  for (std::size_t k = 0; k < items_.size(); ++k) {
+    Item& item = items_[k];
+    const double shear = shear_of(k), slide = facet_slide(assembly_, *start_, facets_[k]);
+    if (k_s > 0.0)
+      energies_.friction +=
+          0.5 * (item.shear + shear) * (slide - item.slide - (shear - item.shear) / k_s);
+    item.shear = shear;
+    item.slide = slide;
+  }
 }
 
 void FacetMotion::begin_cycles() {
@@ -102,16 +175,41 @@ void FacetMotion::begin_cycles() {
   for (auto& hole : holes_) hole.pressure = n.pressure[hole.domain];
   for (auto& pore : pores_) {
     pore.pressure = n.pressure[pore.domain];
+    pore.volume = n.volume_change[pore.domain];
     stiffness_[pore.domain] = 0.0;
     n.volume_change[pore.domain] = 0.0;
   }
 }
 
 void FacetMotion::end_cycles() {
+  measure();
+  count_work();
+  couple_ = {};
+  stored_ = energy();
   for (const auto& pore : pores_) {
     network_.pressure[pore.domain] = pore.pressure;
-    network_.volume_change[pore.domain] = volume_change(pore);
+    network_.volume_change[pore.domain] = pore.volume;
   }
+}
+
+void FacetMotion::push_all() {
+  for (std::size_t k = 0; k < items_.size(); ++k)
+    items_[k].push = pressure_at(items_[k].left) * facets_[k].left_length +
+                     pressure_at(items_[k].right) * facets_[k].right_length;
+}
+
+void FacetMotion::measure() {
+  const Assembly& a = assembly_;
+  for (auto& pore : pores_) pore.fixed = network_.facet_offset[pore.domain];
+  for (const auto& face : faces_) {
+    const auto at = std::lower_bound(pores_.begin(), pores_.end(), face.domain,
+                                     [](const Pore& pore, std::int32_t d) { return pore.domain < d; });
+    at->fixed += dot(face.weight, {a.ux[face.disc], a.uy[face.disc]}) + face.turn * a.rotation[face.disc];
+  }
+  for (std::size_t k = 0; k < items_.size(); ++k)
+    items_[k].apart =
+        facet_jump(a, *start_, facets_[k], facets_[k].normal) - facets_[k].initial_normal / start_->stiffness;
+  push_all();
 }
 
 double FacetMotion::volume_change(const Pore& pore) const {
@@ -163,22 +261,13 @@ void FacetMotion::answer(bool undrained) {
     hole.pressure = std::max(n.floor_pressure, n.reference_pressure + n.stiffness[hole.domain] *
                                                                           (n.content[hole.domain] - change));
   }
-  for (auto& pore : pores_) pore.fixed = n.facet_offset[pore.domain];
-  for (const auto& face : faces_) {
-    const auto at = std::lower_bound(pores_.begin(), pores_.end(), face.domain,
-                                     [](const Pore& pore, std::int32_t d) { return pore.domain < d; });
-    at->fixed += dot(face.weight, {a.ux[face.disc], a.uy[face.disc]}) + face.turn * a.rotation[face.disc];
-  }
-  const auto push_all = [&] {
-    for (std::size_t k = 0; k < items_.size(); ++k)
-      items_[k].push = pressure_at(items_[k].left) * facets_[k].left_length +
-                       pressure_at(items_[k].right) * facets_[k].right_length;
-  };
-  for (std::size_t k = 0; k < items_.size(); ++k)
-    items_[k].apart =
-        facet_jump(a, *start_, facets_[k], facets_[k].normal) - facets_[k].initial_normal / start_->stiffness;
-  push_all();
-  if (!undrained) return;
+  measure();
+  if (undrained) settle_pressures();
+  count_work();
+}
+
+void FacetMotion::settle_pressures() {
+  const Network& n = network_;
   double largest = 0.0;
   for (const auto& pore : pores_) largest = std::max(largest, std::abs(pore.pressure));
   double change = largest;
@@ -246,14 +335,19 @@ void FacetMotion::add_forces() {
     a.external_moment[face.disc] += moment;
     turns += moment + cross(a.position(face.disc), force);
   }
-  if (far_apart_.empty() || items_.empty()) return;
+  if (!far_apart_.empty() && !items_.empty()) hold_against(turns);
+}
+
+// The couple that two discs bear.
+void FacetMotion::hold_against(double turns) {
+  Assembly& a = assembly_;
   const auto p = far_apart_[0], q = far_apart_[1];
   const Vec2 between = a.position(q) - a.position(p);
-  const Vec2 couple = (turns / dot(between, between)) * Vec2{-between.y, between.x};
-  a.external_x[p] += couple.x;
-  a.external_y[p] += couple.y;
-  a.external_x[q] -= couple.x;
-  a.external_y[q] -= couple.y;
+  couple_ = (turns / dot(between, between)) * Vec2{-between.y, between.x};
+  a.external_x[p] += couple_.x;
+  a.external_y[p] += couple_.y;
+  a.external_x[q] -= couple_.x;
+  a.external_y[q] -= couple_.y;
 }
 
 }  // namespace hfrac

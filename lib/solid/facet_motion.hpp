@@ -11,6 +11,9 @@
 //              They turn a body that nothing holds, since facets do not look along their bonds: what they turn two discs far apart bear, those
 //              that the quasi-static solver's pins are on.
 //
+// Work is counted by the trapezoidal rule from cycle to cycle, as the kernels count it: p dV of each pore, friction of facets that slide. What
+// facets store is known from the state (facet_energy), so that the ledger's balance checks all of it (step/ledger.hpp).
+//
 // Open facets are no stiffer than closed ones: the fluid of a pore gives way with the faces, so m facets of a pore add up to at most
 // (1 + sqrt(m)) / 2 times k_n per facet. So the stable step of intact rock, with each bond as stiff as a facet that looks any way and each pore
 // as it was, is that of broken rock too (stable_step.hpp), and breakage asks for no shorter one.
@@ -22,6 +25,7 @@
 #include <vector>
 
 #include "model/assembly.hpp"
+#include "model/clock.hpp"
 #include "model/network.hpp"
 #include "options/options.hpp"
 #include "solid/facet_law.hpp"
@@ -33,8 +37,8 @@ void hold_bond(Assembly& assembly, std::int64_t bond);
 
 class FacetMotion {
  public:
-  FacetMotion(Assembly& assembly, Network& network, const Options& options)
-      : assembly_(assembly), network_(network), options_(options) {}
+  FacetMotion(Assembly& assembly, Network& network, const Options& options, Energies& energies)
+      : assembly_(assembly), network_(network), options_(options), energies_(energies) {}
 
   // From now on there may be facets. `weight`: of the pores' corners (Network::corner_weight) in rock without fractures.
   void begin(const FacetStart& start, const Array<double>& weight);
@@ -51,8 +55,9 @@ class FacetMotion {
     Vec2 weight;  // m
     double turn;  // m2
   };
-  // The facets as they are now, ascending by bond. To be called after each change, outside of begin_cycles and end_cycles.
-  void take(std::span<const Facet> facets, std::vector<Push> pushes, std::vector<Face> faces);
+  // The facets as they are now, ascending by bond. To be called after each change, outside of begin_cycles and end_cycles. What the change
+  // releases counts as fracture, unless a state is restored.
+  void take(std::span<const Facet> facets, std::vector<Push> pushes, std::vector<Face> faces, bool restored);
 
   // Of a pore with a single facet, where a fracture ends: bonds around it break by bond.fracture_toughness.
   [[nodiscard]] bool at_tip(std::int32_t domain) const {
@@ -83,11 +88,13 @@ class FacetMotion {
     std::int32_t domain;
     std::int32_t first, last;  // of its sides
     double pressure, fixed;    // Pa; m2, of its volume change
+    double volume;             // m2, volume change up to which its work is counted
   };
   struct Item {
     std::int32_t left, right;  // pores of the list; below 0: ~ a hole of the list
     double apart;              // m, opening but for the push of the fluid
     double push;               // N, by the pressures at hand
+    double shear = 0.0, slide = 0.0;  // N, m, up to which friction is counted
   };
   struct Hole {
     std::int32_t domain;
@@ -98,13 +105,24 @@ class FacetMotion {
                       : holes_[-1 - static_cast<std::ptrdiff_t>(place)].pressure;
   }
   [[nodiscard]] double volume_change(const Pore& pore) const;
+  // Openings but for the fluid's push, and the pushes, at displacements and pressures as they stand.
+  void measure();
+  void push_all();
+  void settle_pressures();
+  void book_change(bool restored);
+  // Works and friction since they were counted last.
+  void count_work();
+  [[nodiscard]] double shear_of(std::size_t k) const;  // N, that facet k's grains bear
+  [[nodiscard]] double energy() const;                 // J/m, of facets and locked-in pushes
   // Puts a force on the first of two discs and the opposite on the second; moments as they are. Returns what that turns the whole by [N m].
   double push_pair(std::int64_t bond, Vec2 force, double on_first, double on_second);
+  void hold_against(double turns);
   double correct(Pore& pore);
 
   Assembly& assembly_;
   Network& network_;
   const Options& options_;
+  Energies& energies_;
   const FacetStart* start_ = nullptr;
   const Array<double>* weight_ = nullptr;
   std::span<const Facet> facets_;
@@ -116,7 +134,10 @@ class FacetMotion {
   std::vector<Hole> holes_;
   std::vector<std::int32_t> discs_;
   std::vector<std::uint8_t> count_;      // facets per pore
+  std::vector<std::int64_t> bonds_;      // of the facets
+  double stored_ = 0.0;                  // J/m, before the facets change
   std::vector<std::int32_t> far_apart_;  // two discs; none between walls
+  Vec2 couple_{}, apart_{};              // N on the first of them; m, from it to the other, up to which its work is counted
   Array<double> stiffness_;
   std::int64_t changes_ = 0;
 };

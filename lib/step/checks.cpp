@@ -136,7 +136,7 @@ void check_step(Engine& e) {
   if (const std::string what = not_finite(e); !what.empty()) throw Error(ErrorKind::diverged, what);
   require_joints_in_reach(e);
   require_discs_in_place(e);
-  if (!e.equilibrium && !e.facets.active()) watch_energy(e);
+  if (!e.equilibrium) watch_energy(e);
 }
 
 }  // namespace hfrac

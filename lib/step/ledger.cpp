@@ -45,14 +45,14 @@ Balance full_balance(const Engine& engine) {
           ? 0.0
           : m.accounts.outside_work + n.pressure[0] * (n.volume_change[0] - m.accounts.outside_change);
   b.fluid_work = e.fluid - outside;
-  b.boundary_work = engine.boundary->load_work(m.assembly) - m.start.boundary_work;
+  b.boundary_work = engine.boundary->load_work(m.assembly) - m.start.boundary_work + e.held;
   b.friction = e.friction;
   b.damping = e.damping;
   b.fracture = e.fracture;
   b.energy_error = b.fluid_work + b.boundary_work - b.kinetic - (elastic.bonds - m.start.bond_energy) -
                    (elastic.contacts - m.start.contact_energy) - b.friction - b.damping - b.fracture +
                    (m.heat ? m.heat->thermal_work : 0.0);
-  b.energy_checked = !engine.equilibrium && !engine.facets.active();  // facets' work is not counted
+  b.energy_checked = !engine.equilibrium;
   // A wellbore with friction counts by its pump, and stores beside the pores.
   for (const auto& well : m.wells) b.injected += well.wellbore < 0 ? well.injected : 0.0;
   for (const auto& wellbore : m.wellbores) b.injected += wellbore.pumped;
@@ -78,8 +78,9 @@ ElasticEnergy elastic_energy(const Engine& e) {
   for (std::int64_t bond = 0; bond < a.bond_count(); ++bond) {
     const BondView view = view_bond(a, e.options, bond);
     energy.bonds += view.bond_energy;
-    energy.contacts += view.contact_energy;
+    if (e.facets.of(bond) < 0) energy.contacts += view.contact_energy;
   }
+  energy.contacts += e.facets.energy(a, e.model.network, e.options);
   energy.contacts += e.mechanics->non_bonded_contacts().energy(a);
   return energy;
 }

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/water.hpp"
 #include "options/choices.hpp"
+#include "options/fracture_law.hpp"
 #include "step/checks.hpp"
 #include "step/exterior_rock.hpp"
 #include "step/image.hpp"
@@ -39,6 +40,7 @@ Simulation::Simulation(CaseDefinition definition, std::span<const double> given_
                        const Progress& progress, std::span<const std::int64_t> given_bonds)
     : definition_(std::move(definition)) {
   validate(definition_, given_discs, given_bonds);
+  definition_.options.fracture_law = static_cast<std::int64_t>(fracture_law_of(definition_));
   resolve_fluid(definition_.options);
   set_stop(options().stop_extent_fraction, options().stop_cracks);
   const auto start = std::chrono::steady_clock::now();

@@ -432,11 +432,13 @@ typedef struct hfrac_sim_def {
    * stops the flow in the fracture it lies in. 1: every bond may break. Default 1. */
   int64_t bond_smallest_fragment;
 
-  /** 0: bond, 1: facet. What a broken bond becomes. bond: a contact of its two discs (the paper). facet: a
-   * face between two pores on which the rock's mean stress before the treatment is released, with
+  /** 0: bond, 1: facet, 2: auto. What a broken bond becomes. auto: a facet where a bond.fracture_toughness
+   * above 0, a fracture.perforation_length or a rock.biot_coefficient below 1 is given and the case is one
+   * that facets go with, else a contact as with bond. bond: a contact of its two discs (the paper). facet:
+   * a face between two pores on which the rock's mean stress before the treatment is released, with
    * bond.fracture_toughness judged at tips by the openings behind them and strengths as given elsewhere;
    * stepping.mode coupled with solver.kind quasi-static, or substep and dynamic with explicit; with fluid
-   * and without rough joints; with temperature in mode coupled only. Default 0. */
+   * and without rough joints; with temperature in mode coupled only. Default 2. */
   int64_t fracture_law;
   /** [Pa] Law facet: E' = E / (1 - nu^2) of the rock at a tip, undrained where its pores are tight. With
    * bond.fracture_toughness 0 means: measured on the model's own packing under the far field, undrained.
