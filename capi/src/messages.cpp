@@ -53,6 +53,11 @@ void tell_setup(const hfrac_sim& sim) {
                " discs are within " + rounded_text(s.assembly().sizes.half_width) +
                " m of where fractures go, with that mean radius; the coarsest have " +
                rounded_text(setup.coarsest_radius) + " m");
+    if (s.options().bond_fracture_toughness > 0.0)
+      tell(sim, HFRAC_LOG_INFO,
+           FractureLaw{s.options().fracture_law} == FractureLaw::facet
+               ? "broken bonds are facets of fractures, which grow at bond.fracture_toughness"
+               : "broken bonds are contacts (fracture.law = \"bond\"), with strengths by bond.fracture_toughness");
   }
   if (!sim.listener.hears(HFRAC_LOG_WARNING)) return;
   const Options& o = s.options();

@@ -174,7 +174,7 @@ int32_t hfrac_sim_definition(const hfrac_sim* sim, hfrac_sim_def* def) {
     hfrac_sim_def full = default_def();
     full.lists = given.lists;
     each_list([&](auto list) { list.size(full) = list.size(given); });
-    write_case(def, sim->simulation->definition(), full, "hfrac_sim_def");
+    write_case(def, sim->simulation->given_definition(), full, "hfrac_sim_def");
   });
 }
 

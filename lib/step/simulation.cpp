@@ -38,7 +38,7 @@ bool wants_plane_modulus(const Options& o) {
 
 Simulation::Simulation(CaseDefinition definition, std::span<const double> given_discs,
                        const Progress& progress, std::span<const std::int64_t> given_bonds)
-    : definition_(std::move(definition)) {
+    : definition_(std::move(definition)), given_(definition_.options) {
   validate(definition_, given_discs, given_bonds);
   definition_.options.fracture_law = static_cast<std::int64_t>(fracture_law_of(definition_));
   resolve_fluid(definition_.options);
@@ -61,6 +61,12 @@ Simulation::Simulation(CaseDefinition definition, std::span<const double> given_
   fingerprint_ = fingerprint_of(*engine_, setup_);
   return_unused_pages();
   setup_.setup_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+CaseDefinition Simulation::given_definition() const {
+  CaseDefinition given = definition_;
+  given.options = given_;
+  return given;
 }
 
 StepOutcome Simulation::step(const Loads& loads, double duration, const Interrupt& interrupt) {

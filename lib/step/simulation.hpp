@@ -30,8 +30,10 @@ class Simulation {
   Simulation(CaseDefinition definition, std::span<const double> given_discs, const Progress& progress,
              std::span<const std::int64_t> given_bonds = {});
 
-  // What was built. Loads that changed since stand in loads().
+  // What was built, with what the case leaves open decided. Loads that changed since stand in loads().
   [[nodiscard]] const CaseDefinition& definition() const { return definition_; }
+  // As it was given.
+  [[nodiscard]] CaseDefinition given_definition() const;
   [[nodiscard]] const Options& options() const { return definition_.options; }
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] const Engine& engine() const { return *engine_; }
@@ -86,6 +88,7 @@ class Simulation {
   void require_open_step() const;
 
   CaseDefinition definition_;
+  Options given_;
   Model model_;
   std::unique_ptr<Engine> engine_;
   Loads loads_;

@@ -194,6 +194,7 @@ CaseDefinition deep_case(double toughness, std::int64_t discs) {
   o.bond_tensile_strength = 10e6;
   o.bond_shear_strength = 40e6;
   o.bond_fracture_toughness = toughness;
+  o.fracture_law = choice(FractureLaw::bond);  // strengths by the toughness
   o.stress_sigma_Hmax = 15e6;
   o.stress_sigma_hmin = 10e6;
   o.fluid_formation_pressure = 5e6;
