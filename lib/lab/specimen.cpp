@@ -8,6 +8,7 @@
 #include "build/build_model.hpp"
 #include "core/error.hpp"
 #include "core/plane_fit.hpp"
+#include "model/visit_state.hpp"
 #include "options/choices.hpp"
 
 namespace hfrac {
@@ -189,6 +190,19 @@ EquilibriumSolver::Outcome Specimen::solve(double most_excess, const std::functi
   }
   if (outcome.end == EquilibriumSolver::End::rest) mechanics_->search_contacts(model_.cracks);
   return outcome;
+}
+
+void Specimen::keep() {
+  Counter counter(true);
+  visit_state(counter, model_, shape_.wet);
+  kept_.resize(counter.size());
+  Saver saver(kept_, true);
+  visit_state(saver, model_, shape_.wet);
+}
+
+void Specimen::go_back() {
+  Loader loader(kept_, true);
+  visit_state(loader, model_, shape_.wet);
 }
 
 Strain Specimen::strain() const {

@@ -11,6 +11,7 @@
 // over the gauge, the inner 70 % of either side, so that what platens and free sides do differently does not count.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -65,6 +66,14 @@ class Specimen {
   [[nodiscard]] Strain strain() const;
   // Largest stress over strength of an intact bond.
   [[nodiscard]] double largest_excess() const;
+  // Whether its bonds soften; largest stress over strength of one that does not yet, 1 or more if one does.
+  [[nodiscard]] bool softens() const { return !model_.assembly.softening.empty(); }
+  [[nodiscard]] double largest_stress() const { return hfrac::largest_stress(model_.assembly, options_); }
+  // Energy that softening bonds have taken [J/m].
+  [[nodiscard]] double energy_taken() const { return hfrac::energy_taken(model_.assembly, options_); }
+  // What an equilibrium that was not found leaves behind is put back by this.
+  void keep();
+  void go_back();
   // How far the faces of the slit stand apart, bond by bond: x from the slit's middle [m], opening along y [m].
   [[nodiscard]] std::vector<Vec2> opening() const;
   // Where the slit ends along x [m], each tip half way between the last bond cut and the first one that holds.
@@ -93,6 +102,7 @@ class Specimen {
   Facets facets_;  // none: specimens break by strength
   std::unique_ptr<EquilibriumSolver> equilibrium_;
   std::vector<std::int64_t> slit_;     // its bonds
+  std::vector<std::byte> kept_;
   Vec2 tips_;                          // begin, end
   std::size_t lower_ = 0, upper_ = 0;  // grips of either platen: [0, lower_), [lower_, upper_)
   int factors_ = 0, relaxations_ = 0;

@@ -98,6 +98,11 @@ void ExplicitSolver::bind_arrays() {
     k.shear_factor = a.factors.shear.data();
     k.bond_friction = a.factors.friction.data();
   }
+  if (!a.softening.empty()) {
+    k.softening_start = a.softening.start.data();
+    k.softening_worst = a.softening.worst.data();
+    k.softening = 4.0 * options_.bond_fracture_energy;
+  }
   k.bond_count = a.bond_count();
   k.first_cross_bond = plan_.first_cross_bond;
   k.domain_corner_start = n.corner_start.data();
@@ -199,7 +204,7 @@ void ExplicitSolver::break_bond(const BondView& bond, std::int64_t e, std::int64
   crack.cycle = cycle;
   crack.normal_force = bond.bond_normal;
   crack.shear_force = bond.bond_shear;
-  crack.energy = bond.bond_energy;
+  crack.energy = bond.bond_energy + (assembly_.softening.empty() ? 0.0 : energy_taken(assembly_, options_, e));
   crack.released = bond.bond_energy + bond.contact_energy;
   crack.mode = bond.tensile_excess >= bond.shear_excess ? CrackMode::tension : CrackMode::shear;
   found.push_back(crack);
@@ -214,8 +219,13 @@ void ExplicitSolver::break_bond(const BondView& bond, std::int64_t e, std::int64
 
 void ExplicitSolver::hold_edge(bool hold) {
   held_.assign(hold ? static_cast<std::size_t>(assembly_.disc_count()) : 0, 0);
-  if (!hold) return;
-  for (const auto i : boundary_.edge()) held_[static_cast<std::size_t>(i)] = 1;
+  if (hold)
+    for (const auto i : boundary_.edge()) held_[static_cast<std::size_t>(i)] = 1;
+  if (assembly_.softening.empty()) return;
+  assembly_.softening.held.clear();  // nor do they soften
+  for (std::int64_t e = 0; hold && e < assembly_.bond_count(); ++e)
+    assembly_.softening.held.push_back(is_held(e) ? 1 : 0);
+  combine_factors(assembly_, options_);
 }
 
 bool ExplicitSolver::is_held(std::int64_t bond) const {

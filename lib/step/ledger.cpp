@@ -48,7 +48,7 @@ Balance full_balance(const Engine& engine) {
   b.boundary_work = engine.boundary->load_work(m.assembly) - m.start.boundary_work;
   b.friction = e.friction;
   b.damping = e.damping;
-  b.fracture = e.fracture;
+  b.fracture = e.fracture + energy_taken(m.assembly, engine.options);
   b.energy_error = b.fluid_work + b.boundary_work - b.kinetic - (elastic.bonds - m.start.bond_energy) -
                    (elastic.contacts - m.start.contact_energy) - b.friction - b.damping - b.fracture +
                    (m.heat ? m.heat->thermal_work : 0.0);
@@ -97,6 +97,7 @@ void begin_ledger(Engine& e) {
   m.start.boundary_work = e.boundary->load_work(m.assembly);
   m.accounts.outside_change = m.network.volume_change[0];
   m.accounts.energies = {};
+  m.accounts.energies.fracture = -energy_taken(m.assembly, e.options);  // before the start
 }
 
 void accumulate_flow(Engine& e, double duration) {
