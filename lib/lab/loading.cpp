@@ -55,13 +55,17 @@ LoadingResult follow_softening(Specimen& specimen, const Loading& loading,
     }
     if (outcome.end == End::stopped && !ran_away) return ended(TestEnd::stopped);
     if (outcome.end != End::rest) {
-      if (even > 0.0 && step < even / 8.0)
-        return ended(loading.constant || ran_away ? TestEnd::failed : TestEnd::no_equilibrium);
       specimen.go_back();
-      loading.apply(load);
       if (even == 0.0) even = loading.soft_step * (load + step);
-      step *= 0.5;
-      continue;
+      if (step > even / 12.0) {
+        step *= 0.5;
+        continue;
+      }
+      loading.apply(load + step);
+      outcome = specimen.settle(watch);
+      if (outcome.end == End::stopped && !ran_away) return ended(TestEnd::stopped);
+      if (outcome.end != End::rest)
+        return ended(loading.constant || ran_away ? TestEnd::failed : TestEnd::no_equilibrium);
     }
     load += step;
     result.force_ratio = std::max(result.force_ratio, outcome.force_ratio);

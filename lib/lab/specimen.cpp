@@ -172,23 +172,28 @@ void Specimen::pressurise(double pressure) {
 EquilibriumSolver::Outcome Specimen::solve(double most_excess, const std::function<bool()>& interrupt) {
   auto outcome = equilibrium_->solve(0.0, {}, most_excess, model_.cracks, interrupt);
   factors_ += outcome.factors;
-  const bool held = !boundary_->grips().empty();
-  for (int attempt = 0; held && outcome.end == End::not_converged && attempt < most_attempts; ++attempt) {
-    ++relaxations_;
-    const auto moved = mechanics_->relax(relaxed_ratio, most_cycles, model_.cracks, interrupt);
-    if (moved.stopped) {
-      outcome.end = End::stopped;
-      break;
-    }
-    mechanics_->search_contacts(model_.cracks);
-    outcome = equilibrium_->solve(0.0, {}, std::numeric_limits<double>::infinity(), model_.cracks, interrupt);
-    factors_ += outcome.factors;
-    if (outcome.end == End::not_converged && moved.at_rest) {
-      outcome.force_ratio = moved.force_ratio;
-      outcome.end = End::rest;
-    }
-  }
+  const bool held = !boundary_->grips().empty() && !softens();
+  for (int attempt = 0; held && outcome.end == End::not_converged && attempt < most_attempts; ++attempt)
+    outcome = settle(interrupt);
   if (outcome.end == EquilibriumSolver::End::rest) mechanics_->search_contacts(model_.cracks);
+  return outcome;
+}
+
+EquilibriumSolver::Outcome Specimen::settle(const std::function<bool()>& interrupt) {
+  ++relaxations_;
+  const auto moved = mechanics_->relax(relaxed_ratio, most_cycles, model_.cracks, interrupt);
+  EquilibriumSolver::Outcome outcome;
+  if (moved.stopped) {
+    outcome.end = End::stopped;
+    return outcome;
+  }
+  mechanics_->search_contacts(model_.cracks);
+  outcome = equilibrium_->solve(0.0, {}, std::numeric_limits<double>::infinity(), model_.cracks, interrupt);
+  factors_ += outcome.factors;
+  if (outcome.end == End::not_converged && moved.at_rest) {
+    outcome.force_ratio = moved.force_ratio;
+    outcome.end = End::rest;
+  }
   return outcome;
 }
 

@@ -60,7 +60,8 @@ class Specimen {
 
   // Equilibrium at the loads as they stand. Bonds break unless the largest stress over strength is above most_excess. Between
   // platens, where a disc has lost its hold and Newton's method finds no rest, the explicit solver lets it move to one, and bonds
-  // that break on the way are broken. Under constant load there may be no rest to find: that is failure.
+  // that break on the way are broken. Under constant load there may be no rest to find: that is failure. Bonds that soften keep what
+  // they come to on the way, so there the loading goes back first (loading.cpp).
   EquilibriumSolver::Outcome solve(double most_excess, const std::function<bool()>& interrupt = {});
 
   [[nodiscard]] Strain strain() const;
@@ -71,9 +72,11 @@ class Specimen {
   [[nodiscard]] double largest_stress() const { return hfrac::largest_stress(model_.assembly, options_); }
   // Energy that softening bonds have taken [J/m].
   [[nodiscard]] double energy_taken() const { return hfrac::energy_taken(model_.assembly, options_); }
-  // What an equilibrium that was not found leaves behind is put back by this.
+  // What an equilibrium that was not found leaves behind is put back by these.
   void keep();
   void go_back();
+  // Damped motion at the loads as they stand to an equilibrium, if there is one (where softening rock gives way Newton's method may find none).
+  EquilibriumSolver::Outcome settle(const std::function<bool()>& interrupt);
   // How far the faces of the slit stand apart, bond by bond: x from the slit's middle [m], opening along y [m].
   [[nodiscard]] std::vector<Vec2> opening() const;
   // Where the slit ends along x [m], each tip half way between the last bond cut and the first one that holds.
