@@ -7,7 +7,7 @@
 // none is left to break. Both the equilibrium before the break and the one after it are points of the curve.
 //
 // Rock whose bonds soften gives way gradually: from where the first begins to, steps are equal (`soft_step` of the load there), and where no
-// equilibrium is found they are halved, to a sixteenth; then damped motion goes on from the last one, to the next there is or to failure.
+// equilibrium is found, or one that takes more energy than the loads brought, they are halved, to a sixteenth; then damped motion goes on from the last one, to the next there is or to failure.
 #pragma once
 
 #include <cstdint>

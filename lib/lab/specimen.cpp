@@ -137,6 +137,7 @@ void Specimen::make_unbreakable() {
 }
 
 void Specimen::lead_ends(double elongation) {
+  elongation_ = elongation;
   auto& grips = boundary_->grips();
   for (std::size_t k = 0; k < upper_; ++k) grips[k].target = (k < lower_ ? -0.5 : 0.5) * elongation;
 }
@@ -188,13 +189,30 @@ EquilibriumSolver::Outcome Specimen::settle(const std::function<bool()>& interru
     return outcome;
   }
   mechanics_->search_contacts(model_.cracks);
+  if (softens()) keep();
   outcome = equilibrium_->solve(0.0, {}, std::numeric_limits<double>::infinity(), model_.cracks, interrupt);
   factors_ += outcome.factors;
   if (outcome.end == End::not_converged && moved.at_rest) {
+    if (softens()) go_back();
     outcome.force_ratio = moved.force_ratio;
     outcome.end = End::rest;
   }
   return outcome;
+}
+
+Specimen::Account Specimen::account() const {
+  const Assembly& a = model_.assembly;
+  Account account{0.0, energy_taken(a, options_), boundary_->load_work(a), elongation_, pull()};
+  for (std::int64_t e = 0; e < a.bond_count(); ++e) {
+    const BondView bond = view_bond(a, options_, e);
+    account.stored += bond.bond_energy + bond.contact_energy;
+  }
+  account.stored += mechanics_->non_bonded_contacts().energy(a);
+  for (const auto& grip : boundary_->grips()) {
+    const double force = boundary_->grip_force(a, grip);
+    account.stored += 0.5 * force * force / options_.contact_normal_stiffness;
+  }
+  return account;
 }
 
 void Specimen::keep() {

@@ -70,8 +70,17 @@ class Specimen {
   // Whether its bonds soften; largest stress over strength of one that does not yet, 1 or more if one does.
   [[nodiscard]] bool softens() const { return !model_.assembly.softening.empty(); }
   [[nodiscard]] double largest_stress() const { return hfrac::largest_stress(model_.assembly, options_); }
-  // Energy that softening bonds have taken [J/m].
-  [[nodiscard]] double energy_taken() const { return hfrac::energy_taken(model_.assembly, options_); }
+  // What is stored, what softening bonds have taken [J/m], and the work of platens and tractions on the way from one of two equilibria to the
+  // next, by the mean of a platen's forces.
+  struct Account {
+    double stored, taken, tractions, elongation, pull;  // J/m, J/m, J/m, m, N
+    // Work since `before` less what has become of it: what was lost on the way, and below 0 nothing real [J/m].
+    [[nodiscard]] double lost_since(const Account& before) const {
+      return 0.5 * (pull + before.pull) * (elongation - before.elongation) + tractions - before.tractions -
+             (stored - before.stored) - (taken - before.taken);
+    }
+  };
+  [[nodiscard]] Account account() const;
   // What an equilibrium that was not found leaves behind is put back by these.
   void keep();
   void go_back();
@@ -109,6 +118,7 @@ class Specimen {
   Vec2 tips_;                          // begin, end
   std::size_t lower_ = 0, upper_ = 0;  // grips of either platen: [0, lower_), [lower_, upper_)
   int factors_ = 0, relaxations_ = 0;
+  double elongation_ = 0.0;
 };
 
 }  // namespace hfrac

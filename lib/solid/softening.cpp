@@ -64,8 +64,8 @@ Softened soften(const Assembly& a, const Options& o, std::int64_t e, const PairM
       whole ? (end.by_start * start * (w - start) + left * end.at) / (w * way * way) : 0.0;
   const double through_w = (by_w + by_start / stress) / w, through_stress = -by_start * start / stress;
   s.by_gap = through_w * open + (pulled ? through_stress * by_gap : 0.0);
-  s.by_shear = through_w * across + (pulled ? 0.0 : std::copysign(through_stress * by_shear, m.shear));
-  s.by_bend = through_w * bent + (pulled ? std::copysign(through_stress * by_bend, m.bend) : 0.0);
+  s.by_shear = through_w * across + (pulled ? 0.0 : through_stress * std::copysign(by_shear, m.shear));
+  s.by_bend = through_w * bent + (pulled ? through_stress * std::copysign(by_bend, m.bend) : 0.0);
   return s;
 }
 

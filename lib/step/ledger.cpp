@@ -150,8 +150,12 @@ void book_host_fluid(Engine& e, std::size_t domain, double gain) {
                              (e.model.heat->fluid[domain] - o.thermal_rock_temperature);
 }
 
+double unaccounted_work(const Engine& e) {
+  return full_balance(e).energy_error;
+}
+
 void book_damping(Engine& e) {
-  e.model.accounts.energies.damping += full_balance(e).energy_error;
+  e.model.accounts.energies.damping += unaccounted_work(e);
 }
 
 void keep_outside_work(Model& m) {
