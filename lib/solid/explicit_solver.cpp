@@ -198,14 +198,26 @@ void ExplicitSolver::stop_motion() {
   for (auto& wall : boundary_.walls()) wall.velocity = 0.0;
 }
 
+// At the end of its softening a bond bears nothing: what it bore where that began, and what it has taken since, go to the log.
+void ExplicitSolver::log_softened(Crack& crack) const {
+  if (assembly_.smooth.of(crack.bond) != nullptr) return;
+  const BondLaw law = bond_law(assembly_, options_, crack.bond);
+  const double share = assembly_.factors.stiffness_of(crack.bond), at_start = law.softened.at_start;
+  crack.normal_force =
+      options_.bond_normal_stiffness * share * law.motion.gap * (law.motion.gap > 0.0 ? at_start : 1.0);
+  crack.shear_force = options_.bond_shear_stiffness * share * law.motion.shear * at_start;
+  crack.energy += energy_taken(assembly_, options_, crack.bond);
+}
+
 void ExplicitSolver::break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, CrackLog& found) {
   Crack crack;
   crack.bond = e;
   crack.cycle = cycle;
   crack.normal_force = bond.bond_normal;
   crack.shear_force = bond.bond_shear;
-  crack.energy = bond.bond_energy + (assembly_.softening.empty() ? 0.0 : energy_taken(assembly_, options_, e));
+  crack.energy = bond.bond_energy;
   crack.released = bond.bond_energy + bond.contact_energy;
+  if (!assembly_.softening.empty()) log_softened(crack);
   crack.mode = bond.tensile_excess >= bond.shear_excess ? CrackMode::tension : CrackMode::shear;
   found.push_back(crack);
   if (SmoothContact* contact = assembly_.smooth.of(e)) {

@@ -53,6 +53,7 @@ Softened soften(const Assembly& a, const Options& o, std::int64_t e, const PairM
   s.spent = std::max(w, s.worst) / end.at;
   if (whole && stress < 1.0) return s;
   s.start = start;
+  s.at_start = w > start ? start / w : 1.0;
   const bool grows = w > s.worst;
   s.worst = std::min(std::max(w, s.worst), end.at);
   const double way = end.at - start, left = end.at - s.worst;

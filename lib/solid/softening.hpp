@@ -27,6 +27,7 @@ struct Softened {
   double tensile = 0.0, shear = 0.0;    // stress over strength, as if it were whole
   double start = 0.0, worst = 0.0;      // m, as they are with these displacements
   double spent = 0.0;                   // w / w_c: 1 where the bond is broken
+  double at_start = 1.0;                // w_0 / w: its forces there over those it would have if it were whole
   double by_gap = 0.0, by_shear = 0.0;  // 1/m, of `kept`
   double by_bend = 0.0;                 // 1/rad
 };

@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
+#include <vector>
 
 #include "core/error.hpp"
 #include "small_case.hpp"
@@ -212,53 +215,111 @@ CaseDefinition soft_case() {
   return definition;
 }
 
-TEST(Softening, IsPartOfTheState) {
-  struct Way {
-    SteppingMode mode;
-    SolverKind kind;
-  };
-  for (const Way& way : {Way{SteppingMode::substep, SolverKind::explicit_solver},
-                         Way{SteppingMode::substep, SolverKind::quasi_static},
-                         Way{SteppingMode::coupled, SolverKind::quasi_static},
-                         Way{SteppingMode::dynamic, SolverKind::explicit_solver}}) {
-    CaseDefinition definition = soft_case();
-    definition.options.solver_kind = choice(way.kind);
-    definition.options.stepping_mode = choice(way.mode);
-    if (way.mode != SteppingMode::substep) definition.options.stepping_flow_step = 5e-3;
-    std::uint64_t hash = 0;
-    for (const int workers : {1, 3}) {
-      definition.options.run_workers = workers;
-      Simulation sim(definition, {}, {});
-      for (int k = 0; k < 3; ++k) sim.step();
-      std::vector<std::byte> image(sim.image_size());
-      sim.write_image(image);
-      const auto before = sim.state_hash();
-      std::int64_t softened = 0;
-      for (const double start : sim.engine().model.assembly.softening.start) softened += start > 0.0 ? 1 : 0;
-      EXPECT_GT(softened, 0);
-      for (int k = 0; k < 2; ++k) sim.step();
-      const auto after = sim.state_hash();
-      EXPECT_NE(after, before);
-      EXPECT_TRUE(hash == 0 || after == hash) << workers;
-      hash = after;
-      if (way.kind == SolverKind::explicit_solver) {
-        const Balance b = balance_of(sim.engine());
-        EXPECT_LT(std::abs(b.energy_error), 2e-3 * std::abs(b.fluid_work));
-        EXPECT_GT(b.fracture, 0.0);
-        std::printf("  softened bonds %ld, cracks %zu, energy error %.2e of the fluid's work\n",
-                    static_cast<long>(softened), sim.engine().model.cracks.size(),
-                    b.energy_error / b.fluid_work);
-      }
-      sim.restore(image);
-      EXPECT_EQ(sim.state_hash(), before);
-      for (int k = 0; k < 2; ++k) sim.step();
-      EXPECT_EQ(sim.state_hash(), after);
-      Simulation other(definition, {}, {});
-      other.restore(image);
-      for (int k = 0; k < 2; ++k) other.step();
-      EXPECT_EQ(other.state_hash(), after);
+struct Way {
+  SteppingMode mode;
+  SolverKind kind;
+};
+
+CaseDefinition soft_case(const Way& way) {
+  CaseDefinition definition = soft_case();
+  definition.options.solver_kind = choice(way.kind);
+  definition.options.stepping_mode = choice(way.mode);
+  if (way.mode != SteppingMode::substep) definition.options.stepping_flow_step = 5e-3;
+  return definition;
+}
+
+// Any number of workers, and a run from an image, have the same bits.
+void expect_state(const Way& way) {
+  CaseDefinition definition = soft_case(way);
+  std::uint64_t hash = 0;
+  for (const int workers : {1, 3}) {
+    definition.options.run_workers = workers;
+    Simulation sim(definition, {}, {});
+    for (int k = 0; k < 2; ++k) sim.step();
+    std::vector<std::byte> image(sim.image_size());
+    sim.write_image(image);
+    const auto before = sim.state_hash();
+    const auto& start = sim.engine().model.assembly.softening.start;
+    EXPECT_TRUE(std::any_of(start.begin(), start.end(), [](double w) { return w > 0.0; }));
+    sim.step();
+    const auto after = sim.state_hash();
+    EXPECT_NE(after, before);
+    EXPECT_TRUE(hash == 0 || after == hash) << workers;
+    hash = after;
+    Simulation other(definition, {}, {});
+    for (Simulation* any : {&sim, &other}) {
+      any->restore(image);
+      EXPECT_EQ(any->state_hash(), before);
+      any->step();
+      EXPECT_EQ(any->state_hash(), after);
     }
   }
+}
+
+TEST(Softening, IsPartOfTheState) {
+  expect_state({SteppingMode::substep, SolverKind::explicit_solver});
+  expect_state({SteppingMode::substep, SolverKind::quasi_static});
+}
+
+TEST(SofteningSlow, IsPartOfTheState) {
+  expect_state({SteppingMode::dynamic, SolverKind::explicit_solver});
+  expect_state({SteppingMode::coupled, SolverKind::quasi_static});
+}
+
+// What is off goes with the length of a cycle: kinetic energy is that of half a cycle before.
+TEST(Softening, BalancesEnergyInSteps) {
+  const auto error = [](SteppingMode mode, double safety) {
+    CaseDefinition definition = soft_case({mode, SolverKind::explicit_solver});
+    definition.options.stepping_safety = safety;
+    Simulation sim(definition, {}, {});
+    for (int k = 0; k < 3; ++k) sim.step();
+    const Balance b = balance_of(sim.engine());
+    EXPECT_GT(b.fracture, 0.03 * b.fluid_work);
+    std::printf("  safety %.1f: %zu cracks, energy error %.2e of the fluid's work\n", safety,
+                sim.engine().model.cracks.size(), b.energy_error / b.fluid_work);
+    return std::abs(b.energy_error / b.fluid_work);
+  };
+  for (const SteppingMode mode : {SteppingMode::substep, SteppingMode::dynamic}) {
+    const double fine = error(mode, 0.2);
+    EXPECT_LT(fine, 1e-3);
+    EXPECT_LT(fine, 0.5 * error(mode, 0.8));
+  }
+}
+
+TEST(Softening, LogsWhatABondBoreAndTook) {
+  OneBond one;
+  one.go(0.0011, 0.0, 0.0);
+  one.go(0.02, 0.0, 0.0);
+  CrackLog log;
+  one.model.solver->break_bond(one.bond, log);
+  ASSERT_EQ(log.size(), 1U);
+  EXPECT_NEAR(log[0].normal_force, one.o.bond_tensile_strength * one.area, 1.0);
+  EXPECT_NEAR(log[0].energy, one.o.bond_fracture_energy * one.area, 1e-6 * log[0].energy);
+  EXPECT_EQ(log[0].mode, CrackMode::tension);
+  EXPECT_EQ(one.model.solver->energies().fracture, 0.0);  // none was left to release
+}
+
+// Smooth joints keep their own law beside bonds that soften; flat contacts and temperature go with it.
+TEST(Softening, GoesWithJointsFlatContactsAndTemperature) {
+  CaseDefinition definition = soft_case();
+  Options& o = definition.options;
+  o.contact_shape = choice(ContactShape::flat);
+  o.thermal_mode = choice(ThermalMode::uniform);
+  o.stepping_safety = 0.4;
+  JointOptions joint;
+  joint.state = choice(JointState::smooth_bonded);
+  joint.x1 = 20.0;
+  joint.x2 = 80.0;
+  joint.y1 = joint.y2 = 65.0;
+  definition.joints = {joint};
+  Simulation sim(definition, {}, {});
+  for (int k = 0; k < 2; ++k) sim.step();
+  const Assembly& a = sim.engine().model.assembly;
+  ASSERT_FALSE(a.smooth.empty());
+  for (const auto& contact : a.smooth.contacts) EXPECT_EQ(a.softening.start[contact.bond], 0.0);
+  EXPECT_GT(energy_taken(a, o), 0.0);
+  const Balance b = balance_of(sim.engine());
+  EXPECT_LT(std::abs(b.energy_error), 3e-3 * b.fluid_work);
 }
 
 TEST(Softening, IsRefusedWhereItMeansNothing) {
