@@ -1014,7 +1014,7 @@ module hfrac_c
     real(c_double) :: normal_force = 0.0_c_double
     !> [N] per thickness at failure
     real(c_double) :: shear_force = 0.0_c_double
-    !> [J/m] elastic energy of the bond at failure
+    !> [J/m] elastic energy of the bond at failure; with bond.fracture_energy what it took
     real(c_double) :: energy = 0.0_c_double
     !> enum hfrac_crack_mode
     integer(c_int32_t) :: mode = 0_c_int32_t

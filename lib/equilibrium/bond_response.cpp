@@ -124,9 +124,8 @@ void add_softening(BondResponse& r, const BondLaw& law, const Options& o, double
   const PairMotion& m = law.motion;
   const Vec2 n = m.normal, t{-n.y, n.x};
   const double turn = m.length / m.now, normal = o.bond_normal_stiffness * share;
-  const double ways[3][4] = {{n.x, n.y, 0.0, 0.0},
-                             {turn * t.x, turn * t.y, -m.arm_i, -m.arm_j},
-                             {0.0, 0.0, -1.0, 1.0}};
+  const double ways[3][4] = {
+      {n.x, n.y, 0.0, 0.0}, {turn * t.x, turn * t.y, -m.arm_i, -m.arm_j}, {0.0, 0.0, -1.0, 1.0}};
   const double whole[3] = {normal * std::max(0.0, m.gap), o.bond_shear_stiffness * share * m.shear,
                            normal * radius * radius / 3.0 * m.bend};
   const double change[3] = {law.softened.by_gap, law.softened.by_shear, law.softened.by_bend};

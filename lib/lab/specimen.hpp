@@ -113,7 +113,7 @@ class Specimen {
   std::unique_ptr<ExplicitSolver> mechanics_;
   Facets facets_;  // none: specimens break by strength
   std::unique_ptr<EquilibriumSolver> equilibrium_;
-  std::vector<std::int64_t> slit_;     // its bonds
+  std::vector<std::int64_t> slit_;  // its bonds
   std::vector<std::byte> kept_;
   Vec2 tips_;                          // begin, end
   std::size_t lower_ = 0, upper_ = 0;  // grips of either platen: [0, lower_), [lower_, upper_)

@@ -292,23 +292,28 @@ void check_softening(const CaseDefinition& definition) {
   need(o.bond_normal_stiffness > 0.0 && o.bond_tensile_strength > 0.0 && o.bond_shear_strength > 0.0,
        "needs bond.normal_stiffness, bond.tensile_strength and bond.shear_strength above 0: a bond softens "
        "from its strength on; give them, or leave the energy at 0.");
-  need(!(o.bond_fracture_toughness > 0.0) && !(o.bond_toughness_reference_radius > 0.0),
-       "sets the toughness, and so do bond.fracture_toughness and bond.toughness_reference_radius, which take "
-       "the strengths for it; leave those at 0, or the energy.");
+  need(
+      !(o.bond_fracture_toughness > 0.0) && !(o.bond_toughness_reference_radius > 0.0),
+      "sets the toughness, and so do bond.fracture_toughness and bond.toughness_reference_radius, which take "
+      "the strengths for it; leave those at 0, or the energy.");
   need(FractureLaw{o.fracture_law} == FractureLaw::bond,
-       "is for fracture.law = \"bond\": facets break at tips by bond.fracture_toughness; set that law, or leave "
+       "is for fracture.law = \"bond\": facets break at tips by bond.fracture_toughness; set that law, or "
+       "leave "
        "the energy at 0.");
-  need(o.bond_smallest_fragment == 1,
-       "goes with bond.smallest_fragment = 1 only: a bond that has softened bears nothing, whether it is kept "
-       "or not; set 1, or leave the energy at 0.");
+  need(
+      o.bond_smallest_fragment == 1,
+      "goes with bond.smallest_fragment = 1 only: a bond that has softened bears nothing, whether it is kept "
+      "or not; set 1, or leave the energy at 0.");
   need(ThermalMode{o.thermal_mode} == ThermalMode::off ||
            ThermalParameters{o.thermal_parameters} == ThermalParameters::constant,
-       "takes no micro-parameters that follow temperature; set thermal.parameters = \"constant\", or leave the "
+       "takes no micro-parameters that follow temperature; set thermal.parameters = \"constant\", or leave "
+       "the "
        "energy at 0.");
   for (std::size_t k = 0; k < definition.joints.size(); ++k)
-    need(is_smooth(JointState{definition.joints[k].state}),
-         "takes smooth joints only, which stay as they are, and joint[" + std::to_string(k) +
-             "] is rough; set its state to \"smooth-bonded\" or \"smooth-broken\", or leave the energy at 0.");
+    need(
+        is_smooth(JointState{definition.joints[k].state}),
+        "takes smooth joints only, which stay as they are, and joint[" + std::to_string(k) +
+            "] is rough; set its state to \"smooth-bonded\" or \"smooth-broken\", or leave the energy at 0.");
 }
 
 void check_solver(const Options& o) {

@@ -57,8 +57,9 @@ struct BondView {
   double contact_shear;   // N
   double bond_energy;     // J/m, elastic
   double contact_energy;  // J/m
-  double tensile_excess;  // stress over strength, eq. 21 and 23; of a bond that softens, opening over the one at which it is broken
-  double shear_excess;    // stress over strength, eq. 22 and 23
+  double
+      tensile_excess;  // stress over strength, eq. 21 and 23; of a bond that softens, opening over the one at which it is broken
+  double shear_excess;  // stress over strength, eq. 22 and 23
   // Where a bond breaks: at its strength in tension with bending, or in shear (eq. 21-23).
   [[nodiscard]] bool breaks() const { return tensile_excess >= 1.0 || shear_excess >= 1.0; }
   [[nodiscard]] double normal_force() const { return bond_normal - contact_normal; }

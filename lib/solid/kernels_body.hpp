@@ -127,8 +127,7 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
       const double farthest = w > worst_[k] ? w : worst_[k], reached = farthest < end ? farthest : end;
       const bool damaged = intact > 0.0 && start > 0.0;
       const double worst = damaged ? reached : worst_[k];
-      const double kept =
-          damaged && worst > start ? start * (end - worst) / (worst * (end - start)) : 1.0;
+      const double kept = damaged && worst > start ? start * (end - worst) / (worst * (end - start)) : 1.0;
       bond_n *= gap > 0.0 ? kept : 1.0;
       bond_s *= kept;
       bend *= kept;

@@ -102,14 +102,15 @@ void begin_softening(Assembly& a, const Options& o) {
   const double strength = o.bond_tensile_strength * a.strength_factor,
                least = strength * strength * radius / o.bond_normal_stiffness;
   if (!(o.bond_fracture_energy > least))
-    throw Error(
-        ErrorKind::model,
-        "bond.fracture_energy = " + number_text(o.bond_fracture_energy) +
-            " J/m2 is less than a bond stores when it reaches its strength, sigma_c^2 R / bond.normal_stiffness = " +
-            rounded_text(least) + " J/m2 for the largest bond radius of " + rounded_text(radius) +
-            " m, so that it could not soften; give more, smaller discs (below " +
-            rounded_text(radius * o.bond_fracture_energy / least) +
-            " m at this energy), a lower bond.tensile_strength, or 0 for bonds that break at their strength.");
+    throw Error(ErrorKind::model, "bond.fracture_energy = " + number_text(o.bond_fracture_energy) +
+                                      " J/m2 is less than a bond stores when it reaches its strength, "
+                                      "sigma_c^2 R / bond.normal_stiffness = " +
+                                      rounded_text(least) + " J/m2 for the largest bond radius of " +
+                                      rounded_text(radius) +
+                                      " m, so that it could not soften; give more, smaller discs (below " +
+                                      rounded_text(radius * o.bond_fracture_energy / least) +
+                                      " m at this energy), a lower bond.tensile_strength, or 0 for bonds "
+                                      "that break at their strength.");
   a.softening.start.assign(a.first.size(), 0.0);
   a.softening.worst.assign(a.first.size(), 0.0);
   combine_factors(a, o);

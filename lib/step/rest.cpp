@@ -99,7 +99,8 @@ EquilibriumSolver::Outcome solve_soundly(Engine& e, double duration, const std::
   const double taken = energy_taken(a, e.options), work = softens ? unaccounted_work(e) : 0.0;
   auto outcome = e.equilibrium->solve(duration, source, most_excess, e.model.cracks, interrupt);
   if (softens && outcome.end == End::rest &&
-      work - unaccounted_work(e) > small * (energy_taken(a, e.options) - taken) + 1e-6 * e.model.start.bond_energy)
+      work - unaccounted_work(e) >
+          small * (energy_taken(a, e.options) - taken) + 1e-6 * e.model.start.bond_energy)
     outcome.end = End::not_converged;
   return outcome;
 }

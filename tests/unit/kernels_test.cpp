@@ -33,12 +33,10 @@ struct Law {
   ContactShape shape;
   double energy = 0.0;  // J/m2: bonds soften
 };
-constexpr Law laws[] = {{ContactMode::parallel, ContactShape::round},
-                        {ContactMode::after_break, ContactShape::round},
-                        {ContactMode::parallel, ContactShape::flat},
-                        {ContactMode::after_break, ContactShape::flat},
-                        {ContactMode::parallel, ContactShape::round, 4e3},
-                        {ContactMode::after_break, ContactShape::flat, 4e3}};
+constexpr Law laws[] = {
+    {ContactMode::parallel, ContactShape::round},      {ContactMode::after_break, ContactShape::round},
+    {ContactMode::parallel, ContactShape::flat},       {ContactMode::after_break, ContactShape::flat},
+    {ContactMode::parallel, ContactShape::round, 4e3}, {ContactMode::after_break, ContactShape::flat, 4e3}};
 
 // A state with everything in it: broken bonds, sliding, pressures, motion.
 void stir(TestModel& m) {

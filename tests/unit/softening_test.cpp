@@ -78,8 +78,8 @@ TEST(Softening, TractionFallsLinearlyAndUnloadsToTheOrigin) {
   for (const double w : {0.5 * start, start, 1.5 * start, 0.3 * end, 0.6 * end, 0.2 * end, 0.9 * end}) {
     const BondView view = one.go(w, 0.0, 0.0);
     farthest = std::max(farthest, w);
-    const double line = farthest <= start ? one.o.bond_normal_stiffness * farthest
-                                          : peak * (end - farthest) / (end - start);
+    const double line =
+        farthest <= start ? one.o.bond_normal_stiffness * farthest : peak * (end - farthest) / (end - start);
     EXPECT_NEAR(view.bond_normal, line * w / farthest, 1e-9 * peak) << w;
     EXPECT_NEAR(view.tensile_excess, farthest / end, 1e-9);
     EXPECT_FALSE(view.breaks());
@@ -95,7 +95,8 @@ TEST(Softening, TractionFallsLinearlyAndUnloadsToTheOrigin) {
 TEST(Softening, BeginWhereBrittleOnesBreak) {
   OneBond one;
   // Bending counts in the extreme fibre (eq. 21); shear has its own strength.
-  const double start = one.o.bond_tensile_strength * one.area / one.o.bond_normal_stiffness, radius = 0.5 * one.area;
+  const double start = one.o.bond_tensile_strength * one.area / one.o.bond_normal_stiffness,
+               radius = 0.5 * one.area;
   one.go(0.5 * start, 0.0, 0.499 * start / radius);
   EXPECT_EQ(one.a.softening.start[one.bond], 0.0);
   one.go(0.5 * start, 0.0, 0.501 * start / radius);
@@ -193,8 +194,8 @@ double energy_drift(double energy, double safety) {
   EXPECT_GT(log.size(), 20U);
   for (const auto& crack : log)
     EXPECT_GE(crack.energy, 0.999 * energy * 2.0 * m.assembly.bond_radius(crack.bond));
-  std::printf("  G_c %.3g J/m2, safety %.1f: %zu cracks, energy off by %.2e of all\n", energy, safety, log.size(),
-              worst);
+  std::printf("  G_c %.3g J/m2, safety %.1f: %zu cracks, energy off by %.2e of all\n", energy, safety,
+              log.size(), worst);
   return worst;
 }
 

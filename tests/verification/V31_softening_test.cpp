@@ -54,12 +54,15 @@ void tear(double energy) {
       work += 0.5 * (r.curve[k].stress + r.curve[k - 1].stress) * (r.curve[k].load - r.curve[k - 1].load) *
               2.0 * width * width;
     const auto account = r.specimen->account();
-    std::printf("  seed %d: strength %.2f MPa, work %.0f J/m, taken by bonds %.0f, left in the rock %.0f, taken over G_c and "
-                "section %.3f; %d cracks, %d jumps\n",
-                static_cast<int>(seed), 1e-6 * r.report.peak_stress, work, account.taken, account.stored,
-                account.taken / (energy * width), static_cast<int>(r.report.tensile_cracks + r.report.shear_cracks),
-                static_cast<int>(r.report.relaxations));
-    report("work over what bonds took and what is stored", work / (account.taken + account.stored), 1.0, 0.03);
+    std::printf(
+        "  seed %d: strength %.2f MPa, work %.0f J/m, taken by bonds %.0f, left in the rock %.0f, taken over "
+        "G_c and "
+        "section %.3f; %d cracks, %d jumps\n",
+        static_cast<int>(seed), 1e-6 * r.report.peak_stress, work, account.taken, account.stored,
+        account.taken / (energy * width), static_cast<int>(r.report.tensile_cracks + r.report.shear_cracks),
+        static_cast<int>(r.report.relaxations));
+    report("work over what bonds took and what is stored", work / (account.taken + account.stored), 1.0,
+           0.03);
     EXPECT_GT(account.taken, energy * width);  // a crack is no shorter than the section
   }
 }
@@ -96,7 +99,8 @@ Mean toughness(double strength, double energy, std::int64_t discs, int packings)
   }
   const double mean = sum / packings;
   const double spread =
-      packings > 1 ? std::sqrt(std::max(0.0, squares / packings - mean * mean) * packings / (packings - 1)) : 0.0;
+      packings > 1 ? std::sqrt(std::max(0.0, squares / packings - mean * mean) * packings / (packings - 1))
+                   : 0.0;
   std::printf("; mean %.3f +- %.3f, R %.3f m, l_ch %.2f m = %.1f R\n", mean, spread, radius, zone,
               zone / radius);
   return {mean, spread};
