@@ -338,14 +338,18 @@ struct BondSums {
   }
 };
 
-void keep_slip(const KernelArrays& a, int64_t e, int64_t n, const Chunk& c) {
-  double* __restrict to = a.slip + e;
-  for (int64_t k = 0; k < n; ++k) to[k] = c.slip[k];
-  if (a.softening_start == nullptr) return;
+// Apart, so that rock whose bonds do not soften has one test more.
+__attribute__((noinline)) void keep_softening(const KernelArrays& a, int64_t e, int64_t n, const Chunk& c) {
   for (int64_t k = 0; k < n; ++k) {
     a.softening_start[e + k] = c.start[k];
     a.softening_worst[e + k] = c.worst[k];
   }
+}
+
+void keep_slip(const KernelArrays& a, int64_t e, int64_t n, const Chunk& c) {
+  double* __restrict to = a.slip + e;
+  for (int64_t k = 0; k < n; ++k) to[k] = c.slip[k];
+  if (a.softening_start != nullptr) keep_softening(a, e, n, c);
 }
 
 // Pressure of a domain whose volume has changed by `change`; adds the work it did on the way.
