@@ -714,6 +714,10 @@ module hfrac_c
     !> [1] Share of contacts drawn at random that are never bonded, closed cracks of the rock; every disc keeps
     !> three bonds, so that a little less than asked come of large shares. Default 0.0.
     real(c_double) :: bond_open_share = 0.0_c_double
+    !> [J/m2] Energy G_c that a bond takes per area while it softens beyond its strength; K_Ic^2 = E' G_c where
+    !> discs are small against E' G_c / sigma_c^2. 0: bonds break at their strength. With fracture.law = bond.
+    !> Default 0.0.
+    real(c_double) :: bond_fracture_energy = 0.0_c_double
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.
@@ -1012,7 +1016,7 @@ module hfrac_c
     real(c_double) :: normal_force = 0.0_c_double
     !> [N] per thickness at failure
     real(c_double) :: shear_force = 0.0_c_double
-    !> [J/m] elastic energy of the bond at failure
+    !> [J/m] elastic energy of the bond at failure; with bond.fracture_energy what it took
     real(c_double) :: energy = 0.0_c_double
     !> enum hfrac_crack_mode
     integer(c_int32_t) :: mode = 0_c_int32_t

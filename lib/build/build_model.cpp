@@ -13,6 +13,7 @@
 #include "geom/faces.hpp"
 #include "model/joint_pores.hpp"
 #include "solid/joints.hpp"
+#include "solid/softening.hpp"
 #include "solid/toughness.hpp"
 
 namespace hfrac {
@@ -100,6 +101,7 @@ Model build_model(const CaseDefinition& definition, Packing packing,
     apply_fracture_toughness(assembly, o);
   report.joints = static_cast<std::int64_t>(definition.joints.size());
   report.joints_left_out = apply_joints(assembly, definition.joints, o, model.cracks);
+  if (o.bond_fracture_energy > 0.0) begin_softening(assembly, o);
   report.coarsest_radius = assembly.coarsest_radius();
   report.coordination =
       2.0 * static_cast<double>(assembly.bond_count()) / static_cast<double>(assembly.disc_count());

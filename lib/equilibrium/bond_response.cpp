@@ -119,6 +119,29 @@ BondResponse respond_smooth(const Assembly& a, const Options& o, const SmoothCon
   return r;
 }
 
+// A bond that softens just now keeps less of its forces the farther it goes: they change by the change of what is kept, too.
+void add_softening(BondResponse& r, const BondLaw& law, const Options& o, double share, double radius) {
+  const PairMotion& m = law.motion;
+  const Vec2 n = m.normal, t{-n.y, n.x};
+  const double turn = m.length / m.now, normal = o.bond_normal_stiffness * share;
+  const double ways[3][4] = {
+      {n.x, n.y, 0.0, 0.0}, {turn * t.x, turn * t.y, -m.arm_i, -m.arm_j}, {0.0, 0.0, -1.0, 1.0}};
+  const double whole[3] = {normal * std::max(0.0, m.gap), o.bond_shear_stiffness * share * m.shear,
+                           normal * radius * radius / 3.0 * m.bend};
+  const double change[3] = {law.softened.by_gap, law.softened.by_shear, law.softened.by_bend};
+  r.normal_stiffness += whole[0] * change[0];
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      double force = 0.0, kept = 0.0;
+      for (int way = 0; way < 3; ++way) {
+        force += whole[way] * ways[way][row];
+        kept += change[way] * ways[way][column];
+      }
+      r.tangent[4 * row + column] += force * kept;
+    }
+  }
+}
+
 }  // namespace
 
 BondResponse respond(const Assembly& a, const Options& o, std::int64_t e) {
@@ -149,6 +172,8 @@ BondResponse respond(const Assembly& a, const Options& o, std::int64_t e) {
     }
   }
   fill(r, c, m.normal, m.now, m.length, m.arm_i, m.arm_j);
+  if (law.softened.by_gap != 0.0 || law.softened.by_shear != 0.0 || law.softened.by_bend != 0.0)
+    add_softening(r, law, o, a.factors.stiffness_of(e), a.bond_radius(e));
   return r;
 }
 

@@ -265,7 +265,8 @@ void EquilibriumSolver::break_farthest(CrackLog& log) {
       const Vec2 between = middle - at;
       return dot(between, between) < apart * apart * radius * radius;
     });
-    if (near || mechanics_.stays(candidate.bond))
+    // Bonds that soften have let go of what they bore before they break.
+    if ((near && assembly_.softening.empty()) || mechanics_.stays(candidate.bond))
       continue;  // some of its discs' other bonds may have broken just now
     broken.push_back(middle);
     bonds.push_back(candidate.bond);

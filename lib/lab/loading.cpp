@@ -15,22 +15,90 @@ constexpr double longest = 0.2;         // share of the load of the foreseen bre
 constexpr double no_failure = 30.0;     // loads at the first break, beyond which the test is over
 constexpr std::size_t most_points = 20000;
 
+void record(LoadingResult& result, const Specimen& specimen, const Loading& loading, double load,
+            double excess) {
+  const Strain strain = specimen.strain();
+  const double stress = loading.stress();
+  result.curve.push_back({load, stress, strain.axial, strain.lateral, excess,
+                          specimen.cracks_in(CrackMode::tension), specimen.cracks_in(CrackMode::shear)});
+  if (stress > result.peak) {
+    result.peak = stress;
+    result.strain_at_peak = strain.axial;
+  }
+}
+
+// Rock that softens has equilibria that no way leads to: Newton's method may find one, and then energy came from nowhere.
+bool gains_energy(const Specimen& specimen, const Specimen::Account& start) {
+  if (specimen.shape().wet) return false;  // a fluid's work is not counted
+  const Specimen::Account now = specimen.account();
+  return -now.lost_since(start) > 0.02 * (now.taken - start.taken) + 1e-6 * now.stored;
+}
+
+LoadingResult follow_softening(Specimen& specimen, const Loading& loading,
+                               const std::function<bool()>& interrupt) {
+  LoadingResult result;
+  double load = 0.0, step = loading.first, even = 0.0;
+  std::size_t before = 0;
+  bool ran_away = false;
+  const auto watch = [&] {
+    ran_away = static_cast<std::int64_t>(specimen.cracks().size() - before) > loading.runaway;
+    return ran_away || (interrupt && interrupt());
+  };
+  const auto ended = [&](TestEnd end) {
+    result.end = end;
+    return result;
+  };
+  while (result.curve.size() < most_points) {
+    if (interrupt && interrupt()) return ended(TestEnd::stopped);
+    before = specimen.cracks().size();
+    specimen.keep();
+    const Specimen::Account start = specimen.account();
+    if (loading.most > 0.0) step = std::min(step, loading.most - load);
+    EquilibriumSolver::Outcome outcome;
+    for (std::size_t broken = before;;) {  // a fluid follows the crack by apply() alone
+      loading.apply(load + step);
+      outcome = specimen.solve(unlimited, watch);
+      if (outcome.end != End::rest || specimen.cracks().size() == broken) break;
+      broken = specimen.cracks().size();
+    }
+    if (outcome.end == End::stopped && !ran_away) return ended(TestEnd::stopped);
+    if (outcome.end != End::rest || gains_energy(specimen, start)) {
+      specimen.go_back();
+      if (even == 0.0) even = loading.soft_step * (load + step);
+      if (step > even / 12.0) {
+        step *= 0.5;
+        continue;
+      }
+      loading.apply(load + step);
+      outcome = specimen.settle(watch);
+      if (outcome.end == End::stopped && !ran_away) return ended(TestEnd::stopped);
+      if (outcome.end != End::rest)
+        return ended(loading.constant || ran_away ? TestEnd::failed : TestEnd::no_equilibrium);
+    }
+    load += step;
+    result.force_ratio = std::max(result.force_ratio, outcome.force_ratio);
+    record(result, specimen, loading, load, outcome.excess);
+    if (before == 0 && !specimen.cracks().empty()) result.first_crack = loading.stress();
+    if (result.curve.back().stress < loading.end_share * result.peak) return ended(TestEnd::failed);
+    if (loading.most > 0.0 && load >= loading.most * (1.0 - 1e-12)) return ended(TestEnd::load_reached);
+    const double stress = even > 0.0 ? 1.0 : specimen.largest_stress();
+    if (stress >= 0.95) {
+      if (even == 0.0) even = loading.soft_step * load;
+      step = std::min(even, 2.0 * step);
+    } else {
+      step = stress > 0.0 ? load * std::clamp(0.97 / stress - 1.0, loading.soft_step, 1e6) : load;
+    }
+  }
+  return ended(TestEnd::no_equilibrium);
+}
+
 }  // namespace
 
 LoadingResult load_to_failure(Specimen& specimen, const Loading& loading,
                               const std::function<bool()>& interrupt) {
+  if (specimen.softens()) return follow_softening(specimen, loading, interrupt);
   LoadingResult result;
   double load = 0.0, step = loading.first, excess = 0.0, load_at_first = 0.0;
-  const auto record = [&](double reached) {
-    const Strain strain = specimen.strain();
-    const double stress = loading.stress();
-    result.curve.push_back({load, stress, strain.axial, strain.lateral, reached,
-                            specimen.cracks_in(CrackMode::tension), specimen.cracks_in(CrackMode::shear)});
-    if (stress > result.peak) {
-      result.peak = stress;
-      result.strain_at_peak = strain.axial;
-    }
-  };
   const auto ended = [&](TestEnd end) {
     result.end = end;
     return result;
@@ -59,7 +127,7 @@ LoadingResult load_to_failure(Specimen& specimen, const Loading& loading,
     load += step;
     excess = outcome.excess;
     result.force_ratio = std::max(result.force_ratio, outcome.force_ratio);
-    record(excess);
+    record(result, specimen, loading, load, excess);
     if (excess >= intact) {
       if (result.curve.back().stress >= result.peak)
         result.worst_overshoot = std::max(result.worst_overshoot, excess - 1.0);
@@ -79,7 +147,7 @@ LoadingResult load_to_failure(Specimen& specimen, const Loading& loading,
         return ended(loading.constant ? TestEnd::failed : TestEnd::no_equilibrium);
       result.force_ratio = std::max(result.force_ratio, outcome.force_ratio);
       excess = specimen.largest_excess();
-      record(excess);
+      record(result, specimen, loading, load, excess);
       if (result.curve.back().stress < loading.end_share * result.peak) return ended(TestEnd::failed);
     }
     if (loading.most > 0.0 && load >= loading.most * (1.0 - 1e-12)) return ended(TestEnd::load_reached);

@@ -5,6 +5,9 @@
 // of a bond the next break is foreseen. A step that takes a bond more than `overshoot` beyond its strength is taken again
 // shorter, down to `least` of the load; then bonds break in order, the farthest beyond its strength first, at this load until
 // none is left to break. Both the equilibrium before the break and the one after it are points of the curve.
+//
+// Rock whose bonds soften gives way gradually: from where the first begins to, steps are equal (`soft_step` of the load there), and where no
+// equilibrium is found, or one that takes more energy than the loads brought, they are halved, to a sixteenth; then damped motion goes on from the last one, to the next there is or to failure.
 #pragma once
 
 #include <cstdint>
@@ -24,6 +27,7 @@ struct Loading {
   std::int64_t runaway = 1000000000;  // ... or when more than so many bonds break at one load
   bool constant = false;              // load that does not give way: no equilibrium after a break is failure
   double overshoot = 0.01, least = 1e-3;
+  double soft_step = 0.01;
 };
 
 struct CurvePoint {

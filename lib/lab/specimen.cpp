@@ -8,6 +8,7 @@
 #include "build/build_model.hpp"
 #include "core/error.hpp"
 #include "core/plane_fit.hpp"
+#include "model/visit_state.hpp"
 #include "options/choices.hpp"
 
 namespace hfrac {
@@ -136,6 +137,7 @@ void Specimen::make_unbreakable() {
 }
 
 void Specimen::lead_ends(double elongation) {
+  elongation_ = elongation;
   auto& grips = boundary_->grips();
   for (std::size_t k = 0; k < upper_; ++k) grips[k].target = (k < lower_ ? -0.5 : 0.5) * elongation;
 }
@@ -171,24 +173,59 @@ void Specimen::pressurise(double pressure) {
 EquilibriumSolver::Outcome Specimen::solve(double most_excess, const std::function<bool()>& interrupt) {
   auto outcome = equilibrium_->solve(0.0, {}, most_excess, model_.cracks, interrupt);
   factors_ += outcome.factors;
-  const bool held = !boundary_->grips().empty();
-  for (int attempt = 0; held && outcome.end == End::not_converged && attempt < most_attempts; ++attempt) {
-    ++relaxations_;
-    const auto moved = mechanics_->relax(relaxed_ratio, most_cycles, model_.cracks, interrupt);
-    if (moved.stopped) {
-      outcome.end = End::stopped;
-      break;
-    }
-    mechanics_->search_contacts(model_.cracks);
-    outcome = equilibrium_->solve(0.0, {}, std::numeric_limits<double>::infinity(), model_.cracks, interrupt);
-    factors_ += outcome.factors;
-    if (outcome.end == End::not_converged && moved.at_rest) {
-      outcome.force_ratio = moved.force_ratio;
-      outcome.end = End::rest;
-    }
-  }
+  const bool held = !boundary_->grips().empty() && !softens();
+  for (int attempt = 0; held && outcome.end == End::not_converged && attempt < most_attempts; ++attempt)
+    outcome = settle(interrupt);
   if (outcome.end == EquilibriumSolver::End::rest) mechanics_->search_contacts(model_.cracks);
   return outcome;
+}
+
+EquilibriumSolver::Outcome Specimen::settle(const std::function<bool()>& interrupt) {
+  ++relaxations_;
+  const auto moved = mechanics_->relax(relaxed_ratio, most_cycles, model_.cracks, interrupt);
+  EquilibriumSolver::Outcome outcome;
+  if (moved.stopped) {
+    outcome.end = End::stopped;
+    return outcome;
+  }
+  mechanics_->search_contacts(model_.cracks);
+  if (softens()) keep();
+  outcome = equilibrium_->solve(0.0, {}, std::numeric_limits<double>::infinity(), model_.cracks, interrupt);
+  factors_ += outcome.factors;
+  if (outcome.end == End::not_converged && moved.at_rest) {
+    if (softens()) go_back();
+    outcome.force_ratio = moved.force_ratio;
+    outcome.end = End::rest;
+  }
+  return outcome;
+}
+
+Specimen::Account Specimen::account() const {
+  const Assembly& a = model_.assembly;
+  Account account{0.0, energy_taken(a, options_), boundary_->load_work(a), elongation_, pull()};
+  for (std::int64_t e = 0; e < a.bond_count(); ++e) {
+    const BondView bond = view_bond(a, options_, e);
+    account.stored += bond.bond_energy + bond.contact_energy;
+  }
+  account.stored += mechanics_->non_bonded_contacts().energy(a);
+  for (const auto& grip : boundary_->grips()) {
+    const double force = boundary_->grip_force(a, grip);
+    account.stored += 0.5 * force * force / options_.contact_normal_stiffness;
+  }
+  return account;
+}
+
+void Specimen::keep() {
+  Counter counter(true);
+  visit_state(counter, model_, shape_.wet);
+  kept_.resize(counter.size());
+  Saver saver(kept_, true);
+  visit_state(saver, model_, shape_.wet);
+}
+
+void Specimen::go_back() {
+  Loader loader(kept_, true);
+  visit_state(loader, model_, shape_.wet);
 }
 
 Strain Specimen::strain() const {

@@ -11,6 +11,7 @@
 // over the gauge, the inner 70 % of either side, so that what platens and free sides do differently does not count.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -59,12 +60,32 @@ class Specimen {
 
   // Equilibrium at the loads as they stand. Bonds break unless the largest stress over strength is above most_excess. Between
   // platens, where a disc has lost its hold and Newton's method finds no rest, the explicit solver lets it move to one, and bonds
-  // that break on the way are broken. Under constant load there may be no rest to find: that is failure.
+  // that break on the way are broken. Under constant load there may be no rest to find: that is failure. Bonds that soften keep what
+  // they come to on the way, so there the loading goes back first (loading.cpp).
   EquilibriumSolver::Outcome solve(double most_excess, const std::function<bool()>& interrupt = {});
 
   [[nodiscard]] Strain strain() const;
   // Largest stress over strength of an intact bond.
   [[nodiscard]] double largest_excess() const;
+  // Whether its bonds soften; largest stress over strength of one that does not yet, 1 or more if one does.
+  [[nodiscard]] bool softens() const { return !model_.assembly.softening.empty(); }
+  [[nodiscard]] double largest_stress() const { return hfrac::largest_stress(model_.assembly, options_); }
+  // What is stored, what softening bonds have taken [J/m], and the work of platens and tractions on the way from one of two equilibria to the
+  // next, by the mean of a platen's forces.
+  struct Account {
+    double stored, taken, tractions, elongation, pull;  // J/m, J/m, J/m, m, N
+    // Work since `before` less what has become of it: what was lost on the way, and below 0 nothing real [J/m].
+    [[nodiscard]] double lost_since(const Account& before) const {
+      return 0.5 * (pull + before.pull) * (elongation - before.elongation) + tractions - before.tractions -
+             (stored - before.stored) - (taken - before.taken);
+    }
+  };
+  [[nodiscard]] Account account() const;
+  // What an equilibrium that was not found leaves behind is put back by these.
+  void keep();
+  void go_back();
+  // Damped motion at the loads as they stand to an equilibrium, if there is one (where softening rock gives way Newton's method may find none).
+  EquilibriumSolver::Outcome settle(const std::function<bool()>& interrupt);
   // How far the faces of the slit stand apart, bond by bond: x from the slit's middle [m], opening along y [m].
   [[nodiscard]] std::vector<Vec2> opening() const;
   // Where the slit ends along x [m], each tip half way between the last bond cut and the first one that holds.
@@ -92,10 +113,12 @@ class Specimen {
   std::unique_ptr<ExplicitSolver> mechanics_;
   Facets facets_;  // none: specimens break by strength
   std::unique_ptr<EquilibriumSolver> equilibrium_;
-  std::vector<std::int64_t> slit_;     // its bonds
+  std::vector<std::int64_t> slit_;  // its bonds
+  std::vector<std::byte> kept_;
   Vec2 tips_;                          // begin, end
   std::size_t lower_ = 0, upper_ = 0;  // grips of either platen: [0, lower_), [lower_, upper_)
   int factors_ = 0, relaxations_ = 0;
+  double elongation_ = 0.0;
 };
 
 }  // namespace hfrac

@@ -15,6 +15,7 @@
 #include "model/bond_factors.hpp"
 #include "model/bond_geometry.hpp"
 #include "model/smooth_contacts.hpp"
+#include "model/softening.hpp"
 #include "options/options.hpp"
 
 namespace hfrac {
@@ -57,6 +58,7 @@ struct Assembly {
   BondGeometry geometry;
   Array<std::uint8_t> intact;
   Array<double> slip;  // m
+  Softening softening;
   ThermalState thermal;
   BondFactors factors;  // of toughness, joints and temperature together (bond_factors.hpp)
   std::vector<std::int64_t> tile_first_bond;  // one more than tiles

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What sets a bond apart from the next where the rock is not the same everywhere.
 //
-// Three things do: strength that follows disc size (toughness.hpp), joints (joints.hpp) and temperature (lib/heat). Each keeps its
-// own numbers; here they are multiplied, once when one of them changes, so that the law of a bond reads one set of arrays. In
+// Four things do: strength that follows disc size (toughness.hpp), joints (joints.hpp), temperature (lib/heat), and bonds that soften
+// (softening.hpp), which start where these strengths say. Each keeps its own numbers; here they are multiplied, once when one of them changes, so that the law of a bond reads one set of arrays. In
 // a rock that is the same everywhere the arrays are empty and the law does without.
 #pragma once
 
@@ -11,6 +11,8 @@
 #include "core/array.hpp"
 
 namespace hfrac {
+
+constexpr double never_breaks = 1e200;  // of the strength
 
 struct BondFactors {
   Array<double> growth;          // m, that the two discs' thermal growth takes from the gap

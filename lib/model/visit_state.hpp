@@ -37,6 +37,10 @@ void visit_state(Archive& archive, Self& s, bool wet) {
     archive.value(s.accounts.energies.held);
   }
   if (!n.viscosity_share.empty()) archive.array(n.viscosity_share);  // likewise
+  if (!a.softening.empty()) {
+    archive.often_zero(a.softening.start);
+    archive.often_zero(a.softening.worst);
+  }
   archive.value(n.zero_stress_aperture);
   archive.often_zero(s.increment.pressure_rate);
   for (auto* value : {&s.clock.time, &s.clock.force_ratio, &s.accounts.leaked, &s.clock.tip_distance,

@@ -247,6 +247,41 @@ void check_material(const Options& o) {
   }
 }
 
+// Bonds that soften: what does not go with it is refused. Discs too large for the energy the packing shows (solid/softening.hpp).
+void check_softening(const CaseDefinition& definition) {
+  const Options& o = definition.options;
+  if (!(o.bond_fracture_energy > 0.0)) return;
+  const std::string asked = value_text("bond.fracture_energy", o.bond_fracture_energy, "J/m2");
+  const auto need = [&](bool fine, const std::string& text) {
+    if (!fine) refuse(asked + " " + text);
+  };
+  need(o.bond_normal_stiffness > 0.0 && o.bond_tensile_strength > 0.0 && o.bond_shear_strength > 0.0,
+       "needs bond.normal_stiffness, bond.tensile_strength and bond.shear_strength above 0: a bond softens "
+       "from its strength on; give them, or leave the energy at 0.");
+  need(
+      !(o.bond_fracture_toughness > 0.0) && !(o.bond_toughness_reference_radius > 0.0),
+      "sets the toughness, and so do bond.fracture_toughness and bond.toughness_reference_radius, which take "
+      "the strengths for it; leave those at 0, or the energy.");
+  need(FractureLaw{o.fracture_law} == FractureLaw::bond,
+       "is for fracture.law = \"bond\": facets break at tips by bond.fracture_toughness; set that law, or "
+       "leave "
+       "the energy at 0.");
+  need(
+      o.bond_smallest_fragment == 1,
+      "goes with bond.smallest_fragment = 1 only: a bond that has softened bears nothing, whether it is kept "
+      "or not; set 1, or leave the energy at 0.");
+  need(ThermalMode{o.thermal_mode} == ThermalMode::off ||
+           ThermalParameters{o.thermal_parameters} == ThermalParameters::constant,
+       "takes no micro-parameters that follow temperature; set thermal.parameters = \"constant\", or leave "
+       "the "
+       "energy at 0.");
+  for (std::size_t k = 0; k < definition.joints.size(); ++k)
+    need(
+        is_smooth(JointState{definition.joints[k].state}),
+        "takes smooth joints only, which stay as they are, and joint[" + std::to_string(k) +
+            "] is rough; set its state to \"smooth-bonded\" or \"smooth-broken\", or leave the energy at 0.");
+}
+
 void check_solver(const Options& o) {
   const bool quasi_static = SolverKind{o.solver_kind} == SolverKind::quasi_static;
   const SteppingMode mode{o.stepping_mode};
@@ -575,6 +610,7 @@ void validate(const CaseDefinition& definition, std::span<const double> given_di
   check_facets(definition);
   check_rock(definition);
   check_material(o);
+  check_softening(definition);
   check_solver(o);
   check_initial(definition);
   check_fluid(o);

@@ -51,6 +51,20 @@ void press(BondLaw& law, double stiffness, double radius, bool flat) {
   law.contact_energy = law.contact_normal * deep / 3.0;
 }
 
+// What is left of a bond that softens; pressure it bears whole.
+void weaken(BondLaw& law, const Assembly& a, const Options& o, std::int64_t e) {
+  law.softened = soften(a, o, e, law.motion);
+  const double kept = law.softened.kept;
+  if (law.motion.gap > 0.0) {
+    law.bond_stiffness *= kept;
+    law.bond_normal *= kept;
+  }
+  law.bond_shear_stiffness *= kept;
+  law.bond_moment_stiffness *= kept;
+  law.bond_shear *= kept;
+  law.bond_moment *= kept;
+}
+
 }  // namespace
 
 BondLaw bond_law(const Assembly& a, const Options& o, std::int64_t e) {
@@ -67,6 +81,7 @@ BondLaw bond_law(const Assembly& a, const Options& o, std::int64_t e) {
     law.bond_normal = law.bond_stiffness * m.gap;
     law.bond_shear = law.bond_shear_stiffness * m.shear;
     law.bond_moment = law.bond_moment_stiffness * m.bend;
+    if (!a.softening.empty()) weaken(law, a, o, e);
   }
   const bool flat = ContactShape{o.contact_shape} == ContactShape::flat;
   const double edge = flat ? a.bond_radius(e) * std::abs(m.bend) : 0.0;
@@ -102,6 +117,12 @@ BondView view_bond(const Assembly& a, const Options& o, std::int64_t e) {
   v.contact_energy = law.contact_energy;
   if (law.contact_shear_stiffness > 0.0)
     v.contact_energy += 0.5 * v.contact_shear * v.contact_shear / law.contact_shear_stiffness;
+  if (!a.softening.empty()) {
+    const bool pulled = law.softened.tensile >= law.softened.shear;
+    v.tensile_excess = pulled ? law.softened.spent : 0.0;
+    v.shear_excess = pulled ? 0.0 : law.softened.spent;
+    return v;
+  }
   const double pull =
       v.bond_normal + o.bond_moment_contribution * 3.0 * std::abs(v.bond_moment) / a.bond_radius(e);
   const double tensile = a.tensile_capacity(e), shearing = a.shear_capacity(e);

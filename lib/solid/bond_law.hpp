@@ -10,6 +10,7 @@
 
 #include "model/assembly.hpp"
 #include "options/options.hpp"
+#include "solid/softening.hpp"
 
 namespace hfrac {
 
@@ -34,6 +35,7 @@ struct BondLaw {
          contact_coupling =
              0.0;               // N m, N m, N: of a flat one; its moment by the gap, and its pull by the bend
   double contact_energy = 0.0;  // J/m, of pressure
+  Softened softened;            // stiffnesses above are those of what is left of it
   double friction = 0.0;
   bool pressed = false;  // the contact is there and closed, at least in part
   bool slides = false;   // its shear force is at the Coulomb limit
@@ -53,10 +55,11 @@ struct BondView {
   double contact_moment;  // N m, of a flat contact
   double contact_normal;  // N, compression positive
   double contact_shear;   // N
-  double bond_energy;     // J/m
+  double bond_energy;     // J/m, elastic
   double contact_energy;  // J/m
-  double tensile_excess;  // stress over strength, eq. 21 and 23
-  double shear_excess;    // stress over strength, eq. 22 and 23
+  double
+      tensile_excess;  // stress over strength, eq. 21 and 23; of a bond that softens, opening over the one at which it is broken
+  double shear_excess;  // stress over strength, eq. 22 and 23
   // Where a bond breaks: at its strength in tension with bending, or in shear (eq. 21-23).
   [[nodiscard]] bool breaks() const { return tensile_excess >= 1.0 || shear_excess >= 1.0; }
   [[nodiscard]] double normal_force() const { return bond_normal - contact_normal; }

@@ -98,6 +98,11 @@ void ExplicitSolver::bind_arrays() {
     k.shear_factor = a.factors.shear.data();
     k.bond_friction = a.factors.friction.data();
   }
+  if (!a.softening.empty()) {
+    k.softening_start = a.softening.start.data();
+    k.softening_worst = a.softening.worst.data();
+    k.softening = 4.0 * options_.bond_fracture_energy;
+  }
   k.bond_count = a.bond_count();
   k.first_cross_bond = plan_.first_cross_bond;
   k.domain_corner_start = n.corner_start.data();
@@ -193,6 +198,17 @@ void ExplicitSolver::stop_motion() {
   for (auto& wall : boundary_.walls()) wall.velocity = 0.0;
 }
 
+// At the end of its softening a bond bears nothing: what it bore where that began, and what it has taken since, go to the log.
+void ExplicitSolver::log_softened(Crack& crack) const {
+  if (assembly_.smooth.of(crack.bond) != nullptr) return;
+  const BondLaw law = bond_law(assembly_, options_, crack.bond);
+  const double share = assembly_.factors.stiffness_of(crack.bond), at_start = law.softened.at_start;
+  crack.normal_force =
+      options_.bond_normal_stiffness * share * law.motion.gap * (law.motion.gap > 0.0 ? at_start : 1.0);
+  crack.shear_force = options_.bond_shear_stiffness * share * law.motion.shear * at_start;
+  crack.energy += energy_taken(assembly_, options_, crack.bond);
+}
+
 void ExplicitSolver::break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, CrackLog& found) {
   Crack crack;
   crack.bond = e;
@@ -201,6 +217,7 @@ void ExplicitSolver::break_bond(const BondView& bond, std::int64_t e, std::int64
   crack.shear_force = bond.bond_shear;
   crack.energy = bond.bond_energy;
   crack.released = bond.bond_energy + bond.contact_energy;
+  if (!assembly_.softening.empty()) log_softened(crack);
   crack.mode = bond.tensile_excess >= bond.shear_excess ? CrackMode::tension : CrackMode::shear;
   found.push_back(crack);
   if (SmoothContact* contact = assembly_.smooth.of(e)) {
@@ -214,8 +231,13 @@ void ExplicitSolver::break_bond(const BondView& bond, std::int64_t e, std::int64
 
 void ExplicitSolver::hold_edge(bool hold) {
   held_.assign(hold ? static_cast<std::size_t>(assembly_.disc_count()) : 0, 0);
-  if (!hold) return;
-  for (const auto i : boundary_.edge()) held_[static_cast<std::size_t>(i)] = 1;
+  if (hold)
+    for (const auto i : boundary_.edge()) held_[static_cast<std::size_t>(i)] = 1;
+  if (assembly_.softening.empty()) return;
+  assembly_.softening.held.clear();  // nor do they soften
+  for (std::int64_t e = 0; hold && e < assembly_.bond_count(); ++e)
+    assembly_.softening.held.push_back(is_held(e) ? 1 : 0);
+  combine_factors(assembly_, options_);
 }
 
 bool ExplicitSolver::is_held(std::int64_t bond) const {

@@ -137,6 +137,7 @@ class ExplicitSolver {
   void take_cross_block(std::int64_t block, std::int64_t cycle, Found& found);
   void take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, Found& found);
   void break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, CrackLog& found);
+  void log_softened(Crack& crack) const;
   bool break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, Found& found);
   void put_masses(const std::vector<double>& row_x, const std::vector<double>& row_y,
                   const std::vector<double>& row_rotation);

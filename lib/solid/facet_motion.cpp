@@ -31,8 +31,7 @@ void hold_bonds_around(Assembly& a, const Network& n, std::int32_t domain) {
 }  // namespace
 
 void hold_bond(Assembly& a, std::int64_t bond) {
-  constexpr double never = 1e200;  // of the strength
-  a.factors.tensile[bond] = a.factors.shear[bond] = never;
+  a.factors.tensile[bond] = a.factors.shear[bond] = never_breaks;
 }
 
 void FacetMotion::begin(const FacetStart& start, const Array<double>& weight) {

@@ -34,6 +34,8 @@ struct alignas(32) BufferedForce {
   int64_t disc;
 };
 
+constexpr double steepest_softening = 1.05;  // least w_c / w_0 (softening.hpp)
+
 struct TileSums {
   double force;     // sum of |fx| + |fy|: contact forces (bonds), unbalanced forces (discs)
   double work;      // friction (bonds), damping (discs), work of the fluid on the discs (domains)
@@ -96,6 +98,9 @@ struct KernelArrays {
   int32_t undrained;                          // 1: pressures follow the volumes of their pores
   // sums: of each tile, then of each block of bonds or domains across
   TileSums *bond_sums, *disc_sums, *domain_sums;
+  // by bond, null unless bonds soften (softening.hpp)
+  double *softening_start, *softening_worst;  // m
+  double softening;                           // N: w_0 w_c k_n per bond radius, 4 G_c
 };
 
 // Doubles of scratch memory that tile_forces and tile_move share, on a 64-byte boundary.

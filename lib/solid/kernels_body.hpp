@@ -14,6 +14,7 @@
 //   forces on i    F_n n + F_s (L0 / L) t, moments F_s a_i + M and F_s a_j - M: the exact gradient of the energy
 //   varied         g less what the discs grew, k and strengths times their factors, mu by bond (bond_factors.hpp)
 //   breakage       F_n + 3 beta |M| / R >= sigma_c A  or  |F_s| >= tau_c A                (eq. 21-23, tension positive)
+//   softening      tension, F_s and M of the bond times 1 - D from there on, and breakage at D = 1 (softening.hpp)
 //
 // Bonds go through it 64 at a time: records of discs are gathered four or eight at once and transposed into arrays (a gather
 // instruction costs several times as much), the law runs over the arrays in the widest vectors there are, and forces are
@@ -62,11 +63,12 @@ struct alignas(64) Chunk {
   double fx[chunk], fy[chunk], moment_i[chunk], minus_moment_j[chunk];
   double force[chunk], friction[chunk], over[chunk];  // for the sums
   double slip[chunk];                                 // after this cycle
+  double start[chunk], worst[chunk];                  // likewise, of softening
 };
 
 // The law, for bonds e to e + n - 1, whose geometry begins with `block`. With `varied`, bonds differ (bond_factors.hpp);
-// with `flat`, contacts bear moments.
-template <bool varied, bool flat>
+// with `flat`, contacts bear moments; with `softens`, which varies too, bonds soften.
+template <bool varied, bool flat, bool softens>
 __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, int64_t n,
                                              const double* __restrict block, Chunk& c) {
   const double* __restrict slip_ = a.slip + e;
@@ -76,6 +78,9 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
   const double* __restrict tensile_ = varied ? a.tensile_factor + e : nullptr;
   const double* __restrict shear_ = varied ? a.shear_factor + e : nullptr;
   const double* __restrict friction_ = varied ? a.bond_friction + e : nullptr;
+  const double* __restrict start_ = softens ? a.softening_start + e : nullptr;
+  const double* __restrict worst_ = softens ? a.softening_worst + e : nullptr;
+  const double shear_per_normal = softens ? a.bond_shear / a.bond_normal : 0.0, energy = a.softening;
   const double bond_normal = a.bond_normal, bond_shear = a.bond_shear, contact_normal = a.contact_normal,
                contact_shear = a.contact_shear, friction = a.friction, bending_share = a.bending_share,
                contact_with_bond = a.contact_with_bond, tensile = a.tensile_capacity,
@@ -104,9 +109,32 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
                          (length * c.theta_i[k] + arm_j * turn);
 
     const double intact = c.intact[k], radius = values[block_radius + lane];
-    const double bond_n = bond_normal * share * intact * gap;
-    const double bond_s = bond_shear * share * intact * shear;
-    const double bend = bond_normal * share * intact * radius * turn;  // 3 M / R
+    double bond_n = bond_normal * share * intact * gap;
+    double bond_s = bond_shear * share * intact * shear;
+    double bend = bond_normal * share * intact * radius * turn;  // 3 M / R
+    if constexpr (softens) {
+      constexpr double none = 1e-300;
+      const double open = positive(gap);
+      const double w = __builtin_sqrt(open * open + shear_per_normal * shear * shear +
+                                      radius * radius * (1.0 / 3.0) * turn * turn);
+      const double pulled = (bond_n + bending_share * magnitude(bend)) / (tensile * radius * tensile_[k]),
+                   sheared = magnitude(bond_s) / (shearing * radius * shear_[k]);
+      const double stress = pulled > sheared ? pulled : sheared;
+      const double before = start_[k], begins = stress >= 1.0 ? w / (stress + none) : 0.0;
+      const double start = before > 0.0 ? before : begins;
+      const double soft = energy * radius / (bond_normal * share * start + none),
+                   steep = steepest_softening * start + none, end = soft > steep ? soft : steep;
+      const double farthest = w > worst_[k] ? w : worst_[k], reached = farthest < end ? farthest : end;
+      const bool damaged = intact > 0.0 && start > 0.0;
+      const double worst = damaged ? reached : worst_[k];
+      const double kept = damaged && worst > start ? start * (end - worst) / (worst * (end - start)) : 1.0;
+      bond_n *= gap > 0.0 ? kept : 1.0;
+      bond_s *= kept;
+      bend *= kept;
+      c.start[k] = start;
+      c.worst[k] = worst;
+      c.over[k] = damaged && worst >= end ? 1.0 : 0.0;
+    }
 
     const double present = intact > 0.0 ? contact_with_bond : 1.0;
     double squeeze = positive(-gap), contact_bend = 0.0;  // over stiffness
@@ -146,7 +174,7 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
         bond_n + bending_share * magnitude(bend) - tensile * radius * (varied ? tensile_[k] : 1.0);
     const double push = magnitude(bond_s) - shearing * radius * (varied ? shear_[k] : 1.0);
     const double excess = pull > push ? pull : push;
-    c.over[k] = intact > 0.0 && excess >= 0.0 ? 1.0 : 0.0;
+    if constexpr (!softens) c.over[k] = intact > 0.0 && excess >= 0.0 ? 1.0 : 0.0;
   };
   int64_t begin = 0;
   for (; begin + block_bonds <= n; begin += block_bonds, block += block_values) {
@@ -163,10 +191,14 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
 // The geometry of bond e is that of value `at` on.
 inline void bond_law(const KernelArrays& a, int64_t e, int64_t n, int64_t at, Chunk& c) {
   const bool flat = a.flat != 0;
-  if (a.tensile_factor != nullptr) {
-    (flat ? bond_law_with<true, true> : bond_law_with<true, false>)(a, e, n, a.geometry + at, c);
+  if (a.softening_start != nullptr) {
+    (flat ? bond_law_with<true, true, true> : bond_law_with<true, false, true>)(a, e, n, a.geometry + at, c);
+  } else if (a.tensile_factor != nullptr) {
+    (flat ? bond_law_with<true, true, false> : bond_law_with<true, false, false>)(a, e, n, a.geometry + at,
+                                                                                  c);
   } else {
-    (flat ? bond_law_with<false, true> : bond_law_with<false, false>)(a, e, n, a.geometry + at, c);
+    (flat ? bond_law_with<false, true, false> : bond_law_with<false, false, false>)(a, e, n, a.geometry + at,
+                                                                                    c);
   }
 }
 
@@ -306,9 +338,18 @@ struct BondSums {
   }
 };
 
+// Apart, so that rock whose bonds do not soften has one test more.
+__attribute__((noinline)) void keep_softening(const KernelArrays& a, int64_t e, int64_t n, const Chunk& c) {
+  for (int64_t k = 0; k < n; ++k) {
+    a.softening_start[e + k] = c.start[k];
+    a.softening_worst[e + k] = c.worst[k];
+  }
+}
+
 void keep_slip(const KernelArrays& a, int64_t e, int64_t n, const Chunk& c) {
   double* __restrict to = a.slip + e;
   for (int64_t k = 0; k < n; ++k) to[k] = c.slip[k];
+  if (a.softening_start != nullptr) keep_softening(a, e, n, c);
 }
 
 // Pressure of a domain whose volume has changed by `change`; adds the work it did on the way.

@@ -81,7 +81,7 @@ StepOutcome coupled_step(Engine& e, double duration, const Interrupt& interrupt)
     save_state(e, e.before_increment);
     feel_heat(e);
     e.equilibrium->set_time(m.clock.time + control.done() + length);
-    Outcome outcome = e.equilibrium->solve(length, e.source, control.most_excess(), m.cracks, interrupt);
+    Outcome outcome = solve_soundly(e, length, e.source, control.most_excess(), interrupt);
     if (outcome.end == End::not_converged && control.shortest() && e.facets.active())
       throw Error(ErrorKind::diverged,
                   "no equilibrium was found at " + number_text(m.clock.time + control.done()) + " s near " +

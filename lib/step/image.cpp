@@ -103,6 +103,7 @@ std::uint64_t fingerprint_of(const Engine& e, const SetupReport& report) {
     const std::string_view key = info.key;
     if (!beyond && (key.starts_with("boundary.exterior_") || key == "boundary.flow_distance")) continue;
     if (key == "fluid.kind" && e.options.fluid_kind == 0) continue;  // likewise
+    if (key == "bond.fracture_energy" && e.options.bond_fracture_energy == 0.0) continue;
     const bool thermal = e.heat && std::string_view(info.key).starts_with("thermal.");
     if (thermal || is_of_the_model(info.key)) hash.add(get_value(e.options, info));
   }

@@ -48,7 +48,7 @@ Balance full_balance(const Engine& engine) {
   b.boundary_work = engine.boundary->load_work(m.assembly) - m.start.boundary_work + e.held;
   b.friction = e.friction;
   b.damping = e.damping;
-  b.fracture = e.fracture;
+  b.fracture = e.fracture + energy_taken(m.assembly, engine.options);
   b.energy_error = b.fluid_work + b.boundary_work - b.kinetic - (elastic.bonds - m.start.bond_energy) -
                    (elastic.contacts - m.start.contact_energy) - b.friction - b.damping - b.fracture +
                    (m.heat ? m.heat->thermal_work : 0.0);
@@ -98,6 +98,7 @@ void begin_ledger(Engine& e) {
   m.start.boundary_work = e.boundary->load_work(m.assembly);
   m.accounts.outside_change = m.network.volume_change[0];
   m.accounts.energies = {};
+  m.accounts.energies.fracture = -energy_taken(m.assembly, e.options);  // before the start
 }
 
 void accumulate_flow(Engine& e, double duration) {
@@ -150,8 +151,12 @@ void book_host_fluid(Engine& e, std::size_t domain, double gain) {
                              (e.model.heat->fluid[domain] - o.thermal_rock_temperature);
 }
 
+double unaccounted_work(const Engine& e) {
+  return full_balance(e).energy_error;
+}
+
 void book_damping(Engine& e) {
-  e.model.accounts.energies.damping += full_balance(e).energy_error;
+  e.model.accounts.energies.damping += unaccounted_work(e);
 }
 
 void keep_outside_work(Model& m) {

@@ -47,6 +47,8 @@ void begin_ledger(Engine& engine);
 void accumulate_flow(Engine& engine, double duration);
 // Fluid that a host put into a domain [m2], and the heat it brings.
 void book_host_fluid(Engine& engine, std::size_t domain, double gain);
+// Works that nothing in the balance accounts for yet [J/m]: with the quasi-static solver, since book_damping.
+double unaccounted_work(const Engine& engine);
 // What the quasi-static solver left of the energy balance, as damping.
 void book_damping(Engine& engine);
 // Before the pressure outside changes: the work it did so far.

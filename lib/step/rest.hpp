@@ -26,6 +26,10 @@ bool grow_tips(Engine& engine, CrackLog& log);
 // `increment` seconds, and equilibrium is solved for where it ends.
 EquilibriumSolver::Outcome relax_dynamically(Engine& engine, double increment, const Interrupt& interrupt);
 
+// EquilibriumSolver::solve, but that an equilibrium softening rock has no energy for counts as none.
+EquilibriumSolver::Outcome solve_soundly(Engine& engine, double duration, const std::vector<double>& source,
+                                         double most_excess, const Interrupt& interrupt);
+
 // Keeps account of what the quasi-static solver did.
 void count(Engine& engine, const EquilibriumSolver::Outcome& outcome);
 

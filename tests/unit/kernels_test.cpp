@@ -18,19 +18,25 @@ namespace kernels_test {
 
 using namespace testing_unit;
 
-Options kernel_options(ContactMode mode, ContactShape shape = ContactShape::round) {
+Options kernel_options(ContactMode mode, ContactShape shape = ContactShape::round, double energy = 0.0) {
   Options o = dry_options(700);
   o.flow_scheme = choice(FlowScheme::implicit_scheme);
   o.contact_mode = choice(mode);
   o.contact_shape = choice(shape);
-  o.bond_tensile_strength = o.bond_shear_strength = 42.5e6;
+  o.bond_tensile_strength = o.bond_shear_strength = energy > 0.0 ? 5e6 : 42.5e6;
+  o.bond_fracture_energy = energy;
   return o;
 }
 
-constexpr std::pair<ContactMode, ContactShape> laws[] = {{ContactMode::parallel, ContactShape::round},
-                                                         {ContactMode::after_break, ContactShape::round},
-                                                         {ContactMode::parallel, ContactShape::flat},
-                                                         {ContactMode::after_break, ContactShape::flat}};
+struct Law {
+  ContactMode mode;
+  ContactShape shape;
+  double energy = 0.0;  // J/m2: bonds soften
+};
+constexpr Law laws[] = {
+    {ContactMode::parallel, ContactShape::round},      {ContactMode::after_break, ContactShape::round},
+    {ContactMode::parallel, ContactShape::flat},       {ContactMode::after_break, ContactShape::flat},
+    {ContactMode::parallel, ContactShape::round, 4e3}, {ContactMode::after_break, ContactShape::flat, 4e3}};
 
 // A state with everything in it: broken bonds, sliding, pressures, motion.
 void stir(TestModel& m) {
@@ -70,8 +76,8 @@ std::vector<BondForce> forces_of(const TestModel& m) {
 }
 
 // What a cycle writes, as bytes.
-std::string outputs_of(const char* isa, ContactMode mode, ContactShape shape) {
-  const Options o = kernel_options(mode, shape);
+std::string outputs_of(const char* isa, const Law& law) {
+  const Options o = kernel_options(law.mode, law.shape, law.energy);
   TestModel m(o, packed(o));
   stir(m);
   const KernelTable& table = *kernels_for(isa);
@@ -90,6 +96,10 @@ std::string outputs_of(const char* isa, ContactMode mode, ContactShape shape) {
     table.bond_forces(a, force.data());
     keep(force.data(), a.bond_count);
     keep(a.slip, a.bond_count);
+    if (law.energy > 0.0) {
+      keep(a.softening_start, a.bond_count);
+      keep(a.softening_worst, a.bond_count);
+    }
     for (const double* values : {a.ux, a.uy, a.rotation, a.vx, a.vy, a.spin}) keep(values, a.disc_count);
     keep(a.pressure, m.network.domain_count());
     keep(a.volume_change, m.network.domain_count());
@@ -101,14 +111,14 @@ std::string outputs_of(const char* isa, ContactMode mode, ContactShape shape) {
 }
 
 TEST(Kernels, GiveTheSameBitsOnEveryInstructionSet) {
-  for (const auto& [mode, shape] : laws) {
-    const std::string baseline = outputs_of("baseline", mode, shape);
+  for (const Law& law : laws) {
+    const std::string baseline = outputs_of("baseline", law);
     for (const char* isa : {"avx2", "avx512"}) {
       if (kernels_for(isa) == nullptr) {
         GTEST_LOG_(INFO) << isa << " is not available on this processor: not compared";
         continue;
       }
-      const std::string wide = outputs_of(isa, mode, shape);
+      const std::string wide = outputs_of(isa, law);
       ASSERT_EQ(wide.size(), baseline.size());
       EXPECT_EQ(std::memcmp(wide.data(), baseline.data(), baseline.size()), 0) << isa;
     }
@@ -117,15 +127,17 @@ TEST(Kernels, GiveTheSameBitsOnEveryInstructionSet) {
 }
 
 TEST(Kernels, FollowTheLawOfViewBond) {
-  for (const auto& [mode, shape] : laws) {
-    Options o = kernel_options(mode, shape);
+  for (const Law& law : laws) {
+    Options o = kernel_options(law.mode, law.shape, law.energy);
     o.bond_tensile_strength = o.bond_shear_strength = 5e6;  // so that some bonds fail
     TestModel m(o, packed(o));
     stir(m);
     const Array<double> slip = m.assembly.slip;
+    const Softening whole = m.assembly.softening;
     const auto forces = forces_of(m);
     m.solver->evaluate();
     const Array<double> slipped = m.assembly.slip;
+    const Softening softened = std::exchange(m.assembly.softening, whole);
     const KernelArrays& a = m.solver->arrays();
     std::vector<char> breaks_in(static_cast<std::size_t>(a.tile_count) + 1, 0);  // the last: across tiles
     std::int64_t breaking = 0;
@@ -151,6 +163,11 @@ TEST(Kernels, FollowTheLawOfViewBond) {
       const double rounding = 1e-15 * o.contact_shear_stiffness * std::abs(bond.shear);
       EXPECT_NEAR(after.contact_shear, bond.contact_shear, scale + rounding);
       EXPECT_LE(std::abs(after.contact_shear), o.contact_friction * after.contact_normal + scale);
+      if (law.energy > 0.0) {
+        const Softened s = bond_law(m.assembly, o, e).softened;
+        EXPECT_NEAR(softened.start[e], s.start, 1e-12 * s.start);
+        EXPECT_NEAR(softened.worst[e], s.worst, 1e-12 * s.worst);
+      }
       const bool breaks =
           m.assembly.intact[e] > 0.0 && (bond.tensile_excess >= 1.0 || bond.shear_excess >= 1.0);
       breaking += breaks ? 1 : 0;

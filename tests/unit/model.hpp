@@ -18,6 +18,7 @@
 #include "solid/bond_law.hpp"
 #include "solid/boundary.hpp"
 #include "solid/explicit_solver.hpp"
+#include "solid/softening.hpp"
 #include "solid/toughness.hpp"
 
 namespace testing_unit {
@@ -63,6 +64,7 @@ class TestModel {
         faces(build_faces(graph)) {
     assembly = build_assembly(graph, options);
     if (options.bond_fracture_toughness > 0.0) apply_fracture_toughness(assembly, options);
+    if (options.bond_fracture_energy > 0.0) begin_softening(assembly, options);
     for (const auto& hole : holes) well_domains.push_back(face_around(graph, faces, hole.centre));
     network = build_network(faces, assembly, well_domains, options);
     boundary = std::make_unique<Boundary>(data, options);

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """UCS over tensile strength of variants of the bond and its contact, every seed, and a calibrated granite: the tables of docs/laboratory.md.
 
-usage: hard_rock.py [DISCS]                   with bindings/python on PYTHONPATH; 2 minutes of one core with 1000 discs
+usage: hard_rock.py [DISCS]                   with bindings/python on PYTHONPATH; 5 minutes of one core with 1000 discs
        hard_rock.py granite [SEED ...]        calibrates Lac du Bonnet's granite from these first packings (1), and tests what is found
                                               on packings 1 to 4: Brazilian strength, strength under confinement; 7 minutes a seed
 """
@@ -29,6 +29,7 @@ VARIANTS = [  # name, options of contact, options of bond
     ("flat, open 0.3, friction 0.85", dict(FLAT, friction=0.85), dict(STRONG, open_share=0.3)),
     ("flat, open 0.3, friction 1.2", dict(FLAT, friction=1.2), dict(STRONG, open_share=0.3)),
     ("the same, tau_c = sigma_c", dict(FLAT, friction=1.2), dict(STRONG, open_share=0.3, shear_strength=42.5e6)),
+    ("flat, open 0.3, friction 1.2, G_c 200 kJ/m2", dict(FLAT, friction=1.2), dict(STRONG, open_share=0.3, fracture_energy=200e3)),
 ]
 
 

@@ -549,6 +549,7 @@ class hfrac_sim_def(ctypes.Structure):
         ("fluid_kind", ctypes.c_int64),
         ("contact_shape", ctypes.c_int64),
         ("bond_open_share", ctypes.c_double),
+        ("bond_fracture_energy", ctypes.c_double),
     ]
 
 

@@ -375,7 +375,7 @@ class Crack(NamedTuple):
     normal_force: float
     #: [N] per thickness at failure
     shear_force: float
-    #: [J/m] elastic energy of the bond at failure
+    #: [J/m] elastic energy of the bond at failure; with bond.fracture_energy what it took
     energy: float
     #: enum hfrac_crack_mode
     mode: CrackMode

@@ -30,7 +30,7 @@ typedef struct hfrac_crack {
   double aperture;     /**< [m] mechanical opening now, 0 if closed */
   double normal_force; /**< [N] per thickness at failure, tension positive */
   double shear_force;  /**< [N] per thickness at failure */
-  double energy;       /**< [J/m] elastic energy of the bond at failure */
+  double energy;       /**< [J/m] elastic energy of the bond at failure; with bond.fracture_energy what it took */
   int32_t mode;        /**< enum hfrac_crack_mode */
   int32_t fracture;    /**< index of its fracture now, as hfrac_fractures gives them */
   double distance;     /**< [m] between the centres of its discs when they were bonded */

@@ -506,6 +506,10 @@ typedef struct hfrac_sim_def {
   /** [1] Share of contacts drawn at random that are never bonded, closed cracks of the rock; every disc
    * keeps three bonds, so that a little less than asked come of large shares. Default 0.0. */
   double bond_open_share;
+  /** [J/m2] Energy G_c that a bond takes per area while it softens beyond its strength; K_Ic^2 = E' G_c
+   * where discs are small against E' G_c / sigma_c^2. 0: bonds break at their strength. With fracture.law
+   * = bond. Default 0.0. */
+  double bond_fracture_energy;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */
