@@ -262,7 +262,7 @@ void check_softening(const CaseDefinition& definition) {
       !(o.bond_fracture_toughness > 0.0) && !(o.bond_toughness_reference_radius > 0.0),
       "sets the toughness, and so do bond.fracture_toughness and bond.toughness_reference_radius, which take "
       "the strengths for it; leave those at 0, or the energy.");
-  need(FractureLaw{o.fracture_law} == FractureLaw::bond,
+  need(fracture_law_of(definition) == FractureLaw::bond,
        "is for fracture.law = \"bond\": facets break at tips by bond.fracture_toughness; set that law, or "
        "leave "
        "the energy at 0.");
