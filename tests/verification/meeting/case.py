@@ -19,6 +19,7 @@ from typing import Any, Dict, List
 SIDE, MIDDLE, JOINT, HALF = 100.0, 50.0, 9.0, 10.0  # m: model, well, from the well to a joint, half length of a joint
 PORE, SIGMA_MIN = 0.2e6, 1e6  # Pa: pressure of pores; effective smaller stress, along the joints
 TOUGHNESS, MODULUS = 5e6, 18.6e9  # Pa m^0.5; Pa, undrained
+STIFFNESS = 5e10  # Pa/m, of joints, both ways
 RATE, VISCOSITY = 1e-3, 0.01  # m2/s, Pa s
 WELL = {"x": MIDDLE, "y": MIDDLE, "radius": 1.65, "control": "rate", "rate": RATE}
 ROCK: Dict[str, Any] = dict(
@@ -51,7 +52,7 @@ def joints(friction: float) -> List[Dict[str, Any]]:
     """One on either side. E' over their stiffness is 0.4 m, less than a disc."""
     return [
         dict(x1=MIDDLE + way * JOINT, y1=MIDDLE - HALF, x2=MIDDLE + way * JOINT, y2=MIDDLE + HALF, state="smooth-broken", friction=friction,
-             normal_stiffness=5e10, shear_stiffness=5e10, residual_aperture=1e-4)
+             normal_stiffness=STIFFNESS, shear_stiffness=STIFFNESS, residual_aperture=1e-4)
         for way in (1.0, -1.0)
     ]
 
