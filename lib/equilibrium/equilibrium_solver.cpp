@@ -207,10 +207,13 @@ double EquilibriumSolver::find_exceeding() {
   double largest = 0.0;
   const bool tips = facets_.active() && options_.bond_fracture_toughness > 0.0;
   std::vector<char> at_tip;
+  std::vector<Vec2> ends;
+  const double zone = tips ? tip_zone(assembly_, options_) : 0.0;
   if (tips) {
     at_tip.assign(network_.kind.size(), 0);
     for (const Tip& tip : find_tips(facets_, assembly_, network_, options_, time_)) {
       at_tip[static_cast<std::size_t>(tip.domain)] = 1;
+      ends.push_back(network_.centroid[tip.domain]);
       if (tip.ahead < 0 || mechanics_.stays(tip.ahead)) continue;
       const double excess = tip.excess;
       largest = std::max(largest, excess);
@@ -222,7 +225,10 @@ double EquilibriumSolver::find_exceeding() {
     if (tips && (at_tip[network_.left[e]] != 0 || at_tip[network_.right[e]] != 0)) continue;
     const BondView bond = view_bond(assembly_, options_, e);
     const double excess = std::max(bond.tensile_excess, bond.shear_excess);
+    if (excess < largest && excess < 1.0) continue;
     if (excess >= 1.0 && mechanics_.stays(e)) continue;
+    if (std::any_of(ends.begin(), ends.end(), [&](Vec2 end) { return in_tip_zone(assembly_, zone, end, e); }))
+      continue;
     largest = std::max(largest, excess);
     if (excess >= 1.0) exceeding_.push_back({excess, e});
   }

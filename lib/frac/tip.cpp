@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "frac/path.hpp"
+#include "model/joint_pores.hpp"
 
 namespace hfrac {
 namespace {
@@ -38,6 +39,14 @@ double half_length(const Facets& facets, const Assembly& a, const Network& n, st
     }
   }
   return 0.5 * farthest;
+}
+
+// Whether a joint that holds no more touches one of a pore's discs.
+bool beside_joint(const Facets& facets, const Assembly& a, const Network& n, std::int32_t pore) {
+  for (auto k = n.corner_start[pore]; k < n.corner_start[pore + 1]; ++k)
+    for (const auto e : facets.bonds_of_disc(n.corner_disc[k]))
+      if (a.intact[e] == 0 && a.smooth.of(e) != nullptr) return true;
+  return false;
 }
 
 // The last facets of a fracture, from a tip on.
@@ -102,15 +111,20 @@ void measure(const Path& path, const Facets& facets, const Assembly& a, const Ne
   tip.excess = by_wanted / wanted;
 }
 
-// The bond ahead along the plane of largest mean tension (Erdogan and Sih 1963), by the way that keeps to it best.
+// The bond ahead along the plane of largest mean tension (Erdogan and Sih 1963), by the way that keeps to it best. Beside a joint the mean
+// would be taken over both of its sides: there the tip keeps its direction.
 std::int64_t bond_ahead(const Path& path, const Facets& facets, const Assembly& a, const Network& n,
                         const Options& o, std::int32_t tip) {
-  double stress[3];
-  facets.stress_around(a, n, o, tip, stress);
-  const double turn = 0.5 * std::atan2(2.0 * stress[2], stress[0] - stress[1]);  // of the largest compression
-  Vec2 along{std::cos(turn), std::sin(turn)};
-  if (dot(along, path.ahead) < 0.0) along = -1.0 * along;
-  if (dot(along, path.ahead) < widest_turn) along = path.ahead;
+  Vec2 along = path.ahead;
+  if (!beside_joint(facets, a, n, tip)) {
+    double stress[3];
+    facets.stress_around(a, n, o, tip, stress);
+    const double turn =
+        0.5 * std::atan2(2.0 * stress[2], stress[0] - stress[1]);  // of the largest compression
+    along = {std::cos(turn), std::sin(turn)};
+    if (dot(along, path.ahead) < 0.0) along = -1.0 * along;
+    if (dot(along, path.ahead) < widest_turn) along = path.ahead;
+  }
   Vec2 base = path.end;
   for (const Facet* f : path.facets) base = base + f->middle;
   base = (1.0 / static_cast<double>(path.facets.size() + 1)) * base;
@@ -127,6 +141,7 @@ std::vector<Tip> find_tips(const Facets& facets, const Assembly& a, const Networ
       if (n.kind[domain] != DomainKind::rock) continue;
       const auto& bonds = facets.bonds_of(domain);
       if (std::count_if(bonds.begin(), bonds.end(), [&](auto e) { return facets.of(e) >= 0; }) != 1) continue;
+      if (joint_passes(n, a, domain)) continue;
       const Path path = path_behind(facets, a, n, last, domain);
       const double speed = last.way / std::max(time - n.facet_time[last.bond], shortest_time);
       Tip tip;

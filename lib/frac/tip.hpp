@@ -9,7 +9,9 @@
 // and this is what the tip goes on at: with the length of the last facet over the time since it broke for V, it goes as fast as the
 // fluid opens it, however coarse the discs are. An opening is a sum over the model: it feels neither what one bond happens to bear
 // nor the confining stress, which a stress criterion on a disc does: there K_Ic would grow by sigma sqrt(R). A pore with exactly
-// one broken bond is a tip; where K reaches K_Ic the bond ahead breaks that bears the largest mean tension on its facet.
+// one broken bond is a tip; where K reaches K_Ic the bond ahead breaks that bears the largest mean tension on its facet. A pore that a
+// broken joint passes through is none, since the joint opens and slips there and blunts what ends in it: whether the rock beyond breaks,
+// and where along the joint, its strength says (as criteria of crossing have it, Renshaw and Pollard 1995).
 #pragma once
 
 #include <vector>

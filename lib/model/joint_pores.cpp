@@ -63,6 +63,16 @@ void stretch_pipes(Network& n, const Assembly& a) {
 
 }  // namespace
 
+bool joint_passes(const Network& n, const Assembly& a, std::int32_t domain) {
+  bool found = false;
+  if (a.smooth.empty()) return found;
+  each_bond_around(n, a, domain, [&](std::int32_t, std::int32_t, std::size_t bond) {
+    const auto e = static_cast<std::int64_t>(bond);
+    found = found || (a.intact[e] == 0 && a.smooth.of(e) != nullptr);
+  });
+  return found;
+}
+
 void add_face_weights(Network& n, const Assembly& a, std::int32_t domain) {
   each_bond_around(n, a, domain, [&](std::int32_t k, std::int32_t next, std::size_t bond) {
     const SmoothContact* c = a.smooth.of(static_cast<std::int64_t>(bond));

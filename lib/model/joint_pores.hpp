@@ -27,6 +27,9 @@ void begin_joint_pores(Network& network, const Assembly& assembly, const Options
 // Adds the push on the faces of a joint's contacts to the weights of a domain's corners.
 void add_face_weights(Network& network, const Assembly& assembly, std::int32_t domain);
 
+// Whether a smooth joint that holds no more passes through a pore: a fracture that ends in it ends at the joint and has no tip there.
+bool joint_passes(const Network& network, const Assembly& assembly, std::int32_t domain);
+
 // Piece of a joint that a pipe runs along [m]; 0: none that conducts.
 inline double joint_length(const Network& n, std::size_t pipe) {
   return n.joint_length.empty() ? 0.0 : n.joint_length[pipe];

@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 #include "core/array.hpp"
 #include "model/assembly.hpp"
@@ -106,6 +107,20 @@ inline double facet_energy(const Assembly& a, const Options& o, const FacetStart
   energy += 0.5 * (c.normal * c.normal - f.initial_normal * f.initial_normal) / s.stiffness;
   if (k_s > 0.0) energy += 0.5 * (c.shear * c.shear - f.initial_shear * f.initial_shear) / k_s;
   return energy;
+}
+
+// Whether a bond is a tip's: within the zone of it, on its side of joints, where the tip's stress reaches the rock's strength sigma_c at
+// K_Ic, so that K_Ic alone is the strength there. The largest principal stress is at most 1.3 K_Ic / sqrt(2 pi r), at 60 degrees from the fracture's line.
+inline double tip_zone(const Assembly& a, const Options& o) {
+  constexpr double at_60_degrees = 1.299038105676658;  // 3 sqrt(3) / 4
+  const double root = at_60_degrees * o.bond_fracture_toughness / (0.5 * a.tensile_per_radius);
+  return root * root / (2.0 * std::numbers::pi);
+}
+inline bool in_tip_zone(const Assembly& a, double zone, Vec2 tip, std::int64_t bond) {
+  const auto i = a.first[bond];
+  const double share = a.arm(bond) / a.length(bond);
+  const Vec2 at{a.x[i] + share * a.dx(bond), a.y[i] + share * a.dy(bond)};
+  return norm(at - tip) < zone && !a.smooth.separate(at, tip);
 }
 
 }  // namespace hfrac

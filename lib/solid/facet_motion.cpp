@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/far_discs.hpp"
+#include "model/joint_pores.hpp"
 #include "options/choices.hpp"
 
 namespace hfrac {
@@ -32,6 +33,11 @@ void hold_bonds_around(Assembly& a, const Network& n, std::int32_t domain) {
 
 void hold_bond(Assembly& a, std::int64_t bond) {
   a.factors.tensile[bond] = a.factors.shear[bond] = never_breaks;
+}
+
+bool FacetMotion::at_tip(std::int32_t domain) const {
+  return options_.bond_fracture_toughness > 0.0 && count_[domain] == 1 &&
+         !joint_passes(network_, assembly_, domain);
 }
 
 void FacetMotion::begin(const FacetStart& start, const Array<double>& weight) {
@@ -97,8 +103,13 @@ void FacetMotion::take(std::span<const Facet> facets, std::vector<Push> pushes, 
       if (at >= 0)
         sides_[static_cast<std::size_t>(pores_[static_cast<std::size_t>(at)].last++)] = {
             static_cast<std::int32_t>(k), length};
-  for (const auto& pore : pores_)
-    if (at_tip(pore.domain)) hold_bonds_around(assembly_, n, pore.domain);
+  const double zone = tip_zone(assembly_, options_);
+  for (const auto& pore : pores_) {
+    if (!at_tip(pore.domain)) continue;
+    hold_bonds_around(assembly_, n, pore.domain);
+    for (std::int64_t e = 0; e < assembly_.bond_count(); ++e)
+      if (in_tip_zone(assembly_, zone, n.centroid[pore.domain], e)) hold_bond(assembly_, e);
+  }
   book_change(restored);
 }
 

@@ -59,10 +59,8 @@ class FacetMotion {
   // releases counts as fracture, unless a state is restored.
   void take(std::span<const Facet> facets, std::vector<Push> pushes, std::vector<Face> faces, bool restored);
 
-  // Of a pore with a single facet, where a fracture ends: bonds around it break by bond.fracture_toughness.
-  [[nodiscard]] bool at_tip(std::int32_t domain) const {
-    return options_.bond_fracture_toughness > 0.0 && count_[domain] == 1;
-  }
+  // Of a pore with a single facet, where a fracture ends, but at a joint (frac/tip.hpp): bonds around it break by bond.fracture_toughness.
+  [[nodiscard]] bool at_tip(std::int32_t domain) const;
   // Discs that anything here pushes, ascending.
   [[nodiscard]] const std::vector<std::int32_t>& discs() const { return discs_; }
   // How often the list changed.

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "equilibrium/coupled_system.hpp"
+#include "frac/tip.hpp"
+#include "model/joint_pores.hpp"
 #include "small_case.hpp"
 #include "step/simulation.hpp"
 
@@ -158,6 +160,53 @@ TEST_F(FacetsAtJoints, TangentIsTheChangeOfTheResidual) {
   system_.evaluate();
   const CoupledSystem::Vector change = before - system_.residual();
   EXPECT_LT((change - y).norm(), 1e-3 * y.norm());
+}
+
+TEST_F(FacetsAtJoints, AFractureThatEndsAtTheJointHasNoTipThere) {
+  int looked = 0;
+  for (const auto e : beside_the_joint()) {
+    const bool left = joint_passes(n_, a_, n_.left[e]), right = joint_passes(n_, a_, n_.right[e]);
+    if (left == right) continue;
+    a_.intact[e] = 0;
+    facets_.update(a_, n_);
+    const auto tips = find_tips(facets_, a_, n_, s_.options(), 0.0);
+    ASSERT_EQ(tips.size(), 1u);
+    EXPECT_EQ(tips[0].domain, left ? n_.right[e] : n_.left[e]);
+    a_.intact[e] = 1;
+    ++looked;
+  }
+  EXPECT_GT(looked, 20);
+  // Away from the joint a single broken bond has two.
+  for (std::int64_t e = 0; e < a_.bond_count(); ++e) {
+    if (n_.kind[n_.left[e]] != DomainKind::rock || n_.kind[n_.right[e]] != DomainKind::rock) continue;
+    if (joint_passes(n_, a_, n_.left[e]) || joint_passes(n_, a_, n_.right[e])) continue;
+    a_.intact[e] = 0;
+    facets_.update(a_, n_);
+    EXPECT_EQ(find_tips(facets_, a_, n_, s_.options(), 0.0).size(), 2u);
+    break;
+  }
+}
+
+TEST_F(FacetsAtJoints, ATipsZoneReachesToWhereItsStressIsTheStrengthAndEndsAtTheJoint) {
+  Options o = s_.options();
+  const double strength = 0.5 * a_.tensile_per_radius;
+  o.bond_fracture_toughness = 9.0 * strength;
+  const double zone = tip_zone(a_, o), largest = 0.75 * std::sqrt(3.0);
+  EXPECT_NEAR(largest * o.bond_fracture_toughness / std::sqrt(2.0 * pi * zone), strength, 1e-9 * strength);
+  EXPECT_GT(zone, 15.0);
+  const Vec2 tip{50.0, 52.0};  // above the joint, whose line is y = 40 + (x - 20) / 4
+  const auto above = [](Vec2 p) { return p.y - 40.0 - 0.25 * (p.x - 20.0); };
+  int inside = 0, across = 0;
+  for (std::int64_t e = 0; e < a_.bond_count(); ++e) {
+    const Vec2 at = facets_.contact(e);
+    if (std::abs(norm(at - tip) - zone) < 1e-6 || std::abs(above(at)) < 1e-6) continue;
+    const bool near = norm(at - tip) < zone;
+    EXPECT_EQ(in_tip_zone(a_, zone, tip, e), near && above(at) > 0.0) << e;
+    inside += near && above(at) > 0.0 ? 1 : 0;
+    across += near && above(at) < 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(inside, 20);
+  EXPECT_GT(across, 20);
 }
 
 }  // namespace facets_at_joints_test
