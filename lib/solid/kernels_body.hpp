@@ -292,6 +292,136 @@ inline void scatter(const int32_t* first, const int32_t* second, int64_t base, Q
   }
 }
 
+// Contacts of smooth joints as arrays.
+struct alignas(64) Contacts {
+  int64_t lane[chunk];  // in the chunk of bonds
+  double unused[chunk], nx[chunk], ny[chunk], area[chunk], opens_i[chunk], opens_j[chunk], slides_i[chunk],
+      slides_j[chunk];
+  double normal[chunk], shear[chunk], inverse_closure[chunk], last_closure[chunk], friction[chunk],
+      tensile[chunk], cohesion[chunk], intact_friction[chunk];
+  double open_before[chunk], slid_before[chunk], locked_normal[chunk], locked_shear[chunk];
+  double dux[chunk], duy[chunk], turn[chunk], theta_i[chunk], intact[chunk], slip[chunk];
+  double fx[chunk], fy[chunk], moment_i[chunk], minus_moment_j[chunk], work[chunk], over[chunk];
+};
+
+// Four values each of four rows to places `k` on of four arrays that follow each other.
+inline __attribute__((always_inline)) void rows_to_arrays(Quad q0, Quad q1, Quad q2, Quad q3, double* to) {
+  transpose(q0, q1, q2, q3);
+  *reinterpret_cast<Quad*>(to) = q0;
+  *reinterpret_cast<Quad*>(to + chunk) = q1;
+  *reinterpret_cast<Quad*>(to + 2 * chunk) = q2;
+  *reinterpret_cast<Quad*>(to + 3 * chunk) = q3;
+}
+
+// The law of solid/smooth_joints.hpp, broken or not, for m contacts.
+void smooth_law(int64_t m, Contacts& s) {
+#pragma GCC ivdep
+  for (int64_t k = 0; k < m; ++k) {
+    const double nx = s.nx[k], ny = s.ny[k], theta_i = s.theta_i[k], theta_j = theta_i + s.turn[k];
+    const double opening = s.dux[k] * nx + s.duy[k] * ny + s.opens_i[k] * theta_i + s.opens_j[k] * theta_j -
+                           s.open_before[k];
+    const double slide = s.duy[k] * nx - s.dux[k] * ny + s.slides_i[k] * theta_i + s.slides_j[k] * theta_j -
+                         s.slid_before[k];
+    const double closure = positive(-opening);
+    const double bent = closure < s.last_closure[k] ? closure : s.last_closure[k];
+    const double stiff = 1.0 / (1.0 - bent * s.inverse_closure[k]);
+    const double pressed =
+        s.area[k] * s.normal[k] * stiff * (bent + stiff * (closure - bent));
+    const double by_slide = s.area[k] * s.shear[k], slip = s.slip[k];
+    const bool holds = s.intact[k] > 0.0;
+    const double pulled = s.area[k] * s.normal[k] * positive(opening);
+    const double trial = by_slide * (slide - (holds ? 0.0 : slip)), limit = s.friction[k] * pressed;
+    const bool slides = !holds && magnitude(trial) > limit;
+    const double borne = trial < 0.0 ? -limit : limit;
+    const double shear = slides ? borne : trial;
+    const double slipped = slides ? slide - (by_slide > 0.0 ? shear / by_slide : 0.0) : slip;
+    s.work[k] = magnitude(shear * (slipped - slip));
+    s.slip[k] = slipped;
+    const double normal = (holds ? pulled : 0.0) - pressed;
+    const double pull = normal - s.tensile[k] * s.area[k],
+                 push = magnitude(shear) - (s.cohesion[k] * s.area[k] + s.intact_friction[k] * pressed);
+    s.over[k] = holds && (pull > push ? pull : push) >= 0.0 ? 1.0 : 0.0;
+    const double along = normal + s.locked_normal[k], across = shear + s.locked_shear[k];
+    const double fx = along * nx - across * ny, fy = along * ny + across * nx;
+    // Once the faces have moved apart the two forces lie on two lines: what that turns is shared.
+    const double couple = 0.5 * (s.dux[k] * fy - s.duy[k] * fx);
+    s.fx[k] = fx;
+    s.fy[k] = fy;
+    s.moment_i[k] = couple - (s.opens_i[k] * along + s.slides_i[k] * across);
+    s.minus_moment_j[k] = s.opens_j[k] * along + s.slides_j[k] * across - couple;
+  }
+}
+
+// Contacts of smooth joints from number q on, those of bonds e to e + n - 1, answer in place of their bonds. Returns the number that follows.
+int64_t answer_smooth(const KernelArrays& a, int64_t e, int64_t n, int64_t q, Chunk& c) {
+  struct Record {
+    int32_t bond, joint;
+    double values[7];
+  };
+  const Record* records = static_cast<const Record*>(a.smooth.contacts);
+  int64_t last = q;
+  while (last < a.smooth.count && records[last].bond < e + n) ++last;
+  const int64_t m = last - q;
+  if (m == 0) return q;
+  Contacts s;
+  // In fours: the last stands in for those missing.
+  const int64_t fours = (m + 3) & ~int64_t{3};
+  for (int64_t k = 0; k < fours; ++k) {
+    const int64_t lane = records[k < m ? q + k : last - 1].bond - e;
+    s.lane[k] = lane;
+    s.dux[k] = c.dux[lane];
+    s.duy[k] = c.duy[lane];
+    s.turn[k] = c.turn[lane];
+    s.theta_i[k] = c.theta_i[lane];
+    s.intact[k] = c.intact[lane];
+    s.slip[k] = a.slip[e + lane];
+  }
+  if (a.smooth.forces == nullptr) {
+    const Quad* rows = reinterpret_cast<const Quad*>(records + q);
+    const Quad* settled = reinterpret_cast<const Quad*>(a.smooth.settled) + q;
+    for (int64_t k = 0; k < fours; k += 4) {
+      const int64_t at[4] = {k, k + 1 < m ? k + 1 : m - 1, k + 2 < m ? k + 2 : m - 1, k + 3 < m ? k + 3 : m - 1};
+      const auto law = [&](int64_t w) {
+        return reinterpret_cast<const Quad*>(a.smooth.laws + a.smooth.law_number[records[q + at[w]].joint]);
+      };
+      const Quad *law0 = law(0), *law1 = law(1), *law2 = law(2), *law3 = law(3);
+      for (int64_t part = 0; part < 2; ++part) {
+        rows_to_arrays(rows[2 * at[0] + part], rows[2 * at[1] + part], rows[2 * at[2] + part],
+                       rows[2 * at[3] + part], s.unused + 4 * part * chunk + k);
+        rows_to_arrays(law0[part], law1[part], law2[part], law3[part], s.normal + 4 * part * chunk + k);
+      }
+      const Quad none = {0.0, 0.0, 0.0, 0.0};
+      if (a.smooth.settled != nullptr) {
+        rows_to_arrays(settled[at[0]], settled[at[1]], settled[at[2]], settled[at[3]], s.open_before + k);
+      } else {
+        rows_to_arrays(none, none, none, none, s.open_before + k);
+      }
+    }
+    smooth_law(fours, s);
+  } else {
+    for (int64_t k = 0; k < m; ++k) {
+      const SmoothForces& f = a.smooth.forces[q + k];
+      s.fx[k] = f.fx;
+      s.fy[k] = f.fy;
+      s.moment_i[k] = f.moment_i;
+      s.minus_moment_j[k] = -f.moment_j;
+      s.work[k] = s.over[k] = 0.0;
+    }
+  }
+  for (int64_t k = 0; k < m; ++k) {
+    const int64_t lane = s.lane[k];
+    c.fx[lane] = s.fx[k];
+    c.fy[lane] = s.fy[k];
+    c.moment_i[lane] = s.moment_i[k];
+    c.minus_moment_j[lane] = s.minus_moment_j[k];
+    c.slip[lane] = s.slip[k];
+    c.friction[lane] = s.work[k];
+    c.over[lane] = s.over[k];
+    c.force[lane] = 0.0;  // the mean that rest is measured by is that of bonds
+  }
+  return last;
+}
+
 struct BondSums {
   Partial force{}, friction{}, over{};
   void add(const Chunk& c, int64_t n) {
@@ -390,11 +520,13 @@ void tile_forces(const KernelArrays& a, int64_t tile, double* scratch) {
   }
   Chunk c;
   BondSums sums;
+  int64_t contact = a.smooth.contacts != nullptr ? a.smooth.from[tile] : 0;
   for (int64_t e = t.first_bond; e < t.last_bond; e += chunk) {
     const int64_t n = e + chunk < t.last_bond ? chunk : t.last_bond - e;
     fetch_bonds(a, e + chunk);
     gather(a.first + e, a.second + e, t.first_disc, motion, n, c);
     bond_law(a, e, n, geometry_at(t.first_block, e - t.first_bond), c);
+    if (a.smooth.contacts != nullptr) contact = answer_smooth(a, e, n, contact, c);
     keep_slip(a, e, n, c);
     sums.add(c, n);
     scatter(a.first + e, a.second + e, t.first_disc, force, n, c);
@@ -422,10 +554,12 @@ void cross_bonds(const KernelArrays& a, int64_t block) {
   const int64_t end = begin + cross_block < a.bond_count ? begin + cross_block : a.bond_count;
   Chunk c;
   BondSums sums;
+  int64_t contact = a.smooth.contacts != nullptr ? a.smooth.from[a.tile_count + block] : 0;
   for (int64_t e = begin; e < end; e += chunk) {
     const int64_t n = e + chunk < end ? chunk : end - e;
     gather_anywhere(a, e, n, c);
     bond_law(a, e, n, geometry_at(a.first_cross_geometry, e - a.first_cross_bond), c);
+    if (a.smooth.contacts != nullptr) contact = answer_smooth(a, e, n, contact, c);
     keep_slip(a, e, n, c);
     sums.add(c, n);
     const int32_t* place = a.bond_slot + 2 * (e - a.first_cross_bond);
@@ -521,21 +655,24 @@ void tile_move(const KernelArrays& a, int64_t tile, const double* scratch) {
   a.disc_sums[tile].work += total(damped);
 }
 
-void forces_of_part(const KernelArrays& a, int64_t first, int64_t last, int64_t first_block, BondForce* to) {
+void forces_of_part(const KernelArrays& a, int64_t first, int64_t last, int64_t first_block, int64_t& contact,
+                    BondForce* to) {
   Chunk c;
   for (int64_t e = first; e < last; e += chunk) {
     const int64_t n = e + chunk < last ? chunk : last - e;
     gather_anywhere(a, e, n, c);
     bond_law(a, e, n, geometry_at(first_block, e - first), c);
+    if (a.smooth.contacts != nullptr) contact = answer_smooth(a, e, n, contact, c);
     for (int64_t k = 0; k < n; ++k)
       to[e + k] = BondForce{c.fx[k], c.fy[k], c.moment_i[k], -c.minus_moment_j[k]};
   }
 }
 
 void bond_forces(const KernelArrays& a, BondForce* to) {
+  int64_t contact = 0;
   for (int64_t t = 0; t < a.tile_count; ++t)
-    forces_of_part(a, a.tiles[t].first_bond, a.tiles[t].last_bond, a.tiles[t].first_block, to);
-  forces_of_part(a, a.first_cross_bond, a.bond_count, a.first_cross_geometry, to);
+    forces_of_part(a, a.tiles[t].first_bond, a.tiles[t].last_bond, a.tiles[t].first_block, contact, to);
+  forces_of_part(a, a.first_cross_bond, a.bond_count, a.first_cross_geometry, contact, to);
 }
 
 }  // namespace

@@ -126,8 +126,7 @@ void NonBondedContacts::release(Assembly& a, const Boundary& boundary) {
   }
 }
 
-void NonBondedContacts::cycle(Assembly& a, const Boundary& boundary, double step, double& friction) {
-  release(a, boundary);
+void NonBondedContacts::cycle(Assembly& a, double step, double& friction) {
   for (auto& pair : list_.pairs) {
     const auto i = pair.first, j = pair.second;
     const double stiffness = a.thermal.pair_stiffness(i, j);

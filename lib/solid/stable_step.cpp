@@ -30,8 +30,8 @@ void stiffness_rows(const Assembly& a, const Network& n, const Options& o, const
   const double stiffest_bending =
       ContactShape{o.contact_shape} == ContactShape::flat ? stiffest_n : o.bond_normal_stiffness;
   for (std::size_t e = 0; e < a.first.size(); ++e) {
-    const bool smooth = facets && a.smooth.of(static_cast<std::int64_t>(e)) != nullptr;
-    const double share = facets ? (smooth ? 0.0 : 1.0) : a.factors.stiffness_of(static_cast<std::int64_t>(e)),
+    if (a.smooth.of(static_cast<std::int64_t>(e)) != nullptr) continue;  // its contact answers in place of it
+    const double share = facets ? 1.0 : a.factors.stiffness_of(static_cast<std::int64_t>(e)),
                  kn = stiffest_n * share, ks = stiffest_s * share;
     double nx = a.dx(e) / a.length(e), ny = a.dy(e) / a.length(e);
     double xx = kn * nx * nx + ks * ny * ny, yy = kn * ny * ny + ks * nx * nx,

@@ -25,7 +25,7 @@ void save_state(const Engine& e, std::vector<std::byte>& state, bool whole) {
   const std::size_t size = state_size(e, whole);
   if (state.capacity() < size) {
     // Not both at once; and room for the cracks to come.
-    state = {};
+    std::vector<std::byte>().swap(state);
     state.reserve(size + size / 64);
   }
   state.resize(size);
