@@ -142,8 +142,8 @@ void ExplicitSolver::bind_arrays() {
 }
 
 // Row sums of the stiffness matrix [N/m].
-void ExplicitSolver::stiffness(std::vector<double>& row_x, std::vector<double>& row_y,
-                               std::vector<double>& row_rotation) const {
+void ExplicitSolver::stiffness(std::span<double> row_x, std::span<double> row_y,
+                               std::span<double> row_rotation) const {
   stiffness_rows(assembly_, network_, options_, facets_.active() ? &facets_.rock_weight() : nullptr, row_x,
                  row_y, row_rotation);
   boundary_.add_stiffness(row_x, row_y);
@@ -151,8 +151,10 @@ void ExplicitSolver::stiffness(std::vector<double>& row_x, std::vector<double>& 
   add_smooth_stiffness(assembly_, row_x, row_y, row_rotation);
 }
 
+// Row sums stand where the masses by them will.
 void ExplicitSolver::refresh_stiffness() {
-  std::vector<double> row_x, row_y, row_rotation;
+  const std::span<double> row_x = inverse_mass_, row_rotation = inverse_inertia_;
+  std::vector<double> row_y(row_x.size());
   stiffness(row_x, row_y, row_rotation);
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < row_x.size(); ++i) {
@@ -162,11 +164,6 @@ void ExplicitSolver::refresh_stiffness() {
   }
   // Gershgorin: omega^2 is at most the largest row sum over mass; the leap-frog is stable below 2 / omega.
   real_step_ = options_.stepping_safety * 2.0 * std::sqrt(shortest);
-  put_masses(row_x, row_y, row_rotation);
-}
-
-void ExplicitSolver::put_masses(const std::vector<double>& row_x, const std::vector<double>& row_y,
-                                const std::vector<double>& row_rotation) {
   arrays_.step = scaled_ ? 1.0 : real_step_;
   const double factor = 0.25 / (options_.stepping_safety * options_.stepping_safety);
   for (std::size_t i = 0; i < row_x.size(); ++i) {

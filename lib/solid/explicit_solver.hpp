@@ -140,10 +140,8 @@ class ExplicitSolver {
   void take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, Found& found);
   void break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, CrackLog& found);
   bool break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, Found& found);
-  void put_masses(const std::vector<double>& row_x, const std::vector<double>& row_y,
-                  const std::vector<double>& row_rotation);
-  void stiffness(std::vector<double>& row_x, std::vector<double>& row_y,
-                 std::vector<double>& row_rotation) const;
+  void stiffness(std::span<double> row_x, std::span<double> row_y,
+                 std::span<double> row_rotation) const;
   [[nodiscard]] double force_ratio() const;
   void bind_arrays();
 

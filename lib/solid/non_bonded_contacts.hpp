@@ -8,6 +8,7 @@
 // together before anything broke near by would otherwise gain energy by being looked at. There are few of them, so one worker does all.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "model/assembly.hpp"
@@ -31,8 +32,8 @@ class NonBondedContacts {
   void cycle(Assembly& assembly, double step, double& friction);
 
   // Adds to the row sums that set the stable step.
-  void add_stiffness(const Assembly& assembly, std::vector<double>& row_x, std::vector<double>& row_y,
-                     std::vector<double>& row_rotation) const;
+  void add_stiffness(const Assembly& assembly, std::span<double> row_x, std::span<double> row_y,
+                     std::span<double> row_rotation) const;
 
   // Forces found by another solver, in the order of pairs().
   void keep(std::size_t pair, double normal_force, double shear_force) {

@@ -428,8 +428,8 @@ Array<SmoothLaw> laws_for_kernels(const Assembly& a) {
 }
 
 // As stable_step.cpp does it for the other bonds: row sums of |K|, that of the rotation times the radius.
-void add_smooth_stiffness(const Assembly& a, std::vector<double>& row_x, std::vector<double>& row_y,
-                          std::vector<double>& row_rotation) {
+void add_smooth_stiffness(const Assembly& a, std::span<double> row_x, std::span<double> row_y,
+                          std::span<double> row_rotation) {
   for (const auto& c : a.smooth.contacts) {
     const auto i = a.first[c.bond], j = a.second[c.bond];
     const JointLaw law = law_now(a, c);

@@ -21,6 +21,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "model/assembly.hpp"
@@ -73,7 +74,7 @@ Array<SmoothLaw> laws_for_kernels(const Assembly& assembly);
 SmoothForces answer_of(const Assembly& assembly, const SmoothContact& contact, double& slip,
                        double& friction);
 // Their part of the row sums that set the stable step.
-void add_smooth_stiffness(const Assembly& assembly, std::vector<double>& row_x, std::vector<double>& row_y,
-                          std::vector<double>& row_rotation);
+void add_smooth_stiffness(const Assembly& assembly, std::span<double> row_x, std::span<double> row_y,
+                          std::span<double> row_rotation);
 
 }  // namespace hfrac

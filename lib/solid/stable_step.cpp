@@ -12,14 +12,11 @@
 namespace hfrac {
 
 void stiffness_rows(const Assembly& a, const Network& n, const Options& o, const Array<double>* rock_weight,
-                    std::vector<double>& row_x, std::vector<double>& row_y,
-                    std::vector<double>& row_rotation) {
+                    std::span<double> row_x, std::span<double> row_y,
+                    std::span<double> row_rotation) {
   const bool facets = rock_weight != nullptr;
   const Array<double>& corner_weight = facets ? *rock_weight : n.corner_weight;
-  const auto discs = static_cast<std::size_t>(a.disc_count());
-  row_x.assign(discs, 0.0);
-  row_y.assign(discs, 0.0);
-  row_rotation.assign(discs, 0.0);
+  for (const auto rows : {row_x, row_y, row_rotation}) std::fill(rows.begin(), rows.end(), 0.0);
   const bool parallel = ContactMode{o.contact_mode} == ContactMode::parallel;
   // The stiffer of intact and broken: breakage then never asks for a shorter step.
   const double stiffest_n = parallel ? o.bond_normal_stiffness + o.contact_normal_stiffness

@@ -7,6 +7,7 @@ namespace hfrac {
 
 void log_slips(Model& m, std::int64_t step, double time, double duration) {
   auto& smooth = m.assembly.smooth;
+  if (m.slips.empty()) m.slips.reserve(smooth.contacts.size());  // most slid in the set-up
   for (std::size_t k = 0; k < smooth.contacts.size(); ++k) {
     const auto bond = smooth.contacts[k].bond;
     const double least = logged_slip * 2.0 * m.assembly.mean_radius_of(bond);

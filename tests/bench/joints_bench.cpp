@@ -18,6 +18,7 @@
 #include <fstream>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/random.hpp"
@@ -105,7 +106,7 @@ int main(int argc, char** argv) {
     const double empty = peak_bytes(), start = processor_seconds();
     CaseDefinition definition = definition_of(discs, joints, kind);
     definition.options.run_workers = workers;
-    Simulation s(definition, {}, {});
+    Simulation s(std::move(definition), {}, {});
     const double built = processor_seconds() - start, at = processor_seconds();
     const std::int64_t cycles = s.model().clock.cycles;
     for (int k = 0; k < steps; ++k) s.step();
