@@ -292,132 +292,112 @@ inline void scatter(const int32_t* first, const int32_t* second, int64_t base, Q
   }
 }
 
-// Contacts of smooth joints as arrays.
-struct alignas(64) Contacts {
-  int64_t lane[chunk];  // in the chunk of bonds
-  double unused[chunk], nx[chunk], ny[chunk], area[chunk], opens_i[chunk], opens_j[chunk], slides_i[chunk],
-      slides_j[chunk];
-  double normal[chunk], shear[chunk], inverse_closure[chunk], last_closure[chunk], friction[chunk],
-      tensile[chunk], cohesion[chunk], intact_friction[chunk];
-  double open_before[chunk], slid_before[chunk], locked_normal[chunk], locked_shear[chunk];
-  double dux[chunk], duy[chunk], turn[chunk], theta_i[chunk], intact[chunk], slip[chunk];
-  double fx[chunk], fy[chunk], moment_i[chunk], minus_moment_j[chunk], work[chunk], over[chunk];
+// SmoothContact, read as two rows of four.
+struct SmoothRecord {
+  int32_t bond, joint;
+  double values[7];
 };
 
-// Four values each of four rows to places `k` on of four arrays that follow each other.
-inline __attribute__((always_inline)) void rows_to_arrays(Quad q0, Quad q1, Quad q2, Quad q3, double* to) {
-  transpose(q0, q1, q2, q3);
-  *reinterpret_cast<Quad*>(to) = q0;
-  *reinterpret_cast<Quad*>(to + chunk) = q1;
-  *reinterpret_cast<Quad*>(to + 2 * chunk) = q2;
-  *reinterpret_cast<Quad*>(to + 3 * chunk) = q3;
-}
-
-// The law of solid/smooth_joints.hpp, broken or not, for m contacts.
-void smooth_law(int64_t m, Contacts& s) {
-#pragma GCC ivdep
-  for (int64_t k = 0; k < m; ++k) {
-    const double nx = s.nx[k], ny = s.ny[k], theta_i = s.theta_i[k], theta_j = theta_i + s.turn[k];
-    const double opening = s.dux[k] * nx + s.duy[k] * ny + s.opens_i[k] * theta_i + s.opens_j[k] * theta_j -
-                           s.open_before[k];
-    const double slide = s.duy[k] * nx - s.dux[k] * ny + s.slides_i[k] * theta_i + s.slides_j[k] * theta_j -
-                         s.slid_before[k];
-    const double closure = positive(-opening);
-    const double bent = closure < s.last_closure[k] ? closure : s.last_closure[k];
-    const double stiff = 1.0 / (1.0 - bent * s.inverse_closure[k]);
-    const double pressed =
-        s.area[k] * s.normal[k] * stiff * (bent + stiff * (closure - bent));
-    const double by_slide = s.area[k] * s.shear[k], slip = s.slip[k];
-    const bool holds = s.intact[k] > 0.0;
-    const double pulled = s.area[k] * s.normal[k] * positive(opening);
-    const double trial = by_slide * (slide - (holds ? 0.0 : slip)), limit = s.friction[k] * pressed;
-    const bool slides = !holds && magnitude(trial) > limit;
-    const double borne = trial < 0.0 ? -limit : limit;
-    const double shear = slides ? borne : trial;
-    const double slipped = slides ? slide - (by_slide > 0.0 ? shear / by_slide : 0.0) : slip;
-    s.work[k] = magnitude(shear * (slipped - slip));
-    s.slip[k] = slipped;
-    const double normal = (holds ? pulled : 0.0) - pressed;
-    const double pull = normal - s.tensile[k] * s.area[k],
-                 push = magnitude(shear) - (s.cohesion[k] * s.area[k] + s.intact_friction[k] * pressed);
-    s.over[k] = holds && (pull > push ? pull : push) >= 0.0 ? 1.0 : 0.0;
-    const double along = normal + s.locked_normal[k], across = shear + s.locked_shear[k];
-    const double fx = along * nx - across * ny, fy = along * ny + across * nx;
-    // Once the faces have moved apart the two forces lie on two lines: what that turns is shared.
-    const double couple = 0.5 * (s.dux[k] * fy - s.duy[k] * fx);
-    s.fx[k] = fx;
-    s.fy[k] = fy;
-    s.moment_i[k] = couple - (s.opens_i[k] * along + s.slides_i[k] * across);
-    s.minus_moment_j[k] = s.opens_j[k] * along + s.slides_j[k] * across - couple;
-  }
-}
-
-// Contacts of smooth joints from number q on, those of bonds e to e + n - 1, answer in place of their bonds. Returns the number that follows.
-int64_t answer_smooth(const KernelArrays& a, int64_t e, int64_t n, int64_t q, Chunk& c) {
-  struct Record {
-    int32_t bond, joint;
-    double values[7];
+// Four contacts of smooth joints, by the law of solid/smooth_joints.hpp, in place of their bonds, which are e + lane[].
+inline __attribute__((always_inline)) void answer_four(const KernelArrays& a, const SmoothRecord* const* contact,
+                                                       const int64_t* lane, int64_t e, Chunk& c) {
+  const Quad zero = {0.0, 0.0, 0.0, 0.0}, one = {1.0, 1.0, 1.0, 1.0};
+  const auto row = [&](int64_t w, int64_t part) -> const Quad& { return reinterpret_cast<const Quad*>(contact[w])[part]; };
+  const auto law = [&](int64_t w, int64_t part) -> const Quad& {
+    return reinterpret_cast<const Quad*>(a.smooth.laws + a.smooth.law_number[contact[w]->joint])[part];
   };
-  const Record* records = static_cast<const Record*>(a.smooth.contacts);
+  const auto gather = [&](const double* of, Quad& to) {
+    to = Quad{of[lane[0]], of[lane[1]], of[lane[2]], of[lane[3]]};
+  };
+  const auto put = [&](double* to, const Quad& values) {
+    for (int64_t w = 0; w < 4; ++w) to[lane[w]] = values[w];
+  };
+  Quad bonds = row(0, 0), nx = row(1, 0), ny = row(2, 0), area = row(3, 0);
+  transpose(bonds, nx, ny, area);
+  Quad opens_i = row(0, 1), opens_j = row(1, 1), slides_i = row(2, 1), slides_j = row(3, 1);
+  transpose(opens_i, opens_j, slides_i, slides_j);
+  Quad normal_stiffness = law(0, 0), shear_stiffness = law(1, 0), inverse_closure = law(2, 0),
+       last_closure = law(3, 0);
+  transpose(normal_stiffness, shear_stiffness, inverse_closure, last_closure);
+  Quad friction = law(0, 1), tensile = law(1, 1), cohesion = law(2, 1), intact_friction = law(3, 1);
+  transpose(friction, tensile, cohesion, intact_friction);
+  Quad open_before = zero, slid_before = zero, locked_normal = zero, locked_shear = zero;
+  if (a.smooth.settled != nullptr) {
+    const SmoothRecord* first = static_cast<const SmoothRecord*>(a.smooth.contacts);
+    const auto settled = [&](int64_t w) -> const Quad& {
+      return reinterpret_cast<const Quad*>(a.smooth.settled)[contact[w] - first];
+    };
+    open_before = settled(0);
+    slid_before = settled(1);
+    locked_normal = settled(2);
+    locked_shear = settled(3);
+    transpose(open_before, slid_before, locked_normal, locked_shear);
+  }
+  Quad dux, duy, theta_i, turn, slip, intact;
+  gather(c.dux, dux);
+  gather(c.duy, duy);
+  gather(c.theta_i, theta_i);
+  gather(c.turn, turn);
+  gather(c.intact, intact);
+  gather(a.slip + e, slip);
+  const Quad theta_j = theta_i + turn;
+  const auto holds = intact > zero;
+
+  const Quad opening = dux * nx + duy * ny + opens_i * theta_i + opens_j * theta_j - open_before;
+  const Quad slide = duy * nx - dux * ny + slides_i * theta_i + slides_j * theta_j - slid_before;
+  const Quad closure = opening < zero ? -opening : zero, open = opening > zero ? opening : zero;
+  const Quad bent = closure < last_closure ? closure : last_closure;
+  const Quad room = one / (one - bent * inverse_closure);
+  const Quad kn = area * normal_stiffness, ks = area * shear_stiffness;
+  const Quad pressed = kn * room * (bent + room * (closure - bent));
+  const Quad trial = ks * (slide - (holds ? zero : slip)), limit = friction * pressed;
+  const Quad at_limit = trial < zero ? -limit : limit;
+  const auto slides = ((trial > limit) | (-trial > limit)) & ~holds;
+  const Quad shear = slides ? at_limit : trial;
+  const Quad slipped = slides ? slide - (ks > zero ? shear / ks : zero) : slip;
+  const Quad normal = (holds ? kn * open : zero) - pressed;
+  const Quad pull = normal - tensile * area,
+             push = (shear < zero ? -shear : shear) - (cohesion * area + intact_friction * pressed);
+  const auto breaks = ((pull > push ? pull : push) >= zero) & holds;
+  const Quad along = normal + locked_normal, across = shear + locked_shear;
+  const Quad fx = along * nx - across * ny, fy = along * ny + across * nx;
+  // Once the faces have moved apart the two forces lie on two lines: what that turns is shared.
+  const Quad couple = 0.5 * (dux * fy - duy * fx);
+  put(c.fx, fx);
+  put(c.fy, fy);
+  put(c.moment_i, couple - (opens_i * along + slides_i * across));
+  put(c.minus_moment_j, opens_j * along + slides_j * across - couple);
+  put(c.slip, slipped);
+  const Quad work = shear * (slipped - slip);
+  put(c.friction, work < zero ? -work : work);
+  put(c.over, breaks ? one : zero);
+  put(c.force, zero);  // the mean that rest is measured by is that of bonds
+}
+
+// Contacts of smooth joints from number q on, those of bonds e to e + n - 1, answer in place of them. Returns the number that follows.
+int64_t answer_smooth(const KernelArrays& a, int64_t e, int64_t n, int64_t q, Chunk& c) {
+  const SmoothRecord* contacts = static_cast<const SmoothRecord*>(a.smooth.contacts);
   int64_t last = q;
-  while (last < a.smooth.count && records[last].bond < e + n) ++last;
-  const int64_t m = last - q;
-  if (m == 0) return q;
-  Contacts s;
-  // In fours: the last stands in for those missing.
-  const int64_t fours = (m + 3) & ~int64_t{3};
-  for (int64_t k = 0; k < fours; ++k) {
-    const int64_t lane = records[k < m ? q + k : last - 1].bond - e;
-    s.lane[k] = lane;
-    s.dux[k] = c.dux[lane];
-    s.duy[k] = c.duy[lane];
-    s.turn[k] = c.turn[lane];
-    s.theta_i[k] = c.theta_i[lane];
-    s.intact[k] = c.intact[lane];
-    s.slip[k] = a.slip[e + lane];
-  }
-  if (a.smooth.forces == nullptr) {
-    const Quad* rows = reinterpret_cast<const Quad*>(records + q);
-    const Quad* settled = reinterpret_cast<const Quad*>(a.smooth.settled) + q;
-    for (int64_t k = 0; k < fours; k += 4) {
-      const int64_t at[4] = {k, k + 1 < m ? k + 1 : m - 1, k + 2 < m ? k + 2 : m - 1, k + 3 < m ? k + 3 : m - 1};
-      const auto law = [&](int64_t w) {
-        return reinterpret_cast<const Quad*>(a.smooth.laws + a.smooth.law_number[records[q + at[w]].joint]);
-      };
-      const Quad *law0 = law(0), *law1 = law(1), *law2 = law(2), *law3 = law(3);
-      for (int64_t part = 0; part < 2; ++part) {
-        rows_to_arrays(rows[2 * at[0] + part], rows[2 * at[1] + part], rows[2 * at[2] + part],
-                       rows[2 * at[3] + part], s.unused + 4 * part * chunk + k);
-        rows_to_arrays(law0[part], law1[part], law2[part], law3[part], s.normal + 4 * part * chunk + k);
-      }
-      const Quad none = {0.0, 0.0, 0.0, 0.0};
-      if (a.smooth.settled != nullptr) {
-        rows_to_arrays(settled[at[0]], settled[at[1]], settled[at[2]], settled[at[3]], s.open_before + k);
-      } else {
-        rows_to_arrays(none, none, none, none, s.open_before + k);
-      }
+  while (last < a.smooth.count && contacts[last].bond < e + n) ++last;
+  for (int64_t k = q; k < last && a.smooth.forces == nullptr; k += 4) {
+    // The last stands in for those missing.
+    const SmoothRecord* four[4];
+    int64_t lane[4];
+    for (int64_t w = 0; w < 4; ++w) {
+      four[w] = contacts + (k + w < last ? k + w : last - 1);
+      lane[w] = four[w]->bond - e;
     }
-    smooth_law(fours, s);
-  } else {
-    for (int64_t k = 0; k < m; ++k) {
-      const SmoothForces& f = a.smooth.forces[q + k];
-      s.fx[k] = f.fx;
-      s.fy[k] = f.fy;
-      s.moment_i[k] = f.moment_i;
-      s.minus_moment_j[k] = -f.moment_j;
-      s.work[k] = s.over[k] = 0.0;
-    }
+    answer_four(a, four, lane, e, c);
   }
-  for (int64_t k = 0; k < m; ++k) {
-    const int64_t lane = s.lane[k];
-    c.fx[lane] = s.fx[k];
-    c.fy[lane] = s.fy[k];
-    c.moment_i[lane] = s.moment_i[k];
-    c.minus_moment_j[lane] = s.minus_moment_j[k];
-    c.slip[lane] = s.slip[k];
-    c.friction[lane] = s.work[k];
-    c.over[lane] = s.over[k];
-    c.force[lane] = 0.0;  // the mean that rest is measured by is that of bonds
+  for (int64_t k = q; k < last && a.smooth.forces != nullptr; ++k) {
+    const SmoothForces& f = a.smooth.forces[k];
+    const int64_t lane = contacts[k].bond - e;
+    c.fx[lane] = f.fx;
+    c.fy[lane] = f.fy;
+    c.moment_i[lane] = f.moment_i;
+    c.minus_moment_j[lane] = -f.moment_j;
+    c.slip[lane] = a.slip[e + lane];
+    c.friction[lane] = c.over[lane] = c.force[lane] = 0.0;
   }
   return last;
 }
