@@ -252,11 +252,15 @@ void ExplicitSolver::list_pushed() {
   discs.erase(std::unique(discs.begin(), discs.end()), discs.end());
   pushed_.clear();
   pushed_.reserve(discs.size());
-  for (const auto disc : discs) pushed_.push_back({disc, false, {}});
+  const auto& edge = boundary_.edge();
+  for (const auto disc : discs)
+    pushed_.push_back({disc, std::binary_search(edge.begin(), edge.end(), disc), false, {}});
 }
 
 void ExplicitSolver::put_loads() {
   for (auto& disc : pushed_) {
+    disc.load = {};
+    if (!disc.outermost && boundary_.grips().empty()) continue;  // most
     disc.walled = boundary_.touches_wall(disc.disc);
     disc.load = boundary_.load_on(disc.disc);
   }
@@ -264,7 +268,7 @@ void ExplicitSolver::put_loads() {
 
 // External forces back to the boundary's.
 void ExplicitSolver::release_pushed() {
-  for (const auto& [i, walled, load] : pushed_) {
+  for (const auto& [i, outermost, walled, load] : pushed_) {
     assembly_.external_moment[i] = 0.0;
     if (walled) continue;  // written anew in every cycle
     assembly_.external_x[i] = load.x;
@@ -442,8 +446,7 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
         boundary_.cycle(assembly_, arrays_.step, options_.stepping_safety, arrays_.damping);
       }
       if (worker == 0) release_pushed();
-      if (worker == 0 && !non_bonded_.empty())
-        non_bonded_.cycle(assembly_, arrays_.step, energies_.friction);
+      if (worker == 0 && !non_bonded_.empty()) non_bonded_.cycle(assembly_, arrays_.step, energies_.friction);
       if (worker == 0 && facets_.active()) {
         facets_.answer(undrained_);
         facets_.add_forces();

@@ -140,8 +140,7 @@ class ExplicitSolver {
   void take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, Found& found);
   void break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, CrackLog& found);
   bool break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, Found& found);
-  void stiffness(std::span<double> row_x, std::span<double> row_y,
-                 std::span<double> row_rotation) const;
+  void stiffness(std::span<double> row_x, std::span<double> row_y, std::span<double> row_rotation) const;
   [[nodiscard]] double force_ratio() const;
   void bind_arrays();
 
@@ -164,7 +163,7 @@ class ExplicitSolver {
   // it in every cycle.
   struct PushedDisc {
     std::int32_t disc;
-    bool walled;
+    bool outermost, walled;
     Vec2 load;  // N
   };
   std::vector<PushedDisc> pushed_;

@@ -87,7 +87,8 @@ std::int64_t apply_joints(Assembly& a, const std::vector<JointOptions>& joints, 
     crossed.push_back(e);
     if (is_broken(JointState{joints[static_cast<std::size_t>(joint)].state})) broken.push_back(e);
   }
-  a.joints.index = BondIndex(crossed.size(), [&](std::size_t k) { return crossed[k]; }, a.bond_count());
+  a.joints.index = BondIndex(
+      crossed.size(), [&](std::size_t k) { return crossed[k]; }, a.bond_count());
   a.joints.joint.reserve(crossed.size());
   for (const auto e : crossed) a.joints.joint.push_back(joint_of[static_cast<std::size_t>(e)]);
   for (const auto& joint : joints) {

@@ -48,9 +48,9 @@ using SmoothForces = BondForce;
 // The contacts of smooth joints, ascending by bond: they answer in place of their bonds (smooth_joints.hpp).
 struct SmoothArrays {
   int64_t count;
-  const void* contacts;        // SmoothContact; null: none
-  const double* settled;       // SettledContact; null: none is
-  const int32_t* law_number;   // by joint
+  const void* contacts;       // SmoothContact; null: none
+  const double* settled;      // SettledContact; null: none is
+  const int32_t* law_number;  // by joint
   const SmoothLaw* laws;
   const SmoothForces* forces;  // by contact, where the kernels do not know the laws; else null
   const int64_t* from;         // the first contact of each tile, then of each block of bonds across

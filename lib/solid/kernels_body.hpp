@@ -299,10 +299,13 @@ struct SmoothRecord {
 };
 
 // Four contacts of smooth joints, by the law of solid/smooth_joints.hpp, in place of their bonds, which are e + lane[].
-inline __attribute__((always_inline)) void answer_four(const KernelArrays& a, const SmoothRecord* const* contact,
+inline __attribute__((always_inline)) void answer_four(const KernelArrays& a,
+                                                       const SmoothRecord* const* contact,
                                                        const int64_t* lane, int64_t e, Chunk& c) {
   const Quad zero = {0.0, 0.0, 0.0, 0.0}, one = {1.0, 1.0, 1.0, 1.0};
-  const auto row = [&](int64_t w, int64_t part) -> const Quad& { return reinterpret_cast<const Quad*>(contact[w])[part]; };
+  const auto row = [&](int64_t w, int64_t part) -> const Quad& {
+    return reinterpret_cast<const Quad*>(contact[w])[part];
+  };
   const auto law = [&](int64_t w, int64_t part) -> const Quad& {
     return reinterpret_cast<const Quad*>(a.smooth.laws + a.smooth.law_number[contact[w]->joint])[part];
   };

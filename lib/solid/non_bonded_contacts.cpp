@@ -162,8 +162,8 @@ void NonBondedContacts::cycle(Assembly& a, double step, double& friction) {
   }
 }
 
-void NonBondedContacts::add_stiffness(const Assembly& a, std::span<double> row_x,
-                                      std::span<double> row_y, std::span<double> row_rotation) const {
+void NonBondedContacts::add_stiffness(const Assembly& a, std::span<double> row_x, std::span<double> row_y,
+                                      std::span<double> row_rotation) const {
   for (const auto& pair : list_.pairs) {
     const double share = a.thermal.pair_stiffness(pair.first, pair.second);
     const double translation =

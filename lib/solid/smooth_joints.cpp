@@ -223,7 +223,8 @@ void settle_smooth(Assembly& a, const std::vector<JointStress>& wanted) {
     a.slip[c.bond] = 0.0;  // what it slid while nothing pressed it yet
     const double pressed = std::max(0.0, wanted[k].normal);
     to.open_before += before.opening + closure_under(law, pressed);
-    to.slid_before += before.slide - (law.shear_stiffness > 0.0 ? wanted[k].shear / law.shear_stiffness : 0.0);
+    to.slid_before +=
+        before.slide - (law.shear_stiffness > 0.0 ? wanted[k].shear / law.shear_stiffness : 0.0);
     const SmoothResponse after = smooth_response(a, c);
     to.locked_normal += before.normal - after.normal;
     to.locked_shear += before.shear - after.shear;

@@ -12,8 +12,7 @@
 namespace hfrac {
 
 void stiffness_rows(const Assembly& a, const Network& n, const Options& o, const Array<double>* rock_weight,
-                    std::span<double> row_x, std::span<double> row_y,
-                    std::span<double> row_rotation) {
+                    std::span<double> row_x, std::span<double> row_y, std::span<double> row_rotation) {
   const bool facets = rock_weight != nullptr;
   const Array<double>& corner_weight = facets ? *rock_weight : n.corner_weight;
   for (const auto rows : {row_x, row_y, row_rotation}) std::fill(rows.begin(), rows.end(), 0.0);

@@ -70,7 +70,7 @@ std::uint64_t fingerprint_of(const Engine& e, const SetupReport& report) {
   hash.add(a.tensile_per_radius);
   hash.add(a.shear_per_radius);
   hash.add_all(a.strength_scale);
-  const auto add_of_joints = [&](double JointLaw::* value, double elsewhere) {
+  const auto add_of_joints = [&](double JointLaw::*value, double elsewhere) {
     for (std::int64_t bond = 0; !a.joints.normal.empty() && bond < a.bond_count(); ++bond) {
       const JointLaw* law = a.joint_law_of(bond);
       hash.add(law != nullptr ? law->*value : elsewhere);

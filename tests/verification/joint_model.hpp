@@ -87,7 +87,7 @@ class DrivenJoint {
   [[nodiscard]] const Array<SmoothContact>& contacts() const { return sim_.assembly().smooth.contacts; }
   // Of contact k: from that pore along the joint [m], and slip since then [m].
   [[nodiscard]] double at(std::size_t k) const { return along(contacts()[k]) - source_; }
-  [[nodiscard]] double slip(std::size_t k) const { 
+  [[nodiscard]] double slip(std::size_t k) const {
     return std::abs(sim_.assembly().slip[contacts()[k].bond] - before_[k]);
   }
 
