@@ -27,7 +27,7 @@ constexpr struct {
 template <class Use>
 void each_contact(const Simulation& s, const Use& use) {
   for (const SmoothContact& contact : s.assembly().smooth.contacts)
-    use(contact, view_joint(s.assembly(), s.network(), s.options(), contact));
+    use(contact, view_joint(s.assembly(), s.network(), contact));
 }
 
 }  // namespace

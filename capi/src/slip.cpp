@@ -30,8 +30,8 @@ hfrac_slip describe(const Simulation& s, std::int64_t id, double shear_modulus) 
   to.step = slip.step;
   to.time = slip.time;
   to.duration = slip.duration;
-  to.position[0] = a.x[static_cast<std::size_t>(i)] + contact.first_arm.x;
-  to.position[1] = a.y[static_cast<std::size_t>(i)] + contact.first_arm.y;
+  to.position[0] = a.x[static_cast<std::size_t>(i)] + contact.first_arm().x;
+  to.position[1] = a.y[static_cast<std::size_t>(i)] + contact.first_arm().y;
   to.normal[0] = contact.normal.x;
   to.normal[1] = contact.normal.y;
   to.length = contact.area;

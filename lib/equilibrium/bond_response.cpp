@@ -83,8 +83,9 @@ void add_contact(Components& c, const ContactLaw& law, double squeeze, double tr
 }
 
 // A smooth joint's contact: linear in q but for the kinks of its law and a couple.
-BondResponse respond_smooth(const Assembly& a, const Options& o, const SmoothContact& contact) {
-  const SmoothResponse s = smooth_response(a, o, contact);
+BondResponse respond_smooth(const Assembly& a, const SmoothContact& contact) {
+  const SmoothResponse s = smooth_response(a, contact);
+  const SettledContact locked = a.smooth.settled_of(contact);
   const Vec2 n = contact.normal;
   const double opens[4] = {n.x, n.y, contact.opens_by_first, contact.opens_by_second},
                slides[4] = {-n.y, n.x, contact.slides_by_first, contact.slides_by_second};
@@ -96,14 +97,14 @@ BondResponse respond_smooth(const Assembly& a, const Options& o, const SmoothCon
   r.direction = n;
   for (int row = 0; row < 4; ++row) {
     r.force[row] =
-        (s.normal + contact.locked_normal) * opens[row] + (s.shear + contact.locked_shear) * slides[row];
+        (s.normal + locked.locked_normal) * opens[row] + (s.shear + locked.locked_shear) * slides[row];
     for (int column = 0; column < 4; ++column) {
       r.tangent[4 * row + column] =
           opens[row] * (s.normal_stiffness * opens[column] + s.normal_by_slide * slides[column]) +
           slides[row] * (s.shear_stiffness * slides[column] + s.shear_by_opening * opens[column]);
     }
   }
-  // The faces' forces lie on two lines once they have moved: half the couple on either disc (add_smooth_force).
+  // The faces' forces lie on two lines once they have moved: half the couple on either disc (answer_of).
   const auto first = a.first[contact.bond], second = a.second[contact.bond];
   const Vec2 moved{a.ux[second] - a.ux[first], a.uy[second] - a.uy[first]};
   const double couple = 0.5 * (moved.x * r.force[1] - moved.y * r.force[0]);
@@ -145,7 +146,7 @@ void add_softening(BondResponse& r, const BondLaw& law, const Options& o, double
 }  // namespace
 
 BondResponse respond(const Assembly& a, const Options& o, std::int64_t e) {
-  if (const SmoothContact* contact = a.smooth.of(e)) return respond_smooth(a, o, *contact);
+  if (const SmoothContact* contact = a.smooth.of(e)) return respond_smooth(a, *contact);
   const BondLaw law = bond_law(a, o, e);
   const PairMotion& m = law.motion;
   BondResponse r;

@@ -334,7 +334,8 @@ void CoupledSystem::evaluate_pipe(std::size_t e) {
                                 bonds_[e].normal_stiffness);
   } else {
     opening_[e] = joint > 0.0 ? joint : bonds_[e].gap;
-    opening_way_[e] = {joint > 0.0 ? assembly_.joint_normal[e] : bonds_[e].direction, 0.0, 0.0};
+    opening_way_[e] = {
+        joint > 0.0 ? assembly_.joint_normal(static_cast<std::int64_t>(e)) : bonds_[e].direction, 0.0, 0.0};
     if (const SmoothContact* smooth = assembly_.smooth.of(static_cast<std::int64_t>(e)))
       opening_way_[e] = {opening_way_[e].along, smooth->opens_by_first, smooth->opens_by_second};
     const auto of_gap =

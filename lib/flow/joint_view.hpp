@@ -26,7 +26,6 @@ struct JointView {
   JointContactState state;             // slips: all that friction bears is used up
 };
 
-JointView view_joint(const Assembly& assembly, const Network& network, const Options& options,
-                     const SmoothContact& contact);
+JointView view_joint(const Assembly& assembly, const Network& network, const SmoothContact& contact);
 
 }  // namespace hfrac

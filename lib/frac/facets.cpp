@@ -145,7 +145,7 @@ void Facets::stress_around(const Assembly& a, const Network& n, const Options& o
       Vec2 more = now - before;
       const bool is_first = a.first[e] == i;
       Vec2 arm = is_first ? a.arm(e) * d : (a.arm(e) - a.length(e)) * d;
-      if (joint != nullptr) arm = is_first ? joint->first_arm : joint->second_arm;
+      if (joint != nullptr) arm = is_first ? joint->first_arm() : joint->second_arm();
       if (!is_first) more = -1.0 * more;
       stress[0] -= arm.x * more.x;
       stress[1] -= arm.y * more.y;

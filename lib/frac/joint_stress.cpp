@@ -8,19 +8,19 @@ namespace {
 
 Vec2 place_of(const Assembly& a, const SmoothContact& c) {
   const auto i = a.first[c.bond];
-  return Vec2{a.x[i], a.y[i]} + c.first_arm;
+  return Vec2{a.x[i], a.y[i]} + c.first_arm();
 }
 
-std::vector<JointStress> mean_along(const Assembly& a, const Options& o) {
+std::vector<JointStress> mean_along(const Assembly& a) {
   constexpr double reach = 4.0;  // mean radii to either side
   const auto& contacts = a.smooth.contacts;
-  std::vector<std::vector<std::size_t>> on(a.smooth.laws.size());
+  std::vector<std::vector<std::size_t>> on(a.smooth.law_number.size());
   for (std::size_t k = 0; k < contacts.size(); ++k)
     on[static_cast<std::size_t>(contacts[k].joint)].push_back(k);
   std::vector<JointStress> bears, mean(contacts.size());  // N; Pa
   for (const auto& contact : contacts) {
     // The slide keeps its sign whichever disc is the first: it and its direction turn together.
-    const SmoothResponse r = smooth_response(a, o, contact);
+    const SmoothResponse r = smooth_response(a, contact);
     bears.push_back({-r.normal, r.shear});
   }
   for (const auto& joint : on)
@@ -43,7 +43,7 @@ std::vector<JointStress> mean_along(const Assembly& a, const Options& o) {
 
 std::vector<JointStress> stress_on_joints(const Model& m, const Options& o, bool walled) {
   const Assembly& a = m.assembly;
-  if (walled) return mean_along(a, o);
+  if (walled) return mean_along(a);
   const auto& p = m.network.pressure;
   HoledPlate plate{o.stress_sigma_Hmax, o.stress_sigma_hmin, {}};
   for (const auto& well : m.wells)

@@ -35,7 +35,7 @@ struct CellCrack {
 CellCrack crack_in_cells(const Assembly& a, const Network& n, const Options& o, std::size_t bond) {
   const auto e = static_cast<std::int64_t>(bond);
   if (const SmoothContact* contact = a.smooth.of(e)) {
-    const JointView view = view_joint(a, n, o, *contact);
+    const JointView view = view_joint(a, n, *contact);
     const double w = flowing_contact(n, a, bond) != nullptr ? view.hydraulic_aperture : 0.0;
     return {view.begin, view.end, view.mechanical_aperture, w * w * w};
   }

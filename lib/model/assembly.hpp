@@ -71,9 +71,7 @@ struct Assembly {
   Array<double> strength_scale;  // per bond, on top of the two above; empty: 1 (solid/toughness.hpp)
 
   // of joints (solid/joints.hpp); empty without
-  std::vector<Vec2> joint_normal;  // per bond: unit, towards its second disc; 0: of no joint
-  Array<double> joint_tensile, joint_shear,
-      joint_friction;  // per bond: factors of the strengths, coefficient
+  JointBonds joints;
   SmoothJoints smooth;
 
   [[nodiscard]] std::int64_t disc_count() const { return static_cast<std::int64_t>(x.size()); }
@@ -122,6 +120,15 @@ struct Assembly {
     return sizes.graded() ? sizes.at(contact_point(bond)) : mean_radius;
   }
   [[nodiscard]] double coarsest_radius() const { return sizes.graded() ? sizes.coarsest() : mean_radius; }
+  // What the joint that crosses a bond makes of it (nullptr: none does), and its normal there, unit, towards the bond's second disc.
+  [[nodiscard]] const JointLaw* joint_law_of(std::int64_t bond) const {
+    const auto joint = joints.joint_of(bond);
+    return joint < 0 ? nullptr : &smooth.law_of_joint(joint);
+  }
+  [[nodiscard]] Vec2 joint_normal(std::int64_t bond) const {
+    const Vec2 normal = joints.normal[static_cast<std::size_t>(joints.joint_of(bond))];
+    return dot(normal, {dx(bond), dy(bond)}) > 0.0 ? normal : -1.0 * normal;
+  }
   // The bond of two discs, -1 if they have none.
   [[nodiscard]] std::int64_t bond_between(std::int32_t i, std::int32_t j) const;
 };

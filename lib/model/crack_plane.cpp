@@ -125,8 +125,8 @@ CrackPlane CrackPlanes::fit(const Network& n, const Assembly& a, std::int32_t e)
   }
   CrackPlane plane;
   Vec2 way{along_bond.y, -along_bond.x};  // from the left domain to the right one, across the line of centres
-  if (!a.joint_normal.empty() && (a.joint_normal[bond].x != 0.0 || a.joint_normal[bond].y != 0.0)) {
-    plane.normal = a.joint_normal[bond];
+  if (a.joints.joint_of(e) >= 0) {
+    plane.normal = a.joint_normal(e);
     way = {plane.normal.y, -plane.normal.x};
   } else {
     xx -= sum.x * sum.x / count;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a smooth joint is made of: closure, friction, dilation, aperture. All per area, free of the size of discs.
+// What a joint is made of, most of it a smooth one's: closure, friction, dilation, aperture. All per area, free of the size of discs.
 //
 //   closure     sigma_n = k_n d / (1 - d / d_m)   (Bandis, Lumsden and Barton 1983), d how far the faces are pressed together since they
 //               bore nothing; linear where no largest closure d_m is given, and beyond the stress `highest`
@@ -21,14 +21,17 @@ struct JointLaw {
   double max_closure = 0.0;                              // m, d_m; 0: none
   double highest = 0.0;                                  // Pa
   double tensile_strength = 0.0, cohesion = 0.0;         // Pa, while it holds; 0: of its bonds
+  double friction = 0.0;                                 // 1, peak
   double residual_friction = 0.0, weakening_slip = 0.0;  // 1, m; no such slip: friction stays
   double dilation = 0.0, dilation_slip = 0.0;            // 1, tan psi; m, s_d
   double aperture = 0.0, residual_aperture = 0.0;        // m, e_0; hydraulic
   double roughness = 0.0;                                // 1, J; 0: smooth
+  double tensile_factor = 1.0, shear_factor = 1.0;       // of its bonds' strengths
 
   // Whether fluid flows along it by its own aperture; otherwise as through any broken bond.
   [[nodiscard]] bool conducts() const { return aperture > 0.0 || residual_aperture > 0.0; }
   [[nodiscard]] bool follows_slip() const { return dilation > 0.0 || weakening_slip > 0.0; }
+  bool operator==(const JointLaw&) const = default;
 };
 
 // A value and its change with what it depends on.

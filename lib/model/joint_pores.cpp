@@ -28,7 +28,7 @@ void each_bond_around(const Network& n, const Assembly& a, std::int32_t domain, 
 // well) they share the way, and what short pieces count too much is taken from all.
 void stretch_pipes(Network& n, const Assembly& a) {
   const auto& contacts = a.smooth.contacts;
-  std::vector<std::vector<std::size_t>> on(a.smooth.laws.size());
+  std::vector<std::vector<std::size_t>> on(a.smooth.law_number.size());
   for (std::size_t k = 0; k < contacts.size(); ++k)
     if (n.joint_length[static_cast<std::size_t>(contacts[k].bond)] > 0.0)
       on[static_cast<std::size_t>(contacts[k].joint)].push_back(k);
@@ -40,7 +40,7 @@ void stretch_pipes(Network& n, const Assembly& a) {
     const Vec2 normal = contacts[joint[0]].normal, along{normal.y, -normal.x};
     const auto at = [&](std::size_t k) {
       const auto i = a.first[contacts[k].bond];
-      return dot(Vec2{a.x[i], a.y[i]} + contacts[k].first_arm, along);
+      return dot(Vec2{a.x[i], a.y[i]} + contacts[k].first_arm(), along);
     };
     std::sort(joint.begin(), joint.end(), [&](std::size_t p, std::size_t q) { return at(p) < at(q); });
     double wanted = 0.0, sum = 0.0;

@@ -20,7 +20,7 @@ struct Slip {
   std::int64_t step = 0;  // 0: during the initial equilibration
   double time = 0.0;      // s, at the end of the increment in which it was found
   double duration = 0.0;  // s, of that increment
-  double slip = 0.0;      // m, since the contact's last entry; sign as SmoothContact::slip
+  double slip = 0.0;      // m, since the contact's last entry; sign as Assembly::slip
 };
 
 using SlipLog = std::vector<Slip>;

@@ -51,24 +51,10 @@ bool SmoothJoints::separate(Vec2 p, Vec2 q) const {
 
 std::int32_t SmoothJoints::opening_at(std::int64_t bond) const {
   if (empty()) return -1;
-  if (const auto own = place[static_cast<std::size_t>(bond)]; own >= 0) return own;
+  if (const auto own = index.place_of(bond); own >= 0) return own;
   const auto found = std::lower_bound(bridges.begin(), bridges.end(), bond,
                                       [](const Bridge& bridge, std::int64_t b) { return bridge.bond < b; });
   return found != bridges.end() && found->bond == bond ? found->contact : -1;
-}
-
-void SmoothJoints::read_state(const Array<std::uint8_t>& intact, const Array<double>& slip) {
-  for (auto& contact : contacts) {
-    contact.holds = intact[contact.bond] != 0;
-    contact.slip = slip[contact.bond];
-  }
-}
-
-void SmoothJoints::write_state(Array<std::uint8_t>& intact, Array<double>& slip) const {
-  for (const auto& contact : contacts) {
-    intact[contact.bond] = contact.holds ? 1 : 0;
-    slip[contact.bond] = contact.slip;
-  }
 }
 
 }  // namespace hfrac

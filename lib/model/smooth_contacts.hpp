@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The contacts of smooth joints as data: where they lie, how they look, what they slid. Their law: solid/smooth_joints.hpp.
+// The contacts of smooth joints as data: where they lie and how they look. Their law: solid/smooth_joints.hpp. Which hold and what they
+// slid is Assembly::intact and slip of their bonds.
 #pragma once
 
 #include <cstdint>
@@ -8,48 +9,70 @@
 
 #include "core/array.hpp"
 #include "geom/cell_grid.hpp"
+#include "model/bond_index.hpp"
 #include "model/joint_law.hpp"
 
 namespace hfrac {
 
+// As the step loop reads it (kernels.hpp, SmoothArrays): one cache line.
 struct SmoothContact {
-  std::int64_t bond;
-  std::int64_t joint;                        // number in the definition
+  std::int32_t bond;
+  std::int32_t joint;                        // number in the definition
   Vec2 normal;                               // unit, towards the bond's second disc
-  Vec2 first_arm, second_arm;                // m, from the centre of the disc to the contact
+  double area;                               // m2 per metre of thickness
   double opens_by_first, opens_by_second;    // m: change of U_n by a disc's rotation
   double slides_by_first, slides_by_second;  // m: change of U_s
-  double area;                               // m2 per metre of thickness
-  double slip;                               // m
-  bool holds;
-  double open_before, slid_before;     // m: counted from where settle_smooth left them
-  double locked_normal, locked_shear;  // N: tension positive
-  double slip_before;                  // m: of `slip`, what it slid in the set-up
-  double slip_logged;                  // m: of `slip`, what its entries in the log add up to (step/slips.hpp)
+
+  // m, from the centre of the disc to the contact
+  [[nodiscard]] Vec2 first_arm() const { return opens_by_first * along() - slides_by_first * normal; }
+  [[nodiscard]] Vec2 second_arm() const { return slides_by_second * normal - opens_by_second * along(); }
+
+ private:
+  [[nodiscard]] Vec2 along() const { return {-normal.y, normal.x}; }
+};
+
+static_assert(sizeof(SmoothContact) == 64);
+
+// What settle_smooth left a contact with.
+struct SettledContact {
+  double open_before = 0.0, slid_before = 0.0;     // m: its motion counts from there
+  double locked_normal = 0.0, locked_shear = 0.0;  // N: tension positive
+};
+
+// Of a contact's slip, what it slid in the set-up, and what its entries in the log add up to (step/slips.hpp) [m].
+struct CountedSlip {
+  double before = 0.0, logged = 0.0;
 };
 
 struct SmoothJoints {
   struct Line {
     Vec2 from, to;
   };
-  std::vector<SmoothContact> contacts;  // ascending by bond
-  std::vector<std::int32_t> place;      // per bond: in contacts, -1 of none; empty without smooth joints
-  std::vector<Line> lines;              // the joints themselves
-  std::vector<JointLaw>
-      laws;  // by number in the definition; those of joints that are not smooth are not used
+  Array<SmoothContact> contacts;         // ascending by bond
+  BondIndex index;                       // of their bonds
+  Array<SettledContact> settled;         // by contact; empty: none is
+  std::vector<CountedSlip> counted;      // by contact
+  std::vector<Line> lines;               // the joints themselves
+  std::vector<JointLaw> laws;            // no two in a row alike
+  std::vector<std::int32_t> law_number;  // by number in the definition, also of joints that are not smooth
   double normal_stiffness = 0.0, shear_stiffness = 0.0;  // Pa/m, of joints that give none
 
   [[nodiscard]] bool empty() const { return contacts.empty(); }
   [[nodiscard]] const SmoothContact* of(std::int64_t bond) const {
-    const std::int32_t at = empty() ? -1 : place[static_cast<std::size_t>(bond)];
+    const std::int32_t at = index.place_of(bond);
     return at < 0 ? nullptr : &contacts[static_cast<std::size_t>(at)];
   }
-  [[nodiscard]] SmoothContact* of(std::int64_t bond) {
-    const std::int32_t at = empty() ? -1 : place[static_cast<std::size_t>(bond)];
-    return at < 0 ? nullptr : &contacts[static_cast<std::size_t>(at)];
+  [[nodiscard]] const JointLaw& law_of_joint(std::int32_t joint) const {
+    return laws[static_cast<std::size_t>(law_number[static_cast<std::size_t>(joint)])];
   }
   [[nodiscard]] const JointLaw& law_of(const SmoothContact& contact) const {
-    return laws[static_cast<std::size_t>(contact.joint)];
+    return law_of_joint(contact.joint);
+  }
+  [[nodiscard]] std::size_t place_of(const SmoothContact& contact) const {
+    return static_cast<std::size_t>(index.place_of(contact.bond));
+  }
+  [[nodiscard]] SettledContact settled_of(const SmoothContact& contact) const {
+    return settled.empty() ? SettledContact{} : settled[place_of(contact)];
   }
   // To be called when `lines` are all there.
   void sort_lines(double cell);
@@ -65,10 +88,6 @@ struct SmoothJoints {
   bool held = false;                 // contacts of joints that conduct do not slip (initial equilibration)
   // Whether a joint lies between two places.
   [[nodiscard]] bool separate(Vec2 p, Vec2 q) const;
-  // Which contacts hold, and what they slid, is kept here while the step loop runs, where other workers hold the bonds' own
-  // numbers; those are the state.
-  void read_state(const Array<std::uint8_t>& intact, const Array<double>& slip);
-  void write_state(Array<std::uint8_t>& intact, Array<double>& slip) const;
 
  private:
   // Places along the lines, no farther apart than `pace`, and the line of each.

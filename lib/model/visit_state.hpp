@@ -94,7 +94,7 @@ void visit_state(Archive& archive, Self& s, bool wet) {
       archive.value(*value);
     for (auto& cluster : wellbore.clusters) archive.value(cluster.rate);
   }
-  archive.list(s.cracks, [&a](auto& ar, auto& crack) {
+  archive.log(s.cracks, [&a](auto& ar, auto& crack) {
     ar.value(crack.bond);
     ar.require(crack.bond >= 0 && crack.bond < a.bond_count());
     ar.value(crack.step);
@@ -106,7 +106,7 @@ void visit_state(Archive& archive, Self& s, bool wet) {
   });
   // Hashes of models without smooth joints are what they were before slips were logged.
   if (!a.smooth.empty()) {
-    archive.list(s.slips, [&a](auto& ar, auto& slip) {
+    archive.log(s.slips, [&a](auto& ar, auto& slip) {
       ar.value(slip.bond);
       ar.require(slip.bond >= 0 && slip.bond < a.bond_count() && a.smooth.of(slip.bond) != nullptr);
       ar.value(slip.step);

@@ -98,7 +98,7 @@ BondLaw bond_law(const Assembly& a, const Options& o, std::int64_t e) {
 }
 
 BondView view_bond(const Assembly& a, const Options& o, std::int64_t e) {
-  if (const SmoothContact* contact = a.smooth.of(e)) return view_smooth(a, o, *contact);
+  if (const SmoothContact* contact = a.smooth.of(e)) return view_smooth(a, *contact);
   const BondLaw law = bond_law(a, o, e);
   const PairMotion& m = law.motion;
   BondView v{};

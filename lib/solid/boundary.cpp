@@ -293,7 +293,7 @@ void Boundary::press(Assembly& a, std::int64_t first, std::int64_t last) const {
   }
 }
 
-void Boundary::add_stiffness(std::vector<double>& row_x, std::vector<double>& row_y) const {
+void Boundary::add_stiffness(std::span<double> row_x, std::span<double> row_y) const {
   for (const auto& wall : state_.walls) {
     for (const auto i : wall.discs) {
       row_x[i] += 2.0 * stiffness_ * std::abs(wall.inward.x);

@@ -53,7 +53,7 @@ class Boundary {
   void remove_rigid_motion(Assembly& assembly) const;
 
   // Adds the share of walls and rock beyond to the row sums of stiffness that set the stable step.
-  void add_stiffness(std::vector<double>& row_x, std::vector<double>& row_y) const;
+  void add_stiffness(std::span<double> row_x, std::span<double> row_y) const;
 
   // The force of far field and rock beyond on a disc now [N], and whether it is written anew in every cycle: of a wall's discs, of those gripped, of the
   // rim's.

@@ -53,7 +53,6 @@ ExplicitSolver::ExplicitSolver(Model& model, Boundary& boundary, const Options& 
       fragments_(assembly_, options),
       facets_(assembly_, network_, options, energies_) {
   const auto discs = static_cast<std::size_t>(assembly_.disc_count());
-  pushed_ = discs_of_smooth(assembly_);
   inverse_mass_.resize(discs);
   inverse_inertia_.resize(discs);
   plan_ =
@@ -64,6 +63,14 @@ ExplicitSolver::ExplicitSolver(Model& model, Boundary& boundary, const Options& 
   domain_sums_.assign(tiles + static_cast<std::size_t>(plan_.domain_blocks), {});
   scratch_.resize(static_cast<std::size_t>(workers.count()));
   for (auto& scratch : scratch_) scratch.assign(static_cast<std::size_t>(tile_scratch), 0.0);
+  if (!assembly_.smooth.empty()) {
+    for (const auto& tile : plan_.tiles)
+      smooth_from_.push_back(assembly_.smooth.index.listed_before(tile.first_bond));
+    for (std::int64_t block = 0; block < plan_.bond_blocks; ++block)
+      smooth_from_.push_back(
+          assembly_.smooth.index.listed_before(plan_.first_cross_bond + block * cross_block));
+    smooth_from_.push_back(static_cast<std::int64_t>(assembly_.smooth.contacts.size()));
+  }
   bind_arrays();
   refresh_stiffness();
   if (arrays_.tile_count >= fewest_blocked_tiles) set_blocking(blocking_shape(workers.count()));
@@ -140,8 +147,8 @@ void ExplicitSolver::bind_arrays() {
 }
 
 // Row sums of the stiffness matrix [N/m].
-void ExplicitSolver::stiffness(std::vector<double>& row_x, std::vector<double>& row_y,
-                               std::vector<double>& row_rotation) const {
+void ExplicitSolver::stiffness(std::span<double> row_x, std::span<double> row_y,
+                               std::span<double> row_rotation) const {
   stiffness_rows(assembly_, network_, options_, facets_.active() ? &facets_.rock_weight() : nullptr, row_x,
                  row_y, row_rotation);
   boundary_.add_stiffness(row_x, row_y);
@@ -149,8 +156,10 @@ void ExplicitSolver::stiffness(std::vector<double>& row_x, std::vector<double>& 
   add_smooth_stiffness(assembly_, row_x, row_y, row_rotation);
 }
 
+// Row sums stand where the masses by them will.
 void ExplicitSolver::refresh_stiffness() {
-  std::vector<double> row_x, row_y, row_rotation;
+  const std::span<double> row_x = inverse_mass_, row_rotation = inverse_inertia_;
+  std::vector<double> row_y(row_x.size());
   stiffness(row_x, row_y, row_rotation);
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < row_x.size(); ++i) {
@@ -160,11 +169,6 @@ void ExplicitSolver::refresh_stiffness() {
   }
   // Gershgorin: omega^2 is at most the largest row sum over mass; the leap-frog is stable below 2 / omega.
   real_step_ = options_.stepping_safety * 2.0 * std::sqrt(shortest);
-  put_masses(row_x, row_y, row_rotation);
-}
-
-void ExplicitSolver::put_masses(const std::vector<double>& row_x, const std::vector<double>& row_y,
-                                const std::vector<double>& row_rotation) {
   arrays_.step = scaled_ ? 1.0 : real_step_;
   const double factor = 0.25 / (options_.stepping_safety * options_.stepping_safety);
   for (std::size_t i = 0; i < row_x.size(); ++i) {
@@ -220,11 +224,7 @@ void ExplicitSolver::break_bond(const BondView& bond, std::int64_t e, std::int64
   if (!assembly_.softening.empty()) log_softened(crack);
   crack.mode = bond.tensile_excess >= bond.shear_excess ? CrackMode::tension : CrackMode::shear;
   found.push_back(crack);
-  if (SmoothContact* contact = assembly_.smooth.of(e)) {
-    contact->holds = false;
-  } else {
-    assembly_.intact[e] = 0;
-  }
+  assembly_.intact[e] = 0;
   // In mode after-break a contact takes over where discs were pressed together.
   found.back().released -= view_bond(assembly_, options_, e).contact_energy;
 }
@@ -248,7 +248,6 @@ bool ExplicitSolver::is_held(std::int64_t bond) const {
 
 void ExplicitSolver::break_bond(std::int64_t bond, CrackLog& log) {
   break_bond(view_bond(assembly_, options_, bond), bond, total_cycles_, log);
-  assembly_.smooth.write_state(assembly_.intact, assembly_.slip);
   energies_.fracture += log.back().released;
 }
 
@@ -265,13 +264,38 @@ FacetMotion& ExplicitSolver::follow_facets(const FacetStart& start, const Array<
 void ExplicitSolver::take_facets() {
   if (facets_seen_ == facets_.changes()) return;
   facets_seen_ = facets_.changes();
-  pushed_ = discs_of_smooth(assembly_);
-  for (const auto disc : facets_.discs()) pushed_.push_back({disc, false, {}});
-  const auto before = [](const PushedDisc& a, const PushedDisc& b) { return a.disc < b.disc; };
-  std::sort(pushed_.begin(), pushed_.end(), before);
-  pushed_.erase(std::unique(pushed_.begin(), pushed_.end(),
-                            [](const PushedDisc& a, const PushedDisc& b) { return a.disc == b.disc; }),
-                pushed_.end());
+  list_pushed();
+}
+
+void ExplicitSolver::list_pushed() {
+  std::vector<std::int32_t> discs = non_bonded_.discs();
+  discs.insert(discs.end(), facets_.discs().begin(), facets_.discs().end());
+  std::sort(discs.begin(), discs.end());
+  discs.erase(std::unique(discs.begin(), discs.end()), discs.end());
+  pushed_.clear();
+  pushed_.reserve(discs.size());
+  const auto& edge = boundary_.edge();
+  for (const auto disc : discs)
+    pushed_.push_back({disc, std::binary_search(edge.begin(), edge.end(), disc), false, {}});
+}
+
+void ExplicitSolver::put_loads() {
+  for (auto& disc : pushed_) {
+    disc.load = {};
+    if (!disc.outermost && boundary_.grips().empty()) continue;  // most
+    disc.walled = boundary_.touches_wall(disc.disc);
+    disc.load = boundary_.load_on(disc.disc);
+  }
+}
+
+// External forces back to the boundary's.
+void ExplicitSolver::release_pushed() {
+  for (const auto& [i, outermost, walled, load] : pushed_) {
+    assembly_.external_moment[i] = 0.0;
+    if (walled) continue;  // written anew in every cycle
+    assembly_.external_x[i] = load.x;
+    assembly_.external_y[i] = load.y;
+  }
 }
 
 // Between two cycles: what was found to break becomes facets, in the order of bonds. Whether one stays depends on those before it.
@@ -298,7 +322,7 @@ void ExplicitSolver::break_into_facets(std::int64_t cycle, std::vector<Found>& f
   take_facets();
   facets_.begin_cycles();
   arrays_.stiffness = facets_.stiffness();
-  put_loads(pushed_, boundary_);
+  put_loads();
   mark_left_alone();
 }
 
@@ -306,9 +330,14 @@ void ExplicitSolver::break_into_facets(std::int64_t cycle, std::vector<Found>& f
 bool ExplicitSolver::break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, Found& found) {
   const std::size_t before = found.cracks.size();
   for (std::int64_t e = first; e < last; ++e) {
-    if (assembly_.intact[e] == 0 || assembly_.smooth.of(e) != nullptr) continue;
+    if (assembly_.intact[e] == 0) continue;
     const BondView bond = view_bond(assembly_, options_, e);
-    if (!bond.breaks() || is_held(e)) continue;
+    if (!bond.breaks()) continue;
+    if (assembly_.smooth.of(e) != nullptr) {
+      break_bond(bond, e, cycle, found.cracks);
+      continue;
+    }
+    if (is_held(e)) continue;
     if (facets_.active()) {
       found.to_facets.push_back(e);
       facets_to_come_ = cycle;
@@ -319,19 +348,39 @@ bool ExplicitSolver::break_bonds(std::int64_t first, std::int64_t last, std::int
   return found.cracks.size() > before;
 }
 
-// Those of smooth joints: which break, and the forces of all on top of the other external ones.
-void ExplicitSolver::take_smooth_joints(std::int64_t cycle, CrackLog& found) {
-  for (auto& contact : assembly_.smooth.contacts) {
-    if (contact.holds) {
-      const BondView bond = view_smooth(assembly_, options_, contact);
-      if (bond.breaks()) break_bond(bond, contact.bond, cycle, found);
+// What the kernels are to know of smooth joints in the cycles to come.
+void ExplicitSolver::begin_smooth_joints() {
+  const SmoothJoints& smooth = assembly_.smooth;
+  if (smooth.empty()) return;
+  smooth_laws_ = laws_for_kernels(assembly_);
+  smooth_forces_.resize(kernels_know(assembly_) && !facets_.active() ? 0 : smooth.contacts.size());
+  arrays_.smooth = {static_cast<std::int64_t>(smooth.contacts.size()),
+                    smooth.contacts.data(),
+                    smooth.settled.empty() ? nullptr : &smooth.settled[0].open_before,
+                    smooth.law_number.data(),
+                    smooth_laws_.data(),
+                    smooth_forces_.empty() ? nullptr : smooth_forces_.data(),
+                    smooth_from_.data()};
+}
+
+// Contacts of a tile or block whose laws the kernels do not know: which break, and the forces of all.
+void ExplicitSolver::answer_smooth_joints(std::int64_t part, std::int64_t cycle, Found& found) {
+  if (smooth_forces_.empty()) return;
+  const auto p = static_cast<std::size_t>(part);
+  for (auto k = smooth_from_[p]; k < smooth_from_[p + 1]; ++k) {
+    const SmoothContact& contact = assembly_.smooth.contacts[static_cast<std::size_t>(k)];
+    if (assembly_.intact[contact.bond] != 0) {
+      const BondView bond = view_smooth(assembly_, contact);
+      if (bond.breaks()) break_bond(bond, contact.bond, cycle, found.cracks);
     }
-    add_smooth_force(assembly_, options_, contact, energies_.friction);
+    smooth_forces_[static_cast<std::size_t>(k)] =
+        answer_of(assembly_, contact, assembly_.slip[contact.bond], bond_sums_[p].work);
   }
 }
 
 // After breakage the forces are computed again, as those of what is left.
 void ExplicitSolver::take_cross_block(std::int64_t block, std::int64_t cycle, Found& found) {
+  answer_smooth_joints(arrays_.tile_count + block, cycle, found);
   kernels_.cross_bonds(arrays_, block);
   if (break_cross_block(block, cycle, found)) kernels_.cross_bonds(arrays_, block);
 }
@@ -343,26 +392,13 @@ bool ExplicitSolver::break_cross_block(std::int64_t block, std::int64_t cycle, F
 }
 
 void ExplicitSolver::take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, Found& found) {
+  answer_smooth_joints(tile, cycle, found);
   kernels_.tile_forces(arrays_, tile, scratch);
   const auto t = static_cast<std::size_t>(tile);
   if (bond_sums_[t].flagged != 0 &&
       break_bonds(plan_.tiles[t].first_bond, plan_.tiles[t].last_bond, cycle, found))
     kernels_.tile_forces(arrays_, tile, scratch);
   kernels_.tile_move(arrays_, tile, scratch);
-}
-
-// Discs on which the boundary's load is not all there is: non-bonded contacts and smooth joints add to it in every cycle.
-template <class Visit>
-void ExplicitSolver::each_pushed_disc(const Visit& visit) const {
-  for (const auto& pair : non_bonded_.pairs()) {
-    visit(pair.first);
-    visit(pair.second);
-  }
-  for (const auto& contact : assembly_.smooth.contacts) {
-    visit(assembly_.first[contact.bond]);
-    visit(assembly_.second[contact.bond]);
-  }
-  for (const auto disc : facets_.discs()) visit(disc);
 }
 
 // Which tiles nothing outside pushes, now and in the cycles to come: most, and they are spared three arrays.
@@ -382,7 +418,7 @@ void ExplicitSolver::mark_left_alone() {
   for (const auto& grip : boundary_.grips()) pushed(grip.disc);
   if (boundary_.exterior() != nullptr)
     std::for_each(boundary_.edge().begin(), boundary_.edge().end(), pushed);
-  each_pushed_disc(pushed);
+  for (const auto& disc : pushed_) pushed(disc.disc);
 }
 
 void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
@@ -390,12 +426,13 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
   if (facets_.active()) facets_.begin_cycles();
   arrays_.stiffness = facets_.active() ? facets_.stiffness() : network_.stiffness.data();
   arrays_.undrained = undrained_ ? 1 : 0;
+  begin_smooth_joints();
   mark_left_alone();
   if (may_block()) {
     run_blocked(cycles, found);
     return;
   }
-  put_loads(pushed_, boundary_);
+  put_loads();
   const auto domain_blocks = arrays_.with_pressure != 0 ? plan_.domain_blocks : 0;
   // A worker that finds no memory for its cracks may not leave the others waiting: it goes on to the end of the batch, and
   // then the step fails.
@@ -421,6 +458,7 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
             take_cross_block(block, now, found[w]);
             return;
           }
+          answer_smooth_joints(arrays_.tile_count + block, now, found[w]);
           kernels_.cross_bonds(arrays_, block);
           if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + block)].flagged != 0) flagged = now;
         });
@@ -429,12 +467,9 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
       if (worker == 0 && boundary_.reacts()) {
         boundary_.cycle(assembly_, arrays_.step, options_.stepping_safety, arrays_.damping);
       }
-      const bool smooth = worker == 0 && !assembly_.smooth.empty(), faces = worker == 0 && facets_.active();
-      if (worker == 0 && !pushed_.empty()) release_smooth(assembly_, pushed_);
-      if (worker == 0 && !non_bonded_.empty())
-        non_bonded_.cycle(assembly_, boundary_, arrays_.step, energies_.friction);
-      if (smooth) watched([&] { take_smooth_joints(now, found[w].cracks); });
-      if (faces) {
+      if (worker == 0) release_pushed();
+      if (worker == 0 && !non_bonded_.empty()) non_bonded_.cycle(assembly_, arrays_.step, energies_.friction);
+      if (worker == 0 && facets_.active()) {
         facets_.answer(undrained_);
         facets_.add_forces();
       }
@@ -475,7 +510,6 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
     workers_.run(task);
   }
   if (facets_.active()) facets_.end_cycles();
-  assembly_.smooth.write_state(assembly_.intact, assembly_.slip);
   if (no_memory) throw std::bad_alloc();
   total_cycles_ += cycles;
 }
@@ -581,7 +615,12 @@ void ExplicitSolver::evaluate() {
   if (facets_.active()) facets_.begin_cycles();
   arrays_.stiffness = facets_.active() ? facets_.stiffness() : network_.stiffness.data();
   arrays_.undrained = 1;  // volumes are looked at
+  begin_smooth_joints();
   mark_left_alone();
+  for (std::size_t k = 0; !smooth_forces_.empty() && k < smooth_forces_.size(); ++k) {
+    const SmoothContact& contact = assembly_.smooth.contacts[k];
+    smooth_forces_[k] = answer_of(assembly_, contact, assembly_.slip[contact.bond], energies_.friction);
+  }
   for (std::int64_t block = 0; block < plan_.bond_blocks; ++block) kernels_.cross_bonds(arrays_, block);
   if (arrays_.with_pressure != 0) {
     for (std::int64_t block = 0; block < plan_.domain_blocks; ++block) kernels_.cross_domains(arrays_, block);
@@ -590,34 +629,40 @@ void ExplicitSolver::evaluate() {
     kernels_.tile_forces(arrays_, tile, scratch_[0].data());
   energies_.friction += take_work(bond_sums_);
   energies_.fluid += take_work(domain_sums_);
-  keep_smooth_slips(assembly_, options_, energies_.friction);
   if (!facets_.active()) return;
   facets_.answer(true);
   facets_.end_cycles();
 }
 
 void ExplicitSolver::search_contacts(const CrackLog& cracks) {
-  if (non_bonded_.search(assembly_, boundary_, cracks)) refresh_stiffness();
+  if (!non_bonded_.search(assembly_, boundary_, cracks)) return;
+  list_pushed();
+  refresh_stiffness();
 }
 
 void ExplicitSolver::after_restore(double sigma_Hmax, double sigma_hmin) {
-  take_facets();
+  facets_seen_ = facets_.changes();
+  list_pushed();
   // What stands on those discs was saved with them; a restored state is the one saved, to the last bit.
-  saved_push_.clear();
-  each_pushed_disc([&](auto i) {
-    saved_push_.push_back({assembly_.external_x[i], assembly_.external_y[i]});
-  });
+  for (auto& disc : pushed_) disc.load = {assembly_.external_x[disc.disc], assembly_.external_y[disc.disc]};
+  // Images written when smooth joints pushed from outside have that force on their discs.
+  for (const auto& contact : assembly_.smooth.contacts) {
+    for (const auto i : {assembly_.first[contact.bond], assembly_.second[contact.bond]}) {
+      const auto at = std::lower_bound(pushed_.begin(), pushed_.end(), i,
+                                       [](const PushedDisc& p, std::int32_t disc) { return p.disc < disc; });
+      if (at != pushed_.end() && at->disc == i) continue;
+      assembly_.external_moment[i] = 0.0;
+      if (!boundary_.touches_wall(i)) assembly_.external_x[i] = assembly_.external_y[i] = 0.0;
+    }
+  }
   boundary_.restore_load(assembly_, network_, sigma_Hmax, sigma_hmin);
-  auto saved = saved_push_.begin();
-  each_pushed_disc([&](auto i) {
-    assembly_.external_x[i] = saved->x;
-    assembly_.external_y[i] = saved->y;
-    ++saved;
-  });
+  for (const auto& disc : pushed_) {
+    assembly_.external_x[disc.disc] = disc.load.x;
+    assembly_.external_y[disc.disc] = disc.load.y;
+  }
   // What a failed step had summed up so far is void.
   for (auto* sums : {&bond_sums_, &disc_sums_, &domain_sums_})
     std::fill(sums->begin(), sums->end(), TileSums{});
-  assembly_.smooth.read_state(assembly_.intact, assembly_.slip);
   refresh_stiffness();
 }
 

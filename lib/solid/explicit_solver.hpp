@@ -126,9 +126,11 @@ class ExplicitSolver {
   void batch(std::int64_t cycles, std::vector<Found>& found);
   void take_facets();
   void break_into_facets(std::int64_t cycle, std::vector<Found>& found);
-  template <class Visit>
-  void each_pushed_disc(const Visit& visit) const;
-  void take_smooth_joints(std::int64_t cycle, CrackLog& found);
+  void begin_smooth_joints();
+  void answer_smooth_joints(std::int64_t part, std::int64_t cycle, Found& found);
+  void list_pushed();
+  void put_loads();
+  void release_pushed();
   [[nodiscard]] bool may_block() const;
   void mark_left_alone();
   void run_blocked(std::int64_t cycles, std::vector<Found>& found);
@@ -139,10 +141,7 @@ class ExplicitSolver {
   void break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, CrackLog& found);
   void log_softened(Crack& crack) const;
   bool break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, Found& found);
-  void put_masses(const std::vector<double>& row_x, const std::vector<double>& row_y,
-                  const std::vector<double>& row_rotation);
-  void stiffness(std::vector<double>& row_x, std::vector<double>& row_y,
-                 std::vector<double>& row_rotation) const;
+  void stiffness(std::span<double> row_x, std::span<double> row_y, std::span<double> row_rotation) const;
   [[nodiscard]] double force_ratio() const;
   void bind_arrays();
 
@@ -157,7 +156,18 @@ class ExplicitSolver {
   Workers::Pass bonds_left_, domains_left_, tiles_left_;  // of a cycle: blocks of bonds, of domains, tiles
   const KernelTable& kernels_;
   Fragments fragments_;
-  std::vector<PushedDisc> pushed_;  // by smooth joints and facets
+  // For the kernels: contacts of smooth joints before each part (SmoothArrays::from), their laws, and the forces of laws they do not know.
+  std::vector<std::int64_t> smooth_from_;
+  Array<SmoothLaw> smooth_laws_;
+  Array<SmoothForces> smooth_forces_;
+  // Discs on which the boundary's load, constant while a batch of cycles lasts, is not all there is: non-bonded contacts and facets add to
+  // it in every cycle.
+  struct PushedDisc {
+    std::int32_t disc;
+    bool outermost, walled;
+    Vec2 load;  // N
+  };
+  std::vector<PushedDisc> pushed_;
   FacetMotion facets_;
   FacetRules facet_rules_;
   std::int64_t facets_seen_ = 0;                  // FacetMotion::changes
@@ -175,7 +185,6 @@ class ExplicitSolver {
   std::vector<TileSums> bond_sums_, disc_sums_, domain_sums_;
   double real_step_ = 0.0;
   bool scaled_ = true, undrained_ = false;
-  std::vector<Vec2> saved_push_;  // N, of a restore
 };
 
 }  // namespace hfrac

@@ -14,12 +14,12 @@ void ExplicitSolver::set_blocking(const BlockingShape& shape) {
       blocking_.empty() ? 0 : static_cast<std::size_t>(plan_.bond_blocks));
 }
 
-// Walls under servo control, non-bonded contacts and those of smooth joints know of discs far apart in every cycle, and so do pores that
+// Walls under servo control and non-bonded contacts know of discs far apart in every cycle, and so do pores that
 // answer: the outside is one of them. Pores that keep their pressure push, and that is all.
 bool ExplicitSolver::may_block() const {
   const bool pores_answer = arrays_.with_pressure != 0 && arrays_.undrained != 0;
   return !blocking_.empty() && !pores_answer && !fragments_.kept() && boundary_.acts_disc_by_disc() &&
-         non_bonded_.empty() && assembly_.smooth.empty() && !facets_.active();
+         non_bonded_.empty() && !facets_.active();
 }
 
 void ExplicitSolver::run_blocked(std::int64_t cycles, std::vector<Found>& found) {

@@ -184,7 +184,7 @@ double Exterior::energy(const Assembly& a, double share) const {
 }
 
 // |w N H N' w| by the triangle inequality.
-void Exterior::add_stiffness(std::vector<double>& row_x, std::vector<double>& row_y) const {
+void Exterior::add_stiffness(std::span<double> row_x, std::span<double> row_y) const {
   Eigen::VectorXd length = Eigen::VectorXd::Zero(stiffness_.rows());
   for (const auto& at : rim_) {
     for (std::size_t p = 0; p < 2; ++p) length.segment<2>(2 * at.point[p]).array() += at.weight[p];

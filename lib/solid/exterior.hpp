@@ -54,7 +54,7 @@ class Exterior {
   [[nodiscard]] double energy(const Assembly& assembly, double share) const;
 
   // Row sums of its stiffness on the discs, at most [N/m].
-  void add_stiffness(std::vector<double>& row_x, std::vector<double>& row_y) const;
+  void add_stiffness(std::span<double> row_x, std::span<double> row_y) const;
   // Sums w N u over the rim [m2] per traction of the points [Pa]: inverse(H), for the quasi-static solver.
   [[nodiscard]] const Eigen::MatrixXd& compliance() const { return compliance_; }
 

@@ -61,7 +61,7 @@ void bridge_flow(Assembly& a, const std::vector<KeptBond>& kept) {
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       if (contacts[k].joint != joint) continue;
       const auto i = a.first[contacts[k].bond];
-      const Vec2 way = Vec2{a.x[i], a.y[i]} + contacts[k].first_arm - at;
+      const Vec2 way = Vec2{a.x[i], a.y[i]} + contacts[k].first_arm() - at;
       if (nearest >= 0 && dot(way, way) >= least) continue;
       nearest = static_cast<std::int32_t>(k);
       least = dot(way, way);
@@ -76,26 +76,28 @@ std::int64_t apply_joints(Assembly& a, const std::vector<JointOptions>& joints, 
                           CrackLog& log) {
   if (joints.empty()) return 0;
   const auto bonds = static_cast<std::size_t>(a.bond_count());
-  a.joint_tensile.assign(bonds, 1.0);
-  a.joint_shear.assign(bonds, 1.0);
-  a.joint_friction.assign(bonds, o.contact_friction);
-  a.joint_normal.assign(bonds, {});
   std::vector<std::int32_t> joint_of(bonds, -1);
   const std::int64_t left_out = find_crossed(a, joints, joint_of, a.smooth.shared);
   std::sort(a.smooth.shared.begin(), a.smooth.shared.end());
   const std::vector<KeptBond> kept = keep_discs_held(a, joints, joint_of);
+  std::vector<std::int64_t> crossed, broken;
   for (std::int64_t e = 0; e < a.bond_count(); ++e) {
-    if (joint_of[static_cast<std::size_t>(e)] < 0) continue;
-    const JointOptions* of = &joints[static_cast<std::size_t>(joint_of[static_cast<std::size_t>(e)])];
-    const Vec2 along{of->x2 - of->x1, of->y2 - of->y1};
+    const auto joint = joint_of[static_cast<std::size_t>(e)];
+    if (joint < 0) continue;
+    crossed.push_back(e);
+    if (is_broken(JointState{joints[static_cast<std::size_t>(joint)].state})) broken.push_back(e);
+  }
+  a.joints.index = BondIndex(
+      crossed.size(), [&](std::size_t k) { return crossed[k]; }, a.bond_count());
+  a.joints.joint.reserve(crossed.size());
+  for (const auto e : crossed) a.joints.joint.push_back(joint_of[static_cast<std::size_t>(e)]);
+  for (const auto& joint : joints) {
+    const Vec2 along{joint.x2 - joint.x1, joint.y2 - joint.y1};
     const double length = norm(along);
-    const Vec2 normal{-along.y / length, along.x / length};
-    a.joint_normal[static_cast<std::size_t>(e)] =
-        dot(normal, {a.dx(e), a.dy(e)}) > 0.0 ? normal : -1.0 * normal;
-    a.joint_tensile[e] = of->tensile_factor;
-    a.joint_shear[e] = of->shear_factor;
-    if (of->friction >= 0.0) a.joint_friction[e] = of->friction;
-    if (!is_broken(JointState{of->state})) continue;
+    a.joints.normal.push_back({-along.y / length, along.x / length});
+  }
+  log.reserve(log.size() + broken.size());
+  for (const auto e : broken) {
     a.intact[e] = 0;
     Crack crack;
     crack.bond = e;

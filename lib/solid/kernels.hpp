@@ -36,6 +36,28 @@ struct alignas(32) BufferedForce {
 
 constexpr double steepest_softening = 1.05;  // least w_c / w_0 (softening.hpp)
 
+// A smooth joint's law in the kernels: no dilation, constant friction (model/joint_law.hpp).
+struct SmoothLaw {
+  double normal, shear;                  // Pa/m
+  double inverse_closure, last_closure;  // 1/m, m: 0 and beyond any where it is linear
+  double friction;
+  double tensile, cohesion, intact_friction;  // Pa, Pa, 1: of a contact that holds
+};
+
+// What a contact that the kernels do not know the law of does to its discs: as BondForce.
+using SmoothForces = BondForce;
+
+// The contacts of smooth joints, ascending by bond: they answer in place of their bonds (smooth_joints.hpp).
+struct SmoothArrays {
+  int64_t count;
+  const void* contacts;       // SmoothContact; null: none
+  const double* settled;      // SettledContact; null: none is
+  const int32_t* law_number;  // by joint
+  const SmoothLaw* laws;
+  const SmoothForces* forces;  // by contact, where the kernels do not know the laws; else null
+  const int64_t* from;         // the first contact of each tile, then of each block of bonds across
+};
+
 struct TileSums {
   double force;     // sum of |fx| + |fy|: contact forces (bonds), unbalanced forces (discs)
   double work;      // friction (bonds), damping (discs), work of the fluid on the discs (domains)
@@ -66,6 +88,7 @@ struct KernelArrays {
   // strengths, coefficient of friction
   const double *growth, *stiffness_factor, *tensile_factor, *shear_factor, *bond_friction;
   int64_t bond_count, first_cross_bond;
+  SmoothArrays smooth;
   // the discs around each domain: weight dV/du of eq. 10
   const int32_t *domain_corner_start, *domain_corner_disc;
   const double* domain_corner_weight;  // m: x, y per corner

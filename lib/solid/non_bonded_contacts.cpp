@@ -82,6 +82,8 @@ bool NonBondedContacts::search(Assembly& a, const Boundary& boundary, const Crac
   list_.cracks_seen = cracks.size();
   list_.searched_x.clear();
   list_.searched_y.clear();
+  list_.searched_x.reserve(list_.cracked.size());
+  list_.searched_y.reserve(list_.cracked.size());
   for (const auto i : list_.cracked) {
     list_.searched_x.push_back(a.ux[i]);
     list_.searched_y.push_back(a.uy[i]);
@@ -126,8 +128,7 @@ void NonBondedContacts::release(Assembly& a, const Boundary& boundary) {
   }
 }
 
-void NonBondedContacts::cycle(Assembly& a, const Boundary& boundary, double step, double& friction) {
-  release(a, boundary);
+void NonBondedContacts::cycle(Assembly& a, double step, double& friction) {
   for (auto& pair : list_.pairs) {
     const auto i = pair.first, j = pair.second;
     const double stiffness = a.thermal.pair_stiffness(i, j);
@@ -161,8 +162,8 @@ void NonBondedContacts::cycle(Assembly& a, const Boundary& boundary, double step
   }
 }
 
-void NonBondedContacts::add_stiffness(const Assembly& a, std::vector<double>& row_x,
-                                      std::vector<double>& row_y, std::vector<double>& row_rotation) const {
+void NonBondedContacts::add_stiffness(const Assembly& a, std::span<double> row_x, std::span<double> row_y,
+                                      std::span<double> row_rotation) const {
   for (const auto& pair : list_.pairs) {
     const double share = a.thermal.pair_stiffness(pair.first, pair.second);
     const double translation =

@@ -8,6 +8,7 @@
 // together before anything broke near by would otherwise gain energy by being looked at. There are few of them, so one worker does all.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "model/assembly.hpp"
@@ -27,12 +28,12 @@ class NonBondedContacts {
   // Looks for pairs if cracks were added or discs moved since the last time. True if the list changed.
   bool search(Assembly& assembly, const Boundary& boundary, const CrackLog& cracks);
 
-  // Forces of one cycle into external_*; after Boundary::cycle. Adds friction work to `friction`.
-  void cycle(Assembly& assembly, const Boundary& boundary, double step, double& friction);
+  // Forces of one cycle onto external_*; after Boundary::cycle. Adds friction work to `friction`.
+  void cycle(Assembly& assembly, double step, double& friction);
 
   // Adds to the row sums that set the stable step.
-  void add_stiffness(const Assembly& assembly, std::vector<double>& row_x, std::vector<double>& row_y,
-                     std::vector<double>& row_rotation) const;
+  void add_stiffness(const Assembly& assembly, std::span<double> row_x, std::span<double> row_y,
+                     std::span<double> row_rotation) const;
 
   // Forces found by another solver, in the order of pairs().
   void keep(std::size_t pair, double normal_force, double shear_force) {
@@ -41,6 +42,7 @@ class NonBondedContacts {
   }
 
   [[nodiscard]] bool empty() const { return list_.pairs.empty(); }
+  [[nodiscard]] const std::vector<std::int32_t>& discs() const { return list_.discs; }  // of pairs
   [[nodiscard]] const std::vector<Pair>& pairs() const { return list_.pairs; }
   [[nodiscard]] double energy(const Assembly& assembly) const;  // J/m, stored now
 

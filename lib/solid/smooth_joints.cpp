@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
-
-#include "solid/boundary.hpp"
 
 namespace hfrac {
 namespace {
@@ -103,6 +102,7 @@ JointLaw law_of(const JointOptions& joint, const SmoothJoints& smooth, const Opt
   law.highest = above * std::max({lowest, o.stress_sigma_Hmax, o.stress_sigma_hmin});
   law.tensile_strength = joint.tensile_strength;
   law.cohesion = joint.cohesion;
+  law.friction = joint.friction >= 0.0 ? joint.friction : o.contact_friction;
   law.residual_friction = joint.residual_friction;
   law.weakening_slip = joint.weakening_slip;
   law.dilation = std::tan(joint.dilation_angle);
@@ -110,6 +110,8 @@ JointLaw law_of(const JointOptions& joint, const SmoothJoints& smooth, const Opt
   law.aperture = joint.aperture;
   law.residual_aperture = joint.residual_aperture;
   law.roughness = joint.roughness;
+  law.tensile_factor = joint.tensile_factor;
+  law.shear_factor = joint.shear_factor;
   return law;
 }
 
@@ -122,10 +124,11 @@ Motion motion_of(const Assembly& a, const SmoothContact& c) {
   Vec2 between{a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]};
   if (const double growth = a.factors.growth_of(c.bond); growth != 0.0)
     between = between - (growth / a.length(c.bond)) * Vec2{a.dx(c.bond), a.dy(c.bond)};
+  const SettledContact from = a.smooth.settled_of(c);
   return {dot(between, c.normal) + c.opens_by_first * a.rotation[i] + c.opens_by_second * a.rotation[j] -
-              c.open_before,
+              from.open_before,
           dot(between, turned(c.normal)) + c.slides_by_first * a.rotation[i] +
-              c.slides_by_second * a.rotation[j] - c.slid_before};
+              c.slides_by_second * a.rotation[j] - from.slid_before};
 }
 
 }  // namespace
@@ -143,9 +146,15 @@ void begin_smooth_joints(Assembly& a, const std::vector<JointOptions>& joints,
     if (const auto k = joint_of[static_cast<std::size_t>(e)]; k >= 0)
       crossed[static_cast<std::size_t>(k)].push_back(e);
   }
+  std::size_t contacts = 0;
+  for (std::size_t k = 0; k < joints.size(); ++k)
+    if (is_smooth(JointState{joints[k].state})) contacts += crossed[k].size();
+  smooth.contacts.reserve(contacts);
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const JointOptions& joint = joints[k];
-    smooth.laws.push_back(law_of(joint, smooth, o));
+    const JointLaw law = law_of(joint, smooth, o);
+    if (smooth.laws.empty() || smooth.laws.back() != law) smooth.laws.push_back(law);
+    smooth.law_number.push_back(static_cast<std::int32_t>(smooth.laws.size()) - 1);
     if (!is_smooth(JointState{joint.state})) continue;
     const Vec2 from{joint.x1, joint.y1}, to{joint.x2, joint.y2};
     smooth.lines.push_back({from, to});
@@ -158,17 +167,15 @@ void begin_smooth_joints(Assembly& a, const std::vector<JointOptions>& joints,
       const auto i = a.first[e], j = a.second[e];
       const Vec2 place = from + 0.5 * (piece.begin + piece.end) * along;
       SmoothContact c{};
-      c.bond = e;
-      c.joint = static_cast<std::int64_t>(k);
+      c.bond = static_cast<std::int32_t>(e);
+      c.joint = static_cast<std::int32_t>(k);
       c.normal = dot(turned(along), {a.dx(e), a.dy(e)}) > 0.0 ? turned(along) : -1.0 * turned(along);
-      c.first_arm = place - Vec2{a.x[i], a.y[i]};
-      c.second_arm = place - Vec2{a.x[j], a.y[j]};
-      c.opens_by_first = -dot(c.normal, turned(c.first_arm));
-      c.opens_by_second = dot(c.normal, turned(c.second_arm));
-      c.slides_by_first = -dot(turned(c.normal), turned(c.first_arm));
-      c.slides_by_second = dot(turned(c.normal), turned(c.second_arm));
+      const Vec2 first_arm = place - Vec2{a.x[i], a.y[i]}, second_arm = place - Vec2{a.x[j], a.y[j]};
+      c.opens_by_first = -dot(c.normal, turned(first_arm));
+      c.opens_by_second = dot(c.normal, turned(second_arm));
+      c.slides_by_first = -dot(turned(c.normal), turned(first_arm));
+      c.slides_by_second = dot(turned(c.normal), turned(second_arm));
       c.area = std::max(piece.end - piece.begin, smallest_piece * a.mean_radius_at(place));
-      c.holds = a.intact[e] != 0;
       smooth.contacts.push_back(c);
     }
   }
@@ -176,9 +183,9 @@ void begin_smooth_joints(Assembly& a, const std::vector<JointOptions>& joints,
   smooth.sort_lines(diameter);
   std::sort(smooth.contacts.begin(), smooth.contacts.end(),
             [](const SmoothContact& p, const SmoothContact& q) { return p.bond < q.bond; });
-  smooth.place.assign(static_cast<std::size_t>(a.bond_count()), -1);
-  for (std::size_t k = 0; k < smooth.contacts.size(); ++k)
-    smooth.place[static_cast<std::size_t>(smooth.contacts[k].bond)] = static_cast<std::int32_t>(k);
+  smooth.index = BondIndex(
+      smooth.contacts.size(), [&](std::size_t k) { return smooth.contacts[k].bond; }, a.bond_count());
+  smooth.counted.resize(smooth.contacts.size());
 }
 
 namespace {
@@ -204,22 +211,24 @@ double closure_under(const JointLaw& law, double stress) {
 
 }  // namespace
 
-void settle_smooth(Assembly& a, const Options& o, const std::vector<JointStress>& wanted) {
-  auto& contacts = a.smooth.contacts;
+void settle_smooth(Assembly& a, const std::vector<JointStress>& wanted) {
+  const auto& contacts = a.smooth.contacts;
+  a.smooth.settled.resize(contacts.size());
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    SmoothContact& c = contacts[k];
+    const SmoothContact& c = contacts[k];
+    SettledContact& to = a.smooth.settled[k];
     if (!a.smooth.law_of(c).conducts()) continue;
     const JointLaw law = law_now(a, c);
-    const SmoothResponse before = smooth_response(a, o, c);
-    c.slip = 0.0;  // what it slid while nothing pressed it yet
+    const SmoothResponse before = smooth_response(a, c);
+    a.slip[c.bond] = 0.0;  // what it slid while nothing pressed it yet
     const double pressed = std::max(0.0, wanted[k].normal);
-    c.open_before += before.opening + closure_under(law, pressed);
-    c.slid_before += before.slide - (law.shear_stiffness > 0.0 ? wanted[k].shear / law.shear_stiffness : 0.0);
-    const SmoothResponse after = smooth_response(a, o, c);
-    c.locked_normal += before.normal - after.normal;
-    c.locked_shear += before.shear - after.shear;
+    to.open_before += before.opening + closure_under(law, pressed);
+    to.slid_before +=
+        before.slide - (law.shear_stiffness > 0.0 ? wanted[k].shear / law.shear_stiffness : 0.0);
+    const SmoothResponse after = smooth_response(a, c);
+    to.locked_normal += before.normal - after.normal;
+    to.locked_shear += before.shear - after.shear;
   }
-  a.smooth.write_state(a.intact, a.slip);
 }
 
 double smooth_slide(const Assembly& a, const SmoothContact& contact) {
@@ -231,13 +240,12 @@ double smooth_opening(const Assembly& a, const SmoothContact& contact) {
 }
 
 double joint_opening(const Assembly& a, std::int64_t bond) {
-  if (a.joint_normal.empty() || a.intact[bond] != 0) return 0.0;
+  if (a.intact[bond] != 0 || a.joints.joint_of(bond) < 0) return 0.0;
   if (const SmoothContact* contact = a.smooth.of(bond)) {
     return std::max(0.0, smooth_opening(a, *contact));
   }
   const auto i = a.first[bond], j = a.second[bond];
-  const double opening =
-      dot({a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, a.joint_normal[static_cast<std::size_t>(bond)]);
+  const double opening = dot({a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, a.joint_normal(bond));
   return opening > 0.0 ? opening : 0.0;
 }
 
@@ -270,10 +278,11 @@ double slipped_to(const JointLaw& law, const Motion& m, double slip, double fric
   return s;
 }
 
-SmoothResponse respond_by(const JointLaw& law, const SmoothContact& c, const Motion& m, double friction) {
-  SmoothResponse r{m.opening, m.slide, 0.0, 0.0, c.slip, 0.0, 0.0, 0.0, 0.0};
+SmoothResponse respond_by(const JointLaw& law, const SmoothContact& c, bool holds, double slip,
+                          const Motion& m, double friction) {
+  SmoothResponse r{m.opening, m.slide, 0.0, 0.0, slip, 0.0, 0.0, 0.0, 0.0};
   const double kn = c.area * law.normal_stiffness, ks = c.area * law.shear_stiffness;
-  if (c.holds) {
+  if (holds) {
     const JointValue press = closure_stress(law, -m.opening);
     r.normal = m.opening < 0.0 ? -c.area * press.value : kn * m.opening;
     r.normal_stiffness = m.opening < 0.0 ? c.area * press.slope : kn;
@@ -281,9 +290,9 @@ SmoothResponse respond_by(const JointLaw& law, const SmoothContact& c, const Mot
     r.shear_stiffness = ks;
     return r;
   }
-  JointValue press = closure_stress(law, joint_dilation(law, c.slip).value - m.opening);
-  const double trial = ks * (m.slide - c.slip),
-               limit = joint_friction(law, friction, c.slip).value * c.area * press.value;
+  JointValue press = closure_stress(law, joint_dilation(law, slip).value - m.opening);
+  const double trial = ks * (m.slide - slip),
+               limit = joint_friction(law, friction, slip).value * c.area * press.value;
   r.shear = trial;
   if (press.slope > 0.0) r.shear_stiffness = ks;
   r.normal = -c.area * press.value;
@@ -291,7 +300,7 @@ SmoothResponse respond_by(const JointLaw& law, const SmoothContact& c, const Mot
   r.shear_limit = limit;
   if (std::abs(trial) <= limit) return r;
   const double sign = std::copysign(1.0, trial);
-  r.slipped = slipped_to(law, m, c.slip, friction, sign);
+  r.slipped = slipped_to(law, m, slip, friction, sign);
   const JointValue mu = joint_friction(law, friction, r.slipped), up = joint_dilation(law, r.slipped);
   press = closure_stress(law, up.value - m.opening);
   r.normal = -c.area * press.value;
@@ -313,11 +322,15 @@ SmoothResponse respond_by(const JointLaw& law, const SmoothContact& c, const Mot
 
 }  // namespace
 
-SmoothResponse smooth_response(const Assembly& a, const Options& o, const SmoothContact& c) {
+double joint_friction(const SmoothJoints& smooth, const JointLaw& law) {
   constexpr double sticks = 1e9;  // friction that no contact overcomes
-  const bool held = a.smooth.held && a.smooth.law_of(c).conducts();
-  return respond_by(law_now(a, c), c, motion_of(a, c),
-                    held ? sticks : a.factors.friction_of(c.bond, o.contact_friction));
+  return smooth.held && law.conducts() ? sticks : law.friction;
+}
+
+SmoothResponse smooth_response(const Assembly& a, const SmoothContact& c) {
+  const double heated = a.thermal.pair_friction(a.first[c.bond], a.second[c.bond]);
+  return respond_by(law_now(a, c), c, a.intact[c.bond] != 0, a.slip[c.bond], motion_of(a, c),
+                    joint_friction(a.smooth, a.smooth.law_of(c)) * heated);
 }
 
 namespace {
@@ -327,35 +340,41 @@ double strength_of(double given, double per_radius, double factor) {
 }
 }  // namespace
 
-BondView view_smooth(const Assembly& a, const Options& o, const SmoothContact& c) {
-  const SmoothResponse r = smooth_response(a, o, c);
+BondView view_smooth(const Assembly& a, const SmoothContact& c) {
+  const SmoothResponse r = smooth_response(a, c);
+  const SettledContact locked = a.smooth.settled_of(c);
+  const bool holds = a.intact[c.bond] != 0;
   const JointLaw law = law_now(a, c);
   const double kn = c.area * law.normal_stiffness, ks = c.area * law.shear_stiffness;
   BondView v{};
   v.gap = r.opening;
   v.shear = r.slide;
   v.normal = c.normal;
-  v.first_arm = c.first_arm;
-  v.second_arm = c.second_arm;
-  const double closure = (c.holds ? 0.0 : joint_dilation(law, r.slipped).value) - r.opening;
+  v.first_arm = c.first_arm();
+  v.second_arm = c.second_arm();
+  const double closure = (holds ? 0.0 : joint_dilation(law, r.slipped).value) - r.opening;
   double energy = r.normal > 0.0 ? 0.5 * r.normal * r.normal / kn : c.area * closure_energy(law, closure);
   if (ks > 0.0) energy += 0.5 * r.shear * r.shear / ks;
-  energy += c.locked_normal * r.opening + c.locked_shear * r.slide;
-  if (!c.holds) {
-    v.contact_normal = -(r.normal + c.locked_normal);
-    v.contact_shear = r.shear + c.locked_shear;
+  energy += locked.locked_normal * r.opening + locked.locked_shear * r.slide;
+  if (!holds) {
+    v.contact_normal = -(r.normal + locked.locked_normal);
+    v.contact_shear = r.shear + locked.locked_shear;
     v.contact_energy = energy;
     v.shear_excess = v.tensile_excess = 0.0;
     return v;
   }
-  v.bond_normal = r.normal + c.locked_normal;
-  v.bond_shear = r.shear + c.locked_shear;
+  v.bond_normal = r.normal + locked.locked_normal;
+  v.bond_shear = r.shear + locked.locked_shear;
   v.bond_energy = energy;
-  const double tensile =
-                   strength_of(law.tensile_strength, a.tensile_per_radius, a.factors.tensile_of(c.bond)) *
-                   c.area,
-               shearing = strength_of(law.cohesion, a.shear_per_radius, a.factors.shear_of(c.bond)) * c.area +
-                          a.factors.friction_of(c.bond, o.contact_friction) * std::max(0.0, -r.normal);
+  const bool differ = !a.factors.empty();
+  const double tensile = strength_of(law.tensile_strength, a.tensile_per_radius,
+                                     differ ? a.factors.tensile[c.bond] : law.tensile_factor) *
+                         c.area,
+               shearing = strength_of(law.cohesion, a.shear_per_radius,
+                                      differ ? a.factors.shear[c.bond] : law.shear_factor) *
+                              c.area +
+                          law.friction * a.thermal.pair_friction(a.first[c.bond], a.second[c.bond]) *
+                              std::max(0.0, -r.normal);
   v.tensile_excess = tensile > 0.0 ? r.normal / tensile : (r.normal >= 0.0 ? 1.0 : 0.0);
   v.shear_excess = shearing > 0.0 ? std::abs(r.shear) / shearing : 1.0;
   return v;
@@ -373,99 +392,45 @@ const SmoothContact* farthest_slide(const Assembly& a, double& slide) {
   return farthest;
 }
 
-std::vector<PushedDisc> discs_of_smooth(const Assembly& a) {
-  std::vector<std::int32_t> discs;
-  for (const auto& contact : a.smooth.contacts)
-    discs.insert(discs.end(), {a.first[contact.bond], a.second[contact.bond]});
-  std::sort(discs.begin(), discs.end());
-  discs.erase(std::unique(discs.begin(), discs.end()), discs.end());
-  std::vector<PushedDisc> pushed;
-  pushed.reserve(discs.size());
-  for (const auto i : discs) pushed.push_back({i, false, {}});
-  return pushed;
-}
-
-void put_loads(std::vector<PushedDisc>& discs, const Boundary& boundary) {
-  for (auto& disc : discs) {
-    disc.walled = boundary.touches_wall(disc.disc);
-    disc.load = boundary.load_on(disc.disc);
-  }
-}
-
-void release_smooth(Assembly& a, const std::vector<PushedDisc>& discs) {
-  for (const auto& [i, walled, load] : discs) {
-    a.external_moment[i] = 0.0;
-    if (walled) continue;  // written anew in every cycle
-    a.external_x[i] = load.x;
-    a.external_y[i] = load.y;
-  }
-}
-
-namespace {
-// What slipping to `r` turns into heat [J/m]: the work of friction less what lifts the faces.
-double slip_work(const Assembly& a, const SmoothContact& c, const SmoothResponse& r) {
+SmoothForces answer_of(const Assembly& a, const SmoothContact& c, double& slip, double& friction) {
+  const SmoothResponse r = smooth_response(a, c);
   const JointLaw& law = a.smooth.law_of(c);
-  const double lifted = joint_dilation(law, r.slipped).value - joint_dilation(law, c.slip).value;
-  return std::abs(r.shear * (r.slipped - c.slip)) + r.normal * lifted;
-}
-}  // namespace
-
-namespace {
-
-struct SmoothForce {
-  double normal, shear;  // N; tension positive
-};
-
-// The forces of a contact that does not slide, most of them, without all else that smooth_response finds; false: it slides, or holds.
-bool stands_still(const JointLaw& law, const SmoothContact& c, const Motion& m, double friction,
-                  SmoothForce& force) {
-  if (c.holds) return false;
-  const double press = closure_stress(law, joint_dilation(law, c.slip).value - m.opening).value;
-  force = {-c.area * press, c.area * law.shear_stiffness * (m.slide - c.slip)};
-  return std::abs(force.shear) <= joint_friction(law, friction, c.slip).value * c.area * press;
-}
-
-void add_forces(Assembly& a, const SmoothContact& c, const SmoothForce& r) {
-  const auto i = a.first[c.bond], j = a.second[c.bond];
-  const double normal = r.normal + c.locked_normal, shear = r.shear + c.locked_shear;
+  // What slipping turns into heat: the work of friction less what lifts the faces.
+  const double lifted = joint_dilation(law, r.slipped).value - joint_dilation(law, slip).value;
+  friction += std::abs(r.shear * (r.slipped - slip)) + r.normal * lifted;
+  slip = r.slipped;
+  const SettledContact locked = a.smooth.settled_of(c);
+  const double normal = r.normal + locked.locked_normal, shear = r.shear + locked.locked_shear;
   const Vec2 force = normal * c.normal + shear * turned(c.normal);
-  a.external_x[i] += force.x;
-  a.external_y[i] += force.y;
-  a.external_x[j] -= force.x;
-  a.external_y[j] -= force.y;
+  const auto i = a.first[c.bond], j = a.second[c.bond];
   // Once the faces have moved apart the two forces lie on two lines: what that turns is shared, so that a pair turns nothing.
   const double couple = 0.5 * cross(Vec2{a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, force);
-  a.external_moment[i] += couple - (c.opens_by_first * normal + c.slides_by_first * shear);
-  a.external_moment[j] += couple - (c.opens_by_second * normal + c.slides_by_second * shear);
+  return {force.x, force.y, couple - (c.opens_by_first * normal + c.slides_by_first * shear),
+          couple - (c.opens_by_second * normal + c.slides_by_second * shear)};
 }
 
-}  // namespace
-
-void add_smooth_force(Assembly& a, const Options& o, SmoothContact& c, double& friction) {
-  SmoothForce force{};
-  if (a.thermal.empty() && stands_still(a.smooth.law_of(c), c, motion_of(a, c),
-                                        a.factors.friction_of(c.bond, o.contact_friction), force)) {
-    add_forces(a, c, force);
-    return;
-  }
-  const SmoothResponse r = smooth_response(a, o, c);
-  friction += slip_work(a, c, r);
-  c.slip = r.slipped;
-  add_forces(a, c, {r.normal, r.shear});
+bool kernels_know(const Assembly& a) {
+  return a.thermal.empty() && a.strength_scale.empty() &&
+         std::none_of(a.smooth.laws.begin(), a.smooth.laws.end(),
+                      [](const JointLaw& law) { return law.follows_slip(); });
 }
 
-void keep_smooth_slips(Assembly& a, const Options& o, double& friction) {
-  for (auto& contact : a.smooth.contacts) {
-    const SmoothResponse r = smooth_response(a, o, contact);
-    friction += slip_work(a, contact, r);
-    contact.slip = r.slipped;
+Array<SmoothLaw> laws_for_kernels(const Assembly& a) {
+  Array<SmoothLaw> rows;
+  for (const auto& law : a.smooth.laws) {
+    const bool bends = law.max_closure > 0.0;
+    rows.push_back({law.normal_stiffness, law.shear_stiffness, bends ? 1.0 / law.max_closure : 0.0,
+                    bends ? last_closure(law) : std::numeric_limits<double>::max(),
+                    joint_friction(a.smooth, law),
+                    strength_of(law.tensile_strength, a.tensile_per_radius, law.tensile_factor),
+                    strength_of(law.cohesion, a.shear_per_radius, law.shear_factor), law.friction});
   }
-  a.smooth.write_state(a.intact, a.slip);
+  return rows;
 }
 
 // As stable_step.cpp does it for the other bonds: row sums of |K|, that of the rotation times the radius.
-void add_smooth_stiffness(const Assembly& a, std::vector<double>& row_x, std::vector<double>& row_y,
-                          std::vector<double>& row_rotation) {
+void add_smooth_stiffness(const Assembly& a, std::span<double> row_x, std::span<double> row_y,
+                          std::span<double> row_rotation) {
   for (const auto& c : a.smooth.contacts) {
     const auto i = a.first[c.bond], j = a.second[c.bond];
     const JointLaw law = law_now(a, c);

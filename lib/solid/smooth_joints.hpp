@@ -17,20 +17,19 @@
 // Both discs see the joint as it was at bonding: planes do not turn with the rock, and the pairs across it stay the ones of the
 // set-up. Slides up to a mean radius are within that (farthest_slide, Simulation refuses more).
 //
-// In the step loop the bonds of smooth joints have no stiffness of their own (bond_factors.cpp); their forces come from a pass over
-// this short list by one worker, like those of non-bonded contacts.
+// In the step loop a contact answers in place of its bond, with the bonds of its tile (kernels.hpp).
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "model/assembly.hpp"
 #include "options/options.hpp"
 #include "solid/bond_law.hpp"
+#include "solid/kernels.hpp"
 
 namespace hfrac {
-
-class Boundary;
 
 // What a contact answers to the displacements as they stand.
 struct SmoothResponse {
@@ -55,32 +54,27 @@ struct JointStress {
 // Rock at rest: what a packing's contacts bear scatters along a joint by factors, and what stress there is in the rock does not. So joints
 // that conduct count their openings and slides from now on from where the stress `wanted`, one per contact (frac/joint_stress.hpp), would
 // have left them; what each contact bears beyond that stays as a force on its discs (as facets do it, frac/facets.hpp).
-void settle_smooth(Assembly& assembly, const Options& options, const std::vector<JointStress>& wanted);
+void settle_smooth(Assembly& assembly, const std::vector<JointStress>& wanted);
 
 double smooth_opening(const Assembly& assembly, const SmoothContact& contact);  // m, U_n
 double smooth_slide(const Assembly& assembly, const SmoothContact& contact);    // m, U_s
 // Opening of the broken joint a bond belongs to, across the joint [m]; 0 if closed or of no joint.
 double joint_opening(const Assembly& assembly, std::int64_t bond);
-SmoothResponse smooth_response(const Assembly& assembly, const Options& options,
-                               const SmoothContact& contact);
-BondView view_smooth(const Assembly& assembly, const Options& options, const SmoothContact& contact);
+SmoothResponse smooth_response(const Assembly& assembly, const SmoothContact& contact);
+BondView view_smooth(const Assembly& assembly, const SmoothContact& contact);
 // Farthest slide of a contact [m], and which (nullptr: there are none).
 const SmoothContact* farthest_slide(const Assembly& assembly, double& slide);
 
-// For the explicit solver: external forces of the discs back to the boundary's, the contacts' forces on top of them (and what
-// they slid kept), and their part of the row sums that set the stable step.
-struct PushedDisc {
-  std::int32_t disc;
-  bool walled;
-  Vec2 load;  // N, the boundary's; constant while a batch of cycles lasts
-};
-std::vector<PushedDisc> discs_of_smooth(const Assembly& assembly);
-void put_loads(std::vector<PushedDisc>& discs, const Boundary& boundary);
-void release_smooth(Assembly& assembly, const std::vector<PushedDisc>& discs);
-void add_smooth_force(Assembly& assembly, const Options& options, SmoothContact& contact, double& friction);
-void add_smooth_stiffness(const Assembly& assembly, std::vector<double>& row_x, std::vector<double>& row_y,
-                          std::vector<double>& row_rotation);
-// What they slid to the displacements as they stand. Adds friction work to `friction`.
-void keep_smooth_slips(Assembly& assembly, const Options& options, double& friction);
+// For the explicit solver.
+// Whether the kernels know the laws of all contacts, and those laws, by SmoothJoints::law_number. They do not where temperature or size
+// changes them, or friction and dilation follow the slip.
+bool kernels_know(const Assembly& assembly);
+Array<SmoothLaw> laws_for_kernels(const Assembly& assembly);
+// Otherwise: a contact's forces, and what it slid to the displacements as they stand. Adds friction work to `friction`.
+SmoothForces answer_of(const Assembly& assembly, const SmoothContact& contact, double& slip,
+                       double& friction);
+// Their part of the row sums that set the stable step.
+void add_smooth_stiffness(const Assembly& assembly, std::span<double> row_x, std::span<double> row_y,
+                          std::span<double> row_rotation);
 
 }  // namespace hfrac

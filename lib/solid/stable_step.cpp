@@ -12,14 +12,10 @@
 namespace hfrac {
 
 void stiffness_rows(const Assembly& a, const Network& n, const Options& o, const Array<double>* rock_weight,
-                    std::vector<double>& row_x, std::vector<double>& row_y,
-                    std::vector<double>& row_rotation) {
+                    std::span<double> row_x, std::span<double> row_y, std::span<double> row_rotation) {
   const bool facets = rock_weight != nullptr;
   const Array<double>& corner_weight = facets ? *rock_weight : n.corner_weight;
-  const auto discs = static_cast<std::size_t>(a.disc_count());
-  row_x.assign(discs, 0.0);
-  row_y.assign(discs, 0.0);
-  row_rotation.assign(discs, 0.0);
+  for (const auto rows : {row_x, row_y, row_rotation}) std::fill(rows.begin(), rows.end(), 0.0);
   const bool parallel = ContactMode{o.contact_mode} == ContactMode::parallel;
   // The stiffer of intact and broken: breakage then never asks for a shorter step.
   const double stiffest_n = parallel ? o.bond_normal_stiffness + o.contact_normal_stiffness
@@ -30,8 +26,8 @@ void stiffness_rows(const Assembly& a, const Network& n, const Options& o, const
   const double stiffest_bending =
       ContactShape{o.contact_shape} == ContactShape::flat ? stiffest_n : o.bond_normal_stiffness;
   for (std::size_t e = 0; e < a.first.size(); ++e) {
-    const bool smooth = facets && a.smooth.of(static_cast<std::int64_t>(e)) != nullptr;
-    const double share = facets ? (smooth ? 0.0 : 1.0) : a.factors.stiffness_of(static_cast<std::int64_t>(e)),
+    if (a.smooth.of(static_cast<std::int64_t>(e)) != nullptr) continue;  // its contact answers in place of it
+    const double share = facets ? 1.0 : a.factors.stiffness_of(static_cast<std::int64_t>(e)),
                  kn = stiffest_n * share, ks = stiffest_s * share;
     double nx = a.dx(e) / a.length(e), ny = a.dy(e) / a.length(e);
     double xx = kn * nx * nx + ks * ny * ny, yy = kn * ny * ny + ks * nx * nx,

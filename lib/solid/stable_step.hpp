@@ -2,6 +2,7 @@
 // Row sums of the stiffness matrix, from which the stable step follows (Gershgorin's bound on its eigenvalues).
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "model/assembly.hpp"
@@ -13,7 +14,7 @@ namespace hfrac {
 // scaled by the radius]: bonds, contacts, and pores that answer undrained (K_f w w^T / V). With `rock_weight`, the pores' weights in rock without
 // fractures, each bond counts as a facet that may look any way (solid/facet_motion.hpp).
 void stiffness_rows(const Assembly& assembly, const Network& network, const Options& options,
-                    const Array<double>* rock_weight, std::vector<double>& row_x, std::vector<double>& row_y,
-                    std::vector<double>& row_rotation);
+                    const Array<double>* rock_weight, std::span<double> row_x, std::span<double> row_y,
+                    std::span<double> row_rotation);
 
 }  // namespace hfrac

@@ -4,7 +4,7 @@
 //
 // The bytes are those of the machine (little-endian here; the image's header says so), doubles bit for bit.
 // What is kept to undo a step is read by the process that wrote it and by nobody else; it is compact: of arrays that are often zero
-// only the rest is kept, where that is shorter.
+// only the rest is kept, where that is shorter, and of a log its length, since going back cuts off what came later.
 #pragma once
 
 #include <bit>
@@ -71,6 +71,10 @@ class Counter {
   void list(const Values& values, Item&& item) {
     size_ += sizeof(std::int64_t);
     for (const auto& element : values) item(*this, element);
+  }
+  template <class Values, class Item>
+  void log(const Values& values, Item&& item) {
+    list(std::span(values).first(compact_ ? 0 : values.size()), item);
   }
   void require(bool /*sound*/) const {}
   [[nodiscard]] std::size_t size() const { return size_; }
@@ -139,6 +143,14 @@ class Saver {
   void list(const Values& values, Item&& item) {
     value(static_cast<std::int64_t>(values.size()));
     for (const auto& element : values) item(*this, element);
+  }
+  // A list that only grows.
+  template <class Values, class Item>
+  void log(const Values& values, Item&& item) {
+    if (compact_)
+      value(static_cast<std::int64_t>(values.size()));
+    else
+      list(values, item);
   }
   void require(bool /*sound*/) const {}
   static constexpr bool loading = false;
@@ -227,6 +239,17 @@ class Loader {
     values.resize(static_cast<std::size_t>(count));
     for (auto& element : values) item(*this, element);
   }
+  template <class Values, class Item>
+  void log(Values& values, Item&& item) {
+    if (!compact_) {
+      list(values, item);
+      return;
+    }
+    std::int64_t count = 0;
+    value(count);
+    if (count < 0 || static_cast<std::uint64_t>(count) > values.size()) refuse();
+    values.resize(static_cast<std::size_t>(count));
+  }
   [[nodiscard]] std::size_t left() const { return from_.size(); }
   static constexpr bool loading = true;
 
@@ -260,6 +283,10 @@ class ReadOnly {
   template <class Values>
   void mostly_zero(const Values& values) {
     look().array(values);
+  }
+  template <class Values, class Item>
+  void log(const Values& values, Item&& item) {
+    look().list(values, item);
   }
   void require(bool /*sound*/) const {}
   static constexpr bool loading = false;

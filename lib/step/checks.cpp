@@ -62,7 +62,7 @@ void require_joints_in_reach(const Engine& e) {
   double slide = 0.0;
   const SmoothContact* contact = farthest_slide(a, slide);
   if (contact == nullptr || slide <= a.mean_radius) return;
-  const Vec2 at = a.position(a.first[contact->bond]) + contact->first_arm;
+  const Vec2 at = a.position(a.first[contact->bond]) + contact->first_arm();
   throw Error(
       ErrorKind::diverged,
       "joint[" + std::to_string(contact->joint) + "] slid by " + rounded_text(slide) + " m near (" +

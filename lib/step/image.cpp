@@ -70,7 +70,15 @@ std::uint64_t fingerprint_of(const Engine& e, const SetupReport& report) {
   hash.add(a.tensile_per_radius);
   hash.add(a.shear_per_radius);
   hash.add_all(a.strength_scale);
-  for (const auto* values : {&a.joint_tensile, &a.joint_shear, &a.joint_friction}) hash.add_all(*values);
+  const auto add_of_joints = [&](double JointLaw::*value, double elsewhere) {
+    for (std::int64_t bond = 0; !a.joints.normal.empty() && bond < a.bond_count(); ++bond) {
+      const JointLaw* law = a.joint_law_of(bond);
+      hash.add(law != nullptr ? law->*value : elsewhere);
+    }
+  };
+  add_of_joints(&JointLaw::tensile_factor, 1.0);
+  add_of_joints(&JointLaw::shear_factor, 1.0);
+  add_of_joints(&JointLaw::friction, e.options.contact_friction);
   for (const auto& contact : a.smooth.contacts) {
     const JointLaw& law = a.smooth.law_of(contact);
     for (const double value : {static_cast<double>(contact.bond), contact.normal.x, contact.normal.y,

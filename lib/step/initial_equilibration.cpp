@@ -218,7 +218,7 @@ void equilibrate(Engine& e, const Progress& progress, SetupReport& report) {
   m.assembly.smooth.held = natural;
   for (int stage = 1; stage <= stages; ++stage) load(static_cast<double>(stage) / stages);
   if (natural) {
-    settle_smooth(m.assembly, o, stress_on_joints(m, o, e.boundary->walled()));
+    settle_smooth(m.assembly, stress_on_joints(m, o, e.boundary->walled()));
     m.assembly.smooth.held = false;
     load(1.0);
   }
@@ -287,7 +287,9 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
   log_slips(m, 0, m.clock.time, 0.0);
   begin_ledger(e);
   if (SteppingMode{o.stepping_mode} == SteppingMode::dynamic) e.mechanics->use_real_masses();
-  for (auto& contact : m.assembly.smooth.contacts) contact.slip_before = contact.slip;
+  auto& smooth = m.assembly.smooth;
+  for (std::size_t k = 0; k < smooth.contacts.size(); ++k)
+    smooth.counted[k].before = m.assembly.slip[smooth.contacts[k].bond];
   return oda_matrix;
 }
 

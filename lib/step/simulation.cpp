@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "core/error.hpp"
@@ -123,7 +124,16 @@ void Simulation::set_stop(double extent_fraction, std::int64_t cracks) {
 void Simulation::begin_step() {
   save_state(*engine_, opened_);
   opened_loads_ = loads_;
+  opened_logs_.reset();
   step_open_ = true;
+}
+
+// Back to where the step was opened.
+void Simulation::reopen() {
+  require_open_step();
+  if (opened_logs_) std::tie(model_.cracks, model_.slips) = *opened_logs_;
+  load_state(*engine_, opened_);
+  loads_ = opened_loads_;
 }
 
 void Simulation::require_open_step() const {
@@ -131,10 +141,8 @@ void Simulation::require_open_step() const {
 }
 
 StepOutcome Simulation::try_step(double duration, const Interrupt& interrupt) {
-  require_open_step();
   const Loads wanted = loads_;
-  load_state(*engine_, opened_);
-  loads_ = opened_loads_;
+  reopen();
   return step(wanted, duration, interrupt);
 }
 
@@ -144,9 +152,7 @@ void Simulation::accept_step() {
 }
 
 void Simulation::reject_step() {
-  require_open_step();
-  load_state(*engine_, opened_);
-  loads_ = opened_loads_;
+  reopen();
   step_open_ = false;
 }
 
@@ -159,6 +165,8 @@ void Simulation::write_image(std::span<std::byte> image) const {
 }
 
 void Simulation::restore(std::span<const std::byte> image) {
+  // What is kept of an open step has no more than the lengths of the logs.
+  if (step_open_ && !opened_logs_) opened_logs_.emplace(model_.cracks, model_.slips);
   restore_image(*engine_, fingerprint_, image);
   loads_ = loads_of(model_);
 }

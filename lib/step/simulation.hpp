@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "build/build_model.hpp"
@@ -86,6 +87,7 @@ class Simulation {
 
  private:
   void require_open_step() const;
+  void reopen();
 
   CaseDefinition definition_;
   Options given_;
@@ -98,6 +100,7 @@ class Simulation {
   std::uint64_t fingerprint_ = 0;
   std::vector<std::byte> before_step_, opened_;  // states to go back to
   Loads opened_loads_;
+  std::optional<std::pair<CrackLog, SlipLog>> opened_logs_;  // before another state came
   bool step_open_ = false;
   double stop_extent_fraction_ = 0.0;
   std::int64_t stop_cracks_ = 0;

@@ -24,9 +24,10 @@ void write_state(const Engine& e, std::span<std::byte> state, bool whole) {
 void save_state(const Engine& e, std::vector<std::byte>& state, bool whole) {
   const std::size_t size = state_size(e, whole);
   if (state.capacity() < size) {
-    // Not both at once; and room for the cracks to come.
-    state = {};
+    // Not both at once, nor a hole where the smaller one was; and room for the contacts to come.
+    std::vector<std::byte>().swap(state);
     state.reserve(size + size / 64);
+    return_unused_pages();
   }
   state.resize(size);
   write_state(e, state, whole);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What natural fractures cost: set-up, steps and memory of a model with smooth joints in it, or without.
 //
-//     bench_joints DISCS JOINTS dry|wet|coupled [STEPS] [WORKERS]
+//     bench_joints DISCS JOINTS dry|wet|coupled [STEPS] [WORKERS] [STIFFNESS]
 //
+// STIFFNESS: normal, of the joints [Pa/m]; in shear 0.4 of it.
 // Joints of six mean disc diameters, anywhere and in any direction, in a square of 100 m under 4 and 3 MPa; a well in the middle.
 //   dry      explicit motion in real time, 1 ms a step, no fluid
 //   wet      the same with fluid, and joints that conduct
@@ -18,6 +19,7 @@
 #include <fstream>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/random.hpp"
@@ -52,7 +54,8 @@ double inner(Random& random) {
   return side * (margin + (1.0 - 2.0 * margin) * random.uniform());
 }
 
-CaseDefinition definition_of(std::int64_t discs, std::int64_t joints, const std::string& kind) {
+CaseDefinition definition_of(std::int64_t discs, std::int64_t joints, const std::string& kind,
+                             double stiffness) {
   CaseDefinition definition;
   Options& o = definition.options;
   const bool coupled = kind == "coupled", wet = kind != "dry";
@@ -81,8 +84,8 @@ CaseDefinition definition_of(std::int64_t discs, std::int64_t joints, const std:
     joint.y2 = y + 0.5 * length * std::sin(angle);
     joint.state = static_cast<std::int64_t>(JointState::smooth_broken);
     joint.friction = 0.65;
-    joint.normal_stiffness = 5e10;
-    joint.shear_stiffness = 2e10;
+    joint.normal_stiffness = stiffness;
+    joint.shear_stiffness = 0.4 * stiffness;
     joint.max_closure = wet ? 1.5e-4 : 0.0;
     joint.aperture = wet ? 1.6e-4 : 0.0;
     definition.joints.push_back(joint);
@@ -96,16 +99,18 @@ int main(int argc, char** argv) {
   const std::int64_t discs = argc > 1 ? std::atoll(argv[1]) : 0, joints = argc > 2 ? std::atoll(argv[2]) : -1;
   const std::string kind = argc > 3 ? argv[3] : "";
   const int steps = argc > 4 ? std::atoi(argv[4]) : 3, workers = argc > 5 ? std::atoi(argv[5]) : 1;
+  const double stiffness = argc > 6 ? std::atof(argv[6]) : 5e10;
   if (discs < 1000 || discs > 5'000'000 || joints < 0 ||
-      (kind != "dry" && kind != "wet" && kind != "coupled") || steps < 1 || workers < 1) {
-    std::fprintf(stderr, "usage: bench_joints DISCS JOINTS dry|wet|coupled [STEPS] [WORKERS]\n");
+      (kind != "dry" && kind != "wet" && kind != "coupled") || steps < 1 || workers < 1 ||
+      !(stiffness > 0.0)) {
+    std::fprintf(stderr, "usage: bench_joints DISCS JOINTS dry|wet|coupled [STEPS] [WORKERS] [STIFFNESS]\n");
     return 2;
   }
   try {
     const double empty = peak_bytes(), start = processor_seconds();
-    CaseDefinition definition = definition_of(discs, joints, kind);
+    CaseDefinition definition = definition_of(discs, joints, kind, stiffness);
     definition.options.run_workers = workers;
-    Simulation s(definition, {}, {});
+    Simulation s(std::move(definition), {}, {});
     const double built = processor_seconds() - start, at = processor_seconds();
     const std::int64_t cycles = s.model().clock.cycles;
     for (int k = 0; k < steps; ++k) s.step();

@@ -119,14 +119,14 @@ TEST(JointLaw, TangentOfAContactIsTheChangeOfItsForce) {
 // Held against the normal, a joint that slips is pressed together by what it would dilate; what it bears in shear is mu times that.
 TEST(JointLaw, DilationPressesAJointThatIsHeld) {
   Contact c;
-  SmoothContact contact = c.a.smooth.contacts[3];
+  const SmoothContact& contact = c.a.smooth.contacts[3];
   const auto j = c.a.second[contact.bond];
   const Vec2 n = contact.normal, move = -3e-5 * n + 4e-4 * Vec2{-n.y, n.x};
-  const double before = -smooth_response(c.a, c.o, contact).normal;
+  const double before = -smooth_response(c.a, contact).normal;
   EXPECT_EQ(before, 0.0);
   c.a.ux[j] = move.x;
   c.a.uy[j] = move.y;
-  const SmoothResponse r = smooth_response(c.a, c.o, contact);
+  const SmoothResponse r = smooth_response(c.a, contact);
   const JointLaw& law = c.a.smooth.law_of(contact);
   const double lifted = std::tan(0.1) * r.slipped;
   EXPECT_GT(r.slipped, 2e-4);

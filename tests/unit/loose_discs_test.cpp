@@ -110,10 +110,10 @@ TEST_F(LooseDiscs, ThatAreFoundOverlappingCarryNoForceYet) {
   });
   ASSERT_NE(pair, list.pairs.end());
   double friction = 0.0;
-  contacts.cycle(a_, *sim_.engine().boundary, 0.0, friction);
+  contacts.cycle(a_, 0.0, friction);
   EXPECT_NEAR(pair->normal_force, 0.0, 1e-9 * sim_.options().contact_normal_stiffness * overlap);
   push(closer);
-  contacts.cycle(a_, *sim_.engine().boundary, 0.0, friction);
+  contacts.cycle(a_, 0.0, friction);
   EXPECT_NEAR(pair->normal_force, sim_.options().contact_normal_stiffness * closer,
               1e-3 * sim_.options().contact_normal_stiffness * closer);
 }

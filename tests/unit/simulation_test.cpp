@@ -42,6 +42,24 @@ TEST(Simulation, AnInterruptedStepLeavesNoTrace) {
   EXPECT_EQ(s.balance().energy_error, twin.balance().energy_error);
 }
 
+// What an open step goes back to has the lengths of the logs only; a state that is restored in between has other logs.
+TEST(Simulation, ARejectedStepBringsTheLogsBackWhateverWasRestored) {
+  Simulation s(cracking_case(), {}, {});
+  std::vector<std::byte> fresh(s.image_size());
+  s.write_image(fresh);
+  for (int k = 0; k < 4; ++k) s.step();
+  const auto cracks = s.cracks().size();
+  ASSERT_GT(cracks, 0U);
+  const std::uint64_t before = s.state_hash();
+  s.begin_step();
+  s.try_step(s.next_step());
+  s.restore(fresh);
+  EXPECT_EQ(s.cracks().size(), 0U);
+  s.reject_step();
+  EXPECT_EQ(s.cracks().size(), cracks);
+  EXPECT_EQ(s.state_hash(), before);
+}
+
 TEST(Simulation, AnInterruptedStepLeavesServoWallsAndTheirWork) {
   CaseDefinition definition = cracking_case();
   definition.options.boundary_walls_after_equilibration = choice(WallsAfterEquilibration::servo);

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "core/error.hpp"
+#include "core/random.hpp"
 #include "equilibrium/bond_response.hpp"
 #include "small_case.hpp"
 #include "solid/joints.hpp"
@@ -64,9 +66,9 @@ TEST(SmoothJoint, PiecesAddUpToItsLengthWhateverTheAngle) {
       sum += contact.area;
       EXPECT_NEAR(std::abs(dot(contact.normal, normal)), 1.0, 1e-12);
       EXPECT_GT(dot(contact.normal, Vec2{cut.a.dx(contact.bond), cut.a.dy(contact.bond)}), 0.0);
-      EXPECT_NEAR(
-          dot(contact.first_arm - contact.second_arm, Vec2{cut.a.dx(contact.bond), cut.a.dy(contact.bond)}),
-          cut.a.length(contact.bond) * cut.a.length(contact.bond), 1e-9);
+      EXPECT_NEAR(dot(contact.first_arm() - contact.second_arm(),
+                      Vec2{cut.a.dx(contact.bond), cut.a.dy(contact.bond)}),
+                  cut.a.length(contact.bond) * cut.a.length(contact.bond), 1e-9);
     }
     const double inside = 20.0 / std::max(std::abs(cut.along().x), std::abs(cut.along().y));
     EXPECT_NEAR(sum, inside, 3.0 * cut.a.mean_radius) << degrees;
@@ -85,7 +87,7 @@ TEST(SmoothJoint, SlidesWithoutDilationAtItsCoefficientOfFriction) {
     double friction = 0.0, area = 0.0, dissipated = 0.0;
     Vec2 force{};
     for (const auto& contact : cut.a.smooth.contacts) {
-      const SmoothResponse r = smooth_response(cut.a, cut.o, contact);
+      const SmoothResponse r = smooth_response(cut.a, contact);
       const Vec2 tangent{-contact.normal.y, contact.normal.x};
       const double side = dot(contact.normal, normal);  // on the half that moved
       force = force - side * (r.normal * contact.normal + r.shear * tangent);
@@ -94,7 +96,8 @@ TEST(SmoothJoint, SlidesWithoutDilationAtItsCoefficientOfFriction) {
     const double squeeze = cut.a.smooth.normal_stiffness * press * area;
     EXPECT_NEAR(dot(force, normal), squeeze, 1e-9 * squeeze) << degrees;
     EXPECT_NEAR(dot(force, along), -0.5 * squeeze, 1e-9 * squeeze) << degrees;
-    keep_smooth_slips(cut.a, cut.o, friction);
+    for (const auto& contact : cut.a.smooth.contacts)
+      answer_of(cut.a, contact, cut.a.slip[contact.bond], friction);
     const double elastic = 0.5 * squeeze / (cut.a.smooth.shear_stiffness * area);
     dissipated = 0.5 * squeeze * (slide - elastic);
     EXPECT_NEAR(friction, dissipated, 1e-9 * dissipated);
@@ -196,6 +199,54 @@ TEST(SmoothJoint, BothSolversFindTheSameRestAndTheBalanceCloses) {
   EXPECT_NEAR(slid[0], slid[1], 0.06 * slid[1]);  // friction remembers the way, and motion overshoots
 }
 
+// Contacts as the kernels answer them against the law in scalars, with a largest closure and without: open, sticking, sliding, holding.
+TEST(SmoothJoint, KernelsAnswerAsTheLawDoesOnEveryInstructionSet) {
+  for (const JointState state : {JointState::smooth_broken, JointState::smooth_bonded}) {
+    int open = 0, slides = 0, sticks = 0;
+    for (const double most : {0.0, 2e-3}) {
+      CaseDefinition definition = cut_case(state, SolverKind::explicit_solver, 30.0, 0.8);
+      definition.options.packing_disc_count = 1500;  // several tiles
+      definition.joints[0].max_closure = most;
+      definition.joints[0].normal_stiffness = definition.joints[0].shear_stiffness = 1e10;
+      Simulation s(definition, {}, {});
+      Assembly& a = s.engine().model.assembly;
+      Random random(7);
+      for (const auto& c : a.smooth.contacts) {
+        for (const auto d : {a.first[c.bond], a.second[c.bond]}) {
+          a.ux[d] += 4e-3 * (random.uniform() - 0.5);
+          a.uy[d] += 4e-3 * (random.uniform() - 0.5);
+          a.rotation[d] += 1e-4 * (random.uniform() - 0.5);
+        }
+      }
+      const KernelArrays& arrays = s.engine().mechanics->arrays();
+      std::vector<BondForce> first(static_cast<std::size_t>(a.bond_count())), forces(first.size());
+      kernels_for("baseline")->bond_forces(arrays, first.data());
+      for (const char* isa : {"avx2", "avx512"}) {
+        if (kernels_for(isa) == nullptr) continue;
+        kernels_for(isa)->bond_forces(arrays, forces.data());
+        EXPECT_EQ(std::memcmp(first.data(), forces.data(), sizeof(BondForce) * first.size()), 0) << isa;
+      }
+      for (const auto& c : a.smooth.contacts) {
+        double slip = a.slip[c.bond], friction = 0.0;
+        const SmoothForces by_law = answer_of(a, c, slip, friction);
+        const SmoothForces& found = first[static_cast<std::size_t>(c.bond)];
+        const double size = 1e-9 * (1e4 + std::abs(by_law.fx) + std::abs(by_law.fy));
+        EXPECT_NEAR(found.fx, by_law.fx, size);
+        EXPECT_NEAR(found.fy, by_law.fy, size);
+        EXPECT_NEAR(found.moment_i, by_law.moment_i, size * a.mean_radius);
+        EXPECT_NEAR(found.moment_j, by_law.moment_j, size * a.mean_radius);
+        const double opening = smooth_opening(a, c);
+        ++(opening >= 0.0 ? open : (slip != a.slip[c.bond] ? slides : sticks));
+      }
+      EXPECT_GT(arrays.tile_count, 2);
+    }
+    EXPECT_GT(open, 3);
+    EXPECT_GT(sticks, 3);
+    EXPECT_EQ(slides > 3, state == JointState::smooth_broken)
+        << open << " open, " << slides << " slide, " << sticks << " stick";
+  }
+}
+
 TEST(SmoothJoint, IsSmoothWhereTheOldOneIsRough) {
   double slid[2];
   for (const JointState state : {JointState::broken, JointState::smooth_broken}) {
@@ -203,8 +254,8 @@ TEST(SmoothJoint, IsSmoothWhereTheOldOneIsRough) {
     const auto& a = s.assembly();
     double sum = 0.0, count = 0.0;
     for (std::int64_t e = 0; e < a.bond_count(); ++e) {
-      const Vec2 n = a.joint_normal[static_cast<std::size_t>(e)];
-      if (n.x == 0.0 && n.y == 0.0) continue;
+      if (a.joints.joint_of(e) < 0) continue;
+      const Vec2 n = a.joint_normal(e);
       const auto i = a.first[e], j = a.second[e];
       sum += std::abs(cross(n, {a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}));
       count += 1.0;

@@ -86,12 +86,13 @@ void print_scatter(const Simulation& sim, double window) {
   std::map<std::int64_t, Piece> pieces;
   for (const auto& c : a.smooth.contacts) {
     const auto i = a.first[c.bond];
-    const double x = std::sqrt(0.5) * (a.x[i] + c.first_arm.x + a.y[i] + c.first_arm.y);
-    const SmoothResponse r = smooth_response(a, sim.options(), c);
+    const double x = std::sqrt(0.5) * (a.x[i] + c.first_arm().x + a.y[i] + c.first_arm().y);
+    const SmoothResponse r = smooth_response(a, c);
     Piece& piece = pieces[static_cast<std::int64_t>(x / (window * a.mean_radius))];
     piece.area += c.area;
-    piece.normal += r.normal + c.locked_normal;
-    piece.shear += r.shear + c.locked_shear;
+    const SettledContact locked = a.smooth.settled_of(c);
+    piece.normal += r.normal + locked.locked_normal;
+    piece.shear += r.shear + locked.locked_shear;
   }
   const auto deviation = [&](auto part) {
     double mean = 0.0, squares = 0.0, count = 0.0;

@@ -118,7 +118,8 @@ Flows measured(Case c, std::int64_t discs, std::int64_t seed) {
     Vec2 place{};
     for (const auto& k : a.smooth.contacts) {
       if (k.joint != static_cast<std::int64_t>(where.first)) continue;
-      const Vec2 at = Vec2{a.x[a.first[k.bond]], a.y[a.first[k.bond]]} + k.first_arm, off = at - where.second;
+      const Vec2 at = Vec2{a.x[a.first[k.bond]], a.y[a.first[k.bond]]} + k.first_arm(),
+                 off = at - where.second;
       if (dot(off, off) >= least) continue;
       least = dot(off, off);
       const bool left = dot(n.centroid[n.left[k.bond]] - n.centroid[n.right[k.bond]], along) < 0.0;

@@ -55,8 +55,8 @@ Opened press(std::int64_t discs, std::int64_t seed) {
   double volume = 0.0, squares = 0.0, length = 0.0;
   for (const auto& c : a.smooth.contacts) {
     const auto i = a.first[c.bond];
-    const double x = dot(Vec2{a.x[i], a.y[i]} + c.first_arm - middle, along);
-    const double opening = std::max(0.0, view_joint(a, n, sim.options(), c).opening);
+    const double x = dot(Vec2{a.x[i], a.y[i]} + c.first_arm() - middle, along);
+    const double opening = std::max(0.0, view_joint(a, n, c).opening);
     volume += c.area * opening;
     squares +=
         c.area * std::pow(opening / largest - std::sqrt(std::max(0.0, 1.0 - x * x / (half * half))), 2);

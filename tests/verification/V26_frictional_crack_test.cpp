@@ -68,10 +68,10 @@ Measured measure(std::int64_t discs, std::int64_t seed, bool drawn) {
   double borne = 0.0, length = 0.0;
   for (const auto& c : a.smooth.contacts) {
     const auto i = a.first[c.bond];
-    at.push_back((a.x[i] + c.first_arm.x - middle) * std::cos(psi) +
-                 (a.y[i] + c.first_arm.y - middle) * std::sin(psi));
-    slip.push_back(std::abs(c.slip));
-    borne -= smooth_response(a, sim.options(), c).normal;
+    at.push_back((a.x[i] + c.first_arm().x - middle) * std::cos(psi) +
+                 (a.y[i] + c.first_arm().y - middle) * std::sin(psi));
+    slip.push_back(std::abs(a.slip[c.bond]));
+    borne -= smooth_response(a, c).normal;
     length += c.area;
   }
   // Per modulus, of the shear stress that a load of one bears on the crack, and without edges.

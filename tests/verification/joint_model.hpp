@@ -72,7 +72,7 @@ class DrivenJoint {
  public:
   DrivenJoint(hfrac::Simulation& sim, double middle, double over) : sim_(sim), middle_(middle) {
     sim.step();  // what set-up left of the slip
-    for (const auto& c : contacts()) before_.push_back(c.slip);
+    for (const auto& c : contacts()) before_.push_back(sim.assembly().slip[c.bond]);
     const auto nearest = std::min_element(
         contacts().begin(), contacts().end(),
         [&](const auto& p, const auto& q) { return std::abs(along(p)) < std::abs(along(q)); });
@@ -84,16 +84,18 @@ class DrivenJoint {
     n.stiffness[inlet] = 0.0;
     n.pressure[inlet] = n.reference_pressure + over;
   }
-  [[nodiscard]] const std::vector<SmoothContact>& contacts() const { return sim_.assembly().smooth.contacts; }
+  [[nodiscard]] const Array<SmoothContact>& contacts() const { return sim_.assembly().smooth.contacts; }
   // Of contact k: from that pore along the joint [m], and slip since then [m].
   [[nodiscard]] double at(std::size_t k) const { return along(contacts()[k]) - source_; }
-  [[nodiscard]] double slip(std::size_t k) const { return std::abs(contacts()[k].slip - before_[k]); }
+  [[nodiscard]] double slip(std::size_t k) const {
+    return std::abs(sim_.assembly().slip[contacts()[k].bond] - before_[k]);
+  }
 
  private:
   [[nodiscard]] double along(const SmoothContact& c) const {
     const Assembly& a = sim_.assembly();
     const auto i = a.first[c.bond];
-    return std::sqrt(0.5) * (a.x[i] + c.first_arm.x - middle_ + a.y[i] + c.first_arm.y - middle_);
+    return std::sqrt(0.5) * (a.x[i] + c.first_arm().x - middle_ + a.y[i] + c.first_arm().y - middle_);
   }
   hfrac::Simulation& sim_;
   double middle_, source_ = 0.0;
