@@ -78,10 +78,10 @@ class Meeting {
     return volume;
   }
   [[nodiscard]] JointView view(const SmoothContact& c) {
-    return view_joint(a_, network(), sim_.options(), c);
+    return view_joint(a_, network(), c);
   }
   [[nodiscard]] double along(const SmoothContact& c) const {
-    return a_.y[a_.first[c.bond]] + c.first_arm.y - middle;
+    return a_.y[a_.first[c.bond]] + c.first_arm().y - middle;
   }
 
  private:

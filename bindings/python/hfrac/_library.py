@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Finding libhfrac and calling it.
 
-The library is looked for, in this order: the file HFRAC_LIBRARY names; the build tree this package lies in; the
-installation this package lies in; wherever the system's loader looks.
+The library is looked for, in this order: the file HFRAC_LIBRARY names; the build tree this package lies in; this folder (a
+wheel); the installation this package lies in; wherever the system's loader looks.
 """
 import ctypes
 import functools
@@ -21,6 +21,7 @@ def _places() -> Iterator[str]:
     here = pathlib.Path(__file__).resolve().parent
     if here.parts[-3:] == ("bindings", "python", "hfrac"):
         yield from (str(here.parents[2] / build / "lib" / _FILE) for build in ("build", "build-engine", "build-debug"))
+    yield str(here / _FILE)  # a wheel has it beside this file
     for folder in here.parents:
         for lib in ("lib", f"lib/{sysconfig.get_config_var('MULTIARCH')}", "lib64"):
             yield str(folder / lib / _FILE)
