@@ -57,7 +57,8 @@ void tell_setup(const hfrac_sim& sim) {
       tell(sim, HFRAC_LOG_INFO,
            FractureLaw{s.options().fracture_law} == FractureLaw::facet
                ? "broken bonds are facets of fractures, which grow at bond.fracture_toughness"
-               : "broken bonds are contacts (fracture.law = \"bond\"), with strengths by bond.fracture_toughness");
+               : "broken bonds are contacts (fracture.law = \"bond\"), with strengths by "
+                 "bond.fracture_toughness");
   }
   if (!sim.listener.hears(HFRAC_LOG_WARNING)) return;
   const Options& o = s.options();

@@ -65,7 +65,8 @@ struct Network {
   // with fracture.law facet (frac/facets.hpp), else empty
   Array<double> facet_offset;  // m2, per domain: of a fracture's pore before its facets open
   Array<double> facet_time;    // s, per pipe: when its bond broke
-  Array<double> facet_worked;  // Pa, per domain: pressure up to which the work on facets is counted; explicit motion only
+  Array<double>
+      facet_worked;  // Pa, per domain: pressure up to which the work on facets is counted; explicit motion only
   double facet_pushed = 0.0;  // J/m, potential of the locked-in pushes where they began
   // These follow from the state:
   Array<double> facet_opening;  // m, per pipe: across the fracture

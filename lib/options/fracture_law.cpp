@@ -21,7 +21,8 @@ std::string why_no_facets(const CaseDefinition& definition) {
     return "fracture.law = \"facet\" with solver.kind = \"quasi-static\" is for stepping.mode = \"coupled\" "
            "only; set that, or solver.kind = \"explicit\", or take fracture.law = \"bond\".";
   if (FlowScheme{o.flow_scheme} == FlowScheme::off)
-    return "fracture.law = \"facet\" needs fluid, but flow.scheme = \"off\"; set flow.scheme = \"implicit\" or "
+    return "fracture.law = \"facet\" needs fluid, but flow.scheme = \"off\"; set flow.scheme = \"implicit\" "
+           "or "
            "\"explicit\", or take fracture.law = \"bond\".";
   if (ThermalMode{o.thermal_mode} != ThermalMode::off) {
     if (!coupled)
@@ -38,7 +39,8 @@ std::string why_no_facets(const CaseDefinition& definition) {
            "\"smooth-broken\", or take fracture.law = \"bond\".";
   }
   if (ContactShape{o.contact_shape} == ContactShape::flat)
-    return "contact.shape = \"flat\" is a law of broken bonds, and fracture.law = \"facet\" makes them faces of "
+    return "contact.shape = \"flat\" is a law of broken bonds, and fracture.law = \"facet\" makes them faces "
+           "of "
            "the rock; leave the shape \"round\", or set fracture.law = \"bond\".";
   return {};
 }

@@ -141,8 +141,7 @@ void check_facets(const CaseDefinition& definition) {
   if (fracture_law_of(definition) == FractureLaw::facet) {
     if (const std::string why = why_no_facets(definition); !why.empty()) refuse(why);
   } else if (definition.options.fracture_perforation_length > 0.0) {
-    refuse(
-        "fracture.perforation_length needs fracture.law = \"facet\"; set it, or leave the length at 0 m.");
+    refuse("fracture.perforation_length needs fracture.law = \"facet\"; set it, or leave the length at 0 m.");
   }
 }
 

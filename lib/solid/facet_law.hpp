@@ -100,7 +100,8 @@ inline double facet_energy(const Assembly& a, const Options& o, const FacetStart
                            double push) {
   const auto i = a.first[f.bond], j = a.second[f.bond];
   const double k_s = o.contact_shear_stiffness;
-  double energy = f.initial_energy + push_energy(a, s, f.bond, f.locked) + f.locked_first * (a.rotation[i] - s.rotation[i]) +
+  double energy = f.initial_energy + push_energy(a, s, f.bond, f.locked) +
+                  f.locked_first * (a.rotation[i] - s.rotation[i]) +
                   f.locked_second * (a.rotation[j] - s.rotation[j]);
   const double opening = facet_opening(a, s, f, push);
   const ClosedFacet c = opening < 0.0 ? closed_facet(a, o, s, f, opening) : ClosedFacet{-push, 0.0};

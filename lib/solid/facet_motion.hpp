@@ -89,9 +89,9 @@ class FacetMotion {
     double volume;             // m2, volume change up to which its work is counted
   };
   struct Item {
-    std::int32_t left, right;  // pores of the list; below 0: ~ a hole of the list
-    double apart;              // m, opening but for the push of the fluid
-    double push;               // N, by the pressures at hand
+    std::int32_t left, right;         // pores of the list; below 0: ~ a hole of the list
+    double apart;                     // m, opening but for the push of the fluid
+    double push;                      // N, by the pressures at hand
     double shear = 0.0, slide = 0.0;  // N, m, up to which friction is counted
   };
   struct Hole {
@@ -135,7 +135,8 @@ class FacetMotion {
   std::vector<std::int64_t> bonds_;      // of the facets
   double stored_ = 0.0;                  // J/m, before the facets change
   std::vector<std::int32_t> far_apart_;  // two discs; none between walls
-  Vec2 couple_{}, apart_{};              // N on the first of them; m, from it to the other, up to which its work is counted
+  Vec2 couple_{},
+      apart_{};  // N on the first of them; m, from it to the other, up to which its work is counted
   Array<double> stiffness_;
   std::int64_t changes_ = 0;
 };

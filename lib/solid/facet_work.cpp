@@ -66,8 +66,7 @@ void FacetMotion::count_work() {
     Item& item = items_[k];
     const double shear = shear_of(k), slide = facet_slide(assembly_, *start_, facets_[k]);
     if (k_s > 0.0)
-      energies_.friction +=
-          0.5 * (item.shear + shear) * (slide - item.slide - (shear - item.shear) / k_s);
+      energies_.friction += 0.5 * (item.shear + shear) * (slide - item.slide - (shear - item.shear) / k_s);
     item.shear = shear;
     item.slide = slide;
   }

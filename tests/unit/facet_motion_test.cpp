@@ -143,9 +143,11 @@ void grows(const CaseDefinition& definition, int steps, std::size_t cracks) {
     EXPECT_GE(s->cracks().size(), slots + cracks);
     EXPECT_LT(std::abs(balance.fluid_error), 1e-12 * balance.injected);
     const double worked = std::abs(balance.fluid_work) + std::abs(balance.boundary_work);
-    std::printf(" works of fluid %.3e and far field %.3e J/m, friction %.2e, damping %.2e, fracture %.2e, off by %.1e of works\n",
-                balance.fluid_work, balance.boundary_work, balance.friction, balance.damping, balance.fracture,
-                balance.energy_error / worked);
+    std::printf(
+        " works of fluid %.3e and far field %.3e J/m, friction %.2e, damping %.2e, fracture %.2e, off by "
+        "%.1e of works\n",
+        balance.fluid_work, balance.boundary_work, balance.friction, balance.damping, balance.fracture,
+        balance.energy_error / worked);
     EXPECT_TRUE(balance.energy_checked);
     EXPECT_LT(std::abs(balance.energy_error), 1e-3 * worked);
     std::vector<std::byte> image(s->image_size());

@@ -40,7 +40,8 @@ TEST(FractureLawAuto, IsContactsWhereFacetsDoNotGo) {
     return fracture_law_of(definition);
   };
   EXPECT_EQ(law([](auto& d) { d.options.flow_scheme = choice(FlowScheme::off); }), FractureLaw::bond);
-  EXPECT_EQ(law([](auto& d) { d.options.solver_kind = choice(SolverKind::quasi_static); }), FractureLaw::bond);
+  EXPECT_EQ(law([](auto& d) { d.options.solver_kind = choice(SolverKind::quasi_static); }),
+            FractureLaw::bond);
   EXPECT_EQ(law([](auto& d) { d.options.thermal_mode = choice(ThermalMode::uniform); }), FractureLaw::bond);
   EXPECT_EQ(law([](auto& d) { d.options.contact_shape = choice(ContactShape::flat); }), FractureLaw::bond);
   EXPECT_EQ(law([](auto& d) { d.joints.emplace_back(); }), FractureLaw::bond);  // a rough one

@@ -95,7 +95,8 @@ void compare(std::int64_t discs, const std::vector<std::int64_t>& seeds) {
   for (const auto seed : seeds) {
     const double one = ratio(seed, discs);
     mean += one / static_cast<double>(seeds.size());
-    verification::report("energy taken over G_c times length, packing " + std::to_string(seed), one, 1.0, 0.40);
+    verification::report("energy taken over G_c times length, packing " + std::to_string(seed), one, 1.0,
+                         0.40);
   }
   verification::report("mean of packings", mean, 1.0, 0.20);
 }

@@ -77,9 +77,7 @@ class Meeting {
       volume += f.length * std::max(0.0, sim_.engine().facets.opening(a_, network(), f));
     return volume;
   }
-  [[nodiscard]] JointView view(const SmoothContact& c) {
-    return view_joint(a_, network(), c);
-  }
+  [[nodiscard]] JointView view(const SmoothContact& c) { return view_joint(a_, network(), c); }
   [[nodiscard]] double along(const SmoothContact& c) const {
     return a_.y[a_.first[c.bond]] + c.first_arm().y - middle;
   }
