@@ -645,16 +645,6 @@ void ExplicitSolver::after_restore(double sigma_Hmax, double sigma_hmin) {
   list_pushed();
   // What stands on those discs was saved with them; a restored state is the one saved, to the last bit.
   for (auto& disc : pushed_) disc.load = {assembly_.external_x[disc.disc], assembly_.external_y[disc.disc]};
-  // Images written when smooth joints pushed from outside have that force on their discs.
-  for (const auto& contact : assembly_.smooth.contacts) {
-    for (const auto i : {assembly_.first[contact.bond], assembly_.second[contact.bond]}) {
-      const auto at = std::lower_bound(pushed_.begin(), pushed_.end(), i,
-                                       [](const PushedDisc& p, std::int32_t disc) { return p.disc < disc; });
-      if (at != pushed_.end() && at->disc == i) continue;
-      assembly_.external_moment[i] = 0.0;
-      if (!boundary_.touches_wall(i)) assembly_.external_x[i] = assembly_.external_y[i] = 0.0;
-    }
-  }
   boundary_.restore_load(assembly_, network_, sigma_Hmax, sigma_hmin);
   for (const auto& disc : pushed_) {
     assembly_.external_x[disc.disc] = disc.load.x;

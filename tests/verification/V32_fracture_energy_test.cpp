@@ -13,30 +13,23 @@
 #include <string>
 #include <vector>
 
-#include "options/choices.hpp"
-#include "step/simulation.hpp"
+#include "small_case.hpp"
 #include "support.hpp"
 
 namespace V32_fracture_energy {
 
 using namespace hfrac;
+using namespace testing_unit;
 
 constexpr double toughness = 5e6, modulus = 18.6e9;  // Pa m^0.5, Pa
 constexpr double farthest = 40.0;                    // m
-
-template <class Choice>
-std::int64_t choice(Choice value) {
-  return static_cast<std::int64_t>(value);
-}
 
 CaseDefinition growing(std::int64_t seed, std::int64_t discs) {
   CaseDefinition definition;
   Options& o = definition.options;
   o.model_seed = seed;
   o.packing_disc_count = discs;
-  o.contact_mode = choice(ContactMode::after_break);
-  o.contact_normal_stiffness = o.bond_normal_stiffness = 16e9;
-  o.contact_shear_stiffness = o.bond_shear_stiffness = 5.6e9;
+  make_linear(o);
   o.bond_tensile_strength = 5e6;
   o.bond_shear_strength = 60e6;
   o.bond_fracture_toughness = toughness;
