@@ -62,6 +62,7 @@ module hfrac
     procedure, public :: epoch
     procedure, public :: definition
     procedure, public :: wells
+    procedure, public :: add_well
     procedure, public :: set_well_pressure
     procedure, public :: set_well_ramp
     procedure, public :: set_well_rate
@@ -110,7 +111,7 @@ module hfrac
 
   private :: create_from_definition, create_from_file, destroy, exists, c_handle, step_int32, step_int64, advance, set_stop, &
     on_progress, on_step, on_log, state, setup, balance, solver, step_limits, walls, state_hash, epoch, definition, &
-    wells, set_well_pressure, set_well_ramp, set_well_rate, set_well_schedule, set_far_field, &
+    wells, add_well, set_well_pressure, set_well_ramp, set_well_rate, set_well_schedule, set_far_field, &
     set_formation_pressure, &
     set_regular_grid, set_grid_corners, cells, set_boundary_pressure, set_cell_pressure, set_cell_stress, write_grdecl, &
     save_image, restore, save_file, load_file, prepare_step, do_step, more_step, finalize_step, reject_step, cracks, &
@@ -492,6 +493,20 @@ contains
     end do
     call report(status, self%handle, stat, errmsg)
   end subroutine wells
+
+  !> A further well, at any time between two steps: the pore of the rock nearest to (`x`, `y`) [m], shut in until it is driven.
+  !> `index` is its number, from 0. It belongs to the state: an image brings it back, one from before takes it away.
+  subroutine add_well(self, x, y, index, stat, errmsg)
+    class(hfrac_simulation), intent(inout) :: self
+    real(c_double), intent(in) :: x, y
+    integer, intent(out) :: index
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    integer(c_int32_t) :: new
+    new = -1
+    call report(hfrac_well_add(self%handle, x, y, new), self%handle, stat, errmsg)
+    index = int(new)
+  end subroutine add_well
 
   !> From the next step on, holds well `index` (from 0) at `pressure` [Pa].
   subroutine set_well_pressure(self, index, pressure, stat, errmsg)

@@ -954,7 +954,7 @@ module hfrac_c
     real(c_double) :: injected_volume = 0.0_c_double
     !> index of its domain
     integer(c_int64_t) :: domain = 0_c_int64_t
-    !> [m] of the hole that was asked for; its wall follows discs (equivalent_radius)
+    !> [m] of the hole that was asked for; its wall follows discs (equivalent_radius); 0: a pore (hfrac_well_add)
     real(c_double) :: radius = 0.0_c_double
     !> [Pa] before the perforations, as stress.convention says; without friction that of the hole
     real(c_double) :: wellbore_pressure = 0.0_c_double
@@ -1851,6 +1851,21 @@ module hfrac_c
       type(hfrac_well_state), intent(inout) :: state
       integer(c_int32_t) :: hfrac_well_get
     end function hfrac_well_get
+    !> Adds a well at any time between two steps: the pore of the rock nearest to (`x`, `y`) [m] takes or gives
+    !> fluid where it lies. No hole is cut, and no disc, bond or domain is renumbered. *index is its number, the
+    !> next one; its x, y and domain are the pore's, its radius is 0. It is shut in, and nothing changes, until
+    !> hfrac_well_set_... drives it. Wells added belong to the state: an image brings them to any simulation built
+    !> from the same definition, one from before takes them away (told as a warning), and hfrac_sim_definition is
+    !> what was built. HFRAC_ERR_ARGUMENT: the place is outside the rock or another well's, pores hold no fluid
+    !> (flow.scheme "off"), or a step is open. Unstable since 0.1.
+    function hfrac_well_add(sim, x, y, index) bind(C, name="hfrac_well_add")
+      import
+      type(c_ptr), value :: sim
+      real(c_double), value :: x
+      real(c_double), value :: y
+      integer(c_int32_t), intent(out) :: index
+      integer(c_int32_t) :: hfrac_well_add
+    end function hfrac_well_add
     !> From the next step on, holds a well at `pressure` [Pa]. Stable since 0.1.
     function hfrac_well_set_pressure(sim, index, pressure) bind(C, name="hfrac_well_set_pressure")
       import

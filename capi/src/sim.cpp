@@ -16,6 +16,7 @@
 #include "options/choices.hpp"
 #include "options/number_text.hpp"
 #include "sim_handle.hpp"
+#include "step/added_well.hpp"
 #include "step/impose.hpp"
 #include "step/simulation.hpp"
 #include "step/step_limits.hpp"
@@ -422,8 +423,9 @@ int32_t hfrac_well_get(const hfrac_sim* sim, int32_t index, hfrac_well_state* st
     full.rate = well.rate;
     full.injected_volume = well.injected;
     full.domain = well.place.domain;
-    full.radius = sim->simulation->definition().wells[static_cast<std::size_t>(index)].radius;
     const Simulation& s = *sim->simulation;
+    const auto& cut = s.definition().wells;  // the others were added later
+    full.radius = static_cast<std::size_t>(index) < cut.size() ? cut[static_cast<std::size_t>(index)].radius : 0.0;
     full.wellbore_pressure = full.pressure;
     full.wellbore_rate = full.rate;
     if (well.wellbore >= 0) {
@@ -435,6 +437,19 @@ int32_t hfrac_well_get(const hfrac_sim* sim, int32_t index, hfrac_well_state* st
     full.wellhead_pressure =
         full.wellbore_pressure + (net ? s.options().fluid_formation_pressure : 0.0) - well.head;
     write_struct(state, full, "hfrac_well_state");
+  });
+}
+
+int32_t hfrac_well_add(hfrac_sim* sim, double x, double y, int32_t* index) {
+  return guarded_sim(sim, [&] {
+    require_not_null(index, "index");
+    require_not_between_tries(*sim, "further wells");
+    *index = static_cast<std::int32_t>(add_well(*sim->simulation, {x, y}));
+    ++sim->epoch;
+    const Well& well = well_at(*sim, *index);
+    tell_well(*sim, *index,
+              "added in domain " + std::to_string(well.place.domain) + ", at (" +
+                  number_text(well.place.centre.x) + ", " + number_text(well.place.centre.y) + ") m, shut in");
   });
 }
 

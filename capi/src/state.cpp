@@ -3,6 +3,7 @@
 #include "hfrac/state.h"
 
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,27 @@
 
 using namespace hfrac;
 using namespace hfrac::capi;
+
+namespace {
+
+// Wells come and go with the state.
+void restore(hfrac_sim& sim, std::span<const std::byte> image) {
+  const std::size_t before = sim.simulation->wells().size();
+  ++sim.epoch;
+  sim.simulation->restore(image);
+  const std::size_t now = sim.simulation->wells().size();
+  if (now < before) {
+    tell(sim, HFRAC_LOG_WARNING,
+         "the restored state has " + std::to_string(now) + " wells: those added since it was saved, from well " +
+             std::to_string(now) + " on, are gone");
+  } else if (now > before) {
+    tell(sim, HFRAC_LOG_INFO,
+         "the restored state has " + std::to_string(now) + " wells: from well " + std::to_string(before) +
+             " on they were added before it was saved");
+  }
+}
+
+}  // namespace
 
 int32_t hfrac_state_size(const hfrac_sim* sim, int64_t* size) {
   return guarded_sim(sim, [&] {
@@ -43,8 +65,7 @@ int32_t hfrac_state_restore(hfrac_sim* sim, const void* image, int64_t size) {
     require_not_null(image, "image");
     require_no_open_step(*sim);
     if (size < 0) throw Error(ErrorKind::argument, "size = " + std::to_string(size) + " is negative.");
-    ++sim->epoch;
-    sim->simulation->restore({static_cast<const std::byte*>(image), static_cast<std::size_t>(size)});
+    restore(*sim, {static_cast<const std::byte*>(image), static_cast<std::size_t>(size)});
   });
 }
 
@@ -66,9 +87,8 @@ int32_t hfrac_state_load_file(hfrac_sim* sim, const char* path) {
     require_no_open_step(*sim);
     // A state of this model is larger than today's by its cracks at most, far below this.
     const std::vector<std::byte> image = read_whole_file(path, 64 * sim->simulation->image_size());
-    ++sim->epoch;
     try {
-      sim->simulation->restore(image);
+      restore(*sim, image);
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::argument) throw;
       throw Error(ErrorKind::file, "'" + std::string(path) + "': " + error.what());

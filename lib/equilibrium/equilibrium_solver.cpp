@@ -281,8 +281,8 @@ void EquilibriumSolver::break_farthest(CrackLog& log) {
     if (facets_.active()) network_.facet_time[candidate.bond] = time_;
     if (facets_.active()) {
       const auto l = network_.left[candidate.bond], r = network_.right[candidate.bond];
-      const bool lw = network_.kind[l] == DomainKind::well || facets_.fractured(l),
-                 rw = network_.kind[r] == DomainKind::well || facets_.fractured(r);
+      const bool lw = network_.is_well(l) || facets_.fractured(l),
+                 rw = network_.is_well(r) || facets_.fractured(r);
       if (lw != rw) {
         const auto from = lw ? l : r, to = lw ? r : l;
         if (network_.stiffness[to] > 0.0)

@@ -73,7 +73,7 @@ HeatSolver::HeatSolver(const Assembly& a, const Network& n, const HeatNetwork& h
 }
 
 double HeatSolver::fluid_capacity(std::size_t d) const {
-  const double held = network_.kind[d] == DomainKind::rock ? network_.content[d] : 0.0;
+  const double held = network_.is_own(d) ? network_.content[d] : 0.0;
   return carrier_ * std::max(0.0, network_.volume[d] + held);
 }
 
@@ -109,7 +109,7 @@ void HeatSolver::fill(const HeatState& s, double duration) {
       capacity = heat_.capacity[node];
     } else {
       const std::size_t d = node - discs_;
-      capacity = network_.kind[d] == DomainKind::rock
+      capacity = network_.is_own(d)
                      ? std::max(0.0, fluid_capacity(d) - carrier_ * duration * net_[d])
                      : fluid_capacity(d);
     }
@@ -187,7 +187,7 @@ void HeatSolver::accumulate(HeatState& s, double duration) const {
   }
   if (!wet_) return;
   for (std::size_t d = 1; d < network_.kind.size(); ++d) {
-    const bool well = network_.kind[d] == DomainKind::well;
+    const bool well = network_.is_well(d);
     for (auto k = network_.corner_start[d]; k < network_.corner_start[d + 1]; ++k) {
       const auto c = static_cast<std::size_t>(k), i = static_cast<std::size_t>(network_.corner_disc[c]);
       if (well && fixed_[i] == 0) conduct(discs_ + d, i, heat_.face[c], s.from_wells);
@@ -197,11 +197,11 @@ void HeatSolver::accumulate(HeatState& s, double duration) const {
   for (std::size_t e = 0; e < network_.left.size(); ++e) {
     const auto l = static_cast<std::size_t>(network_.left[e]),
                r = static_cast<std::size_t>(network_.right[e]);
-    const bool rock_l = network_.kind[l] == DomainKind::rock, rock_r = network_.kind[r] == DomainKind::rock;
+    const bool rock_l = network_.is_own(l), rock_r = network_.is_own(r);
     if (rock_l == rock_r) continue;
     const double c = carried(e);
     const double rightwards = duration * c * (t(discs_ + (c > 0.0 ? l : r)) - start_);
-    double& total = network_.kind[rock_l ? r : l] == DomainKind::well ? s.from_wells : s.from_outside;
+    double& total = network_.is_well(rock_l ? r : l) ? s.from_wells : s.from_outside;
     total += rock_r ? rightwards : -rightwards;
   }
 }
@@ -224,7 +224,7 @@ double HeatSolver::stored(const HeatState& s) const {
   double heat = 0.0;
   for (std::size_t i = 0; i < discs_; ++i) heat += heat_.capacity[i] * (s.disc[i] - start_);
   for (std::size_t d = 1; wet_ && d < network_.kind.size(); ++d) {
-    if (network_.kind[d] == DomainKind::rock) heat += fluid_capacity(d) * (s.fluid[d] - start_);
+    if (network_.is_own(d)) heat += fluid_capacity(d) * (s.fluid[d] - start_);
   }
   return heat;
 }

@@ -83,7 +83,7 @@ std::vector<CellReport> report_cells(const HostGrid& grid, const Assembly& a, co
     const double volume = (n.volume[d] + n.volume_change[d]) * part.amount / shared[d];
     rock_area[c] += part.amount;
     pore_volume[c] += volume;
-    if (fractured[d] != 0) continue;
+    if (fractured[d] != 0 || n.is_well(d)) continue;
     cells[c].pressure += volume * n.pressure[d];
     weight[c] += volume;
   }

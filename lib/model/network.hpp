@@ -44,6 +44,7 @@ struct Network {
   Array<double> length;       // m, of pipes; only for a fluid that thins
   // domains; 0 is the outside
   std::vector<DomainKind> kind;
+  std::vector<std::uint8_t> fed;  // 1: a pore of the rock that a well added later feeds; empty: none. Follows from the wells
   Array<double> volume;         // m2, pore volume at bonding
   Array<double> storing;        // m2, pore volume whose fluid alone would store what fluid and grains do
   Array<double> volume_change;  // m2
@@ -98,6 +99,13 @@ struct Network {
   }
   [[nodiscard]] double beyond_of(std::size_t pipe) const { return beyond.empty() ? 0.0 : beyond[pipe]; }
   [[nodiscard]] std::int64_t domain_count() const { return static_cast<std::int64_t>(kind.size()); }
+  // Whose fluid is a well's, and whose the rock's own.
+  [[nodiscard]] bool is_well(std::size_t domain) const {
+    return kind[domain] == DomainKind::well || (!fed.empty() && fed[domain] != 0);
+  }
+  [[nodiscard]] bool is_own(std::size_t domain) const {
+    return kind[domain] == DomainKind::rock && !is_well(domain);
+  }
 
   // The disc at a domain's corner k (of corner_start), and those before and after it around the domain.
   struct Corner {

@@ -86,7 +86,14 @@ void visit_state(Archive& archive, Self& s, bool wet) {
     }
     for (auto* values : {&n.pressure, &n.content, &n.stiffness}) ar.value((*values)[well.place.domain]);
   });
-  archive.require(s.wells.size() == s.well_count);
+  // Wells added since the model was built: pores of the rock, each one's own.
+  archive.require(s.wells.size() == s.well_count || (wet && s.wells.size() > s.well_count));
+  for (std::size_t w = s.well_count; w < s.wells.size(); ++w) {
+    const auto d = s.wells[w].place.domain;
+    archive.require(n.kind[d] == DomainKind::rock);
+    for (std::size_t other = s.well_count; other < w; ++other)
+      archive.require(d != s.wells[other].place.domain);
+  }
   // Hashes of models without friction in their wells are what they were before there was any.
   for (auto& wellbore : s.wellbores) {
     for (auto* value :
@@ -114,7 +121,10 @@ void visit_state(Archive& archive, Self& s, bool wet) {
     });
   }
   // A model without temperature has the image, and the hash, that it had before there was any.
-  if (s.heat) HeatState::visit(archive, *s.heat);
+  if (s.heat) {
+    if constexpr (Archive::loading) s.heat->well.resize(s.wells.size());
+    HeatState::visit(archive, *s.heat);
+  }
   archive.require(s.contact_pairs.fits(a.disc_count()));
 }
 

@@ -21,7 +21,6 @@ std::unique_ptr<Heat> begin_heat(const Options& o, Model& model) {
   s.fluid.assign(model.network.kind.size(), o.thermal_rock_temperature);
   s.held.assign(discs, 0);
   s.well.assign(model.wells.size(), o.thermal_fluid_temperature);
-  for (const auto& well : model.wells) heat->well_domain.push_back(well.place.domain);
   if (ThermalOuter{o.thermal_outer} == ThermalOuter::held) {
     const Network& n = model.network;
     for (auto k = n.corner_start[0]; k < n.corner_start[1]; ++k)
@@ -39,7 +38,20 @@ Engine::Engine(const Options& given, Model& of)
       workers(new Workers(static_cast<int>(given.run_workers))),
       heat(begin_heat(given, of)),
       boundary(std::make_unique<Boundary>(of, given)),
-      mechanics(std::make_unique<ExplicitSolver>(of, *boundary, given, *workers)) {}
+      mechanics(std::make_unique<ExplicitSolver>(of, *boundary, given, *workers)) {
+  take_wells();
+}
+
+void Engine::take_wells() {
+  auto& fed = model.network.fed;
+  fed.clear();
+  if (model.wells.size() > model.well_count) fed.assign(model.network.kind.size(), 0);
+  for (std::size_t w = model.well_count; w < model.wells.size(); ++w)
+    fed[static_cast<std::size_t>(model.wells[w].place.domain)] = 1;
+  if (!heat) return;
+  heat->well_domain.clear();
+  for (const auto& well : model.wells) heat->well_domain.push_back(well.place.domain);
+}
 
 bool Engine::wet() const {
   return FlowScheme{options.flow_scheme} != FlowScheme::off;

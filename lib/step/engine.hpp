@@ -30,6 +30,7 @@ struct Engine {
   Engine& operator=(const Engine&) = delete;
 
   [[nodiscard]] bool wet() const;  // with fluid
+  void take_wells();  // what follows from the model's list of wells: once, and after one came or another state was loaded
 
   const Options& options;
   Model& model;

@@ -77,7 +77,7 @@ void set_cell_pressure(Simulation& s, std::span<const double> pressure, std::spa
   }
   const std::vector<char> fractured = fractured_pores(s.assembly(), n);
   for (std::size_t d = 1; d < count; ++d) {
-    if (n.kind[d] != DomainKind::rock || fractured[d] != 0 || area[d] <= 0.0) continue;
+    if (!n.is_own(d) || fractured[d] != 0 || area[d] <= 0.0) continue;
     const double p = sum[d] / area[d];
     const double content = content_at(n, static_cast<std::int64_t>(d), s.options().fluid_bulk_modulus, p);
     gain[d] = content - n.content[d];

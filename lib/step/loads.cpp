@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/error.hpp"
 #include "step/ledger.hpp"
 
 namespace hfrac {
@@ -37,6 +38,8 @@ Loads loads_of(const Model& model) {
 
 void impose(Engine& engine, Loads& now, const Loads& wanted) {
   Model& m = engine.model;
+  if (wanted.wells.size() != m.wells.size())
+    throw Error(ErrorKind::internal, "loads of other wells than there are.");
   for (std::size_t w = 0; w < m.wells.size(); ++w) {
     if (now.wells[w] == wanted.wells[w]) continue;
     m.wells[w].drive = wanted.wells[w].drive;

@@ -70,6 +70,16 @@ CaseDefinition Simulation::given_definition() const {
   return given;
 }
 
+void Simulation::take_well(const Well& well) {
+  model_.wells.push_back(well);
+  loads_.wells.push_back({well.drive, well.schedule});
+  if (model_.heat) {
+    model_.heat->well.push_back(options().thermal_fluid_temperature);
+    loads_.well_temperature.push_back(options().thermal_fluid_temperature);
+  }
+  engine_->take_wells();
+}
+
 StepOutcome Simulation::step(const Loads& loads, double duration, const Interrupt& interrupt) {
   Engine& e = *engine_;
   impose(loads);

@@ -49,6 +49,8 @@ class Simulation {
 
   // From the next step on.
   [[nodiscard]] const Loads& loads() const { return loads_; }
+  // A further well, with its load (added_well.hpp).
+  void take_well(const Well& well);
   void impose(const Loads& wanted) { hfrac::impose(*engine_, loads_, wanted); }
 
   // One step. If it is interrupted or fails, the state is as before it.

@@ -295,7 +295,7 @@ contains
   subroutine wells()
     type(hfrac_simulation) :: sim
     type(hfrac_well_state), allocatable :: list(:)
-    integer :: stat
+    integer :: stat, added
     character(200) :: message
     call sim%create(case_file)
     call sim%wells(list)
@@ -322,6 +322,15 @@ contains
     call expect(stat == HFRAC_ERR_ARGUMENT .and. index(message, 'one size') > 0, 'a schedule with a hole: '//message)
     call sim%set_well_rate(3, 1.0_real64, stat, message)
     call expect(stat == HFRAC_ERR_ARGUMENT .and. index(message, 'well 3') == 1, 'no such well: '//message)
+    call sim%add_well(75.0_real64, 60.0_real64, added)
+    call expect(added == 1, 'a second well')
+    call sim%set_well_pressure(added, 3e6_real64)
+    call sim%step()
+    call sim%wells(list)
+    call expect(size(list) == 2 .and. list(2)%pressure == 3e6_real64 .and. list(2)%radius == 0.0_real64, 'it is driven')
+    call sim%add_well(-1.0_real64, 60.0_real64, added, stat, message)
+    call expect(stat == HFRAC_ERR_ARGUMENT .and. added == -1 .and. index(message, 'outside the rock') > 0, &
+                'no well outside the rock: '//message)
   end subroutine wells
 
   subroutine fields()

@@ -191,7 +191,7 @@ static void run(hfrac_sim* sim) {
 
 static void drive_well(hfrac_sim* sim) {
   hfrac_well_state well;
-  int32_t count = 0;
+  int32_t count = 0, added = 0;
   double injected;
   const double times[2] = {0.0, 6.5}, values[2] = {0.0, 2e6};
   const int32_t controls[2] = {HFRAC_WELL_RATE, HFRAC_WELL_PRESSURE};
@@ -215,6 +215,11 @@ static void drive_well(hfrac_sim* sim) {
   check(well.pressure == 2e6 && well.control == HFRAC_WELL_PRESSURE, "it follows its schedule");
   good(hfrac_well_set_pressure(sim, 0, 60e6), sim, "well_set_pressure");
   expect(hfrac_well_get(sim, 1, &well), HFRAC_ERR_ARGUMENT, sim, "no second well");
+  good(hfrac_well_add(sim, 75.0, 60.0, &added), sim, "well_add");
+  good(hfrac_well_set_pressure(sim, added, 1e6), sim, "well_set_pressure");
+  good(hfrac_step(sim, 1), sim, "step");
+  good(hfrac_well_get(sim, 1, &well), sim, "well_get");
+  check(added == 1 && well.pressure == 1e6, "there is a second well");
 }
 
 /* field.h: every field of the list, copied and viewed */

@@ -139,6 +139,7 @@ std::vector<Row> changing() {
       ROW(hfrac_set_on_step, changes, Optional({1, 2}), g.sim, ignore_step, static_cast<void*>(nullptr)),
       ROW(hfrac_set_log, changes, Optional({1, 2}), g.sim, ignore_message, static_cast<void*>(nullptr),
           int32_t{HFRAC_LOG_DETAIL}),
+      ROW(hfrac_well_add, changes, Optional(), g.sim, 75.0, 60.0, &g.number),
       ROW(hfrac_well_set_pressure, changes, Optional(), g.sim, 0, 30e6),
       ROW(hfrac_well_set_ramp, changes, Optional(), g.sim, 0, 30e6, 1e6),
       ROW(hfrac_well_set_rate, changes, Optional(), g.sim, 0, 1e-6),

@@ -2,6 +2,8 @@
 // Wells while a simulation runs: held, ramped, at a rate, and changed from one to another.
 #include <cmath>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "sim_support.hpp"
 
@@ -145,6 +147,97 @@ TEST(Well, EachHasItsOwn) {
   ASSERT_EQ(hfrac_step(sim, 1), HFRAC_OK);
   EXPECT_EQ(well_of(sim, 0).pressure, 30e6);
   EXPECT_EQ(well_of(sim, 1).pressure, 28e6);
+}
+
+std::vector<unsigned char> image_of(const hfrac_sim* sim) {
+  int64_t size = 0;
+  EXPECT_EQ(hfrac_state_size(sim, &size), HFRAC_OK);
+  std::vector<unsigned char> image(static_cast<std::size_t>(size));
+  EXPECT_EQ(hfrac_state_save(sim, image.data(), size, &size), HFRAC_OK);
+  return image;
+}
+
+int32_t remember(void* user, int32_t level, const char* message) {
+  *static_cast<std::string*>(user) += std::to_string(level) + message + "\n";
+  return 0;
+}
+
+TEST(Well, IsAddedToALivingSimulation) {
+  const Sim sim(quiet_def());
+  std::string heard;
+  ASSERT_EQ(hfrac_set_log(sim, remember, &heard, HFRAC_LOG_INFO), HFRAC_OK);
+  ASSERT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+  const auto before = image_of(sim);
+  const int64_t hash = hash_of(sim);
+  for (int32_t number = 1; number < 12; ++number) {  // any number of them
+    int32_t index = 0;
+    const int64_t epoch = epoch_of(sim);
+    ASSERT_EQ(hfrac_well_add(sim, 20.0 + 5.0 * number, 20.0, &index), HFRAC_OK) << last_error(sim);
+    EXPECT_EQ(index, number);
+    EXPECT_GT(epoch_of(sim), epoch);
+    const auto well = well_of(sim, index);
+    EXPECT_EQ(well.control, HFRAC_WELL_RATE);
+    EXPECT_EQ(well.rate, 0.0);
+    EXPECT_EQ(well.radius, 0.0);
+    EXPECT_GT(well.equivalent_radius, 0.0);
+    EXPECT_NEAR(well.x, 20.0 + 5.0 * number, 4.0);
+    EXPECT_NEAR(well.y, 20.0, 4.0);
+    EXPECT_EQ(indices(sim, HFRAC_DOMAIN_KIND)[static_cast<std::size_t>(well.domain)], 1);
+    ASSERT_EQ(hfrac_well_set_pressure(sim, index, 26e6), HFRAC_OK);
+  }
+  EXPECT_NE(heard.find("3well 1: added in domain"), std::string::npos) << heard;
+  ASSERT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+  double injected = 0.0;
+  for (int32_t index = 0; index < 12; ++index) injected += well_of(sim, index).injected_volume;
+  EXPECT_EQ(well_of(sim, 11).pressure, 26e6);
+  EXPECT_GT(well_of(sim, 11).rate, 0.0);
+  EXPECT_NEAR(balance_of(sim).injected_volume, injected, 1e-12 * injected);
+  EXPECT_LE(std::abs(balance_of(sim).fluid_error), 1e-12 * injected);
+
+  hfrac::Definition built;
+  ASSERT_EQ(hfrac_sim_definition(sim, &built), HFRAC_OK);
+  EXPECT_EQ(built.well_count, 1);
+  const auto with = image_of(sim);
+  const Sim other(built);
+  ASSERT_EQ(hfrac_state_restore(other, with.data(), static_cast<int64_t>(with.size())), HFRAC_OK)
+      << last_error(other);
+  EXPECT_EQ(hash_of(other), hash_of(sim));
+  EXPECT_EQ(well_of(other, 11).pressure, 26e6);
+
+  heard.clear();
+  ASSERT_EQ(hfrac_state_restore(sim, before.data(), static_cast<int64_t>(before.size())), HFRAC_OK);
+  EXPECT_EQ(hash_of(sim), hash);
+  EXPECT_NE(heard.find("2the restored state has 1 wells: those added since"), std::string::npos) << heard;
+  ASSERT_EQ(hfrac_state_restore(sim, with.data(), static_cast<int64_t>(with.size())), HFRAC_OK);
+  EXPECT_NE(heard.find("3the restored state has 12 wells"), std::string::npos) << heard;
+}
+
+TEST(Well, IsNotAddedWhereThereIsNoPore) {
+  const Sim sim(quiet_def());
+  const int64_t hash = hash_of(sim), epoch = epoch_of(sim);
+  int32_t index = 77;
+  const auto refused = [&](double x, double y, const char* words) {
+    EXPECT_EQ(hfrac_well_add(sim, x, y, &index), HFRAC_ERR_ARGUMENT);
+    EXPECT_NE(last_error(sim).find(words), std::string::npos) << last_error(sim);
+    EXPECT_EQ(index, 77);
+  };
+  refused(-5.0, 50.0, "outside the rock");
+  refused(50.0, 50.0, "well 0");
+  refused(std::nan(""), 50.0, "finite");
+  EXPECT_EQ(hfrac_well_add(sim, 75.0, 60.0, nullptr), HFRAC_ERR_ARGUMENT);
+  EXPECT_EQ(hash_of(sim), hash);
+  EXPECT_EQ(epoch_of(sim), epoch);
+  ASSERT_EQ(hfrac_step_prepare(sim), HFRAC_OK);
+  refused(75.0, 60.0, "a step is open");
+  ASSERT_EQ(hfrac_step_reject(sim), HFRAC_OK);
+  EXPECT_EQ(hfrac_well_add(sim, 75.0, 60.0, &index), HFRAC_OK);
+  EXPECT_EQ(hfrac_well_add(nullptr, 75.0, 60.0, &index), HFRAC_ERR_BAD_HANDLE);
+
+  hfrac::Definition dry = quiet_def();
+  ASSERT_EQ(hfrac_sim_def_set_str(&dry, "flow.scheme", "off"), HFRAC_OK);
+  const Sim without(dry);
+  EXPECT_EQ(hfrac_well_add(without, 75.0, 60.0, &index), HFRAC_ERR_ARGUMENT);
+  EXPECT_NE(last_error(without).find("flow.scheme"), std::string::npos) << last_error(without);
 }
 
 TEST(Well, RefusesAnIndexThatIsNotThere) {

@@ -1234,6 +1234,12 @@ SIGNATURES = {
         ctypes.c_int32,
         ctypes.POINTER(hfrac_well_state),
     ),
+    "hfrac_well_add": (
+        ctypes.c_void_p,
+        ctypes.c_double,
+        ctypes.c_double,
+        ctypes.POINTER(ctypes.c_int32),
+    ),
     "hfrac_well_set_pressure": (
         ctypes.c_void_p,
         ctypes.c_int32,

@@ -319,7 +319,8 @@ class WellState(NamedTuple):
     injected_volume: float
     #: index of its domain
     domain: int
-    #: [m] of the hole that was asked for; its wall follows discs (equivalent_radius)
+    #: [m] of the hole that was asked for; its wall follows discs (equivalent_radius); 0: a pore
+    #: (hfrac_well_add)
     radius: float
     #: [Pa] before the perforations, as stress.convention says; without friction that of the hole
     wellbore_pressure: float

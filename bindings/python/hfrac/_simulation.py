@@ -316,6 +316,13 @@ class Simulation:
         """The wells, to read and to control."""
         return [Well(self, index) for index in range(self._read("hfrac_well_count", ctypes.c_int32).value)]
 
+    def add_well(self, x: float, y: float) -> Well:
+        """A further well, at any time between two steps: the pore of the rock nearest to (x, y) [m], shut in until it is driven. It
+        belongs to the state: an image brings it back, one from before takes it away."""
+        index = ctypes.c_int32()
+        self._call("hfrac_well_add", x, y, ctypes.byref(index))
+        return Well(self, index.value)
+
     # Cracks and fractures
 
     @property

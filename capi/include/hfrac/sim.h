@@ -219,7 +219,7 @@ typedef struct hfrac_well_state {
   double rate;               /**< [m2/s] into the well in the last step */
   double injected_volume;    /**< [m2] since the initial equilibration, at formation pressure */
   int64_t domain;            /**< index of its domain */
-  double radius;             /**< [m] of the hole that was asked for; its wall follows discs (equivalent_radius) */
+  double radius;             /**< [m] of the hole that was asked for; its wall follows discs (equivalent_radius); 0: a pore (hfrac_well_add) */
   double wellbore_pressure;  /**< [Pa] before the perforations, as stress.convention says; without friction that of the hole */
   double wellhead_pressure;  /**< [Pa] absolute: that of the wellbore less rho g depth */
   double wellbore_rate;      /**< [m2/s] that the pump gave the wellbore, with all its clusters, in the last step */
@@ -228,6 +228,13 @@ typedef struct hfrac_well_state {
 HFRAC_API int32_t hfrac_well_count(const hfrac_sim *sim, int32_t *count);
 /** Well `index` (from 0) now. Stable since 0.1. */
 HFRAC_API int32_t hfrac_well_get(const hfrac_sim *sim, int32_t index, hfrac_well_state *state);
+/** Adds a well at any time between two steps: the pore of the rock nearest to (`x`, `y`) [m] takes or gives fluid where it lies. No hole is
+ * cut, and no disc, bond or domain is renumbered. *index is its number, the next one; its x, y and domain are the pore's, its radius
+ * is 0. It is shut in, and nothing changes, until hfrac_well_set_... drives it. Wells added belong to the state: an image brings them
+ * to any simulation built from the same definition, one from before takes them away (told as a warning), and hfrac_sim_definition is
+ * what was built. HFRAC_ERR_ARGUMENT: the place is outside the rock or another well's, pores hold no fluid (flow.scheme "off"), or a
+ * step is open. Unstable since 0.1. */
+HFRAC_UNSTABLE_API int32_t hfrac_well_add(hfrac_sim *sim, double x, double y, int32_t *index);
 /** From the next step on, holds a well at `pressure` [Pa]. Stable since 0.1. */
 HFRAC_API int32_t hfrac_well_set_pressure(hfrac_sim *sim, int32_t index, double pressure);
 /** From the next step on, ramps a well from where it is by `per_step` [Pa] up or down to `pressure` [Pa]. Stable since 0.1. */

@@ -127,6 +127,27 @@ class Wells(unittest.TestCase):
             with self.assertRaisesRegex(hfrac.ArgumentError, "in order of time"):
                 well.set_schedule([(2.0, "rate", 0.0), (1.0, "rate", 0.0)])
 
+    def test_added(self):
+        with small() as sim:
+            sim.step()
+            before, first = sim.save(), sim.state_hash
+            well = sim.add_well(75.0, 60.0)
+            self.assertEqual((well.index, len(sim.wells), well.state.radius), (1, 2, 0.0))
+            self.assertIs(well.state.control, hfrac.WellControl.RATE)
+            self.assertEqual(sim.field("domain.kind")[well.state.domain], 1)
+            well.set_pressure(3e6)
+            sim.step()
+            self.assertEqual(well.pressure, 3e6)
+            image, then = sim.save(), sim.state_hash
+            self.assertEqual(sim.definition.well_count, 1)
+            with hfrac.Simulation(sim.definition) as other:
+                other.restore(image)
+                self.assertEqual((len(other.wells), other.state_hash), (2, then))
+            sim.restore(before)
+            self.assertEqual((len(sim.wells), sim.state_hash), (1, first))
+            with self.assertRaisesRegex(hfrac.ArgumentError, "outside the rock"):
+                sim.add_well(-1.0, 60.0)
+
     def test_no_such_well(self):
         with small() as sim, self.assertRaisesRegex(hfrac.ArgumentError, "well 3 is not there"):
             hfrac.Well(sim, 3).set_pressure(1.0)

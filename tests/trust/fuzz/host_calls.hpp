@@ -153,6 +153,8 @@ inline int32_t host_call(hfrac_sim* sim, hfrac_sim_def& def, int kind, std::uint
                                    [&](auto* to) { return hfrac_wall_get(sim, argument % 6 - 1, to); });
     case 19:
       hfrac_well_count(sim, &number_of);
+      if (argument % 5 == 0)
+        return hfrac_well_add(sim, argument, value, argument % 13 == 0 ? nullptr : &number_of);
       return get<hfrac_well_state>(argument,
                                    [&](auto* to) { return hfrac_well_get(sim, argument % 3 - 1, to); });
     case 20:
