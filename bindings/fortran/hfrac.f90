@@ -495,17 +495,18 @@ contains
   end subroutine wells
 
   !> A further well, at any time between two steps: the pore of the rock nearest to (`x`, `y`) [m], shut in until it is driven.
-  !> `index` is its number, from 0. It belongs to the state: an image brings it back, one from before takes it away.
+  !> `index` is its number, from 0 (-1: refused). It belongs to the state: an image brings it back, one from before takes it away.
   subroutine add_well(self, x, y, index, stat, errmsg)
     class(hfrac_simulation), intent(inout) :: self
     real(c_double), intent(in) :: x, y
     integer, intent(out) :: index
     integer, intent(out), optional :: stat
     character(*), intent(inout), optional :: errmsg
-    integer(c_int32_t) :: new
-    new = -1
-    call report(hfrac_well_add(self%handle, x, y, new), self%handle, stat, errmsg)
+    integer(c_int32_t) :: new, status
+    status = hfrac_well_add(self%handle, x, y, new)
+    if (status < 0) new = -1
     index = int(new)
+    call report(status, self%handle, stat, errmsg)
   end subroutine add_well
 
   !> From the next step on, holds well `index` (from 0) at `pressure` [Pa].

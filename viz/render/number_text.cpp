@@ -74,6 +74,9 @@ std::vector<Tick> round_ticks(double lowest, double highest, int wanted) {
   double step = round_length(range / std::max(1, wanted));
   while (range / step > wanted * 1.6) step = round_length(step * 2.6);
   const double slack = range * 1e-6;
+  // A scale needs two: of -4.9 to 4.9 steps of 5 meet 0 alone.
+  while (std::floor((highest + slack) / step) - std::ceil((lowest - slack) / step) < 1)
+    step = round_length(0.99 * step);
   const int decimals = std::clamp(-static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 9);
   const double first = std::ceil((lowest - slack) / step);
   for (int i = 0; i < 100; ++i) {
