@@ -20,6 +20,7 @@ module hfrac
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_funloc, c_int32_t, c_int64_t, &
     c_int8_t, c_loc, c_null_funptr, c_null_ptr, c_ptr, c_sizeof
   use hfrac_c
+  use hfrac_calls
   use hfrac_definition_module
   use hfrac_text
   implicit none
@@ -36,9 +37,9 @@ module hfrac
   end type progress_holder
 
   !> One simulation. Ends with `destroy`, with its scope, or with the next `create`; cannot be assigned.
-  type :: hfrac_simulation
+  !> Its further methods are those of hfrac_handle, written from the C headers (hfrac_calls.f90).
+  type, extends(hfrac_handle) :: hfrac_simulation
     private
-    type(c_ptr) :: handle = c_null_ptr
     integer(c_int64_t) :: grid_shape(2) = 0
     type(progress_holder), pointer :: holder => null()
   contains
@@ -48,33 +49,14 @@ module hfrac
     procedure, public :: c_handle
     generic, public :: step => step_int32, step_int64
     procedure, public :: advance
-    procedure, public :: set_stop
     procedure, public :: on_progress
     procedure, public :: on_step
     procedure, public :: on_log
-    procedure, public :: state
-    procedure, public :: setup
-    procedure, public :: balance
-    procedure, public :: solver
-    procedure, public :: step_limits
-    procedure, public :: walls
-    procedure, public :: state_hash
-    procedure, public :: epoch
     procedure, public :: definition
-    procedure, public :: wells
     procedure, public :: add_well
-    procedure, public :: set_well_pressure
-    procedure, public :: set_well_ramp
-    procedure, public :: set_well_rate
     procedure, public :: set_well_schedule
-    procedure, public :: set_far_field
-    procedure, public :: set_formation_pressure
-    procedure, public :: set_temperature
     procedure, public :: set_disc_temperature
     procedure, public :: hold_disc_temperature
-    procedure, public :: set_well_temperature
-    procedure, public :: well_temperature
-    procedure, public :: heat
     !> A reservoir simulator's grid: call sim%set_grid(nx, ny, origin, cell_size) or sim%set_grid(corners).
     generic, public :: set_grid => set_regular_grid, set_grid_corners
     procedure, public :: cells
@@ -86,13 +68,6 @@ module hfrac
     procedure, public :: write_grdecl
     procedure, public :: save => save_image
     procedure, public :: restore
-    procedure, public :: save_file
-    procedure, public :: load_file
-    procedure, public :: prepare_step
-    procedure, public :: do_step
-    procedure, public :: more_step
-    procedure, public :: finalize_step
-    procedure, public :: reject_step
     procedure, public :: cracks
     procedure, public :: slips
     procedure, public :: fractures
@@ -109,16 +84,12 @@ module hfrac
     final :: finish
   end type hfrac_simulation
 
-  private :: create_from_definition, create_from_file, destroy, exists, c_handle, step_int32, step_int64, advance, set_stop, &
-    on_progress, on_step, on_log, state, setup, balance, solver, step_limits, walls, state_hash, epoch, definition, &
-    wells, add_well, set_well_pressure, set_well_ramp, set_well_rate, set_well_schedule, set_far_field, &
-    set_formation_pressure, &
-    set_regular_grid, set_grid_corners, cells, set_boundary_pressure, set_cell_pressure, set_cell_stress, write_grdecl, &
-    save_image, restore, save_file, load_file, prepare_step, do_step, more_step, finalize_step, reject_step, cracks, &
-    slips, fractures, fracture_line, &
-    get_double_1, get_double_2, get_int32_1, get_int32_2, view_double, view_int32, refuse_copy, describe, &
-    borrow, finish, ask_host, show_step, tell_host, set_temperature, set_disc_temperature, hold_disc_temperature, &
-    set_well_temperature, well_temperature, heat, set_cell_temperature, cell_temperature
+  private :: create_from_definition, create_from_file, destroy, exists, c_handle, step_int32, step_int64, advance, &
+    on_progress, on_step, on_log, definition, add_well, set_well_schedule, set_regular_grid, set_grid_corners, &
+    cells, set_boundary_pressure, set_cell_pressure, set_cell_stress, write_grdecl, save_image, restore, cracks, &
+    slips, fractures, fracture_line, get_double_1, get_double_2, get_int32_1, get_int32_2, view_double, view_int32, &
+    refuse_copy, describe, borrow, finish, ask_host, show_step, tell_host, set_disc_temperature, &
+    hold_disc_temperature, set_cell_temperature, cell_temperature
 
 contains
 
@@ -279,16 +250,6 @@ contains
     call report(status, self%handle, stat, errmsg)
   end subroutine advance
 
-  !> Other limits than stop.extent_fraction and stop.cracks (0: none) from now on, so that a run that ended at one goes on.
-  subroutine set_stop(self, extent_fraction, cracks, stat, errmsg)
-    class(hfrac_simulation), intent(inout) :: self
-    real(c_double), intent(in) :: extent_fraction
-    integer(c_int64_t), intent(in) :: cracks
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call report(hfrac_set_stop(self%handle, extent_fraction, cracks), self%handle, stat, errmsg)
-  end subroutine set_stop
-
   !> Has `progress` called about every `seconds` of wall time (0, if left out: between any two steps and often within
   !> one); no procedure: none any more.
   subroutine on_progress(self, progress, seconds, stat, errmsg)
@@ -387,85 +348,6 @@ contains
 
   ! How it stands
 
-  !> Time, counts of discs, bonds and cracks, and how the last step ended.
-  function state(self, stat, errmsg) result(now)
-    class(hfrac_simulation), intent(in) :: self
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    type(hfrac_sim_state) :: now
-    call report(hfrac_sim_get_state(self%handle, now), self%handle, stat, errmsg)
-  end function state
-
-  !> What the set-up made.
-  function setup(self, stat, errmsg) result(made)
-    class(hfrac_simulation), intent(in) :: self
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    type(hfrac_setup_report) :: made
-    call report(hfrac_sim_get_setup(self%handle, made), self%handle, stat, errmsg)
-  end function setup
-
-  !> Energy and fluid since the end of the initial equilibration.
-  function balance(self, stat, errmsg) result(now)
-    class(hfrac_simulation), intent(in) :: self
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    type(hfrac_balance) :: now
-    call report(hfrac_get_balance(self%handle, now), self%handle, stat, errmsg)
-  end function balance
-
-  !> What the quasi-static solver did since the initial equilibration.
-  function solver(self, stat, errmsg) result(now)
-    class(hfrac_simulation), intent(in) :: self
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    type(hfrac_solver_report) :: now
-    call report(hfrac_sim_get_solver(self%handle, now), self%handle, stat, errmsg)
-  end function solver
-
-  !> How long a step could be, and what limits it (HFRAC_LIMIT_...).
-  function step_limits(self, stat, errmsg) result(now)
-    class(hfrac_simulation), intent(in) :: self
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    type(hfrac_step_limits) :: now
-    call report(hfrac_get_step_limits(self%handle, now), self%handle, stat, errmsg)
-  end function step_limits
-
-  !> The walls as they are now: left, right, lower, upper; none with boundary.kind "stress".
-  subroutine walls(self, list, stat, errmsg)
-    class(hfrac_simulation), intent(in) :: self
-    type(hfrac_wall_state), allocatable, intent(out) :: list(:)
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    integer(c_int32_t) :: count, index, status
-    status = hfrac_wall_count(self%handle, count)
-    if (status < 0) count = 0
-    allocate (list(count))
-    do index = 0, count - 1
-      if (status >= 0) status = hfrac_wall_get(self%handle, index, list(index + 1))
-    end do
-    call report(status, self%handle, stat, errmsg)
-  end subroutine walls
-
-  !> Equal if and only if the state is equal, bit for bit.
-  function state_hash(self, stat, errmsg) result(hash)
-    class(hfrac_simulation), intent(in) :: self
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    integer(c_int64_t) :: hash
-    call report(hfrac_state_hash(self%handle, hash), self%handle, stat, errmsg)
-  end function state_hash
-
-  !> Raised by every call that may change the simulation.
-  function epoch(self, stat, errmsg) result(now)
-    class(hfrac_simulation), intent(in) :: self
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    integer(c_int64_t) :: now
-    call report(hfrac_epoch(self%handle, now), self%handle, stat, errmsg)
-  end function epoch
-
   !> What the simulation was built from, defaults filled in. Its lists are freed by def%free.
   subroutine definition(self, def, stat, errmsg)
     class(hfrac_simulation), intent(in) :: self
@@ -477,22 +359,6 @@ contains
   end subroutine definition
 
   ! Wells
-
-  !> All wells as they are now; well 0 is list(1).
-  subroutine wells(self, list, stat, errmsg)
-    class(hfrac_simulation), intent(in) :: self
-    type(hfrac_well_state), allocatable, intent(out) :: list(:)
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    integer(c_int32_t) :: count, index, status
-    status = hfrac_well_count(self%handle, count)
-    if (status < 0) count = 0
-    allocate (list(count))
-    do index = 0, count - 1
-      if (status >= 0) status = hfrac_well_get(self%handle, index, list(index + 1))
-    end do
-    call report(status, self%handle, stat, errmsg)
-  end subroutine wells
 
   !> A further well, at any time between two steps: the pore of the rock nearest to (`x`, `y`) [m], shut in until it is driven.
   !> `index` is its number, from 0 (-1: refused). It belongs to the state: an image brings it back, one from before takes it away.
@@ -508,36 +374,6 @@ contains
     index = int(new)
     call report(status, self%handle, stat, errmsg)
   end subroutine add_well
-
-  !> From the next step on, holds well `index` (from 0) at `pressure` [Pa].
-  subroutine set_well_pressure(self, index, pressure, stat, errmsg)
-    class(hfrac_simulation), intent(inout) :: self
-    integer, intent(in) :: index
-    real(c_double), intent(in) :: pressure
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call report(hfrac_well_set_pressure(self%handle, int(index, c_int32_t), pressure), self%handle, stat, errmsg)
-  end subroutine set_well_pressure
-
-  !> From the next step on, moves well `index` (from 0) by `per_step` [Pa] up or down to `pressure` [Pa].
-  subroutine set_well_ramp(self, index, pressure, per_step, stat, errmsg)
-    class(hfrac_simulation), intent(inout) :: self
-    integer, intent(in) :: index
-    real(c_double), intent(in) :: pressure, per_step
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call report(hfrac_well_set_ramp(self%handle, int(index, c_int32_t), pressure, per_step), self%handle, stat, errmsg)
-  end subroutine set_well_ramp
-
-  !> From the next step on, injects `rate` [m2/s] into well `index` (from 0); negative: takes out; 0: shut in.
-  subroutine set_well_rate(self, index, rate, stat, errmsg)
-    class(hfrac_simulation), intent(inout) :: self
-    integer, intent(in) :: index
-    real(c_double), intent(in) :: rate
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call report(hfrac_well_set_rate(self%handle, int(index, c_int32_t), rate), self%handle, stat, errmsg)
-  end subroutine set_well_rate
 
   !> Replaces the schedule of well `index` (from 0): from model time `time(k)` [s] on it is held at `value(k)` [Pa] where
   !> `control(k)` is HFRAC_WELL_PRESSURE, or takes `value(k)` [m2/s] where it is HFRAC_WELL_RATE. In order of time; steps end at
@@ -559,36 +395,7 @@ contains
                 self%handle, stat, errmsg)
   end subroutine set_well_schedule
 
-  ! Going back: images of the state, and steps that may be rejected
-
-  !> From the next step on, another far-field stress [Pa]: `sigma_Hmax` along x, `sigma_hmin` along y.
-  subroutine set_far_field(self, sigma_Hmax, sigma_hmin, stat, errmsg)
-    class(hfrac_simulation), intent(inout) :: self
-    real(c_double), intent(in) :: sigma_Hmax, sigma_hmin
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call report(hfrac_set_far_field(self%handle, sigma_Hmax, sigma_hmin), self%handle, stat, errmsg)
-  end subroutine set_far_field
-
-  !> From the next step on, another pressure [Pa, absolute] in the pores outside the model.
-  subroutine set_formation_pressure(self, pressure, stat, errmsg)
-    class(hfrac_simulation), intent(inout) :: self
-    real(c_double), intent(in) :: pressure
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call report(hfrac_set_formation_pressure(self%handle, pressure), self%handle, stat, errmsg)
-  end subroutine set_formation_pressure
-
   ! Temperature, in kelvin.
-
-  !> Gives rock and fluid one temperature [K]; the rock answers in the next step.
-  subroutine set_temperature(self, temperature, stat, errmsg)
-    class(hfrac_simulation), intent(inout) :: self
-    real(c_double), intent(in) :: temperature
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call report(hfrac_set_temperature(self%handle, temperature), self%handle, stat, errmsg)
-  end subroutine set_temperature
 
   !> Gives every disc its temperature [K]. Needs thermal.mode "transport".
   subroutine set_disc_temperature(self, temperature, stat, errmsg)
@@ -609,36 +416,6 @@ contains
     call report(hfrac_hold_disc_temperature(self%handle, int(merge(1, 0, held), c_int32_t), size(held, kind=c_int64_t)), &
       self%handle, stat, errmsg)
   end subroutine hold_disc_temperature
-
-  !> From the next step on, well `index` (from 0) injects at a temperature [K].
-  subroutine set_well_temperature(self, index, temperature, stat, errmsg)
-    class(hfrac_simulation), intent(inout) :: self
-    integer, intent(in) :: index
-    real(c_double), intent(in) :: temperature
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call report(hfrac_well_set_temperature(self%handle, int(index, c_int32_t), temperature), self%handle, stat, errmsg)
-  end subroutine set_well_temperature
-
-  !> Temperature [K] of the fluid in well `index` (from 0).
-  function well_temperature(self, index, stat, errmsg) result(now)
-    class(hfrac_simulation), intent(in) :: self
-    integer, intent(in) :: index
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    real(c_double) :: now
-    now = 0.0_c_double
-    call report(hfrac_well_get_temperature(self%handle, int(index, c_int32_t), now), self%handle, stat, errmsg)
-  end function well_temperature
-
-  !> The heat balance since the end of the initial equilibration.
-  function heat(self, stat, errmsg) result(now)
-    class(hfrac_simulation), intent(in) :: self
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    type(hfrac_heat) :: now
-    call report(hfrac_get_heat(self%handle, now), self%handle, stat, errmsg)
-  end function heat
 
   ! A reservoir simulator's grid. Arrays have the grid's shape (nx, ny), i first.
 
@@ -794,6 +571,8 @@ contains
     call report(hfrac_write_grdecl(self%handle, to_c(path), rule, which, repeats, pores, rock), self%handle, stat, errmsg)
   end subroutine write_grdecl
 
+  ! Going back: images of the state
+
   !> An image of the state, for `restore`.
   subroutine save_image(self, image, stat, errmsg)
     class(hfrac_simulation), intent(in) :: self
@@ -817,67 +596,6 @@ contains
     character(*), intent(inout), optional :: errmsg
     call report(hfrac_state_restore(self%handle, c_loc(image), size(image, kind=c_int64_t)), self%handle, stat, errmsg)
   end subroutine restore
-
-  !> Saves the state as a file, which is there whole or not at all.
-  subroutine save_file(self, path, stat, errmsg)
-    class(hfrac_simulation), intent(in) :: self
-    character(*), intent(in) :: path
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call report(hfrac_state_save_file(self%handle, to_c(path)), self%handle, stat, errmsg)
-  end subroutine save_file
-
-  !> Goes back to a state in a file, of this simulation or one of the same definition; anything else is refused and
-  !> changes nothing.
-  subroutine load_file(self, path, stat, errmsg)
-    class(hfrac_simulation), intent(inout) :: self
-    character(*), intent(in) :: path
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call report(hfrac_state_load_file(self%handle, to_c(path)), self%handle, stat, errmsg)
-  end subroutine load_file
-
-  !> Opens a step: remembers the state. While it is open, step, advance and restore are refused.
-  subroutine prepare_step(self, stat, errmsg)
-    class(hfrac_simulation), intent(inout) :: self
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call report(hfrac_step_prepare(self%handle), self%handle, stat, errmsg)
-  end subroutine prepare_step
-
-  !> Takes the open step, `duration` [s] of fluid time long, from where it was opened. May be called again.
-  subroutine do_step(self, duration, stat, errmsg)
-    class(hfrac_simulation), intent(inout) :: self
-    real(c_double), intent(in) :: duration
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call report(hfrac_step_do(self%handle, duration), self%handle, stat, errmsg)
-  end subroutine do_step
-
-  !> Takes another step within the open one, from where do_step or more_step ended.
-  subroutine more_step(self, duration, stat, errmsg)
-    class(hfrac_simulation), intent(inout) :: self
-    real(c_double), intent(in) :: duration
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call report(hfrac_step_more(self%handle, duration), self%handle, stat, errmsg)
-  end subroutine more_step
-
-  !> Closes the open step and keeps what the last do_step gave.
-  subroutine finalize_step(self, stat, errmsg)
-    class(hfrac_simulation), intent(inout) :: self
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call report(hfrac_step_finalize(self%handle), self%handle, stat, errmsg)
-  end subroutine finalize_step
-
-  !> Closes the open step and goes back to where it was opened, wells and far field included.
-  subroutine reject_step(self, stat, errmsg)
-    class(hfrac_simulation), intent(inout) :: self
-    integer, intent(out), optional :: stat
-    character(*), intent(inout), optional :: errmsg
-    call report(hfrac_step_reject(self%handle), self%handle, stat, errmsg)
-  end subroutine reject_step
 
   ! Cracks and fractures
 

@@ -10,6 +10,7 @@ import sys
 
 from c_subset import ROOT, NotInSubset, read_headers
 from write_fortran import FortranWriter, NameClash
+from write_fortran_calls import FortranCalls
 from write_python import PythonWriter
 
 
@@ -18,6 +19,7 @@ def outputs(header):
     package = ROOT / "bindings/python/hfrac"
     return {
         ROOT / "bindings/fortran/hfrac_c.f90": FortranWriter(header).module(),
+        ROOT / "bindings/fortran/hfrac_calls.f90": FortranCalls(header).module(),
         package / "_abi.py": python.abi(),
         package / "_records.py": python.records(),
         package / "_fields.py": python.fields(),

@@ -13,7 +13,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE, LIBRARY, CC, CXX = sys.argv[1:5]
 FC = sys.argv[5] if len(sys.argv) > 5 else None
-FORTRAN = [ROOT / "bindings/fortran" / name for name in ("hfrac_c.f90", "hfrac_text.f90", "hfrac_definition.f90", "hfrac.f90")]
+FORTRAN = [ROOT / "bindings/fortran" / name for name in ("hfrac_c.f90", "hfrac_text.f90", "hfrac_calls.f90", "hfrac_definition.f90", "hfrac.f90")]
 STRICT = ["-Wall", "-Wextra", "-Werror"]
 
 

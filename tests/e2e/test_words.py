@@ -10,6 +10,7 @@ import subprocess
 import tempfile
 import time
 import unittest
+import xml.dom.minidom
 
 from hfrac_runs import COMMAND, hfrac, history, names, summary
 
@@ -62,6 +63,30 @@ class Words(unittest.TestCase):
             for told in (self.refused("check", bad), self.refused("run", bad, "-o", self.folder)):
                 self.assertIn(f"{bad}:{place}: ", told)
                 self.assertEqual(len(told.splitlines()), 1, told)
+
+    def test_a_title_holds_what_it_likes_and_nothing_of_it_is_shown_raw(self):
+        case = self.write('title = "a \\u001b[31mred\\u0007 <b>&</b> \\u0085 title"\n' + CASE_TEXT)
+        folder, shown = self.folder, []
+        for line in (("check", case), ("run", case, "-o", folder), ("info", folder)):
+            done = hfrac(*line)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            shown.append(done.stdout + done.stderr)
+        self.assertIn("red", shown[0])
+        texts = [folder / "summary.json"]
+        if os.environ.get("HFRAC_RENDERS"):
+            for line in (("render", folder, "--view", "discs", "-o", self.top / "view.svg"),
+                         ("plot", folder, "--svg"), ("report", folder, "--no-movie", "--width", 320, "-q")):
+                done = hfrac(*line)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                shown.append(done.stdout + done.stderr)
+            drawings = [self.top / "view.svg", *folder.rglob("*.svg")]
+            self.assertGreater(len(drawings), 1)
+            for drawing in drawings:
+                xml.dom.minidom.parse(str(drawing))
+            texts += [*drawings, folder / "report.html"]
+            self.assertNotIn("<b>&</b>", (folder / "report.html").read_text())
+        for text in shown + [file.read_text(encoding="utf-8") for file in texts]:
+            self.assertIsNone(re.search("[\x00-\x08\x0b-\x1f\x7f-\x9f]", text))
 
     def test_grids_are_looked_at_before_the_run(self):
         for numbers, told in ((("10.5", 10, 1, 1), "NX 10.5 is not a whole number"), ((10, 0, 1, 1), "NY 0 is not"),

@@ -22,6 +22,16 @@ struct Member {
   double hfrac_balance::*value;
 };
 
+/** Where a crack or a slip is. */
+template <class One, class Visit>
+void place_columns(One& one, const Visit& visit) {
+  visit("bond_id", one.bond);
+  parts(visit, {"disc_0", "disc_1"}, one.disc);
+  parts(visit, {"x_m", "y_m"}, one.position);
+  parts(visit, {"normal_x", "normal_y"}, one.normal);
+  visit("length_m", one.length);
+}
+
 /** cracks.csv. Of a crack that may be changed, the values may be. */
 template <class Crack, class Visit>
 void crack_columns(Crack& crack, const Visit& visit) {
@@ -30,11 +40,7 @@ void crack_columns(Crack& crack, const Visit& visit) {
   visit("cycle", crack.cycle);
   visit("time_s", crack.time);
   visit("mode", crack.mode);
-  visit("bond_id", crack.bond);
-  parts(visit, {"disc_0", "disc_1"}, crack.disc);
-  parts(visit, {"x_m", "y_m"}, crack.position);
-  parts(visit, {"normal_x", "normal_y"}, crack.normal);
-  visit("length_m", crack.length);
+  place_columns(crack, visit);
   visit("aperture_m", crack.aperture);
   visit("normal_force_N", crack.normal_force);
   visit("shear_force_N", crack.shear_force);
@@ -51,11 +57,7 @@ void slip_columns(Slip& slip, const Visit& visit) {
   visit("time_s", slip.time);
   visit("duration_s", slip.duration);
   visit("joint", slip.joint);
-  visit("bond_id", slip.bond);
-  parts(visit, {"disc_0", "disc_1"}, slip.disc);
-  parts(visit, {"x_m", "y_m"}, slip.position);
-  parts(visit, {"normal_x", "normal_y"}, slip.normal);
-  visit("length_m", slip.length);
+  place_columns(slip, visit);
   visit("slip_m", slip.slip);
   visit("distance_m", slip.distance);
   visit("shear_modulus_Pa", slip.shear_modulus);

@@ -78,6 +78,7 @@ json well_part(const hfrac_well_state& well) {
   return {{"x_m", well.x},
           {"y_m", well.y},
           {"radius_m", well.equivalent_radius},
+          {"asked_radius_m", well.radius},
           {"pressure_Pa", well.pressure},
           {"target_pressure_Pa", well.target_pressure},
           {"rate_m2_per_s", well.rate},

@@ -34,6 +34,15 @@ std::span<const Point> corners_of(const Flow& flow, const Domain& domain) {
   return std::span<const Point>(flow.corners).subspan(domain.first_corner, domain.corner_count);
 }
 
+bool lies_in(std::span<const Point> corners, Point at) {
+  bool inside = false;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Point a = corners[i], b = corners[(i + 1) % corners.size()];
+    if ((a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) * (b.x - a.x) / (b.y - a.y)) inside = !inside;
+  }
+  return inside;
+}
+
 }  // namespace
 
 vtkSmartPointer<vtkActor> bond_layer(std::span<const Segment> bonds, Colour colour, double width) {
@@ -134,20 +143,25 @@ vtkSmartPointer<vtkActor> well_rings(const Flow& flow, std::span<const WellPlace
       mesh.band({corners[i], corners[(i + 1) % corners.size()]}, half_width, half_width / 2, colour);
     }
   };
-  if (has_well_domain(flow)) {
-    for (const Domain& domain : flow.domains) {
-      if (domain.well) outline(corners_of(flow, domain));
-    }
-  } else {
+  // The hole that was asked for; where that is not known, and around a pore that was made a well, the domain.
+  const bool domains = has_well_domain(flow);
+  std::vector<Point> asked;
+  for (const WellPlace& well : wells) {
+    const double radius = well.asked > 0 || domains ? well.asked : well.radius;
+    if (radius <= 0) continue;
     constexpr int corner_count = 64;
-    for (const WellPlace& well : wells) {
-      std::vector<Point> circle;
-      for (int i = 0; i < corner_count; ++i) {
-        const double angle = 2 * std::numbers::pi * i / corner_count;
-        circle.push_back({well.x + well.radius * std::cos(angle), well.y + well.radius * std::sin(angle)});
-      }
-      outline(circle);
+    std::vector<Point> circle;
+    for (int i = 0; i < corner_count; ++i) {
+      const double angle = 2 * std::numbers::pi * i / corner_count;
+      circle.push_back({well.x + radius * std::cos(angle), well.y + radius * std::sin(angle)});
     }
+    outline(circle);
+    asked.push_back({well.x, well.y});
+  }
+  for (const Domain& domain : flow.domains) {
+    const auto corners = corners_of(flow, domain);
+    const bool drawn = std::any_of(asked.begin(), asked.end(), [&](Point at) { return lies_in(corners, at); });
+    if (domain.well && !drawn) outline(corners);
   }
   return mesh.actor(depth::rings);
 }

@@ -65,7 +65,7 @@ vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, double lowest, double h
 vtkSmartPointer<vtkActor> well_layer(const Flow& flow, std::span<const WellPlace> wells,
                                      double smallest_radius, Colour colour = palette().well);
 
-// An outline around each well's domain, or its circle.
+// Around each well the circle of the hole that was asked for, or its domain.
 vtkSmartPointer<vtkActor> well_rings(const Flow& flow, std::span<const WellPlace> wells, double half_width,
                                      Colour colour);
 

@@ -39,7 +39,8 @@ void read_summary(RunFolder& run) {
   const auto* wells = member(summary, "wells");
   if (wells == nullptr || !wells->is_array()) return;
   for (const auto& well : *wells)
-    run.wells.push_back({finite_at(well, "x_m"), finite_at(well, "y_m"), positive_at(well, "radius_m")});
+    run.wells.push_back({finite_at(well, "x_m"), finite_at(well, "y_m"), positive_at(well, "radius_m"),
+                         positive_at(well, "asked_radius_m")});
 }
 
 }  // namespace
@@ -71,7 +72,7 @@ RunFolder run_in_memory(hfrac_sim* sim) {
   run.net_pressures = definition.stress_convention != 0;
   run.model_width = definition.model_width;
   run.model_height = definition.model_height;
-  for (const auto& well : frame.wells) run.wells.push_back({well.x, well.y, well.equivalent_radius});
+  for (const auto& well : frame.wells) run.wells.push_back({well.x, well.y, well.equivalent_radius, well.radius});
   const auto hold = [&](Series& series, const char* name, std::string vtu) {
     series[frame.moment.step] = {fs::path("the simulation") / name, frame.moment.time,
                                  std::make_shared<const std::string>(std::move(vtu))};

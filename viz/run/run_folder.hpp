@@ -15,7 +15,8 @@ namespace hfrac::run {
 struct WellPlace {
   double x = 0;       // [m]
   double y = 0;       // [m]
-  double radius = 0;  // [m]
+  double radius = 0;  // [m] of a circle as large as the hole between disc centres
+  double asked = 0;   // [m] radius of the hole that was asked for; 0: none was cut, or not known
 };
 
 struct RunFolder {
