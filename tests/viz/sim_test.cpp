@@ -59,16 +59,18 @@ TEST_F(Simulated, AHoleIsRingedAsItWasAskedFor) {
   ASSERT_EQ(hfrac_sim_create(&def, &sim), HFRAC_OK);
   int32_t index = 0;
   ASSERT_EQ(hfrac_well_add(sim, 80.0, 70.0, &index), HFRAC_OK);
-  views.width = views.height = 900;
+  views.width = 1600;
   const std::array<const char*, 1> one = {"pressure"};
   const auto ringed = [&](const char* target) {
     const Picture picture = read_picture(file(target));
     const FramedView view = find_view(picture, 100.0, 100.0);
     int found = 0;
     for (int k = 0; k < 64; ++k) {
-      const double angle = 2.0 * 3.14159265358979 * (k + 0.5) / 64;
-      const Pixel at = picture.at(view.x(50.0 + 12.0 * std::cos(angle)), view.y(50.0 + 12.0 * std::sin(angle)));
-      found += at.is_red() ? 1 : 0;
+      const double angle = 2.0 * std::acos(-1.0) * (k + 0.5) / 64;
+      bool red = false;
+      for (double r = 11.7; r < 12.3; r += 0.1)
+        red = red || picture.at(view.x(50.0 + r * std::cos(angle)), view.y(50.0 + r * std::sin(angle))).is_red();
+      found += red ? 1 : 0;
     }
     return found;
   };

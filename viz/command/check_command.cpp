@@ -10,6 +10,7 @@
 #include "command/commands.hpp"
 #include "command/run_size.hpp"
 #include "command/standard_streams.hpp"
+#include "run/text.hpp"
 
 namespace hfrac::command {
 namespace {
@@ -34,7 +35,7 @@ ExitCode check(const std::string& file) {
   std::vector<std::string> notes;
   const auto definition = load_case(file, 0, {}, &notes);
   fmt::print("{}: good\n", file);
-  if (definition.title[0] != '\0') fmt::print("  title      {}\n", definition.title);
+  if (definition.title[0] != '\0') fmt::print("  title      {}\n", run::printable(definition.title));
   fmt::print("  model      {:g} m x {:g} m, about {} discs, porosity {:g}\n", definition.model_width,
              definition.model_height, definition.packing_disc_count, definition.packing_porosity);
   double fine = 0.0, coarsest = 0.0;
