@@ -9,6 +9,7 @@ Read are all tracked .md files and the head comment (the first lines that begin 
   `file.cpp: name, other`     a file of that name is there, and holds the names as words
   file.cpp, folder/file.hpp   in code quotes or in a head comment: a file of that name is there
   `hfrac_name`                in code quotes: a function, type or program of that name stands in headers, bindings or CMake files
+and that README.md has at most 150 lines and links to every page of docs/.
 """
 import fnmatch
 import pathlib
@@ -125,7 +126,18 @@ class References:
                 if anchor not in {slug(one) for one in headings}:
                     self.fault(path, f"link to {target}: no such heading")
 
+    def readme(self):
+        """Is short, and has every page of docs/ one hop away."""
+        text = (ROOT / "README.md").read_text()
+        if text.count("\n") > 150:
+            self.fault("README.md", f"{text.count(chr(10))} lines; at most 150")
+        linked = {target.partition("#")[0] for target in LINK.findall(text)}
+        for path in self.files:
+            if re.fullmatch(r"docs/[\w-]+\.md", path) and path not in linked:
+                self.fault("README.md", f"no link to {path}")
+
     def run(self):
+        self.readme()
         for path in self.files:
             if path.endswith(".md"):
                 self.page(path)
