@@ -52,6 +52,23 @@ TEST(Collapse, OfAStepIsRefusedAndTheStateBeforeItStands) {
   }
 }
 
+// Rock a hundred times too soft and never too weak: an equilibrium is found, and it is far away.
+TEST(Collapse, OfACoupledStepIsRefusedToo) {
+  hfrac::Definition def = torn(300, 15.0, 120e6);
+  def.stepping_mode = 2;
+  def.solver_kind = 1;
+  def.contact_normal_stiffness = def.bond_normal_stiffness = 3e8;
+  def.contact_shear_stiffness = def.bond_shear_stiffness = 1e8;
+  def.bond_tensile_strength = def.bond_shear_strength = 1e12;
+  const Sim sim(def);
+  const int64_t hash = hash_of(sim);
+  ASSERT_EQ(hfrac_step(sim, 1), HFRAC_ERR_COLLAPSED) << last_error(sim);
+  expect_words(last_error(sim), {"fell apart in step 1: disc ", "more than its diameter of "});
+  EXPECT_EQ(hash_of(sim), hash);
+  ASSERT_EQ(hfrac_well_set_pressure(sim, 0, 25e6), HFRAC_OK);
+  EXPECT_GE(hfrac_step(sim, 1), HFRAC_OK) << last_error(sim);
+}
+
 TEST(Collapse, OfTheInitialEquilibrationIsRefusedUnlessAllowed) {
   hfrac::Definition def;
   def.packing_disc_count = 600;
