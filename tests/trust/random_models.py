@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Models nobody thought of: options, wells, joints, temperatures drawn by a stated seed, and what must hold of every one.
+"""Models nobody thought of: options, wells (added ones, too), joints, temperatures drawn by a stated seed, and what must hold of every one.
 
 usage: tests/trust/random_models.py [--models N] [--seed S] [--only K] [--strict]    (PYTHONPATH=bindings/python)
 
@@ -25,7 +25,7 @@ SIZE = 100.0  # m, side of every model
 
 
 def draw(seed, number):
-    """Options of one model, and what is done to it between steps."""
+    """Options of one model, and what is done to it between steps: (what, how much, a well to be added or None)."""
     r = random.Random(seed * 1000003 + number)
     discs = r.choice((60, 100, 200, 400))
     radius = math.sqrt(0.85 * SIZE * SIZE / math.pi / discs)
@@ -100,7 +100,15 @@ def draw(seed, number):
     deeds = []
     for _ in range(5):
         deed = r.choice(("", "", "", "far field", "pressure", "formation", "temperature"))
-        deeds.append((deed, r.uniform(0.8, 1.2)))
+        deeds.append((deed, r.uniform(0.8, 1.2), None))
+    # Drawn last, so that the rest of a seed stays as it was: a well added before one of the steps.
+    if r.random() < 0.4:
+        k = r.randrange(4)
+        place = r.uniform(10, 90), r.uniform(10, 90)
+        base = o["fluid_formation_pressure"] if o["stress_convention"] == "total" else 0.0
+        drive = r.choice((("pressure", base + r.choice((-base / 4, 5e6, 20e6))),
+                          ("rate", r.choice((-0.01, 0.01, 0.1)) / o["stepping_flow_step"])))
+        deeds[k] = (*deeds[k][:2], (place, drive))
     return {**o, "wells": wells, "joints": joints}, deeds
 
 
@@ -118,6 +126,20 @@ def do(sim, model, deed, share):
             sim.set_temperature(523.15 + 40.0 * share)
     except hfrac.ArgumentError:
         return sim.state_hash == before
+    return True
+
+
+def add_well(sim, well):
+    """Adds it, or is refused and changes nothing."""
+    if well is None:
+        return True
+    before = sim.state_hash
+    place, (control, value) = well
+    try:
+        new = sim.add_well(*place)
+    except hfrac.ArgumentError:
+        return sim.state_hash == before
+    (new.set_pressure if control == "pressure" else new.set_rate)(value)
     return True
 
 
@@ -165,9 +187,12 @@ def try_model(model, deeds, strict):
         servo = model["boundary_kind"] == "walls" and model["boundary_walls_after_equilibration"] == "servo"
         twin, torn = None, servo
         try:
-            for k, (deed, share) in enumerate(deeds):
-                if not all(do(each, model, deed, share) for each in (sim, twin) if each is not None):
+            for k, (deed, share, well) in enumerate(deeds):
+                both = [each for each in (sim, twin) if each is not None]
+                if not all(do(each, model, deed, share) for each in both):
                     return "done", f"step {k}: a refused {deed} changed the state"
+                if not all(add_well(each, well) for each in both):
+                    return "done", f"step {k}: a refused well changed the state"
                 before = sim.state_hash
                 try:
                     sim.step()
