@@ -161,6 +161,15 @@ test('shows pressure, displacement and bonds in colours with a key', async () =>
   const { wells } = JSON.parse(fs.readFileSync(path.join(run, 'summary.json'), 'utf8'));
   const [r, g, b] = pixel(pressure, ...(await onStage(wells[0].x_m, wells[0].y_m)));
   assert.ok(r > 200 && g > 200 && b < 120, `the well is not in the colour of the highest pressure: ${[r, g, b]}`);
+  // Its ring is the hole that was asked for.
+  const [middle, edge] = [await onStage(wells[0].x_m, wells[0].y_m), await onStage(wells[0].x_m + wells[0].asked_radius_m, wells[0].y_m)];
+  let red = 0;
+  for (let k = 0; k < 64; ++k) {
+    const [x, y] = [Math.cos((Math.PI * k) / 32), Math.sin((Math.PI * k) / 32)].map((part, i) => middle[i] + part * (edge[0] - middle[0]));
+    const around = [-1, 0, 1].flatMap((dx) => [-1, 0, 1].map((dy) => pixel(pressure, x + dx, y + dy)));
+    if (around.some(([r, g, b]) => r > 170 && g < 110 && b < 110)) ++red;
+  }
+  assert.ok(red > 58, `the ring of the well is not where it was asked for: ${red} of 64 places`);
   await page.selectOption('#disc-colour', 'displacement');
   await settle();
   await page.waitForFunction(() => !document.querySelector('#layer-pores').checked);

@@ -44,8 +44,8 @@ function drawOutlines(pen: Pen, view: View, ratio: number, { model, wells, selec
     pen.strokeStyle = css(frame);
     pen.strokeRect(left, top, right - left, bottom - top);
   }
-  for (const { x_m, y_m, radius_m } of wells) {
-    const radius = Math.max(radius_m / view.metresPerPixel(), 3 * ratio);
+  for (const { x_m, y_m, radius_m, asked_radius_m } of wells) {
+    const radius = Math.max((asked_radius_m || radius_m) / view.metresPerPixel(), 3 * ratio);
     circle(pen, view, [x_m, y_m], radius, css(well), 1.75 * ratio);
   }
   if (!selected) return;

@@ -26,7 +26,8 @@ export interface Fracture {
 export interface Well {
   x_m: number;
   y_m: number;
-  radius_m: number;
+  radius_m: number; // of a circle as large as the hole between disc centres
+  asked_radius_m?: number; // 0: a pore that was made a well; not there in older runs
 }
 
 export interface Summary {
