@@ -151,7 +151,8 @@ void write_indices(const Simulation& s, std::int32_t field, std::int32_t* to) {
       pairs(n.left, n.right);
       return;
     case HFRAC_DOMAIN_KIND:
-      for (std::size_t d = 0; d < n.kind.size(); ++d) to[d] = static_cast<std::int32_t>(n.is_well(d) ? DomainKind::well : n.kind[d]);
+      for (std::size_t d = 0; d < n.kind.size(); ++d)
+        to[d] = static_cast<std::int32_t>(n.is_well(d) ? DomainKind::well : n.kind[d]);
       return;
     case HFRAC_DOMAIN_OFFSET:
       std::copy(n.corner_start.begin(), n.corner_start.end() - 1, to);

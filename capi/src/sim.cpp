@@ -425,7 +425,8 @@ int32_t hfrac_well_get(const hfrac_sim* sim, int32_t index, hfrac_well_state* st
     full.domain = well.place.domain;
     const Simulation& s = *sim->simulation;
     const auto& cut = s.definition().wells;  // the others were added later
-    full.radius = static_cast<std::size_t>(index) < cut.size() ? cut[static_cast<std::size_t>(index)].radius : 0.0;
+    full.radius =
+        static_cast<std::size_t>(index) < cut.size() ? cut[static_cast<std::size_t>(index)].radius : 0.0;
     full.wellbore_pressure = full.pressure;
     full.wellbore_rate = full.rate;
     if (well.wellbore >= 0) {
@@ -449,7 +450,8 @@ int32_t hfrac_well_add(hfrac_sim* sim, double x, double y, int32_t* index) {
     const Well& well = well_at(*sim, *index);
     tell_well(*sim, *index,
               "added in domain " + std::to_string(well.place.domain) + ", at (" +
-                  number_text(well.place.centre.x) + ", " + number_text(well.place.centre.y) + ") m, shut in");
+                  number_text(well.place.centre.x) + ", " + number_text(well.place.centre.y) +
+                  ") m, shut in");
   });
 }
 

@@ -28,8 +28,8 @@ void restore(hfrac_sim& sim, std::span<const std::byte> image) {
   const std::size_t now = sim.simulation->wells().size();
   if (now < before) {
     tell(sim, HFRAC_LOG_WARNING,
-         "the restored state has " + std::to_string(now) + " wells: those added since it was saved, from well " +
-             std::to_string(now) + " on, are gone");
+         "the restored state has " + std::to_string(now) +
+             " wells: those added since it was saved, from well " + std::to_string(now) + " on, are gone");
   } else if (now > before) {
     tell(sim, HFRAC_LOG_INFO,
          "the restored state has " + std::to_string(now) + " wells: from well " + std::to_string(before) +

@@ -109,9 +109,8 @@ void HeatSolver::fill(const HeatState& s, double duration) {
       capacity = heat_.capacity[node];
     } else {
       const std::size_t d = node - discs_;
-      capacity = network_.is_own(d)
-                     ? std::max(0.0, fluid_capacity(d) - carrier_ * duration * net_[d])
-                     : fluid_capacity(d);
+      capacity = network_.is_own(d) ? std::max(0.0, fluid_capacity(d) - carrier_ * duration * net_[d])
+                                    : fluid_capacity(d);
     }
     const bool fixed = fixed_[node] != 0;
     // Rows of nodes that keep their temperature weigh as much as others. A pore that holds nothing is as warm as its discs.

@@ -44,7 +44,8 @@ struct Network {
   Array<double> length;       // m, of pipes; only for a fluid that thins
   // domains; 0 is the outside
   std::vector<DomainKind> kind;
-  std::vector<std::uint8_t> fed;  // 1: a pore of the rock that a well added later feeds; empty: none. Follows from the wells
+  // 1: a pore of the rock that a well added later feeds; empty: none. Follows from the wells.
+  std::vector<std::uint8_t> fed;
   Array<double> volume;         // m2, pore volume at bonding
   Array<double> storing;        // m2, pore volume whose fluid alone would store what fluid and grains do
   Array<double> volume_change;  // m2

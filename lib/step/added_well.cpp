@@ -40,8 +40,7 @@ bool lies_in(const std::vector<Vec2>& polygon, Vec2 at) {
 std::int32_t pore_nearest_to(const Model& m, Vec2 at) {
   if (!std::isfinite(at.x) || !std::isfinite(at.y)) refuse(at, "give two finite numbers.");
   const Network& n = m.network;
-  if (!lies_in(polygon_of(m, 0), at))
-    refuse(at, "it lies outside the rock; give a place among its discs.");
+  if (!lies_in(polygon_of(m, 0), at)) refuse(at, "it lies outside the rock; give a place among its discs.");
   std::int32_t nearest = 1;
   const auto way = [&](std::int32_t d) { return norm(n.centroid[d] - at); };
   for (std::int32_t d = 2; d < n.domain_count(); ++d)

@@ -30,7 +30,8 @@ struct Engine {
   Engine& operator=(const Engine&) = delete;
 
   [[nodiscard]] bool wet() const;  // with fluid
-  void take_wells();  // what follows from the model's list of wells: once, and after one came or another state was loaded
+  // What follows from the model's list of wells: at first, and after one was added or another state was loaded.
+  void take_wells();
 
   const Options& options;
   Model& model;

@@ -69,15 +69,18 @@ TEST_F(Simulated, AHoleIsRingedAsItWasAskedFor) {
       const double angle = 2.0 * std::acos(-1.0) * (k + 0.5) / 64;
       bool red = false;
       for (double r = 11.7; r < 12.3; r += 0.1)
-        red = red || picture.at(view.x(50.0 + r * std::cos(angle)), view.y(50.0 + r * std::sin(angle))).is_red();
+        red = red ||
+              picture.at(view.x(50.0 + r * std::cos(angle)), view.y(50.0 + r * std::sin(angle))).is_red();
       found += red ? 1 : 0;
     }
     return found;
   };
-  ASSERT_EQ(hfrac_viz_render_sim(sim, one.data(), 1, file("straight.png").c_str(), &views), HFRAC_OK) << last_error();
+  ASSERT_EQ(hfrac_viz_render_sim(sim, one.data(), 1, file("straight.png").c_str(), &views), HFRAC_OK)
+      << last_error();
   EXPECT_GE(ringed("straight.png"), 60);
   output::RunFolder(folder()).open(sim);
-  ASSERT_EQ(hfrac_viz_render_views(folder().c_str(), one.data(), 1, file("folder.png").c_str(), &views), HFRAC_OK)
+  ASSERT_EQ(hfrac_viz_render_views(folder().c_str(), one.data(), 1, file("folder.png").c_str(), &views),
+            HFRAC_OK)
       << last_error();
   EXPECT_GE(ringed("folder.png"), 60);
 }

@@ -38,7 +38,8 @@ bool lies_in(std::span<const Point> corners, Point at) {
   bool inside = false;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Point a = corners[i], b = corners[(i + 1) % corners.size()];
-    if ((a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) * (b.x - a.x) / (b.y - a.y)) inside = !inside;
+    if ((a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) * (b.x - a.x) / (b.y - a.y))
+      inside = !inside;
   }
   return inside;
 }
@@ -160,7 +161,8 @@ vtkSmartPointer<vtkActor> well_rings(const Flow& flow, std::span<const WellPlace
   }
   for (const Domain& domain : flow.domains) {
     const auto corners = corners_of(flow, domain);
-    const bool drawn = std::any_of(asked.begin(), asked.end(), [&](Point at) { return lies_in(corners, at); });
+    const bool drawn =
+        std::any_of(asked.begin(), asked.end(), [&](Point at) { return lies_in(corners, at); });
     if (domain.well && !drawn) outline(corners);
   }
   return mesh.actor(depth::rings);

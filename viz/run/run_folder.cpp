@@ -72,7 +72,8 @@ RunFolder run_in_memory(hfrac_sim* sim) {
   run.net_pressures = definition.stress_convention != 0;
   run.model_width = definition.model_width;
   run.model_height = definition.model_height;
-  for (const auto& well : frame.wells) run.wells.push_back({well.x, well.y, well.equivalent_radius, well.radius});
+  for (const auto& well : frame.wells)
+    run.wells.push_back({well.x, well.y, well.equivalent_radius, well.radius});
   const auto hold = [&](Series& series, const char* name, std::string vtu) {
     series[frame.moment.step] = {fs::path("the simulation") / name, frame.moment.time,
                                  std::make_shared<const std::string>(std::move(vtu))};
