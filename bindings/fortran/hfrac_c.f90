@@ -2329,7 +2329,7 @@ module hfrac_c
       integer(c_int32_t) :: hfrac_state_save
     end function hfrac_state_save
     !> Restores an image. One that is damaged, of another model or another format is refused and changes nothing.
-    !> Stable since 0.1.
+    !> Wells added to a living simulation (hfrac_well_add) come and go with it. Stable since 0.1.
     function hfrac_state_restore(sim, image, size) bind(C, name="hfrac_state_restore")
       import
       type(c_ptr), value :: sim

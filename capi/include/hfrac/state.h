@@ -31,8 +31,8 @@ extern "C" {
 HFRAC_API int32_t hfrac_state_size(const hfrac_sim *sim, int64_t *size);
 /** Writes an image into the caller's `buffer` of `capacity` bytes; *size gets the bytes written. Stable since 0.1. */
 HFRAC_API int32_t hfrac_state_save(const hfrac_sim *sim, void *buffer, int64_t capacity, int64_t *size);
-/** Restores an image. One that is damaged, of another model or another format is refused and changes nothing.
- * Stable since 0.1. */
+/** Restores an image. One that is damaged, of another model or another format is refused and changes nothing. Wells added to a
+ * living simulation (hfrac_well_add) come and go with it. Stable since 0.1. */
 HFRAC_API int32_t hfrac_state_restore(hfrac_sim *sim, const void *image, int64_t size);
 
 /** Saves an image as file `path`: beside it first (`path`.part), synced, then renamed. After a crash or a power cut there is
