@@ -168,6 +168,34 @@ std::vector<char> discs_held(std::size_t n, const std::vector<Join>& joins) {
   return held;
 }
 
+// Edges by parts: those inside a tile in the order that keeps additions apart, those across by pair of tiles.
+void number_edges(std::vector<Join>& joins, ContactGraph& graph) {
+  const auto tile_of = [](std::int32_t disc) { return static_cast<std::size_t>(disc / tile_size); };
+  const std::size_t tiles = (graph.x.size() + tile_size - 1) / tile_size;
+  const auto part_of = [&](const Join& join) {
+    return tile_of(join.i) + (tile_of(join.i) == tile_of(join.j) ? 0 : tiles);
+  };
+  std::stable_sort(joins.begin(), joins.end(), [&](const Join& a, const Join& b) {
+    const auto p = part_of(a), q = part_of(b);
+    return p != q ? p < q : tile_of(a.j) < tile_of(b.j);
+  });
+  graph.part_first_edge.assign(2 * tiles + 1, 0);
+  for (const auto& join : joins) ++graph.part_first_edge[part_of(join) + 1];
+  for (std::size_t p = 0; p < 2 * tiles; ++p) graph.part_first_edge[p + 1] += graph.part_first_edge[p];
+  graph.first.resize(joins.size());
+  graph.second.resize(joins.size());
+  graph.bonded.resize(joins.size());
+  for (std::size_t e = 0; e < joins.size(); ++e) {
+    const auto part = part_of(joins[e]);
+    const auto begin = graph.part_first_edge[part], rank = static_cast<std::int64_t>(e) - begin;
+    const auto at = static_cast<std::size_t>(
+        begin + (part < tiles ? edge_at(rank, graph.part_first_edge[part + 1] - begin) : rank));
+    graph.first[at] = joins[e].i;
+    graph.second[at] = joins[e].j;
+    graph.bonded[at] = joins[e].bonded ? 1 : 0;
+  }
+}
+
 }  // namespace
 
 ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y, const Array<double>& radius,
@@ -218,40 +246,12 @@ ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y,
     graph.radius.push_back(cr[i]);
   }
   graph.removed_floaters = static_cast<std::int64_t>(cx.size() - graph.x.size());
-  const auto tile_of = [](std::int32_t disc) { return static_cast<std::size_t>(disc / tile_size); };
   std::size_t kept = 0;
   for (const auto& join : joins) {
     if (held[join.i] && held[join.j]) joins[kept++] = {number[join.i], number[join.j], join.gap, join.bonded};
   }
   joins.resize(kept);
-  graph.tile_first_edge.assign(
-      graph.x.empty() ? 1 : tile_of(static_cast<std::int32_t>(graph.x.size()) - 1) + 2, 0);
-  for (const auto& join : joins) {
-    if (tile_of(join.i) == tile_of(join.j)) ++graph.tile_first_edge[tile_of(join.i) + 1];
-  }
-  for (std::size_t t = 1; t < graph.tile_first_edge.size(); ++t)
-    graph.tile_first_edge[t] += graph.tile_first_edge[t - 1];
-  graph.first.resize(kept);
-  graph.second.resize(kept);
-  graph.bonded.resize(kept);
-  auto next_across = static_cast<std::size_t>(graph.tile_first_edge.back());
-  std::size_t tile = 0;
-  std::int64_t rank = 0;
-  for (const auto& join : joins) {
-    std::size_t at = 0;
-    if (tile_of(join.i) != tile_of(join.j)) {
-      at = next_across++;
-    } else {
-      if (tile_of(join.i) != tile) rank = 0;
-      tile = tile_of(join.i);
-      at = static_cast<std::size_t>(
-          graph.tile_first_edge[tile] +
-          edge_at(rank++, graph.tile_first_edge[tile + 1] - graph.tile_first_edge[tile]));
-    }
-    graph.first[at] = join.i;
-    graph.second[at] = join.j;
-    graph.bonded[at] = join.bonded ? 1 : 0;
-  }
+  number_edges(joins, graph);
   if (graph.x.size() < 4) {
     throw Error(ErrorKind::model,
                 "no coherent rock is left: fewer than 4 discs have two bonds; raise bond.gap_tolerance or "

@@ -46,8 +46,7 @@ ExplicitSolver::ExplicitSolver(Model& model, Boundary& boundary, const Options& 
       non_bonded_(options, model.contact_pairs),
       options_(options),
       workers_(workers),
-      bonds_left_(workers.count()),
-      domains_left_(workers.count()),
+      parts_left_(workers.count()),
       tiles_left_(workers.count()),
       kernels_(kernels()),
       fragments_(assembly_, options),
@@ -58,17 +57,14 @@ ExplicitSolver::ExplicitSolver(Model& model, Boundary& boundary, const Options& 
   plan_ =
       plan_tiles(assembly_, network_, FlowScheme{options.flow_scheme} != FlowScheme::off, boundary.walled());
   const auto tiles = plan_.tiles.size();
-  bond_sums_.assign(tiles + static_cast<std::size_t>(plan_.bond_blocks), {});
+  bond_sums_.assign(2 * tiles, {});
   disc_sums_.assign(tiles, {});
-  domain_sums_.assign(tiles + static_cast<std::size_t>(plan_.domain_blocks), {});
+  domain_sums_.assign(2 * tiles + 1, {});
   scratch_.resize(static_cast<std::size_t>(workers.count()));
   for (auto& scratch : scratch_) scratch.assign(static_cast<std::size_t>(tile_scratch), 0.0);
   if (!assembly_.smooth.empty()) {
-    for (const auto& tile : plan_.tiles)
-      smooth_from_.push_back(assembly_.smooth.index.listed_before(tile.first_bond));
-    for (std::int64_t block = 0; block < plan_.bond_blocks; ++block)
-      smooth_from_.push_back(
-          assembly_.smooth.index.listed_before(plan_.first_cross_bond + block * cross_block));
+    for (std::size_t part = 0; part < 2 * tiles; ++part)
+      smooth_from_.push_back(assembly_.smooth.index.listed_before(assembly_.part_first_bond[part]));
     smooth_from_.push_back(static_cast<std::int64_t>(assembly_.smooth.contacts.size()));
   }
   bind_arrays();
@@ -95,7 +91,6 @@ void ExplicitSolver::bind_arrays() {
   k.first = a.first.data();
   k.second = a.second.data();
   k.geometry = a.geometry.data();
-  k.first_cross_geometry = a.geometry.first_block(plan_.tiles.size());
   k.intact = a.intact.data();
   k.slip = a.slip.data();
   if (!a.factors.empty()) {
@@ -111,7 +106,7 @@ void ExplicitSolver::bind_arrays() {
     k.softening = 4.0 * options_.bond_fracture_energy;
   }
   k.bond_count = a.bond_count();
-  k.first_cross_bond = plan_.first_cross_bond;
+  k.first_cross_bond = a.first_cross_bond();
   k.domain_corner_start = n.corner_start.data();
   k.domain_corner_disc = n.corner_disc.data();
   k.domain_corner_weight = n.corner_weight.data();
@@ -120,10 +115,10 @@ void ExplicitSolver::bind_arrays() {
   k.volume_change = n.volume_change.data();
   k.content = n.content.data();
   k.tiles = plan_.tiles.data();
+  k.cross_parts = plan_.cross_parts.data();
   k.tile_count = static_cast<std::int64_t>(plan_.tiles.size());
   k.cross_domain = plan_.cross_domain.data();
   k.cross_corner_start = plan_.cross_corner_start.data();
-  k.cross_domain_count = static_cast<std::int64_t>(plan_.cross_domain.size());
   k.bond_slot = plan_.bond_slot.data();
   k.corner_slot = plan_.corner_slot.data();
   k.force_buffer = plan_.force_buffer.data();
@@ -379,16 +374,16 @@ void ExplicitSolver::answer_smooth_joints(std::int64_t part, std::int64_t cycle,
 }
 
 // After breakage the forces are computed again, as those of what is left.
-void ExplicitSolver::take_cross_block(std::int64_t block, std::int64_t cycle, Found& found) {
-  answer_smooth_joints(arrays_.tile_count + block, cycle, found);
-  kernels_.cross_bonds(arrays_, block);
-  if (break_cross_block(block, cycle, found)) kernels_.cross_bonds(arrays_, block);
+void ExplicitSolver::take_cross_bonds(std::int64_t part, std::int64_t cycle, Found& found) {
+  answer_smooth_joints(arrays_.tile_count + part, cycle, found);
+  kernels_.cross_bonds(arrays_, part);
+  if (break_cross_bonds(part, cycle, found)) kernels_.cross_bonds(arrays_, part);
 }
 
-bool ExplicitSolver::break_cross_block(std::int64_t block, std::int64_t cycle, Found& found) {
-  if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + block)].flagged == 0) return false;
-  const auto first = arrays_.first_cross_bond + block * cross_block;
-  return break_bonds(first, std::min(first + cross_block, arrays_.bond_count), cycle, found);
+bool ExplicitSolver::break_cross_bonds(std::int64_t part, std::int64_t cycle, Found& found) {
+  if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + part)].flagged == 0) return false;
+  const CrossPart& p = plan_.cross_parts[static_cast<std::size_t>(part)];
+  return break_bonds(p.first_bond, p.last_bond, cycle, found);
 }
 
 void ExplicitSolver::take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, Found& found) {
@@ -428,12 +423,13 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
   arrays_.undrained = undrained_ ? 1 : 0;
   begin_smooth_joints();
   mark_left_alone();
+  // The pressure outside is imposed: its push is the same in all cycles, and its work follows from its change of volume.
+  if (arrays_.with_pressure != 0) kernels_.cross_domains(arrays_, arrays_.tile_count);
   if (may_block()) {
     run_blocked(cycles, found);
     return;
   }
   put_loads();
-  const auto domain_blocks = arrays_.with_pressure != 0 ? plan_.domain_blocks : 0;
   // A worker that finds no memory for its cracks may not leave the others waiting: it goes on to the end of the batch, and
   // then the step fails.
   std::atomic<bool> no_memory{false};
@@ -453,17 +449,17 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
       const std::int64_t now = total_cycles_ + cycle;
       // Whether a bond stays depends on others of its discs, maybe another worker's: then one worker breaks them all, in order.
       watched([&] {
-        bonds_left_.take(worker, [&](std::int64_t block) {
+        parts_left_.take(worker, [&](std::int64_t part) {
+          if (arrays_.with_pressure != 0) kernels_.cross_domains(arrays_, part);
           if (!fragments_.kept()) {
-            take_cross_block(block, now, found[w]);
+            take_cross_bonds(part, now, found[w]);
             return;
           }
-          answer_smooth_joints(arrays_.tile_count + block, now, found[w]);
-          kernels_.cross_bonds(arrays_, block);
-          if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + block)].flagged != 0) flagged = now;
+          answer_smooth_joints(arrays_.tile_count + part, now, found[w]);
+          kernels_.cross_bonds(arrays_, part);
+          if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + part)].flagged != 0) flagged = now;
         });
       });
-      domains_left_.take(worker, [&](std::int64_t block) { kernels_.cross_domains(arrays_, block); });
       if (worker == 0 && boundary_.reacts()) {
         boundary_.cycle(assembly_, arrays_.step, options_.stepping_safety, arrays_.damping);
       }
@@ -474,15 +470,12 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
         facets_.add_forces();
       }
       workers_.barrier();
-      if (worker == 0) {
-        bonds_left_.refill(workers_, plan_.bond_blocks);
-        domains_left_.refill(workers_, domain_blocks);
-      }
+      if (worker == 0) parts_left_.refill(workers_, arrays_.tile_count);
       if (flagged == now) {
         if (worker == 0) {
           watched([&] {
-            for (std::int64_t block = 0; block < plan_.bond_blocks; ++block) {
-              if (break_cross_block(block, now, found[0])) kernels_.cross_bonds(arrays_, block);
+            for (std::int64_t part = 0; part < arrays_.tile_count; ++part) {
+              if (break_cross_bonds(part, now, found[0])) kernels_.cross_bonds(arrays_, part);
             }
           });
         }
@@ -504,8 +497,7 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
     }
   };
   while (done < cycles) {
-    bonds_left_.refill(workers_, plan_.bond_blocks);
-    domains_left_.refill(workers_, domain_blocks);
+    parts_left_.refill(workers_, arrays_.tile_count);
     tiles_left_.refill(workers_, arrays_.tile_count);
     workers_.run(task);
   }
@@ -621,10 +613,9 @@ void ExplicitSolver::evaluate() {
     const SmoothContact& contact = assembly_.smooth.contacts[k];
     smooth_forces_[k] = answer_of(assembly_, contact, assembly_.slip[contact.bond], energies_.friction);
   }
-  for (std::int64_t block = 0; block < plan_.bond_blocks; ++block) kernels_.cross_bonds(arrays_, block);
-  if (arrays_.with_pressure != 0) {
-    for (std::int64_t block = 0; block < plan_.domain_blocks; ++block) kernels_.cross_domains(arrays_, block);
-  }
+  for (std::int64_t part = 0; part < arrays_.tile_count; ++part) kernels_.cross_bonds(arrays_, part);
+  for (std::int64_t part = 0; arrays_.with_pressure != 0 && part <= arrays_.tile_count; ++part)
+    kernels_.cross_domains(arrays_, part);
   for (std::int64_t tile = 0; tile < arrays_.tile_count; ++tile)
     kernels_.tile_forces(arrays_, tile, scratch_[0].data());
   energies_.friction += take_work(bond_sums_);

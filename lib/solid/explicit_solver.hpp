@@ -135,8 +135,8 @@ class ExplicitSolver {
   void mark_left_alone();
   void run_blocked(std::int64_t cycles, std::vector<Found>& found);
   [[nodiscard]] bool is_held(std::int64_t bond) const;
-  bool break_cross_block(std::int64_t block, std::int64_t cycle, Found& found);
-  void take_cross_block(std::int64_t block, std::int64_t cycle, Found& found);
+  bool break_cross_bonds(std::int64_t part, std::int64_t cycle, Found& found);
+  void take_cross_bonds(std::int64_t part, std::int64_t cycle, Found& found);
   void take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, Found& found);
   void break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, CrackLog& found);
   void log_softened(Crack& crack) const;
@@ -153,7 +153,7 @@ class ExplicitSolver {
   NonBondedContacts non_bonded_;
   const Options& options_;
   Workers& workers_;
-  Workers::Pass bonds_left_, domains_left_, tiles_left_;  // of a cycle: blocks of bonds, of domains, tiles
+  Workers::Pass parts_left_, tiles_left_;  // of a cycle: parts across tiles, tiles
   const KernelTable& kernels_;
   Fragments fragments_;
   // For the kernels: contacts of smooth joints before each part (SmoothArrays::from), their laws, and the forces of laws they do not know.
@@ -180,7 +180,7 @@ class ExplicitSolver {
   Array<double> inverse_mass_, inverse_inertia_;
   std::vector<Array<double>> scratch_;                             // one per worker
   TemporalBlocking blocking_;                                      // empty where the caches hold the model
-  std::vector<std::atomic<std::int32_t>> tile_done_, block_done_;  // cycles of the batch
+  std::vector<std::atomic<std::int32_t>> tile_done_, part_done_;  // cycles of the batch
   std::atomic<std::int64_t> next_task_{0};
   std::vector<TileSums> bond_sums_, disc_sums_, domain_sums_;
   double real_step_ = 0.0;

@@ -294,16 +294,15 @@ void gather_anywhere(const KernelArrays& a, int64_t e, int64_t n, Chunk& c) {
   }
 }
 
-void cross_bonds(const KernelArrays& a, int64_t block) {
-  const int64_t begin = a.first_cross_bond + block * cross_block;
-  const int64_t end = begin + cross_block < a.bond_count ? begin + cross_block : a.bond_count;
+void cross_bonds(const KernelArrays& a, int64_t part) {
+  const CrossPart& p = a.cross_parts[part];
   Chunk c;
   BondSums sums;
-  int64_t contact = a.smooth.contacts != nullptr ? a.smooth.from[a.tile_count + block] : 0;
-  for (int64_t e = begin; e < end; e += chunk) {
-    const int64_t n = e + chunk < end ? chunk : end - e;
+  int64_t contact = a.smooth.contacts != nullptr ? a.smooth.from[a.tile_count + part] : 0;
+  for (int64_t e = p.first_bond; e < p.last_bond; e += chunk) {
+    const int64_t n = e + chunk < p.last_bond ? chunk : p.last_bond - e;
     gather_anywhere(a, e, n, c);
-    bond_law(a, e, n, geometry_at(a.first_cross_geometry, e - a.first_cross_bond), c);
+    bond_law(a, e, n, geometry_at(p.first_block, e - p.first_bond), c);
     if (a.smooth.contacts != nullptr) contact = answer_smooth(a, e, n, contact, c);
     keep_slip(a, e, n, c);
     sums.add(c, n);
@@ -319,15 +318,13 @@ void cross_bonds(const KernelArrays& a, int64_t block) {
       to_j.moment = -c.minus_moment_j[k];
     }
   }
-  sums.put(a.bond_sums[a.tile_count + block]);
+  sums.put(a.bond_sums[a.tile_count + part]);
 }
 
 template <bool turns>
-void cross_domains_with(const KernelArrays& a, int64_t block) {
-  const int64_t begin = block * cross_block;
-  const int64_t end = begin + cross_block < a.cross_domain_count ? begin + cross_block : a.cross_domain_count;
+void cross_domains_with(const KernelArrays& a, int64_t part) {
   double work = 0.0;
-  for (int64_t q = begin; q < end; ++q) {
+  for (int64_t q = a.cross_parts[part].first_domain; q < a.cross_parts[part].last_domain; ++q) {
     const int64_t d = a.cross_domain[q];
     const int32_t first = a.domain_corner_start[d], last = a.domain_corner_start[d + 1];
     double p = a.pressure[d];
@@ -349,11 +346,11 @@ void cross_domains_with(const KernelArrays& a, int64_t block) {
       if constexpr (turns) to.moment = p * a.domain_corner_turn[k];
     }
   }
-  a.domain_sums[a.tile_count + block].work += work;
+  a.domain_sums[a.tile_count + part].work += work;
 }
 
-void cross_domains(const KernelArrays& a, int64_t block) {
-  (a.domain_corner_turn == nullptr ? cross_domains_with<false> : cross_domains_with<true>)(a, block);
+void cross_domains(const KernelArrays& a, int64_t part) {
+  (a.domain_corner_turn == nullptr ? cross_domains_with<false> : cross_domains_with<true>)(a, part);
 }
 
 // One degree of freedom of some discs: leap-frog with local damping (Cundall 1987). Adds up the damping work.
@@ -417,7 +414,9 @@ void bond_forces(const KernelArrays& a, BondForce* to) {
   int64_t contact = 0;
   for (int64_t t = 0; t < a.tile_count; ++t)
     forces_of_part(a, a.tiles[t].first_bond, a.tiles[t].last_bond, a.tiles[t].first_block, contact, to);
-  forces_of_part(a, a.first_cross_bond, a.bond_count, a.first_cross_geometry, contact, to);
+  for (int64_t t = 0; t < a.tile_count; ++t)
+    forces_of_part(a, a.cross_parts[t].first_bond, a.cross_parts[t].last_bond, a.cross_parts[t].first_block,
+                   contact, to);
 }
 
 }  // namespace
