@@ -171,25 +171,41 @@ std::vector<char> discs_held(std::size_t n, const std::vector<Join>& joins) {
 // Edges by parts: those inside a tile in the order that keeps additions apart, those across by pair of tiles.
 void number_edges(std::vector<Join>& joins, ContactGraph& graph) {
   const auto tile_of = [](std::int32_t disc) { return static_cast<std::size_t>(disc / tile_size); };
+  const auto across = [&](const Join& join) { return tile_of(join.i) != tile_of(join.j); };
   const std::size_t tiles = (graph.x.size() + tile_size - 1) / tile_size;
-  const auto part_of = [&](const Join& join) {
-    return tile_of(join.i) + (tile_of(join.i) == tile_of(join.j) ? 0 : tiles);
-  };
   std::stable_sort(joins.begin(), joins.end(), [&](const Join& a, const Join& b) {
-    const auto p = part_of(a), q = part_of(b);
-    return p != q ? p < q : tile_of(a.j) < tile_of(b.j);
+    if (across(a) != across(b)) return across(b);
+    return tile_of(a.i) != tile_of(b.i) ? tile_of(a.i) < tile_of(b.i) : tile_of(a.j) < tile_of(b.j);
   });
-  graph.part_first_edge.assign(2 * tiles + 1, 0);
-  for (const auto& join : joins) ++graph.part_first_edge[part_of(join) + 1];
-  for (std::size_t p = 0; p < 2 * tiles; ++p) graph.part_first_edge[p + 1] += graph.part_first_edge[p];
+  graph.part_first_edge.assign(tiles + 1, 0);
+  graph.tile_first_pair.assign(tiles + 1, 0);
+  auto& first = graph.part_first_edge;
+  for (std::size_t e = 0; e < joins.size(); ++e) {
+    const Join& join = joins[e];
+    if (!across(join)) {
+      ++first[tile_of(join.i) + 1];
+      continue;
+    }
+    const bool known =
+        e > 0 && tile_of(joins[e - 1].i) == tile_of(join.i) && tile_of(joins[e - 1].j) == tile_of(join.j);
+    if (known) continue;
+    ++graph.tile_first_pair[tile_of(join.i) + 1];
+    first.push_back(static_cast<std::int64_t>(e));
+  }
+  first.push_back(static_cast<std::int64_t>(joins.size()));
+  for (std::size_t t = 0; t < tiles; ++t) first[t + 1] += first[t];
+  first.erase(first.begin() + static_cast<std::ptrdiff_t>(tiles));  // where the pairs begin
+  graph.tile_first_pair[0] = static_cast<std::int32_t>(tiles);
+  for (std::size_t t = 0; t < tiles; ++t) graph.tile_first_pair[t + 1] += graph.tile_first_pair[t];
   graph.first.resize(joins.size());
   graph.second.resize(joins.size());
   graph.bonded.resize(joins.size());
   for (std::size_t e = 0; e < joins.size(); ++e) {
-    const auto part = part_of(joins[e]);
-    const auto begin = graph.part_first_edge[part], rank = static_cast<std::int64_t>(e) - begin;
-    const auto at = static_cast<std::size_t>(
-        begin + (part < tiles ? edge_at(rank, graph.part_first_edge[part + 1] - begin) : rank));
+    auto at = e;
+    if (!across(joins[e])) {
+      const auto begin = first[tile_of(joins[e].i)], end = first[tile_of(joins[e].i) + 1];
+      at = static_cast<std::size_t>(begin + edge_at(static_cast<std::int64_t>(e) - begin, end - begin));
+    }
     graph.first[at] = joins[e].i;
     graph.second[at] = joins[e].j;
     graph.bonded[at] = joins[e].bonded ? 1 : 0;

@@ -42,6 +42,7 @@ Assembly build_assembly(ContactGraph graph, const Options& options) {
   a.first = std::move(graph.first);
   a.second = std::move(graph.second);
   a.part_first_bond = std::move(graph.part_first_edge);
+  a.tile_first_pair = std::move(graph.tile_first_pair);
   a.mean_radius = graph.mean_radius;
   a.sizes = std::move(graph.sizes);
   a.density = options.disc_density;
@@ -79,17 +80,22 @@ Assembly build_assembly(ContactGraph graph, const Options& options) {
 
 std::int64_t Assembly::bond_between(std::int32_t i, std::int32_t j) const {
   if (i > j) std::swap(i, j);
-  // Those inside a tile are sorted by (first, second), by rank; those across by the second's tile before that.
-  const auto tile = static_cast<std::int32_t>(j / tile_size);
-  const bool across = i / tile_size != tile;
-  const auto part = static_cast<std::size_t>(i / tile_size) + (across ? tile_count() : 0);
+  // Each part is sorted by (first, second), those inside a tile by rank.
+  const auto from = static_cast<std::size_t>(i / tile_size), to = static_cast<std::size_t>(j / tile_size);
+  const bool across = from != to;
+  auto part = from;
+  if (across) {
+    part = static_cast<std::size_t>(tile_first_pair[from]);
+    const auto end = static_cast<std::size_t>(tile_first_pair[from + 1]);
+    while (part < end && static_cast<std::size_t>(second[part_first_bond[part]] / tile_size) != to) ++part;
+    if (part == end) return -1;
+  }
   const std::int64_t begin = part_first_bond[part], count = part_first_bond[part + 1] - begin;
   const auto place = [&](std::int64_t rank) { return begin + (across ? rank : edge_at(rank, count)); };
   std::int64_t low = 0, high = count;
   while (low < high) {
     const auto middle = low + (high - low) / 2, e = place(middle);
-    const auto to = static_cast<std::int32_t>(second[e] / tile_size);
-    const bool before = to != tile ? to < tile : first[e] != i ? first[e] < i : second[e] < j;
+    const bool before = first[e] != i ? first[e] < i : second[e] < j;
     (before ? low : high) = before ? middle + 1 : middle;
   }
   if (low == count) return -1;

@@ -34,7 +34,8 @@ class BondGeometry {
       shift_.push_back(blocks * block_bonds - first);
       blocks += (last - first + block_bonds - 1) / block_bonds;
     }
-    values_.assign(static_cast<std::size_t>(blocks * block_values), 0.0);
+    // The law is asked for whole blocks: places that no bond takes answer like any other.
+    values_.assign(static_cast<std::size_t>(blocks * block_values), 1.0);
   }
 
   void put(std::size_t part, std::int64_t bond, const BondValues& v) {

@@ -57,13 +57,13 @@ ExplicitSolver::ExplicitSolver(Model& model, Boundary& boundary, const Options& 
   plan_ =
       plan_tiles(assembly_, network_, FlowScheme{options.flow_scheme} != FlowScheme::off, boundary.walled());
   const auto tiles = plan_.tiles.size();
-  bond_sums_.assign(2 * tiles, {});
+  bond_sums_.assign(tiles + plan_.pairs.size(), {});
   disc_sums_.assign(tiles, {});
   domain_sums_.assign(2 * tiles + 1, {});
   scratch_.resize(static_cast<std::size_t>(workers.count()));
   for (auto& scratch : scratch_) scratch.assign(static_cast<std::size_t>(tile_scratch), 0.0);
   if (!assembly_.smooth.empty()) {
-    for (std::size_t part = 0; part < 2 * tiles; ++part)
+    for (std::size_t part = 0; part < tiles + plan_.pairs.size(); ++part)
       smooth_from_.push_back(assembly_.smooth.index.listed_before(assembly_.part_first_bond[part]));
     smooth_from_.push_back(static_cast<std::int64_t>(assembly_.smooth.contacts.size()));
   }
@@ -115,6 +115,8 @@ void ExplicitSolver::bind_arrays() {
   k.volume_change = n.volume_change.data();
   k.content = n.content.data();
   k.tiles = plan_.tiles.data();
+  k.pairs = plan_.pairs.data();
+  k.pair_count = static_cast<std::int64_t>(plan_.pairs.size());
   k.cross_parts = plan_.cross_parts.data();
   k.tile_count = static_cast<std::int64_t>(plan_.tiles.size());
   k.cross_domain = plan_.cross_domain.data();
@@ -374,15 +376,18 @@ void ExplicitSolver::answer_smooth_joints(std::int64_t part, std::int64_t cycle,
 }
 
 // After breakage the forces are computed again, as those of what is left.
-void ExplicitSolver::take_cross_bonds(std::int64_t part, std::int64_t cycle, Found& found) {
-  answer_smooth_joints(arrays_.tile_count + part, cycle, found);
-  kernels_.cross_bonds(arrays_, part);
-  if (break_cross_bonds(part, cycle, found)) kernels_.cross_bonds(arrays_, part);
+void ExplicitSolver::take_pairs(std::int64_t part, std::int64_t cycle, Found& found) {
+  const CrossPart& p = plan_.cross_parts[static_cast<std::size_t>(part)];
+  for (auto pair = p.first_pair; pair < p.last_pair; ++pair) {
+    answer_smooth_joints(arrays_.tile_count + pair, cycle, found);
+    kernels_.cross_bonds(arrays_, pair);
+    if (!fragments_.kept() && break_cross_bonds(pair, cycle, found)) kernels_.cross_bonds(arrays_, pair);
+  }
 }
 
-bool ExplicitSolver::break_cross_bonds(std::int64_t part, std::int64_t cycle, Found& found) {
-  if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + part)].flagged == 0) return false;
-  const CrossPart& p = plan_.cross_parts[static_cast<std::size_t>(part)];
+bool ExplicitSolver::break_cross_bonds(std::int64_t pair, std::int64_t cycle, Found& found) {
+  if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + pair)].flagged == 0) return false;
+  const TilePair& p = plan_.pairs[static_cast<std::size_t>(pair)];
   return break_bonds(p.first_bond, p.last_bond, cycle, found);
 }
 
@@ -451,13 +456,11 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
       watched([&] {
         parts_left_.take(worker, [&](std::int64_t part) {
           if (arrays_.with_pressure != 0) kernels_.cross_domains(arrays_, part);
-          if (!fragments_.kept()) {
-            take_cross_bonds(part, now, found[w]);
-            return;
+          take_pairs(part, now, found[w]);
+          const CrossPart& p = plan_.cross_parts[static_cast<std::size_t>(part)];
+          for (auto pair = p.first_pair; fragments_.kept() && pair < p.last_pair; ++pair) {
+            if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + pair)].flagged != 0) flagged = now;
           }
-          answer_smooth_joints(arrays_.tile_count + part, now, found[w]);
-          kernels_.cross_bonds(arrays_, part);
-          if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + part)].flagged != 0) flagged = now;
         });
       });
       if (worker == 0 && boundary_.reacts()) {
@@ -474,8 +477,8 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
       if (flagged == now) {
         if (worker == 0) {
           watched([&] {
-            for (std::int64_t part = 0; part < arrays_.tile_count; ++part) {
-              if (break_cross_bonds(part, now, found[0])) kernels_.cross_bonds(arrays_, part);
+            for (std::int64_t pair = 0; pair < arrays_.pair_count; ++pair) {
+              if (break_cross_bonds(pair, now, found[0])) kernels_.cross_bonds(arrays_, pair);
             }
           });
         }
@@ -613,7 +616,7 @@ void ExplicitSolver::evaluate() {
     const SmoothContact& contact = assembly_.smooth.contacts[k];
     smooth_forces_[k] = answer_of(assembly_, contact, assembly_.slip[contact.bond], energies_.friction);
   }
-  for (std::int64_t part = 0; part < arrays_.tile_count; ++part) kernels_.cross_bonds(arrays_, part);
+  for (std::int64_t pair = 0; pair < arrays_.pair_count; ++pair) kernels_.cross_bonds(arrays_, pair);
   for (std::int64_t part = 0; arrays_.with_pressure != 0 && part <= arrays_.tile_count; ++part)
     kernels_.cross_domains(arrays_, part);
   for (std::int64_t tile = 0; tile < arrays_.tile_count; ++tile)

@@ -135,8 +135,8 @@ class ExplicitSolver {
   void mark_left_alone();
   void run_blocked(std::int64_t cycles, std::vector<Found>& found);
   [[nodiscard]] bool is_held(std::int64_t bond) const;
-  bool break_cross_bonds(std::int64_t part, std::int64_t cycle, Found& found);
-  void take_cross_bonds(std::int64_t part, std::int64_t cycle, Found& found);
+  bool break_cross_bonds(std::int64_t pair, std::int64_t cycle, Found& found);
+  void take_pairs(std::int64_t part, std::int64_t cycle, Found& found);
   void take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, Found& found);
   void break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, CrackLog& found);
   void log_softened(Crack& crack) const;

@@ -58,7 +58,7 @@ void ExplicitSolver::run_blocked(std::int64_t cycles, std::vector<Found>& found)
         const std::int32_t part = ~next.item;
         for (auto k = blocking_.part_start[part]; k < blocking_.part_start[part + 1]; ++k)
           workers_.wait_for(tile_done_[blocking_.part_tile[k]], cycle - 1);
-        do_one([&] { take_cross_bonds(part, total_cycles_ + cycle - 1, found[w]); });
+        do_one([&] { take_pairs(part, total_cycles_ + cycle - 1, found[w]); });
         if (pores_answer) kernels_.cross_domains(arrays_, part);
         finish(part_done_[part], cycle);
       } else {

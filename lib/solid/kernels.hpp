@@ -53,7 +53,7 @@ struct SmoothArrays {
   const int32_t* law_number;  // by joint
   const SmoothLaw* laws;
   const SmoothForces* forces;  // by contact, where the kernels do not know the laws; else null
-  const int64_t* from;         // the first contact of each tile, then of each tile's bonds across
+  const int64_t* from;         // the first contact of each tile, then of each pair of tiles
 };
 
 struct TileSums {
@@ -68,10 +68,14 @@ struct Tile {
   int64_t left_alone;   // 1: nothing outside pushes its discs, and external_* need not be looked at
 };
 
-// What lies across tiles and belongs to the first of them: bonds, and domains as places in `cross_domain`.
+// The bonds between two tiles, and where their geometry begins.
+struct TilePair {
+  int64_t first_bond, last_bond, first_block;
+};
+
+// What lies across tiles and belongs to the first of them: pairs of it with later ones, and domains as places in `cross_domain`.
 struct CrossPart {
-  int64_t first_bond, last_bond, first_domain, last_domain;
-  int64_t first_block;  // of its bonds
+  int64_t first_pair, last_pair, first_domain, last_domain;
 };
 
 struct KernelArrays {
@@ -102,8 +106,9 @@ struct KernelArrays {
   const double* stiffness;             // Pa/m2: K_f / V; 0 where the pressure is imposed
   // tiles
   const Tile* tiles;
+  const TilePair* pairs;
   const CrossPart* cross_parts;  // by tile, and one for the outside
-  int64_t tile_count;
+  int64_t tile_count, pair_count;
   const int32_t* cross_domain;        // domains that touch two tiles, by the first of them, and last the outside
   const int32_t* cross_corner_start;  // their corners' places in corner_slot
   const int32_t* bond_slot;    // two places per bond across tiles: first disc, second disc
@@ -122,7 +127,7 @@ struct KernelArrays {
   double reference_pressure, floor_pressure;  // Pa
   int32_t with_pressure;                      // 0: no fluid forces
   int32_t undrained;                          // 1: pressures follow the volumes of their pores
-  // sums: of each tile, then of its part across, of domains then of the outside
+  // sums: of each tile, then of bonds by pair, of domains by part across
   TileSums *bond_sums, *disc_sums, *domain_sums;
   // by bond, null unless bonds soften (softening.hpp)
   double *softening_start, *softening_worst;  // m
@@ -135,7 +140,7 @@ constexpr int64_t tile_scratch = 8 * tile_size;
 struct KernelTable {
   void (*tile_forces)(const KernelArrays& a, int64_t tile, double* scratch);
   void (*tile_move)(const KernelArrays& a, int64_t tile, const double* scratch);
-  void (*cross_bonds)(const KernelArrays& a, int64_t part);
+  void (*cross_bonds)(const KernelArrays& a, int64_t pair);
   void (*cross_domains)(const KernelArrays& a, int64_t part);
   // The forces of all bonds as they stand, for tests and whoever wants to look; moves and slides nothing.
   void (*bond_forces)(const KernelArrays& a, BondForce* to);

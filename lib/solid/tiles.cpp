@@ -33,16 +33,17 @@ TilePlan plan_tiles(const Assembly& a, const Network& n, bool fluid, bool outsid
     plan.tiles[t].last_disc = std::min(discs, (t + 1) * tile_size);
   }
 
-  plan.cross_parts.assign(static_cast<std::size_t>(count) + 1, CrossPart{bonds, bonds, 0, 0, 0});
+  plan.cross_parts.assign(static_cast<std::size_t>(count) + 1, CrossPart{});
   for (std::int64_t t = 0; t < count; ++t) {
-    const auto within = static_cast<std::size_t>(t), across = static_cast<std::size_t>(count + t);
-    plan.tiles[t].first_bond = a.part_first_bond[within];
-    plan.tiles[t].last_bond = a.part_first_bond[within + 1];
-    plan.tiles[t].first_block = a.geometry.first_block(within);
-    plan.cross_parts[t].first_bond = a.part_first_bond[across];
-    plan.cross_parts[t].last_bond = a.part_first_bond[across + 1];
-    plan.cross_parts[t].first_block = a.geometry.first_block(across);
+    const auto part = static_cast<std::size_t>(t);
+    plan.tiles[t].first_bond = a.part_first_bond[part];
+    plan.tiles[t].last_bond = a.part_first_bond[part + 1];
+    plan.tiles[t].first_block = a.geometry.first_block(part);
+    plan.cross_parts[t].first_pair = a.tile_first_pair[part] - count;
+    plan.cross_parts[t].last_pair = a.tile_first_pair[part + 1] - count;
   }
+  for (auto part = static_cast<std::size_t>(count); part + 1 < a.part_first_bond.size(); ++part)
+    plan.pairs.push_back({a.part_first_bond[part], a.part_first_bond[part + 1], a.geometry.first_block(part)});
 
   // Pores of a dry model neither push nor answer: none is on the plan.
   std::int64_t d = 1;

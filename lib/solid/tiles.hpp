@@ -25,6 +25,7 @@ namespace hfrac {
 
 struct TilePlan {
   std::vector<Tile> tiles;
+  std::vector<TilePair> pairs;
   std::vector<CrossPart> cross_parts;  // by tile, and the last of the outside's pore alone
   std::vector<std::int32_t> cross_domain, cross_corner_start;
   std::vector<std::int32_t> bond_slot, corner_slot;  // places in `force_buffer`

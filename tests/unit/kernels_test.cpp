@@ -60,7 +60,7 @@ void stir(TestModel& m) {
 // One cycle by a table's kernels, as the solver takes it.
 void cycle(const KernelTable& table, const KernelArrays& a) {
   alignas(64) double scratch[tile_scratch];
-  for (std::int64_t t = 0; t < a.tile_count; ++t) table.cross_bonds(a, t);
+  for (std::int64_t p = 0; p < a.pair_count; ++p) table.cross_bonds(a, p);
   for (std::int64_t t = 0; t <= a.tile_count; ++t) table.cross_domains(a, t);
   for (std::int64_t t = 0; t < a.tile_count; ++t) {
     table.tile_forces(a, t, scratch);
@@ -102,7 +102,7 @@ std::string outputs_of(const char* isa, const Law& law) {
     for (const double* values : {a.ux, a.uy, a.rotation, a.vx, a.vy, a.spin}) keep(values, a.disc_count);
     keep(a.pressure, m.network.domain_count());
     keep(a.volume_change, m.network.domain_count());
-    keep(a.bond_sums, 2 * a.tile_count);
+    keep(a.bond_sums, a.tile_count + a.pair_count);
     keep(a.disc_sums, a.tile_count);
     keep(a.domain_sums, 2 * a.tile_count + 1);
   }
@@ -138,7 +138,7 @@ TEST(Kernels, FollowTheLawOfViewBond) {
     const Array<double> slipped = m.assembly.slip;
     const Softening softened = std::exchange(m.assembly.softening, whole);
     const KernelArrays& a = m.solver->arrays();
-    std::vector<char> breaks_in(2 * static_cast<std::size_t>(a.tile_count), 0);  // by part
+    std::vector<char> breaks_in(static_cast<std::size_t>(a.tile_count + a.pair_count), 0);  // by part
     std::int64_t breaking = 0;
     for (std::int64_t e = 0; e < m.assembly.bond_count(); ++e) {
       m.assembly.slip[e] = slip[e];
