@@ -88,7 +88,7 @@ class ExactSum {
       rest = 32U - bits;
     }
     bool below = rest > 0 && (bits_of(next) & ((1ULL << rest) - 1)) != 0;
-    while (next > 0) below = below || bits_of(--next) != 0;
+    while (next > 0 && !below) below = bits_of(--next) != 0;
     if (below) leading |= 1U;
     const double size = std::ldexp(static_cast<double>(leading), static_cast<int>(lowest) - 1074);
     return negative ? -size : size;

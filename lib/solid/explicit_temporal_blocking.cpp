@@ -32,7 +32,6 @@ void ExplicitSolver::run_blocked(std::int64_t cycles, std::vector<Found>& found)
   next_task_.store(0, std::memory_order_relaxed);
   const auto in_list = static_cast<std::int64_t>(blocking_.tasks.size());
   const std::int64_t sweeps = (cycles + blocking_.cycles - 1) / blocking_.cycles;
-  std::atomic<bool> no_memory{false};
   const auto finish = [](std::atomic<std::int32_t>& done, std::int32_t cycle) {
     done.store(cycle, std::memory_order_release);
     done.notify_all();
@@ -51,7 +50,7 @@ void ExplicitSolver::run_blocked(std::int64_t cycles, std::vector<Found>& found)
         try {
           part();
         } catch (const std::bad_alloc&) {
-          no_memory = true;
+          no_memory_ = true;
         }
       };
       if (next.item < 0) {
@@ -72,7 +71,6 @@ void ExplicitSolver::run_blocked(std::int64_t cycles, std::vector<Found>& found)
     }
   };
   workers_.run(task);
-  if (no_memory) throw std::bad_alloc();
   total_cycles_ += cycles;
 }
 
