@@ -58,6 +58,8 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_ERR_CALLBACK = -12
   !> the rock fell apart: it does not bear its load, or a disc left its place in a step; state as before the step
   integer(c_int32_t), parameter :: HFRAC_ERR_COLLAPSED = -13
+  !> another rank of the simulation failed, or does not answer
+  integer(c_int32_t), parameter :: HFRAC_ERR_EXCHANGE = -14
   !> an error of the library itself; please report it
   integer(c_int32_t), parameter :: HFRAC_ERR_INTERNAL = -99
 
@@ -1202,6 +1204,63 @@ module hfrac_c
     integer(c_int64_t) :: count = 0_c_int64_t
   end type hfrac_magnitude_law
 
+  !> What goes to another rank, and what comes from it; either may be empty.
+  type, bind(C) :: hfrac_message
+    !> the other one
+    integer(c_int32_t) :: rank = 0_c_int32_t
+    !> 0
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t
+    !> [B]
+    integer(c_int64_t) :: send_bytes = 0_c_int64_t
+    !> [B]
+    integer(c_int64_t) :: receive_bytes = 0_c_int64_t
+    !> borrowed until hfrac_finish_fn returns
+    type(c_ptr) :: send = c_null_ptr
+    !> written by then
+    type(c_ptr) :: receive = c_null_ptr
+  end type hfrac_message
+
+  !> How ranks talk. Fill with hfrac_exchange_init, then all members.
+  type, bind(C) :: hfrac_exchange
+    !> sizeof(hfrac_exchange) of the caller, set by init
+    integer(c_int32_t) :: struct_size = 0_c_int32_t
+    !> this one, 0 to size - 1
+    integer(c_int32_t) :: rank = 0_c_int32_t
+    !> ranks, 1 to 1048576; with 1 no function is called
+    integer(c_int32_t) :: size = 0_c_int32_t
+    !> 0
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t
+    !> handed to all functions; must live as long as the simulation
+    type(c_ptr) :: user = c_null_ptr
+    !> messages between two ranks
+    type(c_funptr) :: start = c_null_funptr
+    !> the end of those
+    type(c_funptr) :: finish = c_null_funptr
+    !> integers over all ranks
+    type(c_funptr) :: sum = c_null_funptr
+    !> bytes of all ranks
+    type(c_funptr) :: gather = c_null_funptr
+    !> the end of it all
+    type(c_funptr) :: fail = c_null_funptr
+  end type hfrac_exchange
+
+  !> What a rank does for the others in a cycle, since the model was built; zeros with one rank. Set struct_size
+  !> before the call.
+  type, bind(C) :: hfrac_traffic
+    !> sizeof(hfrac_traffic) of the caller
+    integer(c_int32_t) :: struct_size = 40_c_int32_t
+    !> 0
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t
+    !> received a cycle
+    integer(c_int64_t) :: messages = 0_c_int64_t
+    !> [B] received a cycle
+    integer(c_int64_t) :: bytes = 0_c_int64_t
+    !> discs of other ranks whose motion is received
+    integer(c_int64_t) :: foreign_discs = 0_c_int64_t
+    !> bonds that this rank does beside another, which counts them
+    integer(c_int64_t) :: shared_bonds = 0_c_int64_t
+  end type hfrac_traffic
+
   !> The host's areal grid. Set struct_size, and 0 what does not apply. Either regular cells (origin, dx, dy, angle)
   !> or `corners`; nx and ny always.
   type, bind(C) :: hfrac_grid
@@ -1456,6 +1515,59 @@ module hfrac_c
       real(c_double), value :: time
       integer(c_int32_t) :: hfrac_step_fn
     end function hfrac_step_fn
+  end interface
+
+  abstract interface
+    !> Begins to exchange `count` messages, at most one with each rank. All functions of the table return 0, or
+    !> nonzero once any rank has failed: then they go on to return nonzero. They are called by one thread of a rank
+    !> at a time.
+    function hfrac_start_fn(user, messages, count) bind(C)
+      import
+      type(c_ptr), value :: user
+      type(hfrac_message), intent(in) :: messages
+      integer(c_int32_t), value :: count
+      integer(c_int32_t) :: hfrac_start_fn
+    end function hfrac_start_fn
+  end interface
+
+  abstract interface
+    !> Waits until all messages begun have come and gone.
+    function hfrac_finish_fn(user) bind(C)
+      import
+      type(c_ptr), value :: user
+      integer(c_int32_t) :: hfrac_finish_fn
+    end function hfrac_finish_fn
+  end interface
+
+  abstract interface
+    !> Adds up `count` integers over all ranks, in place, on all of them; overflow wraps.
+    function hfrac_sum_fn(user, values, count) bind(C)
+      import
+      type(c_ptr), value :: user
+      integer(c_int64_t), intent(out) :: values
+      integer(c_int32_t), value :: count
+      integer(c_int32_t) :: hfrac_sum_fn
+    end function hfrac_sum_fn
+  end interface
+
+  abstract interface
+    !> Of the bytes at `all`, rank r has those from begin[r] up to begin[r + 1]; afterwards all ranks have all.
+    function hfrac_gather_fn(user, all, begin) bind(C)
+      import
+      type(c_ptr), value :: user
+      type(c_ptr), value :: all
+      integer(c_int64_t), intent(in) :: begin(*)
+      integer(c_int32_t) :: hfrac_gather_fn
+    end function hfrac_gather_fn
+  end interface
+
+  abstract interface
+    !> This rank cannot go on: calls that others wait in, or make later, return nonzero.
+    function hfrac_fail_fn(user) bind(C)
+      import
+      type(c_ptr), value :: user
+      integer(c_int32_t) :: hfrac_fail_fn
+    end function hfrac_fail_fn
   end interface
 
   interface
@@ -2075,6 +2187,30 @@ module hfrac_c
       type(hfrac_magnitude_law), intent(inout) :: law
       integer(c_int32_t) :: hfrac_find_magnitude_law
     end function hfrac_find_magnitude_law
+    !> Defaults into `exchange`, one rank; `struct_size` is sizeof(hfrac_exchange) in the caller. Unstable since
+    !> 0.2.
+    function hfrac_exchange_init(exchange, struct_size) bind(C, name="hfrac_exchange_init")
+      import
+      type(hfrac_exchange), intent(inout) :: exchange
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t) :: hfrac_exchange_init
+    end function hfrac_exchange_init
+    !> hfrac_sim_create on each of several ranks, which all wait for each other here and in every call that changes
+    !> the simulation. HFRAC_ERR_EXCHANGE: another rank failed. Unstable since 0.2.
+    function hfrac_sim_create_on(def, exchange, sim) bind(C, name="hfrac_sim_create_on")
+      import
+      type(hfrac_sim_def), intent(in) :: def
+      type(hfrac_exchange), intent(in) :: exchange
+      type(c_ptr), intent(inout) :: sim
+      integer(c_int32_t) :: hfrac_sim_create_on
+    end function hfrac_sim_create_on
+    !> What this rank receives in a cycle. Unstable since 0.2.
+    function hfrac_get_traffic(sim, traffic) bind(C, name="hfrac_get_traffic")
+      import
+      type(c_ptr), value :: sim
+      type(hfrac_traffic), intent(inout) :: traffic
+      integer(c_int32_t) :: hfrac_get_traffic
+    end function hfrac_get_traffic
     !> Lays the host's grid over the model, in place of an earlier one. Valid at any time after creation; the grid
     !> is no part of the state and stays over restore and reject. HFRAC_ERR_ARGUMENT: a cell without area or not
     !> convex. Costs about as much as one flow step. Unstable since 0.1.

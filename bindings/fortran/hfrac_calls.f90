@@ -25,6 +25,7 @@ module hfrac_calls
     procedure, public :: set_well_ramp
     procedure, public :: set_well_rate
     procedure, public :: epoch
+    procedure, public :: traffic
     procedure, public :: set_temperature
     procedure, public :: set_well_temperature
     procedure, public :: well_temperature
@@ -195,6 +196,17 @@ contains
     if (status < 0) now = 0
     call report(status, self%handle, stat, errmsg)
   end function epoch
+
+  !> What this rank receives in a cycle. Unstable since 0.2.
+  function traffic(self, stat, errmsg) result(now)
+    class(hfrac_handle), intent(in) :: self
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_traffic) :: now
+    integer(c_int32_t) :: status
+    status = hfrac_get_traffic(self%handle, now)
+    call report(status, self%handle, stat, errmsg)
+  end function traffic
 
   !> Gives rock and fluid one temperature [K]. HFRAC_ERR_ARGUMENT: no temperature in this simulation, a step is
   !> open, or the value lies outside the table of micro-parameters. Unstable since 0.1.

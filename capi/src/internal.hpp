@@ -262,4 +262,13 @@ void write_struct(Struct* to, const Struct& full, const char* name) {
   std::memcpy(bytes, &size, sizeof size);
 }
 
+// What an init function does: `size` is the struct's in the caller.
+template <class Struct>
+void put_defaults(Struct* to, std::int32_t size, const Struct& defaults, const char* name) {
+  require_not_null(to, name);
+  require_struct_size(size, name);
+  to->struct_size = size;
+  write_struct(to, defaults, name);
+}
+
 }  // namespace hfrac::capi

@@ -74,14 +74,6 @@ hfrac_targets default_targets() {
   return targets;
 }
 
-template <class Struct>
-void put_defaults(Struct* to, std::int32_t size, const Struct& defaults, const char* name) {
-  require_not_null(to, name);
-  require_struct_size(size, name);
-  to->struct_size = size;
-  write_struct(to, defaults, name);
-}
-
 hfrac_lab_report describe(const LabReport& r) {
   hfrac_lab_report to{};
   to.struct_size = sizeof to;

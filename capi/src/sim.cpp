@@ -45,17 +45,19 @@ std::int32_t take_step(hfrac_sim& sim, ProgressPoll& poll, double fraction, doub
   const Simulation& s = *sim.simulation;
   const std::size_t cracks_before = s.cracks().size();
   ++sim.epoch;
-  const auto outcome = sim.simulation->step(sim.simulation->loads(), duration,
-                                            [&] { return poll.stop(fraction, "stepping"); });
+  const auto outcome = together(sim, [&] {
+    return sim.simulation->step(sim.simulation->loads(), duration,
+                                [&] { return poll.stop(fraction, "stepping"); });
+  });
   ++sim.epoch;  // a callback may have looked at the middle of the step
   if (outcome.stopped) return HFRAC_STOPPED;
   tell_step(sim, cracks_before);
-  if (sim.on_step != nullptr) {
-    const bool stop = call_host(&sim, [&] {
-                        return sim.on_step(sim.on_step_user, &sim, s.model().clock.step, s.time());
-                      }) != 0;
-    if (stop) return HFRAC_STOPPED;
-  }
+  const auto asks_to_stop = [&] {
+    return sim.on_step != nullptr && call_host(&sim, [&] {
+                                       return sim.on_step(sim.on_step_user, &sim, s.model().clock.step, s.time());
+                                     }) != 0;
+  };
+  if (sim.ranks.any(together(sim, asks_to_stop))) return HFRAC_STOPPED;
   return outcome.at_rest ? HFRAC_OK : HFRAC_NOT_AT_REST;
 }
 
@@ -124,33 +126,39 @@ void require_finite(double value, const char* name) {
 
 }  // namespace
 
+std::int32_t hfrac::capi::create(const hfrac_sim_def* def, const hfrac_exchange& exchange, hfrac_sim** sim) {
+  require_not_null(sim, "sim");
+  *sim = nullptr;
+  const hfrac_sim_def full = read_def(def);
+  auto handle = std::make_unique<hfrac_sim>();
+  handle->exchange = exchange;
+  if (exchange.size > 1) handle->ranks = ranks_over(handle->exchange);
+  handle->listener = listener_of(full.log, full.log_user, full.log_level);
+  ProgressPoll poll(*handle, full.progress, full.progress_user, 0.05);
+  const char* stage = "";
+  try {
+    const auto progress = [&](double done, const char* what) {
+      if (what != stage) tell(*handle, HFRAC_LOG_INFO, stage = what);
+      return poll.stop(done, what);
+    };
+    handle->simulation = together(*handle, [&] {
+      return std::make_unique<Simulation>(case_of(full), given_discs_of(full), progress, given_bonds_of(full),
+                                          handle->ranks);
+    });
+  } catch (const Stopped&) {
+    return HFRAC_STOPPED;
+  } catch (const Error& error) {
+    tell(*handle, HFRAC_LOG_ERROR, error.what());
+    throw;
+  }
+  tell_setup(*handle);
+  handle->listener = {};
+  *sim = handle.release();
+  return HFRAC_OK;
+}
+
 int32_t hfrac_sim_create(const hfrac_sim_def* def, hfrac_sim** sim) {
-  return guarded([&]() -> std::int32_t {
-    require_not_null(sim, "sim");
-    *sim = nullptr;
-    const hfrac_sim_def full = read_def(def);
-    auto handle = std::make_unique<hfrac_sim>();
-    handle->listener = listener_of(full.log, full.log_user, full.log_level);
-    ProgressPoll poll(*handle, full.progress, full.progress_user, 0.05);
-    const char* stage = "";
-    try {
-      const auto progress = [&](double done, const char* what) {
-        if (what != stage) tell(*handle, HFRAC_LOG_INFO, stage = what);
-        return poll.stop(done, what);
-      };
-      handle->simulation =
-          std::make_unique<Simulation>(case_of(full), given_discs_of(full), progress, given_bonds_of(full));
-    } catch (const Stopped&) {
-      return HFRAC_STOPPED;
-    } catch (const Error& error) {
-      tell(*handle, HFRAC_LOG_ERROR, error.what());
-      throw;
-    }
-    tell_setup(*handle);
-    handle->listener = {};
-    *sim = handle.release();
-    return HFRAC_OK;
-  });
+  return guarded([&] { return create(def, hfrac_exchange{}, sim); });
 }
 
 int32_t hfrac_sim_destroy(hfrac_sim** sim) {

@@ -8,7 +8,8 @@
 #include <memory>
 #include <vector>
 
-#include "hfrac/sim.h"
+#include "core/ranks.hpp"
+#include "hfrac/exchange.h"
 #include "internal.hpp"
 
 namespace hfrac {
@@ -25,6 +26,8 @@ struct hfrac_sim : hfrac::capi::HandleBase {
   static void operator delete(void* place, std::size_t size);
 
   std::unique_ptr<hfrac::Simulation> simulation;
+  hfrac_exchange exchange{};  // what `ranks` talk by
+  hfrac::Ranks ranks;
   hfrac_progress_fn progress = nullptr;
   void* progress_user = nullptr;
   double progress_seconds = 0.0;
@@ -41,3 +44,10 @@ struct hfrac_sim : hfrac::capi::HandleBase {
   };
   std::map<std::int32_t, View> views;
 };
+
+namespace hfrac::capi {
+// hfrac_sim_create, on one rank or several (exchange.cpp).
+std::int32_t create(const hfrac_sim_def* def, const hfrac_exchange& exchange, hfrac_sim** sim);
+// Ranks that talk by a table, which has to stay where it is.
+Ranks ranks_over(hfrac_exchange& kept);
+}  // namespace hfrac::capi

@@ -12,23 +12,44 @@
 
 namespace hfrac::capi {
 
-// The host's progress callback, asked about every so many seconds. Once it has said stop it is not asked again.
+// What only one of several ranks runs into is the end for all; an Error all find alike.
+template <class Work>
+auto together(const hfrac_sim& sim, const Work& work) {
+  try {
+    return work();
+  } catch (const Error&) {
+    throw;
+  } catch (const Stopped&) {
+    throw;
+  } catch (...) {
+    sim.ranks.fail();
+    throw;
+  }
+}
+
+// The host's progress callback, asked about every so many seconds. Once it has said stop it is not asked again. On several ranks
+// all stop if one does.
 class ProgressPoll {
  public:
   ProgressPoll(hfrac_sim& sim, hfrac_progress_fn progress, void* user, double seconds)
       : sim_(sim), progress_(progress), user_(user), seconds_(seconds), last_(Clock::now()) {}
 
   bool stop(double fraction, const char* what) {
-    if (stopped_ || progress_ == nullptr) return stopped_;
-    const auto now = Clock::now();
-    if (std::chrono::duration<double>(now - last_).count() < seconds_) return false;
-    last_ = now;
-    stopped_ = call_host(&sim_, [&] { return progress_(user_, fraction, what); }) != 0;
-    return stopped_;
+    if (stopped_) return true;
+    const bool here = together(sim_, [&] { return asked_to_stop(fraction, what); });
+    return stopped_ = sim_.ranks.alone() ? here : sim_.ranks.any(here);
   }
 
  private:
   using Clock = std::chrono::steady_clock;
+  bool asked_to_stop(double fraction, const char* what) {
+    if (progress_ == nullptr) return false;
+    const auto now = Clock::now();
+    if (std::chrono::duration<double>(now - last_).count() < seconds_) return false;
+    last_ = now;
+    return call_host(&sim_, [&] { return progress_(user_, fraction, what); }) != 0;
+  }
+
   hfrac_sim& sim_;
   hfrac_progress_fn progress_;
   void* user_;

@@ -168,6 +168,50 @@ std::vector<char> discs_held(std::size_t n, const std::vector<Join>& joins) {
   return held;
 }
 
+// Edges by parts: those inside a tile in the order that keeps additions apart, those across by pair of tiles.
+void number_edges(std::vector<Join>& joins, ContactGraph& graph) {
+  const auto tile_of = [](std::int32_t disc) { return static_cast<std::size_t>(disc / tile_size); };
+  const auto across = [&](const Join& join) { return tile_of(join.i) != tile_of(join.j); };
+  const std::size_t tiles = (graph.x.size() + tile_size - 1) / tile_size;
+  std::stable_sort(joins.begin(), joins.end(), [&](const Join& a, const Join& b) {
+    if (across(a) != across(b)) return across(b);
+    return tile_of(a.i) != tile_of(b.i) ? tile_of(a.i) < tile_of(b.i) : tile_of(a.j) < tile_of(b.j);
+  });
+  graph.part_first_edge.assign(tiles + 1, 0);
+  graph.tile_first_pair.assign(tiles + 1, 0);
+  auto& first = graph.part_first_edge;
+  for (std::size_t e = 0; e < joins.size(); ++e) {
+    const Join& join = joins[e];
+    if (!across(join)) {
+      ++first[tile_of(join.i) + 1];
+      continue;
+    }
+    const bool known =
+        e > 0 && tile_of(joins[e - 1].i) == tile_of(join.i) && tile_of(joins[e - 1].j) == tile_of(join.j);
+    if (known) continue;
+    ++graph.tile_first_pair[tile_of(join.i) + 1];
+    first.push_back(static_cast<std::int64_t>(e));
+  }
+  first.push_back(static_cast<std::int64_t>(joins.size()));
+  for (std::size_t t = 0; t < tiles; ++t) first[t + 1] += first[t];
+  first.erase(first.begin() + static_cast<std::ptrdiff_t>(tiles));  // where the pairs begin
+  graph.tile_first_pair[0] = static_cast<std::int32_t>(tiles);
+  for (std::size_t t = 0; t < tiles; ++t) graph.tile_first_pair[t + 1] += graph.tile_first_pair[t];
+  graph.first.resize(joins.size());
+  graph.second.resize(joins.size());
+  graph.bonded.resize(joins.size());
+  for (std::size_t e = 0; e < joins.size(); ++e) {
+    auto at = e;
+    if (!across(joins[e])) {
+      const auto begin = first[tile_of(joins[e].i)], end = first[tile_of(joins[e].i) + 1];
+      at = static_cast<std::size_t>(begin + edge_at(static_cast<std::int64_t>(e) - begin, end - begin));
+    }
+    graph.first[at] = joins[e].i;
+    graph.second[at] = joins[e].j;
+    graph.bonded[at] = joins[e].bonded ? 1 : 0;
+  }
+}
+
 }  // namespace
 
 ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y, const Array<double>& radius,
@@ -218,40 +262,12 @@ ContactGraph build_contact_graph(const Array<double>& x, const Array<double>& y,
     graph.radius.push_back(cr[i]);
   }
   graph.removed_floaters = static_cast<std::int64_t>(cx.size() - graph.x.size());
-  const auto tile_of = [](std::int32_t disc) { return static_cast<std::size_t>(disc / tile_size); };
   std::size_t kept = 0;
   for (const auto& join : joins) {
     if (held[join.i] && held[join.j]) joins[kept++] = {number[join.i], number[join.j], join.gap, join.bonded};
   }
   joins.resize(kept);
-  graph.tile_first_edge.assign(
-      graph.x.empty() ? 1 : tile_of(static_cast<std::int32_t>(graph.x.size()) - 1) + 2, 0);
-  for (const auto& join : joins) {
-    if (tile_of(join.i) == tile_of(join.j)) ++graph.tile_first_edge[tile_of(join.i) + 1];
-  }
-  for (std::size_t t = 1; t < graph.tile_first_edge.size(); ++t)
-    graph.tile_first_edge[t] += graph.tile_first_edge[t - 1];
-  graph.first.resize(kept);
-  graph.second.resize(kept);
-  graph.bonded.resize(kept);
-  auto next_across = static_cast<std::size_t>(graph.tile_first_edge.back());
-  std::size_t tile = 0;
-  std::int64_t rank = 0;
-  for (const auto& join : joins) {
-    std::size_t at = 0;
-    if (tile_of(join.i) != tile_of(join.j)) {
-      at = next_across++;
-    } else {
-      if (tile_of(join.i) != tile) rank = 0;
-      tile = tile_of(join.i);
-      at = static_cast<std::size_t>(
-          graph.tile_first_edge[tile] +
-          edge_at(rank++, graph.tile_first_edge[tile + 1] - graph.tile_first_edge[tile]));
-    }
-    graph.first[at] = join.i;
-    graph.second[at] = join.j;
-    graph.bonded[at] = join.bonded ? 1 : 0;
-  }
+  number_edges(joins, graph);
   if (graph.x.size() < 4) {
     throw Error(ErrorKind::model,
                 "no coherent rock is left: fewer than 4 discs have two bonds; raise bond.gap_tolerance or "

@@ -36,9 +36,11 @@ struct ContactGraph {
   std::vector<std::int32_t> first;  // disc i of each edge, first < second
   std::vector<std::int32_t> second;
   std::vector<std::uint8_t> bonded;  // 1, or 0 where a host's list of bonds left a near pair out
-  // Edges inside tile t: tile_first_edge[t] .. tile_first_edge[t + 1), interleaved (edge_at); then those across tiles,
-  // sorted by (first, second).
-  std::vector<std::int64_t> tile_first_edge;
+  // Where each part of the edges begins, and last their number. With T tiles of discs, part t < T are those inside tile t,
+  // interleaved (edge_at). Then a part for each pair of tiles, by the first, then by the second; in it edges go by (first, second).
+  std::vector<std::int64_t> part_first_edge;
+  std::vector<std::int32_t> tile_first_pair;  // by tile: its first pair's part, and last the number of parts
+  [[nodiscard]] std::int64_t first_cross_edge() const { return part_first_edge[tile_first_pair.size() - 1]; }
   double mean_radius = 0.0;  // m, of all discs given; graded: of the fine ones
   Grading sizes;             // of a graded packing
   std::int64_t removed_in_wells = 0, removed_floaters = 0, removed_crossings = 0;

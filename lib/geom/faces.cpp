@@ -96,7 +96,7 @@ Faces build_faces(const ContactGraph& graph) {
   }
   // The outside first, then those all edges of which lie inside a tile (they stay in the order of tiles), then the rest.
   std::vector<char> across(begin.size(), 0);
-  for (std::size_t e = static_cast<std::size_t>(graph.tile_first_edge.back()); e < graph.first.size(); ++e)
+  for (std::size_t e = static_cast<std::size_t>(graph.first_cross_edge()); e < graph.first.size(); ++e)
     across[faces.left[e]] = across[faces.right[e]] = 1;
   std::vector<std::int32_t> order{static_cast<std::int32_t>(outside)};
   for (const char rest : {0, 1}) {

@@ -41,7 +41,8 @@ Assembly build_assembly(ContactGraph graph, const Options& options) {
   a.radius = std::move(graph.radius);
   a.first = std::move(graph.first);
   a.second = std::move(graph.second);
-  a.tile_first_bond = std::move(graph.tile_first_edge);
+  a.part_first_bond = std::move(graph.part_first_edge);
+  a.tile_first_pair = std::move(graph.tile_first_pair);
   a.mean_radius = graph.mean_radius;
   a.sizes = std::move(graph.sizes);
   a.density = options.disc_density;
@@ -57,7 +58,7 @@ Assembly build_assembly(ContactGraph graph, const Options& options) {
   }
   a.tensile_per_radius = 2.0 * options.bond_tensile_strength * a.strength_factor;
   a.shear_per_radius = 2.0 * options.bond_shear_strength * a.strength_factor;
-  a.geometry.lay_out(a.tile_first_bond, static_cast<std::int64_t>(bonds));
+  a.geometry.lay_out(a.part_first_bond);
   a.intact.assign(graph.bonded.begin(), graph.bonded.end());
   a.slip.assign(bonds, 0.0);
   for (std::size_t e = 0; e < bonds; ++e) {
@@ -79,11 +80,17 @@ Assembly build_assembly(ContactGraph graph, const Options& options) {
 
 std::int64_t Assembly::bond_between(std::int32_t i, std::int32_t j) const {
   if (i > j) std::swap(i, j);
-  // Those of a tile and those across tiles are each sorted by (first, second), the former by rank.
-  const bool across = i / tile_size != j / tile_size;
-  const auto tile = static_cast<std::size_t>(i / tile_size);
-  const std::int64_t begin = across ? tile_first_bond.back() : tile_first_bond[tile];
-  const std::int64_t count = (across ? bond_count() : tile_first_bond[tile + 1]) - begin;
+  // Each part is sorted by (first, second), those inside a tile by rank.
+  const auto from = static_cast<std::size_t>(i / tile_size), to = static_cast<std::size_t>(j / tile_size);
+  const bool across = from != to;
+  auto part = from;
+  if (across) {
+    part = static_cast<std::size_t>(tile_first_pair[from]);
+    const auto end = static_cast<std::size_t>(tile_first_pair[from + 1]);
+    while (part < end && static_cast<std::size_t>(second[part_first_bond[part]] / tile_size) != to) ++part;
+    if (part == end) return -1;
+  }
+  const std::int64_t begin = part_first_bond[part], count = part_first_bond[part + 1] - begin;
   const auto place = [&](std::int64_t rank) { return begin + (across ? rank : edge_at(rank, count)); };
   std::int64_t low = 0, high = count;
   while (low < high) {

@@ -53,7 +53,7 @@ struct Assembly {
   Array<double> ux, uy, rotation;                         // m, m, rad since bonding
   Array<double> vx, vy, spin;                             // m/s, rad/s (per unit of the solver's step)
   Array<double> external_x, external_y, external_moment;  // N, N, N m: far field, walls, non-bonded contacts
-  // bonds, in the order of contact_graph.hpp: those inside tiles first, then those across
+  // bonds, in the order of contact_graph.hpp: those inside tiles first, then those across, each in parts
   std::vector<std::int32_t> first, second;
   BondGeometry geometry;
   Array<std::uint8_t> intact;
@@ -61,7 +61,8 @@ struct Assembly {
   Softening softening;
   ThermalState thermal;
   BondFactors factors;  // of toughness, joints and temperature together (bond_factors.hpp)
-  std::vector<std::int64_t> tile_first_bond;  // one more than tiles
+  std::vector<std::int64_t> part_first_bond;  // as of the edges of ContactGraph
+  std::vector<std::int32_t> tile_first_pair;  // likewise
   double mean_radius = 0.0;                   // m; of a graded packing that of its fine discs
   Grading sizes;                              // of a graded packing
   double density = 0.0;                       // kg/m3
@@ -86,10 +87,14 @@ struct Assembly {
   [[nodiscard]] double bond_radius(std::int64_t bond) const {
     return geometry.at(part_of(bond), bond, block_radius);
   }
-  // The tile of a bond; of one across tiles, the number of tiles.
+  [[nodiscard]] std::size_t tile_count() const { return tile_first_pair.size() - 1; }
+  [[nodiscard]] std::int64_t first_cross_bond() const { return part_first_bond[tile_count()]; }
   [[nodiscard]] std::size_t part_of(std::int64_t bond) const {
-    return bond < tile_first_bond.back() ? static_cast<std::size_t>(first[bond] / tile_size)
-                                         : tile_first_bond.size() - 1;
+    const auto tile = static_cast<std::size_t>(first[bond] / tile_size);
+    if (bond < first_cross_bond()) return tile;
+    auto pair = static_cast<std::size_t>(tile_first_pair[tile]);
+    while (part_first_bond[pair + 1] <= bond) ++pair;
+    return pair;
   }
   [[nodiscard]] Vec2 position(std::int64_t disc) const { return {x[disc] + ux[disc], y[disc] + uy[disc]}; }
   // Per metre thickness: kg, and kg m2 as of a cylinder about its axis.

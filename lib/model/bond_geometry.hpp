@@ -2,8 +2,8 @@
 // What a bond is by its place in the packing, and never changes.
 //
 // Kept in blocks of eight bonds, all values of a block side by side: the step loop reads one stream instead of five and asks for
-// it ahead of time with less trouble (docs/performance.md). Every tile of discs begins with a block of its own, so do
-// the bonds across tiles.
+// it ahead of time with less trouble (docs/performance.md). Every part of the bonds (geom/contact_graph.hpp) begins with a block of
+// its own.
 #pragma once
 
 #include <cstdint>
@@ -23,22 +23,21 @@ struct BondValues {
 
 class BondGeometry {
  public:
-  // Room for bonds that are numbered tile after tile, those across tiles last.
-  void lay_out(const std::vector<std::int64_t>& tile_first_bond, std::int64_t bonds) {
+  // Room for bonds that are numbered part after part: where each begins, and last their number.
+  void lay_out(const std::vector<std::int64_t>& part_first_bond) {
     std::int64_t blocks = 0;
     first_block_.clear();
     shift_.clear();
-    for (std::size_t part = 0; part < tile_first_bond.size(); ++part) {
-      const std::int64_t first = tile_first_bond[part],
-                         last = part + 1 < tile_first_bond.size() ? tile_first_bond[part + 1] : bonds;
+    for (std::size_t part = 0; part + 1 < part_first_bond.size(); ++part) {
+      const std::int64_t first = part_first_bond[part], last = part_first_bond[part + 1];
       first_block_.push_back(blocks);
       shift_.push_back(blocks * block_bonds - first);
       blocks += (last - first + block_bonds - 1) / block_bonds;
     }
-    values_.assign(static_cast<std::size_t>(blocks * block_values), 0.0);
+    // The law is asked for whole blocks: places that no bond takes answer like any other.
+    values_.assign(static_cast<std::size_t>(blocks * block_values), 1.0);
   }
 
-  // `part` is the bond's tile; of a bond across tiles, the number of tiles.
   void put(std::size_t part, std::int64_t bond, const BondValues& v) {
     const std::int64_t to = place(part, bond);
     set(to + block_dx, v.dx);

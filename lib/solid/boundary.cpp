@@ -17,6 +17,15 @@ Boundary::Boundary(Model& model, const Options& o)
       stiffness_(o.contact_normal_stiffness) {
   const Assembly& a = model.assembly;
   const Network& n = model.network;
+  for (std::int64_t i = 0; i < a.disc_count(); ++i) {
+    mass_ += a.mass(i);
+    centre_ = centre_ + a.mass(i) * Vec2{a.x[i], a.y[i]};
+  }
+  centre_ = (1.0 / mass_) * centre_;
+  for (std::int64_t i = 0; i < a.disc_count(); ++i) {
+    const Vec2 r = Vec2{a.x[i], a.y[i]} - centre_;
+    inertia_ += a.mass(i) * dot(r, r);
+  }
   if (!walled_) {
     const auto begin = n.corner_start[0], end = n.corner_start[1];
     edge_.assign(n.corner_disc.begin() + begin, n.corner_disc.begin() + end);
@@ -199,40 +208,38 @@ void Boundary::set_load(Assembly& a, double share) {
   if (exterior_) push_rim(a);
 }
 
+// About the centre of mass, whose first moments vanish: so turns follow without the shift.
+Boundary::RigidMotion Boundary::momenta(const Assembly& a, std::int64_t first, std::int64_t last) const {
+  RigidMotion sum{};
+  for (auto i = first; i < last; ++i) {
+    const double m = a.mass(i);
+    const Vec2 r = Vec2{a.x[i], a.y[i]} - centre_, u{a.ux[i], a.uy[i]}, v{a.vx[i], a.vy[i]};
+    const RigidMotion of_disc{m * u.x, m * u.y, m * cross(r, u), m * v.x, m * v.y, m * cross(r, v)};
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += of_disc[k];
+  }
+  return sum;
+}
+
+Boundary::RigidMotion Boundary::motion_of(RigidMotion momenta) const {
+  for (std::size_t k = 0; k < momenta.size(); ++k) momenta[k] /= k % 3 == 2 ? inertia_ : mass_;
+  return momenta;
+}
+
+void Boundary::take_out(Assembly& a, const RigidMotion& motion, std::int64_t i) const {
+  const auto& [shift_x, shift_y, turn, drift_x, drift_y, spin] = motion;
+  const Vec2 r = Vec2{a.x[i], a.y[i]} - centre_;
+  a.ux[i] -= shift_x - turn * r.y;
+  a.uy[i] -= shift_y + turn * r.x;
+  a.rotation[i] -= turn;
+  a.vx[i] -= drift_x - spin * r.y;
+  a.vy[i] -= drift_y + spin * r.x;
+  a.spin[i] -= spin;
+}
+
 void Boundary::remove_rigid_motion(Assembly& a) const {
-  if (walled_ || exterior_ || !grips_.empty()) return;
-  const auto n = static_cast<std::size_t>(a.disc_count());
-  double mass = 0.0, inertia = 0.0;
-  Vec2 centre{}, shift{}, drift{};
-  for (std::size_t i = 0; i < n; ++i) {
-    const double m = a.mass(static_cast<std::int64_t>(i));
-    mass += m;
-    centre = centre + m * Vec2{a.x[i], a.y[i]};
-    shift = shift + m * Vec2{a.ux[i], a.uy[i]};
-    drift = drift + m * Vec2{a.vx[i], a.vy[i]};
-  }
-  centre = (1.0 / mass) * centre;
-  shift = (1.0 / mass) * shift;
-  drift = (1.0 / mass) * drift;
-  double turn = 0.0, spin = 0.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 r = Vec2{a.x[i], a.y[i]} - centre;
-    const double m = a.mass(static_cast<std::int64_t>(i));
-    inertia += m * dot(r, r);
-    turn += m * cross(r, Vec2{a.ux[i], a.uy[i]} - shift);
-    spin += m * cross(r, Vec2{a.vx[i], a.vy[i]} - drift);
-  }
-  turn /= inertia;
-  spin /= inertia;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 r = Vec2{a.x[i], a.y[i]} - centre;
-    a.ux[i] -= shift.x - turn * r.y;
-    a.uy[i] -= shift.y + turn * r.x;
-    a.rotation[i] -= turn;
-    a.vx[i] -= drift.x - spin * r.y;
-    a.vy[i] -= drift.y + spin * r.x;
-    a.spin[i] -= spin;
-  }
+  if (!holds_still()) return;
+  const RigidMotion motion = motion_of(momenta(a, 0, a.disc_count()));
+  for (std::int64_t i = 0; i < a.disc_count(); ++i) take_out(a, motion, i);
 }
 
 void Boundary::cycle(Assembly& a, double step, double safety, double damping) {

@@ -49,8 +49,14 @@ class Boundary {
   // Nothing from outside needs to know of more than one disc: no wall moves, no disc is gripped, no rock beyond answers.
   [[nodiscard]] bool acts_disc_by_disc() const { return !walls_move() && grips_.empty() && !exterior_; }
 
-  // Takes the mean displacement and rotation since bonding, and their rates, out of a model held by nothing else.
+  // Takes the mean displacement and rotation since bonding, and their rates, out of a model held by nothing else. In parts: sums
+  // over some discs, to be added up; then what the sums of all come to, out of one disc.
   void remove_rigid_motion(Assembly& assembly) const;
+  using RigidMotion = std::array<double, 6>;  // along x and y and turning, and their rates
+  [[nodiscard]] bool holds_still() const { return !walled_ && !exterior_ && grips_.empty(); }
+  [[nodiscard]] RigidMotion momenta(const Assembly& assembly, std::int64_t first, std::int64_t last) const;
+  [[nodiscard]] RigidMotion motion_of(RigidMotion momenta) const;
+  void take_out(Assembly& assembly, const RigidMotion& motion, std::int64_t disc) const;
 
   // Adds the share of walls and rock beyond to the row sums of stiffness that set the stable step.
   void add_stiffness(std::span<double> row_x, std::span<double> row_y) const;
@@ -139,6 +145,8 @@ class Boundary {
   double sigma_Hmax_, sigma_hmin_;  // Pa, with which the model begins
   bool walled_, wet_;
   double stiffness_;
+  double mass_ = 0.0, inertia_ = 0.0;  // kg, kg m2 per metre, about
+  Vec2 centre_{};                      // m
   std::array<double, 4> wall_start_{};  // m
   double outside_pressure_ = 0.0;       // Pa, what walls leave to the pores outside
   std::vector<std::int32_t> edge_;      // outermost discs, or those at walls; ascending

@@ -5,11 +5,13 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <new>
 #include <string>
 
 #include "core/error.hpp"
+#include "core/exact_sum.hpp"
 #include "options/choices.hpp"
 #include "solid/smooth_joints.hpp"
 #include "solid/stable_step.hpp"
@@ -20,24 +22,16 @@ namespace {
 // Cycles between looks at the force ratio. Breakage is watched in every cycle.
 constexpr std::int64_t look_every = 20;
 
-double sum_force(const std::vector<TileSums>& sums) {
-  double total = 0.0;
-  for (const auto& s : sums) total += s.force;
-  return total;
-}
-
-double take_work(std::vector<TileSums>& sums) {
-  double total = 0.0;
-  for (auto& s : sums) {
-    total += s.work;
-    s.work = 0.0;
-  }
-  return total;
+// Adds up the works of a part's sums, which begin anew.
+void take_work(TileSums& sums, ExactSum& total) {
+  total.add(sums.work);
+  sums.work = 0.0;
 }
 
 }  // namespace
 
-ExplicitSolver::ExplicitSolver(Model& model, Boundary& boundary, const Options& options, Workers& workers)
+ExplicitSolver::ExplicitSolver(Model& model, Boundary& boundary, const Options& options, Workers& workers,
+                               const Ranks& ranks)
     : assembly_(model.assembly),
       network_(model.network),
       energies_(model.accounts.energies),
@@ -46,34 +40,32 @@ ExplicitSolver::ExplicitSolver(Model& model, Boundary& boundary, const Options& 
       non_bonded_(options, model.contact_pairs),
       options_(options),
       workers_(workers),
-      bonds_left_(workers.count()),
-      domains_left_(workers.count()),
+      parts_left_(workers.count()),
       tiles_left_(workers.count()),
       kernels_(kernels()),
       fragments_(assembly_, options),
-      facets_(assembly_, network_, options, energies_) {
+      facets_(assembly_, network_, options, energies_),
+      plan_(plan_tiles(assembly_, network_, FlowScheme{options.flow_scheme} != FlowScheme::off,
+                       boundary.walled())),
+      shared_(ranks, assembly_, network_, plan_),
+      dropped_(static_cast<std::size_t>(workers.count())) {
   const auto discs = static_cast<std::size_t>(assembly_.disc_count());
   inverse_mass_.resize(discs);
   inverse_inertia_.resize(discs);
-  plan_ =
-      plan_tiles(assembly_, network_, FlowScheme{options.flow_scheme} != FlowScheme::off, boundary.walled());
   const auto tiles = plan_.tiles.size();
-  bond_sums_.assign(tiles + static_cast<std::size_t>(plan_.bond_blocks), {});
+  bond_sums_.assign(tiles + plan_.pairs.size(), {});
   disc_sums_.assign(tiles, {});
-  domain_sums_.assign(tiles + static_cast<std::size_t>(plan_.domain_blocks), {});
+  domain_sums_.assign(tiles + plan_.cross_parts.size(), {});
   scratch_.resize(static_cast<std::size_t>(workers.count()));
   for (auto& scratch : scratch_) scratch.assign(static_cast<std::size_t>(tile_scratch), 0.0);
   if (!assembly_.smooth.empty()) {
-    for (const auto& tile : plan_.tiles)
-      smooth_from_.push_back(assembly_.smooth.index.listed_before(tile.first_bond));
-    for (std::int64_t block = 0; block < plan_.bond_blocks; ++block)
-      smooth_from_.push_back(
-          assembly_.smooth.index.listed_before(plan_.first_cross_bond + block * cross_block));
+    for (std::size_t part = 0; part < tiles + plan_.pairs.size(); ++part)
+      smooth_from_.push_back(assembly_.smooth.index.listed_before(assembly_.part_first_bond[part]));
     smooth_from_.push_back(static_cast<std::int64_t>(assembly_.smooth.contacts.size()));
   }
   bind_arrays();
   refresh_stiffness();
-  if (arrays_.tile_count >= fewest_blocked_tiles) set_blocking(blocking_shape(workers.count()));
+  if (arrays_.tile_count >= fewest_blocked_tiles && ranks.alone()) set_blocking(blocking_shape(workers.count()));
 }
 
 void ExplicitSolver::bind_arrays() {
@@ -95,7 +87,6 @@ void ExplicitSolver::bind_arrays() {
   k.first = a.first.data();
   k.second = a.second.data();
   k.geometry = a.geometry.data();
-  k.first_cross_geometry = a.geometry.first_block(plan_.tiles.size());
   k.intact = a.intact.data();
   k.slip = a.slip.data();
   if (!a.factors.empty()) {
@@ -111,7 +102,7 @@ void ExplicitSolver::bind_arrays() {
     k.softening = 4.0 * options_.bond_fracture_energy;
   }
   k.bond_count = a.bond_count();
-  k.first_cross_bond = plan_.first_cross_bond;
+  k.first_cross_bond = a.first_cross_bond();
   k.domain_corner_start = n.corner_start.data();
   k.domain_corner_disc = n.corner_disc.data();
   k.domain_corner_weight = n.corner_weight.data();
@@ -120,10 +111,12 @@ void ExplicitSolver::bind_arrays() {
   k.volume_change = n.volume_change.data();
   k.content = n.content.data();
   k.tiles = plan_.tiles.data();
+  k.pairs = plan_.pairs.data();
+  k.pair_count = static_cast<std::int64_t>(plan_.pairs.size());
+  k.cross_parts = plan_.cross_parts.data();
   k.tile_count = static_cast<std::int64_t>(plan_.tiles.size());
   k.cross_domain = plan_.cross_domain.data();
   k.cross_corner_start = plan_.cross_corner_start.data();
-  k.cross_domain_count = static_cast<std::int64_t>(plan_.cross_domain.size());
   k.bond_slot = plan_.bond_slot.data();
   k.corner_slot = plan_.corner_slot.data();
   k.force_buffer = plan_.force_buffer.data();
@@ -305,13 +298,16 @@ void ExplicitSolver::break_into_facets(std::int64_t cycle, std::vector<Found>& f
     bonds.insert(bonds.end(), part.to_facets.begin(), part.to_facets.end());
     part.to_facets.clear();
   }
+  bonds = shared_.ranks().gather(bonds);
+  shared_.gather(assembly_, network_);
+  CrackLog& log = (shared_.ranks().rank() == 0 ? found[0] : dropped_[0]).cracks;  // all ranks find the same
   std::sort(bonds.begin(), bonds.end());
   for (const auto e : bonds) {
     if (stays(e)) {
       hold_bond(assembly_, e);
       continue;
     }
-    break_bond(view_bond(assembly_, options_, e), e, cycle, found[0].cracks);
+    break_bond(view_bond(assembly_, options_, e), e, cycle, log);
     network_.facet_time[e] =
         time_ + (scaled_ ? 0.0 : arrays_.step * static_cast<double>(cycle - cycles_then_));
     broken.push_back(e);
@@ -324,6 +320,7 @@ void ExplicitSolver::break_into_facets(std::int64_t cycle, std::vector<Found>& f
   arrays_.stiffness = facets_.stiffness();
   put_loads();
   mark_left_alone();
+  show_everywhere();
 }
 
 // Scalar look at bonds some of which exceed their strength; rare. True if any broke.
@@ -379,16 +376,19 @@ void ExplicitSolver::answer_smooth_joints(std::int64_t part, std::int64_t cycle,
 }
 
 // After breakage the forces are computed again, as those of what is left.
-void ExplicitSolver::take_cross_block(std::int64_t block, std::int64_t cycle, Found& found) {
-  answer_smooth_joints(arrays_.tile_count + block, cycle, found);
-  kernels_.cross_bonds(arrays_, block);
-  if (break_cross_block(block, cycle, found)) kernels_.cross_bonds(arrays_, block);
+void ExplicitSolver::take_pairs(std::int64_t part, std::int64_t cycle, Found& found) {
+  const CrossPart& p = plan_.cross_parts[static_cast<std::size_t>(part)];
+  for (auto pair = p.first_pair; pair < p.last_pair; ++pair) {
+    answer_smooth_joints(arrays_.tile_count + pair, cycle, found);
+    kernels_.cross_bonds(arrays_, pair);
+    if (!fragments_.kept() && break_cross_bonds(pair, cycle, found)) kernels_.cross_bonds(arrays_, pair);
+  }
 }
 
-bool ExplicitSolver::break_cross_block(std::int64_t block, std::int64_t cycle, Found& found) {
-  if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + block)].flagged == 0) return false;
-  const auto first = arrays_.first_cross_bond + block * cross_block;
-  return break_bonds(first, std::min(first + cross_block, arrays_.bond_count), cycle, found);
+bool ExplicitSolver::break_cross_bonds(std::int64_t pair, std::int64_t cycle, Found& found) {
+  if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + pair)].flagged == 0) return false;
+  const TilePair& p = plan_.pairs[static_cast<std::size_t>(pair)];
+  return break_bonds(p.first_bond, p.last_bond, cycle, found);
 }
 
 void ExplicitSolver::take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, Found& found) {
@@ -433,16 +433,22 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
     return;
   }
   put_loads();
-  const auto domain_blocks = arrays_.with_pressure != 0 ? plan_.domain_blocks : 0;
+  show_everywhere();
+  const Ranks& ranks = shared_.ranks();
   // A worker that finds no memory for its cracks may not leave the others waiting: it goes on to the end of the batch, and
   // then the step fails.
-  std::atomic<bool> no_memory{false};
+  // Of worker 0, who alone talks to other ranks and changes facets: all workers end the batch at the next barrier.
+  std::exception_ptr failure;
+  std::atomic<bool> lost{false};
   std::atomic<std::int64_t> flagged{-1};  // cycle in which a bond across tiles exceeds its strength
-  const auto watched = [&no_memory](auto&& part) {
+  const auto watched = [&](auto&& part) {
     try {
       part();
     } catch (const std::bad_alloc&) {
-      no_memory = true;
+      no_memory_ = true;
+    } catch (const Error&) {
+      failure = std::current_exception();
+      lost = true;
     }
   };
   std::int64_t done = 0;
@@ -453,17 +459,16 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
       const std::int64_t now = total_cycles_ + cycle;
       // Whether a bond stays depends on others of its discs, maybe another worker's: then one worker breaks them all, in order.
       watched([&] {
-        bonds_left_.take(worker, [&](std::int64_t block) {
-          if (!fragments_.kept()) {
-            take_cross_block(block, now, found[w]);
-            return;
+        parts_left_.take(worker, [&](std::int64_t item) {
+          const auto part = shared_.part(item);
+          if (arrays_.with_pressure != 0) kernels_.cross_domains(arrays_, part);
+          take_pairs(part, now, shared_.is_own(item) ? found[w] : dropped_[w]);
+          const CrossPart& p = plan_.cross_parts[static_cast<std::size_t>(part)];
+          for (auto pair = p.first_pair; fragments_.kept() && pair < p.last_pair; ++pair) {
+            if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + pair)].flagged != 0) flagged = now;
           }
-          answer_smooth_joints(arrays_.tile_count + block, now, found[w]);
-          kernels_.cross_bonds(arrays_, block);
-          if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + block)].flagged != 0) flagged = now;
         });
       });
-      domains_left_.take(worker, [&](std::int64_t block) { kernels_.cross_domains(arrays_, block); });
       if (worker == 0 && boundary_.reacts()) {
         boundary_.cycle(assembly_, arrays_.step, options_.stepping_safety, arrays_.damping);
       }
@@ -474,54 +479,177 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
         facets_.add_forces();
       }
       workers_.barrier();
-      if (worker == 0) {
-        bonds_left_.refill(workers_, plan_.bond_blocks);
-        domains_left_.refill(workers_, domain_blocks);
-      }
-      if (flagged == now) {
+      if (worker == 0) parts_left_.refill(workers_, shared_.part_count());
+      if (fragments_.kept() && !ranks.alone()) {
         if (worker == 0) {
           watched([&] {
-            for (std::int64_t block = 0; block < plan_.bond_blocks; ++block) {
-              if (break_cross_block(block, now, found[0])) kernels_.cross_bonds(arrays_, block);
-            }
+            if (ranks.any(flagged == now)) flagged = now;
           });
         }
         workers_.barrier();
       }
+      if (flagged == now) {
+        if (worker == 0) watched([&] { break_across(now, found[0]); });
+        workers_.barrier();
+      }
       watched([&] {
-        tiles_left_.take(worker, [&](std::int64_t tile) { take_tile(tile, now, scratch, found[w]); });
+        tiles_left_.take(worker, [&](std::int64_t item) {
+          take_tile(shared_.first_tile() + item, now, scratch, found[w]);
+        });
       });
       workers_.barrier();
+      if (!ranks.alone()) {
+        if (worker == 0) {
+          watched([&] {
+            shared_.exchange(assembly_);
+            if (facets_.active() && ranks.any(facets_to_come_ == now)) facets_to_come_ = now;
+          });
+        }
+        workers_.barrier();
+      }
       if (facets_to_come_ == now) {
         if (worker == 0) watched([&] { break_into_facets(now, found); });
         workers_.barrier();
       }
+      if (lost) return;
       if (worker == 0) {
-        tiles_left_.refill(workers_, arrays_.tile_count);
+        tiles_left_.refill(workers_, shared_.tile_count());
         done = cycle + 1;
       }
       if (workers_.cut_short()) return;
     }
   };
-  while (done < cycles) {
-    bonds_left_.refill(workers_, plan_.bond_blocks);
-    domains_left_.refill(workers_, domain_blocks);
-    tiles_left_.refill(workers_, arrays_.tile_count);
+  while (done < cycles && !lost) {
+    parts_left_.refill(workers_, shared_.part_count());
+    tiles_left_.refill(workers_, shared_.tile_count());
     workers_.run(task);
   }
+  if (lost) std::rethrow_exception(failure);
   if (facets_.active()) facets_.end_cycles();
-  if (no_memory) throw std::bad_alloc();
   total_cycles_ += cycles;
 }
 
-double ExplicitSolver::force_ratio() const {
-  const double unbalanced = sum_force(disc_sums_) / static_cast<double>(arrays_.disc_count);
+// Of what every rank needs to know in every cycle one worker of each finds the same.
+void ExplicitSolver::show_everywhere() {
+  if (shared_.ranks().alone()) return;
+  std::vector<std::int32_t> discs;
+  for (const auto& disc : pushed_) discs.push_back(disc.disc);
+  for (const auto d : facets_.holes()) {
+    for (auto k = network_.corner_start[d]; k < network_.corner_start[d + 1]; ++k)
+      discs.push_back(network_.corner_disc[k]);
+  }
+  if (boundary_.reacts()) {
+    discs.insert(discs.end(), boundary_.edge().begin(), boundary_.edge().end());
+    for (const auto& grip : boundary_.grips()) discs.push_back(grip.disc);
+  }
+  shared_.show_everywhere(std::move(discs));
+}
+
+// Bonds across tiles that break where one worker breaks them all, in order: whether one stays depends on those before it.
+void ExplicitSolver::break_across(std::int64_t cycle, Found& found) {
+  TileSums* of_pairs = bond_sums_.data() + arrays_.tile_count;
+  if (!shared_.ranks().alone()) {
+    shared_.gather(assembly_, network_);
+    shared_.gather(assembly_, of_pairs);
+  }
+  const auto first = plan_.cross_parts[static_cast<std::size_t>(shared_.first_tile())].first_pair,
+             last = plan_.cross_parts[static_cast<std::size_t>(shared_.last_tile())].first_pair;
+  for (std::int64_t pair = 0; pair < arrays_.pair_count; ++pair) {
+    const bool own = shared_.ranks().alone() || (pair >= first && pair < last);
+    if (break_cross_bonds(pair, cycle, own ? found : dropped_[0])) kernels_.cross_bonds(arrays_, pair);
+  }
+}
+
+// Over this rank's parts, then over ranks; the works go to the ledger. Sums of parts are made in a fixed order, those of parts without
+// rounding.
+ExplicitSolver::Sums ExplicitSolver::sum_up(const std::vector<Found>& found) {
+  enum { unbalanced, contact, friction, damping, fluid, momenta, count = momenta + 6 };
+  std::array<ExactSum, count> sum{};
+  std::array<std::int64_t, count * ExactSum::word_count + 2> words{};
+  const auto tiles = static_cast<std::size_t>(arrays_.tile_count);
+  const auto add_bonds = [&](TileSums& of) {
+    sum[contact].add(of.force);
+    take_work(of, sum[friction]);
+  };
+  const bool still = scaled_ && boundary_.holds_still();
+  for (auto tile = shared_.first_tile(); tile < shared_.last_tile(); ++tile) {
+    const auto t = static_cast<std::size_t>(tile);
+    sum[unbalanced].add(disc_sums_[t].force);
+    take_work(disc_sums_[t], sum[damping]);
+    add_bonds(bond_sums_[t]);
+    for (auto p = plan_.cross_parts[t].first_pair; p < plan_.cross_parts[t].last_pair; ++p)
+      add_bonds(bond_sums_[tiles + static_cast<std::size_t>(p)]);
+    take_work(domain_sums_[t], sum[fluid]);
+    take_work(domain_sums_[tiles + t], sum[fluid]);
+    if (!still) continue;
+    const auto of_tile = boundary_.momenta(assembly_, plan_.tiles[t].first_disc, plan_.tiles[t].last_disc);
+    for (std::size_t k = 0; k < of_tile.size(); ++k) sum[momenta + k].add(of_tile[k]);
+  }
+  if (shared_.ranks().rank() == 0) take_work(domain_sums_[2 * tiles], sum[fluid]);
+  Sums total;
+  total.no_memory = no_memory_.exchange(false);
+  for (const auto& part : found) total.broken = total.broken || !part.cracks.empty();
+  if (!shared_.ranks().alone()) {
+    // What was done for others counts there.
+    for (auto* sums : {&bond_sums_, &domain_sums_})
+      for (auto& of : *sums) of.work = 0.0;
+    for (auto& part : dropped_) part = {};
+    auto* to = words.data();
+    for (auto& one : sum) {
+      one.carry();
+      to = std::copy(one.words().begin(), one.words().end(), to);
+    }
+    to[0] = total.no_memory ? 1 : 0;
+    to[1] = total.broken ? 1 : 0;
+    shared_.ranks().sum(words);
+    total.no_memory = to[0] > 0;
+    total.broken = to[1] > 0;
+    const auto* from = words.data();
+    for (auto& one : sum) {
+      std::copy_n(from, ExactSum::word_count, one.words().begin());
+      from += ExactSum::word_count;
+    }
+  }
+  if (total.no_memory) throw std::bad_alloc();
+  total.unbalanced = sum[unbalanced].value();
+  total.contact = sum[contact].value();
+  energies_.friction += sum[friction].value();
+  energies_.damping += sum[damping].value();
+  energies_.fluid += sum[fluid].value();
+  for (std::size_t k = 0; k < total.momenta.size(); ++k) total.momenta[k] = sum[momenta + k].value();
+  return total;
+}
+
+// All that broke, on whatever worker or rank, in the order of breakage.
+CrackLog ExplicitSolver::cracks_of(std::vector<Found>& found) const {
+  CrackLog broken;
+  for (auto& part : found) {
+    broken.insert(broken.end(), part.cracks.begin(), part.cracks.end());
+    part.cracks.clear();
+  }
+  broken = shared_.ranks().gather(broken);
+  std::sort(broken.begin(), broken.end(), [](const Crack& a, const Crack& b) {
+    return a.cycle != b.cycle ? a.cycle < b.cycle : a.bond < b.bond;
+  });
+  return broken;
+}
+
+// On the way to rest; real motion is left alone.
+void ExplicitSolver::hold_still(const Sums& sums) {
+  if (!scaled_ || !boundary_.holds_still()) return;
+  const auto motion = boundary_.motion_of(sums.momenta);
+  shared_.for_each_known(assembly_, [&](std::int64_t disc) { boundary_.take_out(assembly_, motion, disc); });
+}
+
+double ExplicitSolver::force_ratio(const Sums& sums) {
+  const double unbalanced = sums.unbalanced / static_cast<double>(arrays_.disc_count);
   const double contact =
-      sum_force(bond_sums_) / static_cast<double>(std::max<std::int64_t>(1, arrays_.bond_count));
+      sums.contact / static_cast<double>(std::max<std::int64_t>(1, arrays_.bond_count));
   // Below a strain of 1e-12 everywhere there is nothing to balance.
   const double least = 1e-12 * arrays_.contact_normal * assembly_.mean_radius;
   const double ratio = std::max(unbalanced / std::max(contact, least), boundary_.wall_imbalance());
   if (!std::isfinite(unbalanced) || !std::isfinite(contact)) {
+    shared_.gather(assembly_, network_);
     const std::string where = first_not_finite();
     throw Error(ErrorKind::diverged, "a force is no longer a finite number after cycle " +
                                          std::to_string(total_cycles_) +
@@ -552,29 +680,28 @@ ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, C
                                               const std::function<bool()>& interrupt) {
   Outcome outcome;
   std::vector<Found> found(static_cast<std::size_t>(workers_.count()));
+  const Ranks& ranks = shared_.ranks();
+  // The pressure outside is imposed: its push is the same in all cycles, and its work follows from its change of volume since the last
+  // look.
+  if (arrays_.with_pressure != 0) {
+    arrays_.undrained = undrained_ ? 1 : 0;
+    arrays_.stiffness = network_.stiffness.data();
+    kernels_.cross_domains(arrays_, arrays_.tile_count);
+  }
   while (outcome.cycles < most) {
     const std::int64_t cycles = std::min(look_every, most - outcome.cycles);
     batch(cycles, found);
-    if (scaled_) boundary_.remove_rigid_motion(assembly_);  // on the way to rest; real motion is left alone
+    const Sums sums = sum_up(found);
+    hold_still(sums);
     outcome.cycles += cycles;
-    outcome.force_ratio = force_ratio();
-    energies_.friction += take_work(bond_sums_);
-    energies_.damping += take_work(disc_sums_);
-    energies_.fluid += take_work(domain_sums_);
-    std::vector<Crack> broken;
-    for (auto& part : found) {
-      broken.insert(broken.end(), part.cracks.begin(), part.cracks.end());
-      part.cracks.clear();
-    }
-    // Order of breakage, whatever worker found it.
-    std::sort(broken.begin(), broken.end(), [](const Crack& a, const Crack& b) {
-      return a.cycle != b.cycle ? a.cycle < b.cycle : a.bond < b.bond;
-    });
+    outcome.force_ratio = force_ratio(sums);
+    const CrackLog broken = sums.broken ? cracks_of(found) : CrackLog{};
     for (const auto& crack : broken) energies_.fracture += crack.released;
     log.insert(log.end(), broken.begin(), broken.end());
     const bool rest = broken.empty() && outcome.force_ratio <= ratio;
     const bool asked = (rest || !scaled_) && facet_rules_.grow;
     if (asked) {
+      shared_.gather(assembly_, network_);
       facets_.begin_cycles();
       facets_.answer(undrained_);
       facets_.end_cycles();
@@ -584,14 +711,17 @@ ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, C
       outcome.at_rest = true;
       break;
     }
-    if (interrupt && interrupt()) {
+    const bool asked_to_stop = interrupt && interrupt();
+    if (ranks.alone() ? asked_to_stop : ranks.any(asked_to_stop)) {
       outcome.stopped = true;
       break;
     }
+    if (assembly_.smooth.empty()) continue;
     double slide = 0.0;
     farthest_slide(assembly_, slide);
-    if (slide > assembly_.mean_radius) break;  // past what the law holds for: Simulation refuses it
+    if (ranks.any(slide > assembly_.mean_radius)) break;  // past what the law holds for: Simulation refuses it
   }
+  shared_.gather(assembly_, network_);
   return outcome;
 }
 
@@ -621,14 +751,16 @@ void ExplicitSolver::evaluate() {
     const SmoothContact& contact = assembly_.smooth.contacts[k];
     smooth_forces_[k] = answer_of(assembly_, contact, assembly_.slip[contact.bond], energies_.friction);
   }
-  for (std::int64_t block = 0; block < plan_.bond_blocks; ++block) kernels_.cross_bonds(arrays_, block);
-  if (arrays_.with_pressure != 0) {
-    for (std::int64_t block = 0; block < plan_.domain_blocks; ++block) kernels_.cross_domains(arrays_, block);
-  }
+  for (std::int64_t pair = 0; pair < arrays_.pair_count; ++pair) kernels_.cross_bonds(arrays_, pair);
+  for (std::int64_t part = 0; arrays_.with_pressure != 0 && part <= arrays_.tile_count; ++part)
+    kernels_.cross_domains(arrays_, part);
   for (std::int64_t tile = 0; tile < arrays_.tile_count; ++tile)
     kernels_.tile_forces(arrays_, tile, scratch_[0].data());
-  energies_.friction += take_work(bond_sums_);
-  energies_.fluid += take_work(domain_sums_);
+  ExactSum friction, fluid;
+  for (auto& of : bond_sums_) take_work(of, friction);
+  for (auto& of : domain_sums_) take_work(of, fluid);
+  energies_.friction += friction.value();
+  energies_.fluid += fluid.value();
   if (!facets_.active()) return;
   facets_.answer(true);
   facets_.end_cycles();

@@ -25,6 +25,7 @@
 #include "solid/fragments.hpp"
 #include "solid/kernels.hpp"
 #include "solid/non_bonded_contacts.hpp"
+#include "solid/shared_tiles.hpp"
 #include "solid/smooth_joints.hpp"
 #include "solid/temporal_blocking.hpp"
 #include "solid/tiles.hpp"
@@ -33,7 +34,8 @@ namespace hfrac {
 
 class ExplicitSolver {
  public:
-  ExplicitSolver(Model& model, Boundary& boundary, const Options& options, Workers& workers);
+  ExplicitSolver(Model& model, Boundary& boundary, const Options& options, Workers& workers,
+                 const Ranks& ranks = {});
 
   // How the next cycles run.
   void use_scaled_masses();
@@ -92,6 +94,7 @@ class ExplicitSolver {
   // Looks for new contacts around cracks; call between steps.
   void search_contacts(const CrackLog& cracks);
   [[nodiscard]] const NonBondedContacts& non_bonded_contacts() const { return non_bonded_; }
+  [[nodiscard]] const SharedTiles& shared_tiles() const { return shared_; }
 
   // Bonds of the outermost discs do not break while the far field is put on: a constant load on a disc that nothing holds has no
   // equilibrium, and no rock ends there.
@@ -123,7 +126,18 @@ class ExplicitSolver {
     CrackLog cracks;
     std::vector<std::int64_t> to_facets;  // bonds that break
   };
+  // What a batch came to, over the whole model.
+  struct Sums {
+    double unbalanced = 0.0, contact = 0.0;  // N, sums of |f_x| + |f_y|
+    Boundary::RigidMotion momenta{};
+    bool no_memory = false, broken = false;
+  };
   void batch(std::int64_t cycles, std::vector<Found>& found);
+  Sums sum_up(const std::vector<Found>& found);
+  CrackLog cracks_of(std::vector<Found>& found) const;
+  void hold_still(const Sums& sums);
+  void show_everywhere();
+  void break_across(std::int64_t cycle, Found& found);
   void take_facets();
   void break_into_facets(std::int64_t cycle, std::vector<Found>& found);
   void begin_smooth_joints();
@@ -135,14 +149,14 @@ class ExplicitSolver {
   void mark_left_alone();
   void run_blocked(std::int64_t cycles, std::vector<Found>& found);
   [[nodiscard]] bool is_held(std::int64_t bond) const;
-  bool break_cross_block(std::int64_t block, std::int64_t cycle, Found& found);
-  void take_cross_block(std::int64_t block, std::int64_t cycle, Found& found);
+  bool break_cross_bonds(std::int64_t pair, std::int64_t cycle, Found& found);
+  void take_pairs(std::int64_t part, std::int64_t cycle, Found& found);
   void take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, Found& found);
   void break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, CrackLog& found);
   void log_softened(Crack& crack) const;
   bool break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, Found& found);
   void stiffness(std::span<double> row_x, std::span<double> row_y, std::span<double> row_rotation) const;
-  [[nodiscard]] double force_ratio() const;
+  [[nodiscard]] double force_ratio(const Sums& sums);
   void bind_arrays();
 
   Assembly& assembly_;
@@ -153,7 +167,7 @@ class ExplicitSolver {
   NonBondedContacts non_bonded_;
   const Options& options_;
   Workers& workers_;
-  Workers::Pass bonds_left_, domains_left_, tiles_left_;  // of a cycle: blocks of bonds, of domains, tiles
+  Workers::Pass parts_left_, tiles_left_;  // of a cycle: parts across tiles, tiles
   const KernelTable& kernels_;
   Fragments fragments_;
   // For the kernels: contacts of smooth joints before each part (SmoothArrays::from), their laws, and the forces of laws they do not know.
@@ -176,11 +190,14 @@ class ExplicitSolver {
   std::int64_t cycles_then_ = 0;
   std::vector<char> held_;  // per disc: its bonds do not break; empty: none
   TilePlan plan_;
+  SharedTiles shared_;
+  std::vector<Found> dropped_;           // by worker: what another rank finds, too
+  std::atomic<bool> no_memory_{false};  // in the batch at hand
   KernelArrays arrays_{};
   Array<double> inverse_mass_, inverse_inertia_;
   std::vector<Array<double>> scratch_;                             // one per worker
   TemporalBlocking blocking_;                                      // empty where the caches hold the model
-  std::vector<std::atomic<std::int32_t>> tile_done_, block_done_;  // cycles of the batch
+  std::vector<std::atomic<std::int32_t>> tile_done_, part_done_;  // cycles of the batch
   std::atomic<std::int64_t> next_task_{0};
   std::vector<TileSums> bond_sums_, disc_sums_, domain_sums_;
   double real_step_ = 0.0;

@@ -8,33 +8,30 @@ namespace hfrac {
 
 void ExplicitSolver::set_blocking(const BlockingShape& shape) {
   blocking_ = {};
-  if (shape.cycles > 1) blocking_ = plan_blocking(plan_, assembly_, shape);
+  if (shape.cycles > 1) blocking_ = plan_blocking(plan_, assembly_, network_, shape);
   tile_done_ = std::vector<std::atomic<std::int32_t>>(blocking_.empty() ? 0 : plan_.tiles.size());
-  block_done_ = std::vector<std::atomic<std::int32_t>>(
-      blocking_.empty() ? 0 : static_cast<std::size_t>(plan_.bond_blocks));
+  part_done_ = std::vector<std::atomic<std::int32_t>>(tile_done_.size());
 }
 
-// Walls under servo control and non-bonded contacts know of discs far apart in every cycle, and so do pores that
-// answer: the outside is one of them. Pores that keep their pressure push, and that is all.
+// Walls under servo control, non-bonded contacts and facets know of discs far apart in every cycle.
 bool ExplicitSolver::may_block() const {
-  const bool pores_answer = arrays_.with_pressure != 0 && arrays_.undrained != 0;
-  return !blocking_.empty() && !pores_answer && !fragments_.kept() && boundary_.acts_disc_by_disc() &&
-         non_bonded_.empty() && !facets_.active();
+  return !blocking_.empty() && !fragments_.kept() && boundary_.acts_disc_by_disc() && non_bonded_.empty() &&
+         !facets_.active();
 }
 
 void ExplicitSolver::run_blocked(std::int64_t cycles, std::vector<Found>& found) {
-  if (arrays_.with_pressure != 0) {
-    for (std::int64_t block = 0; block < plan_.domain_blocks; ++block) kernels_.cross_domains(arrays_, block);
-  }
+  // Pores that keep their pressure push, and that is all.
+  const bool pores_answer = arrays_.with_pressure != 0 && arrays_.undrained != 0;
+  for (std::int64_t part = 0; arrays_.with_pressure != 0 && !pores_answer && part < arrays_.tile_count; ++part)
+    kernels_.cross_domains(arrays_, part);
   const bool walls = boundary_.reacts();
   if (walls) boundary_.cycle(assembly_, arrays_.step, options_.stepping_safety, arrays_.damping);
-  for (auto* done : {&tile_done_, &block_done_}) {
+  for (auto* done : {&tile_done_, &part_done_}) {
     for (auto& number : *done) number.store(0, std::memory_order_relaxed);
   }
   next_task_.store(0, std::memory_order_relaxed);
   const auto in_list = static_cast<std::int64_t>(blocking_.tasks.size());
   const std::int64_t sweeps = (cycles + blocking_.cycles - 1) / blocking_.cycles;
-  std::atomic<bool> no_memory{false};
   const auto finish = [](std::atomic<std::int32_t>& done, std::int32_t cycle) {
     done.store(cycle, std::memory_order_release);
     done.notify_all();
@@ -53,19 +50,20 @@ void ExplicitSolver::run_blocked(std::int64_t cycles, std::vector<Found>& found)
         try {
           part();
         } catch (const std::bad_alloc&) {
-          no_memory = true;
+          no_memory_ = true;
         }
       };
       if (next.item < 0) {
-        const std::int32_t block = ~next.item;
-        for (auto k = blocking_.block_start[block]; k < blocking_.block_start[block + 1]; ++k)
-          workers_.wait_for(tile_done_[blocking_.block_tile[k]], cycle - 1);
-        do_one([&] { take_cross_block(block, total_cycles_ + cycle - 1, found[w]); });
-        finish(block_done_[block], cycle);
+        const std::int32_t part = ~next.item;
+        for (auto k = blocking_.part_start[part]; k < blocking_.part_start[part + 1]; ++k)
+          workers_.wait_for(tile_done_[blocking_.part_tile[k]], cycle - 1);
+        do_one([&] { take_pairs(part, total_cycles_ + cycle - 1, found[w]); });
+        if (pores_answer) kernels_.cross_domains(arrays_, part);
+        finish(part_done_[part], cycle);
       } else {
         const std::int32_t tile = next.item;
         for (auto k = blocking_.tile_start[tile]; k < blocking_.tile_start[tile + 1]; ++k)
-          workers_.wait_for(block_done_[blocking_.tile_block[k]], cycle);
+          workers_.wait_for(part_done_[blocking_.tile_part[k]], cycle);
         if (walls) boundary_.press(assembly_, plan_.tiles[tile].first_disc, plan_.tiles[tile].last_disc);
         do_one([&] { take_tile(tile, total_cycles_ + cycle - 1, scratch_[w].data(), found[w]); });
         finish(tile_done_[tile], cycle);
@@ -73,7 +71,6 @@ void ExplicitSolver::run_blocked(std::int64_t cycles, std::vector<Found>& found)
     }
   };
   workers_.run(task);
-  if (no_memory) throw std::bad_alloc();
   total_cycles_ += cycles;
 }
 

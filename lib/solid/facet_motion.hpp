@@ -63,6 +63,12 @@ class FacetMotion {
   [[nodiscard]] bool at_tip(std::int32_t domain) const;
   // Discs that anything here pushes, ascending.
   [[nodiscard]] const std::vector<std::int32_t>& discs() const { return discs_; }
+  // Holes whose corners the facets' pressures follow.
+  [[nodiscard]] std::vector<std::int32_t> holes() const {
+    std::vector<std::int32_t> domains;
+    for (const auto& hole : holes_) domains.push_back(hole.domain);
+    return domains;
+  }
   // How often the list changed.
   [[nodiscard]] std::int64_t changes() const { return changes_; }
 

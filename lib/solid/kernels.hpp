@@ -5,7 +5,7 @@
 // then: displacements come in once, forces add up in the scratch memory of the tile and never see main memory, the
 // discs move.
 //
-//   cross_bonds, cross_domains   bonds and pores that touch two tiles: forces into the inter-tile force buffer of their discs' tiles
+//   cross_bonds, cross_domains   bonds and pores from a tile to later ones: forces into the inter-tile force buffer of their discs' tiles
 //   tile_forces                  buffered forces, outside forces, then the tile's bonds and pores -> force on each of its discs
 //   tile_move                    those forces -> new velocities and displacements
 //
@@ -20,8 +20,6 @@
 #include "core/layout.hpp"
 
 namespace hfrac {
-
-constexpr int64_t cross_block = 256;  // bonds or domains across tiles that are handed out together
 
 // Force of one bond on its discs: force on disc i (disc j gets the opposite), moment on i, moment on j.
 struct alignas(32) BondForce {
@@ -55,7 +53,7 @@ struct SmoothArrays {
   const int32_t* law_number;  // by joint
   const SmoothLaw* laws;
   const SmoothForces* forces;  // by contact, where the kernels do not know the laws; else null
-  const int64_t* from;         // the first contact of each tile, then of each block of bonds across
+  const int64_t* from;         // the first contact of each tile, then of each pair of tiles
 };
 
 struct TileSums {
@@ -70,6 +68,16 @@ struct Tile {
   int64_t left_alone;   // 1: nothing outside pushes its discs, and external_* need not be looked at
 };
 
+// The bonds between two tiles, and where their geometry begins.
+struct TilePair {
+  int64_t first_bond, last_bond, first_block;
+};
+
+// What lies across tiles and belongs to the first of them: pairs of it with later ones, and domains as places in `cross_domain`.
+struct CrossPart {
+  int64_t first_pair, last_pair, first_domain, last_domain;
+};
+
 struct KernelArrays {
   // discs, since bonding
   double *ux, *uy, *rotation;  // m, m, rad
@@ -80,10 +88,9 @@ struct KernelArrays {
   int64_t disc_count;
   // bonds: those inside tiles by tile, then those across
   const int32_t *first, *second;
-  const double* geometry;        // m, in blocks of `block_values`
-  int64_t first_cross_geometry;  // block of the first bond across tiles
-  const uint8_t* intact;         // 1, or 0 once broken
-  double* slip;                  // m: shear displacement the contact has slid through
+  const double* geometry;  // m, in blocks of `block_values`
+  const uint8_t* intact;   // 1, or 0 once broken
+  double* slip;            // m: shear displacement the contact has slid through
   // by bond, all null where the rock is the same everywhere (bond_factors.hpp): thermal growth [m], factors of stiffness and
   // strengths, coefficient of friction
   const double *growth, *stiffness_factor, *tensile_factor, *shear_factor, *bond_friction;
@@ -99,10 +106,11 @@ struct KernelArrays {
   const double* stiffness;             // Pa/m2: K_f / V; 0 where the pressure is imposed
   // tiles
   const Tile* tiles;
-  int64_t tile_count;
-  const int32_t* cross_domain;        // domains that touch two tiles, the outside first
+  const TilePair* pairs;
+  const CrossPart* cross_parts;  // by tile, and one for the outside
+  int64_t tile_count, pair_count;
+  const int32_t* cross_domain;        // domains that touch two tiles, by the first of them, and last the outside
   const int32_t* cross_corner_start;  // their corners' places in corner_slot
-  int64_t cross_domain_count;
   const int32_t* bond_slot;    // two places per bond across tiles: first disc, second disc
   const int32_t* corner_slot;  // place per corner of a cross domain; -1: pushes nobody
   BufferedForce* force_buffer;
@@ -119,7 +127,7 @@ struct KernelArrays {
   double reference_pressure, floor_pressure;  // Pa
   int32_t with_pressure;                      // 0: no fluid forces
   int32_t undrained;                          // 1: pressures follow the volumes of their pores
-  // sums: of each tile, then of each block of bonds or domains across
+  // sums: of each tile, then of bonds by pair, of domains by part across
   TileSums *bond_sums, *disc_sums, *domain_sums;
   // by bond, null unless bonds soften (softening.hpp)
   double *softening_start, *softening_worst;  // m
@@ -132,8 +140,8 @@ constexpr int64_t tile_scratch = 8 * tile_size;
 struct KernelTable {
   void (*tile_forces)(const KernelArrays& a, int64_t tile, double* scratch);
   void (*tile_move)(const KernelArrays& a, int64_t tile, const double* scratch);
-  void (*cross_bonds)(const KernelArrays& a, int64_t block);
-  void (*cross_domains)(const KernelArrays& a, int64_t block);
+  void (*cross_bonds)(const KernelArrays& a, int64_t pair);
+  void (*cross_domains)(const KernelArrays& a, int64_t part);
   // The forces of all bonds as they stand, for tests and whoever wants to look; moves and slides nothing.
   void (*bond_forces)(const KernelArrays& a, BondForce* to);
   const char* name;

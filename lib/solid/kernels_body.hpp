@@ -22,20 +22,22 @@ namespace hfrac {
 namespace HFRAC_KERNEL_NAMESPACE {
 namespace {
 
-// The law, for bonds e to e + n - 1, whose geometry begins with `block`. With `varied`, bonds differ (bond_factors.hpp);
+// The law, for bonds e to e + n - 1, whose geometry begins with `block`, and what fills the last block up. With `varied`, bonds differ (bond_factors.hpp);
 // with `flat`, contacts bear moments; with `softens`, which varies too, bonds soften.
 template <bool varied, bool flat, bool softens>
 __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, int64_t n,
                                              const double* __restrict block, Chunk& c) {
-  const double* __restrict slip_ = a.slip + e;
+  constexpr int64_t most = softens ? 8 : varied ? 6 : 1;
+  double copies[most][chunk];
   const uint8_t* __restrict intact_ = a.intact + e;
-  const double* __restrict growth_ = varied ? a.growth + e : nullptr;
-  const double* __restrict stiffness_ = varied ? a.stiffness_factor + e : nullptr;
-  const double* __restrict tensile_ = varied ? a.tensile_factor + e : nullptr;
-  const double* __restrict shear_ = varied ? a.shear_factor + e : nullptr;
-  const double* __restrict friction_ = varied ? a.bond_friction + e : nullptr;
-  const double* __restrict start_ = softens ? a.softening_start + e : nullptr;
-  const double* __restrict worst_ = softens ? a.softening_worst + e : nullptr;
+  const double* __restrict slip_ = whole_blocks(a.slip + e, n, copies[0]);
+  const double* __restrict growth_ = varied ? whole_blocks(a.growth + e, n, copies[most > 1 ? 1 : 0]) : nullptr;
+  const double* __restrict stiffness_ = varied ? whole_blocks(a.stiffness_factor + e, n, copies[most > 1 ? 2 : 0]) : nullptr;
+  const double* __restrict tensile_ = varied ? whole_blocks(a.tensile_factor + e, n, copies[most > 1 ? 3 : 0]) : nullptr;
+  const double* __restrict shear_ = varied ? whole_blocks(a.shear_factor + e, n, copies[most > 1 ? 4 : 0]) : nullptr;
+  const double* __restrict friction_ = varied ? whole_blocks(a.bond_friction + e, n, copies[most > 1 ? 5 : 0]) : nullptr;
+  const double* __restrict start_ = softens ? whole_blocks(a.softening_start + e, n, copies[most > 6 ? 6 : 0]) : nullptr;
+  const double* __restrict worst_ = softens ? whole_blocks(a.softening_worst + e, n, copies[most > 6 ? 7 : 0]) : nullptr;
   const double shear_per_normal = softens ? a.bond_shear / a.bond_normal : 0.0, energy = a.softening;
   const double bond_normal = a.bond_normal, bond_shear = a.bond_shear, contact_normal = a.contact_normal,
                contact_shear = a.contact_shear, friction = a.friction, bending_share = a.bending_share,
@@ -43,6 +45,7 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
                shearing = a.shear_capacity;
   const double inverse_contact_shear = a.contact_shear > 0.0 ? 1.0 / a.contact_shear : 0.0;
   for (int64_t k = 0; k < n; ++k) c.intact[k] = static_cast<double>(intact_[k]);
+  for (int64_t k = n; k < in_blocks(n); ++k) c.intact[k] = c.intact[n - 1];
   const auto one = [&](int64_t k, int64_t lane, const double* __restrict values)
       __attribute__((always_inline)) {
     const double dux = c.dux[k], duy = c.duy[k], turn = c.turn[k];
@@ -132,8 +135,7 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
     const double excess = pull > push ? pull : push;
     if constexpr (!softens) c.over[k] = intact > 0.0 && excess >= 0.0 ? 1.0 : 0.0;
   };
-  int64_t begin = 0;
-  for (; begin + block_bonds <= n; begin += block_bonds, block += block_values) {
+  for (int64_t begin = 0; begin < n; begin += block_bonds, block += block_values) {
     // What the next chunk's block here will hold: bit by bit, since memory takes only so many requests at a time.
     for (int64_t line = 0; line < block_values; line += 64 / static_cast<int64_t>(sizeof(double)))
       __builtin_prefetch(block + chunk / block_bonds * block_values + line);
@@ -141,7 +143,6 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
 #pragma GCC unroll 1
     for (int64_t lane = 0; lane < block_bonds; ++lane) one(begin + lane, lane, block);
   }
-  for (int64_t lane = 0; begin + lane < n; ++lane) one(begin + lane, lane, block);
 }
 
 // The geometry of bond e is that of value `at` on.
@@ -285,8 +286,9 @@ void tile_forces(const KernelArrays& a, int64_t tile, double* scratch) {
 
 // The same from the arrays of all discs, for bonds that know no tile.
 void gather_anywhere(const KernelArrays& a, int64_t e, int64_t n, Chunk& c) {
-  for (int64_t k = 0; k < n; ++k) {
-    const int32_t i = a.first[e + k], j = a.second[e + k];
+  for (int64_t k = 0; k < in_blocks(n); ++k) {
+    const int64_t bond = e + (k < n ? k : n - 1);
+    const int32_t i = a.first[bond], j = a.second[bond];
     c.dux[k] = a.ux[j] - a.ux[i];
     c.duy[k] = a.uy[j] - a.uy[i];
     c.turn[k] = a.rotation[j] - a.rotation[i];
@@ -294,16 +296,15 @@ void gather_anywhere(const KernelArrays& a, int64_t e, int64_t n, Chunk& c) {
   }
 }
 
-void cross_bonds(const KernelArrays& a, int64_t block) {
-  const int64_t begin = a.first_cross_bond + block * cross_block;
-  const int64_t end = begin + cross_block < a.bond_count ? begin + cross_block : a.bond_count;
+void cross_bonds(const KernelArrays& a, int64_t pair) {
+  const TilePair& p = a.pairs[pair];
   Chunk c;
   BondSums sums;
-  int64_t contact = a.smooth.contacts != nullptr ? a.smooth.from[a.tile_count + block] : 0;
-  for (int64_t e = begin; e < end; e += chunk) {
-    const int64_t n = e + chunk < end ? chunk : end - e;
+  int64_t contact = a.smooth.contacts != nullptr ? a.smooth.from[a.tile_count + pair] : 0;
+  for (int64_t e = p.first_bond; e < p.last_bond; e += chunk) {
+    const int64_t n = e + chunk < p.last_bond ? chunk : p.last_bond - e;
     gather_anywhere(a, e, n, c);
-    bond_law(a, e, n, geometry_at(a.first_cross_geometry, e - a.first_cross_bond), c);
+    bond_law(a, e, n, geometry_at(p.first_block, e - p.first_bond), c);
     if (a.smooth.contacts != nullptr) contact = answer_smooth(a, e, n, contact, c);
     keep_slip(a, e, n, c);
     sums.add(c, n);
@@ -319,15 +320,13 @@ void cross_bonds(const KernelArrays& a, int64_t block) {
       to_j.moment = -c.minus_moment_j[k];
     }
   }
-  sums.put(a.bond_sums[a.tile_count + block]);
+  sums.put(a.bond_sums[a.tile_count + pair]);
 }
 
 template <bool turns>
-void cross_domains_with(const KernelArrays& a, int64_t block) {
-  const int64_t begin = block * cross_block;
-  const int64_t end = begin + cross_block < a.cross_domain_count ? begin + cross_block : a.cross_domain_count;
+void cross_domains_with(const KernelArrays& a, int64_t part) {
   double work = 0.0;
-  for (int64_t q = begin; q < end; ++q) {
+  for (int64_t q = a.cross_parts[part].first_domain; q < a.cross_parts[part].last_domain; ++q) {
     const int64_t d = a.cross_domain[q];
     const int32_t first = a.domain_corner_start[d], last = a.domain_corner_start[d + 1];
     double p = a.pressure[d];
@@ -349,11 +348,11 @@ void cross_domains_with(const KernelArrays& a, int64_t block) {
       if constexpr (turns) to.moment = p * a.domain_corner_turn[k];
     }
   }
-  a.domain_sums[a.tile_count + block].work += work;
+  a.domain_sums[a.tile_count + part].work += work;
 }
 
-void cross_domains(const KernelArrays& a, int64_t block) {
-  (a.domain_corner_turn == nullptr ? cross_domains_with<false> : cross_domains_with<true>)(a, block);
+void cross_domains(const KernelArrays& a, int64_t part) {
+  (a.domain_corner_turn == nullptr ? cross_domains_with<false> : cross_domains_with<true>)(a, part);
 }
 
 // One degree of freedom of some discs: leap-frog with local damping (Cundall 1987). Adds up the damping work.
@@ -417,7 +416,8 @@ void bond_forces(const KernelArrays& a, BondForce* to) {
   int64_t contact = 0;
   for (int64_t t = 0; t < a.tile_count; ++t)
     forces_of_part(a, a.tiles[t].first_bond, a.tiles[t].last_bond, a.tiles[t].first_block, contact, to);
-  forces_of_part(a, a.first_cross_bond, a.bond_count, a.first_cross_geometry, contact, to);
+  for (int64_t p = 0; p < a.pair_count; ++p)
+    forces_of_part(a, a.pairs[p].first_bond, a.pairs[p].last_bond, a.pairs[p].first_block, contact, to);
 }
 
 }  // namespace

@@ -42,6 +42,19 @@ inline void add_up(Partial& sum, const double* __restrict values, int64_t n) {
   for (int64_t k = whole; k < n; ++k) sum.lane[k - whole] += values[k];
 }
 
+// So many bonds fill whole blocks of geometry; the law is found for blocks, since one bond alone costs as much as a block.
+inline int64_t in_blocks(int64_t n) {
+  return (n + block_bonds - 1) & ~(block_bonds - 1);
+}
+
+// The values of n bonds, or a copy in which the last stands in for those missing.
+inline const double* whole_blocks(const double* values, int64_t n, double* copy) {
+  if (n == in_blocks(n)) return values;
+  for (int64_t k = 0; k < n; ++k) copy[k] = values[k];
+  for (int64_t k = n; k < in_blocks(n); ++k) copy[k] = values[n - 1];
+  return copy;
+}
+
 // A chunk of bonds as arrays: motion of their discs in, forces out.
 struct alignas(64) Chunk {
   double dux[chunk], duy[chunk];       // m: second disc less first
@@ -132,8 +145,8 @@ inline void gather(const int32_t* first, const int32_t* second, int64_t base, co
   const Quad* at = records - base;
   int64_t k = 0;
   for (; k + 8 <= n; k += 8) gather_eight(at, first + k, second + k, k, c);
-  for (; k < n; k += 4) {
-    // The last may be fewer than four: the last bond stands in for those missing.
+  for (; k < in_blocks(n); k += 4) {
+    // The last block may not be full: the last bond stands in for those missing.
     int32_t i[4], j[4];
     for (int64_t q = 0; q < 4; ++q) {
       const int64_t bond = k + q < n ? k + q : n - 1;

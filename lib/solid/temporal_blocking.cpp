@@ -7,32 +7,35 @@
 namespace hfrac {
 namespace {
 
-// Which tiles each block of bonds touches, and the other way round.
-void link(const TilePlan& plan, const Assembly& a, TemporalBlocking& blocking) {
+// Which tiles each part across tiles touches, and the other way round.
+void link(const TilePlan& plan, const Assembly& a, const Network& n, TemporalBlocking& blocking) {
   const auto tiles = plan.tiles.size();
-  blocking.block_start.push_back(0);
+  blocking.part_start.push_back(0);
   blocking.tile_start.assign(tiles + 1, 0);
   std::vector<std::int32_t> touched;
-  for (std::int64_t block = 0; block < plan.bond_blocks; ++block) {
-    const std::int64_t first = plan.first_cross_bond + block * cross_block,
-                       last = std::min(first + cross_block, a.bond_count());
-    touched.clear();
-    for (auto e = first; e < last; ++e) {
-      touched.push_back(static_cast<std::int32_t>(a.first[static_cast<std::size_t>(e)] / tile_size));
-      touched.push_back(static_cast<std::int32_t>(a.second[static_cast<std::size_t>(e)] / tile_size));
+  for (std::size_t part = 0; part < tiles; ++part) {
+    const CrossPart& p = plan.cross_parts[part];
+    touched.assign(1, static_cast<std::int32_t>(part));
+    for (auto pair = p.first_pair; pair < p.last_pair; ++pair)
+      touched.push_back(static_cast<std::int32_t>(
+          a.second[static_cast<std::size_t>(plan.pairs[static_cast<std::size_t>(pair)].first_bond)] / tile_size));
+    for (auto q = p.first_domain; q < p.last_domain; ++q) {
+      const auto d = plan.cross_domain[static_cast<std::size_t>(q)];
+      for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k)
+        touched.push_back(static_cast<std::int32_t>(n.corner_disc[k] / tile_size));
     }
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
     for (const auto tile : touched) ++blocking.tile_start[static_cast<std::size_t>(tile) + 1];
-    blocking.block_tile.insert(blocking.block_tile.end(), touched.begin(), touched.end());
-    blocking.block_start.push_back(static_cast<std::int32_t>(blocking.block_tile.size()));
+    blocking.part_tile.insert(blocking.part_tile.end(), touched.begin(), touched.end());
+    blocking.part_start.push_back(static_cast<std::int32_t>(blocking.part_tile.size()));
   }
   for (std::size_t t = 0; t < tiles; ++t) blocking.tile_start[t + 1] += blocking.tile_start[t];
-  blocking.tile_block.resize(blocking.block_tile.size());
+  blocking.tile_part.resize(blocking.part_tile.size());
   std::vector<std::int32_t> place(blocking.tile_start.begin(), blocking.tile_start.end() - 1);
-  for (std::size_t block = 0; block + 1 < blocking.block_start.size(); ++block) {
-    for (auto k = blocking.block_start[block]; k < blocking.block_start[block + 1]; ++k)
-      blocking.tile_block[place[blocking.block_tile[k]]++] = static_cast<std::int32_t>(block);
+  for (std::size_t part = 0; part < tiles; ++part) {
+    for (auto k = blocking.part_start[part]; k < blocking.part_start[part + 1]; ++k)
+      blocking.tile_part[place[blocking.part_tile[k]]++] = static_cast<std::int32_t>(part);
   }
 }
 
@@ -74,7 +77,7 @@ std::vector<std::int32_t> front_order(const TilePlan& plan, const Assembly& a, s
 class Planner {
  public:
   Planner(TemporalBlocking& blocking, std::size_t tiles)
-      : blocking_(blocking), tile_done_(tiles, 0), block_done_(blocking.block_start.size() - 1, 0) {}
+      : blocking_(blocking), tile_done_(tiles, 0), part_done_(blocking.part_start.size() - 1, 0) {}
 
   // Tiles in `front` may begin: they and all behind them do what can be done now.
   void advance(std::vector<std::int32_t> front) {
@@ -92,10 +95,10 @@ class Planner {
  private:
   [[nodiscard]] bool ready(std::int32_t tile, std::int32_t cycle) const {
     for (auto k = blocking_.tile_start[tile]; k < blocking_.tile_start[tile + 1]; ++k) {
-      const auto block = blocking_.tile_block[k];
-      if (block_done_[block] >= cycle) continue;
-      for (auto q = blocking_.block_start[block]; q < blocking_.block_start[block + 1]; ++q) {
-        if (tile_done_[blocking_.block_tile[q]] < cycle - 1) return false;
+      const auto part = blocking_.tile_part[k];
+      if (part_done_[part] >= cycle) continue;
+      for (auto q = blocking_.part_start[part]; q < blocking_.part_start[part + 1]; ++q) {
+        if (tile_done_[blocking_.part_tile[q]] < cycle - 1) return false;
       }
     }
     return true;
@@ -103,10 +106,10 @@ class Planner {
 
   void take(std::int32_t tile, std::int32_t cycle) {
     for (auto k = blocking_.tile_start[tile]; k < blocking_.tile_start[tile + 1]; ++k) {
-      const auto block = blocking_.tile_block[k];
-      if (block_done_[block] >= cycle) continue;
-      block_done_[block] = cycle;
-      blocking_.tasks.push_back({~block, cycle});
+      const auto part = blocking_.tile_part[k];
+      if (part_done_[part] >= cycle) continue;
+      part_done_[part] = cycle;
+      blocking_.tasks.push_back({~part, cycle});
     }
     tile_done_[tile] = cycle;
     blocking_.tasks.push_back({tile, cycle});
@@ -120,25 +123,25 @@ class Planner {
     };
     add(tile);
     for (auto k = blocking_.tile_start[tile]; k < blocking_.tile_start[tile + 1]; ++k) {
-      const auto block = blocking_.tile_block[k];
-      for (auto q = blocking_.block_start[block]; q < blocking_.block_start[block + 1]; ++q)
-        add(blocking_.block_tile[q]);
+      const auto part = blocking_.tile_part[k];
+      for (auto q = blocking_.part_start[part]; q < blocking_.part_start[part + 1]; ++q)
+        add(blocking_.part_tile[q]);
     }
   }
 
   TemporalBlocking& blocking_;
-  std::vector<std::int32_t> tile_done_, block_done_;  // cycles, by what stands on the list
+  std::vector<std::int32_t> tile_done_, part_done_;  // cycles, by what stands on the list
 };
 
 }  // namespace
 
-TemporalBlocking plan_blocking(const TilePlan& plan, const Assembly& assembly, const BlockingShape& shape) {
+TemporalBlocking plan_blocking(const TilePlan& plan, const Assembly& assembly, const Network& network,
+                               const BlockingShape& shape) {
   TemporalBlocking blocking;
   blocking.cycles = shape.cycles;
-  link(plan, assembly, blocking);
+  link(plan, assembly, network, blocking);
   const auto order = front_order(plan, assembly, shape.width);
-  blocking.tasks.reserve(static_cast<std::size_t>(shape.cycles) *
-                         (plan.tiles.size() + static_cast<std::size_t>(plan.bond_blocks)));
+  blocking.tasks.reserve(static_cast<std::size_t>(shape.cycles) * 2 * plan.tiles.size());
   Planner planner(blocking, plan.tiles.size());
   for (std::size_t at = 0; at < order.size(); at += static_cast<std::size_t>(shape.front)) {
     const auto end = std::min(order.size(), at + static_cast<std::size_t>(shape.front));

@@ -7,8 +7,8 @@
 // twice, and every sum is made in the order of tiles.hpp, so results have the same bits as one cycle at a time. (The wavefront of
 // Wellein, Hager, Zeiser, Wittmann and Fehske 2009; here over tiles of irregular shape, with what waits for what worked out once.)
 //
-// The front goes up and down through strips as wide as the cache allows. What has to be done stands in one list, tiles and blocks
-// of bonds across tiles; workers take the next item each, and wait until what it needs is done. Everything an item needs stands
+// The front goes up and down through strips as wide as the cache allows. What has to be done stands in one list, tiles and parts
+// across tiles; workers take the next item each, and wait until what it needs is done. Everything an item needs stands
 // before it in the list, so that somebody can always go on.
 #pragma once
 
@@ -23,13 +23,13 @@ namespace hfrac {
 
 struct TemporalBlocking {
   struct Task {
-    std::int32_t item;   // a tile, or ~block of bonds across tiles
+    std::int32_t item;   // a tile, or ~part across tiles
     std::int32_t cycle;  // 1 to `cycles`
   };
   std::int32_t cycles = 0;
   std::vector<Task> tasks;
-  // Tiles that a block of bonds touches, blocks that touch a tile.
-  std::vector<std::int32_t> block_start, block_tile, tile_start, tile_block;
+  // Tiles that a part across tiles touches, parts that touch a tile.
+  std::vector<std::int32_t> part_start, part_tile, tile_start, tile_part;
 
   [[nodiscard]] bool empty() const { return tasks.empty(); }
 };
@@ -49,6 +49,7 @@ inline BlockingShape blocking_shape(int workers) {
   return {3, 8, workers > 2 ? 2 * workers : 4};
 }
 
-TemporalBlocking plan_blocking(const TilePlan& plan, const Assembly& assembly, const BlockingShape& shape);
+TemporalBlocking plan_blocking(const TilePlan& plan, const Assembly& assembly, const Network& network,
+                               const BlockingShape& shape);
 
 }  // namespace hfrac

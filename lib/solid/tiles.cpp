@@ -10,14 +10,15 @@ std::int64_t tile_of(std::int32_t disc) {
   return disc / tile_size;
 }
 
-// Tile of all the domain's discs, -1 if they lie in several.
-std::int64_t tile_of_domain(const Network& n, std::int64_t d) {
-  const auto begin = n.corner_start[d], end = n.corner_start[d + 1];
-  const auto tile = tile_of(n.corner_disc[begin]);
-  for (auto k = begin + 1; k < end; ++k) {
-    if (tile_of(n.corner_disc[k]) != tile) return -1;
-  }
-  return tile;
+// The first and the last tile that a domain's discs are of.
+struct Touched {
+  std::int64_t first, last;
+};
+
+Touched tiles_of_domain(const Network& n, std::int64_t d) {
+  const auto [low, high] = std::minmax_element(n.corner_disc.begin() + n.corner_start[d],
+                                               n.corner_disc.begin() + n.corner_start[d + 1]);
+  return {tile_of(*low), tile_of(*high)};
 }
 
 }  // namespace
@@ -32,27 +33,49 @@ TilePlan plan_tiles(const Assembly& a, const Network& n, bool fluid, bool outsid
     plan.tiles[t].last_disc = std::min(discs, (t + 1) * tile_size);
   }
 
+  plan.cross_parts.assign(static_cast<std::size_t>(count) + 1, CrossPart{});
   for (std::int64_t t = 0; t < count; ++t) {
-    plan.tiles[t].first_bond = a.tile_first_bond[t];
-    plan.tiles[t].last_bond = a.tile_first_bond[t + 1];
-    plan.tiles[t].first_block = a.geometry.first_block(static_cast<std::size_t>(t));
+    const auto part = static_cast<std::size_t>(t);
+    plan.tiles[t].first_bond = a.part_first_bond[part];
+    plan.tiles[t].last_bond = a.part_first_bond[part + 1];
+    plan.tiles[t].first_block = a.geometry.first_block(part);
+    plan.cross_parts[t].first_pair = a.tile_first_pair[part] - count;
+    plan.cross_parts[t].last_pair = a.tile_first_pair[part + 1] - count;
   }
-  plan.first_cross_bond = a.tile_first_bond.back();
+  for (auto part = static_cast<std::size_t>(count); part + 1 < a.part_first_bond.size(); ++part)
+    plan.pairs.push_back({a.part_first_bond[part], a.part_first_bond[part + 1], a.geometry.first_block(part)});
 
   // Pores of a dry model neither push nor answer: none is on the plan.
-  if (fluid) plan.cross_domain.push_back(0);
   std::int64_t d = 1;
   for (std::int64_t t = 0; t < count; ++t) {
     plan.tiles[t].first_domain = d;
-    while (d < domains && tile_of_domain(n, d) == t) ++d;
+    for (; d < domains; ++d) {
+      const auto [first, last] = tiles_of_domain(n, d);
+      if (first != t || last != t) break;
+    }
     plan.tiles[t].last_domain = d;
   }
-  for (; fluid && d < domains; ++d) plan.cross_domain.push_back(static_cast<std::int32_t>(d));
+  std::vector<std::int64_t> first_tile(static_cast<std::size_t>(domains), count);  // the outside comes last
+  for (auto k = d; fluid && k < domains; ++k) {
+    first_tile[k] = tiles_of_domain(n, k).first;
+    plan.cross_domain.push_back(static_cast<std::int32_t>(k));
+  }
+  if (fluid) plan.cross_domain.push_back(0);
+  std::stable_sort(plan.cross_domain.begin(), plan.cross_domain.end(),
+                   [&](std::int32_t p, std::int32_t q) { return first_tile[p] < first_tile[q]; });
+  std::int64_t place_of_domain = 0;
+  for (std::int64_t t = 0; t <= count; ++t) {
+    auto& part = plan.cross_parts[t];
+    part.first_domain = place_of_domain;
+    const auto listed = static_cast<std::int64_t>(plan.cross_domain.size());
+    while (place_of_domain < listed && first_tile[plan.cross_domain[place_of_domain]] == t) ++place_of_domain;
+    part.last_domain = place_of_domain;
+  }
 
   // A place in the inter-tile force buffer for either end of a bond and every corner of a domain, in the order of discs.
   const auto pushes = [&](std::int32_t domain) { return domain != 0 || outside_pushes; };
   std::vector<std::int32_t> place(static_cast<std::size_t>(discs) + 1, 0);
-  for (auto e = plan.first_cross_bond; e < bonds; ++e) {
+  for (auto e = a.first_cross_bond(); e < bonds; ++e) {
     ++place[a.first[e] + 1];
     ++place[a.second[e] + 1];
   }
@@ -76,8 +99,8 @@ TilePlan plan_tiles(const Assembly& a, const Network& n, bool fluid, bool outsid
     plan.force_buffer[at].disc = disc;
     return at;
   };
-  plan.bond_slot.reserve(2 * static_cast<std::size_t>(bonds - plan.first_cross_bond));
-  for (auto e = plan.first_cross_bond; e < bonds; ++e) {
+  plan.bond_slot.reserve(2 * static_cast<std::size_t>(bonds - a.first_cross_bond()));
+  for (auto e = a.first_cross_bond(); e < bonds; ++e) {
     plan.bond_slot.push_back(take_place(a.first[e]));
     plan.bond_slot.push_back(take_place(a.second[e]));
   }
@@ -86,9 +109,6 @@ TilePlan plan_tiles(const Assembly& a, const Network& n, bool fluid, bool outsid
     for (auto k = n.corner_start[domain]; k < n.corner_start[domain + 1]; ++k)
       plan.corner_slot.push_back(pushes(domain) ? take_place(n.corner_disc[k]) : -1);
   }
-  const auto blocks = [](std::int64_t items) { return (items + cross_block - 1) / cross_block; };
-  plan.bond_blocks = blocks(bonds - plan.first_cross_bond);
-  plan.domain_blocks = blocks(static_cast<std::int64_t>(plan.cross_domain.size()));
   return plan;
 }
 

@@ -3,9 +3,9 @@
 //
 // Discs are numbered along a Hilbert curve, so `tile_size` discs in a row are a patch of the plane. Bonds and pores are
 // numbered so that those inside a patch follow each other, tile by tile, and those across patches, some tenths of all, come
-// last (tile_bonds, build_faces). A cycle has two phases with a barrier after each:
+// last (contact_graph.hpp, faces.hpp): they belong to the first tile they touch. A cycle has two phases with a barrier after each:
 //
-//   1  bonds and pores across tiles, in blocks: their forces go into the inter-tile force buffer of the tiles they touch
+//   1  bonds and pores across tiles, part by part: their forces go into the inter-tile force buffer of the tiles they touch
 //   2  tile after tile: displacements in, buffered forces, bonds and pores inside, forces add up in the cache, discs move
 //
 // Inside phase 2 no tile looks at another one's discs, so tiles may go to any worker in any order. Every force a disc
@@ -25,10 +25,11 @@ namespace hfrac {
 
 struct TilePlan {
   std::vector<Tile> tiles;
+  std::vector<TilePair> pairs;
+  std::vector<CrossPart> cross_parts;  // by tile, and the last of the outside's pore alone
   std::vector<std::int32_t> cross_domain, cross_corner_start;
   std::vector<std::int32_t> bond_slot, corner_slot;  // places in `force_buffer`
   Array<BufferedForce> force_buffer;                 // by tile, in each by disc
-  std::int64_t first_cross_bond = 0, bond_blocks = 0, domain_blocks = 0;
 };
 
 // fluid: pores push discs at all; outside_pushes: so does the pressure outside on the outermost discs (walled models).

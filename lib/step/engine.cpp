@@ -32,13 +32,13 @@ std::unique_ptr<Heat> begin_heat(const Options& o, Model& model) {
 
 }  // namespace
 
-Engine::Engine(const Options& given, Model& of)
+Engine::Engine(const Options& given, Model& of, const Ranks& ranks)
     : options(given),
       model(of),
       workers(new Workers(static_cast<int>(given.run_workers))),
       heat(begin_heat(given, of)),
       boundary(std::make_unique<Boundary>(of, given)),
-      mechanics(std::make_unique<ExplicitSolver>(of, *boundary, given, *workers)) {
+      mechanics(std::make_unique<ExplicitSolver>(of, *boundary, given, *workers, ranks)) {
   take_wells();
 }
 

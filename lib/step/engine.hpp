@@ -25,7 +25,7 @@ using Interrupt = std::function<bool()>;
 
 struct Engine {
   // The model and the options must stay where they are.
-  Engine(const Options& options, Model& model);
+  Engine(const Options& options, Model& model, const Ranks& ranks = {});
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 

@@ -38,7 +38,8 @@ bool wants_plane_modulus(const Options& o) {
 }  // namespace
 
 Simulation::Simulation(CaseDefinition definition, std::span<const double> given_discs,
-                       const Progress& progress, std::span<const std::int64_t> given_bonds)
+                       const Progress& progress, std::span<const std::int64_t> given_bonds,
+                       const Ranks& ranks)
     : definition_(std::move(definition)), given_(definition_.options) {
   validate(definition_, given_discs, given_bonds);
   definition_.options.fracture_law = static_cast<std::int64_t>(fracture_law_of(definition_));
@@ -51,7 +52,7 @@ Simulation::Simulation(CaseDefinition definition, std::span<const double> given_
   std::optional<RockBlock> block;
   if (infinite || wants_plane_modulus(options())) block.emplace(definition_, packing);
   model_ = build_model(definition_, std::move(packing), given_bonds, setup_);
-  engine_ = std::make_unique<Engine>(options(), model_);
+  engine_ = std::make_unique<Engine>(options(), model_, ranks);
   if (infinite) begin_exterior(*engine_, *block, setup_);
   if (wants_plane_modulus(options())) definition_.options.fracture_plane_modulus = block->measure().modulus;
   setup_.plane_modulus = options().fracture_plane_modulus;

@@ -27,9 +27,9 @@ class Simulation {
  public:
   // Builds the model and brings it to rest under the far field. Throws Error; Stopped if progress asked for it.
   // The host's own discs (x, y, radius each) instead of a packing, and which of them are bonded (two indices each; none: all
-  // that are near).
+  // that are near). Over several ranks, on each with the same arguments.
   Simulation(CaseDefinition definition, std::span<const double> given_discs, const Progress& progress,
-             std::span<const std::int64_t> given_bonds = {});
+             std::span<const std::int64_t> given_bonds = {}, const Ranks& ranks = {});
 
   // What was built, with what the case leaves open decided. Loads that changed since stand in loads().
   [[nodiscard]] const CaseDefinition& definition() const { return definition_; }

@@ -67,8 +67,8 @@ double fetched(const TemporalBlocking& blocking, std::size_t tiles, std::size_t 
 }
 
 // The other way to do several cycles at once: patches that each repeat what their neighbours do around them. How many times the
-// work a patch of width x width tiles in the middle would do: its last cycle needs the one before of all tiles that share a block
-// of bonds with it, and so on.
+// work a patch of width x width tiles in the middle would do: its last cycle needs the one before of all tiles that share a part
+// across tiles with it, and so on.
 double patch_work(const TemporalBlocking& blocking, const TilePlan& plan, const Assembly& a,
                   const BlockingShape& shape) {
   const auto tiles = plan.tiles.size();
@@ -88,9 +88,9 @@ double patch_work(const TemporalBlocking& blocking, const TilePlan& plan, const 
   for (int cycle = shape.cycles; cycle >= 1; --cycle) {
     done += std::count(in.begin(), in.end(), 1);
     const auto inside = in;
-    for (std::size_t block = 0; block + 1 < blocking.block_start.size(); ++block) {
-      const auto first = blocking.block_tile.begin() + blocking.block_start[block],
-                 last = blocking.block_tile.begin() + blocking.block_start[block + 1];
+    for (std::size_t part = 0; part < tiles; ++part) {
+      const auto first = blocking.part_tile.begin() + blocking.part_start[part],
+                 last = blocking.part_tile.begin() + blocking.part_start[part + 1];
       if (std::any_of(first, last, [&](std::int32_t t) { return inside[static_cast<std::size_t>(t)] != 0; }))
         std::for_each(first, last, [&](std::int32_t t) { in[static_cast<std::size_t>(t)] = 1; });
     }
@@ -142,7 +142,7 @@ void run(std::int64_t count, int worker_count, std::vector<Contender>& contender
   const TilePlan plan = plan_tiles(a, sheet.network, false, false);
   const double tile_bytes = 160e3;
   for (const auto& c : contenders) {
-    const TemporalBlocking blocking = plan_blocking(plan, a, c.shape);
+    const TemporalBlocking blocking = plan_blocking(plan, a, sheet.network, c.shape);
     std::printf(
         "%d:%d:%d tiles fetched %.2f %.2f %.2f | %.1f million bond updates/s | patches instead: %.1f times "
         "the work | %s\n",

@@ -53,21 +53,24 @@ TEST(ContactGraph, LatticeHasItsBondsAndFaces) {
 
 TEST(ContactGraph, EdgesGoByTilesOfDiscs) {
   const ContactGraph graph = graph_of(square_lattice(40, 40, 0.5));
-  const auto tiles = static_cast<std::int32_t>(graph.tile_first_edge.size()) - 1;
+  const auto tiles = static_cast<std::int32_t>(graph.tile_first_pair.size()) - 1;
   ASSERT_EQ(tiles, (1600 + tile_size - 1) / tile_size);
-  EXPECT_EQ(graph.tile_first_edge.front(), 0);
+  EXPECT_EQ(graph.part_first_edge.front(), 0);
   std::set<std::pair<std::int32_t, std::int32_t>> all;
-  for (std::int32_t t = 0; t <= tiles; ++t) {
-    const auto begin = graph.tile_first_edge[static_cast<std::size_t>(t)],
-               end = t < tiles ? graph.tile_first_edge[static_cast<std::size_t>(t) + 1]
-                               : static_cast<std::int64_t>(graph.first.size());
+  const auto check = [&](std::int32_t part, std::int32_t tile) {
+    const auto begin = graph.part_first_edge[part], end = graph.part_first_edge[part + 1];
     for (auto e = begin; e < end; ++e) {
-      const bool across = graph.first[e] / tile_size != graph.second[e] / tile_size;
-      EXPECT_EQ(across, t == tiles);
-      EXPECT_EQ(graph.first[e] / tile_size == t || across, true);
+      EXPECT_EQ(graph.first[e] / tile_size, tile);
+      EXPECT_EQ(graph.second[e] / tile_size > tile, part >= tiles);
+      EXPECT_TRUE(part < tiles || graph.second[e] / tile_size == graph.second[begin] / tile_size);
       EXPECT_TRUE(all.emplace(graph.first[e], graph.second[e]).second);
     }
+  };
+  for (std::int32_t t = 0; t < tiles; ++t) {
+    check(t, t);
+    for (auto pair = graph.tile_first_pair[t]; pair < graph.tile_first_pair[t + 1]; ++pair) check(pair, t);
   }
+  EXPECT_EQ(graph.part_first_edge.back(), static_cast<std::int64_t>(graph.first.size()));
   EXPECT_EQ(all.size(), static_cast<std::size_t>(2 * 40 * 39));
   // Ranks and places are one to one for any count.
   for (std::int64_t count = 0; count < 40; ++count) {

@@ -34,8 +34,9 @@ struct Pair {
     a.rotation = {2e-4, -1e-4};
     a.first = {0};
     a.second = {1};
-    a.tile_first_bond = {0, 1};
-    a.geometry.lay_out(a.tile_first_bond, 1);
+    a.part_first_bond = {0, 1};
+    a.tile_first_pair = {1, 1};
+    a.geometry.lay_out(a.part_first_bond);
     a.geometry.put(0, 0, {1.6, 1.2, 2.0, 1.2, 0.8});
     a.intact.assign(1, intact ? 1 : 0);
     a.slip = {1e-5};

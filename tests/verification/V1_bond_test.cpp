@@ -42,7 +42,8 @@ class TwoDiscs {
     graph_.first = {0};
     graph_.second = {1};
     graph_.bonded = {1};
-    graph_.tile_first_edge = {0, 1};
+    graph_.part_first_edge = {0, 1};
+    graph_.tile_first_pair = {1, 1};
     graph_.mean_radius = 0.65;
   }
 

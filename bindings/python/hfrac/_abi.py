@@ -50,6 +50,8 @@ class Status(enum.IntEnum):
     #: the rock fell apart: it does not bear its load, or a disc left its place in a step; state as before the
     #: step
     ERR_COLLAPSED = -13
+    #: another rank of the simulation failed, or does not answer
+    ERR_EXCHANGE = -14
     #: an error of the library itself; please report it
     ERR_INTERNAL = -99
 
@@ -307,6 +309,7 @@ STATUS_TEXTS = {
     -11: 'a file cannot be written, cannot be read, or is not what it should be',
     -12: 'a callback threw an exception; the simulation is at its last whole step',
     -13: 'the rock fell apart: it does not bear its load, or a disc left its place in a step; state as before the step',
+    -14: 'another rank of the simulation failed, or does not answer',
     -99: 'an error of the library itself; please report it',
 }
 
@@ -329,6 +332,32 @@ hfrac_progress_fn = ctypes.CFUNCTYPE(
 #: stops after this step, which is kept (HFRAC_STOPPED). `step` counts from 1, `time` [s] is the model's.
 hfrac_step_fn = ctypes.CFUNCTYPE(
     ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64, ctypes.c_double
+)
+
+#: Begins to exchange `count` messages, at most one with each rank. All functions of the table return 0, or nonzero
+#: once any rank has failed: then they go on to return nonzero. They are called by one thread of a rank at a time.
+hfrac_start_fn = ctypes.CFUNCTYPE(
+    ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int32
+)
+
+#: Waits until all messages begun have come and gone.
+hfrac_finish_fn = ctypes.CFUNCTYPE(
+    ctypes.c_int32, ctypes.c_void_p
+)
+
+#: Adds up `count` integers over all ranks, in place, on all of them; overflow wraps.
+hfrac_sum_fn = ctypes.CFUNCTYPE(
+    ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int32
+)
+
+#: Of the bytes at `all`, rank r has those from begin[r] up to begin[r + 1]; afterwards all ranks have all.
+hfrac_gather_fn = ctypes.CFUNCTYPE(
+    ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p
+)
+
+#: This rank cannot go on: calls that others wait in, or make later, return nonzero.
+hfrac_fail_fn = ctypes.CFUNCTYPE(
+    ctypes.c_int32, ctypes.c_void_p
 )
 
 
@@ -873,6 +902,51 @@ class hfrac_magnitude_law(ctypes.Structure):
     ]
 
 
+class hfrac_message(ctypes.Structure):
+    """What goes to another rank, and what comes from it; either may be empty."""
+
+    _fields_ = [
+        ("rank", ctypes.c_int32),
+        ("struct_pad", ctypes.c_int32),
+        ("send_bytes", ctypes.c_int64),
+        ("receive_bytes", ctypes.c_int64),
+        ("send", ctypes.c_void_p),
+        ("receive", ctypes.c_void_p),
+    ]
+
+
+class hfrac_exchange(ctypes.Structure):
+    """How ranks talk. Fill with hfrac_exchange_init, then all members."""
+
+    _fields_ = [
+        ("struct_size", ctypes.c_int32),
+        ("rank", ctypes.c_int32),
+        ("size", ctypes.c_int32),
+        ("struct_pad", ctypes.c_int32),
+        ("user", ctypes.c_void_p),
+        ("start", hfrac_start_fn),
+        ("finish", hfrac_finish_fn),
+        ("sum", hfrac_sum_fn),
+        ("gather", hfrac_gather_fn),
+        ("fail", hfrac_fail_fn),
+    ]
+
+
+class hfrac_traffic(ctypes.Structure):
+    """What a rank does for the others in a cycle, since the model was built; zeros with one rank. Set struct_size
+    before the call.
+    """
+
+    _fields_ = [
+        ("struct_size", ctypes.c_int32),
+        ("struct_pad", ctypes.c_int32),
+        ("messages", ctypes.c_int64),
+        ("bytes", ctypes.c_int64),
+        ("foreign_discs", ctypes.c_int64),
+        ("shared_bonds", ctypes.c_int64),
+    ]
+
+
 class hfrac_grid(ctypes.Structure):
     """The host's areal grid. Set struct_size, and 0 what does not apply. Either regular cells (origin, dx, dy,
     angle) or `corners`; nx and ny always.
@@ -1365,6 +1439,19 @@ SIGNATURES = {
         ctypes.c_int64,
         ctypes.c_double,
         ctypes.POINTER(hfrac_magnitude_law),
+    ),
+    "hfrac_exchange_init": (
+        ctypes.POINTER(hfrac_exchange),
+        ctypes.c_int32,
+    ),
+    "hfrac_sim_create_on": (
+        ctypes.POINTER(hfrac_sim_def),
+        ctypes.POINTER(hfrac_exchange),
+        ctypes.POINTER(ctypes.c_void_p),
+    ),
+    "hfrac_get_traffic": (
+        ctypes.c_void_p,
+        ctypes.POINTER(hfrac_traffic),
     ),
     "hfrac_set_grid": (
         ctypes.c_void_p,

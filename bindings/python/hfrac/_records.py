@@ -689,6 +689,29 @@ class MagnitudeLaw(NamedTuple):
         )
 
 
+class Traffic(NamedTuple):
+    """What a rank does for the others in a cycle, since the model was built; zeros with one rank."""
+
+    #: received a cycle
+    messages: int
+    #: [B] received a cycle
+    bytes: int
+    #: discs of other ranks whose motion is received
+    foreign_discs: int
+    #: bonds that this rank does beside another, which counts them
+    shared_bonds: int
+
+    @classmethod
+    def of(cls, struct: _abi.hfrac_traffic) -> "Traffic":
+        """The struct's values."""
+        return cls(
+            struct.messages,
+            struct.bytes,
+            struct.foreign_discs,
+            struct.shared_bonds,
+        )
+
+
 class Cell(NamedTuple):
     """One cell of the host's grid as the model fills it."""
 

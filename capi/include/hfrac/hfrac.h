@@ -9,6 +9,7 @@
 #include "catalogue.h"
 #include "crack.h"
 #include "def.h"
+#include "exchange.h"
 #include "field.h"
 #include "grid.h"
 #include "heat.h"

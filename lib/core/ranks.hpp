@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One model on several ranks: processes, or threads of one, that each hold all of it and share the work.
+//
+// The library knows no MPI. Whoever made the ranks gives a table of functions by which they talk (hfrac/exchange.h); alone, nothing is
+// called. Floating-point numbers are never added by the table: sums go as the integers of ExactSum, so that they have the same bits
+// on any number of ranks. What all ranks find alike, they find each for itself; what only one can run into (memory, the host's wish
+// to stop) they are told of, so that none waits for one that has gone.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/error.hpp"
+
+namespace hfrac {
+
+// As hfrac_message and hfrac_exchange (capi/include/hfrac/exchange.h). Each function returns 0; anything else ends what the ranks do
+// together.
+struct Message {
+  std::int32_t rank = 0, pad = 0;
+  std::int64_t send_bytes = 0, receive_bytes = 0;
+  const void* send = nullptr;
+  void* receive = nullptr;
+};
+
+struct Exchange {
+  std::int32_t rank = 0, size = 1;
+  void* user = nullptr;
+  std::int32_t (*start)(void* user, const Message* messages, std::int32_t count) = nullptr;
+  std::int32_t (*finish)(void* user) = nullptr;
+  std::int32_t (*sum)(void* user, std::int64_t* values, std::int32_t count) = nullptr;
+  std::int32_t (*gather)(void* user, void* all, const std::int64_t* begin) = nullptr;
+  std::int32_t (*fail)(void* user) = nullptr;
+};
+
+class Ranks {
+ public:
+  Ranks() = default;
+  explicit Ranks(const Exchange& exchange) : exchange_(exchange) {}
+
+  [[nodiscard]] bool alone() const { return exchange_.size == 1; }
+  [[nodiscard]] int rank() const { return exchange_.rank; }
+  [[nodiscard]] int size() const { return exchange_.size; }
+
+  // All of these are called by all ranks, in the same order. Throw Error(exchange) where the others no longer answer.
+  void sum(std::span<std::int64_t> values) const {
+    if (!alone()) check(exchange_.sum(exchange_.user, values.data(), static_cast<std::int32_t>(values.size())));
+  }
+  [[nodiscard]] bool any(bool here) const {
+    std::int64_t count = here ? 1 : 0;
+    sum({&count, 1});
+    return count > 0;
+  }
+  // Of an array that all have, rank r knows what lies from begin[r] to begin[r + 1]: then all know all of it.
+  template <class T>
+  void gather(T* all, std::vector<std::int64_t> begin) const {
+    if (alone()) return;
+    for (auto& place : begin) place *= static_cast<std::int64_t>(sizeof(T));
+    check(exchange_.gather(exchange_.user, all, begin.data()));
+  }
+  // What each rank has of a list, in order of ranks.
+  template <class T>
+  [[nodiscard]] std::vector<T> gather(const std::vector<T>& mine) const {
+    if (alone()) return mine;
+    std::vector<std::int64_t> begin(static_cast<std::size_t>(size()) + 1, 0);
+    const auto here = static_cast<std::size_t>(rank());
+    std::vector<std::int64_t> count(static_cast<std::size_t>(size()), 0);
+    count[here] = static_cast<std::int64_t>(mine.size());
+    sum(count);
+    for (std::size_t r = 0; r < count.size(); ++r) begin[r + 1] = begin[r] + count[r];
+    std::vector<T> all(static_cast<std::size_t>(begin.back()));
+    if (all.empty()) return all;
+    std::copy(mine.begin(), mine.end(), all.begin() + static_cast<std::ptrdiff_t>(begin[here]));
+    gather(all.data(), begin);
+    return all;
+  }
+
+  // One message to each of some ranks and one from each; their memory stays as it is until finish().
+  void start(std::span<const Message> messages) const {
+    check(exchange_.start(exchange_.user, messages.data(), static_cast<std::int32_t>(messages.size())));
+  }
+  void finish() const { check(exchange_.finish(exchange_.user)); }
+
+  // This rank cannot go on: the others' calls fail from now on, and so do its own.
+  void fail() const noexcept {
+    if (!alone()) exchange_.fail(exchange_.user);
+  }
+
+ private:
+  static void check(std::int32_t status) {
+    if (status == 0) return;
+    throw Error(ErrorKind::exchange,
+                "another rank has failed or is no longer there; destroy the simulation on all ranks and go on from the last "
+                "state that was saved");
+  }
+  Exchange exchange_;
+};
+
+}  // namespace hfrac
