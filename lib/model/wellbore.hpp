@@ -38,6 +38,7 @@ struct Cluster {
   std::int32_t domain = 0;
   WellFriction friction;
   double rate = 0.0;  // m2/s into the hole, in the last increment: state
+  double square_of[2] = {0.0, 0.0};  // friction.square with either fluid in the perforations
 };
 
 struct Wellbore {

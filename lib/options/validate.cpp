@@ -342,6 +342,29 @@ void check_water(const Options& o) {
            "holds; set fluid.kind = \"given\".");
 }
 
+void check_second_fluid(const CaseDefinition& c) {
+  const Options& o = c.options;
+  const auto is_second = [](const auto& item) { return item.fluid == static_cast<std::int64_t>(WellFluid::second); };
+  const auto turns_second = [](const ScheduleEntry& entry) {
+    return ScheduleFluid{entry.fluid} == ScheduleFluid::second;
+  };
+  if (o.fluid_second_viscosity > 0.0) {
+    if (FlowScheme{o.flow_scheme} == FlowScheme::off)
+      refuse("fluid.second_viscosity needs flow, but flow.scheme = \"off\"; set flow.scheme = \"implicit\".");
+    if (o.fluid_consistency > 0.0)
+      refuse(
+          "fluid.second_viscosity is that of a fluid beside one that does not thin; set fluid.consistency = 0 and "
+          "fluid.power_index = 1, or fluid.second_viscosity = 0.");
+    return;
+  }
+  if (std::any_of(c.wells.begin(), c.wells.end(), is_second) ||
+      std::any_of(c.schedule.begin(), c.schedule.end(), turns_second))
+    refuse("a well pumps the second fluid, and there is none: give its fluid.second_viscosity.");
+  if (o.fluid_second_density > 0.0)
+    refuse(value_text("fluid.second_density", o.fluid_second_density, "kg/m3") +
+           " is of no fluid; give fluid.second_viscosity with it.");
+}
+
 void check_fluid(const Options& o) {
   check_water(o);
   const bool thinning = o.fluid_consistency > 0.0;
@@ -613,6 +636,7 @@ void validate(const CaseDefinition& definition, std::span<const double> given_di
   check_solver(o);
   check_initial(definition);
   check_fluid(o);
+  check_second_fluid(definition);
   check_joints(definition);
   check_schedule(definition);
   check_temperature(o);

@@ -269,7 +269,13 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
       n.joint_length = joints;
       update_apertures(n, m.assembly, o);
     }
-    if (e.heat && FluidKind{o.fluid_kind} == FluidKind::water) n.viscosity_share.assign(n.left.size(), 1.0);
+    if (o.fluid_second_viscosity > 0.0) {
+      n.second_content.assign(static_cast<std::size_t>(n.domain_count()), 0.0);
+      e.second_fluid = std::make_unique<SecondFluid>(n);
+      e.inlets.reserve(m.wells.size());
+    }
+    if (e.second_fluid || (e.heat && FluidKind{o.fluid_kind} == FluidKind::water))
+      n.viscosity_share.assign(n.left.size(), 1.0);
     e.flow = std::make_unique<FlowSolver>(n, o, &m.wellbores);
     e.mechanics->set_undrained(true);
   }

@@ -69,7 +69,7 @@ class Definition(unittest.TestCase):
 
     def test_joints_and_schedule(self):
         joint = {"x1": 10.0, "y1": 5.0, "x2": 60.0, "y2": 5.0, "friction": 0.6, "state": "broken"}
-        entry = {"well": 0, "time": 60.0, "value": 0.0, "control": "rate"}
+        entry = {"well": 0, "time": 60.0, "value": 0.0, "control": "rate", "fluid": "second"}
         definition = hfrac.Definition(CASE, joints=[joint], schedule=[entry])
         (read,) = definition.joints
         self.assertEqual(read, {**dict.fromkeys(read, 0.0), **joint, "tensile_factor": 1.0, "shear_factor": 1.0})
