@@ -18,7 +18,7 @@ module hfrac_c
 
   ! Versions of the headers this was made from.
   integer(c_int32_t), parameter :: HFRAC_VERSION_MAJOR = 0
-  integer(c_int32_t), parameter :: HFRAC_VERSION_MINOR = 1
+  integer(c_int32_t), parameter :: HFRAC_VERSION_MINOR = 2
   integer(c_int32_t), parameter :: HFRAC_VERSION_PATCH = 0
   integer(c_int32_t), parameter :: HFRAC_ABI_NUMBER = 0
   integer(c_int32_t), parameter :: HFRAC_MACRO_COUNT = 6
@@ -289,6 +289,10 @@ module hfrac_c
     integer(c_int64_t) :: wellbore = 0_c_int64_t
     !> what it pumps: 0 the fluid, 1 that of fluid.second_viscosity
     integer(c_int64_t) :: fluid = 0_c_int64_t
+    !> [m] of its slots (law facet); 0: fracture.perforation_length and fracture.perforation_azimuth hold
+    real(c_double) :: perforation_length = 0.0_c_double
+    !> [rad] of its slots from the x axis, with a length of its own
+    real(c_double) :: perforation_azimuth = 0.0_c_double
   end type hfrac_well_def
 
   !> A straight line along which the rock is weaker or broken: it takes the bonds between discs whose centres lie on
@@ -2295,10 +2299,11 @@ module hfrac_c
     !> Reads a record, a comma-separated table whose first line names its columns with their units: time_s,
     !> time_min, time_h, time_d or time (ISO 8601, the first row being time 0); rate_m2_s, or rate_m3_s,
     !> rate_m3_min, rate_m3_h, rate_L_s or rate_L_min, which are divided by `thickness` [m, above 0 to 1e6];
-    !> pressure_Pa, pressure_kPa, pressure_MPa or pressure_bar. Copies at most `capacity` rows, three numbers each:
-    !> time [s], rate [m2/s], pressure [Pa], which hold until the next row; NaN for a rate or a pressure that the
-    !> file does not have. *count is how many rows there are, 1 to 1 000 000; rows NULL: only that. What is no
-    !> record is refused with file and line (HFRAC_ERR_CASE_FILE). Unstable since 0.1.
+    !> pressure_Pa, pressure_kPa, pressure_MPa or pressure_bar. Or a LAS 2.0 file with curves TIME, RATE, PRES in
+    !> these units. Copies at most `capacity` rows, three numbers each: time [s], rate [m2/s], pressure [Pa], which
+    !> hold until the next row; NaN for a rate or a pressure that the file does not have. *count is how many rows
+    !> there are, 1 to 1 000 000; rows NULL: only that. What is no record is refused with file and line
+    !> (HFRAC_ERR_CASE_FILE). Unstable since 0.1.
     function hfrac_read_record(path, thickness, rows, capacity, count) bind(C, name="hfrac_read_record")
       import
       character(kind=c_char), intent(in) :: path(*)

@@ -9,7 +9,7 @@ namespace hfrac {
 
 constexpr double coldest_water = 273.15, hottest_water = 623.15, highest_water_pressure = 100e6;  // K, Pa
 
-double water_density(double kelvin, double pressure);   // kg/m3, of an absolute pressure [Pa]
+double water_density(double kelvin, double pressure);  // kg/m3, of an absolute pressure [Pa]
 // rho d p / d rho at constant temperature [Pa], the inverse of the compressibility.
 double water_bulk_modulus(double kelvin, double pressure);
 double water_viscosity(double kelvin, double density);  // Pa s

@@ -98,7 +98,9 @@ struct Network {
     return viscosity_share.empty() ? 1.0 : viscosity_share[pipe];
   }
   // Fluid in a domain, as a volume at reference pressure [m2]: what was there at bonding and what was taken in since.
-  [[nodiscard]] double fluid_in(std::size_t domain) const { return std::max(0.0, volume[domain] + content[domain]); }
+  [[nodiscard]] double fluid_in(std::size_t domain) const {
+    return std::max(0.0, volume[domain] + content[domain]);
+  }
   [[nodiscard]] double second_share_of(std::size_t domain) const {
     if (second_content.empty() || second_content[domain] == 0.0) return 0.0;
     const double all = fluid_in(domain);

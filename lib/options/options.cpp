@@ -157,15 +157,14 @@ static_assert(is_word("thermal.mode", "uniform", ThermalMode::uniform) &&
 static_assert(choice_index(well_rows[6].choices, "ramp") == static_cast<std::int64_t>(WellControl::ramp) &&
               choice_index(well_rows[6].choices, "rate") == static_cast<std::int64_t>(WellControl::rate));
 
-static_assert(choice_index(joint_rows[7].choices, "broken") ==
-                  static_cast<std::int64_t>(JointState::broken) &&
-              choice_index(joint_rows[7].choices, "smooth-bonded") ==
-                  static_cast<std::int64_t>(JointState::smooth_bonded) &&
-              choice_index(joint_rows[7].choices, "smooth-broken") ==
-                  static_cast<std::int64_t>(JointState::smooth_broken) &&
-              choice_index(schedule_rows[3].choices, "rate") == static_cast<std::int64_t>(WellControl::rate) &&
-              choice_index(schedule_rows[4].choices, "second") ==
-                  static_cast<std::int64_t>(ScheduleFluid::second));
+static_assert(
+    choice_index(joint_rows[7].choices, "broken") == static_cast<std::int64_t>(JointState::broken) &&
+    choice_index(joint_rows[7].choices, "smooth-bonded") ==
+        static_cast<std::int64_t>(JointState::smooth_bonded) &&
+    choice_index(joint_rows[7].choices, "smooth-broken") ==
+        static_cast<std::int64_t>(JointState::smooth_broken) &&
+    choice_index(schedule_rows[3].choices, "rate") == static_cast<std::int64_t>(WellControl::rate) &&
+    choice_index(schedule_rows[4].choices, "second") == static_cast<std::int64_t>(ScheduleFluid::second));
 
 template <class Table>
 auto find_in(const Table& table, std::string_view key) noexcept -> decltype(&table[0]) {

@@ -81,6 +81,7 @@ struct WellOptions {
   double fluid_density = 0.0;                                  // kg/m3
   std::int64_t wellbore = 0;                                   // 0: one of its own
   std::int64_t fluid = 0;                                      // WellFluid
+  double perforation_length = 0.0, perforation_azimuth = 0.0;  // m, rad; a length of 0: as options say of all
 };
 
 // A line along which the rock is weaker or broken (solid/joints.hpp).

@@ -140,8 +140,10 @@ void check_packing(const Options& o, const Radii& radii, bool given) {
 void check_facets(const CaseDefinition& definition) {
   if (fracture_law_of(definition) == FractureLaw::facet) {
     if (const std::string why = why_no_facets(definition); !why.empty()) refuse(why);
-  } else if (definition.options.fracture_perforation_length > 0.0) {
-    refuse("fracture.perforation_length needs fracture.law = \"facet\"; set it, or leave the length at 0 m.");
+  } else if (is_perforated(definition)) {
+    refuse(
+        "fracture.perforation_length, or that of a well, needs fracture.law = \"facet\"; set it, or leave "
+        "the length at 0 m.");
   }
 }
 
@@ -344,7 +346,9 @@ void check_water(const Options& o) {
 
 void check_second_fluid(const CaseDefinition& c) {
   const Options& o = c.options;
-  const auto is_second = [](const auto& item) { return item.fluid == static_cast<std::int64_t>(WellFluid::second); };
+  const auto is_second = [](const auto& item) {
+    return item.fluid == static_cast<std::int64_t>(WellFluid::second);
+  };
   const auto turns_second = [](const ScheduleEntry& entry) {
     return ScheduleFluid{entry.fluid} == ScheduleFluid::second;
   };
@@ -353,7 +357,8 @@ void check_second_fluid(const CaseDefinition& c) {
       refuse("fluid.second_viscosity needs flow, but flow.scheme = \"off\"; set flow.scheme = \"implicit\".");
     if (o.fluid_consistency > 0.0)
       refuse(
-          "fluid.second_viscosity is that of a fluid beside one that does not thin; set fluid.consistency = 0 and "
+          "fluid.second_viscosity is that of a fluid beside one that does not thin; set fluid.consistency = "
+          "0 and "
           "fluid.power_index = 1, or fluid.second_viscosity = 0.");
     return;
   }

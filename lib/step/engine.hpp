@@ -40,8 +40,8 @@ struct Engine {
   std::unique_ptr<ExplicitSolver> mechanics;
   Facets facets;  // of fractures, from the end of the initial equilibration on; law facet only
   std::unique_ptr<FlowSolver> flow;  // from the end of the initial equilibration on; none in a dry model
-  std::unique_ptr<SecondFluid> second_fluid;  // likewise; none without fluid.second_viscosity
-  std::vector<SecondFluid::Inlet> inlets;     // of the wells, work space
+  std::unique_ptr<SecondFluid> second_fluid;       // likewise; none without fluid.second_viscosity
+  std::vector<SecondFluid::Inlet> inlets;          // of the wells, work space
   std::unique_ptr<EquilibriumSolver> equilibrium;  // likewise; none with solver.kind = "explicit"
   std::vector<double> source;                      // m2/s per domain, from wells at a rate
   std::vector<double> pore_viscosity;              // of domains over fluid.viscosity, work space

@@ -24,7 +24,8 @@ void follow_schedules(Engine& e) {
       (well.drive.control == WellControl::rate ? well.drive.set_rate : well.drive.target_pressure) =
           entry.value;
       if (ScheduleFluid{entry.fluid} != ScheduleFluid::same)
-        well.drive.fluid = ScheduleFluid{entry.fluid} == ScheduleFluid::second ? WellFluid::second : WellFluid::first;
+        well.drive.fluid =
+            ScheduleFluid{entry.fluid} == ScheduleFluid::second ? WellFluid::second : WellFluid::first;
       turned = true;
     }
   }
@@ -79,7 +80,8 @@ void update_viscosity(Engine& e) {
   const bool water = e.heat && FluidKind{o.fluid_kind} == FluidKind::water;
   for (std::size_t d = 0; d < share.size(); ++d) {
     const double second = n.second_share_of(d);
-    const double first = water ? water_viscosity_at(e.model.heat->fluid[d], n.pressure[d] + datum) / o.fluid_viscosity : 1.0;
+    const double first =
+        water ? water_viscosity_at(e.model.heat->fluid[d], n.pressure[d] + datum) / o.fluid_viscosity : 1.0;
     share[d] = first + second * (o.fluid_second_viscosity / o.fluid_viscosity - first);
   }
   const bool two = e.second_fluid != nullptr;  // then a pipe to the outside holds what the pore inside does

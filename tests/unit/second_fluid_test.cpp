@@ -56,8 +56,8 @@ struct Slot {
       const auto l = static_cast<std::size_t>(first ? n.right[p] : n.left[p]),
                  r = static_cast<std::size_t>(last ? n.left[p] : n.right[p]);
       n.viscosity_share[p] = 1.0 + (ratio - 1.0) * 0.5 * (n.second_share_of(l) + n.second_share_of(r));
-      n.conductance[p] = std::pow(width, 3) / (12.0 * viscosity * n.viscosity_share[p] *
-                                               (first || last ? 0.5 * cell : cell));
+      n.conductance[p] = std::pow(width, 3) /
+                         (12.0 * viscosity * n.viscosity_share[p] * (first || last ? 0.5 * cell : cell));
     }
   }
   // Pressure at the beginning by hand, with the front at x [m].
@@ -94,7 +94,8 @@ TEST(SecondFluid, DisplacesTheFirstLikeAPiston) {
       EXPECT_NEAR(books.from_wells, gel, 1e-6 * gel);  // the hole keeps what its fluid gives
       EXPECT_NEAR(second_fluid_in_rock(n) + books.leaked, books.from_wells, 1e-12 * gel);
     }
-    std::printf("%g pores an increment: pressure at the inlet off by %.2g of the piston's at most\n", pores, worst);
+    std::printf("%g pores an increment: pressure at the inlet off by %.2g of the piston's at most\n", pores,
+                worst);
     EXPECT_LT(worst, 0.01);
     for (std::size_t d = 1; d <= Slot::cells; ++d) {
       EXPECT_GE(n.second_share_of(d), 0.0);
@@ -161,8 +162,9 @@ TEST(SecondFluid, HasItsViscosityOnceAllIsDisplaced) {
     const double first = excess(s);
     EXPECT_EQ(second_fluid_in_rock(s.network()), 0.0);
     s.step();
-    EXPECT_NEAR(s.model().accounts.second.from_wells, 100.0, 1.0);  // rate times step, less what the hole takes
-    for (int k = 0; k < 200; ++k) s.step();                        // a dozen pore volumes
+    EXPECT_NEAR(s.model().accounts.second.from_wells, 100.0,
+                1.0);                        // rate times step, less what the hole takes
+    for (int k = 0; k < 200; ++k) s.step();  // a dozen pore volumes
     for (int k = 0; k < 8; ++k) thick.step();
     EXPECT_GT(excess(s), 4.0 * first);
     EXPECT_NEAR(excess(s), excess(thick), 0.01 * excess(thick));
@@ -223,7 +225,10 @@ TEST(SecondFluid, FollowsAFractureThatGrows) {
   expect_books(s);
   double in_fracture = 0.0;
   for (std::size_t d = 1; d < n.kind.size(); ++d)
-    in_fracture += n.kind[d] == DomainKind::rock && !s.engine().facets.bonds_of(static_cast<std::int32_t>(d)).empty() ? n.second_content[d] : 0.0;
+    in_fracture +=
+        n.kind[d] == DomainKind::rock && !s.engine().facets.bonds_of(static_cast<std::int32_t>(d)).empty()
+            ? n.second_content[d]
+            : 0.0;
   EXPECT_GT(in_fracture, 0.9 * second_fluid_in_rock(n));
 }
 

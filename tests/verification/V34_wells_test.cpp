@@ -130,8 +130,8 @@ TEST(V34WellsSmoke, StorageUnderCyclesShutInAndFlowBack) {
   const double own = own_storage({50.0}, 0), storage = 20.0 * own;
   hfrac::Definition def = rock(1e-22, {50.0});
   def.wells[0].storage = storage;
-  const std::vector<std::pair<double, double>> parts{{4.0, 1e-3}, {3.0, 0.0}, {4.0, 1e-3}, {3.0, 0.0},
-                                                     {5.0, -1e-3}, {2.0, 3e-3}};
+  const std::vector<std::pair<double, double>> parts{{4.0, 1e-3}, {3.0, 0.0},   {4.0, 1e-3},
+                                                     {3.0, 0.0},  {5.0, -1e-3}, {2.0, 3e-3}};
   std::vector<Turn> turns;
   double time = 0.0;
   for (const auto& [length, rate] : parts) {

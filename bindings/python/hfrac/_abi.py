@@ -6,7 +6,7 @@ import ctypes
 import enum
 
 VERSION_MAJOR = 0
-VERSION_MINOR = 1
+VERSION_MINOR = 2
 VERSION_PATCH = 0
 ABI_VERSION = 0
 MACRO_COUNT = 6
@@ -355,6 +355,8 @@ class hfrac_well_def(ctypes.Structure):
         ("fluid_density", ctypes.c_double),
         ("wellbore", ctypes.c_int64),
         ("fluid", ctypes.c_int64),
+        ("perforation_length", ctypes.c_double),
+        ("perforation_azimuth", ctypes.c_double),
     ]
 
 

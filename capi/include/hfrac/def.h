@@ -59,6 +59,8 @@ typedef struct hfrac_well_def {
   double fluid_density;         /**< [kg/m3] in wellbore and perforations; 0: thermal.fluid_density */
   int64_t wellbore;             /**< number of the wellbore it is a cluster of, the first of which drives it; 0: one of its own */
   int64_t fluid;                /**< what it pumps: 0 the fluid, 1 that of fluid.second_viscosity */
+  double perforation_length;    /**< [m] of its slots (law facet); 0: fracture.perforation_length and fracture.perforation_azimuth hold */
+  double perforation_azimuth;   /**< [rad] of its slots from the x axis, with a length of its own */
 } hfrac_well_def;
 
 /** Whether the bonds of a joint hold. */
