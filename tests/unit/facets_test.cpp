@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "equilibrium/bond_response.hpp"
 #include "options/choices.hpp"
@@ -250,13 +251,13 @@ TEST(Facets, AreCutAsEachWellsPerforationsSay) {
   CaseDefinition definition = with_hole(5.0);
   Options& o = definition.options;
   o.fracture_perforation_length = 3.0;
-  o.fracture_perforation_azimuth = 0.5 * pi;
+  o.fracture_perforation_azimuth = 0.5 * std::numbers::pi;
   definition.wells.resize(3, definition.wells[0]);
   definition.wells[0].x = 22.0;
   definition.wells[2].x = 78.0;
   definition.wells[0].perforation_length = 9.0;  // along x
   definition.wells[1].perforation_length = 9.0;
-  definition.wells[1].perforation_azimuth = 0.25 * pi;
+  definition.wells[1].perforation_azimuth = 0.25 * std::numbers::pi;
   Simulation s(definition, {}, {});
   const auto sums =
       [&](std::size_t
@@ -273,8 +274,8 @@ TEST(Facets, AreCutAsEachWellsPerforationsSay) {
         return std::array{0.5 * std::atan2(2.0 * xy, xx - yy), far};
       };
   EXPECT_NEAR(sums(0)[0], 0.0, 0.15);
-  EXPECT_NEAR(sums(1)[0], 0.25 * pi, 0.15);
-  EXPECT_NEAR(std::abs(sums(2)[0]), 0.5 * pi, 0.15);
+  EXPECT_NEAR(sums(1)[0], 0.25 * std::numbers::pi, 0.15);
+  EXPECT_NEAR(std::abs(sums(2)[0]), 0.5 * std::numbers::pi, 0.15);
   EXPECT_GT(sums(0)[1], sums(2)[1] + 4.0);
 }
 
