@@ -101,15 +101,18 @@ void LasTable::read_item(std::string_view line, std::size_t number) {
   const std::string name = in_capitals(mnemonic);
   if (section_ == 'C') {
     curves_.push_back(column_name(mnemonic, unit));
-  } else if (name == "VERS") {
-    const auto version = number_of(data);
+    return;
+  }
+  const std::string_view value = data.empty() ? unit : data;  // VERS.2.0: these have no unit
+  if (name == "VERS") {
+    const auto version = number_of(value);
     if (!version || (*version != 2.0 && *version != 1.2))
       refuse_record(path_, number,
-                    "VERS = " + printable(data) + "; LAS files of version 2.0 and 1.2 are read.");
+                    "VERS = " + printable(value) + "; LAS files of version 2.0 and 1.2 are read.");
   } else if (name == "WRAP") {
-    wrapped_ = in_capitals(data) == "YES";
+    wrapped_ = in_capitals(value) == "YES";
   } else if (name == "NULL") {
-    null_ = number_of(data);
+    null_ = number_of(value);
   }
 }
 

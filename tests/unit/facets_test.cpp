@@ -250,13 +250,14 @@ TEST(Facets, GrowWithoutLosingFluidAndGoOnFromAnImage) {
 TEST(Facets, AreCutAsEachWellsPerforationsSay) {
   CaseDefinition definition = with_hole(5.0);
   Options& o = definition.options;
+  o.packing_disc_count = 3000;
   o.fracture_perforation_length = 3.0;
   o.fracture_perforation_azimuth = 0.5 * std::numbers::pi;
   definition.wells.resize(3, definition.wells[0]);
   definition.wells[0].x = 22.0;
   definition.wells[2].x = 78.0;
-  definition.wells[0].perforation_length = 9.0;  // along x
-  definition.wells[1].perforation_length = 9.0;
+  definition.wells[0].perforation_length = 7.0;  // along x
+  definition.wells[1].perforation_length = 7.0;
   definition.wells[1].perforation_azimuth = 0.25 * std::numbers::pi;
   Simulation s(definition, {}, {});
   const auto sums =
@@ -276,7 +277,7 @@ TEST(Facets, AreCutAsEachWellsPerforationsSay) {
   EXPECT_NEAR(sums(0)[0], 0.0, 0.15);
   EXPECT_NEAR(sums(1)[0], 0.25 * std::numbers::pi, 0.15);
   EXPECT_NEAR(std::abs(sums(2)[0]), 0.5 * std::numbers::pi, 0.15);
-  EXPECT_GT(sums(0)[1], sums(2)[1] + 4.0);
+  EXPECT_NEAR(sums(0)[1] - sums(2)[1], 4.0, 2.0);  // a disc's diameter
 }
 
 TEST(Facets, AreRefusedWhereTheyAreNotKnown) {
