@@ -47,7 +47,7 @@ class Definition(unittest.TestCase):
         self.assertEqual((definition.well_count, copied.well_count), (0, 200))
         self.assertEqual(copied.wells[199]["rate"], 1e-6 * 199)
         self.assertEqual(copied.joints[149]["friction"], 0.25)
-        self.assertEqual(copied.schedule[499], schedule[499])
+        self.assertEqual(copied.schedule[499], {**schedule[499], "fluid": "same"})
         copied.set("schedule[499].time", 1.0)
         with self.assertRaisesRegex(hfrac.ModelError, r"schedule\[499\]"):
             copied.check()
