@@ -26,7 +26,7 @@ struct ImageHeader {
   std::uint64_t model, size, checksum;  // the checksum is of the header before it and of the state
 };
 constexpr char image_magic[8] = {'h', 'f', 'r', 'a', 'c', 'i', 'm', 'g'};
-constexpr std::uint32_t image_format = 6, image_byte_order = 0x01020304;
+constexpr std::uint32_t image_format = 7, image_byte_order = 0x01020304;
 
 std::uint64_t checksum(const ImageHeader& header, std::span<const std::byte> bytes) {
   Hash hash;
