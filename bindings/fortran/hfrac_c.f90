@@ -18,7 +18,7 @@ module hfrac_c
 
   ! Versions of the headers this was made from.
   integer(c_int32_t), parameter :: HFRAC_VERSION_MAJOR = 0
-  integer(c_int32_t), parameter :: HFRAC_VERSION_MINOR = 1
+  integer(c_int32_t), parameter :: HFRAC_VERSION_MINOR = 2
   integer(c_int32_t), parameter :: HFRAC_VERSION_PATCH = 0
   integer(c_int32_t), parameter :: HFRAC_ABI_NUMBER = 0
   integer(c_int32_t), parameter :: HFRAC_MACRO_COUNT = 6
@@ -161,6 +161,8 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_SATURATION = 67
   !> of the fluid; thermal.rock_temperature without a temperature in the model
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_TEMPERATURE = 66
+  !> share of the second fluid (fluid.second_viscosity) in what the pore holds; 0 without one
+  integer(c_int32_t), parameter :: HFRAC_DOMAIN_SECOND_FLUID = 68
   !> first corner of each domain in domain.corners; the next domain's is its end
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_OFFSET = 64
   !> disc indices around each domain, anticlockwise (outside: clockwise)
@@ -287,6 +289,12 @@ module hfrac_c
     real(c_double) :: fluid_density = 0.0_c_double
     !> number of the wellbore it is a cluster of, the first of which drives it; 0: one of its own
     integer(c_int64_t) :: wellbore = 0_c_int64_t
+    !> what it pumps: 0 the fluid, 1 that of fluid.second_viscosity
+    integer(c_int64_t) :: fluid = 0_c_int64_t
+    !> [m] of its slots (law facet); 0: fracture.perforation_length and fracture.perforation_azimuth hold
+    real(c_double) :: perforation_length = 0.0_c_double
+    !> [rad] of its slots from the x axis, with a length of its own
+    real(c_double) :: perforation_azimuth = 0.0_c_double
   end type hfrac_well_def
 
   !> A straight line along which the rock is weaker or broken: it takes the bonds between discs whose centres lie on
@@ -346,6 +354,8 @@ module hfrac_c
     real(c_double) :: value = 0.0_c_double
     !> HFRAC_WELL_PRESSURE or HFRAC_WELL_RATE of enum hfrac_well_control
     integer(c_int64_t) :: control = 0_c_int64_t
+    !> what it pumps from then on: 0 as before, 1 the fluid, 2 that of fluid.second_viscosity
+    integer(c_int64_t) :: fluid = 0_c_int64_t
   end type hfrac_schedule_def
 
   !> The definition of a simulation. Fill with hfrac_sim_def_init first. Members are only ever appended, options
@@ -706,9 +716,10 @@ module hfrac_c
     !> [m] Kind infinite: distance from the model's middle at which the pores have the formation pressure; fluid
     !> flows there steadily through rock of the model's permeability. 0: at the outermost discs. Default 0.0.
     real(c_double) :: boundary_flow_distance = 0.0_c_double
-    !> 0: given, 1: water. given: fluid.viscosity and thermal.fluid_density. water: both are those of water (IAPWS
-    !> R12-08 and R7-97) at thermal.rock_temperature and fluid.formation_pressure; with thermal.mode other than off
-    !> every pore's viscosity follows its temperature and pressure, step by step. Default 0.
+    !> 0: given, 1: water. given: fluid.viscosity, fluid.bulk_modulus and thermal.fluid_density. water: all three
+    !> are those of water (IAPWS R12-08 and R7-97) at thermal.rock_temperature and fluid.formation_pressure; with
+    !> thermal.mode other than off every pore's viscosity follows its temperature and pressure, step by step.
+    !> Default 0.
     integer(c_int64_t) :: fluid_kind = 0_c_int64_t
     !> 0: round, 1: flat. round: a contact bears no moment. flat: one as wide as the bond, which opens from one edge
     !> and hinders rolling (flat joint without bond, Potyondy 2012); with fracture.law = bond. Default 0.
@@ -720,6 +731,11 @@ module hfrac_c
     !> discs are small against E' G_c / sigma_c^2. 0: bonds break at their strength. With fracture.law = bond.
     !> Default 0.0.
     real(c_double) :: bond_fracture_energy = 0.0_c_double
+    !> [Pa s] Viscosity of a second fluid, which wells pump where their fluid is second; it displaces the first. 0:
+    !> there is none. Default 0.0.
+    real(c_double) :: fluid_second_viscosity = 0.0_c_double
+    !> [kg/m3] Density of the second fluid in wellbore and perforations. 0: that of the first. Default 0.0.
+    real(c_double) :: fluid_second_density = 0.0_c_double
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.
@@ -2434,10 +2450,11 @@ module hfrac_c
     !> Reads a record, a comma-separated table whose first line names its columns with their units: time_s,
     !> time_min, time_h, time_d or time (ISO 8601, the first row being time 0); rate_m2_s, or rate_m3_s,
     !> rate_m3_min, rate_m3_h, rate_L_s or rate_L_min, which are divided by `thickness` [m, above 0 to 1e6];
-    !> pressure_Pa, pressure_kPa, pressure_MPa or pressure_bar. Copies at most `capacity` rows, three numbers each:
-    !> time [s], rate [m2/s], pressure [Pa], which hold until the next row; NaN for a rate or a pressure that the
-    !> file does not have. *count is how many rows there are, 1 to 1 000 000; rows NULL: only that. What is no
-    !> record is refused with file and line (HFRAC_ERR_CASE_FILE). Unstable since 0.1.
+    !> pressure_Pa, pressure_kPa, pressure_MPa or pressure_bar. Or a LAS 2.0 file with curves TIME, RATE, PRES in
+    !> these units. Copies at most `capacity` rows, three numbers each: time [s], rate [m2/s], pressure [Pa], which
+    !> hold until the next row; NaN for a rate or a pressure that the file does not have. *count is how many rows
+    !> there are, 1 to 1 000 000; rows NULL: only that. What is no record is refused with file and line
+    !> (HFRAC_ERR_CASE_FILE). Unstable since 0.1.
     function hfrac_read_record(path, thickness, rows, capacity, count) bind(C, name="hfrac_read_record")
       import
       character(kind=c_char), intent(in) :: path(*)

@@ -265,9 +265,11 @@ class CaseReader {
           entry.control =
               static_cast<std::int64_t>(key == "rate" ? WellControl::rate : WellControl::pressure);
           read_value(entry, *find_schedule_value("value"), name + "." + std::string(key), *value);
+        } else if (key == "fluid") {
+          read_value(entry, *find_schedule_value("fluid"), name + ".fluid", *value);
         } else {
-          refuse(*value,
-                 "well.schedule." + printable(key) + " is not a known key; it is time, pressure or rate.");
+          refuse(*value, "well.schedule." + printable(key) +
+                             " is not a known key; it is time, pressure, rate or fluid.");
         }
       }
       if (!timed || !driven)

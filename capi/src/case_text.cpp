@@ -48,8 +48,8 @@ std::string value_text(const OptionInfo& info, const Options& values) {
 
 std::string value_text(const WellOptionInfo& info, const WellOptions& values) {
   if (info.real != nullptr) return real_text(values.*info.real);
-  if (info.integer != nullptr) return number_text(values.*info.integer);
-  return quoted(choice_word(info.choices, static_cast<std::int64_t>(values.control)));
+  if (info.type == ValueType::integer) return number_text(values.*info.integer);
+  return quoted(choice_word(info.choices, static_cast<std::int64_t>(get_value(values, info))));
 }
 
 }  // namespace
@@ -83,6 +83,8 @@ std::string case_text(const CaseDefinition& definition) {
       const bool by_rate = WellControl{entry.control} == WellControl::rate;
       text += "\n[[well.schedule]]\ntime = " + real_text(entry.time) + "\n" +
               (by_rate ? "rate" : "pressure") + " = " + real_text(entry.value) + "\n";
+      if (ScheduleFluid{entry.fluid} != ScheduleFluid::same)
+        text += "fluid = " + quoted(choice_word(find_schedule_value("fluid")->choices, entry.fluid)) + "\n";
     }
   }
   for (const auto& joint : definition.joints) {

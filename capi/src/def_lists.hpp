@@ -100,8 +100,8 @@ struct Schedule {
   static auto& size(auto& def) { return def.schedule_size; }
   static auto& in(auto& definition) { return definition.schedule; }
   static const ScheduleInfo* find(std::string_view value) { return find_schedule_value(value); }
-  static Values get(const Item& e) { return {e.well, e.time, e.value, e.control}; }
-  static Item put(const Values& e) { return {e.well, e.time, e.value, e.control}; }
+  static Values get(const Item& e) { return {e.well, e.time, e.value, e.control, e.fluid}; }
+  static Item put(const Values& e) { return {e.well, e.time, e.value, e.control, e.fluid}; }
   static Values fresh(const hfrac_sim_def& /*def*/) { return {}; }
 };
 

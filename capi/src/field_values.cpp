@@ -104,6 +104,9 @@ void write_values(const Simulation& s, std::int32_t field, double* to) {
     case HFRAC_DOMAIN_SATURATION:
       write_saturation(s, to);
       return;
+    case HFRAC_DOMAIN_SECOND_FLUID:
+      for (std::size_t d = 0; d < n.kind.size(); ++d) to[d] = n.second_share_of(d);
+      return;
     case HFRAC_DOMAIN_TEMPERATURE:
       if (!s.model().heat) {
         std::fill(to, to + n.domain_count(), s.options().thermal_rock_temperature);

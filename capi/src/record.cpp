@@ -5,11 +5,13 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/error.hpp"
 #include "hfrac/record.h"
 #include "internal.hpp"
 #include "record_columns.hpp"
+#include "record_las.hpp"
 #include "table_cells.hpp"
 #include "text_file.hpp"
 #include "utf8.hpp"
@@ -32,20 +34,26 @@ class RecordReader {
   RecordReader(const std::string& path, const RecordWishes& wishes) : path_(path), wishes_(wishes) {}
 
   Record read(std::string_view text) {
+    if (is_las(text)) las_.emplace(path_);
     for (std::size_t begin = 0; begin < text.size(); ++line_) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
       const std::string_view line = trimmed(text.substr(begin, end - begin));
       begin = end + 1;
       if (line.empty() || line.front() == '#') continue;
-      const auto cells = cells_of(line);
-      if (headed_) {
+      if (las_) {
+        const auto told = las_->take(line, line_);
+        if (told == LasTable::Line::names) name_columns(las_->names());
+        if (told == LasTable::Line::row) add(las_->cells());
+      } else if (const auto cells = cells_of(line); headed_) {
         add(cells);
       } else {
-        columns_ = columns_of_record(cells, wishes_, path_, line_);
-        headed_ = true;
+        name_columns(cells);
       }
     }
-    if (!headed_) refuse_record(path_, 1, "the record is empty; its first line names its columns.");
+    if (!headed_)
+      refuse_record(path_, 1,
+                    las_ ? "the LAS file has no section ~A of values."
+                         : "the record is empty; its first line names its columns.");
     if (record_.time.empty())
       refuse_record(path_, 1, "the record has no rows; below the line of names stands a row for each time.");
     return std::move(record_);
@@ -53,6 +61,11 @@ class RecordReader {
 
  private:
   [[noreturn]] void refuse(const std::string& fault) const { refuse_record(path_, line_, fault); }
+
+  void name_columns(const std::vector<std::string_view>& names) {
+    columns_ = columns_of_record(names, wishes_, path_, line_);
+    headed_ = true;
+  }
 
   void add(const std::vector<std::string_view>& cells) {
     if (record_.time.size() == most_rows)
@@ -100,6 +113,7 @@ class RecordReader {
   const RecordWishes& wishes_;
   std::size_t line_ = 1;
   bool headed_ = false;
+  std::optional<LasTable> las_;
   RecordColumns columns_{};
   Record record_;
   std::string_view last_time_;

@@ -29,6 +29,7 @@ struct RecordWishes {
 //   rate_m2_s                               per metre of thickness (also rate_m2_per_s, and so on)
 //   rate_m3_s, rate_m3_min, rate_m3_h, rate_L_s, rate_L_min   of the whole thickness
 //   pressure_Pa, pressure_kPa, pressure_MPa, pressure_bar
+// or a LAS 2.0 file, whose curves are such columns (record_las.hpp).
 // At most 1 000 000 rows. Throws Error(case_file) with file, line, fault and what is allowed.
 Record read_record(const std::string& path, const RecordWishes& wishes);
 

@@ -444,7 +444,8 @@ int32_t hfrac_well_get(const hfrac_sim* sim, int32_t index, hfrac_well_state* st
     }
     const bool net = StressConvention{s.options().stress_convention} == StressConvention::effective;
     full.wellhead_pressure =
-        full.wellbore_pressure + (net ? s.options().fluid_formation_pressure : 0.0) - well.head;
+        full.wellbore_pressure + (net ? s.options().fluid_formation_pressure : 0.0) -
+        (s.model().drive_of(well).fluid == WellFluid::second ? well.second_head : well.head);
     write_struct(state, full, "hfrac_well_state");
   });
 }

@@ -115,6 +115,7 @@ Model build_model(const CaseDefinition& definition, Packing packing,
     well.drive.target_pressure = given.pressure;
     well.drive.ramp_per_step = given.ramp_per_step;
     well.drive.set_rate = given.rate;
+    well.drive.fluid = WellFluid{given.fluid};
     for (const auto& entry : definition.schedule) {
       if (entry.well == static_cast<std::int64_t>(w)) well.schedule.push_back(entry);
     }

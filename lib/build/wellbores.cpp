@@ -19,10 +19,15 @@ void begin_wellbores(Model& model, const CaseDefinition& definition) {
     Well& well = model.wells[w];
     const double density =
         given.fluid_density > 0.0 ? given.fluid_density : definition.options.thermal_fluid_density;
-    const WellFriction friction =
-        well_friction(density, given.perforation_count, given.perforation_diameter,
-                      given.discharge_coefficient, given.near_well_friction, given.height);
+    const double second_density =
+        definition.options.fluid_second_density > 0.0 ? definition.options.fluid_second_density : density;
+    const auto friction_of = [&given](double rho) {
+      return well_friction(rho, given.perforation_count, given.perforation_diameter,
+                           given.discharge_coefficient, given.near_well_friction, given.height);
+    };
+    const WellFriction friction = friction_of(density);
     well.head = density * gravity * given.depth;
+    well.second_head = second_density * gravity * given.depth;
     if (!friction.any()) {
       well.storage = given.storage;
       continue;
@@ -37,7 +42,11 @@ void begin_wellbores(Model& model, const CaseDefinition& definition) {
                     "well[" + std::to_string(w) + "] and well[" + std::to_string(other.well) +
                         "] of one wellbore lie in the same hole; place them farther apart.");
     }
-    wellbore.clusters.push_back({static_cast<std::int64_t>(w), well.place.domain, friction, 0.0});
+    wellbore.clusters.push_back({static_cast<std::int64_t>(w),
+                                 well.place.domain,
+                                 friction,
+                                 0.0,
+                                 {friction.square, friction_of(second_density).square}});
     wellbore.storage += given.storage;
   }
 }

@@ -32,14 +32,34 @@ constexpr Term of_density[] = {
     {1, 3, 2.57399e-1},  {0, 4, -3.25372e-2}, {3, 4, 6.98452e-2},  {4, 5, 8.72102e-3},  {3, 6, -4.35673e-3},
     {5, 6, -5.93264e-4}};
 
+constexpr double unit = 16.53e6;  // Pa, p* of region 1
+
+struct Derivatives {
+  double first, second;
+};
+// Of gamma with pi = p / p*.
+Derivatives gamma_by_pi(double kelvin, double pressure) {
+  const double pi = 7.1 - pressure / unit, tau = 1386.0 / kelvin - 1.222;
+  Derivatives gamma{0.0, 0.0};
+  for (const Term& t : region_1) {
+    const double of_tau = t.n * t.i * std::pow(tau, t.j);
+    gamma.first -= of_tau * std::pow(pi, t.i - 1);
+    gamma.second += of_tau * (t.i - 1) * std::pow(pi, t.i - 2);
+  }
+  return gamma;
+}
+
 }  // namespace
 
 double water_density(double kelvin, double pressure) {
-  constexpr double gas_constant = 461.526, unit = 16.53e6;  // J/(kg K), Pa
-  const double pi = 7.1 - pressure / unit, tau = 1386.0 / kelvin - 1.222;
-  double slope = 0.0;  // of gamma with pi
-  for (const Term& t : region_1) slope -= t.n * t.i * std::pow(pi, t.i - 1) * std::pow(tau, t.j);
-  return unit / (gas_constant * kelvin * slope);
+  constexpr double gas_constant = 461.526;  // J/(kg K)
+  return unit / (gas_constant * kelvin * gamma_by_pi(kelvin, pressure).first);
+}
+
+// v = R T / p* d gamma / d pi, so -v dp / dv = -p* gamma_pi / gamma_pi_pi.
+double water_bulk_modulus(double kelvin, double pressure) {
+  const Derivatives gamma = gamma_by_pi(kelvin, pressure);
+  return -unit * gamma.first / gamma.second;
 }
 
 double water_viscosity(double kelvin, double density) {

@@ -89,7 +89,9 @@ void measure(const Path& path, const Facets& facets, const Assembly& a, const Ne
   const double half = half_length(facets, a, n, tip.domain) + beyond * a.mean_radius_at(path.end);
   const double modulus = o.fracture_plane_modulus;
   const double tough = 4.0 * std::sqrt(2.0 / std::numbers::pi) * o.bond_fracture_toughness / modulus;
-  const double viscous = beta_cubed * 12.0 * o.fluid_viscosity * speed / modulus;
+  const double viscosity =
+      o.fluid_viscosity * n.viscosity_share_of(static_cast<std::size_t>(path.facets.front()->bond));
+  const double viscous = beta_cubed * 12.0 * viscosity * speed / modulus;
   double by_shape = 0.0, shapes = 0.0, by_wanted = 0.0, wanted = 0.0;
   for (std::size_t k = 0; k < path.facets.size(); ++k) {
     const Facet& f = *path.facets[k];

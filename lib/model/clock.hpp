@@ -37,6 +37,11 @@ struct Energies {
   double held = 0.0;  // work of the couple against what facets turn the whole by (solid/facet_motion.hpp)
 };
 
+// Second fluid (flow/second_fluid.hpp) that came in from wells, from a host (negative: it took some), and left through the outer boundary [m2].
+struct SecondFluidBooks {
+  double from_wells = 0.0, from_host = 0.0, leaked = 0.0;
+};
+
 // What the ledger (step/ledger.hpp) adds up besides.
 struct Accounts {
   Energies energies;
@@ -44,6 +49,7 @@ struct Accounts {
   double host_added = 0.0;      // m2 put into pores by a host
   double outside_work = 0.0;    // J/m, by earlier pressures outside, up to outside_change
   double outside_change = 0.0;  // m2, volume change of the outside when its pressure last changed
+  SecondFluidBooks second;
 };
 
 // What displacements, contents and energies are measured from: the model at rest, before the first step.

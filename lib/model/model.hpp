@@ -45,6 +45,14 @@ struct Model {
   StartState start;
 
   [[nodiscard]] std::vector<WellPlace> well_places() const;
+  // How a well is driven: of a wellbore's clusters, as the first of them.
+  [[nodiscard]] const WellDrive& drive_of(const Well& well) const {
+    return well.wellbore < 0
+               ? well.drive
+               : wells[static_cast<std::size_t>(
+                           wellbores[static_cast<std::size_t>(well.wellbore)].clusters.front().well)]
+                     .drive;
+  }
 };
 
 }  // namespace hfrac

@@ -63,7 +63,8 @@ struct Network {
   Array<double>
       beyond;  // m2/(Pa s), per pipe: conductance of the rock behind those (boundary.flow_distance); empty or 0: none
   Array<double>
-      viscosity_share;  // per pipe: viscosity over fluid.viscosity, with fluid.kind water and temperature; empty: 1
+      viscosity_share;  // per pipe: viscosity over fluid.viscosity, with fluid.kind water and temperature, or two fluids; empty: 1
+  Array<double> second_content;  // m2, per domain: of the second fluid in it; empty: there is none
   // with fracture.law facet (frac/facets.hpp), else empty
   Array<double> facet_offset;  // m2, per domain: of a fracture's pore before its facets open
   Array<double> facet_time;    // s, per pipe: when its bond broke
@@ -97,6 +98,15 @@ struct Network {
   }
   [[nodiscard]] double viscosity_share_of(std::size_t pipe) const {
     return viscosity_share.empty() ? 1.0 : viscosity_share[pipe];
+  }
+  // Fluid in a domain, as a volume at reference pressure [m2]: what was there at bonding and what was taken in since.
+  [[nodiscard]] double fluid_in(std::size_t domain) const {
+    return std::max(0.0, volume[domain] + content[domain]);
+  }
+  [[nodiscard]] double second_share_of(std::size_t domain) const {
+    if (second_content.empty() || second_content[domain] == 0.0) return 0.0;
+    const double all = fluid_in(domain);
+    return all > 0.0 ? std::min(1.0, second_content[domain] / all) : 0.0;
   }
   [[nodiscard]] double beyond_of(std::size_t pipe) const { return beyond.empty() ? 0.0 : beyond[pipe]; }
   [[nodiscard]] std::int64_t domain_count() const { return static_cast<std::int64_t>(kind.size()); }

@@ -37,6 +37,12 @@ void visit_state(Archive& archive, Self& s, bool wet) {
     archive.value(s.accounts.energies.held);
   }
   if (!n.viscosity_share.empty()) archive.array(n.viscosity_share);  // likewise
+  const bool two_fluids = !n.second_content.empty();
+  if (two_fluids) {
+    archive.array(n.second_content);
+    auto& books = s.accounts.second;
+    for (auto* value : {&books.from_wells, &books.from_host, &books.leaked}) archive.value(*value);
+  }
   if (!a.softening.empty()) {
     archive.often_zero(a.softening.start);
     archive.often_zero(a.softening.worst);
@@ -62,7 +68,7 @@ void visit_state(Archive& archive, Self& s, bool wet) {
   for (auto* value : {&e.friction, &e.damping, &e.fluid, &e.fracture}) archive.value(*value);
   archive.value(s.clock.cycles);
   ContactPairs::visit(archive, s.contact_pairs);
-  archive.list(s.wells, [&n](auto& ar, auto& well) {
+  archive.list(s.wells, [&n, two_fluids](auto& ar, auto& well) {
     ar.value(well.place.centre.x);
     ar.value(well.place.centre.y);
     ar.value(well.place.equivalent_radius);
@@ -74,14 +80,19 @@ void visit_state(Archive& archive, Self& s, bool wet) {
     for (auto* value : {&drive.target_pressure, &drive.ramp_per_step, &drive.set_rate, &well.rate,
                         &well.injected, &well.content, &well.taken})
       ar.value(*value);
+    if (two_fluids) {
+      ar.value(drive.fluid);
+      ar.require(drive.fluid == WellFluid::first || drive.fluid == WellFluid::second);
+    }
     // Hashes of runs without a schedule are what they were before there were any.
     constexpr bool hashing = std::is_same_v<std::decay_t<decltype(ar)>, Hasher>;
     if (!hashing || !well.schedule.empty()) {
       ar.value(well.next);
-      ar.list(well.schedule, [](auto& inner, auto& entry) {
+      ar.list(well.schedule, [two_fluids](auto& inner, auto& entry) {
         inner.value(entry.time);
         inner.value(entry.value);
         inner.value(entry.control);
+        if (two_fluids) inner.value(entry.fluid);
       });
     }
     for (auto* values : {&n.pressure, &n.content, &n.stiffness}) ar.value((*values)[well.place.domain]);

@@ -22,6 +22,7 @@ struct WellDrive {
   double target_pressure = 0.0;  // Pa
   double ramp_per_step = 0.0;    // Pa
   double set_rate = 0.0;         // m2/s
+  WellFluid fluid = WellFluid::first;
 
   bool operator==(const WellDrive&) const = default;
 };
@@ -36,8 +37,10 @@ struct Well {
   std::vector<ScheduleEntry> schedule;  // in order of time; `well` is not looked at
   std::int32_t wellbore = -1;  // of Model::wellbores that it is a cluster of; -1: the hole is all there is
   double storage = 0.0;        // m2/Pa, of a well without such a wellbore: part of what its hole stores
-  double head = 0.0;           // Pa, rho g depth: by how much the pressure at the wellhead is lower
-  std::int64_t next = 0;       // of the schedule: entries before it hold or are past
+  double head = 0.0,
+         second_head =
+             0.0;         // Pa, rho g depth of both fluids: by how much the pressure at the wellhead is lower
+  std::int64_t next = 0;  // of the schedule: entries before it hold or are past
 };
 
 }  // namespace hfrac

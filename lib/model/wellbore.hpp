@@ -37,7 +37,8 @@ struct Cluster {
   std::int64_t well = 0;  // number of the well
   std::int32_t domain = 0;
   WellFriction friction;
-  double rate = 0.0;  // m2/s into the hole, in the last increment: state
+  double rate = 0.0;                 // m2/s into the hole, in the last increment: state
+  double square_of[2] = {0.0, 0.0};  // friction.square with either fluid in the perforations
 };
 
 struct Wellbore {

@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options/fracture_law.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace hfrac {
+
+bool is_perforated(const CaseDefinition& definition) {
+  const auto& wells = definition.wells;
+  return definition.options.fracture_perforation_length > 0.0 ||
+         std::any_of(wells.begin(), wells.end(),
+                     [](const WellOptions& w) { return w.perforation_length > 0.0; });
+}
 
 FractureLaw fracture_law_of(const CaseDefinition& definition) {
   const Options& o = definition.options;
   if (FractureLaw{o.fracture_law} != FractureLaw::automatic) return FractureLaw{o.fracture_law};
   // What only facets have is refused, if at all, with what they do not go with.
-  if (o.fracture_perforation_length > 0.0 || o.rock_biot_coefficient < 1.0) return FractureLaw::facet;
+  if (is_perforated(definition) || o.rock_biot_coefficient < 1.0) return FractureLaw::facet;
   const bool wanted = o.bond_fracture_toughness > 0.0;
   return wanted && why_no_facets(definition).empty() ? FractureLaw::facet : FractureLaw::bond;
 }

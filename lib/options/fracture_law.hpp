@@ -17,6 +17,9 @@ namespace hfrac {
 // Never automatic.
 FractureLaw fracture_law_of(const CaseDefinition& definition);
 
+// Some well has slots.
+bool is_perforated(const CaseDefinition& definition);
+
 // What law facet does not go with in this case, and what to do about it; empty: it goes.
 std::string why_no_facets(const CaseDefinition& definition);
 

@@ -38,11 +38,18 @@ constexpr OptionInfo option_rows[] = {
 #define I64(name, initial, min, max, help) \
   WellOptionInfo{                          \
       {#name, "1", ValueType::integer, nullptr, initial, min, max, help}, nullptr, &WellOptions::name},
+// The control has a type of its own.
+constexpr std::int64_t WellOptions::*index_member(std::int64_t WellOptions::*member) {
+  return member;
+}
+constexpr std::int64_t WellOptions::*index_member(WellControl WellOptions::* /*control*/) {
+  return nullptr;
+}
 #define CHOICE(name, initial, words, help)                                                                 \
   WellOptionInfo{{#name, "1", ValueType::choice, words, static_cast<double>(choice_index(words, initial)), \
                   0.0, static_cast<double>(choice_count(words) - 1), help},                                \
                  nullptr,                                                                                  \
-                 nullptr},
+                 index_member(&WellOptions::name)},
 constexpr WellOptionInfo well_rows[] = {
 #include "options/well_list.inc"
 };
@@ -150,13 +157,14 @@ static_assert(is_word("thermal.mode", "uniform", ThermalMode::uniform) &&
 static_assert(choice_index(well_rows[6].choices, "ramp") == static_cast<std::int64_t>(WellControl::ramp) &&
               choice_index(well_rows[6].choices, "rate") == static_cast<std::int64_t>(WellControl::rate));
 
-static_assert(choice_index(joint_rows[7].choices, "broken") ==
-                  static_cast<std::int64_t>(JointState::broken) &&
-              choice_index(joint_rows[7].choices, "smooth-bonded") ==
-                  static_cast<std::int64_t>(JointState::smooth_bonded) &&
-              choice_index(joint_rows[7].choices, "smooth-broken") ==
-                  static_cast<std::int64_t>(JointState::smooth_broken) &&
-              choice_index(schedule_rows[3].choices, "rate") == static_cast<std::int64_t>(WellControl::rate));
+static_assert(
+    choice_index(joint_rows[7].choices, "broken") == static_cast<std::int64_t>(JointState::broken) &&
+    choice_index(joint_rows[7].choices, "smooth-bonded") ==
+        static_cast<std::int64_t>(JointState::smooth_bonded) &&
+    choice_index(joint_rows[7].choices, "smooth-broken") ==
+        static_cast<std::int64_t>(JointState::smooth_broken) &&
+    choice_index(schedule_rows[3].choices, "rate") == static_cast<std::int64_t>(WellControl::rate) &&
+    choice_index(schedule_rows[4].choices, "second") == static_cast<std::int64_t>(ScheduleFluid::second));
 
 template <class Table>
 auto find_in(const Table& table, std::string_view key) noexcept -> decltype(&table[0]) {
@@ -328,7 +336,7 @@ void set_integer(WellOptions& values, const WellOptionInfo& info, std::string_vi
 }
 
 void set_word(WellOptions& values, const WellOptionInfo& info, std::string_view key, std::string_view word) {
-  values.control = WellControl{word_index(info, key, word)};
+  set_integer(values, info, key, word_index(info, key, word));
 }
 
 template <class Item>

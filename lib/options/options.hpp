@@ -61,6 +61,8 @@ struct Options {
 };
 
 enum class WellControl : std::int64_t { pressure = 0, ramp = 1, rate = 2 };
+enum class WellFluid : std::int64_t { first = 0, second = 1 };
+enum class ScheduleFluid : std::int64_t { same = 0, first = 1, second = 2 };
 
 struct WellOptions {
   double x = 0.0;
@@ -78,6 +80,8 @@ struct WellOptions {
   double height = 0.0, depth = 0.0;                            // m
   double fluid_density = 0.0;                                  // kg/m3
   std::int64_t wellbore = 0;                                   // 0: one of its own
+  std::int64_t fluid = 0;                                      // WellFluid
+  double perforation_length = 0.0, perforation_azimuth = 0.0;  // m, rad; a length of 0: as options say of all
 };
 
 // A line along which the rock is weaker or broken (solid/joints.hpp).
@@ -109,6 +113,7 @@ struct ScheduleEntry {
   double time = 0.0;         // s
   double value = 0.0;        // Pa or m2/s
   std::int64_t control = 0;  // WellControl, pressure or rate
+  std::int64_t fluid = 0;    // ScheduleFluid
 
   bool operator==(const ScheduleEntry&) const = default;
 };

@@ -140,8 +140,10 @@ void check_packing(const Options& o, const Radii& radii, bool given) {
 void check_facets(const CaseDefinition& definition) {
   if (fracture_law_of(definition) == FractureLaw::facet) {
     if (const std::string why = why_no_facets(definition); !why.empty()) refuse(why);
-  } else if (definition.options.fracture_perforation_length > 0.0) {
-    refuse("fracture.perforation_length needs fracture.law = \"facet\"; set it, or leave the length at 0 m.");
+  } else if (is_perforated(definition)) {
+    refuse(
+        "fracture.perforation_length, or that of a well, needs fracture.law = \"facet\"; set it, or leave "
+        "the length at 0 m.");
   }
 }
 
@@ -340,6 +342,32 @@ void check_water(const Options& o) {
            " Pa, at which water of thermal.rock_temperature boils, to 100e6 Pa, where the law of fluid.kind "
            "= \"water\" "
            "holds; set fluid.kind = \"given\".");
+}
+
+void check_second_fluid(const CaseDefinition& c) {
+  const Options& o = c.options;
+  const auto is_second = [](const auto& item) {
+    return item.fluid == static_cast<std::int64_t>(WellFluid::second);
+  };
+  const auto turns_second = [](const ScheduleEntry& entry) {
+    return ScheduleFluid{entry.fluid} == ScheduleFluid::second;
+  };
+  if (o.fluid_second_viscosity > 0.0) {
+    if (FlowScheme{o.flow_scheme} == FlowScheme::off)
+      refuse("fluid.second_viscosity needs flow, but flow.scheme = \"off\"; set flow.scheme = \"implicit\".");
+    if (o.fluid_consistency > 0.0)
+      refuse(
+          "fluid.second_viscosity is that of a fluid beside one that does not thin; set fluid.consistency = "
+          "0 and "
+          "fluid.power_index = 1, or fluid.second_viscosity = 0.");
+    return;
+  }
+  if (std::any_of(c.wells.begin(), c.wells.end(), is_second) ||
+      std::any_of(c.schedule.begin(), c.schedule.end(), turns_second))
+    refuse("a well pumps the second fluid, and there is none: give its fluid.second_viscosity.");
+  if (o.fluid_second_density > 0.0)
+    refuse(value_text("fluid.second_density", o.fluid_second_density, "kg/m3") +
+           " is of no fluid; give fluid.second_viscosity with it.");
 }
 
 void check_fluid(const Options& o) {
@@ -613,6 +641,7 @@ void validate(const CaseDefinition& definition, std::span<const double> given_di
   check_solver(o);
   check_initial(definition);
   check_fluid(o);
+  check_second_fluid(definition);
   check_joints(definition);
   check_schedule(definition);
   check_temperature(o);

@@ -67,10 +67,11 @@ std::size_t add_well(Simulation& s, Vec2 at) {
   well.place = {m.network.centroid[d], std::sqrt(area_of(polygon_of(m, d)) / std::numbers::pi), d};
   well.drive.control = WellControl::rate;
   well.content = m.network.content[d];
-  // The heat of its fluid is no longer the rock's.
+  // Its fluid, with the heat in it, is no longer the rock's.
   const double before = e.heat ? stored_heat(e) : 0.0;
   s.take_well(well);
   if (e.heat) m.heat->from_wells += stored_heat(e) - before;
+  if (!m.network.second_content.empty()) m.accounts.second.from_wells -= m.network.second_content[d];
   return m.wells.size() - 1;
 }
 

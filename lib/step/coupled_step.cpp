@@ -104,6 +104,7 @@ StepOutcome coupled_step(Engine& e, double duration, const Interrupt& interrupt)
     log_slips(m, m.clock.step + 1, m.clock.time + control.done(), length);
     accumulate_flow(e, length);
     flow.add(length);
+    carry_second_fluid(e, length);
     move_heat(e, length);
     update_geometry(e);
   }

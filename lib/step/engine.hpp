@@ -11,6 +11,7 @@
 #include "core/workers.hpp"
 #include "equilibrium/equilibrium_solver.hpp"
 #include "flow/flow_solver.hpp"
+#include "flow/second_fluid.hpp"
 #include "frac/facets.hpp"
 #include "heat/heat.hpp"
 #include "model/model.hpp"
@@ -41,9 +42,11 @@ struct Engine {
   std::unique_ptr<ExplicitSolver> mechanics;
   Facets facets;  // of fractures, from the end of the initial equilibration on; law facet only
   std::unique_ptr<FlowSolver> flow;  // from the end of the initial equilibration on; none in a dry model
+  std::unique_ptr<SecondFluid> second_fluid;       // likewise; none without fluid.second_viscosity
+  std::vector<SecondFluid::Inlet> inlets;          // of the wells, work space
   std::unique_ptr<EquilibriumSolver> equilibrium;  // likewise; none with solver.kind = "explicit"
   std::vector<double> source;                      // m2/s per domain, from wells at a rate
-  std::vector<double> pore_viscosity;              // of water over fluid.viscosity, work space
+  std::vector<double> pore_viscosity;              // of domains over fluid.viscosity, work space
   bool well_jumped = false;                        // a well's imposed pressure changed in the step at hand
   std::vector<std::array<float, 2>>
       moved_before;                         // m, displacement of each disc as the step began (checks.hpp)

@@ -129,19 +129,24 @@ void move_facets(Engine& e) {
 }
 
 // Slots in the walls of holes, to either side, cut into rock at rest.
-void perforate(Engine& e) {
+void perforate(Engine& e, const std::vector<WellOptions>& wells) {
   const Options& o = e.options;
-  if (o.fracture_perforation_length <= 0.0) return;
-  const Vec2 way{std::cos(o.fracture_perforation_azimuth), std::sin(o.fracture_perforation_azimuth)};
-  for (const auto& well : e.model.well_places())
+  const auto places = e.model.well_places();
+  for (std::size_t w = 0; w < places.size(); ++w) {
+    const bool own = wells[w].perforation_length > 0.0;
+    const double length = own ? wells[w].perforation_length : o.fracture_perforation_length,
+                 azimuth = own ? wells[w].perforation_azimuth : o.fracture_perforation_azimuth;
+    if (length <= 0.0) continue;
+    const Vec2 way{std::cos(azimuth), std::sin(azimuth)};
     for (const double side : {1.0, -1.0})
-      for (const auto bond : perforation(e.facets, e.model.assembly, e.model.network, well, side * way,
-                                         o.fracture_perforation_length))
+      for (const auto bond :
+           perforation(e.facets, e.model.assembly, e.model.network, places[w], side * way, length))
         if (e.model.assembly.intact[bond] != 0) {
           e.facets.cut(bond);
           e.mechanics->break_bond(bond, e.model.cracks);
           e.model.cracks.back().mode = CrackMode::tension;
         }
+  }
 }
 
 // Far from any equilibrium: not short of the wanted accuracy, which a warning tells.
@@ -269,7 +274,13 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
       n.joint_length = joints;
       update_apertures(n, m.assembly, o);
     }
-    if (e.heat && FluidKind{o.fluid_kind} == FluidKind::water) n.viscosity_share.assign(n.left.size(), 1.0);
+    if (o.fluid_second_viscosity > 0.0) {
+      n.second_content.assign(static_cast<std::size_t>(n.domain_count()), 0.0);
+      e.second_fluid = std::make_unique<SecondFluid>(n);
+      e.inlets.reserve(m.wells.size());
+    }
+    if (e.second_fluid || (e.heat && FluidKind{o.fluid_kind} == FluidKind::water))
+      n.viscosity_share.assign(n.left.size(), 1.0);
     e.flow = std::make_unique<FlowSolver>(n, o, &m.wellbores);
     e.mechanics->set_undrained(true);
   }
@@ -280,7 +291,7 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
   if (FractureLaw{o.fracture_law} == FractureLaw::facet) {
     begin_facets(e);
     if (!e.equilibrium) move_facets(e);
-    perforate(e);
+    perforate(e, wells);
     e.facets.update(m.assembly, m.network);
     if (!e.equilibrium) update_geometry(e);
   }

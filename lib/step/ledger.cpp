@@ -145,6 +145,13 @@ void accumulate_flow(Engine& e, double duration) {
 
 void book_host_fluid(Engine& e, std::size_t domain, double gain) {
   e.model.accounts.host_added += gain;
+  Network& n = e.model.network;
+  if (gain < 0.0 && !n.second_content.empty()) {  // some of both fluids went, as they stood in the pore
+    const double before = n.fluid_in(domain) - gain,
+                 taken = before > 0.0 ? std::min(1.0, -gain / before) * n.second_content[domain] : 0.0;
+    n.second_content[domain] -= taken;
+    e.model.accounts.second.from_host -= taken;
+  }
   if (!e.heat || !e.heat->solver) return;
   const Options& o = e.options;
   e.model.heat->from_host += gain * o.thermal_fluid_density * o.thermal_fluid_specific_heat *

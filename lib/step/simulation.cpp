@@ -22,11 +22,12 @@
 namespace hfrac {
 namespace {
 
-// Water of the formation: what the rest of the engine takes as the fluid's viscosity and density.
+// Water of the formation: what the rest of the engine takes as the fluid's viscosity, density and bulk modulus.
 void resolve_fluid(Options& o) {
   if (FluidKind{o.fluid_kind} != FluidKind::water) return;
   o.thermal_fluid_density = water_density(o.thermal_rock_temperature, o.fluid_formation_pressure);
   o.fluid_viscosity = water_viscosity(o.thermal_rock_temperature, o.thermal_fluid_density);
+  o.fluid_bulk_modulus = water_bulk_modulus(o.thermal_rock_temperature, o.fluid_formation_pressure);
 }
 
 // Law facet judges tips by E', which is the packing's own unless it is given.

@@ -8,6 +8,7 @@
 #include "flow/aperture.hpp"
 #include "frac/fractures.hpp"
 #include "heat/expansion.hpp"
+#include "options/choices.hpp"
 #include "step/ledger.hpp"
 
 namespace hfrac {
@@ -22,6 +23,9 @@ void follow_schedules(Engine& e) {
       well.drive.control = WellControl{entry.control};
       (well.drive.control == WellControl::rate ? well.drive.set_rate : well.drive.target_pressure) =
           entry.value;
+      if (ScheduleFluid{entry.fluid} != ScheduleFluid::same)
+        well.drive.fluid =
+            ScheduleFluid{entry.fluid} == ScheduleFluid::second ? WellFluid::second : WellFluid::first;
       turned = true;
     }
   }
@@ -41,6 +45,8 @@ double next_pressure(const WellDrive& drive, double now) {
 void drive_wellbore(Engine& e, Wellbore& wellbore, const WellDrive& drive) {
   wellbore.held = drive.control != WellControl::rate;
   wellbore.rate = wellbore.held ? 0.0 : drive.set_rate;
+  for (auto& cluster : wellbore.clusters)
+    cluster.friction.square = cluster.square_of[static_cast<std::size_t>(drive.fluid)];
   if (!wellbore.held) return;
   const double before = wellbore.pressure;
   wellbore.pressure = std::max(next_pressure(drive, before), e.model.network.floor_pressure);
@@ -63,7 +69,7 @@ void impose_well_pressure(Engine& e, const Well& well, double pressure) {
   e.well_jumped = e.well_jumped || n.pressure[well.place.domain] != before;
 }
 
-// Of water in every pipe, the mean of the pores at its ends; until the end of the next step or increment it is fixed, and the tangent exact.
+// In every pipe, the mean of the pores at its ends; until the end of the next step or increment it is fixed, and the tangent exact.
 void update_viscosity(Engine& e) {
   Network& n = e.model.network;
   if (n.viscosity_share.empty()) return;
@@ -71,11 +77,19 @@ void update_viscosity(Engine& e) {
   const double datum = o.fluid_formation_pressure - n.reference_pressure;
   auto& share = e.pore_viscosity;
   share.resize(n.kind.size());
-  for (std::size_t d = 0; d < share.size(); ++d)
-    share[d] = water_viscosity_at(e.model.heat->fluid[d], n.pressure[d] + datum) / o.fluid_viscosity;
-  for (std::size_t p = 0; p < n.left.size(); ++p)
-    n.viscosity_share[p] =
-        0.5 * (share[static_cast<std::size_t>(n.left[p])] + share[static_cast<std::size_t>(n.right[p])]);
+  const bool water = e.heat && FluidKind{o.fluid_kind} == FluidKind::water;
+  for (std::size_t d = 0; d < share.size(); ++d) {
+    const double second = n.second_share_of(d);
+    const double first =
+        water ? water_viscosity_at(e.model.heat->fluid[d], n.pressure[d] + datum) / o.fluid_viscosity : 1.0;
+    share[d] = first + second * (o.fluid_second_viscosity / o.fluid_viscosity - first);
+  }
+  const bool two = e.second_fluid != nullptr;  // then a pipe to the outside holds what the pore inside does
+  for (std::size_t p = 0; p < n.left.size(); ++p) {
+    const auto l = n.left[p], r = n.right[p];
+    n.viscosity_share[p] = 0.5 * (share[static_cast<std::size_t>(two && l == 0 ? r : l)] +
+                                  share[static_cast<std::size_t>(two && r == 0 ? l : r)]);
+  }
 }
 
 }  // namespace
@@ -114,8 +128,17 @@ void drive_wells(Engine& e) {
 
 void move_fluid(Engine& e, double duration) {
   if (e.flow) e.model.clock.flow_rounds = e.flow->advance(e.model.network, duration, e.source);
+  carry_second_fluid(e, duration);
   move_heat(e, duration);
   feel_heat(e);
+}
+
+void carry_second_fluid(Engine& e, double duration) {
+  if (!e.second_fluid) return;
+  e.inlets.clear();
+  for (const Well& well : e.model.wells)
+    e.inlets.push_back({well.place.domain, e.model.drive_of(well).fluid == WellFluid::second ? 1.0 : 0.0});
+  e.second_fluid->carry(e.model.network, e.inlets, duration, e.model.accounts.second);
 }
 
 void move_heat(Engine& e, double duration) {

@@ -14,6 +14,7 @@ bool is_due(const Engine& engine, const ScheduleEntry& entry);
 void drive_wells(Engine& engine);
 // Fluid for `duration` seconds, heat with it, and what the rock feels of it.
 void move_fluid(Engine& engine, double duration);
+void carry_second_fluid(Engine& engine, double duration);
 void move_heat(Engine& engine, double duration);
 // Growth and micro-parameters follow the temperatures; after a restore they are found again.
 void feel_heat(Engine& engine);

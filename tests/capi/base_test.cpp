@@ -36,7 +36,7 @@ TEST(Base, BuildInfoIsOneLine) {
   ASSERT_EQ(hfrac_build_info(text, sizeof text, &needed), HFRAC_OK);
   EXPECT_EQ(std::string(text).size() + 1, static_cast<std::size_t>(needed));
   EXPECT_EQ(std::string(text).find('\n'), std::string::npos);
-  EXPECT_EQ(std::string(text).rfind("hfrac 0.1.0, ", 0), 0u) << text;
+  EXPECT_EQ(std::string(text).rfind("hfrac 0.2.0, ", 0), 0u) << text;
 }
 
 TEST(Base, EveryStatusHasItsOwnText) {

@@ -77,7 +77,8 @@ TEST(CaseFile, WrittenDefinitionsReadBackBitForBit) {
   def.contact_mode = 1;
   hfrac_sim_def_set_i64(&def, "well_count", 2);
   def.wells[1] = {1.0 / 3.0, 0.1,  5e-324 + 1e-6, -0.0,      1e5,  -1e-300, HFRAC_WELL_RAMP, 1e-9,
-                  8.0,       0.01, 0.8,           1e6 / 3.0, 20.0, 2000.0,  998.1,           3};
+                  8.0,       0.01, 0.8,           1e6 / 3.0, 20.0, 2000.0,  998.1,           3,
+                  1,         2.5,  -1.5};
   std::strcpy(def.title, "quotes \" and \\, a tab \t, umlauts \xC3\xA4, a bell \x07");
   const std::string text = written(def);
   ASSERT_FALSE(text.empty()) << last_error();
@@ -95,6 +96,27 @@ TEST(CaseFile, NoWellsReadBackAsNoWells) {
   hfrac::Definition none = new_def(), one = sound_def();
   ASSERT_EQ(hfrac_sim_def_load(&one, folder.write(written(none)).c_str()), HFRAC_OK) << last_error();
   EXPECT_EQ(one.well_count, 0);
+}
+
+TEST(CaseFile, ASchedulesFluidIsReadAndWritten) {
+  const TemporaryFolder folder;
+  hfrac::Definition def = new_def();
+  const std::string file = folder.write(
+      "fluid.second_viscosity = 0.5\n[[well]]\nradius = 10.0\nrate = 0.01\nfluid = "
+      "\"second\"\n[[well.schedule]]\ntime = 60\nrate = "
+      "0.01\nfluid = \"first\"\n[[well.schedule]]\ntime = 90\nrate = 0\n");
+  ASSERT_EQ(hfrac_sim_def_load(&def, file.c_str()), HFRAC_OK) << last_error();
+  EXPECT_EQ(def.fluid_second_viscosity, 0.5);
+  EXPECT_EQ(def.wells[0].fluid, 1);
+  ASSERT_EQ(def.schedule_count, 2);
+  EXPECT_EQ(def.schedule[0].fluid, 1);
+  EXPECT_EQ(def.schedule[1].fluid, 0);
+  const std::string text = written(def);
+  EXPECT_NE(text.find("fluid = \"first\"\n"), std::string::npos) << text;
+  hfrac::Definition read = new_def();
+  ASSERT_EQ(hfrac_sim_def_load(&read, folder.write(text).c_str()), HFRAC_OK) << last_error();
+  EXPECT_EQ(std::memcmp(def.schedule, read.schedule, 2 * sizeof *def.schedule), 0);
+  EXPECT_EQ(written(read), text);
 }
 
 TEST(CaseFile, WhatCannotBeReadIsNotWritten) {

@@ -377,6 +377,27 @@ TEST_F(Fields, OneDomainIsOutsideAndOnePerWellIsAWell) {
             static_cast<int64_t>(domain));
 }
 
+TEST(FieldSecondFluid, IsTheShareOfWhatAWellPumped) {
+  hfrac::Definition def = quiet_def();
+  def.wells[0].control = HFRAC_WELL_RATE;
+  def.wells[0].rate = 1e-3;
+  def.wells[0].fluid = 1;
+  EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_ERR_MODEL);
+  EXPECT_NE(last_error().find("fluid.second_viscosity"), std::string::npos) << last_error();
+  def.fluid_second_viscosity = 1.0;
+  const Sim sim(def);
+  for (const double share : doubles(sim, HFRAC_DOMAIN_SECOND_FLUID)) EXPECT_EQ(share, 0.0);
+  ASSERT_GE(hfrac_step(sim, 3), 0) << last_error(sim);
+  const auto share = doubles(sim, HFRAC_DOMAIN_SECOND_FLUID);
+  EXPECT_EQ(share[static_cast<std::size_t>(well_of(sim).domain)], 1.0);
+  EXPECT_EQ(share[0], 0.0);
+  double most = 0.0;
+  for (std::size_t d = 1; d < share.size(); ++d)
+    if (static_cast<int64_t>(d) != well_of(sim).domain) most = std::max(most, share[d]);
+  EXPECT_GT(most, 0.0);
+  EXPECT_LE(most, 1.0);
+}
+
 // A fracture that opens faster than it fills has a tip without fluid: the front is where domain.saturation falls below one.
 TEST(FieldSaturation, PoresAheadOfTheFluidHaveRoomLeft) {
   hfrac::Definition def = cracking_def();

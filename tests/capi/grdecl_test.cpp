@@ -85,7 +85,7 @@ TEST_F(Grdecl, PermeabilitiesComeBackInEclipsesOrder) {
   std::ifstream text(path);
   std::string first;
   std::getline(text, first);
-  EXPECT_EQ(first.rfind("-- Written by hfrac 0.1.0", 0), 0U) << first;
+  EXPECT_EQ(first.rfind("-- Written by hfrac 0.2.0", 0), 0U) << first;
 }
 
 TEST_F(Grdecl, MultipliersAreThoseOfTheFaces) {

@@ -102,13 +102,13 @@ TEST(Joints, WhatMeansNothingIsRefused) {
   def.joints[66].x2 = def.joints[66].x1, def.joints[66].y2 = def.joints[66].y1;
   refused("joint[66] has no length");
   hfrac_sim_def_set_i64(&def, "schedule_count", 1);
-  def.schedule[0] = {1, 0.0, 30e6, HFRAC_WELL_PRESSURE};
+  def.schedule[0] = {1, 0.0, 30e6, HFRAC_WELL_PRESSURE, 0};
   refused("the case has 1 wells");
   hfrac_sim_def_set_i64(&def, "schedule_count", 1);
-  def.schedule[0] = {0, 0.0, 30e6, HFRAC_WELL_RAMP};
+  def.schedule[0] = {0, 0.0, 30e6, HFRAC_WELL_RAMP, 0};
   refused("a schedule");
   hfrac_sim_def_set_i64(&def, "schedule_count", 2);
-  def.schedule[0] = def.schedule[1] = {0, 1.0, 30e6, HFRAC_WELL_PRESSURE};
+  def.schedule[0] = def.schedule[1] = {0, 1.0, 30e6, HFRAC_WELL_PRESSURE, 0};
   refused("in order of time");
   def.fluid_consistency = 1.0;
   refused("Newtonian");
@@ -152,9 +152,9 @@ TEST(Joints, BreakWhereTheRockWouldHold) {
 TEST(Schedule, StepsEndAtItsTimes) {
   hfrac::Definition def = quiet_def();
   hfrac_sim_def_set_i64(&def, "schedule_count", 3);
-  def.schedule[0] = {0, 0.0, 1e-3, HFRAC_WELL_RATE};
-  def.schedule[1] = {0, 1.5, 0.0, HFRAC_WELL_RATE};
-  def.schedule[2] = {0, 2.75, 28e6, HFRAC_WELL_PRESSURE};
+  def.schedule[0] = {0, 0.0, 1e-3, HFRAC_WELL_RATE, 0};
+  def.schedule[1] = {0, 1.5, 0.0, HFRAC_WELL_RATE, 0};
+  def.schedule[2] = {0, 2.75, 28e6, HFRAC_WELL_PRESSURE, 0};
   const Sim sim(def);
   double injected = 0.0;
   const struct {
@@ -186,7 +186,7 @@ TEST(Schedule, StepsEndAtItsTimes) {
 TEST(Schedule, OfAnOpenStepIsWhatTheHostSaidLast) {
   hfrac::Definition def = quiet_def();
   hfrac_sim_def_set_i64(&def, "schedule_count", 1);
-  def.schedule[0] = {0, 0.0, 1e-3, HFRAC_WELL_RATE};
+  def.schedule[0] = {0, 0.0, 1e-3, HFRAC_WELL_RATE, 0};
   const Sim sim(def);
   ASSERT_EQ(hfrac_step_prepare(sim), HFRAC_OK);
   ASSERT_GE(hfrac_step_do(sim, 1.0), HFRAC_OK);

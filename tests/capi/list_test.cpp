@@ -141,7 +141,8 @@ TEST(Lists, ThousandsOfItemsGoThroughAFile) {
     wells.push_back(well_at(4.0 + 2.9 * (k % 32), 4.0 + 2.9 * (k / 32), 0.5, 45e6));
     joints.push_back(joint_at(0.09 * (k + 1)));
   }
-  for (int k = 0; k < 10000; ++k) schedule.push_back({k % 1000, 1.0 + k / 1000, 40e6, HFRAC_WELL_PRESSURE});
+  for (int k = 0; k < 10000; ++k)
+    schedule.push_back({k % 1000, 1.0 + k / 1000, 40e6, HFRAC_WELL_PRESSURE, 0});
   give(def, def.wells, def.well_count, def.well_size, wells);
   give(def, def.joints, def.joint_count, def.joint_size, joints);
   give(def, def.schedule, def.schedule_count, def.schedule_size, schedule);
@@ -158,11 +159,11 @@ TEST(Lists, ThousandsOfItemsGoThroughAFile) {
   schedule[9999].time = 1.0;
   EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_ERR_MODEL);
   EXPECT_EQ(last_error().rfind("schedule[9999].time = 1 s is not after", 0), 0u) << last_error();
-  schedule[9999] = {1000, 11.0, 40e6, HFRAC_WELL_PRESSURE};
+  schedule[9999] = {1000, 11.0, 40e6, HFRAC_WELL_PRESSURE, 0};
   EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_ERR_MODEL);
   EXPECT_EQ(last_error().rfind("schedule[9999].well = 1000 is not there: the case has 1000 wells", 0), 0u)
       << last_error();
-  schedule[9999] = {999, 12.0, 40e6, HFRAC_WELL_PRESSURE};
+  schedule[9999] = {999, 12.0, 40e6, HFRAC_WELL_PRESSURE, 0};
   wells[998].radius = -1.0;
   EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(last_error().rfind("well[998].radius = -1 ", 0), 0u) << last_error();
@@ -182,7 +183,8 @@ TEST(Lists, LongOnesAreBuiltDrivenAndRestored) {
   for (int k = 0; k < 100; ++k)
     joints.push_back(joint_def(5.0, 0.9 * (k + 1), 95.0, 0.9 * (k + 1), 2.0, 2.0, -1.0, HFRAC_JOINT_BONDED));
   for (int k = 0; k < 120; ++k)
-    schedule.push_back({k % 12, 1.0 + k / 12, (k % 12 == 11 ? 27e6 : 26e6) + 1e3 * k, HFRAC_WELL_PRESSURE});
+    schedule.push_back(
+        {k % 12, 1.0 + k / 12, (k % 12 == 11 ? 27e6 : 26e6) + 1e3 * k, HFRAC_WELL_PRESSURE, 0});
   give(def, def.wells, def.well_count, def.well_size, wells);
   give(def, def.joints, def.joint_count, def.joint_size, joints);
   give(def, def.schedule, def.schedule_count, def.schedule_size, schedule);

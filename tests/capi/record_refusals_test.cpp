@@ -43,6 +43,7 @@ TEST_P(BadRecords, AreRefusedWithFileLineAndWhatIsAllowed) {
 const std::string rates = "time_s,rate_m2_s\n";
 const std::string by_rate = "control = \"rate\"\n";
 const std::string file_key = "schedule_file = \"record.csv\"";
+const std::string las = "~Version\n";
 const std::string good = rates + "0,0.01\n60,0\n";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -106,6 +107,26 @@ INSTANTIATE_TEST_SUITE_P(
                   rates + std::string(5000, '1'),
                   {"record.csv: line 2 is longer than 4096 bytes"}},
         BadRecord{"too-large", too_large, {"record.csv: is larger than 64 MiB", "not a record"}},
+        BadRecord{"las-version", las + "VERS. 3.0 :\n", {"record.csv:2: ", "VERS = 3.0", "2.0 and 1.2"}},
+        BadRecord{"las-without-curves", las + "~A\n0 1\n", {"record.csv:2: ", "no curves", "~C"}},
+        BadRecord{"las-without-values", las + "~C\nTIME.S :\n", {"record.csv:1: ", "no section ~A"}},
+        BadRecord{"las-of-depths",
+                  las + "~C\nDEPT.M :\nGR.API :\n~A\n1 2\n",
+                  {"record.csv:5: ", "no column of time"}},
+        BadRecord{"las-unknown-unit",
+                  las + "~C\nTIME.S :\nRATE.BPM :\n~A\n0 1\n",
+                  {"record.csv:5: ", "rate_BPM ends with no known unit", "rate_m3_s"}},
+        BadRecord{"las-a-null",
+                  las + "~W\nNULL. -999.25 :\n~C\nTIME.S :\nRATE.M2/S :\n~A\n0 1\n1 -999.2500\n",
+                  {"record.csv:9: ", "the row has no rate_m2_s", "leave the row out"}},
+        BadRecord{"las-a-short-row",
+                  las + "~C\nTIME.S :\nRATE.M2/S :\n~A\n0 1\n1\n",
+                  {"record.csv:7: ", "the row has no rate_m2_s"}},
+        BadRecord{"las-backwards",
+                  las + "~C\nTIME.S :\nRATE.M2/S :\n~A\n5 1\n4 1\n",
+                  {"record.csv:7: ", "time_s = 4 is not after 5"}},
+        BadRecord{
+            "las-a-line-that-is-none", las + "RATE\n", {"record.csv:2: ", "MNEM.UNIT DATA : DESCRIPTION"}},
         BadRecord{"no-such-file", "", {"record.csv: cannot be opened"}},
         BadRecord{"a-folder", "", {"is a directory, not a record"}, by_rate + "schedule_file = \".\""},
         BadRecord{"file-of-a-number",

@@ -232,6 +232,35 @@ TEST(Record, IsToldToTheListener) {
       << heard;
 }
 
+// The same rows as a LAS file, with curves of no interest, lower-case sections, comments, tabs; plain and wrapped.
+TEST(Record, IsReadFromALasFile) {
+  const TemporaryFolder folder;
+  const std::string csv = "time_min,rate_m3_min,pressure_MPa\n0,0.6,25\n0.5,0.6,31.5\n2,0,30.25\n";
+  const std::string curves =
+      "~Well\nSTRT.MIN 0 : start\nNULL. -999.25 : no value\nWELL. A.B: 1 : name with . and :\n~curve "
+      "information\n#MNEM.UNIT\n"
+      "ETIM.MIN : elapsed time\nTEMP.DEGC : of the fluid\n RateSlurry .M3/min 45 : pump\nPRES.mpa : at the "
+      "well\n";
+  const std::string plain =
+      "# written by hand\n~V\n VERS. 2.0 : CWLS\n WRAP. NO : one line\n" + curves +
+      "~A ETIM TEMP RATE PRES\n0 20 0.6 25\n0.5\t-999.25 0.6  31.5\n# a note\n2 21 0 30.25\n";
+  const std::string wrapped = "~Version\nVERS.2.0:\nWRAP. yes :\n" + curves +
+                              "~A\n0\n20 0.6\n25\n0.5\n-999.250 0.6 31.5\n2\n21 0\n30.25\n";
+  folder.write(csv, "record.csv");
+  folder.write(plain, "plain.las");
+  folder.write(wrapped, "wrapped.las");
+  const auto rows_in = [&](const char* name) {
+    std::vector<double> rows(9, -1.0);
+    int64_t count = 0;
+    EXPECT_EQ(hfrac_read_record((folder.path() + "/" + name).c_str(), 20.0, rows.data(), 3, &count), HFRAC_OK)
+        << last_error();
+    EXPECT_EQ(count, 3);
+    return rows;
+  };
+  EXPECT_EQ(rows_in("plain.las"), rows_in("record.csv"));
+  EXPECT_EQ(rows_in("wrapped.las"), rows_in("record.csv"));
+}
+
 TEST(Record, IsReadByAHost) {
   const TemporaryFolder folder;
   folder.write("time_s,pressure_kPa\n0,41\n9,30\n10,29\n", "record.csv");

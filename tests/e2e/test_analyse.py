@@ -141,6 +141,40 @@ class Analyse(unittest.TestCase):
         self.assertEqual(done.returncode, 2)
         self.assertIn("pictures are .png, .svg or .pdf", done.stderr)
 
+    @unittest.skipUnless(os.environ.get("HFRAC_RENDERS"), "built without the renderer")
+    def test_a_record_beside_a_run(self):
+        """The run's own history, half a MPa higher, as a record: that is how far apart they are told to be."""
+        case = self.top / "case.toml"
+        case.write_text("[packing]\ndisc_count = 500\n[stress]\nsigma_Hmax = 30e6\nsigma_hmin = 30e6\n[fluid]\nformation_pressure = 10e6\n"
+                        "[stepping]\nmode = \"coupled\"\nflow_step = 1.0\nend_time = 20.0\n[solver]\nkind = \"quasi-static\"\n"
+                        "[[well]]\nradius = 10.0\nrate = 1e-4\n")
+        run = self.top / "run"
+        done = hfrac("run", case, "-o", run)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = history(run)
+        self.write([(float(row["time_s"]), 1e-6 * float(row["well_pressure_Pa"]) + 0.5) for row in rows], "time_s,pressure_MPa")
+        done = hfrac("plot", run, "--record", self.file)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(f"computed less measured: -0.5 MPa in the mean, 0.5 MPa rms, over {len(rows)} rows", done.stdout)
+        for ending in ("png", "svg", "csv"):
+            self.assertGreater((run / f"pictures/record.{ending}").stat().st_size, 500)
+        done = hfrac("report", run)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("beside the computed one", (run / "report.html").read_text())
+        self.write([(1e6, 20.0), (2e6, 20.0)], "time_s,pressure_MPa")
+        done = hfrac("plot", run, "--record", self.file)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("has no row between 0 and 20 s", done.stderr)
+
+    def test_a_las_file(self):
+        self.write(record())
+        _, of_table = self.analysed("--thickness", 50)
+        las = self.top / "record.las"
+        las.write_text("~V\nVERS. 2.0 :\nWRAP. NO :\n~W\nNULL. -999.25 :\n~C\nTIME.S :\nRATE.L/S :\nPRES.MPA :\n~A\n"
+                       + "".join(" ".join(map(repr, row)) + "\n" for row in record()))
+        _, of_las = self.analysed("--thickness", 50, source=las)
+        self.assertEqual({**of_las, "source": 0}, {**of_table, "source": 0})
+
     def test_bad_input_is_refused_in_a_sentence(self):
         head = "time_s,rate_L_s,pressure_MPa\n"
         table = (
@@ -162,6 +196,8 @@ class Analyse(unittest.TestCase):
             done = hfrac("analyse", self.file, *arguments)
             self.assertEqual(done.returncode, 2, (text, done.stdout, done.stderr))
             self.assertIn(words, done.stderr)
+            if words.startswith("record.csv:"):
+                self.assertIn("docs/records.md#the-table", done.stderr)
         self.assertIn("none.csv: cannot be opened", hfrac("analyse", self.top / "none.csv").stderr)
         done = hfrac("analyse", self.top)
         self.assertEqual(done.returncode, 2)

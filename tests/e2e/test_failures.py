@@ -48,6 +48,22 @@ class FailingRun(unittest.TestCase):
                 self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
             self.assertFalse(self.folder.exists())
 
+    def test_a_refusal_names_its_place_in_the_guide(self):
+        guide = (pathlib.Path(__file__).resolve().parents[2] / "docs/user-guide.md").read_text()
+        headings = {re.sub(r"[^\w -]", "", line).strip().lower().replace(" ", "-") for line in re.findall(r"^#+ (.*)$", guide, re.M)}
+        well = "[[well]]\nradius = 6.0\npressure = 30e6\n"
+        for text, place in (
+            ("[bond]\ntensile_strenght = 1.0\n", "bond"),
+            ("fluid.viscosity = -1.0\n", "fluid"),
+            ("[[well]]\nradius = -1.0\npressure = 30e6\n", "well"),
+            (well + "[[well.schedule]]\ntime = -1.0\nrate = 0\n", "wellschedule"),
+            (well + "[[joint]]\nx1 = 3\n", "joint"),
+        ):
+            done = hfrac("check", self.bad_case(text))
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(f"(docs/user-guide.md#{place})\n", done.stderr)
+            self.assertIn(place, headings)
+
     def test_rock_that_falls_apart_is_no_result(self):
         for discs, radius, pressure in ((60, 22, "30e6"), (300, 15, "60e6")):
             case = self.bad_case(f"[packing]\ndisc_count = {discs}\n[[well]]\nradius = {radius}\npressure = {pressure}\n")

@@ -28,6 +28,20 @@ def main():
     for name, version in (("spack", re.search(r'version\("([\d.]+)"', spack)[1]), ("conda", conda["context"]["version"])):
         if version != VERSION:
             faults.append(f"{name}: version {version}, the project's is {VERSION}")
+    # Wherever else the project's version stands.
+    header = (ROOT / "capi/include/hfrac/base.h").read_text()
+    numbers = [re.search(rf"HFRAC_VERSION_{part} (\d+)", header)[1] for part in ("MAJOR", "MINOR", "PATCH")]
+    short = VERSION.rsplit(".", 1)[0]
+    for name, found in (
+        ("base.h", ".".join(numbers)),
+        ("CITATION.cff", yaml.safe_load((ROOT / "CITATION.cff").read_text())["version"]),
+        ("manual page", re.search(r'^\.TH HFRAC 1 "" "hfrac ([\d.]+)"', (ROOT / "viz/command/manual/hfrac.1").read_text(), re.M)[1]),
+        ("packaging/README.md", re.search(r"hfrac@([\d.]+)", (PACKAGING / "README.md").read_text())[1]),
+        ("CHANGELOG.md", re.search(r"^## ([\d.]+)", (ROOT / "CHANGELOG.md").read_text(), re.M)[1] + VERSION[len(short):]),
+        ("README.md", re.search(r"^Version ([\d.]+);", (ROOT / "README.md").read_text(), re.M)[1] + VERSION[len(short):]),
+    ):
+        if found != VERSION:
+            faults.append(f"{name}: version {found}, the project's is {VERSION}")
     # What the engine looks for stands in each list: as found by find_package and find_path.
     wanted = {"eigen", "tomlplusplus"}
     for name, listed in (("spack", re.findall(r'depends_on\("([\w-]+)', spack)), ("conda", [one.split(" ")[0] for one in conda["requirements"]["host"]])):

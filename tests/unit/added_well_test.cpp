@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "flow/second_fluid.hpp"
 #include "small_case.hpp"
 
 namespace added_well_test {
@@ -302,6 +303,33 @@ TEST(AddedWell, HeatOfWhatItInjectsIsInTheBooks) {
   steps(s, 3);
   EXPECT_GT(s.model().heat->fluid[s.wells()[w].place.domain], 300.0);
   close();
+}
+
+TEST(AddedWell, TheSecondFluidIsInTheBooks) {
+  CaseDefinition definition = case_of(ways[3]);
+  definition.options.fluid_second_viscosity = 5e-3;
+  definition.options.stepping_flow_step = 1e4;
+  definition.schedule = {{0, 1.0, 29e6, choice(WellControl::pressure), choice(ScheduleFluid::second)}};
+  Simulation s(definition, {}, {});
+  steps(s, 4);
+  std::size_t richest = 1;
+  for (std::size_t d = 1; d < s.network().kind.size(); ++d)
+    if (s.network().is_own(d) && s.network().second_content[d] > s.network().second_content[richest])
+      richest = d;
+  const double held = s.network().second_content[richest], in_rock = second_fluid_in_rock(s.network());
+  ASSERT_GT(held, 0.0);
+  const auto w = add_well(s, s.network().centroid[richest]);
+  EXPECT_NEAR(second_fluid_in_rock(s.network()), in_rock - held, 1e-12 * in_rock);
+  const auto expect_books = [&] {
+    const SecondFluidBooks& b = s.model().accounts.second;
+    EXPECT_NEAR(second_fluid_in_rock(s.network()) + b.leaked, b.from_wells + b.from_host, 1e-12 * in_rock);
+  };
+  expect_books();
+  for (const double pressure : {22e6, 27e6}) {  // it takes both fluids out, and puts the first in
+    set_well_pressure(s, w, pressure);
+    steps(s, 3);
+    expect_books();
+  }
 }
 
 TEST(AddedWell, KeepsItsPressureWhenAHostSetsThatOfCells) {

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "equilibrium/bond_response.hpp"
 #include "options/choices.hpp"
@@ -242,6 +244,40 @@ TEST(Facets, GrowWithoutLosingFluidAndGoOnFromAnImage) {
   Simulation other(definition, {}, {});
   other.restore(image);
   EXPECT_EQ(go_on(other), hash);
+}
+
+// Two stages, each with its own perforations; a third as the options say of all.
+TEST(Facets, AreCutAsEachWellsPerforationsSay) {
+  CaseDefinition definition = with_hole(5.0);
+  Options& o = definition.options;
+  o.packing_disc_count = 3000;
+  o.fracture_perforation_length = 3.0;
+  o.fracture_perforation_azimuth = 0.5 * std::numbers::pi;
+  definition.wells.resize(3, definition.wells[0]);
+  definition.wells[0].x = 22.0;
+  definition.wells[2].x = 78.0;
+  definition.wells[0].perforation_length = 7.0;  // along x
+  definition.wells[1].perforation_length = 7.0;
+  definition.wells[1].perforation_azimuth = 0.25 * std::numbers::pi;
+  Simulation s(definition, {}, {});
+  const auto sums =
+      [&](std::size_t
+              well) {  // of the facets around a well: of their middles' distances from it along x and y, and their product
+        double xx = 0.0, yy = 0.0, xy = 0.0, far = 0.0;
+        for (const Facet& f : s.engine().facets.all()) {
+          const Vec2 from = f.middle - Vec2{definition.wells[well].x, definition.wells[well].y};
+          if (norm(from) > 14.0) continue;
+          xx += from.x * from.x;
+          yy += from.y * from.y;
+          xy += from.x * from.y;
+          far = std::max(far, norm(from));
+        }
+        return std::array{0.5 * std::atan2(2.0 * xy, xx - yy), far};
+      };
+  EXPECT_NEAR(sums(0)[0], 0.0, 0.15);
+  EXPECT_NEAR(sums(1)[0], 0.25 * std::numbers::pi, 0.15);
+  EXPECT_NEAR(std::abs(sums(2)[0]), 0.5 * std::numbers::pi, 0.15);
+  EXPECT_NEAR(sums(0)[1] - sums(2)[1], 4.0, 2.0);  // a disc's diameter
 }
 
 TEST(Facets, AreRefusedWhereTheyAreNotKnown) {

@@ -43,6 +43,7 @@ class Simulation {
   void ramp(int32_t well, double pressure, double per_step) {
     check(hfrac_well_set_ramp(sim_, well, pressure, per_step));
   }
+  void set_rate(int32_t well, double rate) { check(hfrac_well_set_rate(sim_, well, rate)); }
   void set_far_field(double sigma_Hmax, double sigma_hmin) {
     check(hfrac_set_far_field(sim_, sigma_Hmax, sigma_hmin));
   }

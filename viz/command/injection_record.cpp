@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "command/exit_code.hpp"
 #include "run/engine_call.hpp"
@@ -38,7 +39,7 @@ InjectionRecord table_of_field(const std::string& file, double thickness) {
   int64_t count = 0;
   const auto read = [&](double* rows) {
     if (hfrac_read_record(file.c_str(), thickness, rows, count, &count) < 0)
-      throw BadInput(run::error_text(-1, nullptr));
+      throw BadInput(run::error_text(-1, nullptr) + " (docs/records.md#the-table)");
   };
   read(nullptr);
   std::vector<double> rows(3 * static_cast<size_t>(count));
@@ -110,6 +111,37 @@ ShutIn find_shut_in(const InjectionRecord& record, double time) {
   found.end = found.row + 1;
   while (found.end < rows && (record.rate.empty() || std::abs(record.rate[found.end]) <= least)) ++found.end;
   return found;
+}
+
+RecordComparison compare_records(const InjectionRecord& measured, const InjectionRecord& computed) {
+  RecordComparison both;
+  both.table = "series,time_s,pressure_Pa\n";
+  constexpr size_t most_points = 1500;
+  for (const auto& [name, record] : {std::pair{"measured", &measured}, {"computed", &computed}}) {
+    const size_t stride = std::max<size_t>(1, record->time.size() / most_points);
+    for (size_t k = 0; k < record->time.size(); k += stride)
+      both.table += fmt::format("{},{},{}\n", name, record->time[k], record->pressure[k]);
+  }
+  for (size_t k = 0; k < measured.time.size(); ++k) {
+    const double time = measured.time[k];
+    if (time < computed.time.front() || time > computed.time.back()) continue;
+    const auto after = std::lower_bound(computed.time.begin(), computed.time.end(), time);
+    const auto j = static_cast<size_t>(after - computed.time.begin());
+    double pressure = computed.pressure[j];
+    if (j > 0) {
+      const double share = (time - computed.time[j - 1]) / (computed.time[j] - computed.time[j - 1]);
+      pressure = (1.0 - share) * computed.pressure[j - 1] + share * pressure;
+    }
+    const double off = pressure - measured.pressure[k];
+    both.mean += off;
+    both.rms += off * off;
+    ++both.rows;
+  }
+  if (both.rows > 0) {
+    both.mean /= static_cast<double>(both.rows);
+    both.rms = std::sqrt(both.rms / static_cast<double>(both.rows));
+  }
+  return both;
 }
 
 }  // namespace hfrac::command

@@ -25,6 +25,16 @@ struct InjectionRecord {
  * Throws BadInput. */
 InjectionRecord read_injection(const std::filesystem::path& source, double thickness);
 
+/** Two pressures over one time. */
+struct RecordComparison {
+  std::string table;  ///< "series,time_s,pressure_Pa", both thinned to what paper can show
+  double mean = 0.0,
+         rms =
+             0.0;   ///< [Pa] computed less measured at the measured times, between its rows by straight lines
+  size_t rows = 0;  ///< of the measured record within the computed time
+};
+RecordComparison compare_records(const InjectionRecord& measured, const InjectionRecord& computed);
+
 /** The injection before a shut-in and the fall-off after it, as rows of the record. */
 struct ShutIn {
   std::size_t begin = 0;  ///< first row of the injection

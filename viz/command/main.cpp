@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "command/commands.hpp"
+#include "command/guide.hpp"
 #include "command/standard_streams.hpp"
 #include "run/engine_call.hpp"
 
@@ -23,7 +24,8 @@ std::string version_text() {
 }
 
 int complain(const char* text, ExitCode code) {
-  tell("hfrac: {}\n", text);
+  const std::string place = guide_place(text);
+  tell("hfrac: {}{}\n", text, place.empty() ? place : fmt::format(" ({})", place));
   return code;
 }
 

@@ -318,7 +318,8 @@ struct PlotRequest {
   std::string folder;
   Paper paper;
   bool quiet = false;
-  bool kgd = false;  ///< the profile beside the plane-strain solution
+  bool kgd = false;    ///< the profile beside the plane-strain solution
+  std::string record;  ///< of a field, beside the run
   CompareRequest compare;
 };
 
@@ -330,27 +331,47 @@ ExitCode compare(const PlotRequest& request) {
   return kGood;
 }
 
-/** pictures/kgd.png with its table. */
+/** A table and its picture in the run's folder of pictures: NAME.csv, NAME.png and what else is asked for. */
+void draw_beside(const PlotRequest& request, const std::string& name, const std::string& title,
+                 const std::string& table, bool svg) {
+  const fs::path folder = fs::path(request.folder) / "pictures";
+  run::make_folder(folder);
+  CompareRequest drawn;
+  drawn.sources = {(folder / (name + ".csv")).string()};
+  drawn.title = title;
+  run::write_whole(drawn.sources.front(), table);
+  for (const auto& [wanted, ending] : {std::pair{true, ".png"}, {svg, ".svg"}, {request.paper.pdf, ".pdf"}}) {
+    if (!wanted) continue;
+    drawn.target = (folder / name).string() + ending;
+    draw_comparison(drawn, request.paper);
+    if (!request.quiet) fmt::print("{}\n", drawn.target);
+  }
+}
+
 ExitCode plot_kgd(const PlotRequest& request) {
-  const fs::path folder = request.folder;
   std::string table;
   try {
-    table = kgd_table(folder);
+    table = kgd_table(request.folder);
   } catch (const run::ReadError& error) {
     throw BadInput(error.what());
   }
-  run::make_folder(folder / "pictures");
-  CompareRequest profile;
-  profile.sources = {(folder / "pictures" / "kgd.csv").string()};
-  profile.title = "Along the fracture, beside the plane-strain solution";
-  run::write_whole(profile.sources.front(), table);
-  for (const auto& [wanted, ending] :
-       {std::pair{true, ".png"}, {request.paper.svg, ".svg"}, {request.paper.pdf, ".pdf"}}) {
-    if (!wanted) continue;
-    profile.target = (folder / "pictures" / "kgd").string() + ending;
-    draw_comparison(profile, request.paper);
-    if (!request.quiet) fmt::print("{}\n", profile.target);
-  }
+  draw_beside(request, "kgd", "Along the fracture, beside the plane-strain solution", table,
+              request.paper.svg);
+  return kGood;
+}
+
+/** A field's pressure beside that of the run's first well; how far apart they are is told. The report shows the SVG file. */
+ExitCode plot_record(const PlotRequest& request) {
+  const InjectionRecord computed = read_injection(request.folder, 1.0),
+                        measured = read_injection(request.record, 1.0);
+  const RecordComparison both = compare_records(measured, computed);
+  if (both.rows == 0)
+    throw BadInput(fmt::format("'{}' has no row between {:g} and {:g} s, the times of '{}'", request.record,
+                               computed.time.front(), computed.time.back(), request.folder));
+  draw_beside(request, "record", "Measured and computed pressure", both.table, true);
+  if (!request.quiet)
+    fmt::print("computed less measured: {:.3g} MPa in the mean, {:.3g} MPa rms, over {} rows of the record\n",
+               1e-6 * both.mean, 1e-6 * both.rms, both.rows);
   return kGood;
 }
 
@@ -358,6 +379,7 @@ ExitCode plot(const PlotRequest& request) {
   if (!request.compare.sources.empty()) return compare(request);
   if (request.folder.empty()) throw BadInput("plot needs a run folder, or --compare and several");
   if (request.kgd) return plot_kgd(request);
+  if (!request.record.empty()) return plot_record(request);
   const auto options = options_for(request.paper, hfrac_viz_chart_options_init);
   catch_interrupts();
   ProgressLine line(request.quiet);
@@ -385,6 +407,11 @@ void add_plot(CLI::App& program, Action& action) {
       ->add_flag("--kgd", request->kgd,
                  "Only the profile along the fracture while it is driven, beside the "
                  "plane-strain solution of the same volume (KGD)")
+      ->needs(folder);
+  command
+      ->add_option("--record", request->record,
+                   "Only the pressure of a field's record (CSV or LAS file) beside the run's, and how far "
+                   "apart they are")
       ->needs(folder);
   add_compare_options(*command, request->compare, folder);
   command->callback([request, &action] { action = [request] { return plot(*request); }; });

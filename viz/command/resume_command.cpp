@@ -52,7 +52,7 @@ bool is_complete(const std::string& ended) {
   return ended != "running" && ended != "interrupted" && !ended.starts_with("failed");
 }
 
-void restore(hfrac_sim* sim, const output::Checkpoint& checkpoint, const fs::path& folder) {
+void require_image_of(hfrac_sim* sim, const output::Checkpoint& checkpoint, const fs::path& folder) {
   const int32_t status =
       hfrac_state_restore(sim, checkpoint.image.data(), static_cast<int64_t>(checkpoint.image.size()));
   if (status == HFRAC_ERR_ARGUMENT) {
@@ -62,7 +62,7 @@ void restore(hfrac_sim* sim, const output::Checkpoint& checkpoint, const fs::pat
   output::require(status, sim);
 }
 
-ExitCode go_on(const ResumeRequest& request) {
+ExitCode go_on(const ResumeRequest& request, const Team& team) {
   const fs::path& folder = request.folder;
   std::string ended;
   output::RunTerms terms;
@@ -77,15 +77,16 @@ ExitCode go_on(const ResumeRequest& request) {
                     (folder / "summary.json").string()));
   }
   if (is_complete(ended) && request.steps < 0) {
-    if (!request.quiet) fmt::print("{}: the run is complete ({}); nothing to do\n", folder.string(), ended);
+    if (!request.quiet && !team.follows()) fmt::print("{}: the run is complete ({}); nothing to do\n", folder.string(), ended);
     return kGood;
   }
   if (request.steps >= 0) terms.steps = request.steps;
 
   const GivenParts given(folder);
   auto definition = load_case((folder / "case.toml").string(), request.workers, given);
-  const output::FolderClaim claim(folder);
   catch_interrupts();
+  if (team.follows()) return follow(std::move(definition), terms.steps, team);
+  const output::FolderClaim claim(folder);
   std::vector<std::string> damaged;
   const auto checkpoint = output::CheckpointFolder(folder).newest(damaged);
   for (const auto& text : damaged) tell("hfrac: {}\n", text);
@@ -100,19 +101,20 @@ ExitCode go_on(const ResumeRequest& request) {
   output::RunFolder run(folder, terms);
   Warnings warnings(run, line, request.quiet);
   for (const auto& text : unlikely_values(definition)) warnings.add(text);
-  const auto sim = build_model(definition, (folder / "case.toml").string(), line, warnings);
+  const auto sim = build_model(definition, (folder / "case.toml").string(), team, line, warnings);
   if (!sim) {
     tell("hfrac: interrupted during the initial equilibration; nothing was changed\n");
     return kInterrupted;
   }
+  if (checkpoint) require_image_of(sim.get(), *checkpoint, folder);
+  restore(sim.get(), checkpoint ? checkpoint->image : std::string{}, team);
   lay_grid(sim.get(), terms);
   if (checkpoint) {
-    restore(sim.get(), *checkpoint, folder);
     for (const auto& warning : output::warnings_of(summary, checkpoint->step))
       run.add_warning(warning.step, warning.text);
   }
   forget_given(definition);
-  const auto code = run_to_end(sim.get(), run, definition, terms, line, [&] {
+  const auto code = run_to_end(sim.get(), run, definition, terms, team, line, [&] {
     if (checkpoint) {
       run.go_on_from(sim.get(), *checkpoint);
     } else {
@@ -135,7 +137,12 @@ void add_resume(CLI::App& program, Action& action) {
   command->add_option("--workers", request->workers, "Worker threads; results do not depend on it")
       ->check(CLI::Range(1, 256));
   command->add_flag("-q,--quiet", request->quiet, "Print nothing unless something goes wrong");
-  command->callback([request, &action] { action = [request] { return go_on(*request); }; });
+  command->callback([request, &action] { action = [request] {
+      Team team;
+      const auto code = go_on(*request, team);
+      if (code == kGood || code == kInterrupted) team.done();
+      return code;
+    }; });
 }
 
 }  // namespace hfrac::command

@@ -48,7 +48,7 @@ struct RunRequest {
 };
 
 /** Runs it. Failures that leave something readable are told here; others are thrown. */
-ExitCode carry_out(const RunRequest& request);
+ExitCode carry_out(const RunRequest& request, const Team& team);
 
 void refuse_earlier_run(const RunRequest& request) {
   if (request.overwrite) return;
@@ -59,18 +59,19 @@ void refuse_earlier_run(const RunRequest& request) {
         request.folder.string(), files.size(), files.front().filename().string()));
 }
 
-ExitCode carry_out(const RunRequest& request) {
+ExitCode carry_out(const RunRequest& request, const Team& team) {
   require_grid(request.grid);
   GivenParts given(request.disc_file, request.bond_file);
   std::vector<std::string> notes;
   auto definition = load_case(request.case_file, request.workers, given, &notes);
   if (request.checkpoint_every >= 0.0) definition.output_checkpoint_every = request.checkpoint_every;
   if (request.checkpoint_steps >= 0) definition.output_checkpoint_steps = request.checkpoint_steps;
+  catch_interrupts();
+  if (team.follows()) return follow(std::move(definition), request.steps, team);
   refuse_earlier_run(request);
   const auto size = size_of_run(definition, request.steps);
   if (!request.no_space_check) require_room(size, request.folder);
   output::FolderClaim claim(request.folder);
-  catch_interrupts();
 
   ProgressLine line(request.quiet);
   const output::RunTerms terms{request.steps, request.grid, request.movie};
@@ -80,16 +81,17 @@ ExitCode carry_out(const RunRequest& request) {
   if (!request.quiet)
     for (const auto& note : notes) tell("hfrac: {}\n", note);
   if (!request.quiet) tell("hfrac: will write {}\n", size_text(size));
-  const auto sim = build_model(definition, request.case_file, line, warnings);
+  const auto sim = build_model(definition, request.case_file, team, line, warnings);
   if (!sim) {
     tell("hfrac: interrupted during the initial equilibration; nothing was written\n");
     return kInterrupted;
   }
+  restore(sim.get(), {}, team);
   lay_grid(sim.get(), terms);
   output::remove_files_of_a_run(request.folder);
   forget_given(definition);
 
-  return run_to_end(sim.get(), folder, definition, terms, line, [&] {
+  return run_to_end(sim.get(), folder, definition, terms, team, line, [&] {
     // First the discs, without which the case alone would make another model.
     if (!given.discs.empty())
       output::write_whole(request.folder / "given_discs.csv", output::discs_as_csv(given.discs));
@@ -102,8 +104,10 @@ ExitCode carry_out(const RunRequest& request) {
 }
 
 ExitCode run(const RunRequest& request) {
-  const auto code = carry_out(request);
-  if (!request.quiet && std::filesystem::exists(request.folder / "summary.json"))
+  Team team;
+  const auto code = carry_out(request, team);
+  if (code == kGood || code == kInterrupted) team.done();
+  if (!request.quiet && !team.follows() && std::filesystem::exists(request.folder / "summary.json"))
     print_result(request.folder, code == kGood || code == kInterrupted);
   return code;
 }

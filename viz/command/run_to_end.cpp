@@ -128,8 +128,8 @@ class CheckpointClock {
 /** Takes the callback out again however the loop is left. */
 class Callback {
  public:
-  Callback(hfrac_sim* sim, StepReport& report) : sim_(sim) {
-    output::require(hfrac_set_progress(sim, while_stepping, &report, kCallbackSeconds), sim);
+  Callback(hfrac_sim* sim, StepReport& report, double seconds) : sim_(sim) {
+    output::require(hfrac_set_progress(sim, while_stepping, &report, seconds), sim);
   }
   Callback(const Callback&) = delete;
   Callback& operator=(const Callback&) = delete;
@@ -155,17 +155,18 @@ void save_checkpoint(hfrac_sim* sim, output::RunFolder& folder, ProgressLine& li
   }
 }
 
-/** Steps `sim` to the end of the run and writes into `folder` on the way, checkpoints as the definition says included.
- * `steps` >= 0 replaces the case's length. */
-EndOfRun take_steps(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_def& definition, int64_t steps,
-                    ProgressLine& line) {
+/** Steps `sim` to the end of the run and writes into `folder` on the way, if there is one, checkpoints as the definition says
+ * included. `steps` >= 0 replaces the case's length. */
+EndOfRun take_steps(hfrac_sim* sim, output::RunFolder* folder, const hfrac_sim_def& definition, int64_t steps,
+                    const Team& team, ProgressLine& line) {
   const auto limits = limits_of(definition, steps);
   auto state = output::state_of(sim);
   StepReport report(line, limits, state);
-  const Callback callback(sim, report);
+  // Several processes stop together: the library asks all of them, in every step.
+  const Callback callback(sim, report, team.alone() ? kCallbackSeconds : 0.0);
   CheckpointClock checkpoint(definition, state.step);
   for (;;) {
-    if (interrupted()) return {"interrupted", true};
+    if (team.alone() && interrupted()) return {"interrupted", true};
     if (state.stop_reason == HFRAC_REASON_EXTENT)
       return {
           "a crack tip reached stop.extent_fraction of the model: what follows would be the boundary's "
@@ -179,9 +180,10 @@ EndOfRun take_steps(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_d
     output::require(status, sim);
     state = output::state_of(sim);
     if (state.step == before) return {"interrupted", true};
-    folder.record_step(sim);
-    if (state.step / definition.output_every != before / definition.output_every) folder.snapshot(sim);
-    if (checkpoint.due(state.step)) save_checkpoint(sim, folder, line);
+    if (folder == nullptr) continue;
+    folder->record_step(sim);
+    if (state.step / definition.output_every != before / definition.output_every) folder->snapshot(sim);
+    if (checkpoint.due(state.step)) save_checkpoint(sim, *folder, line);
     report.after_step(sim);
   }
 }
@@ -218,12 +220,12 @@ bool write_cells(hfrac_sim* sim, const output::RunFolder& folder, const output::
 }
 
 ExitCode take_steps_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_def& definition,
-                           const output::RunTerms& terms, ProgressLine& line) {
+                           const output::RunTerms& terms, const Team& team, ProgressLine& line) {
 #ifdef HFRAC_WITH_RENDERER
   std::optional<MovieThread> movie;
   if (terms.movie) movie.emplace(folder.path());
 #endif
-  const auto why = take_steps(sim, folder, definition, terms.steps, line);
+  const auto why = take_steps(sim, &folder, definition, terms.steps, team, line);
   // Before the snapshot of the interruption, which an uninterrupted run would not have.
   if (why.interrupted) save_checkpoint(sim, folder, line);
   folder.finish(sim, why.text);
@@ -240,13 +242,13 @@ ExitCode take_steps_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfra
 
 }  // namespace
 
-Simulation build_model(Definition definition, const std::string& case_file, ProgressLine& line,
+Simulation build_model(Definition definition, const std::string& case_file, const Team& team, ProgressLine& line,
                        Warnings& warnings) {
   warnings.listen(definition);
   definition.progress = show_setup;
   definition.progress_user = &line;
   hfrac_sim* sim = nullptr;
-  const int32_t status = hfrac_sim_create(&definition, &sim);
+  const int32_t status = hfrac_sim_create_on(&definition, &team.exchange(), &sim);
   Simulation simulation(sim);
   line.end();
   if (status == HFRAC_STOPPED) return nullptr;
@@ -276,10 +278,11 @@ void lay_grid(hfrac_sim* sim, const output::RunTerms& terms) {
 }
 
 ExitCode run_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_def& definition,
-                    const output::RunTerms& terms, ProgressLine& line, const std::function<void()>& begin) {
+                    const output::RunTerms& terms, const Team& team, ProgressLine& line,
+                    const std::function<void()>& begin) {
   try {
     begin();
-    return take_steps_to_end(sim, folder, definition, terms, line);
+    return take_steps_to_end(sim, folder, definition, terms, team, line);
   } catch (const output::FileError& error) {
     line.end();
     folder.note_failure(sim, error.what());
@@ -290,6 +293,30 @@ ExitCode run_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_d
     folder.finish_failed(sim, error.what());
     report_failure(folder, error.what());
     return error.status() == HFRAC_ERR_COLLAPSED ? kCollapsed : kRunFailed;
+  }
+}
+
+void restore(hfrac_sim* sim, const std::string& image, const Team& team) {
+  const auto all = team.share(image);
+  if (!all.empty())
+    output::require(hfrac_state_restore(sim, all.data(), static_cast<int64_t>(all.size())), sim);
+}
+
+ExitCode follow(Definition definition, int64_t steps, const Team& team) {
+  ProgressLine line(true);
+  definition.log = nullptr;  // the first one's to tell
+  definition.progress = show_setup;
+  definition.progress_user = &line;
+  hfrac_sim* sim = nullptr;
+  const int32_t status = hfrac_sim_create_on(&definition, &team.exchange(), &sim);
+  const Simulation simulation(sim);
+  if (status == HFRAC_STOPPED) return kInterrupted;
+  if (status != HFRAC_OK) return kRunFailed;
+  try {
+    restore(sim, {}, team);
+    return take_steps(sim, nullptr, definition, steps, team, line).interrupted ? kInterrupted : kGood;
+  } catch (const std::runtime_error&) {
+    return kRunFailed;  // as the first one says
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "command/exit_code.hpp"
 #include "command/progress_line.hpp"
+#include "command/team.hpp"
 #include "command/warnings.hpp"
 #include "output/run_folder.hpp"
 #include "run/engine_call.hpp"
@@ -20,7 +21,7 @@ namespace hfrac::command {
 using run::Simulation;
 
 /** Builds the model of `case_file`; no simulation if the user interrupted. Throws BadInput or EngineError. */
-Simulation build_model(Definition definition, const std::string& case_file, ProgressLine& line,
+Simulation build_model(Definition definition, const std::string& case_file, const Team& team, ProgressLine& line,
                        Warnings& warnings);
 
 /** Lays the grid of the terms, if there is one. Throws BadInput if nothing of the model lies in it: at the end of the run there
@@ -30,6 +31,13 @@ void lay_grid(hfrac_sim* sim, const output::RunTerms& terms);
 /** Brings the folder to where `sim` is (`begin`), takes the steps, writes what there is to write, draws the movie if the
  * terms say so, and tells how it went. */
 ExitCode run_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_def& definition,
-                    const output::RunTerms& terms, ProgressLine& line, const std::function<void()>& begin);
+                    const output::RunTerms& terms, const Team& team, ProgressLine& line,
+                    const std::function<void()>& begin);
+
+/** What a process that follows does of all that: builds, takes up the state that the first one shares, steps. */
+ExitCode follow(Definition definition, int64_t steps, const Team& team);
+
+/** Into a simulation that was just built, on all processes; empty: nothing. */
+void restore(hfrac_sim* sim, const std::string& image, const Team& team);
 
 }  // namespace hfrac::command

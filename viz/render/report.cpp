@@ -75,8 +75,9 @@ std::string movie(const std::filesystem::path& folder) {
 }
 
 std::string charts(const std::filesystem::path& folder) {
-  static constexpr std::array<Picture, 5> wanted = {
-      {{"history.svg", "Pressure, rate, cracks, fracture, fluid and energy against time."},
+  static constexpr std::array<Picture, 6> wanted = {
+      {{"record.svg", "Pressure of a field's record beside the computed one."},
+       {"history.svg", "Pressure, rate, cracks, fracture, fluid and energy against time."},
        {"profile.svg", "Aperture of every crack against its distance from the well's wall."},
        {"rose.svg", "Directions of the cracks, by length."},
        {"events.svg", "Magnitudes of the cracks, and how many are at least as strong."},

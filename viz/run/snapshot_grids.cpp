@@ -37,6 +37,7 @@ void add_fields(std::vector<VtuArray>& data, const SnapshotFrame& frame, Locatio
   for (const Field& field : shown_fields(location)) {
     if (!frame.warm && (field.number == HFRAC_DISC_TEMPERATURE || field.number == HFRAC_DOMAIN_TEMPERATURE))
       continue;
+    if (!frame.two_fluids && field.number == HFRAC_DOMAIN_SECOND_FLUID) continue;
     if (!field.real) {
       auto values = integers(frame.sim, field.number);
       data.push_back(whole(array_name(field),
@@ -103,6 +104,7 @@ SnapshotFrame::SnapshotFrame(hfrac_sim* simulation)
       cracks(cracks_of(simulation)),
       positions(doubles(simulation, HFRAC_DISC_POSITION)),
       warm(definition_of(simulation).thermal_mode != 0),
+      two_fluids(definition_of(simulation).fluid_second_viscosity > 0.0),
       jointed(!integers(simulation, HFRAC_JOINT_BOND).empty()),
       moment(moment_of(*this)) {}
 

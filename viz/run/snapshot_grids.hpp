@@ -21,6 +21,7 @@ struct SnapshotFrame {
   std::vector<hfrac_crack> cracks;
   std::vector<double> positions;  ///< disc centres now, x0 y0 x1 y1 ...
   bool warm;                      ///< the run has a temperature
+  bool two_fluids;                ///< the run has a second fluid
   bool jointed;                   ///< it has smooth joints
   Moment moment;
 };

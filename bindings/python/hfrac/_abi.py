@@ -6,7 +6,7 @@ import ctypes
 import enum
 
 VERSION_MAJOR = 0
-VERSION_MINOR = 1
+VERSION_MINOR = 2
 VERSION_PATCH = 0
 ABI_VERSION = 0
 MACRO_COUNT = 6
@@ -175,6 +175,8 @@ class Field(enum.IntEnum):
     DOMAIN_SATURATION = 67
     #: of the fluid; thermal.rock_temperature without a temperature in the model
     DOMAIN_TEMPERATURE = 66
+    #: share of the second fluid (fluid.second_viscosity) in what the pore holds; 0 without one
+    DOMAIN_SECOND_FLUID = 68
     #: first corner of each domain in domain.corners; the next domain's is its end
     DOMAIN_OFFSET = 64
     #: disc indices around each domain, anticlockwise (outside: clockwise)
@@ -381,6 +383,9 @@ class hfrac_well_def(ctypes.Structure):
         ("depth", ctypes.c_double),
         ("fluid_density", ctypes.c_double),
         ("wellbore", ctypes.c_int64),
+        ("fluid", ctypes.c_int64),
+        ("perforation_length", ctypes.c_double),
+        ("perforation_azimuth", ctypes.c_double),
     ]
 
 
@@ -424,6 +429,7 @@ class hfrac_schedule_def(ctypes.Structure):
         ("time", ctypes.c_double),
         ("value", ctypes.c_double),
         ("control", ctypes.c_int64),
+        ("fluid", ctypes.c_int64),
     ]
 
 
@@ -579,6 +585,8 @@ class hfrac_sim_def(ctypes.Structure):
         ("contact_shape", ctypes.c_int64),
         ("bond_open_share", ctypes.c_double),
         ("bond_fracture_energy", ctypes.c_double),
+        ("fluid_second_viscosity", ctypes.c_double),
+        ("fluid_second_density", ctypes.c_double),
     ]
 
 

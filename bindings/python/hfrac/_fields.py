@@ -114,6 +114,10 @@ FIELDS: Tuple[FieldInfo, ...] = (
         'of the fluid; thermal.rock_temperature without a temperature in the model',
     ),
     FieldInfo(
+        'domain.second_fluid', '1', 'double', 1,
+        'share of the second fluid (fluid.second_viscosity) in what the pore holds; 0 without one',
+    ),
+    FieldInfo(
         'domain.corner_offset', '1', 'int32', 1,
         "first corner of each domain in domain.corners; the next domain's is its end",
     ),
@@ -309,6 +313,11 @@ class Domains(FieldGroup):
     def temperature(self) -> Array:
         """[K] of the fluid; thermal.rock_temperature without a temperature in the model; shape (n,)"""
         return self._simulation.field("domain.temperature")
+
+    @property
+    def second_fluid(self) -> Array:
+        """[1] share of the second fluid (fluid.second_viscosity) in what the pore holds; 0 without one; shape (n,)"""
+        return self._simulation.field("domain.second_fluid")
 
     @property
     def corner_offset(self) -> Array:

@@ -14,6 +14,7 @@ from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Joints, Pipes
 from ._library import call, load
 from ._open_step import OpenStep
 from ._progress import LogFunction, Progress, ProgressFunction
+from ._ranks import exchange_over
 from ._records import Balance, Crack, Event, Fracture, FracturePoint, Heat, SetupReport, SimState, Slip, SolverReport, StepLimits, WallState
 from ._view import View
 from ._well import Well
@@ -49,6 +50,8 @@ class Simulation:
     options are as for Definition and come on top.
     ``progress(fraction, what)`` is called while the model is built and while it runs; a true result stops.
     ``log(level, message)`` is told what happens, from the start on.
+    ``comm``, a communicator of mpi4py, makes one simulation of those of all its ranks, which then make the same calls;
+    results are those of one, to the last bit.
 
     Close it with ``with`` or ``close()``, or leave it to the garbage collector. Arrays handed out are copies, except
     for ``view``. Calls of several threads wait for one another.
@@ -66,6 +69,7 @@ class Simulation:
         bonds: Optional[Iterable[Sequence[int]]] = None,
         progress: Optional[ProgressFunction] = None,
         log: Optional[LogFunction] = None,
+        comm: Any = None,
         **options: Any,
     ) -> None:
         self._handle: Optional[_Handle] = None
@@ -80,7 +84,8 @@ class Simulation:
             definition._struct.log_level = _abi.LogLevel.INFO
         pointer = ctypes.c_void_p()
         with self._lock, self._progress.watched():
-            status = call("hfrac_sim_create", ctypes.byref(definition._struct), ctypes.byref(pointer))
+            exchange = exchange_over(comm)
+            status = call("hfrac_sim_create_on", ctypes.byref(definition._struct), ctypes.byref(exchange), ctypes.byref(pointer))
             if pointer:
                 self._handle = _Handle(pointer)
         if status == _abi.Status.STOPPED:

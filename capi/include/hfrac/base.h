@@ -43,7 +43,7 @@
 #endif
 
 #define HFRAC_VERSION_MAJOR 0
-#define HFRAC_VERSION_MINOR 1
+#define HFRAC_VERSION_MINOR 2
 #define HFRAC_VERSION_PATCH 0
 /** Grows when, and only when, a compiled client would break; it is the SONAME's number. */
 #define HFRAC_ABI_VERSION 0

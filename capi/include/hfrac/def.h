@@ -58,6 +58,9 @@ typedef struct hfrac_well_def {
   double depth;                 /**< [m] of the perforations below the wellhead */
   double fluid_density;         /**< [kg/m3] in wellbore and perforations; 0: thermal.fluid_density */
   int64_t wellbore;             /**< number of the wellbore it is a cluster of, the first of which drives it; 0: one of its own */
+  int64_t fluid;                /**< what it pumps: 0 the fluid, 1 that of fluid.second_viscosity */
+  double perforation_length;    /**< [m] of its slots (law facet); 0: fracture.perforation_length and fracture.perforation_azimuth hold */
+  double perforation_azimuth;   /**< [rad] of its slots from the x axis, with a length of its own */
 } hfrac_well_def;
 
 /** Whether the bonds of a joint hold. */
@@ -102,6 +105,7 @@ typedef struct hfrac_schedule_def {
   double time;     /**< [s] model time; steps end at it */
   double value;    /**< [Pa] with control pressure, [m2/s] with control rate */
   int64_t control; /**< HFRAC_WELL_PRESSURE or HFRAC_WELL_RATE of enum hfrac_well_control */
+  int64_t fluid;   /**< what it pumps from then on: 0 as before, 1 the fluid, 2 that of fluid.second_viscosity */
 } hfrac_schedule_def;
 
 /** Called while a simulation is built and while it runs, on the calling thread, with the share done in [0, 1] and
@@ -493,9 +497,10 @@ typedef struct hfrac_sim_def {
    * Default 0.0. */
   double boundary_flow_distance;
 
-  /** 0: given, 1: water. given: fluid.viscosity and thermal.fluid_density. water: both are those of water
-   * (IAPWS R12-08 and R7-97) at thermal.rock_temperature and fluid.formation_pressure; with thermal.mode
-   * other than off every pore's viscosity follows its temperature and pressure, step by step. Default 0. */
+  /** 0: given, 1: water. given: fluid.viscosity, fluid.bulk_modulus and thermal.fluid_density. water: all
+   * three are those of water (IAPWS R12-08 and R7-97) at thermal.rock_temperature and
+   * fluid.formation_pressure; with thermal.mode other than off every pore's viscosity follows its
+   * temperature and pressure, step by step. Default 0. */
   int64_t fluid_kind;
 
   /** 0: round, 1: flat. round: a contact bears no moment. flat: one as wide as the bond, which opens from
@@ -510,6 +515,12 @@ typedef struct hfrac_sim_def {
    * where discs are small against E' G_c / sigma_c^2. 0: bonds break at their strength. With fracture.law
    * = bond. Default 0.0. */
   double bond_fracture_energy;
+
+  /** [Pa s] Viscosity of a second fluid, which wells pump where their fluid is second; it displaces the
+   * first. 0: there is none. Default 0.0. */
+  double fluid_second_viscosity;
+  /** [kg/m3] Density of the second fluid in wellbore and perforations. 0: that of the first. Default 0.0. */
+  double fluid_second_density;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */

@@ -47,6 +47,7 @@ extern "C" {
   X(HFRAC_DOMAIN_KIND, 63, "domain.kind", "1", 3, 1, 1, "0 rock, 1 well, 2 outside")                               \
   X(HFRAC_DOMAIN_SATURATION, 67, "domain.saturation", "1", 3, 0, 1, "fluid saturation of the pore: volume of fluid over pore volume; below 1 where the pressure is at its floor, as near the tip of a fracture that opens faster than fluid arrives") \
   X(HFRAC_DOMAIN_TEMPERATURE, 66, "domain.temperature", "K", 3, 0, 1, "of the fluid; thermal.rock_temperature without a temperature in the model") \
+  X(HFRAC_DOMAIN_SECOND_FLUID, 68, "domain.second_fluid", "1", 3, 0, 1, "share of the second fluid (fluid.second_viscosity) in what the pore holds; 0 without one") \
   X(HFRAC_DOMAIN_OFFSET, 64, "domain.corner_offset", "1", 3, 1, 1, "first corner of each domain in domain.corners; the next domain's is its end") \
   X(HFRAC_DOMAIN_CORNERS, 65, "domain.corners", "1", 4, 1, 1, "disc indices around each domain, anticlockwise (outside: clockwise)") \
   X(HFRAC_JOINT_NUMBER, 80, "joint.number", "1", 5, 1, 1, "the joint's place in the definition, from 0")            \

@@ -17,6 +17,7 @@ program fortran_test
   call building()
   call running()
   call wells()
+  call wellbores()
   call fields()
   call cracks_and_fractures()
   call progress()

@@ -7,7 +7,7 @@ module fortran_test_outside
   use hfrac
   implicit none
   private
-  public :: wells, warm, exchange
+  public :: wells, wellbores, warm, exchange
 
 contains
 
@@ -153,5 +153,46 @@ contains
     balance = sim%balance()
     host_volume = balance%host_volume
   end function host_volume
+
+  ! Two clusters of one wellbore: the drop is 8 rho Q^2 / (pi^2 n^2 D^4 C_d^2) + k sqrt(Q), and the wellhead is rho g depth lower.
+  subroutine wellbores()
+    type(hfrac_definition) :: def
+    type(hfrac_simulation) :: sim
+    type(hfrac_well_def) :: clusters(2)
+    type(hfrac_well_state), allocatable :: list(:)
+    real(real64), parameter :: pi = acos(-1.0_real64)
+    real(real64) :: drop
+    call def%set('packing.disc_count', 600)
+    call def%set('fluid.formation_pressure', 25e6_real64)
+    call def%set('flow.permeability', 1e-11_real64)
+    call def%set('stepping.mode', 'coupled')
+    call def%set('stepping.flow_step', 1.0_real64)
+    call def%set('solver.kind', 'quasi-static')
+    clusters%x = [30.0_real64, 70.0_real64]
+    clusters%y = 50.0_real64
+    clusters%radius = 8.0_real64
+    clusters%wellbore = 5
+    clusters%storage = 1e-12_real64
+    clusters%height = 20.0_real64
+    clusters%perforation_count = [8.0_real64, 4.0_real64]
+    clusters%perforation_diameter = 0.01_real64
+    clusters%discharge_coefficient = 0.8_real64
+    clusters(1)%near_well_friction = 1e6_real64
+    clusters%depth = 1500.0_real64
+    clusters%fluid_density = 1050.0_real64
+    clusters(1)%rate = 3e-3_real64
+    clusters(1)%control = HFRAC_WELL_RATE
+    call def%set_wells(clusters)
+    call sim%create(def)
+    call sim%step(4)
+    call sim%wells(list)
+    drop = 8*1050*(20*list(1)%rate)**2/(pi**2*8**2*0.01_real64**4*0.8_real64**2) + 1e6_real64*sqrt(20*list(1)%rate)
+    call expect(abs(list(1)%wellbore_pressure - list(1)%pressure - drop) < 0.01_real64*drop, 'drop of the first cluster')
+    drop = 8*1050*(20*list(2)%rate)**2/(pi**2*4**2*0.01_real64**4*0.8_real64**2)
+    call expect(abs(list(2)%wellbore_pressure - list(2)%pressure - drop) < 0.01_real64*drop, 'drop of the second cluster')
+    call expect(abs(sum(list%rate) - 3e-3_real64) < 1e-7_real64 .and. all(abs(list%wellbore_rate - 3e-3_real64) < 1e-12_real64), &
+                'the clusters share the rate')
+    call expect(all(abs(list%wellbore_pressure - list%wellhead_pressure - 1050*9.80665_real64*1500) < 1.0_real64), 'head')
+  end subroutine wellbores
 
 end module fortran_test_outside

@@ -47,7 +47,7 @@ class Definition(unittest.TestCase):
         self.assertEqual((definition.well_count, copied.well_count), (0, 200))
         self.assertEqual(copied.wells[199]["rate"], 1e-6 * 199)
         self.assertEqual(copied.joints[149]["friction"], 0.25)
-        self.assertEqual(copied.schedule[499], schedule[499])
+        self.assertEqual(copied.schedule[499], {**schedule[499], "fluid": "same"})
         copied.set("schedule[499].time", 1.0)
         with self.assertRaisesRegex(hfrac.ModelError, r"schedule\[499\]"):
             copied.check()
@@ -69,7 +69,7 @@ class Definition(unittest.TestCase):
 
     def test_joints_and_schedule(self):
         joint = {"x1": 10.0, "y1": 5.0, "x2": 60.0, "y2": 5.0, "friction": 0.6, "state": "broken"}
-        entry = {"well": 0, "time": 60.0, "value": 0.0, "control": "rate"}
+        entry = {"well": 0, "time": 60.0, "value": 0.0, "control": "rate", "fluid": "second"}
         definition = hfrac.Definition(CASE, joints=[joint], schedule=[entry])
         (read,) = definition.joints
         self.assertEqual(read, {**dict.fromkeys(read, 0.0), **joint, "tensile_factor": 1.0, "shear_factor": 1.0})

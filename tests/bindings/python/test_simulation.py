@@ -1,6 +1,7 @@
 """A simulation's life: create, run, wells, cracks, close."""
 import copy
 import gc
+import math
 import unittest
 
 import hfrac
@@ -147,6 +148,34 @@ class Wells(unittest.TestCase):
             self.assertEqual((len(sim.wells), sim.state_hash), (1, first))
             with self.assertRaisesRegex(hfrac.ArgumentError, "outside the rock"):
                 sim.add_well(-1.0, 60.0)
+
+    def test_wellbore_and_clusters(self):
+        """8 and 4 perforations at one pressure of the wellbore: the drop is 8 rho Q^2 / (pi^2 n^2 D^4 C_d^2), rates go with the counts."""
+        well = {"x": 30.0, "y": 50.0, "radius": 8.0, "wellbore": 3, "height": 20.0, "perforation_count": 8, "perforation_diameter": 0.01,
+                "discharge_coefficient": 0.8, "near_well_friction": 0.0, "depth": 1500.0, "fluid_density": 1050.0, "storage": 1e-12}
+        first = {**well, "control": "rate", "rate": 3e-3}
+        with hfrac.Simulation(
+            packing_disc_count=600, stress={"sigma_Hmax": 30e6, "sigma_hmin": 30e6}, fluid_formation_pressure=25e6, flow_permeability=1e-11,
+            stepping={"mode": "coupled", "flow_step": 1.0}, solver_kind="quasi-static", wells=[first, {**well, "x": 70.0, "perforation_count": 4}],
+        ) as sim:
+            sim.step(4)
+            one, two = (well.state for well in sim.wells)
+            self.assertAlmostEqual(one.rate / two.rate, 2.0, delta=0.02)
+            self.assertAlmostEqual(one.rate + two.rate, 3e-3, delta=3e-8)
+            self.assertAlmostEqual(one.wellbore_rate, 3e-3, delta=1e-12)
+            self.assertEqual(one.wellbore_pressure, two.wellbore_pressure)
+            self.assertAlmostEqual(one.wellbore_pressure - one.wellhead_pressure, 1050.0 * 9.80665 * 1500.0, delta=1.0)
+            drop = 8.0 * 1050.0 * (20.0 * one.rate) ** 2 / (math.pi**2 * 8**2 * 0.01**4 * 0.8**2)
+            self.assertAlmostEqual(one.wellbore_pressure - one.pressure, drop, delta=0.01 * drop)
+            sim.wells[0].set_rate(0.0)
+            sim.step(20)
+            self.assertLess(sim.wells[0].state.wellbore_pressure - sim.wells[0].pressure, 0.01 * drop)  # shut in
+
+    def test_near_well_friction(self):
+        with small(wells=[{"radius": 9.0, "control": "rate", "rate": 1e-4, "near_well_friction": 1e8, "height": 4.0}]) as sim:
+            sim.step()
+            (well,) = sim.wells
+            self.assertAlmostEqual(well.state.wellbore_pressure - well.pressure, 1e8 * (4.0 * 1e-4) ** 0.5, delta=1e4)
 
     def test_no_such_well(self):
         with small() as sim, self.assertRaisesRegex(hfrac.ArgumentError, "well 3 is not there"):

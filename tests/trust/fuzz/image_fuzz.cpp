@@ -60,7 +60,7 @@ Model build(int64_t kind) {
   if (kind == 3) {
     def.thermal_mode = 2;
     hfrac_sim_def_set_i64(&def, "schedule_count", 1);
-    def.schedule[0] = {0, 0.05, 1e-3, HFRAC_WELL_RATE};
+    def.schedule[0] = {0, 0.05, 1e-3, HFRAC_WELL_RATE, 0};
   }
   Model model;
   demand(hfrac_sim_create(&def, &model.sim) == HFRAC_OK);

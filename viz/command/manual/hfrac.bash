@@ -99,10 +99,10 @@ _hfrac() {
       esac
       ;;
     plot)
-      options='--help --width --print --dark --svg --pdf --quiet --kgd --compare --x --y --series --output --title'
+      options='--help --width --print --dark --svg --pdf --quiet --kgd --record --compare --x --y --series --output --title'
       case $before in
         --y) values='cracks tensile-cracks shear-cracks length width extent reach wings volume injected leak-off tip pressure rate initiation-pressure' ;;
-        --width|--print|--compare|--x|--series|-o|--output|--title) files=yes ;;
+        --width|--print|--record|--compare|--x|--series|-o|--output|--title) files=yes ;;
       esac
       ;;
     report)

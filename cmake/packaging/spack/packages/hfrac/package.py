@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Spack: the engine, its C, Fortran and BMI interfaces and the Python package, without the renderer. In a checkout:
-#   spack repo add cmake/packaging/spack && spack dev-build hfrac@0.1.0
+#   spack repo add cmake/packaging/spack && spack dev-build hfrac@0.2.0
 from spack.package import *
 
 
@@ -9,7 +9,7 @@ class Hfrac(CMakePackage):
 
     license("BSD-3-Clause")
 
-    version("0.1.0")
+    version("0.2.0")
 
     depends_on("c", type="build")
     depends_on("cxx", type="build")

@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: BSD-3-Clause
+ * bench_ranks DISCS dry|coupled WORKERS, over as many ranks as mpirun starts: real motion of a tiled packing under far-field stress;
+ * prints milliseconds a cycle and what a rank receives in one. Beside each other: mpirun -n 1 and -n 2, 1 and 2 workers.
+ */
+#define HFRAC_ENABLE_UNSTABLE
+#include <hfrac/hfrac.h>
+#include <hfrac/mpi.h>
+
+#include <mpi.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void require(int32_t status, const hfrac_sim *sim) {
+  char text[1000];
+  if (status >= 0) return;
+  hfrac_last_error(sim, text, sizeof text, NULL);
+  fprintf(stderr, "bench_ranks: %s\n", text);
+  MPI_Abort(MPI_COMM_WORLD, 1);
+}
+
+int main(int count, char **arguments) {
+  hfrac_sim_def def;
+  hfrac_sim *sim = NULL;
+  hfrac_sim_state state;
+  hfrac_traffic traffic;
+  MPI_Init(&count, &arguments);
+  if (count != 4) {
+    fprintf(stderr, "usage: bench_ranks DISCS dry|coupled WORKERS\n");
+    MPI_Abort(MPI_COMM_WORLD, 2);
+  }
+  const int dry = strcmp(arguments[2], "dry") == 0;
+  memset(&state, 0, sizeof state);
+  memset(&traffic, 0, sizeof traffic);
+  state.struct_size = sizeof state;
+  traffic.struct_size = sizeof traffic;
+  require(hfrac_sim_def_init(&def, sizeof def), NULL);
+  require(hfrac_sim_def_set_i64(&def, "packing.disc_count", atoll(arguments[1])), NULL);
+  require(hfrac_sim_def_set_i64(&def, "run.workers", atoll(arguments[3])), NULL);
+  require(hfrac_sim_def_set_str(&def, "packing.method", "tiled"), NULL);
+  require(hfrac_sim_def_set_str(&def, "stepping.mode", "dynamic"), NULL);
+  require(hfrac_sim_def_set_str(&def, "flow.scheme", dry ? "off" : "implicit"), NULL);
+  require(hfrac_sim_create_mpi(&def, (int32_t)MPI_Comm_c2f(MPI_COMM_WORLD), &sim), NULL);
+  require(hfrac_sim_get_state(sim, &state), sim);
+  const double step = 400.0 * state.mechanical_step;
+  require(hfrac_step_prepare(sim), sim);
+  require(hfrac_step_do(sim, step), sim);
+  require(hfrac_step_finalize(sim), sim);
+  require(hfrac_sim_get_state(sim, &state), sim);
+  const int64_t before = state.cycles;
+  MPI_Barrier(MPI_COMM_WORLD);
+  const double begin = MPI_Wtime();
+  require(hfrac_step_prepare(sim), sim);
+  require(hfrac_step_do(sim, 5.0 * step), sim);
+  require(hfrac_step_finalize(sim), sim);
+  const double seconds = MPI_Wtime() - begin;
+  require(hfrac_sim_get_state(sim, &state), sim);
+  require(hfrac_get_traffic(sim, &traffic), sim);
+  int rank = 0, ranks = 1;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  if (rank == 0)
+    printf("%s discs, %s, %d ranks x %s workers: %.4f ms a cycle over %lld cycles, %lld messages and %.1f kB received a cycle\n",
+           arguments[1], arguments[2], ranks, arguments[3], 1e3 * seconds / (double)(state.cycles - before),
+           (long long)(state.cycles - before), (long long)traffic.messages, 1e-3 * (double)traffic.bytes);
+  require(hfrac_sim_destroy(&sim), NULL);
+  require(hfrac_sim_def_free(&def), NULL);
+  MPI_Finalize();
+  return 0;
+}

@@ -1,0 +1,128 @@
+#!/usr/bin/python3
+"""One simulation over several processes: the same files as one process writes, on any number, killed or stopped and gone on with on
+another number; no process waits for one that has gone."""
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+HFRAC = os.environ["HFRAC_COMMAND"]
+MPIEXEC = os.environ["MPIEXEC"]
+CASE = """
+title = "a hole under pressure"
+[packing]
+disc_count = 2000
+[stress]
+sigma_Hmax = 33e6
+sigma_hmin = 28e6
+[stepping]
+steps = 6
+flow_step = 1e-2
+[output]
+every = 2
+checkpoint_steps = 2
+[[well]]
+radius = 10.0
+pressure = 65e6
+"""
+# Open MPI asks root twice, and keeps more ranks than cores from spinning; MPICH knows none of it.
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1",
+                   OMPI_MCA_mpi_yield_when_idle="1", OMPI_MCA_btl="self,vader", OMPI_MCA_plm="isolated")
+
+
+def over(ranks, *command):
+    return [MPIEXEC, "-n", str(ranks), *map(str, command)]
+
+
+def run(command, **options):
+    return subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=300, **options)
+
+
+class Mpi(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.case = self.folder / "case.toml"
+        self.case.write_text(CASE)
+
+    def alone(self, *more):
+        done = run([HFRAC, "run", self.case, "-o", self.folder / "alone", "-q", *more])
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return self.folder / "alone"
+
+    def same(self, one, other):
+        """All of a run's results, but for what tells of time and place."""
+        names = sorted(p.name for p in one.iterdir() if p.suffix in (".csv", ".vtu", ".pvd"))
+        self.assertIn("cracks.csv", names)
+        self.assertEqual(names, sorted(p.name for p in other.iterdir() if p.suffix in (".csv", ".vtu", ".pvd")))
+        for name in names:
+            self.assertEqual((one / name).read_bytes(), (other / name).read_bytes(), f"{name} in {other.name}")
+
+    def test_any_number_of_processes_writes_the_same_run(self):
+        alone = self.alone()
+        self.assertGreater(len((alone / "cracks.csv").read_text().splitlines()), 3)
+        for ranks in (2, 3):
+            done = run(over(ranks, HFRAC, "run", self.case, "-o", self.folder / f"on-{ranks}", "--workers", 1))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.same(alone, self.folder / f"on-{ranks}")
+            # One of them speaks.
+            self.assertEqual(done.stderr.count("will write"), 1, done.stderr)
+
+    def test_a_killed_process_ends_all_and_the_run_goes_on_on_another_number(self):
+        alone = self.alone()
+        folder = self.folder / "killed"
+        process = subprocess.Popen(over(3, HFRAC, "run", self.case, "-o", folder, "-q"), env=ENVIRONMENT,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while process.poll() is None and not list(folder.glob("checkpoint*")):
+            time.sleep(0.01)
+        children = subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True, text=True).stdout.split()
+        self.assertTrue(children)
+        os.kill(int(children[-1]), signal.SIGKILL)
+        began = time.monotonic()
+        self.assertNotEqual(process.wait(timeout=30), 0)
+        self.assertLess(time.monotonic() - began, 30)
+        done = run(over(2, HFRAC, "resume", folder, "-q"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.same(alone, folder)
+
+    def test_what_the_first_process_refuses_ends_all(self):
+        self.alone()
+        done = run(over(2, HFRAC, "run", self.case, "-o", self.folder / "alone"))
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("already holds", done.stderr)
+
+    def test_a_program_in_c_gives_its_communicators(self):
+        done = run(over(4, os.environ["HFRAC_MPI_PROGRAM"], 2))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        hashes = done.stdout.split()
+        self.assertEqual(len(hashes), 8)
+        self.assertEqual(len(set(hashes)), 1, done.stdout)
+
+    def test_python_takes_a_communicator_of_mpi4py(self):
+        try:
+            import mpi4py  # noqa: F401
+        except ImportError:
+            self.skipTest("python3-mpi4py is not installed")
+        program = self.folder / "program.py"
+        program.write_text(f"""
+from mpi4py import MPI
+import hfrac
+sim = hfrac.Simulation({str(self.case)!r}, comm=MPI.COMM_WORLD)
+sim.step(2)
+print(sim.state_hash)
+""")
+        hashes = run(over(2, sys.executable, program)).stdout.split()
+        self.assertEqual(len(hashes), 2)
+        self.assertEqual(len(set(hashes)), 1)
+        alone = run([sys.executable, program]).stdout.split()
+        self.assertEqual(hashes[:1], alone)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

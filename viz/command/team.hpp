@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The processes that mpirun (or Slurm's srun) started together: `mpirun -n 8 hfrac run CASE -o DIR`. All build and step one simulation
+// (hfrac/exchange.h); the first writes and speaks, the others follow. Without a launcher, and without libhfrac_mpi, the program is
+// alone and needs neither.
+#pragma once
+
+#ifndef HFRAC_ENABLE_UNSTABLE
+#define HFRAC_ENABLE_UNSTABLE
+#endif
+#include <hfrac/hfrac.h>
+
+#include <string>
+
+namespace hfrac::command {
+
+class Team {
+ public:
+  /** Joins the others, if there are any. Throws BadInput if the launcher says so, but there is no libhfrac_mpi. */
+  Team();
+  /** Unless done() was called, the others are told that this process has failed. */
+  ~Team();
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+
+  [[nodiscard]] bool alone() const { return exchange_.size == 1; }
+  [[nodiscard]] bool follows() const { return exchange_.rank > 0; }
+  [[nodiscard]] const hfrac_exchange& exchange() const { return exchange_; }
+  /** What the first process has, on all. */
+  [[nodiscard]] std::string share(std::string bytes) const;
+  /** All have come to the end. */
+  void done();
+
+ private:
+  hfrac_exchange exchange_{};
+  int32_t (*end_)(int32_t failed) = nullptr;
+};
+
+}  // namespace hfrac::command
