@@ -56,7 +56,7 @@ std::vector<NonBondedContacts::Pair> pairs_near_cracks(const Assembly& a,
       const auto at = static_cast<std::size_t>(k);
       if (std::hypot(p.x - x[at], p.y - y[at]) - touch > reach || a.bond_between(i, j) >= 0) return;
       // Across a smooth joint its own contacts bear everything.
-      if (a.smooth.separate({a.x[i], a.y[i]}, {a.x[j], a.y[j]})) return;
+      if (a.smooth.separate(i, {a.x[i], a.y[i]}, j, {a.x[j], a.y[j]})) return;
       const double at_bonding = std::hypot(a.x[j] - a.x[i], a.y[j] - a.y[i]) - touch;
       found.push_back({std::min(i, j), std::max(i, j), std::min(0.0, at_bonding)});
     });
