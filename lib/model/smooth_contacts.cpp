@@ -26,7 +26,8 @@ std::vector<Vec2> places_along(Vec2 from, Vec2 to, double pace) {
 void SmoothJoints::sort_lines(double cell) {
   std::vector<double> x, y;
   line_at_.clear();
-  pace_ = cell;
+  constexpr double paces = 4.0;  // few places, and few lines near each
+  pace_ = paces * cell;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     for (const Vec2 at : places_along(lines[k].from, lines[k].to, pace_)) {
       x.push_back(at.x);
@@ -34,7 +35,7 @@ void SmoothJoints::sort_lines(double cell) {
       line_at_.push_back(static_cast<std::int32_t>(k));
     }
   }
-  places_.emplace(x, y, cell);
+  places_.emplace(x, y, pace_);
 }
 
 bool SmoothJoints::any_between(Vec2 p, Vec2 q, std::int32_t but) const {

@@ -166,6 +166,32 @@ CaseDefinition cut_case(JointState state, SolverKind solver, double degrees, dou
   return definition;
 }
 
+// On either side of a joint that slides the rock keeps its neighbours, and across it contacts of the joint bear everything: no disc is to be
+// looked at for others, though all bonds that the joint crosses are broken. Where a bond of the rock breaks beside it some are.
+TEST(SmoothJoint, LeavesTheRockBesideItWhole) {
+  for (const SolverKind kind : {SolverKind::explicit_solver, SolverKind::quasi_static}) {
+    CaseDefinition definition = cut_case(JointState::smooth_broken, kind, 45.0, 0.2);
+    definition.options.stress_sigma_Hmax = 14e6;
+    Simulation s(definition, {}, {});
+    set_far_field(s, 30e6, 10e6);
+    s.step();
+    EXPECT_GT(s.cracks().size(), 10U);
+    EXPECT_TRUE(s.model().contact_pairs.cracked.empty());
+    EXPECT_TRUE(s.model().contact_pairs.pairs.empty());
+    Engine& e = s.engine();
+    const SmoothContact& contact = s.assembly().smooth.contacts[8];
+    const auto disc = s.assembly().first[contact.bond];
+    std::int64_t beside = -1;
+    for (std::int64_t b = 0; b < s.assembly().bond_count(); ++b)
+      if ((s.assembly().first[b] == disc || s.assembly().second[b] == disc) &&
+          s.assembly().smooth.of(b) == nullptr)
+        beside = b;
+    e.mechanics->break_bond(beside, e.model.cracks);
+    e.mechanics->search_contacts(e.model.cracks);
+    EXPECT_EQ(s.model().contact_pairs.cracked.size(), 2U);
+  }
+}
+
 double largest_slide(const Simulation& s) {
   double slide = 0.0;
   farthest_slide(s.assembly(), slide);
