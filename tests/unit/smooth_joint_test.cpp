@@ -225,6 +225,27 @@ TEST(SmoothJoint, BothSolversFindTheSameRestAndTheBalanceCloses) {
   EXPECT_NEAR(slid[0], slid[1], 0.06 * slid[1]);  // friction remembers the way, and motion overshoots
 }
 
+// No discs beside a joint are looked at between cycles, so that several are taken in one pass (temporal_blocking.hpp).
+TEST(SmoothJoint, SlidesAlikeInPassesOfSeveralCycles) {
+  CaseDefinition definition = cut_case(JointState::smooth_broken, SolverKind::explicit_solver, 45.0, 0.2);
+  definition.options.packing_disc_count = 4000;
+  definition.options.stepping_force_ratio = 1e-2;
+  definition.options.stepping_max_cycles = 2000;
+  definition.options.stress_sigma_Hmax = 14e6;
+  std::uint64_t hash = 0;
+  for (const BlockingShape& shape : {BlockingShape{1, 1, 1}, BlockingShape{4, 2, 1}, BlockingShape{8, 2, 2}}) {
+    definition.options.run_workers = shape.front;
+    Simulation s(definition, {}, {});
+    s.engine().mechanics->set_blocking(shape);
+    set_far_field(s, 30e6, 10e6);
+    s.step();
+    EXPECT_TRUE(s.model().contact_pairs.pairs.empty());
+    EXPECT_GT(largest_slide(s), 1e-4);
+    if (shape.cycles == 1) hash = s.state_hash();
+    EXPECT_EQ(s.state_hash(), hash) << shape.cycles;
+  }
+}
+
 // Contacts as the kernels answer them against the law in scalars, with a largest closure and without: open, sticking, sliding, holding.
 TEST(SmoothJoint, KernelsAnswerAsTheLawDoesOnEveryInstructionSet) {
   for (const JointState state : {JointState::smooth_broken, JointState::smooth_bonded}) {
