@@ -233,7 +233,8 @@ TEST(SmoothJoint, SlidesAlikeInPassesOfSeveralCycles) {
   definition.options.stepping_max_cycles = 2000;
   definition.options.stress_sigma_Hmax = 14e6;
   std::uint64_t hash = 0;
-  for (const BlockingShape& shape : {BlockingShape{1, 1, 1}, BlockingShape{4, 2, 1}, BlockingShape{8, 2, 2}}) {
+  for (const BlockingShape& shape :
+       {BlockingShape{1, 1, 1}, BlockingShape{4, 2, 1}, BlockingShape{8, 2, 2}}) {
     definition.options.run_workers = shape.front;
     Simulation s(definition, {}, {});
     s.engine().mechanics->set_blocking(shape);
