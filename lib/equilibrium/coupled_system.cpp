@@ -479,6 +479,13 @@ double CoupledSystem::opens(std::size_t e, const Vector& x) const {
   return opening + (way.by_first * x[3 * i + 2] + way.by_second * x[3 * j + 2]) / length_scale_;
 }
 
+double CoupledSystem::work_along(const Vector& x) const {
+  const auto discs = 3 * discs_, rest = x.size() - discs - domains_;
+  return x.head(discs).dot(residual_.head(discs)) -
+         x.segment(discs, domains_).dot(residual_.segment(discs, domains_)) +
+         x.tail(rest).dot(residual_.tail(rest));
+}
+
 void CoupledSystem::limit(Vector& x, double longest) const {
   for (std::int64_t i = 0; i < discs_; ++i) {
     const double size = std::max({std::abs(x[3 * i]), std::abs(x[3 * i + 1]), std::abs(x[3 * i + 2])});

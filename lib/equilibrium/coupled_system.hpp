@@ -51,6 +51,10 @@ class CoupledSystem {
   [[nodiscard]] double force_ratio() const { return force_ratio_; }
   [[nodiscard]] double pressure_error() const { return pressure_error_; }
 
+  // What the residual as it stands does along x: falls along a step, since the tangent with the domains' rows negated has a positive
+  // symmetric part but for what slides and what is at the floor.
+  [[nodiscard]] double work_along(const Vector& x) const;
+
   // Where the equations are farthest from fulfilled: the place of that disc or domain [m].
   [[nodiscard]] Vec2 worst_place() const;
 

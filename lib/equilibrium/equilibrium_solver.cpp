@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "equilibrium/step_part.hpp"
 #include "solid/bond_law.hpp"
 
 namespace hfrac {
@@ -114,11 +115,19 @@ bool EquilibriumSolver::find_rest_of_fractures(Outcome& outcome, const std::func
 }
 
 bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>& interrupt) {
+  if (find_rest(outcome, interrupt, Way::by_work)) return true;
+  if (!fractured() || outcome.end == End::stopped) return false;
+  system_.move(gone_, -1.0);
+  return find_rest(outcome, interrupt, Way::by_residual);
+}
+
+bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>& interrupt, Way way) {
   const double tolerance = options_.solver_tolerance;
   using Vector = CoupledSystem::Vector;
   const Krylov::Apply product = [this](const Vector& x, Vector& y) { system_.product(x, y); };
   const Krylov::Apply precondition = [this](const Vector& right, Vector& x) { factor_.solve(right, x); };
   CoupledSystem::Vector step;
+  gone_.setZero(system_.size());
   int uphill = 0, best_at = 0;
   system_.evaluate();
   double best = system_.residual().norm();
@@ -156,9 +165,7 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
     if (!std::isfinite(step.squaredNorm())) return false;
 
     system_.limit(step, longest_move * assembly_.mean_radius);
-    // The equations have kinks, where contacts open, close, stick and slide. Where no part of the step leads down, the whole of it
-    // is taken all the same, to come out on the other side; every other time half of it, against going to and fro.
-    const double before = right.norm();
+    const double before = right.norm(), push = system_.work_along(step);
     const bool whole_steps = fractured();
     const double longest = whole_steps ? 1.0 : system_.share_for_apertures(step, 4.0);
     double share = 0.0;
@@ -170,27 +177,30 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
       return system_.residual().norm();
     };
     double after = go_to(1.0);
-    // Facets that open, close, stick and slide are the only kinks while apertures are held: the whole step is the best one, and half of it
-    // every other time leads out of a circle; where it does not, the part that leaves least.
-    if (whole_steps && iteration - best_at >= circle) {
-      double best_part = 1.0, least = after;
-      for (const double part : {0.75, 0.5, 0.25, 0.1, 0.03}) {
-        if (after = go_to(part); after < least) {
-          least = after;
-          best_part = part;
-        }
+    if (whole_steps) {
+      const bool circles = iteration - best_at >= circle;
+      const double beyond = system_.work_along(step);
+      if (way == Way::by_work && !(after < 0.5 * before) && goes_too_far(push, beyond)) {
+        after = go_to(part_by_work(push, beyond, [&](double part) {
+          go_to(part);
+          return system_.work_along(step);
+        }));
+      } else if (circles) {
+        after = go_to(part_that_leaves_least(after, go_to));
+      } else if (way == Way::by_residual && iteration >= 4 && iteration % 2 == 0 && !(after < 0.5 * before)) {
+        after = go_to(0.5);  // out of a circle that has just begun
       }
-      after = go_to(best_part);
-    } else if (whole_steps && iteration >= 4 && iteration % 2 == 0 && !(after < 0.5 * before)) {
-      after = go_to(0.5);
+    } else {
+      // The equations have kinks, where contacts open, close, stick and slide. Where no part of the step leads down, the whole of it
+      // is taken all the same, to come out on the other side; every other time half of it, against going to and fro.
+      double part = 1.0;
+      for (int halving = 0; halving < 4 && !(after < before); ++halving) after = go_to(part *= 0.5);
+      if (!(after < before)) {
+        if (++uphill > most_uphill) return false;
+        after = go_to(uphill % 2 == 1 ? 1.0 : 0.5);
+      }
     }
-    double part = 1.0;
-    for (int halving = 0; !whole_steps && halving < 4 && !(after < before); ++halving)
-      after = go_to(part *= 0.5);
-    if (!whole_steps && !(after < before)) {
-      if (++uphill > most_uphill) return false;
-      after = go_to(uphill % 2 == 1 ? 1.0 : 0.5);
-    }
+    gone_ += share * step;
     // What goes to and fro between two sides of a kink, or round a fold, finds no rest in this increment; a shorter one may.
     if (after < fall * best) {
       best = after;

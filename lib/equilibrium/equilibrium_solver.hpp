@@ -58,6 +58,9 @@ class EquilibriumSolver {
   [[nodiscard]] bool fractured() const { return !facets_.all().empty() || !network_.joint_pore.empty(); }
   bool find_rest_of_fractures(Outcome& outcome, const std::function<bool()>& interrupt);
   bool find_rest(Outcome& outcome, const std::function<bool()>& interrupt);
+  // How steps are cut where faces open and slide: by the work of the forces left, or where the residual goes in a circle.
+  enum class Way { by_work, by_residual };
+  bool find_rest(Outcome& outcome, const std::function<bool()>& interrupt, Way way);
   struct Exceeding {
     double excess;  // stress over strength, at least 1
     std::int64_t bond;
@@ -75,6 +78,7 @@ class EquilibriumSolver {
   CoupledSystem system_;
   CoupledFactor factor_;
   Krylov krylov_;
+  CoupledSystem::Vector gone_;  // since find_rest began
   std::vector<double> pressure_start_;
   std::vector<Exceeding> exceeding_;
   double time_ = 0.0;

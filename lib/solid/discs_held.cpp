@@ -50,8 +50,8 @@ class Pieces {
 
 }  // namespace
 
-std::vector<KeptBond> keep_discs_held(const Assembly& a, const std::vector<JointOptions>& joints,
-                                      std::vector<std::int32_t>& joint_of) {
+HeldDiscs keep_discs_held(const Assembly& a, const std::vector<JointOptions>& joints,
+                          std::vector<std::int32_t>& joint_of) {
   const auto cut_by = [&](std::int64_t e) {
     const auto k = joint_of[static_cast<std::size_t>(e)];
     return k >= 0 && is_smooth(JointState{joints[static_cast<std::size_t>(k)].state}) ? k : -1;
@@ -78,17 +78,22 @@ std::vector<KeptBond> keep_discs_held(const Assembly& a, const std::vector<Joint
     return (disc.several && disc.bonds < fewest_held) ||
            (flake.bonds < fewest_held && pieces.size(pieces.of(i)) <= Fragments::largest_flake);
   };
-  std::vector<KeptBond> kept;
+  HeldDiscs held;
+  for (std::int32_t i = 0; i < a.disc_count(); ++i) {
+    const auto piece = pieces.of(i);
+    if (flakes[piece].joint >= 0 && !flakes[piece].several && pieces.size(piece) <= Fragments::largest_flake)
+      held.moved.push_back({i, flakes[piece].joint});
+  }
   for (std::int64_t e = 0; e < a.bond_count(); ++e) {
     if (cut_by(e) < 0 || (!loose(a.first[e]) && !loose(a.second[e]))) continue;
-    kept.push_back({e, cut_by(e)});
+    held.kept.push_back({e, cut_by(e)});
     joint_of[static_cast<std::size_t>(e)] = -1;
     for (const auto i : {a.first[e], a.second[e]}) {
       ++discs[static_cast<std::size_t>(i)].bonds;
       ++flakes[pieces.of(i)].bonds;
     }
   }
-  return kept;
+  return held;
 }
 
 }  // namespace hfrac

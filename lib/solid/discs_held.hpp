@@ -4,6 +4,7 @@
 // Where joints meet, a disc that they cut off on all sides but one has nothing that keeps it from turning: contacts that look along a
 // joint's normal bear it off its middle. And a disc that joints cut off, or a few that are bonded to each other only, are too small a piece of
 // rock: those that a single joint cuts off have no neighbours on their side of it, and float away as it opens until they lie on other discs.
+// They are left to the other side, so where the joint slides the discs they come to on their own side are across it.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +20,16 @@ struct KeptBond {
   std::int32_t joint;  // that crosses it
 };
 
+struct HeldDiscs {
+  std::vector<KeptBond> kept;
+  struct Moved {
+    std::int32_t disc, joint;
+  };
+  std::vector<Moved> moved;  // that one joint cut off; ascending
+};
+
 // `joint_of`: the joint that crosses each bond, or -1, as those bonds are from here on.
-std::vector<KeptBond> keep_discs_held(const Assembly& assembly, const std::vector<JointOptions>& joints,
-                                      std::vector<std::int32_t>& joint_of);
+HeldDiscs keep_discs_held(const Assembly& assembly, const std::vector<JointOptions>& joints,
+                          std::vector<std::int32_t>& joint_of);
 
 }  // namespace hfrac

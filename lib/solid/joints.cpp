@@ -79,7 +79,7 @@ std::int64_t apply_joints(Assembly& a, const std::vector<JointOptions>& joints, 
   std::vector<std::int32_t> joint_of(bonds, -1);
   const std::int64_t left_out = find_crossed(a, joints, joint_of, a.smooth.shared);
   std::sort(a.smooth.shared.begin(), a.smooth.shared.end());
-  const std::vector<KeptBond> kept = keep_discs_held(a, joints, joint_of);
+  const HeldDiscs held = keep_discs_held(a, joints, joint_of);
   std::vector<std::int64_t> crossed, broken;
   for (std::int64_t e = 0; e < a.bond_count(); ++e) {
     const auto joint = joint_of[static_cast<std::size_t>(e)];
@@ -105,7 +105,12 @@ std::int64_t apply_joints(Assembly& a, const std::vector<JointOptions>& joints, 
     log.push_back(crack);
   }
   begin_smooth_joints(a, joints, joint_of, o);
-  bridge_flow(a, kept);
+  bridge_flow(a, held.kept);
+  std::vector<std::int32_t> line_of;  // lines are those of smooth joints
+  for (const auto& joint : joints)
+    line_of.push_back((line_of.empty() ? -1 : line_of.back()) + (is_smooth(JointState{joint.state}) ? 1 : 0));
+  for (const auto& [disc, joint] : held.moved)
+    a.smooth.moved.push_back({disc, line_of[static_cast<std::size_t>(joint)]});
   combine_factors(a, o);
   return left_out;
 }

@@ -12,9 +12,12 @@ namespace {
 constexpr double search_gap = 0.4;   // pairs up to this gap are listed, in mean radii
 constexpr double search_move = 0.1;  // listed anew when a disc moved this far, in mean radii
 
+// But for bonds in place of which a contact of a smooth joint answers: those leave the rock on either side of the joint as whole as it was, and
+// no disc of one side bears on one of the other.
 std::vector<std::int32_t> discs_with_broken_bonds(const Assembly& a, const CrackLog& cracks) {
   std::vector<std::int32_t> discs;
   for (const auto& crack : cracks) {
+    if (a.smooth.of(crack.bond) != nullptr) continue;
     discs.push_back(a.first[crack.bond]);
     discs.push_back(a.second[crack.bond]);
   }
@@ -32,6 +35,7 @@ double gap_of(const Assembly& a, std::int32_t i, std::int32_t j) {  // m
 // memory nor, away from the cracks, more than a look at their bounding box.
 std::vector<NonBondedContacts::Pair> pairs_near_cracks(const Assembly& a,
                                                        const std::vector<std::int32_t>& cracked) {
+  if (cracked.empty()) return {};
   const double largest = *std::max_element(a.radius.begin(), a.radius.end());
   std::vector<double> x, y;
   for (const auto i : cracked) {
@@ -56,7 +60,7 @@ std::vector<NonBondedContacts::Pair> pairs_near_cracks(const Assembly& a,
       const auto at = static_cast<std::size_t>(k);
       if (std::hypot(p.x - x[at], p.y - y[at]) - touch > reach || a.bond_between(i, j) >= 0) return;
       // Across a smooth joint its own contacts bear everything.
-      if (a.smooth.separate({a.x[i], a.y[i]}, {a.x[j], a.y[j]})) return;
+      if (a.smooth.separate(i, {a.x[i], a.y[i]}, j, {a.x[j], a.y[j]})) return;
       const double at_bonding = std::hypot(a.x[j] - a.x[i], a.y[j] - a.y[i]) - touch;
       found.push_back({std::min(i, j), std::max(i, j), std::min(0.0, at_bonding)});
     });

@@ -2,7 +2,8 @@
 // Contacts between discs that were never bonded to each other.
 //
 // Intact rock keeps its neighbours, so the step loop knows bonded pairs only. Where bonds broke, discs may slide along and meet
-// others: around such discs, and only there, near pairs are searched for again whenever something broke or moved. Their
+// others: around such discs, and only there, near pairs are searched for again whenever something broke or moved. Not where a contact of a
+// smooth joint stands for the bond: what lies across the joint that one bears, and on either side the rock keeps its neighbours. Their
 // law is that of any contact, with the shear force kept as history: F_n = k_n max(0, -g), dF_s = k_s du_s,
 // |F_s| <= mu F_n. Overlap that pairs had at bonding, or when they are first looked at, carries no force: rock that was pressed
 // together before anything broke near by would otherwise gain energy by being looked at. There are few of them, so one worker does all.

@@ -166,6 +166,32 @@ CaseDefinition cut_case(JointState state, SolverKind solver, double degrees, dou
   return definition;
 }
 
+// On either side of a joint that slides the rock keeps its neighbours, and across it contacts of the joint bear everything: no disc is to be
+// looked at for others, though all bonds that the joint crosses are broken. Where a bond of the rock breaks beside it some are.
+TEST(SmoothJoint, LeavesTheRockBesideItWhole) {
+  for (const SolverKind kind : {SolverKind::explicit_solver, SolverKind::quasi_static}) {
+    CaseDefinition definition = cut_case(JointState::smooth_broken, kind, 45.0, 0.2);
+    definition.options.stress_sigma_Hmax = 14e6;
+    Simulation s(definition, {}, {});
+    set_far_field(s, 30e6, 10e6);
+    s.step();
+    EXPECT_GT(s.cracks().size(), 10U);
+    EXPECT_TRUE(s.model().contact_pairs.cracked.empty());
+    EXPECT_TRUE(s.model().contact_pairs.pairs.empty());
+    Engine& e = s.engine();
+    const SmoothContact& contact = s.assembly().smooth.contacts[8];
+    const auto disc = s.assembly().first[contact.bond];
+    std::int64_t beside = -1;
+    for (std::int64_t b = 0; b < s.assembly().bond_count(); ++b)
+      if ((s.assembly().first[b] == disc || s.assembly().second[b] == disc) &&
+          s.assembly().smooth.of(b) == nullptr)
+        beside = b;
+    e.mechanics->break_bond(beside, e.model.cracks);
+    e.mechanics->search_contacts(e.model.cracks);
+    EXPECT_EQ(s.model().contact_pairs.cracked.size(), 2U);
+  }
+}
+
 double largest_slide(const Simulation& s) {
   double slide = 0.0;
   farthest_slide(s.assembly(), slide);
@@ -197,6 +223,28 @@ TEST(SmoothJoint, BothSolversFindTheSameRestAndTheBalanceCloses) {
     EXPECT_GT(moved, 1e-3);
   }
   EXPECT_NEAR(slid[0], slid[1], 0.06 * slid[1]);  // friction remembers the way, and motion overshoots
+}
+
+// No discs beside a joint are looked at between cycles, so that several are taken in one pass (temporal_blocking.hpp).
+TEST(SmoothJoint, SlidesAlikeInPassesOfSeveralCycles) {
+  CaseDefinition definition = cut_case(JointState::smooth_broken, SolverKind::explicit_solver, 45.0, 0.2);
+  definition.options.packing_disc_count = 4000;
+  definition.options.stepping_force_ratio = 1e-2;
+  definition.options.stepping_max_cycles = 2000;
+  definition.options.stress_sigma_Hmax = 14e6;
+  std::uint64_t hash = 0;
+  for (const BlockingShape& shape :
+       {BlockingShape{1, 1, 1}, BlockingShape{4, 2, 1}, BlockingShape{8, 2, 2}}) {
+    definition.options.run_workers = shape.front;
+    Simulation s(definition, {}, {});
+    s.engine().mechanics->set_blocking(shape);
+    set_far_field(s, 30e6, 10e6);
+    s.step();
+    EXPECT_TRUE(s.model().contact_pairs.pairs.empty());
+    EXPECT_GT(largest_slide(s), 1e-4);
+    if (shape.cycles == 1) hash = s.state_hash();
+    EXPECT_EQ(s.state_hash(), hash) << shape.cycles;
+  }
 }
 
 // Contacts as the kernels answer them against the law in scalars, with a largest closure and without: open, sticking, sliding, holding.
