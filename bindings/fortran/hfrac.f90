@@ -138,7 +138,11 @@ contains
       full%values%log = c_funloc(tell_host)
       full%values%log_user = c_loc(holder)
     end if
-    call report(hfrac_sim_create(full%values, self%handle), c_null_ptr, stat, errmsg)
+    if (allocated(def%exchange)) then
+      call report(hfrac_sim_create_on(full%values, def%exchange, self%handle), c_null_ptr, stat, errmsg)
+    else
+      call report(hfrac_sim_create(full%values, self%handle), c_null_ptr, stat, errmsg)
+    end if
   end subroutine create_from_definition
 
   !> Builds a simulation from a case file.

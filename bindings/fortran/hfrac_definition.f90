@@ -49,6 +49,8 @@ module hfrac_definition_module
     procedure(hfrac_progress), pointer, nopass :: progress => null()
     !> Told what happens while the simulation is built.
     procedure(hfrac_log), pointer, nopass :: log => null()
+    !> How the ranks talk that build and step the simulation together (module hfrac_mpi); not allocated: there is one.
+    type(hfrac_exchange), allocatable :: exchange
   contains
     procedure :: init
     procedure :: free
@@ -100,6 +102,7 @@ contains
     if (allocated(self%bonds)) other%bonds = self%bonds
     other%progress => self%progress
     other%log => self%log
+    if (allocated(self%exchange)) other%exchange = self%exchange
     call report(hfrac_sim_def_copy(self%values, other%values), c_null_ptr, stat, errmsg)
   end subroutine copy_to
 

@@ -488,6 +488,21 @@ static void warm(hfrac_sim_def* def) {
   good(hfrac_sim_destroy(&sim), NULL, "destroy");
 }
 
+/* One rank needs no functions. */
+static void one_rank(const hfrac_sim_def* def) {
+  hfrac_exchange exchange;
+  hfrac_traffic traffic;
+  hfrac_sim* sim = NULL;
+  good(hfrac_exchange_init(&exchange, (int32_t)sizeof exchange), NULL, "exchange_init");
+  check(exchange.size == 1 && exchange.start == NULL, "one rank");
+  good(hfrac_sim_create_on(def, &exchange, &sim), NULL, "create_on");
+  memset(&traffic, 0, sizeof traffic);
+  traffic.struct_size = (int32_t)sizeof traffic;
+  good(hfrac_get_traffic(sim, &traffic), sim, "get_traffic");
+  check(traffic.messages == 0 && traffic.bytes == 0, "that says nothing");
+  good(hfrac_sim_destroy(&sim), NULL, "destroy");
+}
+
 int main(void) {
   hfrac_sim_def def;
   hfrac_well_def well;
@@ -509,6 +524,7 @@ int main(void) {
   }
   good(hfrac_sim_destroy(&sim), NULL, "destroy");
   check(sim == NULL, "the simulation is gone");
+  one_rank(&def);
   warm(&def);
   rock_tests();
   return failures == 0 ? 0 : 1;

@@ -25,10 +25,17 @@ inline hfrac::Definition warm_def() {
   return def;
 }
 
+inline hfrac_exchange one_rank() {
+  hfrac_exchange exchange;
+  hfrac_exchange_init(&exchange, sizeof exchange);
+  return exchange;
+}
+
 // What the calls write to and read from; larger than any of them needs.
 struct Ground {
   hfrac_sim* sim = nullptr;
   hfrac_sim* made = nullptr;  // by hfrac_sim_create, or to be destroyed
+  hfrac_exchange exchange = one_rank();
   hfrac::Definition def = warm_def(), read;
   std::vector<double> reals = std::vector<double>(1U << 17U, 30e6);
   std::vector<int32_t> numbers = std::vector<int32_t>(1U << 17U);

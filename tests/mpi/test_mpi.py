@@ -104,6 +104,15 @@ class Mpi(unittest.TestCase):
         self.assertEqual(len(hashes), 8)
         self.assertEqual(len(set(hashes)), 1, done.stdout)
 
+    def test_a_program_in_fortran_gives_its_communicator(self):
+        program = os.environ.get("HFRAC_MPI_FORTRAN")
+        if not program:
+            self.skipTest("no Fortran compiler, or no MPI for it")
+        hashes = run(over(3, program)).stdout.split()
+        self.assertEqual(len(hashes), 3)
+        self.assertEqual(len(set(hashes)), 1)
+        self.assertEqual(run(over(4, os.environ["HFRAC_MPI_PROGRAM"], 2)).stdout.split()[0].upper(), hashes[0])
+
     def test_python_takes_a_communicator_of_mpi4py(self):
         try:
             import mpi4py  # noqa: F401

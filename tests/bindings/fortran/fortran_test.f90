@@ -18,6 +18,7 @@ program fortran_test
   call running()
   call wells()
   call wellbores()
+  call one_rank()
   call fields()
   call cracks_and_fractures()
   call progress()

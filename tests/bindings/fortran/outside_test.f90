@@ -7,9 +7,25 @@ module fortran_test_outside
   use hfrac
   implicit none
   private
-  public :: wells, wellbores, warm, exchange
+  public :: wells, wellbores, warm, exchange, one_rank
 
 contains
+
+  ! One rank needs no functions to talk by.
+  subroutine one_rank()
+    type(hfrac_definition) :: def
+    type(hfrac_simulation) :: sim, other
+    type(hfrac_traffic) :: traffic
+    call def%load(case_file)
+    call sim%create(def)
+    allocate (def%exchange)
+    call expect(hfrac_exchange_init(def%exchange, int(c_sizeof(def%exchange), c_int32_t)) == 0, 'defaults of ranks')
+    call expect(def%exchange%size == 1, 'one rank')
+    call other%create(def)
+    call expect(other%state_hash() == sim%state_hash(), 'the same model')
+    traffic = other%traffic()
+    call expect(traffic%messages == 0 .and. traffic%bytes == 0, 'one rank hears nothing')
+  end subroutine one_rank
 
   subroutine wells()
     type(hfrac_simulation) :: sim
