@@ -44,6 +44,8 @@ TilePlan plan_tiles(const Assembly& a, const Network& n, bool fluid, bool outsid
   }
   for (auto part = static_cast<std::size_t>(count); part + 1 < a.part_first_bond.size(); ++part)
     plan.pairs.push_back({a.part_first_bond[part], a.part_first_bond[part + 1], a.geometry.first_block(part)});
+  auto& outside = plan.cross_parts.back();
+  outside.first_pair = outside.last_pair = static_cast<std::int64_t>(plan.pairs.size());
 
   // Pores of a dry model neither push nor answer: none is on the plan.
   std::int64_t d = 1;

@@ -98,7 +98,7 @@ static void define(hfrac_sim_def* def, hfrac_well_def* well) {
   check(count == 20 && strcmp(info.key, "x1") == 0, "a joint's values are listed");
   good(hfrac_schedule_option_count(&count), NULL, "schedule_option_count");
   good(hfrac_schedule_option_at(1, &info), NULL, "schedule_option_at");
-  check(count == 4 && strcmp(info.key, "time") == 0, "an entry's values are listed");
+  check(count == 5 && strcmp(info.key, "time") == 0, "an entry's values are listed");
   good(hfrac_sim_def_write(def, text, (int32_t)sizeof text, &needed), NULL, "def_write");
   check(needed == (int32_t)strlen(text) + 1, "the text has the size it says");
 

@@ -56,7 +56,7 @@ constexpr Case cases[] = {
        def.fluid_formation_pressure = 0.0;
        def.bond_fracture_toughness = 2e6;
        def.fracture_plane_modulus = 18.6e9;
-       def.wells[0].pressure = 40e6;
+       def.wells[0].pressure = 90e6;
      },
      1},
     {"softening", 1600, 1, [](auto& def) { def.bond_fracture_energy = 2e6; }, 0},

@@ -12,7 +12,7 @@ from mpi4py import MPI
 import hfrac
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "trust"))
-from random_models import do, draw  # noqa: E402
+from random_models import add_well, do, draw  # noqa: E402
 
 COMM = MPI.COMM_WORLD
 FAILURES = (hfrac.ModelError, hfrac.ArgumentError, hfrac.DivergedError, hfrac.CollapsedError)
@@ -23,8 +23,9 @@ def course(model, deeds, comm):
     states = []
     try:
         with hfrac.Simulation(**model, comm=comm) as sim:
-            for deed, share in deeds[:3]:
+            for deed, share, well in deeds[:3]:
                 do(sim, model, deed, share)
+                add_well(sim, well)
                 sim.step()
                 states.append(sim.state_hash)
     except FAILURES as end:

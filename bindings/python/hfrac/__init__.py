@@ -48,6 +48,7 @@ from .errors import (
     BusyError,
     CallbackError,
     CollapsedError,
+    ExchangeError,
     CaseFileError,
     DivergedError,
     FileError,
@@ -65,7 +66,7 @@ from .errors import (
 
 __all__ = [
     "FIELDS", "Advance", "ArgumentError", "BadHandleError", "Balance", "Bonds", "BusyError", "Calibration",
-    "CallbackError", "CollapsedError",
+    "CallbackError", "CollapsedError", "ExchangeError",
     "CaseFileError", "Crack", "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "Event", "EventKind", "FieldInfo",
     "FileError", "Fracture", "FracturePoint", "GrdeclKind", "Grid", "Heat", "HfracError", "InjectionRow", "InternalError", "JointState", "Joints", "LabReport",
     "LabResult", "LibraryError", "LogLevel", "MagnitudeLaw", "ModelError", "OpenStep", "Option", "OutOfMemoryError",

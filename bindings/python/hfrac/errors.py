@@ -59,6 +59,12 @@ class CollapsedError(HfracError, ArithmeticError):
     status = Status.ERR_COLLAPSED
 
 
+class ExchangeError(HfracError, RuntimeError):
+    """Another rank of the simulation failed, or does not answer; close it on all ranks."""
+
+    status = Status.ERR_EXCHANGE
+
+
 class OutOfMemoryError(HfracError, MemoryError):
     """Out of memory."""
 
