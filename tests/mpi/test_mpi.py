@@ -124,7 +124,7 @@ from mpi4py import MPI
 import hfrac
 sim = hfrac.Simulation({str(self.case)!r}, comm=MPI.COMM_WORLD)
 sim.step(2)
-print(sim.state_hash)
+print(f"{{sim.state_hash}}\\n", end="", flush=True)
 """)
         hashes = run(over(2, sys.executable, program)).stdout.split()
         self.assertEqual(len(hashes), 2)

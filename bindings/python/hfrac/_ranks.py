@@ -25,12 +25,18 @@ def _library() -> ctypes.CDLL:
     raise LibraryError(f"comm needs {_FILE}, which is built where MPI is installed (libopenmpi-dev). Tried: {'; '.join(reasons)}")
 
 
-def exchange_over(comm: Any) -> _abi.hfrac_exchange:
-    """How the ranks of `comm` talk; None: one rank, alone. It holds as long as the communicator."""
+def one_rank() -> _abi.hfrac_exchange:
+    """A table to be filled."""
     exchange = _abi.hfrac_exchange()
-    if comm is None:
-        call("hfrac_exchange_init", ctypes.byref(exchange), ctypes.sizeof(exchange))
-        return exchange
+    call("hfrac_exchange_init", ctypes.byref(exchange), ctypes.sizeof(exchange))
+    return exchange
+
+
+def exchange_over(comm: Any) -> _abi.hfrac_exchange:
+    """How the ranks of `comm` talk. It holds as long as the communicator."""
+    if isinstance(comm, _abi.hfrac_exchange):
+        return comm
+    exchange = one_rank()
     begin = _library().hfrac_mpi_exchange
     begin.argtypes = (ctypes.c_int32, ctypes.POINTER(_abi.hfrac_exchange))
     begin.restype = ctypes.c_int32

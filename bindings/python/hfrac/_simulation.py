@@ -15,7 +15,7 @@ from ._library import call, load
 from ._open_step import OpenStep
 from ._progress import LogFunction, Progress, ProgressFunction
 from ._ranks import exchange_over
-from ._records import Balance, Crack, Event, Fracture, FracturePoint, Heat, SetupReport, SimState, Slip, SolverReport, StepLimits, WallState
+from ._records import Balance, Crack, Event, Fracture, FracturePoint, Heat, SetupReport, SimState, Slip, SolverReport, StepLimits, Traffic, WallState
 from ._view import View
 from ._well import Well
 from .errors import BadHandleError, HfracError, StoppedError, UnknownKeyError
@@ -50,7 +50,7 @@ class Simulation:
     options are as for Definition and come on top.
     ``progress(fraction, what)`` is called while the model is built and while it runs; a true result stops.
     ``log(level, message)`` is told what happens, from the start on.
-    ``comm``, a communicator of mpi4py, makes one simulation of those of all its ranks, which then make the same calls;
+    ``comm``, a communicator of mpi4py or a table of one's own (``hfrac_exchange``), makes one simulation of those of all its ranks, which then make the same calls;
     results are those of one, to the last bit.
 
     Close it with ``with`` or ``close()``, or leave it to the garbage collector. Arrays handed out are copies, except
@@ -84,8 +84,11 @@ class Simulation:
             definition._struct.log_level = _abi.LogLevel.INFO
         pointer = ctypes.c_void_p()
         with self._lock, self._progress.watched():
-            exchange = exchange_over(comm)
-            status = call("hfrac_sim_create_on", ctypes.byref(definition._struct), ctypes.byref(exchange), ctypes.byref(pointer))
+            if comm is None:
+                status = call("hfrac_sim_create", ctypes.byref(definition._struct), ctypes.byref(pointer))
+            else:
+                self._exchange = exchange_over(comm)
+                status = call("hfrac_sim_create_on", ctypes.byref(definition._struct), ctypes.byref(self._exchange), ctypes.byref(pointer))
             if pointer:
                 self._handle = _Handle(pointer)
         if status == _abi.Status.STOPPED:
@@ -296,6 +299,11 @@ class Simulation:
             self._call("hfrac_wall_get", index, ctypes.byref(struct))
             found.append(WallState.of(struct))
         return found
+
+    @property
+    def traffic(self) -> Traffic:
+        """What this rank receives in a cycle; zeros with one rank."""
+        return Traffic.of(self._read("hfrac_get_traffic", _abi.hfrac_traffic))
 
     @property
     def state_hash(self) -> int:

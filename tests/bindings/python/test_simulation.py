@@ -5,6 +5,7 @@ import math
 import unittest
 
 import hfrac
+from hfrac._ranks import one_rank
 from support import CASE, small
 
 
@@ -32,6 +33,11 @@ class Life(unittest.TestCase):
     def test_the_garbage_collector_ends_it_too(self):
         small()
         gc.collect()
+
+    def test_one_rank_with_a_table_is_one_alone(self):
+        with small() as alone, small(comm=one_rank()) as sim:
+            self.assertEqual(sim.state_hash, alone.state_hash)
+            self.assertEqual(sim.traffic, (0, 0, 0, 0))
 
     def test_failure_to_build(self):
         with self.assertRaises(hfrac.HfracError):
