@@ -18,11 +18,11 @@ enum { tag_message = 1, tag_failed = 2 };
 typedef struct Talk {
   MPI_Comm comm;
   int rank, size, failed;
-  MPI_Request *requests; /* of the messages under way */
+  MPI_Request* requests; /* of the messages under way */
   int count, capacity;
 } Talk;
 
-static int has_failed(Talk *talk) {
+static int has_failed(Talk* talk) {
   int there = 0;
   if (!talk->failed &&
       (MPI_Iprobe(MPI_ANY_SOURCE, tag_failed, talk->comm, &there, MPI_STATUS_IGNORE) != MPI_SUCCESS || there))
@@ -31,7 +31,7 @@ static int has_failed(Talk *talk) {
 }
 
 /* Until all requests are done; nonzero once a rank has failed. */
-static int wait_for(Talk *talk, MPI_Request *requests, int count) {
+static int wait_for(Talk* talk, MPI_Request* requests, int count) {
   for (int turn = 1;; ++turn) {
     int done = 0;
     if (MPI_Testall(count, requests, &done, MPI_STATUSES_IGNORE) != MPI_SUCCESS) return talk->failed = 1;
@@ -43,40 +43,39 @@ static int wait_for(Talk *talk, MPI_Request *requests, int count) {
   }
 }
 
-static int32_t start(void *user, const hfrac_message *messages, int32_t count) {
-  Talk *talk = user;
+static int32_t start(void* user, const hfrac_message* messages, int32_t count) {
+  Talk* talk = user;
   if (talk->failed) return 1;
   if (2 * count > talk->capacity) {
-    MPI_Request *more = realloc(talk->requests, 2 * (size_t)count * sizeof *more);
+    MPI_Request* more = realloc(talk->requests, 2 * (size_t)count * sizeof *more);
     if (more == NULL) return talk->failed = 1;
     talk->requests = more;
     talk->capacity = 2 * count;
   }
   talk->count = 0;
   for (int32_t k = 0; k < count; ++k) {
-    const hfrac_message *m = &messages[k];
+    const hfrac_message* m = &messages[k];
     if (m->receive_bytes > INT_MAX || m->send_bytes > INT_MAX) return talk->failed = 1;
-    if (m->receive_bytes > 0 &&
-        MPI_Irecv(m->receive, (int)m->receive_bytes, MPI_BYTE, m->rank, tag_message, talk->comm,
-                  &talk->requests[talk->count++]) != MPI_SUCCESS)
+    if (m->receive_bytes > 0 && MPI_Irecv(m->receive, (int)m->receive_bytes, MPI_BYTE, m->rank, tag_message,
+                                          talk->comm, &talk->requests[talk->count++]) != MPI_SUCCESS)
       return talk->failed = 1;
-    if (m->send_bytes > 0 && MPI_Isend(m->send, (int)m->send_bytes, MPI_BYTE, m->rank, tag_message, talk->comm,
-                                       &talk->requests[talk->count++]) != MPI_SUCCESS)
+    if (m->send_bytes > 0 && MPI_Isend(m->send, (int)m->send_bytes, MPI_BYTE, m->rank, tag_message,
+                                       talk->comm, &talk->requests[talk->count++]) != MPI_SUCCESS)
       return talk->failed = 1;
   }
   return 0;
 }
 
-static int32_t finish(void *user) {
-  Talk *talk = user;
+static int32_t finish(void* user) {
+  Talk* talk = user;
   if (talk->failed) return 1;
   const int status = wait_for(talk, talk->requests, talk->count);
   talk->count = 0;
   return status;
 }
 
-static int32_t sum(void *user, int64_t *values, int32_t count) {
-  Talk *talk = user;
+static int32_t sum(void* user, int64_t* values, int32_t count) {
+  Talk* talk = user;
   if (talk->failed) return 1;
   MPI_Request request;
   if (MPI_Iallreduce(MPI_IN_PLACE, values, count, MPI_INT64_T, MPI_SUM, talk->comm, &request) != MPI_SUCCESS)
@@ -85,15 +84,15 @@ static int32_t sum(void *user, int64_t *values, int32_t count) {
 }
 
 /* In pieces that MPI's int counts: one rank after the other tells all. */
-static int32_t gather(void *user, void *all, const int64_t *begin) {
-  Talk *talk = user;
+static int32_t gather(void* user, void* all, const int64_t* begin) {
+  Talk* talk = user;
   const int64_t most = INT64_C(1) << 30;
   for (int r = 0; r < talk->size; ++r) {
     for (int64_t at = begin[r]; at < begin[r + 1]; at += most) {
       const int64_t bytes = begin[r + 1] - at < most ? begin[r + 1] - at : most;
       MPI_Request request;
       if (talk->failed) return 1;
-      if (MPI_Ibcast((char *)all + at, (int)bytes, MPI_BYTE, r, talk->comm, &request) != MPI_SUCCESS)
+      if (MPI_Ibcast((char*)all + at, (int)bytes, MPI_BYTE, r, talk->comm, &request) != MPI_SUCCESS)
         return talk->failed = 1;
       if (wait_for(talk, &request, 1)) return 1;
     }
@@ -101,8 +100,8 @@ static int32_t gather(void *user, void *all, const int64_t *begin) {
   return talk->failed;
 }
 
-static int32_t fail(void *user) {
-  Talk *talk = user;
+static int32_t fail(void* user) {
+  Talk* talk = user;
   for (int r = 0; r < talk->size; ++r) {
     MPI_Request request;
     if (r != talk->rank && MPI_Isend(NULL, 0, MPI_BYTE, r, tag_failed, talk->comm, &request) == MPI_SUCCESS)
@@ -113,9 +112,9 @@ static int32_t fail(void *user) {
 }
 
 /* With the communicator goes what belongs to it. After a failure messages may still be under way: their memory is left to them. */
-static int forget(MPI_Comm comm, int key, void *attribute, void *extra) {
+static int forget(MPI_Comm comm, int key, void* attribute, void* extra) {
   (void)comm, (void)key, (void)extra;
-  Talk *talk = attribute;
+  Talk* talk = attribute;
   if (!talk->failed) {
     MPI_Comm_free(&talk->comm);
     free(talk->requests);
@@ -127,8 +126,8 @@ static int forget(MPI_Comm comm, int key, void *attribute, void *extra) {
 static int talk_key = MPI_KEYVAL_INVALID;
 
 /* The one of a communicator, made when it is first asked for. */
-static Talk *talk_of(MPI_Comm comm) {
-  Talk *talk = NULL;
+static Talk* talk_of(MPI_Comm comm) {
+  Talk* talk = NULL;
   int found = 0;
   if (talk_key == MPI_KEYVAL_INVALID &&
       MPI_Comm_create_keyval(MPI_COMM_NULL_COPY_FN, forget, &talk_key, NULL) != MPI_SUCCESS)
@@ -148,8 +147,8 @@ static Talk *talk_of(MPI_Comm comm) {
   return talk;
 }
 
-static int32_t table_of(MPI_Comm comm, hfrac_exchange *exchange) {
-  Talk *talk = comm == MPI_COMM_NULL ? NULL : talk_of(comm);
+static int32_t table_of(MPI_Comm comm, hfrac_exchange* exchange) {
+  Talk* talk = comm == MPI_COMM_NULL ? NULL : talk_of(comm);
   if (talk == NULL) return HFRAC_ERR_EXCHANGE;
   const int32_t status = hfrac_exchange_init(exchange, (int32_t)sizeof *exchange);
   if (status != HFRAC_OK) return status;
@@ -171,12 +170,12 @@ static int is_running(void) {
   return begun && !over;
 }
 
-int32_t hfrac_mpi_exchange(int32_t fortran_comm, hfrac_exchange *exchange) {
+int32_t hfrac_mpi_exchange(int32_t fortran_comm, hfrac_exchange* exchange) {
   if (exchange == NULL) return HFRAC_ERR_ARGUMENT;
   return is_running() ? table_of(MPI_Comm_f2c((MPI_Fint)fortran_comm), exchange) : HFRAC_ERR_EXCHANGE;
 }
 
-int32_t hfrac_sim_create_mpi(const hfrac_sim_def *def, int32_t fortran_comm, hfrac_sim **sim) {
+int32_t hfrac_sim_create_mpi(const hfrac_sim_def* def, int32_t fortran_comm, hfrac_sim** sim) {
   hfrac_exchange exchange;
   if (sim == NULL) return HFRAC_ERR_ARGUMENT;
   *sim = NULL;
@@ -184,7 +183,7 @@ int32_t hfrac_sim_create_mpi(const hfrac_sim_def *def, int32_t fortran_comm, hfr
   return status == HFRAC_OK ? hfrac_sim_create_on(def, &exchange, sim) : status;
 }
 
-int32_t hfrac_mpi_begin(hfrac_exchange *exchange) {
+int32_t hfrac_mpi_begin(hfrac_exchange* exchange) {
   if (exchange == NULL) return HFRAC_ERR_ARGUMENT;
   if (!is_running() && MPI_Init(NULL, NULL) != MPI_SUCCESS) return HFRAC_ERR_EXCHANGE;
   return table_of(MPI_COMM_WORLD, exchange);
@@ -192,7 +191,7 @@ int32_t hfrac_mpi_begin(hfrac_exchange *exchange) {
 
 int32_t hfrac_mpi_end(int32_t failed) {
   if (!is_running()) return HFRAC_OK;
-  Talk *talk = talk_of(MPI_COMM_WORLD);
+  Talk* talk = talk_of(MPI_COMM_WORLD);
   if (talk != NULL && failed && !talk->failed) fail(talk);
   /* The launcher ends those that wait for a rank that is gone; a process that has failed waits for nobody. */
   if (talk != NULL && has_failed(talk)) return HFRAC_ERR_EXCHANGE;

@@ -26,8 +26,9 @@ hfrac_exchange default_exchange() {
 void require_sound(const hfrac_exchange& given) {
   constexpr std::int32_t most = 1048576;
   if (given.size < 1 || given.size > most)
-    throw Error(ErrorKind::argument, "hfrac_exchange: size is " + std::to_string(given.size) + "; it has to be 1 to " +
-                                         std::to_string(most) + ", the number of ranks.");
+    throw Error(ErrorKind::argument, "hfrac_exchange: size is " + std::to_string(given.size) +
+                                         "; it has to be 1 to " + std::to_string(most) +
+                                         ", the number of ranks.");
   if (given.rank < 0 || given.rank >= given.size)
     throw Error(ErrorKind::argument, "hfrac_exchange: rank is " + std::to_string(given.rank) + "; with " +
                                          std::to_string(given.size) + " ranks it has to be 0 to " +

@@ -53,9 +53,10 @@ std::int32_t take_step(hfrac_sim& sim, ProgressPoll& poll, double fraction, doub
   if (outcome.stopped) return HFRAC_STOPPED;
   tell_step(sim, cracks_before);
   const auto asks_to_stop = [&] {
-    return sim.on_step != nullptr && call_host(&sim, [&] {
-                                       return sim.on_step(sim.on_step_user, &sim, s.model().clock.step, s.time());
-                                     }) != 0;
+    return sim.on_step != nullptr &&
+           call_host(&sim, [&] {
+             return sim.on_step(sim.on_step_user, &sim, s.model().clock.step, s.time());
+           }) != 0;
   };
   if (sim.ranks.any(together(sim, asks_to_stop))) return HFRAC_STOPPED;
   return outcome.at_rest ? HFRAC_OK : HFRAC_NOT_AT_REST;

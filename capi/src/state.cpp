@@ -117,8 +117,7 @@ int32_t host_step(hfrac_sim& sim, double duration, const Take& take) {
   }
   ++sim.epoch;
   ProgressPoll poll(sim, sim.progress, sim.progress_user, sim.progress_seconds);
-  const auto outcome =
-      together(sim, [&] { return take([&] { return poll.stop(0.0, "stepping"); }); });
+  const auto outcome = together(sim, [&] { return take([&] { return poll.stop(0.0, "stepping"); }); });
   ++sim.epoch;  // a callback may have looked at the middle of the step
   if (outcome.stopped) return HFRAC_STOPPED;
   return outcome.at_rest ? HFRAC_OK : HFRAC_NOT_AT_REST;

@@ -47,7 +47,8 @@ class Ranks {
 
   // All of these are called by all ranks, in the same order. Throw Error(exchange) where the others no longer answer.
   void sum(std::span<std::int64_t> values) const {
-    if (!alone()) check(exchange_.sum(exchange_.user, values.data(), static_cast<std::int32_t>(values.size())));
+    if (!alone())
+      check(exchange_.sum(exchange_.user, values.data(), static_cast<std::int32_t>(values.size())));
   }
   [[nodiscard]] bool any(bool here) const {
     std::int64_t count = here ? 1 : 0;
@@ -93,7 +94,8 @@ class Ranks {
   static void check(std::int32_t status) {
     if (status == 0) return;
     throw Error(ErrorKind::exchange,
-                "another rank has failed or is no longer there; destroy the simulation on all ranks and go on from the last "
+                "another rank has failed or is no longer there; destroy the simulation on all ranks and go "
+                "on from the last "
                 "state that was saved");
   }
   Exchange exchange_;

@@ -145,8 +145,8 @@ class Boundary {
   double sigma_Hmax_, sigma_hmin_;  // Pa, with which the model begins
   bool walled_, wet_;
   double stiffness_;
-  double mass_ = 0.0, inertia_ = 0.0;  // kg, kg m2 per metre, about
-  Vec2 centre_{};                      // m
+  double mass_ = 0.0, inertia_ = 0.0;   // kg, kg m2 per metre, about
+  Vec2 centre_{};                       // m
   std::array<double, 4> wall_start_{};  // m
   double outside_pressure_ = 0.0;       // Pa, what walls leave to the pores outside
   std::vector<std::int32_t> edge_;      // outermost discs, or those at walls; ascending

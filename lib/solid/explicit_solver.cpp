@@ -65,7 +65,8 @@ ExplicitSolver::ExplicitSolver(Model& model, Boundary& boundary, const Options& 
   }
   bind_arrays();
   refresh_stiffness();
-  if (arrays_.tile_count >= fewest_blocked_tiles && ranks.alone()) set_blocking(blocking_shape(workers.count()));
+  if (arrays_.tile_count >= fewest_blocked_tiles && ranks.alone())
+    set_blocking(blocking_shape(workers.count()));
 }
 
 void ExplicitSolver::bind_arrays() {
@@ -643,8 +644,7 @@ void ExplicitSolver::hold_still(const Sums& sums) {
 
 double ExplicitSolver::force_ratio(const Sums& sums) {
   const double unbalanced = sums.unbalanced / static_cast<double>(arrays_.disc_count);
-  const double contact =
-      sums.contact / static_cast<double>(std::max<std::int64_t>(1, arrays_.bond_count));
+  const double contact = sums.contact / static_cast<double>(std::max<std::int64_t>(1, arrays_.bond_count));
   // Below a strain of 1e-12 everywhere there is nothing to balance.
   const double least = 1e-12 * arrays_.contact_normal * assembly_.mean_radius;
   const double ratio = std::max(unbalanced / std::max(contact, least), boundary_.wall_imbalance());
@@ -719,7 +719,8 @@ ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, C
     if (assembly_.smooth.empty()) continue;
     double slide = 0.0;
     farthest_slide(assembly_, slide);
-    if (ranks.any(slide > assembly_.mean_radius)) break;  // past what the law holds for: Simulation refuses it
+    if (ranks.any(slide > assembly_.mean_radius))
+      break;  // past what the law holds for: Simulation refuses it
   }
   shared_.gather(assembly_, network_);
   return outcome;

@@ -191,12 +191,12 @@ class ExplicitSolver {
   std::vector<char> held_;  // per disc: its bonds do not break; empty: none
   TilePlan plan_;
   SharedTiles shared_;
-  std::vector<Found> dropped_;           // by worker: what another rank finds, too
+  std::vector<Found> dropped_;          // by worker: what another rank finds, too
   std::atomic<bool> no_memory_{false};  // in the batch at hand
   KernelArrays arrays_{};
   Array<double> inverse_mass_, inverse_inertia_;
-  std::vector<Array<double>> scratch_;                             // one per worker
-  TemporalBlocking blocking_;                                      // empty where the caches hold the model
+  std::vector<Array<double>> scratch_;                            // one per worker
+  TemporalBlocking blocking_;                                     // empty where the caches hold the model
   std::vector<std::atomic<std::int32_t>> tile_done_, part_done_;  // cycles of the batch
   std::atomic<std::int64_t> next_task_{0};
   std::vector<TileSums> bond_sums_, disc_sums_, domain_sums_;

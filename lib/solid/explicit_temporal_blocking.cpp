@@ -22,7 +22,8 @@ bool ExplicitSolver::may_block() const {
 void ExplicitSolver::run_blocked(std::int64_t cycles, std::vector<Found>& found) {
   // Pores that keep their pressure push, and that is all.
   const bool pores_answer = arrays_.with_pressure != 0 && arrays_.undrained != 0;
-  for (std::int64_t part = 0; arrays_.with_pressure != 0 && !pores_answer && part < arrays_.tile_count; ++part)
+  for (std::int64_t part = 0; arrays_.with_pressure != 0 && !pores_answer && part < arrays_.tile_count;
+       ++part)
     kernels_.cross_domains(arrays_, part);
   const bool walls = boundary_.reacts();
   if (walls) boundary_.cycle(assembly_, arrays_.step, options_.stepping_safety, arrays_.damping);

@@ -109,10 +109,10 @@ struct KernelArrays {
   const TilePair* pairs;
   const CrossPart* cross_parts;  // by tile, and one for the outside
   int64_t tile_count, pair_count;
-  const int32_t* cross_domain;        // domains that touch two tiles, by the first of them, and last the outside
+  const int32_t* cross_domain;  // domains that touch two tiles, by the first of them, and last the outside
   const int32_t* cross_corner_start;  // their corners' places in corner_slot
-  const int32_t* bond_slot;    // two places per bond across tiles: first disc, second disc
-  const int32_t* corner_slot;  // place per corner of a cross domain; -1: pushes nobody
+  const int32_t* bond_slot;           // two places per bond across tiles: first disc, second disc
+  const int32_t* corner_slot;         // place per corner of a cross domain; -1: pushes nobody
   BufferedForce* force_buffer;
   // constants
   double bond_normal, bond_shear;           // N/m: parallel bond stiffness times area

@@ -31,13 +31,20 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
   double copies[most][chunk];
   const uint8_t* __restrict intact_ = a.intact + e;
   const double* __restrict slip_ = whole_blocks(a.slip + e, n, copies[0]);
-  const double* __restrict growth_ = varied ? whole_blocks(a.growth + e, n, copies[most > 1 ? 1 : 0]) : nullptr;
-  const double* __restrict stiffness_ = varied ? whole_blocks(a.stiffness_factor + e, n, copies[most > 1 ? 2 : 0]) : nullptr;
-  const double* __restrict tensile_ = varied ? whole_blocks(a.tensile_factor + e, n, copies[most > 1 ? 3 : 0]) : nullptr;
-  const double* __restrict shear_ = varied ? whole_blocks(a.shear_factor + e, n, copies[most > 1 ? 4 : 0]) : nullptr;
-  const double* __restrict friction_ = varied ? whole_blocks(a.bond_friction + e, n, copies[most > 1 ? 5 : 0]) : nullptr;
-  const double* __restrict start_ = softens ? whole_blocks(a.softening_start + e, n, copies[most > 6 ? 6 : 0]) : nullptr;
-  const double* __restrict worst_ = softens ? whole_blocks(a.softening_worst + e, n, copies[most > 6 ? 7 : 0]) : nullptr;
+  const double* __restrict growth_ =
+      varied ? whole_blocks(a.growth + e, n, copies[most > 1 ? 1 : 0]) : nullptr;
+  const double* __restrict stiffness_ =
+      varied ? whole_blocks(a.stiffness_factor + e, n, copies[most > 1 ? 2 : 0]) : nullptr;
+  const double* __restrict tensile_ =
+      varied ? whole_blocks(a.tensile_factor + e, n, copies[most > 1 ? 3 : 0]) : nullptr;
+  const double* __restrict shear_ =
+      varied ? whole_blocks(a.shear_factor + e, n, copies[most > 1 ? 4 : 0]) : nullptr;
+  const double* __restrict friction_ =
+      varied ? whole_blocks(a.bond_friction + e, n, copies[most > 1 ? 5 : 0]) : nullptr;
+  const double* __restrict start_ =
+      softens ? whole_blocks(a.softening_start + e, n, copies[most > 6 ? 6 : 0]) : nullptr;
+  const double* __restrict worst_ =
+      softens ? whole_blocks(a.softening_worst + e, n, copies[most > 6 ? 7 : 0]) : nullptr;
   const double shear_per_normal = softens ? a.bond_shear / a.bond_normal : 0.0, energy = a.softening;
   const double bond_normal = a.bond_normal, bond_shear = a.bond_shear, contact_normal = a.contact_normal,
                contact_shear = a.contact_shear, friction = a.friction, bending_share = a.bending_share,

@@ -160,7 +160,8 @@ void SharedTiles::exchange(Assembly& a) {
   ranks_.start(messages_);
   ranks_.finish();
   for (auto& other : neighbours_) {
-    const double* from = take<3>(other.receive, {a.ux.data(), a.uy.data(), a.rotation.data()}, other.in.data());
+    const double* from =
+        take<3>(other.receive, {a.ux.data(), a.uy.data(), a.rotation.data()}, other.in.data());
     take<6>(other.receive_everywhere,
             {a.ux.data(), a.uy.data(), a.rotation.data(), a.vx.data(), a.vy.data(), a.spin.data()}, from);
   }
@@ -169,10 +170,10 @@ void SharedTiles::exchange(Assembly& a) {
 void SharedTiles::gather(Assembly& a, Network& n) const {
   if (ranks_.alone()) return;
   const auto tiles = plan_.tiles.size();
-  const auto discs = by_rank([&](std::size_t t) {
-    return std::min(a.disc_count(), static_cast<std::int64_t>(t) * tile_size);
-  });
-  for (auto* values : {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin}) ranks_.gather(values->data(), discs);
+  const auto discs = by_rank(
+      [&](std::size_t t) { return std::min(a.disc_count(), static_cast<std::int64_t>(t) * tile_size); });
+  for (auto* values : {&a.ux, &a.uy, &a.rotation, &a.vx, &a.vy, &a.spin})
+    ranks_.gather(values->data(), discs);
   const auto inside = by_rank([&](std::size_t t) { return a.part_first_bond[t]; });
   const auto across = by_rank(
       [&](std::size_t t) { return a.part_first_bond[static_cast<std::size_t>(a.tile_first_pair[t])]; });
@@ -200,12 +201,14 @@ void SharedTiles::gather(Assembly& a, Network& n) const {
 void SharedTiles::gather(const Assembly& a, TileSums* of_pairs) const {
   if (ranks_.alone()) return;
   const auto tiles = static_cast<std::int32_t>(plan_.tiles.size());
-  ranks_.gather(of_pairs,
-                by_rank([&](std::size_t t) { return static_cast<std::int64_t>(a.tile_first_pair[t] - tiles); }));
+  ranks_.gather(of_pairs, by_rank([&](std::size_t t) {
+                  return static_cast<std::int64_t>(a.tile_first_pair[t] - tiles);
+                }));
 }
 
 SharedTiles::Traffic SharedTiles::traffic() const {
-  Traffic t{static_cast<std::int64_t>(messages_.size()), 0, shared_bonds_, static_cast<std::int64_t>(foreign_.size())};
+  Traffic t{static_cast<std::int64_t>(messages_.size()), 0, shared_bonds_,
+            static_cast<std::int64_t>(foreign_.size())};
   for (const auto& message : messages_) t.bytes += message.receive_bytes;
   return t;
 }

@@ -18,7 +18,8 @@ void link(const TilePlan& plan, const Assembly& a, const Network& n, TemporalBlo
     touched.assign(1, static_cast<std::int32_t>(part));
     for (auto pair = p.first_pair; pair < p.last_pair; ++pair)
       touched.push_back(static_cast<std::int32_t>(
-          a.second[static_cast<std::size_t>(plan.pairs[static_cast<std::size_t>(pair)].first_bond)] / tile_size));
+          a.second[static_cast<std::size_t>(plan.pairs[static_cast<std::size_t>(pair)].first_bond)] /
+          tile_size));
     for (auto q = p.first_domain; q < p.last_domain; ++q) {
       const auto d = plan.cross_domain[static_cast<std::size_t>(q)];
       for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k)

@@ -43,7 +43,8 @@ TilePlan plan_tiles(const Assembly& a, const Network& n, bool fluid, bool outsid
     plan.cross_parts[t].last_pair = a.tile_first_pair[part + 1] - count;
   }
   for (auto part = static_cast<std::size_t>(count); part + 1 < a.part_first_bond.size(); ++part)
-    plan.pairs.push_back({a.part_first_bond[part], a.part_first_bond[part + 1], a.geometry.first_block(part)});
+    plan.pairs.push_back(
+        {a.part_first_bond[part], a.part_first_bond[part + 1], a.geometry.first_block(part)});
   auto& outside = plan.cross_parts.back();
   outside.first_pair = outside.last_pair = static_cast<std::int64_t>(plan.pairs.size());
 

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void require(int32_t status, const hfrac_sim *sim) {
+static void require(int32_t status, const hfrac_sim* sim) {
   char text[1000];
   if (status >= 0) return;
   hfrac_last_error(sim, text, sizeof text, NULL);
@@ -19,9 +19,9 @@ static void require(int32_t status, const hfrac_sim *sim) {
   MPI_Abort(MPI_COMM_WORLD, 1);
 }
 
-int main(int count, char **arguments) {
+int main(int count, char** arguments) {
   hfrac_sim_def def;
-  hfrac_sim *sim = NULL;
+  hfrac_sim* sim = NULL;
   hfrac_sim_state state;
   hfrac_traffic traffic;
   MPI_Init(&count, &arguments);
@@ -60,9 +60,11 @@ int main(int count, char **arguments) {
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
   if (rank == 0)
-    printf("%s discs, %s, %d ranks x %s workers: %.4f ms a cycle over %lld cycles, %lld messages and %.1f kB received a cycle\n",
-           arguments[1], arguments[2], ranks, arguments[3], 1e3 * seconds / (double)(state.cycles - before),
-           (long long)(state.cycles - before), (long long)traffic.messages, 1e-3 * (double)traffic.bytes);
+    printf(
+        "%s discs, %s, %d ranks x %s workers: %.4f ms a cycle over %lld cycles, %lld messages and %.1f kB "
+        "received a cycle\n",
+        arguments[1], arguments[2], ranks, arguments[3], 1e3 * seconds / (double)(state.cycles - before),
+        (long long)(state.cycles - before), (long long)traffic.messages, 1e-3 * (double)traffic.bytes);
   require(hfrac_sim_destroy(&sim), NULL);
   require(hfrac_sim_def_free(&def), NULL);
   MPI_Finalize();

@@ -34,7 +34,8 @@ int main(int count, char** arguments) {
       shared += static_cast<double>(t.shared_bonds);
     }
     std::printf(
-        "%s: %lld discs a rank, %.1f messages a cycle (%lld at most), %.1f kB received, foreign discs %.2f %%, bonds done twice "
+        "%s: %lld discs a rank, %.1f messages a cycle (%lld at most), %.1f kB received, foreign discs %.2f "
+        "%%, bonds done twice "
         "%.2f %%\n",
         wet ? "wet" : "dry", static_cast<long long>(sheet.assembly.disc_count() / ranks), messages / ranks,
         static_cast<long long>(most), 1e-3 * bytes / ranks,

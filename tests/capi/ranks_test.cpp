@@ -94,7 +94,8 @@ End end_of(hfrac_sim* sim) {
   EXPECT_EQ(hfrac_state_save(sim, end.image.data(), size, &size), HFRAC_OK);
   EXPECT_EQ(hfrac_cracks_since(sim, 0, sizeof(hfrac_crack), nullptr, 0, &count, &next), HFRAC_OK);
   end.cracks.resize(static_cast<std::size_t>(count) + 1);
-  EXPECT_EQ(hfrac_cracks_since(sim, 0, sizeof(hfrac_crack), end.cracks.data(), count + 1, &count, &next), HFRAC_OK);
+  EXPECT_EQ(hfrac_cracks_since(sim, 0, sizeof(hfrac_crack), end.cracks.data(), count + 1, &count, &next),
+            HFRAC_OK);
   end.cracks.resize(static_cast<std::size_t>(count));
   return end;
 }

@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static void require(int32_t status, const hfrac_sim *sim) {
+static void require(int32_t status, const hfrac_sim* sim) {
   char text[1000];
   if (status >= 0) return;
   hfrac_last_error(sim, text, sizeof text, NULL);
@@ -20,7 +20,7 @@ static void require(int32_t status, const hfrac_sim *sim) {
 
 static int64_t hash_over(MPI_Comm comm, int64_t steps) {
   hfrac_sim_def def;
-  hfrac_sim *sim = NULL;
+  hfrac_sim* sim = NULL;
   int64_t hash = 0;
   require(hfrac_sim_def_init(&def, sizeof def), NULL);
   require(hfrac_sim_def_set_i64(&def, "packing.disc_count", 2000), NULL);
@@ -35,7 +35,7 @@ static int64_t hash_over(MPI_Comm comm, int64_t steps) {
   return hash;
 }
 
-int main(int count, char **arguments) {
+int main(int count, char** arguments) {
   MPI_Init(&count, &arguments);
   const int64_t steps = count > 1 ? atoll(arguments[1]) : 1;
   int rank = 0;

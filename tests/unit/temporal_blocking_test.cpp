@@ -151,8 +151,7 @@ TEST(TemporalBlocking, ListsEverythingAfterWhatItNeeds) {
   TestModel m(o, hexagonal(104, 102));
   const TilePlan plan = plan_tiles(m.assembly, m.network, false, false);
   const TemporalBlocking blocking = plan_blocking(plan, m.assembly, m.network, {6, 2, 3});
-  std::vector<std::int32_t> tiles(plan.tiles.size(), 0),
-      parts(plan.tiles.size(), 0);
+  std::vector<std::int32_t> tiles(plan.tiles.size(), 0), parts(plan.tiles.size(), 0);
   for (const auto& task : blocking.tasks) {
     if (task.item < 0) {
       const auto part = static_cast<std::size_t>(~task.item);

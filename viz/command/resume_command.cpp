@@ -77,7 +77,8 @@ ExitCode go_on(const ResumeRequest& request, const Team& team) {
                     (folder / "summary.json").string()));
   }
   if (is_complete(ended) && request.steps < 0) {
-    if (!request.quiet && !team.follows()) fmt::print("{}: the run is complete ({}); nothing to do\n", folder.string(), ended);
+    if (!request.quiet && !team.follows())
+      fmt::print("{}: the run is complete ({}); nothing to do\n", folder.string(), ended);
     return kGood;
   }
   if (request.steps >= 0) terms.steps = request.steps;
@@ -137,12 +138,14 @@ void add_resume(CLI::App& program, Action& action) {
   command->add_option("--workers", request->workers, "Worker threads; results do not depend on it")
       ->check(CLI::Range(1, 256));
   command->add_flag("-q,--quiet", request->quiet, "Print nothing unless something goes wrong");
-  command->callback([request, &action] { action = [request] {
+  command->callback([request, &action] {
+    action = [request] {
       Team team;
       const auto code = go_on(*request, team);
       if (code == kGood || code == kInterrupted) team.done();
       return code;
-    }; });
+    };
+  });
 }
 
 }  // namespace hfrac::command

@@ -242,8 +242,8 @@ ExitCode take_steps_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfra
 
 }  // namespace
 
-Simulation build_model(Definition definition, const std::string& case_file, const Team& team, ProgressLine& line,
-                       Warnings& warnings) {
+Simulation build_model(Definition definition, const std::string& case_file, const Team& team,
+                       ProgressLine& line, Warnings& warnings) {
   warnings.listen(definition);
   definition.progress = show_setup;
   definition.progress_user = &line;

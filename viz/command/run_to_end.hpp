@@ -21,8 +21,8 @@ namespace hfrac::command {
 using run::Simulation;
 
 /** Builds the model of `case_file`; no simulation if the user interrupted. Throws BadInput or EngineError. */
-Simulation build_model(Definition definition, const std::string& case_file, const Team& team, ProgressLine& line,
-                       Warnings& warnings);
+Simulation build_model(Definition definition, const std::string& case_file, const Team& team,
+                       ProgressLine& line, Warnings& warnings);
 
 /** Lays the grid of the terms, if there is one. Throws BadInput if nothing of the model lies in it: at the end of the run there
  * would be nothing to write. */

@@ -39,15 +39,17 @@ Team::Team() {
   if (processes <= 1) return;
   void* library = dlopen(kLibrary, RTLD_NOW | RTLD_GLOBAL);
   if (library == nullptr)
-    throw BadInput(fmt::format("{} processes were started together, but {} is not there ({}); build hfrac where MPI is "
-                               "installed (libopenmpi-dev), or start one process",
-                               processes, kLibrary, dlerror()));
+    throw BadInput(
+        fmt::format("{} processes were started together, but {} is not there ({}); build hfrac where MPI is "
+                    "installed (libopenmpi-dev), or start one process",
+                    processes, kLibrary, dlerror()));
   const auto begin = function_of<int32_t (*)(hfrac_exchange*)>(library, "hfrac_mpi_begin");
   const auto end = function_of<int32_t (*)(int32_t)>(library, "hfrac_mpi_end");
   if (begin == nullptr || end == nullptr || begin(&exchange_) != HFRAC_OK)
-    throw BadInput(fmt::format("{} processes were started together, but MPI could not be begun; is {} of the MPI that "
-                               "started them?",
-                               processes, kLibrary));
+    throw BadInput(
+        fmt::format("{} processes were started together, but MPI could not be begun; is {} of the MPI that "
+                    "started them?",
+                    processes, kLibrary));
   end_ = end;
 }
 
