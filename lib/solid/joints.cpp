@@ -107,6 +107,7 @@ std::int64_t apply_joints(Assembly& a, const std::vector<JointOptions>& joints, 
   begin_smooth_joints(a, joints, joint_of, o);
   bridge_flow(a, held.kept);
   std::vector<std::int32_t> line_of;  // lines are those of smooth joints
+  line_of.reserve(joints.size());
   for (const auto& joint : joints)
     line_of.push_back((line_of.empty() ? -1 : line_of.back()) + (is_smooth(JointState{joint.state}) ? 1 : 0));
   for (const auto& [disc, joint] : held.moved)
