@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "core/exact_sum.hpp"
 #include "core/workers.hpp"
 #include "model/model.hpp"
 #include "options/options.hpp"
@@ -133,6 +134,7 @@ class ExplicitSolver {
     bool no_memory = false, broken = false;
   };
   void batch(std::int64_t cycles, std::vector<Found>& found);
+  static void take_work(TileSums& sums, ExactSum& total);
   Sums sum_up(const std::vector<Found>& found);
   CrackLog cracks_of(std::vector<Found>& found) const;
   void hold_still(const Sums& sums);
