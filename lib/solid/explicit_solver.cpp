@@ -338,7 +338,8 @@ ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, C
     }
     if (assembly_.smooth.empty()) continue;
     double slide = 0.0;
-    farthest_slide(assembly_, slide);
+    // Of other ranks' contacts it may know the motion of one disc alone.
+    farthest_slide(assembly_, slide, shared_.first_tile() * tile_size, shared_.last_tile() * tile_size);
     if (ranks.any(slide > assembly_.mean_radius))
       break;  // past what the law holds for: Simulation refuses it
   }

@@ -380,10 +380,12 @@ BondView view_smooth(const Assembly& a, const SmoothContact& c) {
   return v;
 }
 
-const SmoothContact* farthest_slide(const Assembly& a, double& slide) {
+const SmoothContact* farthest_slide(const Assembly& a, double& slide, std::int64_t first_disc,
+                                    std::int64_t last_disc) {
   const SmoothContact* farthest = nullptr;
   slide = 0.0;
   for (const auto& contact : a.smooth.contacts) {
+    if (a.first[contact.bond] < first_disc || a.first[contact.bond] >= last_disc) continue;
     const double now = std::abs(motion_of(a, contact).slide);
     if (farthest != nullptr && now <= slide) continue;
     farthest = &contact;

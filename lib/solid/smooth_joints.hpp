@@ -62,8 +62,12 @@ double smooth_slide(const Assembly& assembly, const SmoothContact& contact);    
 double joint_opening(const Assembly& assembly, std::int64_t bond);
 SmoothResponse smooth_response(const Assembly& assembly, const SmoothContact& contact);
 BondView view_smooth(const Assembly& assembly, const SmoothContact& contact);
-// Farthest slide of a contact [m], and which (nullptr: there are none).
-const SmoothContact* farthest_slide(const Assembly& assembly, double& slide);
+// Farthest slide of a contact [m], and which (nullptr: there are none), of those whose first disc is among [first_disc, last_disc).
+const SmoothContact* farthest_slide(const Assembly& assembly, double& slide, std::int64_t first_disc,
+                                    std::int64_t last_disc);
+inline const SmoothContact* farthest_slide(const Assembly& assembly, double& slide) {
+  return farthest_slide(assembly, slide, 0, assembly.disc_count());
+}
 
 // For the explicit solver.
 // Whether the kernels know the laws of all contacts, and those laws, by SmoothJoints::law_number. They do not where temperature or size
