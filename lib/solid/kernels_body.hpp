@@ -1,20 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The body of the kernels, included once per instruction set with HFRAC_KERNEL_NAMESPACE set. See kernels.hpp.
-//
-// The bond law is written in total form: elastic forces follow from the displacements since bonding, so there is no
-// history to drift and elastic energy is a function of state. With D the vector from disc i to disc j at bonding, d
-// the vector now, L0 and L their lengths:
-//   gap            g  = L - L0, as (2 D.du + du.du) / (L + L0): no cancellation
-//   turn of d      phi = asin(D x d / (L0 L))
-//   shear          u_s = L0 phi - (a_i theta_i + a_j theta_j)
-//   bond           F_n = k_n g, F_s = k_s u_s, M = k_n (R^2 / 3) (theta_j - theta_i)     (eq. 16-20; I / A = R^2 / 3)
-//   contact        F_n = -k_n max(0, -g), F_s = k_s (u_s - slip), |F_s| <= mu F_n
-//   flat contact   springs along 2 R that bear pressure only: with a = R |theta_j - theta_i|, h = a - g and q = h / a < 2 (partly open)
-//                  F_n = -k_n h q / 4, |M| = |F_n| R (1 - q / 3); as the bond's where all of it is pressed, q >= 2
-//   forces on i    F_n n + F_s (L0 / L) t, moments F_s a_i + M and F_s a_j - M: the exact gradient of the energy
-//   varied         g less what the discs grew, k and strengths times their factors, mu by bond (bond_factors.hpp)
-//   breakage       F_n + 3 beta |M| / R >= sigma_c A  or  |F_s| >= tau_c A                (eq. 21-23, tension positive)
-//   softening      tension, F_s and M of the bond times 1 - D from there on, and breakage at D = 1 (softening.hpp)
 #include "solid/kernels_chunk.hpp"
 #include "solid/kernels_smooth.hpp"
 
@@ -22,8 +7,7 @@ namespace hfrac {
 namespace HFRAC_KERNEL_NAMESPACE {
 namespace {
 
-// The law, for bonds e to e + n - 1, whose geometry begins with `block`, and what fills the last block up. With `varied`, bonds differ (bond_factors.hpp);
-// with `flat`, contacts bear moments; with `softens`, which varies too, bonds soften.
+// The law, for bonds e to e + n - 1, whose geometry begins with `block`, and what fills the last block up.
 template <bool varied, bool flat, bool softens>
 __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, int64_t n,
                                              const double* __restrict block, Chunk& c) {
@@ -45,102 +29,42 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
       softens ? whole_blocks(a.softening_start + e, n, copies[most > 6 ? 6 : 0]) : nullptr;
   const double* __restrict worst_ =
       softens ? whole_blocks(a.softening_worst + e, n, copies[most > 6 ? 7 : 0]) : nullptr;
-  const double shear_per_normal = softens ? a.bond_shear / a.bond_normal : 0.0, energy = a.softening;
-  const double bond_normal = a.bond_normal, bond_shear = a.bond_shear, contact_normal = a.contact_normal,
-               contact_shear = a.contact_shear, friction = a.friction, bending_share = a.bending_share,
-               contact_with_bond = a.contact_with_bond, tensile = a.tensile_capacity,
-               shearing = a.shear_capacity;
-  const double inverse_contact_shear = a.contact_shear > 0.0 ? 1.0 / a.contact_shear : 0.0;
+  const BondLaw law(a);
   for (int64_t k = 0; k < n; ++k) c.intact[k] = static_cast<double>(intact_[k]);
   for (int64_t k = n; k < in_blocks(n); ++k) c.intact[k] = c.intact[n - 1];
   const auto one = [&](int64_t k, int64_t lane, const double* __restrict values)
       __attribute__((always_inline)) {
-    const double dux = c.dux[k], duy = c.duy[k], turn = c.turn[k];
-    const double dx = values[block_dx + lane], dy = values[block_dy + lane],
-                 length = values[block_length + lane], arm_i = values[block_arm + lane],
-                 arm_j = length - arm_i;
-    const double lx = dx + dux, ly = dy + duy;
-    const double now = __builtin_sqrt(lx * lx + ly * ly);
-    // One division for 1 / L, 1 / (L + L0) and 1 / L0.
-    const double both = now + length, at_once = 1.0 / (now * length * both);
-    const double inverse = at_once * (length * both), inverse_length = at_once * (now * both);
-    const double gap = (2.0 * (dx * dux + dy * duy) + (dux * dux + duy * duy)) * (at_once * (now * length)) -
-                       (varied ? growth_[k] : 0.0);
-    const double share = varied ? stiffness_[k] : 1.0;
-    const double nx = lx * inverse, ny = ly * inverse;
-    const double ratio = length * inverse;
-    const double sine = (dx * duy - dy * dux) * inverse;  // times L0
-    const double s = sine * inverse_length, s2 = s * s;
-    const double shear = sine * (1.0 + s2 * (1.0 / 6.0 + s2 * (3.0 / 40.0 + s2 * (15.0 / 336.0)))) -
-                         (length * c.theta_i[k] + arm_j * turn);
-
-    const double intact = c.intact[k], radius = values[block_radius + lane];
-    double bond_n = bond_normal * share * intact * gap;
-    double bond_s = bond_shear * share * intact * shear;
-    double bend = bond_normal * share * intact * radius * turn;  // 3 M / R
+    BondMotion m;
+    m.dux = c.dux[k];
+    m.duy = c.duy[k];
+    m.turn = c.turn[k];
+    m.theta_i = c.theta_i[k];
+    m.intact = c.intact[k];
+    m.slip = slip_[k];
+    if constexpr (varied) {
+      m.growth = growth_[k];
+      m.stiffness = stiffness_[k];
+      m.tensile = tensile_[k];
+      m.shear = shear_[k];
+      m.friction = friction_[k];
+    }
     if constexpr (softens) {
-      constexpr double none = 1e-300;
-      const double open = positive(gap);
-      const double w = __builtin_sqrt(open * open + shear_per_normal * shear * shear +
-                                      radius * radius * (1.0 / 3.0) * turn * turn);
-      const double pulled = (bond_n + bending_share * magnitude(bend)) / (tensile * radius * tensile_[k]),
-                   sheared = magnitude(bond_s) / (shearing * radius * shear_[k]);
-      const double stress = pulled > sheared ? pulled : sheared;
-      const double before = start_[k], begins = stress >= 1.0 ? w / (stress + none) : 0.0;
-      const double start = before > 0.0 ? before : begins;
-      const double soft = energy * radius / (bond_normal * share * start + none),
-                   steep = steepest_softening * start + none, end = soft > steep ? soft : steep;
-      const double farthest = w > worst_[k] ? w : worst_[k], reached = farthest < end ? farthest : end;
-      const bool damaged = intact > 0.0 && start > 0.0;
-      const double worst = damaged ? reached : worst_[k];
-      const double kept = damaged && worst > start ? start * (end - worst) / (worst * (end - start)) : 1.0;
-      bond_n *= gap > 0.0 ? kept : 1.0;
-      bond_s *= kept;
-      bend *= kept;
-      c.start[k] = start;
-      c.worst[k] = worst;
-      c.over[k] = damaged && worst >= end ? 1.0 : 0.0;
+      m.start = start_[k];
+      m.worst = worst_[k];
     }
-
-    const double present = intact > 0.0 ? contact_with_bond : 1.0;
-    double squeeze = positive(-gap), contact_bend = 0.0;  // over stiffness
-    if constexpr (flat) {
-      const double edge = radius * magnitude(turn);
-      const double deep = positive(edge - gap), part = deep / (edge + 1e-300);
-      const bool whole = -gap >= edge;
-      squeeze = whole ? -gap : 0.25 * deep * part;
-      contact_bend = whole ? edge : squeeze * (3.0 - part);
-      contact_bend = turn < 0.0 ? -contact_bend : contact_bend;
+    const BondAnswer r = answer_bond<varied, flat, softens>(law, values + lane, m);
+    c.fx[k] = r.fx;
+    c.fy[k] = r.fy;
+    c.moment_i[k] = r.moment_i;
+    c.minus_moment_j[k] = r.minus_moment_j;
+    c.force[k] = r.force;
+    c.friction[k] = r.friction;
+    c.over[k] = r.over;
+    c.slip[k] = r.slip;
+    if constexpr (softens) {
+      c.start[k] = r.start;
+      c.worst[k] = r.worst;
     }
-    const double contact_n = contact_normal * share * present * squeeze;
-    const double moment =
-        (flat ? bend + contact_normal * share * present * contact_bend : bend) * radius * (1.0 / 3.0);
-    const double limit = (varied ? friction_[k] : friction) * contact_n;
-    const double slip = slip_[k];
-    const double trial = contact_shear * share * (shear - slip);
-    // In the order of operands in which one instruction each does it.
-    const double below = limit < trial ? limit : trial, contact_s = -limit > below ? -limit : below;
-    const double slipped =
-        magnitude(trial) > limit ? shear - contact_s * (inverse_contact_shear / share) : slip;
-    c.friction[k] = magnitude(contact_s * (slipped - slip));
-    c.slip[k] = slipped;
-
-    const double normal = bond_n - contact_n, tangential = bond_s + contact_s;
-    const double across = tangential * ratio;
-    const double fx = normal * nx - across * ny;
-    const double fy = normal * ny + across * nx;
-    c.fx[k] = fx;
-    c.fy[k] = fy;
-    c.moment_i[k] = tangential * arm_i + moment;
-    c.minus_moment_j[k] = moment - tangential * arm_j;
-    c.force[k] = magnitude(fx) + magnitude(fy);
-
-    // Excess over strength, as a number so that the loop stays in vector registers; a broken bond has none.
-    const double pull =
-        bond_n + bending_share * magnitude(bend) - tensile * radius * (varied ? tensile_[k] : 1.0);
-    const double push = magnitude(bond_s) - shearing * radius * (varied ? shear_[k] : 1.0);
-    const double excess = pull > push ? pull : push;
-    if constexpr (!softens) c.over[k] = intact > 0.0 && excess >= 0.0 ? 1.0 : 0.0;
   };
   for (int64_t begin = 0; begin < n; begin += block_bonds, block += block_values) {
     // What the next chunk's block here will hold: bit by bit, since memory takes only so many requests at a time.
@@ -194,20 +118,6 @@ void keep_slip(const KernelArrays& a, int64_t e, int64_t n, const Chunk& c) {
   if (a.softening_start != nullptr) keep_softening(a, e, n, c);
 }
 
-// Pressure of a domain whose volume has changed by `change`; adds the work it did on the way.
-inline double undrained_pressure(const KernelArrays& a, int64_t d, double change, double& work) {
-  const double before = a.pressure[d];
-  double p = before;
-  if (a.stiffness[d] > 0.0) {
-    p = a.reference_pressure + a.stiffness[d] * (a.content[d] - change);
-    p = p > a.floor_pressure ? p : a.floor_pressure;  // cavitation
-  }
-  work += 0.5 * (before + p) * (change - a.volume_change[d]);
-  a.pressure[d] = p;
-  a.volume_change[d] = change;
-  return p;
-}
-
 // turns: whether turning discs change volumes, too (domain_corner_turn is there). Asked once a tile, not once a domain.
 template <bool turns>
 double tile_domains(const KernelArrays& a, const Tile& t, const Quad* motion, Quad* force) {
@@ -225,7 +135,7 @@ double tile_domains(const KernelArrays& a, const Tile& t, const Quad* motion, Qu
         for (int32_t k = begin; k < end; ++k)
           change += a.domain_corner_turn[k] * motion[a.domain_corner_disc[k] - t.first_disc][2];
       }
-      p = undrained_pressure(a, d, change, work);
+      work += undrained_pressure(a, d, change, p);
     }
     for (int32_t k = begin; k < end; ++k) {
       const Quad push = {p * a.domain_corner_weight[2 * k], p * a.domain_corner_weight[2 * k + 1], 0.0, 0.0};
@@ -344,7 +254,7 @@ void cross_domains_with(const KernelArrays& a, int64_t part) {
         change += a.domain_corner_weight[2 * k] * a.ux[disc] + a.domain_corner_weight[2 * k + 1] * a.uy[disc];
         if constexpr (turns) change += a.domain_corner_turn[k] * a.rotation[disc];
       }
-      p = undrained_pressure(a, d, change, work);
+      work += undrained_pressure(a, d, change, p);
     }
     const int32_t* place = a.corner_slot + a.cross_corner_start[q];
     for (int32_t k = first; k < last; ++k) {
@@ -362,19 +272,13 @@ void cross_domains(const KernelArrays& a, int64_t part) {
   (a.domain_corner_turn == nullptr ? cross_domains_with<false> : cross_domains_with<true>)(a, part);
 }
 
-// One degree of freedom of some discs: leap-frog with local damping (Cundall 1987). Adds up the damping work.
+// One degree of freedom of some discs. Adds up the damping work.
 void integrate(int64_t n, double step, double damping, const double* __restrict force,
                const double* __restrict inverse_mass, double* __restrict velocity,
                double* __restrict displacement, Partial& sum) {
   double work[chunk];
   for (int64_t k = 0; k < n; ++k) {
-    const double f = force[k], v = velocity[k];
-    const double against = v > 0.0 ? 1.0 : (v < 0.0 ? -1.0 : 0.0);
-    const double drag = damping * magnitude(f) * against;
-    const double after = v + step * (f - drag) * inverse_mass[k];
-    work[k] = 0.5 * step * drag * (v + after);
-    velocity[k] = after;
-    displacement[k] += step * after;
+    work[k] = move(step, damping, force[k], inverse_mass[k], velocity[k], displacement[k]);
   }
   add_up(sum, work, n);
 }

@@ -6,7 +6,7 @@
 // run over the arrays in the widest vectors there are, and forces are transposed back and added to their discs.
 #pragma once
 
-#include "solid/kernels.hpp"
+#include "solid/kernels_law.hpp"
 
 namespace hfrac {
 namespace HFRAC_KERNEL_NAMESPACE {
@@ -16,13 +16,6 @@ namespace {
 typedef double Quad __attribute__((vector_size(32), may_alias));
 
 constexpr int64_t chunk = 64;  // bonds at a time; a multiple of 8
-
-inline double positive(double a) {
-  return a > 0.0 ? a : 0.0;
-}
-inline double magnitude(double a) {
-  return __builtin_fabs(a);
-}
 
 // Eight partial sums: the compiler may keep them in vector registers without changing the order of additions.
 struct Partial {
