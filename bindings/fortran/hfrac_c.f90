@@ -60,6 +60,8 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_ERR_COLLAPSED = -13
   !> another rank of the simulation failed, or does not answer
   integer(c_int32_t), parameter :: HFRAC_ERR_EXCHANGE = -14
+  !> the device of run.device is not there, or failed; state as before the step
+  integer(c_int32_t), parameter :: HFRAC_ERR_DEVICE = -15
   !> an error of the library itself; please report it
   integer(c_int32_t), parameter :: HFRAC_ERR_INTERNAL = -99
 
@@ -736,6 +738,11 @@ module hfrac_c
     real(c_double) :: fluid_second_viscosity = 0.0_c_double
     !> [kg/m3] Density of the second fluid in wellbore and perforations. 0: that of the first. Default 0.0.
     real(c_double) :: fluid_second_density = 0.0_c_double
+    !> 0: cpu, 1: gpu, 2: auto. What runs the cycles of the explicit solver; results do not depend on it. cpu: the
+    !> processor. gpu: a card, by libhfrac_gpu; refused where there is none or the case has what cards do not run
+    !> (solver.kind quasi-static, fracture.law facet, boundary.kind infinite, several ranks). auto: a card where
+    !> there is one and the case allows it, else the processor. Default 0.
+    integer(c_int64_t) :: run_device = 0_c_int64_t
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.

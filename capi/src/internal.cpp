@@ -54,7 +54,7 @@ std::int32_t status_of(ErrorKind kind) noexcept {
                                           HFRAC_ERR_UNKNOWN_KEY, HFRAC_ERR_CASE_FILE,  HFRAC_ERR_MODEL,
                                           HFRAC_ERR_DIVERGED,    HFRAC_ERR_COLLAPSED,  HFRAC_ERR_MEMORY,
                                           HFRAC_ERR_BUSY,        HFRAC_ERR_POISONED,   HFRAC_ERR_EXCHANGE,
-                                          HFRAC_ERR_FILE,        HFRAC_ERR_INTERNAL};
+                                          HFRAC_ERR_DEVICE,      HFRAC_ERR_FILE,       HFRAC_ERR_INTERNAL};
   static_assert(statuses.size() == static_cast<std::size_t>(ErrorKind::internal) + 1 &&
                 statuses[static_cast<std::size_t>(ErrorKind::diverged)] == HFRAC_ERR_DIVERGED &&
                 statuses[static_cast<std::size_t>(ErrorKind::busy)] == HFRAC_ERR_BUSY);

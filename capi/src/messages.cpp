@@ -60,7 +60,11 @@ void tell_setup(const hfrac_sim& sim) {
                : "broken bonds are contacts (fracture.law = \"bond\"), with strengths by "
                  "bond.fracture_toughness");
   }
+  if (!setup.device.empty()) tell(sim, HFRAC_LOG_INFO, "cycles run on " + setup.device);
   if (!sim.listener.hears(HFRAC_LOG_WARNING)) return;
+  if (!setup.why_no_device.empty())
+    tell(sim, HFRAC_LOG_WARNING,
+         "run.device = \"auto\": cycles run on the processor, since " + setup.why_no_device);
   const Options& o = s.options();
   if (s.assembly().sizes.graded() && o.bond_fracture_toughness <= 0.0 &&
       o.bond_toughness_reference_radius <= 0.0) {

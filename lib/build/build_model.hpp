@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
 
 #include "geom/packing.hpp"
 #include "model/model.hpp"
@@ -32,6 +33,8 @@ struct SetupReport {
   double exterior_modulus = 0.0,
          exterior_poisson_ratio = 0.0;  // Pa, 1: E' and nu of the rock beyond; 0: none
   double packing_seconds = 0.0, setup_seconds = 0.0;
+  std::string device,
+      why_no_device;  // what runs the cycles, if not the processor; why run.device = "auto" found none
   std::int64_t cracks = 0,
                broken_joints = 0;  // of the cracks, bonds of joints that were broken from the start
 };

@@ -25,6 +25,7 @@ enum class ErrorKind {
   busy,       // called from inside a callback of the same simulation
   poisoned,  // an earlier error left the simulation unusable
   exchange,  // another rank of the simulation failed or does not answer
+  device,    // the device that computes failed
   file,      // a file cannot be written, cannot be read, or is not what it should be
   internal   // a fault of the library itself
 };

@@ -54,6 +54,7 @@ class BondGeometry {
   }
 
   [[nodiscard]] const double* data() const { return values_.data(); }
+  [[nodiscard]] std::int64_t value_count() const { return static_cast<std::int64_t>(values_.size()); }
   [[nodiscard]] std::int64_t first_block(std::size_t part) const { return first_block_[part]; }
 
  private:

@@ -22,6 +22,7 @@ enum class SteppingMode : std::int64_t { substep = 0, dynamic = 1, coupled = 2 }
 enum class InitialState : std::int64_t { uniform = 0, seepage = 1 };
 enum class SolverKind : std::int64_t { explicit_solver = 0, quasi_static = 1 };
 enum class FractureLaw : std::int64_t { bond = 0, facet = 1, automatic = 2 };  // automatic: fracture_law.hpp
+enum class RunDevice : std::int64_t { cpu = 0, gpu = 1, automatic = 2 };
 enum class ThermalMode : std::int64_t { off = 0, uniform = 1, transport = 2 };
 enum class ThermalOuter : std::int64_t { insulated = 0, held = 1 };
 enum class ThermalParameters : std::int64_t { constant = 0, table = 1 };

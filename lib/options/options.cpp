@@ -118,6 +118,8 @@ constexpr bool is_word(std::string_view key, std::string_view word, auto index) 
 }
 static_assert(is_word("stress.convention", "total", StressConvention::total) &&
               is_word("stress.convention", "effective", StressConvention::effective));
+static_assert(is_word("run.device", "cpu", RunDevice::cpu) && is_word("run.device", "gpu", RunDevice::gpu) &&
+              is_word("run.device", "auto", RunDevice::automatic));
 static_assert(is_word("fluid.kind", "given", FluidKind::given) &&
               is_word("fluid.kind", "water", FluidKind::water));
 static_assert(is_word("packing.method", "relaxed", PackingMethod::relaxed) &&

@@ -271,9 +271,7 @@ void Boundary::cycle(Assembly& a, double step, double safety, double damping) {
     const double force = target - push;
     state_.imbalance = std::max(
         state_.imbalance, std::abs(force) / std::max(std::abs(target), 1e-9 * stiffness_ * wall.length));
-    // Mass of the wall: stable with the step in use, as light as that allows (a servo has no inertia of its own).
-    const double mass =
-        0.5 * step * step * stiffness_ * static_cast<double>(wall.discs.size()) / (safety * safety);
+    const double mass = wall_mass(wall, step, safety);
     const double drag =
         damping * std::abs(force) * (wall.velocity > 0.0 ? 1.0 : (wall.velocity < 0.0 ? -1.0 : 0.0));
     wall.velocity += step * (force - drag) / mass;

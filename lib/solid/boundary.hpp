@@ -94,6 +94,19 @@ class Boundary {
   [[nodiscard]] bool walls_move() const { return walled_ && state_.servo; }
   // Largest unbalanced force on a wall over its target, or 0 when fixed.
   [[nodiscard]] double wall_imbalance() const { return state_.servo ? state_.imbalance : 0.0; }
+  // What a device needs to know of them and finds (device_cycles.hpp): share of the far field in force; N/m; kg, or by scaled masses; J/m.
+  [[nodiscard]] double load() const { return state_.load; }
+  [[nodiscard]] double contact_stiffness() const { return stiffness_; }
+  [[nodiscard]] double wall_mass(const Wall& wall, double step, double safety) const {
+    // Stable with the step in use, as light as that allows (a servo has no inertia of its own).
+    return 0.5 * step * step * stiffness_ * static_cast<double>(wall.discs.size()) / (safety * safety);
+  }
+  [[nodiscard]] double wall_work() const { return state_.work; }
+  void note_walls(double work, double imbalance) {
+    state_.work = work;
+    state_.imbalance = imbalance;
+  }
+  [[nodiscard]] Vec2 centre() const { return centre_; }  // m, of mass
   // Energy stored in wall contacts now [J/m].
   [[nodiscard]] double wall_energy(const Assembly& assembly) const;
   // Energy stored in the rock beyond now [J/m].

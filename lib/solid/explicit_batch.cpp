@@ -323,6 +323,8 @@ ExplicitSolver::Sums ExplicitSolver::sum_up(const std::vector<Found>& found) {
     take_work(of, sum[friction]);
   };
   const bool still = scaled_ && boundary_.holds_still();
+  std::vector<Boundary::RigidMotion> of_tiles;
+  if (still && on_device_) of_tiles = device_cycles_->momenta();
   for (auto tile = shared_.first_tile(); tile < shared_.last_tile(); ++tile) {
     const auto t = static_cast<std::size_t>(tile);
     sum[unbalanced].add(disc_sums_[t].force);
@@ -333,7 +335,9 @@ ExplicitSolver::Sums ExplicitSolver::sum_up(const std::vector<Found>& found) {
     take_work(domain_sums_[t], sum[fluid]);
     take_work(domain_sums_[tiles + t], sum[fluid]);
     if (!still) continue;
-    const auto of_tile = boundary_.momenta(assembly_, plan_.tiles[t].first_disc, plan_.tiles[t].last_disc);
+    const auto of_tile =
+        on_device_ ? of_tiles[t]
+                   : boundary_.momenta(assembly_, plan_.tiles[t].first_disc, plan_.tiles[t].last_disc);
     for (std::size_t k = 0; k < of_tile.size(); ++k) sum[momenta + k].add(of_tile[k]);
   }
   if (shared_.ranks().rank() == 0) take_work(domain_sums_[2 * tiles], sum[fluid]);
@@ -389,6 +393,10 @@ CrackLog ExplicitSolver::cracks_of(std::vector<Found>& found) const {
 void ExplicitSolver::hold_still(const Sums& sums) {
   if (!scaled_ || !boundary_.holds_still()) return;
   const auto motion = boundary_.motion_of(sums.momenta);
+  if (on_device_) {
+    device_cycles_->take_out(motion);
+    return;
+  }
   shared_.for_each_known(assembly_, [&](std::int64_t disc) { boundary_.take_out(assembly_, motion, disc); });
 }
 

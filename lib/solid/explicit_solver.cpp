@@ -59,6 +59,7 @@ ExplicitSolver::ExplicitSolver(Model& model, Boundary& boundary, const Options& 
 }
 
 void ExplicitSolver::bind_arrays() {
+  device_cycles_.reset();
   auto& a = assembly_;
   auto& n = network_;
   auto& k = arrays_;
@@ -269,7 +270,7 @@ double ExplicitSolver::force_ratio(const Sums& sums) {
   const double least = 1e-12 * arrays_.contact_normal * assembly_.mean_radius;
   const double ratio = std::max(unbalanced / std::max(contact, least), boundary_.wall_imbalance());
   if (!std::isfinite(unbalanced) || !std::isfinite(contact)) {
-    shared_.gather(assembly_, network_);
+    fetch_state();
     const std::string where = first_not_finite();
     throw Error(ErrorKind::diverged, "a force is no longer a finite number after cycle " +
                                          std::to_string(total_cycles_) +
@@ -308,9 +309,11 @@ ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, C
     arrays_.stiffness = network_.stiffness.data();
     kernels_.cross_domains(arrays_, arrays_.tile_count);
   }
+  on_device_ = runs_on_device();
+  if (on_device_) begin_on_device();
   while (outcome.cycles < most) {
     const std::int64_t cycles = std::min(look_every, most - outcome.cycles);
-    batch(cycles, found);
+    on_device_ ? batch_on_device(cycles, found) : batch(cycles, found);
     const Sums sums = sum_up(found);
     hold_still(sums);
     outcome.cycles += cycles;
@@ -337,13 +340,14 @@ ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, C
       break;
     }
     if (assembly_.smooth.empty()) continue;
+    if (on_device_) device_cycles_->get_displacements();
     double slide = 0.0;
     // Of other ranks' contacts it may know the motion of one disc alone.
     farthest_slide(assembly_, slide, shared_.first_tile() * tile_size, shared_.last_tile() * tile_size);
     if (ranks.any(slide > assembly_.mean_radius))
       break;  // past what the law holds for: Simulation refuses it
   }
-  shared_.gather(assembly_, network_);
+  fetch_state();
   return outcome;
 }
 

@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@
 #include "options/options.hpp"
 #include "solid/bond_law.hpp"
 #include "solid/boundary.hpp"
+#include "solid/device_cycles.hpp"
 #include "solid/facet_motion.hpp"
 #include "solid/fragments.hpp"
 #include "solid/kernels.hpp"
@@ -90,6 +92,9 @@ class ExplicitSolver {
   // Several cycles in one pass over the model where nothing couples all of it in every cycle (temporal_blocking.hpp); the bits are the same.
   // Models that no cache holds do so of themselves. For tests and benchmarks: in this shape; 1 cycle: never.
   void set_blocking(const BlockingShape& shape);
+  // Cycles run on this device from here on wherever it knows all that answers in them (null: on none). It must outlive the solver's cycles.
+  void use_device(const Device* device);
+  [[nodiscard]] bool runs_on_device() const;
   void count_cycles(std::int64_t cycles) { total_cycles_ += cycles; }  // of another solver
   void stop_motion();
   // Looks for new contacts around cracks; call between steps.
@@ -134,6 +139,9 @@ class ExplicitSolver {
     bool no_memory = false, broken = false;
   };
   void batch(std::int64_t cycles, std::vector<Found>& found);
+  void begin_on_device();
+  void batch_on_device(std::int64_t cycles, std::vector<Found>& found);
+  void fetch_state();
   static void take_work(TileSums& sums, ExactSum& total);
   Sums sum_up(const std::vector<Found>& found);
   CrackLog cracks_of(std::vector<Found>& found) const;
@@ -192,6 +200,9 @@ class ExplicitSolver {
   std::int64_t cycles_then_ = 0;
   std::vector<char> held_;  // per disc: its bonds do not break; empty: none
   TilePlan plan_;
+  const Device* device_ = nullptr;
+  std::unique_ptr<DeviceCycles> device_cycles_;  // once there were some
+  bool on_device_ = false;                       // the cycles at hand
   SharedTiles shared_;
   std::vector<Found> dropped_;          // by worker: what another rank finds, too
   std::atomic<bool> no_memory_{false};  // in the batch at hand

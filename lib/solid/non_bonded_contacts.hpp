@@ -42,6 +42,9 @@ class NonBondedContacts {
     list_.pairs[pair].shear_force = shear_force;
   }
 
+  // For a device, which finds their forces in its own cycles.
+  [[nodiscard]] ContactPairs& list() { return list_; }
+
   [[nodiscard]] bool empty() const { return list_.pairs.empty(); }
   [[nodiscard]] const std::vector<std::int32_t>& discs() const { return list_.discs; }  // of pairs
   [[nodiscard]] const std::vector<Pair>& pairs() const { return list_.pairs; }

@@ -32,13 +32,15 @@ std::unique_ptr<Heat> begin_heat(const Options& o, Model& model) {
 
 }  // namespace
 
-Engine::Engine(const Options& given, Model& of, const Ranks& ranks)
+Engine::Engine(const Options& given, Model& of, const Ranks& ranks, std::unique_ptr<Device> on)
     : options(given),
       model(of),
       workers(new Workers(static_cast<int>(given.run_workers))),
       heat(begin_heat(given, of)),
       boundary(std::make_unique<Boundary>(of, given)),
+      device(std::move(on)),
       mechanics(std::make_unique<ExplicitSolver>(of, *boundary, given, *workers, ranks)) {
+  mechanics->use_device(device.get());
   take_wells();
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/device.hpp"
 #include "core/workers.hpp"
 #include "equilibrium/equilibrium_solver.hpp"
 #include "flow/flow_solver.hpp"
@@ -26,7 +27,7 @@ using Interrupt = std::function<bool()>;
 
 struct Engine {
   // The model and the options must stay where they are.
-  Engine(const Options& options, Model& model, const Ranks& ranks = {});
+  Engine(const Options& options, Model& model, const Ranks& ranks = {}, std::unique_ptr<Device> on = nullptr);
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
@@ -39,6 +40,7 @@ struct Engine {
   std::unique_ptr<Workers, Workers::Release> workers;
   std::unique_ptr<Heat> heat;  // none with thermal.mode = "off"
   std::unique_ptr<Boundary> boundary;
+  std::unique_ptr<Device> device;  // of the explicit solver's cycles; none: the processor
   std::unique_ptr<ExplicitSolver> mechanics;
   Facets facets;  // of fractures, from the end of the initial equilibration on; law facet only
   std::unique_ptr<FlowSolver> flow;  // from the end of the initial equilibration on; none in a dry model

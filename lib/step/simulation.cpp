@@ -12,6 +12,7 @@
 #include "options/choices.hpp"
 #include "options/fracture_law.hpp"
 #include "step/checks.hpp"
+#include "step/device_choice.hpp"
 #include "step/exterior_rock.hpp"
 #include "step/image.hpp"
 #include "step/initial_equilibration.hpp"
@@ -47,13 +48,15 @@ Simulation::Simulation(CaseDefinition definition, std::span<const double> given_
   resolve_fluid(definition_.options);
   set_stop(options().stop_extent_fraction, options().stop_cracks);
   const auto start = std::chrono::steady_clock::now();
+  auto device = device_for(definition_, ranks.size(), setup_.why_no_device);
+  if (device) setup_.device = device->name();
   Packing packing = take_discs(definition_, given_discs, progress, setup_);
   if (progress && progress(0.5, "bonding")) throw Stopped{};
   const bool infinite = BoundaryKind{options().boundary_kind} == BoundaryKind::infinite;
   std::optional<RockBlock> block;
   if (infinite || wants_plane_modulus(options())) block.emplace(definition_, packing);
   model_ = build_model(definition_, std::move(packing), given_bonds, setup_);
-  engine_ = std::make_unique<Engine>(options(), model_, ranks);
+  engine_ = std::make_unique<Engine>(options(), model_, ranks, std::move(device));
   if (infinite) begin_exterior(*engine_, *block, setup_);
   if (wants_plane_modulus(options())) definition_.options.fracture_plane_modulus = block->measure().modulus;
   setup_.plane_modulus = options().fracture_plane_modulus;

@@ -52,6 +52,8 @@ class Status(enum.IntEnum):
     ERR_COLLAPSED = -13
     #: another rank of the simulation failed, or does not answer
     ERR_EXCHANGE = -14
+    #: the device of run.device is not there, or failed; state as before the step
+    ERR_DEVICE = -15
     #: an error of the library itself; please report it
     ERR_INTERNAL = -99
 
@@ -312,6 +314,7 @@ STATUS_TEXTS = {
     -12: 'a callback threw an exception; the simulation is at its last whole step',
     -13: 'the rock fell apart: it does not bear its load, or a disc left its place in a step; state as before the step',
     -14: 'another rank of the simulation failed, or does not answer',
+    -15: 'the device of run.device is not there, or failed; state as before the step',
     -99: 'an error of the library itself; please report it',
 }
 
@@ -587,6 +590,7 @@ class hfrac_sim_def(ctypes.Structure):
         ("bond_fracture_energy", ctypes.c_double),
         ("fluid_second_viscosity", ctypes.c_double),
         ("fluid_second_density", ctypes.c_double),
+        ("run_device", ctypes.c_int64),
     ]
 
 

@@ -68,6 +68,7 @@
   X(HFRAC_ERR_CALLBACK, -12, "a callback threw an exception; the simulation is at its last whole step") \
   X(HFRAC_ERR_COLLAPSED, -13, "the rock fell apart: it does not bear its load, or a disc left its place in a step; state as before the step") \
   X(HFRAC_ERR_EXCHANGE, -14, "another rank of the simulation failed, or does not answer")             \
+  X(HFRAC_ERR_DEVICE, -15, "the device of run.device is not there, or failed; state as before the step") \
   X(HFRAC_ERR_INTERNAL, -99, "an error of the library itself; please report it")
 
 #define HFRAC_STATUS_ENUM_(name, value, text) name = value,

@@ -521,6 +521,12 @@ typedef struct hfrac_sim_def {
   double fluid_second_viscosity;
   /** [kg/m3] Density of the second fluid in wellbore and perforations. 0: that of the first. Default 0.0. */
   double fluid_second_density;
+
+  /** 0: cpu, 1: gpu, 2: auto. What runs the cycles of the explicit solver; results do not depend on it.
+   * cpu: the processor. gpu: a card, by libhfrac_gpu; refused where there is none or the case has what
+   * cards do not run (solver.kind quasi-static, fracture.law facet, boundary.kind infinite, several
+   * ranks). auto: a card where there is one and the case allows it, else the processor. Default 0. */
+  int64_t run_device;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The kernels for a card of NVIDIA's: compiled by clang to PTX without any CUDA package (lib/gpu/CMakeLists.txt), which the driver
+// translates for the card it finds.
+#define HFRAC_KERNEL_NAMESPACE kernels_device
+#pragma clang force_cuda_host_device begin
+#include "gpu/device_kernels.hpp"
+#pragma clang force_cuda_host_device end
+
+extern __attribute__((shared)) double hfrac_shared[];
+
+namespace {
+
+// The threads of this block share out the items of a loop, and wait for each other at its end.
+struct CardBlock {
+  int64_t number;
+  double* shared;
+  template <class Item>
+  __attribute__((device)) void each(int64_t n, const Item& item) const {
+    for (int64_t k = __nvvm_read_ptx_sreg_tid_x(); k < n; k += hfrac::device_threads) item(k);
+    __syncthreads();
+  }
+};
+
+}  // namespace
+
+#define HFRAC_DEVICE_KERNEL(name)                                                                    \
+  extern "C" __attribute__((global)) __attribute__((launch_bounds(hfrac::device_threads))) void name( \
+      const hfrac::DeviceTask task) {                                                                \
+    CardBlock block{__nvvm_read_ptx_sreg_ctaid_x(), hfrac_shared};                                   \
+    hfrac::kernels_device::name(block, task);                                                        \
+  }
+#include "gpu/device_kernel_list.inc"

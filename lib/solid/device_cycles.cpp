@@ -1,0 +1,432 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solid/device_cycles.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+
+namespace hfrac {
+
+DeviceCycles::DeviceCycles(const Device& device, const KernelArrays& arrays, const TilePlan& plan,
+                           Assembly& assembly, Network& network, Boundary& boundary, const Options& options)
+    : device_(device),
+      host_(arrays),
+      assembly_(assembly),
+      network_(network),
+      boundary_(boundary),
+      options_(options),
+      item_(device),
+      stop_(device),
+      held_force_(device),
+      momenta_(device),
+      outside_(device),
+      wall_discs_(device),
+      wall_force_(device),
+      pairs_(device),
+      pushed_(device),
+      pushed_pairs_(device),
+      smooth_contacts_(device),
+      smooth_settled_(device),
+      smooth_law_number_(device),
+      smooth_laws_(device),
+      smooth_from_(device) {
+  lay_out(plan);
+  list_forces(plan);
+  put(Travels::once);
+}
+
+void DeviceCycles::put(Travels when) {
+  for (std::size_t k = 0; k < twins_.size(); ++k) {
+    if (twins_[k].when == when) of_twins_[k].put(twins_[k].host, twins_[k].bytes);
+  }
+}
+
+void DeviceCycles::get(Travels when) {
+  for (std::size_t k = 0; k < twins_.size(); ++k) {
+    if (twins_[k].when == when) of_twins_[k].get(twins_[k].host, twins_[k].bytes);
+  }
+}
+
+template <class T>
+void DeviceCycles::twin(T* host, std::int64_t count, T*& at, Travels when) {
+  at = nullptr;
+  if (host == nullptr || count == 0) return;
+  const auto bytes = static_cast<std::size_t>(count) * sizeof(T);
+  of_twins_.emplace_back(device_);
+  at = static_cast<T*>(of_twins_.back().reserve(bytes));
+  // What only goes there is not written here.
+  twins_.push_back({const_cast<std::remove_const_t<T>*>(host), bytes, when});
+}
+
+template <class T>
+void DeviceCycles::list(const std::vector<T>& values, const T*& at) {
+  lists_.emplace_back(device_);
+  lists_.back().put(values.data(), values.size() * sizeof(T));
+  at = lists_.back().template as<T>();
+}
+
+void DeviceCycles::lay_out(const TilePlan& plan) {
+  using enum Travels;
+  const KernelArrays& h = host_;
+  DeviceArrays& d = task_.d;
+  KernelArrays& a = d.a;
+  a = h;
+  const auto discs = h.disc_count, bonds = h.bond_count;
+  const auto domains = h.with_pressure != 0 ? network_.domain_count() : 0;
+  const auto corners = domains > 0 ? static_cast<std::int64_t>(network_.corner_disc.size()) : 0;
+  for (auto of : {&KernelArrays::ux, &KernelArrays::uy, &KernelArrays::rotation, &KernelArrays::vx,
+                  &KernelArrays::vy, &KernelArrays::spin})
+    twin(h.*of, discs, a.*of, there_and_back);
+  for (auto of : {&KernelArrays::inverse_mass, &KernelArrays::inverse_inertia})
+    twin(h.*of, discs, a.*of, there);
+  twin(assembly_.external_x.data(), discs, d.external_x, there_and_back);
+  twin(assembly_.external_y.data(), discs, d.external_y, there_and_back);
+  twin(assembly_.external_moment.data(), discs, d.external_moment, there_and_back);
+  a.external_x = d.external_x;
+  a.external_y = d.external_y;
+  a.external_moment = d.external_moment;
+  twin(h.first, bonds, a.first, once);
+  twin(h.second, bonds, a.second, once);
+  twin(h.geometry, assembly_.geometry.value_count(), a.geometry, there);
+  twin(h.intact, bonds, a.intact, there);
+  twin(h.slip, bonds, a.slip, there_and_back);
+  for (auto of : {&KernelArrays::growth, &KernelArrays::stiffness_factor, &KernelArrays::tensile_factor,
+                  &KernelArrays::shear_factor, &KernelArrays::bond_friction})
+    twin(h.*of, bonds, a.*of, there);
+  twin(h.softening_start, bonds, a.softening_start, there_and_back);
+  twin(h.softening_worst, bonds, a.softening_worst, there_and_back);
+  twin(h.domain_corner_start, domains > 0 ? domains + 1 : 0, a.domain_corner_start, once);
+  twin(h.domain_corner_disc, corners, a.domain_corner_disc, once);
+  twin(h.domain_corner_weight, 2 * corners, a.domain_corner_weight, there);
+  twin(h.domain_corner_turn, corners, a.domain_corner_turn, there);
+  twin(h.pressure, domains, a.pressure, there_and_back);
+  twin(h.volume_change, domains, a.volume_change, there_and_back);
+  twin(h.content, domains, a.content, there);
+  twin(h.stiffness, domains, a.stiffness, there);
+  twin(h.tiles, h.tile_count, a.tiles, there);
+  twin(h.pairs, h.pair_count, a.pairs, once);
+  twin(h.cross_parts, static_cast<std::int64_t>(plan.cross_parts.size()), a.cross_parts, once);
+  twin(h.cross_domain, static_cast<std::int64_t>(plan.cross_domain.size()), a.cross_domain, once);
+  twin(h.cross_corner_start, static_cast<std::int64_t>(plan.cross_corner_start.size()), a.cross_corner_start,
+       once);
+  twin(h.bond_slot, static_cast<std::int64_t>(plan.bond_slot.size()), a.bond_slot, once);
+  twin(h.corner_slot, static_cast<std::int64_t>(plan.corner_slot.size()), a.corner_slot, once);
+  // The pressure outside pushes by what the host has put there.
+  twin(h.force_buffer, static_cast<std::int64_t>(plan.force_buffer.size()), a.force_buffer, there);
+  twin(h.bond_sums, h.tile_count + h.pair_count, a.bond_sums, in_batches);
+  twin(h.disc_sums, h.tile_count, a.disc_sums, in_batches);
+  twin(h.domain_sums, 2 * h.tile_count, a.domain_sums, in_batches);
+  twin(static_cast<const double*>(assembly_.x.data()), discs, d.x, once);
+  twin(static_cast<const double*>(assembly_.y.data()), discs, d.y, once);
+  twin(static_cast<const double*>(assembly_.radius.data()), discs, d.radius, once);
+  std::vector<double> mass;
+  for (std::int64_t i = 0; i < discs; ++i) mass.push_back(assembly_.mass(i));
+  list(mass, d.mass);
+  d.centre_x = boundary_.centre().x;
+  d.centre_y = boundary_.centre().y;
+  d.held_force =
+      static_cast<double*>(held_force_.reserve(3 * static_cast<std::size_t>(discs) * sizeof(double)));
+  d.momenta = static_cast<double*>(
+      momenta_.reserve(static_cast<std::size_t>(h.tile_count) * sizeof(Boundary::RigidMotion)));
+  d.stop = static_cast<std::int64_t*>(stop_.reserve(sizeof(std::int64_t)));
+  for (const auto& tile : plan.tiles) {
+    most_bonds_ = std::max(most_bonds_, tile.last_bond - tile.first_bond);
+    most_domains_ = std::max(most_domains_, tile.last_domain - tile.first_domain);
+  }
+  for (std::int64_t part = 0; part < h.tile_count; ++part) {
+    const auto& p = plan.cross_parts[static_cast<std::size_t>(part)];
+    most_cross_domains_ = std::max(most_cross_domains_, p.last_domain - p.first_domain);
+  }
+}
+
+// By disc, what adds to its force, in the order in which a worker comes to it.
+void DeviceCycles::list_forces(const TilePlan& plan) {
+  const auto discs = static_cast<std::size_t>(host_.disc_count);
+  std::vector<std::int32_t> bond_start(discs + 1, 0), slot_start(discs + 1, 0), corner_start(discs + 1, 0);
+  const auto each_bond = [&](const auto& visit) {
+    for (const auto& tile : plan.tiles) {
+      for (auto e = tile.first_bond; e < tile.last_bond; ++e) {
+        const auto at = static_cast<std::uint16_t>(2 * (e - tile.first_bond));
+        visit(static_cast<std::size_t>(host_.first[e]), at);
+        visit(static_cast<std::size_t>(host_.second[e]), static_cast<std::uint16_t>(at + 1));
+      }
+    }
+  };
+  const auto each_corner = [&](const auto& visit) {
+    for (const auto& tile : plan.tiles) {
+      for (auto k = tile.first_domain; host_.with_pressure != 0 && k < tile.last_domain; ++k) {
+        for (auto c = host_.domain_corner_start[k]; c < host_.domain_corner_start[k + 1]; ++c)
+          visit(static_cast<std::size_t>(host_.domain_corner_disc[c]),
+                DeviceCorner{c, static_cast<std::int32_t>(k)});
+      }
+    }
+  };
+  const auto by_disc = [&](const auto& each, auto& start, auto& items) {
+    each([&](std::size_t disc, const auto&) { ++start[disc + 1]; });
+    for (std::size_t i = 0; i < discs; ++i) start[i + 1] += start[i];
+    items.resize(static_cast<std::size_t>(start.back()));
+    auto next = start;
+    each([&](std::size_t disc, const auto& item) { items[static_cast<std::size_t>(next[disc]++)] = item; });
+  };
+  std::vector<std::uint16_t> bond_of;
+  std::vector<DeviceCorner> corner_of;
+  by_disc(each_bond, bond_start, bond_of);
+  by_disc(each_corner, corner_start, corner_of);
+  for (const auto& entry : plan.force_buffer) ++slot_start[static_cast<std::size_t>(entry.disc) + 1];
+  for (std::size_t i = 0; i < discs; ++i) slot_start[i + 1] += slot_start[i];
+  DeviceArrays& d = task_.d;
+  list(bond_start, d.bond_start);
+  list(bond_of, d.bond_of);
+  list(slot_start, d.slot_start);
+  list(corner_start, d.corner_start);
+  list(corner_of, d.corner_of);
+}
+
+void DeviceCycles::begin(std::span<const Pushed> pushed, const ContactPairs& contacts) {
+  // Numbers that the host changes are those of now.
+  KernelArrays& a = task_.d.a;
+  a.damping = host_.damping;
+  a.step = host_.step;
+  a.reference_pressure = host_.reference_pressure;
+  a.floor_pressure = host_.floor_pressure;
+  a.undrained = host_.undrained;
+  put(Travels::there);
+  put(Travels::there_and_back);
+  put_smooth_joints();
+  put_walls();
+  put_contacts(pushed, contacts);
+}
+
+void DeviceCycles::put_smooth_joints() {
+  const SmoothArrays& h = host_.smooth;
+  SmoothArrays& to = task_.d.a.smooth;
+  to = {};
+  if (h.contacts == nullptr) return;
+  const SmoothJoints& joints = assembly_.smooth;
+  const auto count = static_cast<std::size_t>(h.count);
+  const auto put = [](DeviceArray& array, const auto* values, std::size_t items) {
+    array.put(values, items * sizeof *values);
+    return array.as<std::remove_reference_t<decltype(*values)>>();
+  };
+  to.count = h.count;
+  to.contacts = put(smooth_contacts_, joints.contacts.data(), count);
+  if (h.settled != nullptr) to.settled = put(smooth_settled_, h.settled, 4 * count);
+  to.law_number = put(smooth_law_number_, h.law_number, joints.law_number.size());
+  to.laws = put(smooth_laws_, h.laws, joints.laws.size());
+  to.from = put(smooth_from_, h.from, static_cast<std::size_t>(host_.tile_count + host_.pair_count) + 1);
+}
+
+void DeviceCycles::put_walls() {
+  DeviceArrays& d = task_.d;
+  d.walled = boundary_.walled() ? 1 : 0;
+  d.servo = boundary_.walls_move() ? 1 : 0;
+  d.wall_stiffness = boundary_.contact_stiffness();
+  std::vector<DeviceWallDisc> discs;
+  for (std::size_t w = 0; w < boundary_.walls().size(); ++w) {
+    const Wall& wall = boundary_.walls()[w];
+    DeviceWall& to = walls_.walls[w];
+    to.first = static_cast<std::int64_t>(discs.size());
+    for (const auto i : wall.discs) discs.push_back({i, 0, assembly_.thermal.growth_of(i)});
+    to.last = static_cast<std::int64_t>(discs.size());
+    to.inward_x = wall.inward.x;
+    to.inward_y = wall.inward.y;
+    to.target = boundary_.load() * wall.target * wall.length;
+    to.floor = 1e-9 * d.wall_stiffness * wall.length;
+    to.mass = boundary_.wall_mass(wall, host_.step, options_.stepping_safety);
+  }
+  wall_discs_.put(discs.data(), discs.size() * sizeof(DeviceWallDisc));
+  d.wall_discs = wall_discs_.as<DeviceWallDisc>();
+  d.wall_disc_count = static_cast<std::int64_t>(discs.size());
+  d.wall_force = static_cast<double*>(wall_force_.reserve(discs.size() * sizeof(double)));
+  d.outside = static_cast<DeviceOutside*>(outside_.reserve(sizeof(DeviceOutside)));
+}
+
+void DeviceCycles::put_contacts(std::span<const Pushed> pushed, const ContactPairs& contacts) {
+  contacts_.clear();
+  std::vector<std::vector<std::int32_t>> of_disc(pushed.size());
+  const auto place = [&](std::int32_t disc) {
+    const auto at = std::lower_bound(pushed.begin(), pushed.end(), disc,
+                                     [](const Pushed& p, std::int32_t i) { return p.disc < i; });
+    return static_cast<std::size_t>(at - pushed.begin());
+  };
+  const auto& thermal = assembly_.thermal;
+  for (const auto& pair : contacts.pairs) {
+    const auto number = 2 * static_cast<std::int32_t>(contacts_.size());
+    of_disc[place(pair.first)].push_back(number);
+    of_disc[place(pair.second)].push_back(number + 1);
+    const double share = thermal.pair_stiffness(pair.first, pair.second);
+    DevicePair to{};
+    to.first = pair.first;
+    to.second = pair.second;
+    to.normal = options_.contact_normal_stiffness * share;
+    to.shear = options_.contact_shear_stiffness * share;
+    to.friction = options_.contact_friction * thermal.pair_friction(pair.first, pair.second);
+    to.growth_first = thermal.growth_of(pair.first);
+    to.growth_second = thermal.growth_of(pair.second);
+    to.reference_gap = pair.reference_gap;
+    to.normal_force = pair.normal_force;
+    to.shear_force = pair.shear_force;
+    contacts_.push_back(to);
+  }
+  std::vector<DevicePushedDisc> discs;
+  std::vector<std::int32_t> pairs;
+  for (std::size_t k = 0; k < pushed.size(); ++k) {
+    const auto first = static_cast<std::int64_t>(pairs.size());
+    pairs.insert(pairs.end(), of_disc[k].begin(), of_disc[k].end());
+    discs.push_back({pushed[k].disc, first, static_cast<std::int64_t>(pairs.size()), pushed[k].load.x,
+                     pushed[k].load.y, pushed[k].walled ? 1 : 0});
+  }
+  DeviceArrays& d = task_.d;
+  pairs_.put(contacts_.data(), contacts_.size() * sizeof(DevicePair));
+  pushed_.put(discs.data(), discs.size() * sizeof(DevicePushedDisc));
+  pushed_pairs_.put(pairs.data(), pairs.size() * sizeof(std::int32_t));
+  d.pairs = pairs_.as<DevicePair>();
+  d.pushed = pushed_.as<DevicePushedDisc>();
+  d.pushed_pairs = pushed_pairs_.as<std::int32_t>();
+  d.contact_count = static_cast<std::int64_t>(contacts_.size());
+  d.pushed_count = static_cast<std::int64_t>(discs.size());
+}
+
+void DeviceCycles::begin_batch(double friction) {
+  constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
+  stop_.put(&never, sizeof never);
+  put(Travels::in_batches);
+  for (std::size_t w = 0; w < boundary_.walls().size(); ++w) {
+    walls_.walls[w].displacement = boundary_.walls()[w].displacement;
+    walls_.walls[w].velocity = boundary_.walls()[w].velocity;
+  }
+  walls_.work = boundary_.wall_work();
+  walls_.imbalance = boundary_.wall_imbalance();
+  walls_.friction = friction;
+  outside_.put(&walls_, sizeof walls_);
+}
+
+void DeviceCycles::end_batch(double& friction) {
+  get(Travels::in_batches);
+  outside_.get(&walls_, sizeof walls_);
+  friction = walls_.friction;
+  if (task_.d.walled == 0) return;
+  for (std::size_t w = 0; w < boundary_.walls().size(); ++w) {
+    boundary_.walls()[w].displacement = walls_.walls[w].displacement;
+    boundary_.walls()[w].velocity = walls_.walls[w].velocity;
+  }
+  boundary_.note_walls(walls_.work, walls_.imbalance);
+}
+
+void DeviceCycles::launch(DeviceKernel kernel, std::int64_t blocks) {
+  const std::int64_t domains = kernel == device_cross_pores ? most_cross_domains_ : most_domains_;
+  device_.launch(kernel, blocks, device_shared_bytes(kernel, most_bonds_, domains), &task_, sizeof task_);
+}
+
+void DeviceCycles::launch_one(DeviceKernel kernel, std::int64_t item) {
+  const auto number = static_cast<std::int32_t>(item);
+  item_.put(&number, sizeof number);
+  task_.list = item_.as<std::int32_t>();
+  launch(kernel, 1);
+  task_.list = nullptr;
+}
+
+std::int64_t DeviceCycles::run(std::int64_t stage, std::int64_t last) {
+  const KernelArrays& h = host_;
+  constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
+  stop_.put(&never, sizeof never);
+  for (; stage < last; ++stage) {
+    task_.stage = stage;
+    if (stage % 2 == 1) {
+      launch(device_tile_step, h.tile_count);
+      continue;
+    }
+    // Pores that keep their pressure push as they did in the first cycle.
+    if (h.with_pressure != 0 && (h.undrained != 0 || stage == 0)) launch(device_cross_pores, h.tile_count);
+    launch(device_cross_pairs, h.pair_count);
+    if (task_.d.walled != 0 || task_.d.pushed_count > 0) launch(device_push, 1);
+  }
+  std::int64_t stop = never;
+  stop_.get(&stop, sizeof stop);
+  task_.stage = std::min(stop, last);  // of what is done again
+  return task_.stage;
+}
+
+void DeviceCycles::get_flags() {
+  get(host_.bond_sums, static_cast<const TileSums*>(task_.d.a.bond_sums), 0,
+      host_.tile_count + host_.pair_count);
+}
+
+template <class T>
+void DeviceCycles::get(T* host, const T* at, std::int64_t first, std::int64_t last) {
+  if (at != nullptr && last > first)
+    device_.download(host + first, at + first, static_cast<std::size_t>(last - first) * sizeof(T));
+}
+
+void DeviceCycles::get_bonds(std::int64_t first, std::int64_t last) {
+  const KernelArrays& a = task_.d.a;
+  get(host_.slip, a.slip, first, last);
+  get(host_.softening_start, a.softening_start, first, last);
+  get(host_.softening_worst, a.softening_worst, first, last);
+}
+
+void DeviceCycles::get_discs(std::int64_t tile) {
+  const KernelArrays& a = task_.d.a;
+  const Tile& t = host_.tiles[tile];
+  get(host_.ux, a.ux, t.first_disc, t.last_disc);
+  get(host_.uy, a.uy, t.first_disc, t.last_disc);
+  get(host_.rotation, a.rotation, t.first_disc, t.last_disc);
+}
+
+void DeviceCycles::get_tile(std::int64_t tile) {
+  get_discs(tile);
+  get_bonds(host_.tiles[tile].first_bond, host_.tiles[tile].last_bond);
+}
+
+void DeviceCycles::get_pair(std::int64_t pair) {
+  const TilePair& p = host_.pairs[pair];
+  get_discs(host_.first[p.first_bond] / tile_size);
+  get_discs(host_.second[p.first_bond] / tile_size);
+  get_bonds(p.first_bond, p.last_bond);
+}
+
+void DeviceCycles::put_broken(std::int64_t first, std::int64_t last) {
+  device_.upload(const_cast<std::uint8_t*>(task_.d.a.intact) + first, host_.intact + first,
+                 static_cast<std::size_t>(last - first));
+}
+
+void DeviceCycles::repeat_pair(std::int64_t pair) {
+  launch_one(device_cross_pairs, pair);
+}
+
+void DeviceCycles::repeat_tile(std::int64_t tile) {
+  task_.moves_anyway = 1;
+  launch_one(device_tile_step, tile);
+  task_.moves_anyway = 0;
+}
+
+void DeviceCycles::move_tile(std::int64_t tile) {
+  launch_one(device_tile_move, tile);
+}
+
+std::vector<Boundary::RigidMotion> DeviceCycles::momenta() {
+  launch(device_momenta, host_.tile_count);
+  std::vector<Boundary::RigidMotion> of_tiles(static_cast<std::size_t>(host_.tile_count));
+  momenta_.get(of_tiles.data(), of_tiles.size() * sizeof(Boundary::RigidMotion));
+  return of_tiles;
+}
+
+void DeviceCycles::take_out(const Boundary::RigidMotion& motion) {
+  std::copy(motion.begin(), motion.end(), task_.motion);
+  launch(device_take_out, host_.tile_count);
+}
+
+void DeviceCycles::get_displacements() {
+  for (std::int64_t tile = 0; tile < host_.tile_count; ++tile) get_discs(tile);
+}
+
+void DeviceCycles::get_state(ContactPairs& contacts) {
+  get(Travels::there_and_back);
+  pairs_.get(contacts_.data(), contacts_.size() * sizeof(DevicePair));
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    contacts.pairs[k].normal_force = contacts_[k].normal_force;
+    contacts.pairs[k].shear_force = contacts_[k].shear_force;
+  }
+}
+
+}  // namespace hfrac
