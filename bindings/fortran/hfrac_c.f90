@@ -1617,6 +1617,16 @@ module hfrac_c
       integer(c_int32_t), intent(out) :: needed
       integer(c_int32_t) :: hfrac_build_info
     end function hfrac_build_info
+    !> The cards that run.device = "gpu" can use: how many, and a line of text each with its name and memory; with
+    !> none, a line that says why. Looks for the driver anew each time. Unstable since 0.2.
+    function hfrac_devices(count, buffer, capacity, needed) bind(C, name="hfrac_devices")
+      import
+      integer(c_int32_t), intent(out) :: count
+      type(c_ptr), value :: buffer
+      integer(c_int32_t), value :: capacity
+      integer(c_int32_t), intent(out) :: needed
+      integer(c_int32_t) :: hfrac_devices
+    end function hfrac_devices
     !> What a status code means, as one sentence. Unknown codes give HFRAC_ERR_ARGUMENT. Stable since 0.1.
     function hfrac_status_text(status, buffer, capacity, needed) bind(C, name="hfrac_status_text")
       import

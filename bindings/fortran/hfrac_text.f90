@@ -6,7 +6,7 @@ module hfrac_text
   use hfrac_c
   implicit none
   private
-  public :: from_c, to_c, report, report_text, hfrac_info
+  public :: from_c, to_c, report, report_text, hfrac_info, hfrac_device_list
 
   interface
     pure function c_strlen(text) bind(C, name="strlen")
@@ -81,5 +81,16 @@ contains
     call report(hfrac_build_info(c_loc(buffer), size(buffer, kind=c_int32_t), needed), c_null_ptr)
     text = from_c(c_loc(buffer))
   end function hfrac_info
+
+  !> The cards that run.device = "gpu" can use, a line each; with none (count 0) a line that says why. Unstable since 0.2.
+  function hfrac_device_list(count) result(text)
+    integer, intent(out) :: count
+    character(:), allocatable :: text
+    character(kind=c_char), target :: buffer(4096)
+    integer(c_int32_t) :: found, needed
+    call report(hfrac_devices(found, c_loc(buffer), size(buffer, kind=c_int32_t), needed), c_null_ptr)
+    count = int(found)
+    text = from_c(c_loc(buffer))
+  end function hfrac_device_list
 
 end module hfrac_text

@@ -2,8 +2,10 @@
 // The library that runs, which may be another than the one a host was compiled against.
 #include <string>
 
+#include "core/device.hpp"
 #include "hfrac/base.h"
 #include "internal.hpp"
+#include "options/number_text.hpp"
 #include "solid/kernels.hpp"
 
 #define HFRAC_TEXT_OF(x) #x
@@ -42,6 +44,21 @@ std::int32_t hfrac_abi_version(std::int32_t* abi) {
   return guarded([&] {
     require_not_null(abi, "abi");
     *abi = HFRAC_ABI_VERSION;
+  });
+}
+
+std::int32_t hfrac_devices(std::int32_t* count, char* buffer, std::int32_t capacity, std::int32_t* needed) {
+  return guarded([&] {
+    require_not_null(count, "count");
+    const hfrac::DeviceList list = hfrac::list_devices();
+    std::string text = list.why_none;
+    for (const auto& device : list.devices) {
+      constexpr double gib = 1024.0 * 1024.0 * 1024.0;
+      text += (text.empty() ? "" : "\n") + device.name + ", " +
+              hfrac::rounded_text(static_cast<double>(device.memory_bytes) / gib) + " GiB";
+    }
+    copy_text(text, buffer, capacity, needed);
+    *count = static_cast<std::int32_t>(list.devices.size());
   });
 }
 

@@ -134,6 +134,13 @@ void Device::download(void* to, const void* from, std::size_t bytes) const {
   check(driver_->download(opened_, to, from, static_cast<std::int64_t>(bytes)), "copying from it");
 }
 
+void Device::copy(void* to, const void* from, std::size_t bytes, int times) const {
+  for (int k = 0; k < times; ++k)
+    check(driver_->copy(opened_, to, from, static_cast<std::int64_t>(bytes)), "copying within it");
+  char last = 0;
+  download(&last, to, 1);  // waits for all before
+}
+
 void Device::launch(std::int32_t kernel, std::int64_t blocks, std::int64_t shared_bytes, const void* task,
                     std::size_t task_bytes) const {
   if (blocks <= 0) return;

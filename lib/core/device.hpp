@@ -25,6 +25,7 @@ struct DeviceDriver {
   void (*release)(void* opened, void* address);
   std::int32_t (*upload)(void* opened, void* to, const void* from, std::int64_t bytes);
   std::int32_t (*download)(void* opened, void* to, const void* from, std::int64_t bytes);
+  std::int32_t (*copy)(void* opened, void* to, const void* from, std::int64_t bytes);  // both on the device
   // Kernel number `kernel` in so many blocks, with so many bytes of memory to a block; `task`: its one argument, of `task_bytes`.
   std::int32_t (*launch)(void* opened, std::int32_t kernel, std::int64_t blocks, std::int64_t shared_bytes,
                          const void* task, std::int64_t task_bytes);
@@ -58,6 +59,8 @@ class Device {
   void release(void* address) const noexcept;
   void upload(void* to, const void* from, std::size_t bytes) const;
   void download(void* to, const void* from, std::size_t bytes) const;
+  // Within the device, `times` over and to the end: for benchmarks.
+  void copy(void* to, const void* from, std::size_t bytes, int times) const;
   void launch(std::int32_t kernel, std::int64_t blocks, std::int64_t shared_bytes, const void* task,
               std::size_t task_bytes) const;
 

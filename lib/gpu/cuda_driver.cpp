@@ -64,6 +64,7 @@ struct Cuda {
   int (*MemFree_v2)(std::uint64_t);
   int (*MemcpyHtoDAsync_v2)(std::uint64_t, const void*, std::size_t, void*);
   int (*MemcpyDtoHAsync_v2)(void*, std::uint64_t, std::size_t, void*);
+  int (*MemcpyDtoDAsync_v2)(std::uint64_t, std::uint64_t, std::size_t, void*);
   int (*LaunchKernel)(void*, unsigned, unsigned, unsigned, unsigned, unsigned, unsigned, unsigned, void*,
                       void**, void**);
   int (*StreamCreate)(void**, unsigned);
@@ -104,7 +105,7 @@ Loaded load() {
       find(library, "cuMemAlloc_v2", c.MemAlloc_v2) && find(library, "cuMemFree_v2", c.MemFree_v2) &&
       find(library, "cuMemcpyHtoDAsync_v2", c.MemcpyHtoDAsync_v2) &&
       find(library, "cuMemcpyDtoHAsync_v2", c.MemcpyDtoHAsync_v2) &&
-      find(library, "cuLaunchKernel", c.LaunchKernel) && find(library, "cuStreamCreate", c.StreamCreate) &&
+      find(library, "cuMemcpyDtoDAsync_v2", c.MemcpyDtoDAsync_v2) && find(library, "cuLaunchKernel", c.LaunchKernel) && find(library, "cuStreamCreate", c.StreamCreate) &&
       find(library, "cuStreamSynchronize", c.StreamSynchronize) &&
       find(library, "cuStreamDestroy_v2", c.StreamDestroy_v2) &&
       find(library, "cuGetErrorString", c.GetErrorString);
@@ -239,6 +240,15 @@ std::int32_t download(void* opened, void* to, const void* from, std::int64_t byt
   return status != 0 ? status : c.StreamSynchronize(card.stream);
 }
 
+std::int32_t copy(void* opened, void* to, const void* from, std::int64_t bytes) {
+  const Card& card = *static_cast<Card*>(opened);
+  const Current here(card);
+  return here.status() != 0
+             ? here.status()
+             : loaded().cuda.MemcpyDtoDAsync_v2(reinterpret_cast<std::uint64_t>(to), reinterpret_cast<std::uint64_t>(from),
+                                                static_cast<std::size_t>(bytes), card.stream);
+}
+
 std::int32_t launch(void* opened, std::int32_t kernel, std::int64_t blocks, std::int64_t shared_bytes,
                     const void* task, std::int64_t task_bytes) {
   const Card& card = *static_cast<Card*>(opened);
@@ -274,6 +284,6 @@ void describe(std::int32_t status, char* text, std::int32_t size) {
 extern "C" __attribute__((visibility("default"))) const hfrac::DeviceDriver* hfrac_device_driver(void) {
   using namespace hfrac;
   static const DeviceDriver driver = {
-      device_driver_version, count, name, open, close, allocate, release, upload, download, launch, describe};
+      device_driver_version, count, name, open, close, allocate, release, upload, download, copy, launch, describe};
   return &driver;
 }

@@ -3,7 +3,7 @@
 //
 // Positions are kept as reference (at bonding) plus displacement, so that gaps of a ten-thousandth of a disc lose no digits.
 // A bond and the contact of the same two discs share one entry: the bond is there while `intact` is 1, the contact
-// always (contact.mode = parallel) or once the bond broke (after-break). The law stands in solid/kernels_body.hpp.
+// always (contact.mode = parallel) or once the bond broke (after-break). The law stands in solid/kernels_law.hpp.
 #pragma once
 
 #include <cstdint>

@@ -28,7 +28,7 @@ PairMotion motion_of(const Assembly& a, std::int64_t e) {
   return m;
 }
 
-// The contact's normal force and moment by gap and bend: a line of springs that bear pressure only (kernels_body.hpp).
+// The contact's normal force and moment by gap and bend: a line of springs that bear pressure only (kernels_law.hpp).
 void press(BondLaw& law, double stiffness, double radius, bool flat) {
   const PairMotion& m = law.motion;
   const double edge = flat ? radius * std::abs(m.bend) : 0.0;

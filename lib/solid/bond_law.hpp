@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The law of one bond and its contact, in scalars: what a pair of discs answers to where it stands.
 //
-// The kernels work through the same law 64 bonds at a time; kernels_body.hpp states it with its sources, and tests/unit/kernels_test.cpp
+// The kernels work through the same law 64 bonds at a time; kernels_law.hpp states it with its sources, and tests/unit/kernels_test.cpp
 // holds the two together. Everything else that asks for a bond's forces asks here: where a bond breaks (BondView::breaks), logs, fields,
 // energies, and the tangent of the quasi-static solver (equilibrium/bond_response.hpp).
 #pragma once

@@ -32,7 +32,7 @@ static void check(int holds, const char* what) {
 /* base.h */
 static void library(void) {
   char text[1024];
-  int32_t major = 0, minor = 0, patch = 0, abi = -1, needed = 0;
+  int32_t major = 0, minor = 0, patch = 0, abi = -1, needed = 0, devices = -1;
   good(hfrac_version(&major, &minor, &patch), NULL, "version");
   check(major == HFRAC_VERSION_MAJOR && minor == HFRAC_VERSION_MINOR && patch == HFRAC_VERSION_PATCH,
         "the library is the header's");
@@ -40,6 +40,8 @@ static void library(void) {
   check(abi == HFRAC_ABI_VERSION, "so is its ABI");
   good(hfrac_build_info(text, (int32_t)sizeof text, NULL), NULL, "build_info");
   printf("%s\n", text);
+  good(hfrac_devices(&devices, text, (int32_t)sizeof text, NULL), NULL, "devices");
+  check(devices >= 0 && text[0] != '\0', "devices, or why there are none");
   good(hfrac_status_text(HFRAC_ERR_MODEL, text, (int32_t)sizeof text, NULL), NULL, "status_text");
   good(hfrac_last_error(NULL, NULL, 0, &needed), NULL, "last_error");
 }

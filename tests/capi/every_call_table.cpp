@@ -27,6 +27,7 @@ std::vector<Row> without_a_simulation() {
       ROW(hfrac_version, reads, Optional(), &g.number, &g.other, &g.third),
       ROW(hfrac_abi_version, reads, Optional(), &g.number),
       ROW(hfrac_build_info, reads, Optional({2}), +g.text, 4096, &g.number),
+      ROW(hfrac_devices, reads, Optional({3}), &g.other, +g.text, 4096, &g.number),
       ROW(hfrac_status_text, reads, Optional({3}), -1, +g.text, 4096, &g.number),
       ROW(hfrac_sim_def_init, reads, Optional(), g.empty_def(), static_cast<int32_t>(sizeof(hfrac_sim_def))),
       ROW(hfrac_sim_def_free, reads, Optional({0}), g.empty_def()),

@@ -35,4 +35,65 @@ TEST_P(GoldenOnADevice, HasTheBitsOfTheProcessor) {
 INSTANTIATE_TEST_SUITE_P(Cases, GoldenOnADevice, testing::ValuesIn(golden::cases()),
                          [](const auto& which) { return which.param.name; });
 
+golden::Case small() {
+  return golden::cases().front();
+}
+
+std::string create_and_fail(const hfrac::Definition& def, int32_t status) {
+  hfrac_sim* sim = nullptr;
+  EXPECT_EQ(hfrac_sim_create(&def, &sim), status);
+  std::string text(1024, ' ');
+  hfrac_last_error(nullptr, text.data(), static_cast<int32_t>(text.size()), nullptr);
+  hfrac_sim_destroy(&sim);
+  return text.substr(0, text.find('\0'));
+}
+
+TEST(Device, IsRefusedWhatItDoesNotRun) {
+  const auto refused = [](const auto& change) {
+    hfrac::Definition def = small().def;
+    def.run_device = gpu;
+    change(def);
+    return create_and_fail(def, HFRAC_ERR_MODEL);
+  };
+  EXPECT_NE(refused([](auto& def) { def.solver_kind = 1; }).find("solver.kind = \"quasi-static\" runs on the processor alone"),
+            std::string::npos);
+  EXPECT_NE(refused([](auto& def) { def.fracture_law = 1; }).find("fracture.law"), std::string::npos);
+  EXPECT_NE(refused([](auto& def) { def.boundary_kind = 2; }).find("boundary.kind"), std::string::npos);
+}
+
+TEST(Device, GoesOnFromAStateOfTheProcessorAndBack) {
+  const auto hash_after = [](int64_t first, int64_t second) {
+    std::string image;
+    uint64_t hash = 0;
+    for (const int64_t device : {first, second}) {
+      hfrac::Definition def = small().def;
+      def.run_device = device;
+      hfrac_sim* sim = nullptr;
+      EXPECT_EQ(hfrac_sim_create(&def, &sim), HFRAC_OK);
+      if (!image.empty()) {
+        EXPECT_EQ(hfrac_load_state(sim, image.data(), static_cast<int64_t>(image.size())), HFRAC_OK);
+      }
+      EXPECT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+      int64_t needed = 0;
+      hfrac_save_state(sim, nullptr, 0, &needed);
+      image.resize(static_cast<std::size_t>(needed));
+      EXPECT_EQ(hfrac_save_state(sim, image.data(), needed, &needed), HFRAC_OK);
+      EXPECT_EQ(hfrac_state_hash(sim, &hash), HFRAC_OK);
+      hfrac_sim_destroy(&sim);
+    }
+    return hash;
+  };
+  const uint64_t alone = hash_after(0, 0);
+  EXPECT_EQ(hash_after(0, gpu), alone);
+  EXPECT_EQ(hash_after(gpu, 0), alone);
+  EXPECT_EQ(hash_after(gpu, gpu), alone);
+}
+
+TEST(Device, IsListed) {
+  int32_t count = 0;
+  std::string text(1024, ' ');
+  ASSERT_EQ(hfrac_devices(&count, text.data(), static_cast<int32_t>(text.size()), nullptr), HFRAC_OK);
+  EXPECT_GE(count, 1) << text;
+}
+
 }  // namespace

@@ -108,6 +108,6 @@ void describe(std::int32_t status, char* text, std::int32_t size) {
 extern "C" __attribute__((visibility("default"))) const hfrac::DeviceDriver* hfrac_device_driver(void) {
   using namespace hfrac;
   static const DeviceDriver driver = {
-      device_driver_version, count, name, open, close, allocate, release, copy, copy, launch, describe};
+      device_driver_version, count, name, open, close, allocate, release, copy, copy, copy, launch, describe};
   return &driver;
 }

@@ -9,6 +9,7 @@
 #include "command/commands.hpp"
 #include "command/summary_text.hpp"
 #include "output/checkpoint.hpp"
+#include "run/engine_call.hpp"
 #include "run/files.hpp"
 #include "run/json_file.hpp"
 #include "run/known_files.hpp"
@@ -63,13 +64,29 @@ ExitCode inform(const std::filesystem::path& folder) {
   return kGood;
 }
 
+ExitCode tell_devices() {
+  int32_t count = 0;
+  const auto lines = run::devices_of_library(count);
+  if (count > 0)
+    fmt::print("{}\n", lines);
+  else
+    fmt::print("no device: {}\n", lines);
+  return kGood;
+}
+
 }  // namespace
 
 void add_info(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("info", "Show what came out of a run, also while it goes on");
   auto folder = std::make_shared<std::string>();
-  command->add_option("DIR", *folder, "Run folder")->required();
-  command->callback([folder, &action] { action = [folder] { return inform(*folder); }; });
+  auto devices = std::make_shared<bool>(false);
+  auto* run_folder = command->add_option("DIR", *folder, "Run folder");
+  auto* flag = command->add_flag("--devices", *devices, "Instead: the cards that run.device = \"gpu\" can use");
+  run_folder->excludes(flag);
+  command->callback([folder, devices, &action] {
+    if (!*devices && folder->empty()) throw CLI::RequiredError("DIR");
+    action = [folder, devices] { return *devices ? tell_devices() : inform(*folder); };
+  });
 }
 
 }  // namespace hfrac::command

@@ -136,6 +136,12 @@ std::string build_of_library() {
   return whole_text(hfrac_build_info);
 }
 
+std::string devices_of_library(int32_t& count) {
+  return whole_text([&](char* buffer, int32_t capacity, int32_t* needed) {
+    return hfrac_devices(&count, buffer, capacity, needed);
+  });
+}
+
 std::string case_text(const hfrac_sim_def& definition) {
   return whole_text([&](char* buffer, int32_t capacity, int32_t* needed) {
     return hfrac_sim_def_write(&definition, buffer, capacity, needed);

@@ -77,6 +77,8 @@ std::vector<hfrac_fracture_point> line_of(hfrac_sim* sim, int64_t fracture);
 
 std::string version_of_library();
 std::string build_of_library();
+/** The cards that run.device = "gpu" can use, a line each; with none, why. */
+std::string devices_of_library(int32_t& count);
 std::string case_text(const hfrac_sim_def& definition);
 
 }  // namespace hfrac::run

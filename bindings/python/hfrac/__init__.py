@@ -18,7 +18,7 @@ from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Joints, Pipes
 from ._grid import Grid
 from ._injection import InjectionRow, read_record
 from ._lab import LabResult, calibrate, lab
-from ._library import build_info, library_path, version
+from ._library import build_info, devices, library_path, version, why_no_devices
 from ._open_step import OpenStep
 from ._records import (
     Balance,
@@ -48,6 +48,7 @@ from .errors import (
     BusyError,
     CallbackError,
     CollapsedError,
+    DeviceError,
     ExchangeError,
     CaseFileError,
     DivergedError,
@@ -66,12 +67,12 @@ from .errors import (
 
 __all__ = [
     "FIELDS", "Advance", "ArgumentError", "BadHandleError", "Balance", "Bonds", "BusyError", "Calibration",
-    "CallbackError", "CollapsedError", "ExchangeError",
+    "CallbackError", "CollapsedError", "DeviceError", "ExchangeError",
     "CaseFileError", "Crack", "CrackMode", "Definition", "Discs", "DivergedError", "Domains", "Event", "EventKind", "FieldInfo",
     "FileError", "Fracture", "FracturePoint", "GrdeclKind", "Grid", "Heat", "HfracError", "InjectionRow", "InternalError", "JointState", "Joints", "LabReport",
     "LabResult", "LibraryError", "LogLevel", "MagnitudeLaw", "ModelError", "OpenStep", "Option", "OutOfMemoryError",
     "Pipes", "PoisonedError", "Run", "SetupReport", "SimState", "Simulation", "Slip", "SolverReport", "StaleViewError", "Status",
     "StepLimit", "StepLimits", "StopReason", "StoppedError", "StructSizeError", "UnknownKeyError", "Upscaling", "View",
-    "WallState", "Well", "WellControl", "WellState", "build_info", "calibrate", "joint_options", "lab", "library_path",
-    "magnitude_law", "options", "read_record", "schedule_options", "version", "well_options",
+    "WallState", "Well", "WellControl", "WellState", "build_info", "calibrate", "devices", "joint_options", "lab", "library_path",
+    "magnitude_law", "options", "read_record", "schedule_options", "version", "well_options", "why_no_devices",
 ]

@@ -1120,6 +1120,12 @@ SIGNATURES = {
         ctypes.c_int32,
         ctypes.POINTER(ctypes.c_int32),
     ),
+    "hfrac_devices": (
+        ctypes.POINTER(ctypes.c_int32),
+        ctypes.c_char_p,
+        ctypes.c_int32,
+        ctypes.POINTER(ctypes.c_int32),
+    ),
     "hfrac_status_text": (
         ctypes.c_int32,
         ctypes.c_char_p,

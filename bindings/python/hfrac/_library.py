@@ -9,7 +9,7 @@ import functools
 import os
 import pathlib
 import sysconfig
-from typing import Any, Iterator, Optional, Tuple
+from typing import Any, Iterator, List, Optional, Tuple
 
 from . import _abi
 from .errors import LibraryError, error_of
@@ -104,6 +104,24 @@ def version() -> Tuple[int, int, int]:
 def build_info() -> str:
     """Version, compiler, build type and instruction set of the library, as one line."""
     return text("hfrac_build_info")
+
+
+def devices() -> List[str]:
+    """Name and memory of each card that run.device = "gpu" can use. Empty: there is none (`why_no_devices` says why)."""
+    count, lines = _devices()
+    return lines.split("\n") if count > 0 else []
+
+
+def why_no_devices() -> str:
+    """Why `devices` is empty; empty if it is not."""
+    count, lines = _devices()
+    return "" if count > 0 else lines
+
+
+def _devices() -> Tuple[int, str]:
+    count = ctypes.c_int32()
+    lines = text("hfrac_devices", ctypes.byref(count))
+    return count.value, lines
 
 
 def status_text(status: int) -> str:

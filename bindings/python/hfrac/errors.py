@@ -65,6 +65,12 @@ class ExchangeError(HfracError, RuntimeError):
     status = Status.ERR_EXCHANGE
 
 
+class DeviceError(HfracError, RuntimeError):
+    """The device of run.device is not there, or failed; the state is as before the step."""
+
+    status = Status.ERR_DEVICE
+
+
 class OutOfMemoryError(HfracError, MemoryError):
     """Out of memory."""
 

@@ -13,11 +13,13 @@ contains
 
   subroutine library()
     integer(c_int32_t) :: major, minor, patch, abi, needed
+    integer :: devices
     character(kind=c_char), target :: buffer(200)
     call expect(hfrac_version(major, minor, patch) == HFRAC_OK, 'version')
     call expect(major == HFRAC_VERSION_MAJOR .and. minor == HFRAC_VERSION_MINOR, 'version of the module')
     call expect(hfrac_abi_version(abi) == HFRAC_OK .and. abi == HFRAC_ABI_NUMBER, 'ABI number')
     call expect(index(hfrac_info(), 'hfrac') == 1, 'build info')
+    call expect(len_trim(hfrac_device_list(devices)) > 0 .and. devices >= 0, 'devices, or why there are none')
     call expect(hfrac_status_text(HFRAC_ERR_MODEL, c_loc(buffer), 200, needed) == HFRAC_OK, 'status text')
     call expect(needed > 10 .and. buffer(needed) == c_null_char, 'size of the status text')
   end subroutine library

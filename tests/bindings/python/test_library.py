@@ -24,6 +24,7 @@ class Library(unittest.TestCase):
         self.assertEqual(hfrac.version(), (_abi.VERSION_MAJOR, _abi.VERSION_MINOR, _abi.VERSION_PATCH))
         self.assertTrue(hfrac.build_info().startswith("hfrac "))
         self.assertIn("libhfrac", hfrac.library_path())
+        self.assertNotEqual(bool(hfrac.devices()), bool(hfrac.why_no_devices()))
         abi = ctypes.c_int32(-1)
         _library.call("hfrac_abi_version", ctypes.byref(abi))
         self.assertEqual(abi.value, _abi.ABI_VERSION)
