@@ -105,7 +105,8 @@ Loaded load() {
       find(library, "cuMemAlloc_v2", c.MemAlloc_v2) && find(library, "cuMemFree_v2", c.MemFree_v2) &&
       find(library, "cuMemcpyHtoDAsync_v2", c.MemcpyHtoDAsync_v2) &&
       find(library, "cuMemcpyDtoHAsync_v2", c.MemcpyDtoHAsync_v2) &&
-      find(library, "cuMemcpyDtoDAsync_v2", c.MemcpyDtoDAsync_v2) && find(library, "cuLaunchKernel", c.LaunchKernel) && find(library, "cuStreamCreate", c.StreamCreate) &&
+      find(library, "cuMemcpyDtoDAsync_v2", c.MemcpyDtoDAsync_v2) &&
+      find(library, "cuLaunchKernel", c.LaunchKernel) && find(library, "cuStreamCreate", c.StreamCreate) &&
       find(library, "cuStreamSynchronize", c.StreamSynchronize) &&
       find(library, "cuStreamDestroy_v2", c.StreamDestroy_v2) &&
       find(library, "cuGetErrorString", c.GetErrorString);
@@ -243,10 +244,10 @@ std::int32_t download(void* opened, void* to, const void* from, std::int64_t byt
 std::int32_t copy(void* opened, void* to, const void* from, std::int64_t bytes) {
   const Card& card = *static_cast<Card*>(opened);
   const Current here(card);
-  return here.status() != 0
-             ? here.status()
-             : loaded().cuda.MemcpyDtoDAsync_v2(reinterpret_cast<std::uint64_t>(to), reinterpret_cast<std::uint64_t>(from),
-                                                static_cast<std::size_t>(bytes), card.stream);
+  return here.status() != 0 ? here.status()
+                            : loaded().cuda.MemcpyDtoDAsync_v2(reinterpret_cast<std::uint64_t>(to),
+                                                               reinterpret_cast<std::uint64_t>(from),
+                                                               static_cast<std::size_t>(bytes), card.stream);
 }
 
 std::int32_t launch(void* opened, std::int32_t kernel, std::int64_t blocks, std::int64_t shared_bytes,
@@ -283,7 +284,17 @@ void describe(std::int32_t status, char* text, std::int32_t size) {
 
 extern "C" __attribute__((visibility("default"))) const hfrac::DeviceDriver* hfrac_device_driver(void) {
   using namespace hfrac;
-  static const DeviceDriver driver = {
-      device_driver_version, count, name, open, close, allocate, release, upload, download, copy, launch, describe};
+  static const DeviceDriver driver = {device_driver_version,
+                                      count,
+                                      name,
+                                      open,
+                                      close,
+                                      allocate,
+                                      release,
+                                      upload,
+                                      download,
+                                      copy,
+                                      launch,
+                                      describe};
   return &driver;
 }

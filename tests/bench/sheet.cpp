@@ -98,7 +98,8 @@ int run(std::int64_t count, int worker_count, ContactMode mode, const Device* de
       static_cast<long long>(sheet.assembly.disc_count()), worker_count,
       static_cast<long long>(sheet.assembly.bond_count()), bonds / best, discs / best,
       static_cast<double>(usage.ru_maxrss) * 1024.0 / discs, best, seconds[seconds.size() / 2],
-      seconds.size(), built, device != nullptr ? device->name().c_str() : kernel_isa(), mode == ContactMode::parallel ? "parallel" : "after-break");
+      seconds.size(), built, device != nullptr ? device->name().c_str() : kernel_isa(),
+      mode == ContactMode::parallel ? "parallel" : "after-break");
   if (device != nullptr) std::printf("copy %s %.4g B/s\n", device->name().c_str(), copy_bandwidth(*device));
   return 0;
 }

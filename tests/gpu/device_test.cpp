@@ -55,7 +55,9 @@ TEST(Device, IsRefusedWhatItDoesNotRun) {
     change(def);
     return create_and_fail(def, HFRAC_ERR_MODEL);
   };
-  EXPECT_NE(refused([](auto& def) { def.solver_kind = 1; }).find("solver.kind = \"quasi-static\" runs on the processor alone"),
+  EXPECT_NE(refused([](auto& def) {
+              def.solver_kind = 1;
+            }).find("solver.kind = \"quasi-static\" runs on the processor alone"),
             std::string::npos);
   EXPECT_NE(refused([](auto& def) { def.fracture_law = 1; }).find("fracture.law"), std::string::npos);
   EXPECT_NE(refused([](auto& def) { def.boundary_kind = 2; }).find("boundary.kind"), std::string::npos);
@@ -64,26 +66,26 @@ TEST(Device, IsRefusedWhatItDoesNotRun) {
 TEST(Device, GoesOnFromAStateOfTheProcessorAndBack) {
   const auto hash_after = [](int64_t first, int64_t second) {
     std::string image;
-    uint64_t hash = 0;
+    int64_t hash = 0;
     for (const int64_t device : {first, second}) {
       hfrac::Definition def = small().def;
       def.run_device = device;
       hfrac_sim* sim = nullptr;
       EXPECT_EQ(hfrac_sim_create(&def, &sim), HFRAC_OK);
       if (!image.empty()) {
-        EXPECT_EQ(hfrac_load_state(sim, image.data(), static_cast<int64_t>(image.size())), HFRAC_OK);
+        EXPECT_EQ(hfrac_state_restore(sim, image.data(), static_cast<int64_t>(image.size())), HFRAC_OK);
       }
       EXPECT_EQ(hfrac_step(sim, 1), HFRAC_OK);
-      int64_t needed = 0;
-      hfrac_save_state(sim, nullptr, 0, &needed);
-      image.resize(static_cast<std::size_t>(needed));
-      EXPECT_EQ(hfrac_save_state(sim, image.data(), needed, &needed), HFRAC_OK);
+      int64_t size = 0;
+      EXPECT_EQ(hfrac_state_size(sim, &size), HFRAC_OK);
+      image.resize(static_cast<std::size_t>(size));
+      EXPECT_EQ(hfrac_state_save(sim, image.data(), size, &size), HFRAC_OK);
       EXPECT_EQ(hfrac_state_hash(sim, &hash), HFRAC_OK);
       hfrac_sim_destroy(&sim);
     }
     return hash;
   };
-  const uint64_t alone = hash_after(0, 0);
+  const int64_t alone = hash_after(0, 0);
   EXPECT_EQ(hash_after(0, gpu), alone);
   EXPECT_EQ(hash_after(gpu, 0), alone);
   EXPECT_EQ(hash_after(gpu, gpu), alone);

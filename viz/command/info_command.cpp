@@ -81,7 +81,8 @@ void add_info(CLI::App& program, Action& action) {
   auto folder = std::make_shared<std::string>();
   auto devices = std::make_shared<bool>(false);
   auto* run_folder = command->add_option("DIR", *folder, "Run folder");
-  auto* flag = command->add_flag("--devices", *devices, "Instead: the cards that run.device = \"gpu\" can use");
+  auto* flag =
+      command->add_flag("--devices", *devices, "Instead: the cards that run.device = \"gpu\" can use");
   run_folder->excludes(flag);
   command->callback([folder, devices, &action] {
     if (!*devices && folder->empty()) throw CLI::RequiredError("DIR");
