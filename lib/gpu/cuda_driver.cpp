@@ -6,6 +6,7 @@
 #include <dlfcn.h>
 
 #include <array>
+#include <bit>
 #include <cstdio>
 #include <cstring>
 #include <new>
@@ -210,7 +211,7 @@ std::int32_t allocate(void* opened, std::int64_t bytes, void** address) {
   const int status = here.status() != 0
                          ? here.status()
                          : loaded().cuda.MemAlloc_v2(&at, static_cast<std::size_t>(bytes < 1 ? 1 : bytes));
-  *address = reinterpret_cast<void*>(at);
+  *address = std::bit_cast<void*>(at);
   return status;
 }
 
