@@ -9,7 +9,8 @@ Read are all tracked .md files and the head comment (the first lines that begin 
   `file.cpp: name, other`     a file of that name is there, and holds the names as words
   file.cpp, folder/file.hpp   in code quotes or in a head comment: a file of that name is there
   `hfrac_name`                in code quotes: a function, type or program of that name stands in headers, bindings or CMake files
-and that README.md has at most 150 lines and links to every page of docs/.
+and that README.md has at most 150 lines and links to every page of docs/; that each case of verification is built, has a page and a row in their list,
+and each page a case.
 """
 import fnmatch
 import pathlib
@@ -136,8 +137,26 @@ class References:
             if re.fullmatch(r"docs/[\w-]+\.md", path) and path not in linked:
                 self.fault("README.md", f"no link to {path}")
 
+    def verification(self):
+        """Test, page and row in the list of pages of each V<N> belong together."""
+        built = (ROOT / "tests/verification/CMakeLists.txt").read_text()
+        rows = set(re.findall(r"^\| \[(V\d+)\]", (ROOT / "docs/verification/README.md").read_text(), re.M))
+        tests = {}
+        for path in self.files:
+            if match := re.fullmatch(r"tests/verification/((V\d+)_\w+_test\.cpp)", path):
+                tests[match[2]] = path
+                if f"  {match[1]}\n" not in built:
+                    self.fault(path, "not in tests/verification/CMakeLists.txt")
+        pages = {match[1] for path in self.files if (match := re.fullmatch(r"docs/verification/(V\d+)\.md", path))}
+        for case in sorted(rows | pages | tests.keys()):
+            self.checked += 1
+            for what, there in (("row in docs/verification/README.md", rows), ("page", pages), ("test", tests)):
+                if case not in there:
+                    self.fault(case, f"no {what}")
+
     def run(self):
         self.readme()
+        self.verification()
         for path in self.files:
             if path.endswith(".md"):
                 self.page(path)

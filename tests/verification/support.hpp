@@ -86,6 +86,21 @@ class Simulation {
     check(hfrac_field_copy_i32(sim_, field, all.data(), count, &count));
     return all;
   }
+  [[nodiscard]] std::vector<hfrac_fracture> fractures() {
+    int64_t count = 0;
+    check(hfrac_fractures(sim_, sizeof(hfrac_fracture), nullptr, 0, &count));
+    std::vector<hfrac_fracture> all(static_cast<std::size_t>(count));
+    check(hfrac_fractures(sim_, sizeof(hfrac_fracture), all.data(), count, &count));
+    return all;
+  }
+  // With the fracture each belongs to as `fractures` numbers them.
+  [[nodiscard]] std::vector<hfrac_crack> cracks() {
+    int64_t count = 0, next = 0;
+    check(hfrac_cracks_since(sim_, 0, sizeof(hfrac_crack), nullptr, 0, &count, &next));
+    std::vector<hfrac_crack> all(static_cast<std::size_t>(count));
+    check(hfrac_cracks_since(sim_, 0, sizeof(hfrac_crack), all.data(), count, &count, &next));
+    return all;
+  }
 
  private:
   int32_t check(int32_t status) const {

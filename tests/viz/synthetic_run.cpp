@@ -111,6 +111,8 @@ void write_discs(const fs::path& folder, int snapshot, const SyntheticRun& run, 
     return std::array<double, 3>{mean, mean, 0.0};
   });
   add_array(grid->GetPointData(), "rotation_rad", count, [](vtkIdType) { return 0.0; });
+  add_array(
+      grid->GetPointData(), "intact_bonds", count, [](vtkIdType) { return 6; }, true);
   if (run.with_temperature) {
     add_array(grid->GetPointData(), "temperature_K", count,
               [&](vtkIdType i) { return run.temperature_at(x(i), lattice.centres->GetPoint(i)[1]); });
@@ -171,6 +173,8 @@ void write_cracks(const fs::path& folder, int snapshot, const SyntheticRun& run)
   add_array(grid->GetCellData(), "aperture_m", count,
             [&](vtkIdType i) { return aperture[static_cast<std::size_t>(i)]; });
   add_array(grid->GetCellData(), "time_s", count, [](vtkIdType i) { return 0.1 * static_cast<double>(i); });
+  add_array(grid->GetCellData(), "pressure_Pa", count,
+            [](vtkIdType i) { return 1e6 * static_cast<double>(i); });
   write_grid(folder, "cracks", snapshot, run, grid);
 }
 

@@ -12,7 +12,7 @@ std::span<const NamedView> all_views() {
   constexpr std::string_view compression = "compression positive", since = "since equilibration";
 
   // name, title, label, note, mesh, array, how, component, scale, all values, smoothed, states
-  static constexpr std::array<NamedView, 23> views = {{
+  static constexpr auto views = std::to_array<NamedView>({
       {"discs", "Discs and cracks", "", "cracks by mode", "", ""},
       {"bonds", "Bonds and cracks", "", "intact bonds over the discs, cracks by mode", "", ""},
       {"forces", "Forces across bonds", "", "force chains: width by force, colour by sign", "", ""},
@@ -59,7 +59,7 @@ std::span<const NamedView> all_views() {
        true,
        false,
        {"holds", "sticks", "slips", "open"}},
-  }};
+  });
   return views;
 }
 
