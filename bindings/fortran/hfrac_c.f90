@@ -86,6 +86,12 @@ module hfrac_c
   !> takes `rate`; its pressure follows
   integer(c_int32_t), parameter :: HFRAC_WELL_RATE = 2
 
+  ! What a well pumps.
+  !> the fluid
+  integer(c_int32_t), parameter :: HFRAC_WELL_FLUID_FIRST = 0
+  !> that of fluid.second_viscosity
+  integer(c_int32_t), parameter :: HFRAC_WELL_FLUID_SECOND = 1
+
   ! Whether the bonds of a joint hold.
   !> until their strength is reached
   integer(c_int32_t), parameter :: HFRAC_JOINT_BONDED = 0
@@ -291,7 +297,7 @@ module hfrac_c
     real(c_double) :: fluid_density = 0.0_c_double
     !> number of the wellbore it is a cluster of, the first of which drives it; 0: one of its own
     integer(c_int64_t) :: wellbore = 0_c_int64_t
-    !> what it pumps: 0 the fluid, 1 that of fluid.second_viscosity
+    !> enum hfrac_well_fluid: what it pumps from the start on
     integer(c_int64_t) :: fluid = 0_c_int64_t
     !> [m] of its slots (law facet); 0: fracture.perforation_length and fracture.perforation_azimuth hold
     real(c_double) :: perforation_length = 0.0_c_double
@@ -960,7 +966,7 @@ module hfrac_c
   !> One well as it stands. Set struct_size before the call.
   type, bind(C) :: hfrac_well_state
     !> sizeof(hfrac_well_state) of the caller
-    integer(c_int32_t) :: struct_size = 104_c_int32_t
+    integer(c_int32_t) :: struct_size = 112_c_int32_t
     !> enum hfrac_well_control in force
     integer(c_int32_t) :: control = 0_c_int32_t
     !> [m] centre
@@ -987,6 +993,8 @@ module hfrac_c
     real(c_double) :: wellhead_pressure = 0.0_c_double
     !> [m2/s] that the pump gave the wellbore, with all its clusters, in the last step
     real(c_double) :: wellbore_rate = 0.0_c_double
+    !> enum hfrac_well_fluid: what it pumps; of a wellbore's clusters all that the first does
+    integer(c_int64_t) :: fluid = 0_c_int64_t
   end type hfrac_well_state
 
   !> What a field is. Texts point into the library.
@@ -2054,6 +2062,17 @@ module hfrac_c
       real(c_double), intent(in) :: value(*)
       integer(c_int32_t) :: hfrac_well_set_schedule
     end function hfrac_well_set_schedule
+    !> From the next step on, a well pumps `fluid` (enum hfrac_well_fluid). It stays driven as it is, and its
+    !> schedule goes on; an entry of a case file's that names a fluid changes it again. HFRAC_ERR_ARGUMENT: the
+    !> model has no second fluid (fluid.second_viscosity), or another well drives this one's wellbore. Unstable
+    !> since 0.2.
+    function hfrac_well_set_fluid(sim, index, fluid) bind(C, name="hfrac_well_set_fluid")
+      import
+      type(c_ptr), value :: sim
+      integer(c_int32_t), value :: index
+      integer(c_int32_t), value :: fluid
+      integer(c_int32_t) :: hfrac_well_set_fluid
+    end function hfrac_well_set_fluid
     !> Describes field `field` of `sim`. Stable since 0.1.
     function hfrac_field_info(sim, field, desc) bind(C, name="hfrac_field_info")
       import
@@ -2468,10 +2487,12 @@ module hfrac_c
     !> time_min, time_h, time_d or time (ISO 8601, the first row being time 0); rate_m2_s, or rate_m3_s,
     !> rate_m3_min, rate_m3_h, rate_L_s or rate_L_min, which are divided by `thickness` [m, above 0 to 1e6];
     !> pressure_Pa, pressure_kPa, pressure_MPa or pressure_bar. Or a LAS 2.0 file with curves TIME, RATE, PRES in
-    !> these units. Copies at most `capacity` rows, three numbers each: time [s], rate [m2/s], pressure [Pa], which
-    !> hold until the next row; NaN for a rate or a pressure that the file does not have. *count is how many rows
-    !> there are, 1 to 1 000 000; rows NULL: only that. What is no record is refused with file and line
-    !> (HFRAC_ERR_CASE_FILE). Unstable since 0.1.
+    !> these units. Or a case file (a name that ends in .toml): the record that its first well with a schedule_file
+    !> names, by that well's schedule_thickness if it gives one; without such a well *count is 0. Copies at most
+    !> `capacity` rows, three numbers each: time [s], rate [m2/s], pressure [Pa], which hold until the next row; NaN
+    !> for a rate or a pressure that the file does not have. *count is how many rows there are, of a record 1 to 1
+    !> 000 000; rows NULL: only that. What is no record is refused with file and line (HFRAC_ERR_CASE_FILE).
+    !> Unstable since 0.1.
     function hfrac_read_record(path, thickness, rows, capacity, count) bind(C, name="hfrac_read_record")
       import
       character(kind=c_char), intent(in) :: path(*)

@@ -24,6 +24,7 @@ module hfrac_calls
     procedure, public :: set_well_pressure
     procedure, public :: set_well_ramp
     procedure, public :: set_well_rate
+    procedure, public :: set_well_fluid
     procedure, public :: epoch
     procedure, public :: traffic
     procedure, public :: set_temperature
@@ -184,6 +185,18 @@ contains
     character(*), intent(inout), optional :: errmsg
     call report(hfrac_well_set_rate(self%handle, int(index, c_int32_t), rate), self%handle, stat, errmsg)
   end subroutine set_well_rate
+
+  !> From the next step on, a well pumps `fluid` (enum hfrac_well_fluid). It stays driven as it is, and its schedule
+  !> goes on; an entry of a case file's that names a fluid changes it again. HFRAC_ERR_ARGUMENT: the model has no
+  !> second fluid (fluid.second_viscosity), or another well drives this one's wellbore. Unstable since 0.2.
+  subroutine set_well_fluid(self, index, fluid, stat, errmsg)
+    class(hfrac_handle), intent(inout) :: self
+    integer, intent(in) :: index
+    integer(c_int32_t), intent(in) :: fluid
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    call report(hfrac_well_set_fluid(self%handle, int(index, c_int32_t), fluid), self%handle, stat, errmsg)
+  end subroutine set_well_fluid
 
   !> Raised by every call that may change the simulation; a view of an older epoch is stale. Stable since 0.1.
   function epoch(self, stat, errmsg) result(now)

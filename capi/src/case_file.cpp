@@ -520,4 +520,16 @@ CaseDefinition load_case(const std::string& path, const CaseDefinition& base,
   return reader.read(parse(path, read_text_file(path)));
 }
 
+std::optional<NamedRecord> record_of_case(const std::string& path) {
+  const toml::table root = parse(path, read_text_file(path));
+  const toml::array* wells = root["well"].as_array();
+  for (std::size_t k = 0; wells != nullptr && k < wells->size(); ++k) {
+    const toml::table* well = (*wells)[k].as_table();
+    const auto file =
+        well == nullptr ? std::optional<std::string>() : (*well)["schedule_file"].value<std::string>();
+    if (file) return NamedRecord{beside(path, *file), (*well)[thickness_key.name].value_or(0.0)};
+  }
+  return std::nullopt;
+}
+
 }  // namespace hfrac::capi

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,13 @@ namespace hfrac::capi {
 // sentence "path:line: what is wrong and what is allowed". Adds to `notes`, unless it is nullptr, what became of each well's record.
 CaseDefinition load_case(const std::string& path, const CaseDefinition& base,
                          std::vector<std::string>* notes = nullptr);
+
+// The record that the first well with a schedule_file names, and that well's schedule_thickness [m]; 0: it gives none.
+struct NamedRecord {
+  std::string path;
+  double thickness;
+};
+std::optional<NamedRecord> record_of_case(const std::string& path);
 
 // Where the values of a case file stand: "packing.disc_count", "well[0]", "well[0].radius", "schedule[2].time" and the line.
 using KeyLines = std::map<std::string, std::size_t, std::less<>>;

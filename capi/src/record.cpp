@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "case_file.hpp"
 #include "core/error.hpp"
 #include "hfrac/record.h"
 #include "internal.hpp"
@@ -142,7 +143,15 @@ std::int32_t hfrac_read_record(const char* path, double thickness, double* rows,
     if (!(thickness > 0.0 && thickness <= 1e6))
       throw Error(ErrorKind::argument, "thickness is not a number above 0 to 1e6 m.");
     if (capacity < 0) throw Error(ErrorKind::argument, "capacity is negative.");
-    const Record record = read_record(path, {Wish::if_there, Wish::if_there, thickness});
+    std::string file = path;
+    if (file.ends_with(".toml")) {
+      const auto named = record_of_case(file);
+      *count = 0;
+      if (!named) return;
+      file = named->path;
+      if (named->thickness != 0.0) thickness = named->thickness;
+    }
+    const Record record = read_record(file, {Wish::if_there, Wish::if_there, thickness});
     *count = static_cast<std::int64_t>(record.time.size());
     if (rows == nullptr) return;
     const auto value = [](const std::vector<double>& of, std::size_t k) {

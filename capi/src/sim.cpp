@@ -447,6 +447,7 @@ int32_t hfrac_well_get(const hfrac_sim* sim, int32_t index, hfrac_well_state* st
     full.wellhead_pressure =
         full.wellbore_pressure + (net ? s.options().fluid_formation_pressure : 0.0) -
         (s.model().drive_of(well).fluid == WellFluid::second ? well.second_head : well.head);
+    full.fluid = static_cast<std::int64_t>(s.model().drive_of(well).fluid);
     write_struct(state, full, "hfrac_well_state");
   });
 }
@@ -501,6 +502,19 @@ int32_t hfrac_well_set_rate(hfrac_sim* sim, int32_t index, double rate) {
     set_well_rate(*sim->simulation, static_cast<std::size_t>(index), rate);
     ++sim->epoch;
     tell_well(*sim, index, "takes " + number_text(rate) + " m2/s");
+  });
+}
+
+int32_t hfrac_well_set_fluid(hfrac_sim* sim, int32_t index, int32_t fluid) {
+  return guarded_sim(sim, [&] {
+    well_at(*sim, index);
+    if (fluid != HFRAC_WELL_FLUID_FIRST && fluid != HFRAC_WELL_FLUID_SECOND)
+      throw Error(ErrorKind::argument,
+                  "fluid = " + std::to_string(fluid) + " is none; it is 0 (first) or 1 (second).");
+    set_well_fluid(*sim->simulation, static_cast<std::size_t>(index), WellFluid{fluid});
+    ++sim->epoch;
+    tell_well(*sim, index,
+              fluid == HFRAC_WELL_FLUID_FIRST ? "pumps the first fluid" : "pumps the second fluid");
   });
 }
 

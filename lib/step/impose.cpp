@@ -71,6 +71,21 @@ void set_well_schedule(Simulation& s, std::size_t well, std::vector<ScheduleEntr
   s.impose(loads);
 }
 
+void set_well_fluid(Simulation& s, std::size_t well, WellFluid fluid) {
+  require_driver(s, well);
+  if (fluid == WellFluid::second && !s.engine().second_fluid) {
+    throw Error(ErrorKind::argument, "well " + std::to_string(well) +
+                                         " cannot pump the second fluid: this model has none; build it with "
+                                         "fluid.second_viscosity above 0 Pa s.");
+  }
+  // Without the entries that are past, which have made the drive what it is.
+  const Well& now = s.wells()[well];
+  Loads loads = s.loads();
+  loads.wells[well] = {now.drive, {now.schedule.begin() + now.next, now.schedule.end()}};
+  loads.wells[well].drive.fluid = fluid;
+  s.impose(loads);
+}
+
 void set_well_temperature(Simulation& s, std::size_t well, double kelvin) {
   require_transport(s.engine(), "the temperature of a well's fluid");
   s.engine().heat->table.require(kelvin, "the temperature of well " + std::to_string(well));

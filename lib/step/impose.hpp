@@ -16,6 +16,8 @@ void set_well_rate(Simulation& simulation, std::size_t well, double rate);      
 // Replaces the well's schedule. Entries already past take effect with the next step, the last of them in the end. The three
 // functions above end a well's schedule.
 void set_well_schedule(Simulation& simulation, std::size_t well, std::vector<ScheduleEntry> schedule);
+// What the well pumps. Its schedule goes on; an entry that names a fluid changes it again. Of a wellbore its first well's counts.
+void set_well_fluid(Simulation& simulation, std::size_t well, WellFluid fluid);
 void set_well_temperature(Simulation& simulation, std::size_t well, double kelvin);  // of what it injects
 
 // Pa, stress-controlled or servo-driven boundaries only.

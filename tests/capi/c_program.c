@@ -215,6 +215,9 @@ static void drive_well(hfrac_sim* sim) {
   good(hfrac_step(sim, 2), sim, "step");
   good(hfrac_well_get(sim, 0, &well), sim, "well_get");
   check(well.pressure == 2e6 && well.control == HFRAC_WELL_PRESSURE, "it follows its schedule");
+  good(hfrac_well_set_fluid(sim, 0, HFRAC_WELL_FLUID_FIRST), sim, "well_set_fluid");
+  expect(hfrac_well_set_fluid(sim, 0, HFRAC_WELL_FLUID_SECOND), HFRAC_ERR_ARGUMENT, sim, "no second fluid");
+  check(well.fluid == HFRAC_WELL_FLUID_FIRST, "it pumps the only fluid");
   good(hfrac_well_set_pressure(sim, 0, 60e6), sim, "well_set_pressure");
   expect(hfrac_well_get(sim, 1, &well), HFRAC_ERR_ARGUMENT, sim, "no second well");
   good(hfrac_well_add(sim, 75.0, 60.0, &added), sim, "well_add");

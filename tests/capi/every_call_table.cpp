@@ -149,6 +149,7 @@ std::vector<Row> changing() {
       ROW(hfrac_well_set_rate, changes, Optional(), g.sim, 0, 1e-6),
       ROW(hfrac_well_set_schedule, changes, Optional(), g.sim, 0, 1, g.reals.data(), g.numbers.data(),
           g.reals.data() + 8),
+      ROW(hfrac_well_set_fluid, changes, Optional(), g.sim, 0, 0),
       ROW(hfrac_well_set_temperature, changes, Optional(), g.sim, 0, 300.0),
       ROW(hfrac_set_temperature, changes, Optional(), g.sim, 550.0),
       ROW(hfrac_set_disc_temperature, changes, Optional(), g.sim, g.kelvins.data(), g.discs),

@@ -398,6 +398,64 @@ TEST(FieldSecondFluid, IsTheShareOfWhatAWellPumped) {
   EXPECT_LE(most, 1.0);
 }
 
+// A host that changes the fluid gets what a schedule gives that changes it at the same time; the rest of the schedule goes on.
+TEST(FieldSecondFluid, IsChangedByAHostAsByASchedule) {
+  hfrac::Definition def = quiet_def();
+  def.fluid_second_viscosity = 0.1;
+  def.stepping_flow_step = 1.0;
+  def.wells[0].control = HFRAC_WELL_RATE;
+  def.wells[0].rate = 1e-3;
+  hfrac_schedule_def turns[2] = {{0, 2.0, 1e-3, HFRAC_WELL_RATE, 2},  // the second fluid
+                                 {0, 5.0, 0.0, HFRAC_WELL_RATE, 0}};  // shut in
+  const auto with = [&](int64_t first) {
+    def.schedule = turns + first;
+    def.schedule_count = 2 - first;
+    def.schedule_size = sizeof(hfrac_schedule_def);
+    hfrac_sim* sim = nullptr;
+    EXPECT_EQ(hfrac_sim_create(&def, &sim), HFRAC_OK) << last_error();
+    return sim;
+  };
+  hfrac_sim *scheduled = with(0), *told = with(1);
+  def.schedule = nullptr;
+  def.schedule_count = 0;
+  const auto same = [&] {
+    return doubles(scheduled, HFRAC_DOMAIN_SECOND_FLUID) == doubles(told, HFRAC_DOMAIN_SECOND_FLUID) &&
+           doubles(scheduled, HFRAC_DOMAIN_PRESSURE) == doubles(told, HFRAC_DOMAIN_PRESSURE);
+  };
+  const auto step_both = [&](int64_t count) {
+    for (hfrac_sim* sim : {scheduled, told}) EXPECT_GE(hfrac_step(sim, count), 0) << last_error(sim);
+  };
+  step_both(2);
+  EXPECT_EQ(hfrac_well_set_fluid(told, 0, HFRAC_WELL_FLUID_SECOND), HFRAC_OK) << last_error(told);
+  EXPECT_EQ(well_of(told).fluid, HFRAC_WELL_FLUID_SECOND);
+  step_both(2);
+  EXPECT_EQ(well_of(scheduled).fluid, HFRAC_WELL_FLUID_SECOND);
+  EXPECT_TRUE(same());
+  const auto well = static_cast<std::size_t>(well_of(told).domain);
+  EXPECT_EQ(doubles(told, HFRAC_DOMAIN_SECOND_FLUID)[well], 1.0);
+  // Back, also where the schedule chose the fluid; a step that is tried again keeps it.
+  for (hfrac_sim* sim : {scheduled, told}) {
+    ASSERT_EQ(hfrac_step_prepare(sim), HFRAC_OK) << last_error(sim);
+    ASSERT_GE(hfrac_step_do(sim, 1.0), 0) << last_error(sim);
+    EXPECT_EQ(hfrac_well_set_fluid(sim, 0, HFRAC_WELL_FLUID_FIRST), HFRAC_OK) << last_error(sim);
+    ASSERT_GE(hfrac_step_do(sim, 1.0), 0) << last_error(sim);
+    ASSERT_EQ(hfrac_step_finalize(sim), HFRAC_OK) << last_error(sim);
+    EXPECT_EQ(well_of(sim).fluid, HFRAC_WELL_FLUID_FIRST);
+    EXPECT_EQ(doubles(sim, HFRAC_DOMAIN_SECOND_FLUID)[well], 0.0);
+    EXPECT_EQ(well_of(sim).rate, 1e-3);
+  }
+  EXPECT_TRUE(same());
+  step_both(1);
+  EXPECT_EQ(well_of(told).rate, 0.0) << "the schedule's shut-in";
+  EXPECT_TRUE(same());
+  EXPECT_EQ(hfrac_well_set_fluid(told, 0, 2), HFRAC_ERR_ARGUMENT);
+  EXPECT_NE(last_error(told).find("fluid = 2"), std::string::npos) << last_error(told);
+  for (hfrac_sim* sim : {scheduled, told}) hfrac_sim_destroy(&sim);
+  const Sim plain(quiet_def());
+  EXPECT_EQ(hfrac_well_set_fluid(plain, 0, HFRAC_WELL_FLUID_SECOND), HFRAC_ERR_ARGUMENT);
+  EXPECT_NE(last_error(plain).find("fluid.second_viscosity"), std::string::npos) << last_error(plain);
+}
+
 // A fracture that opens faster than it fills has a tip without fluid: the front is where domain.saturation falls below one.
 TEST(FieldSaturation, PoresAheadOfTheFluidHaveRoomLeft) {
   hfrac::Definition def = cracking_def();

@@ -273,6 +273,18 @@ TEST(Record, IsReadByAHost) {
   EXPECT_EQ(rows[3], 9.0);
   EXPECT_TRUE(std::isnan(rows[4]));
   EXPECT_EQ(rows[5], 30e3);
+  // By the case that names it.
+  const std::string named = folder.write(by_pressure);
+  ASSERT_EQ(hfrac_read_record(named.c_str(), 1.0, rows.data(), 1, &count), HFRAC_OK) << last_error();
+  EXPECT_EQ(count, 3);
+  EXPECT_EQ(rows[2], 41e3);
+  const std::string unnamed = folder.write(head + "pressure = 31e6\n");
+  ASSERT_EQ(hfrac_read_record(unnamed.c_str(), 1.0, rows.data(), 1, &count), HFRAC_OK) << last_error();
+  EXPECT_EQ(count, 0);
+  const std::string thick = folder.write(by_rate + "schedule_thickness = 50.0\n");
+  folder.write("time_s,rate_m3_s\n0,1\n1,0\n", "record.csv");
+  ASSERT_EQ(hfrac_read_record(thick.c_str(), 1.0, rows.data(), 1, &count), HFRAC_OK) << last_error();
+  EXPECT_EQ(rows[1], 0.02);
   EXPECT_EQ(hfrac_read_record(path.c_str(), 0.0, nullptr, 0, &count), HFRAC_ERR_ARGUMENT);
   EXPECT_EQ(hfrac_read_record(path.c_str(), 1.0, rows.data(), -1, &count), HFRAC_ERR_ARGUMENT);
 }

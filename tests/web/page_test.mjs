@@ -29,8 +29,8 @@ const start = (...args) => {
 };
 const ended = (child) => new Promise((resolve) => (child.exitCode !== null ? resolve(child.exitCode) : child.once('exit', resolve)));
 /** Starts `hfrac view`; gives the process and the address it prints. */
-async function view(folder) {
-  const child = start('view', folder, '--port', '0', '--no-open');
+async function view(folder, ...more) {
+  const child = start('view', folder, ...more, '--port', '0', '--no-open');
   let text = '';
   for await (const piece of child.stdout) {
     text += piece;
@@ -368,6 +368,36 @@ test('shows smooth joints by their state and tells the values of a contact', asy
   await shown(lastStep);
   jointed.child.kill('SIGINT');
   await ended(jointed.child);
+});
+
+test('shows the measured pressure beside the computed one', async () => {
+  // The run's own pressures, lower by a tenth, at half of its times and beyond its end.
+  const rows = table(path.join(run, 'history.csv'));
+  const end = Number(rows[rows.length - 1].time_s);
+  const record = path.join(scratch, 'measured.csv');
+  const lines = rows.filter((_, i) => i % 2 === 0).map((row) => `${row.time_s},${0.9e-6 * Number(row.well_pressure_Pa)}`);
+  fs.writeFileSync(record, ['time_s,pressure_MPa', ...lines, `${2 * end},500`, ''].join('\n'));
+  const measuredIn = async () => {
+    const chart = decoded(await page.locator('#plot-a').screenshot());
+    let count = 0;
+    for (let y = 22; y < chart.height - 24; ++y) // between its texts
+      for (let x = 0; x < chart.width; ++x)
+        if (pixel(chart, x, y).every((part, i) => Math.abs(part - [206, 74, 32][i]) < 12)) ++count;
+    return count;
+  };
+  await page.selectOption('#chart-a', 'well_pressure_Pa');
+  assert.equal(await measuredIn(), 0, 'a run without a record has a measured curve');
+  const measured = await view(run, '--record', record);
+  await page.goto(measured.address);
+  await shown(lastStep);
+  await page.waitForFunction(() => document.querySelector('#chart-a').value === 'well_pressure_Pa');
+  await picture('measured');
+  const { width } = await page.locator('#plot-a').boundingBox();
+  assert.ok((await measuredIn()) > 0.5 * width, `the measured curve has ${await measuredIn()} pixels of its colour in a chart ${width} wide`);
+  await page.goto(server.address);
+  await shown(lastStep);
+  measured.child.kill('SIGINT');
+  await ended(measured.child);
 });
 
 test('has not complained, nor asked anybody else', async () => {

@@ -97,6 +97,51 @@ class Program(unittest.TestCase):
         self.assertEqual(local, [f"0100007F:{view.port:04X}"])
 
 
+class Record(unittest.TestCase):
+    """A field's pressures beside the run's: of --record, or of the record that the run's case names."""
+
+    def setUp(self):
+        self.top = pathlib.Path(tempfile.mkdtemp(prefix="hfrac-record-"))
+        self.addCleanup(shutil.rmtree, self.top)
+        self.record = self.top / "pump.csv"
+        self.record.write_text("time_s,rate_L_min,pressure_MPa\n0,6,20\n1,6,20.5\n2,0,20.25\n3,0,20\n")
+
+    def served(self, *arguments):
+        view = View(*arguments, "--port", "0")
+        status, headers, body = view.get(view.base + "api/record")
+        view.end()
+        self.assertEqual((status, headers["Content-Type"].split(";")[0]), (200, "text/csv"))
+        return body.decode()
+
+    def test_by_name(self):
+        self.assertEqual(self.served(RUN), "")
+        self.assertEqual(self.served(RUN, "--record", self.record),
+                         "time_s,pressure_Pa\n0,20000000\n1,20500000\n2,20250000\n3,20000000\n")
+        self.record.write_text("time_s,rate_L_min\n0,6\n1,6\n")
+        done = subprocess.run([COMMAND, "view", RUN, "--no-open", "--record", self.record], capture_output=True, text=True, timeout=20)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("no column of pressure", done.stderr)
+        done = subprocess.run([COMMAND, "view", RUN, "--no-open", "--record", RUN / "case.toml"], capture_output=True, text=True, timeout=20)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("has a schedule_file", done.stderr)
+
+    def test_of_the_case(self):
+        case, run = self.top / "case.toml", self.top / "run"
+        case.write_text("[packing]\ndisc_count = 400\n[stress]\nsigma_Hmax = 30e6\nsigma_hmin = 30e6\n[fluid]\nformation_pressure = 10e6\n"
+                        "[stepping]\nmode = \"coupled\"\nflow_step = 1.0\nend_time = 3.0\n[solver]\nkind = \"quasi-static\"\n"
+                        "[[well]]\nradius = 10.0\ncontrol = \"rate\"\nschedule_file = \"pump.csv\"\nschedule_thickness = 10.0\n")
+        done = subprocess.run([COMMAND, "run", case, "-o", run, "-q"], capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("20500000", self.served(run))
+        other = self.top / "other.csv"
+        other.write_text("time_s,pressure_bar\n0,300\n3,310\n")
+        self.assertEqual(self.served(run, "--record", other), "time_s,pressure_Pa\n0,30000000\n3,31000000\n")
+        self.record.write_text("time_s,rate_L_min\n0,6\n3,0\n")  # one without pressures leaves none of the run before
+        done = subprocess.run([COMMAND, "run", case, "-o", run, "-q", "--overwrite"], capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.served(run), "")
+
+
 class Served(unittest.TestCase):
     @classmethod
     def setUpClass(cls):

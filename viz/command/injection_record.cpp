@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "command/exit_code.hpp"
@@ -35,7 +36,8 @@ InjectionRecord history_of(const std::filesystem::path& folder) {
   }
 }
 
-InjectionRecord table_of_field(const std::string& file, double thickness) {
+/** Pressures may be NaN, rates none. */
+InjectionRecord rows_of_field(const std::string& file, double thickness) {
   int64_t count = 0;
   const auto read = [&](double* rows) {
     if (hfrac_read_record(file.c_str(), thickness, rows, count, &count) < 0)
@@ -50,7 +52,14 @@ InjectionRecord table_of_field(const std::string& file, double thickness) {
     record.rate.push_back(rows[k + 1]);
     record.pressure.push_back(rows[k + 2]);
   }
-  if (std::isnan(record.rate.front())) record.rate.clear();
+  if (count > 0 && std::isnan(record.rate.front())) record.rate.clear();
+  return record;
+}
+
+InjectionRecord table_of_field(const std::string& file, double thickness) {
+  auto record = rows_of_field(file, thickness);
+  if (record.time.empty())
+    throw BadInput(fmt::format("no well of '{}' has a schedule_file, which would be its record", file));
   if (std::isnan(record.pressure.front()))
     throw BadInput(
         fmt::format("'{}' has no column of pressure (pressure_Pa, pressure_kPa, pressure_MPa or "
@@ -111,6 +120,19 @@ ShutIn find_shut_in(const InjectionRecord& record, double time) {
   found.end = found.row + 1;
   while (found.end < rows && (record.rate.empty() || std::abs(record.rate[found.end]) <= least)) ++found.end;
   return found;
+}
+
+std::string pressures_as_csv(const InjectionRecord& record) {
+  std::string table = "time_s,pressure_Pa\n";
+  for (size_t k = 0; k < record.time.size(); ++k)
+    fmt::format_to(std::back_inserter(table), "{},{}\n", record.time[k], record.pressure[k]);
+  return table;
+}
+
+std::string pressures_of_case(const std::string& case_file) {
+  const auto record = rows_of_field(case_file, 1.0);
+  const bool none = record.time.empty() || std::isnan(record.pressure.front());
+  return none ? std::string() : pressures_as_csv(record);
 }
 
 RecordComparison compare_records(const InjectionRecord& measured, const InjectionRecord& computed) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace hfrac::command {
@@ -21,9 +22,15 @@ struct InjectionRecord {
   double largest_rate() const;
 };
 
-/** A run folder (its first well), or a record as hfrac_read_record takes it; rates of the whole thickness [m] are divided by it.
+/** A run folder (its first well), or a record or a case file that names one as hfrac_read_record takes it; rates of the whole thickness [m] are divided by it.
  * Throws BadInput. */
 InjectionRecord read_injection(const std::filesystem::path& source, double thickness);
+
+/** The measured pressures as a table, "time_s,pressure_Pa", which is a record again. */
+std::string pressures_as_csv(const InjectionRecord& record);
+
+/** That table of the record that a case file names; empty: it names none, or one without pressures. Throws BadInput. */
+std::string pressures_of_case(const std::string& case_file);
 
 /** Two pressures over one time. */
 struct RecordComparison {

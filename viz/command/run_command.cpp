@@ -10,6 +10,7 @@
 #include "command/case_file.hpp"
 #include "command/commands.hpp"
 #include "command/exit_code.hpp"
+#include "command/injection_record.hpp"
 #include "command/interrupt.hpp"
 #include "command/numbers.hpp"
 #include "command/progress_line.hpp"
@@ -86,6 +87,7 @@ ExitCode carry_out(const RunRequest& request, const Team& team) {
     tell("hfrac: interrupted during the initial equilibration; nothing was written\n");
     return kInterrupted;
   }
+  const std::string measured = pressures_of_case(request.case_file);
   restore(sim.get(), {}, team);
   lay_grid(sim.get(), terms);
   output::remove_files_of_a_run(request.folder);
@@ -98,6 +100,7 @@ ExitCode carry_out(const RunRequest& request, const Team& team) {
     if (!given.bonds.empty())
       output::write_whole(request.folder / "given_bonds.csv", output::bonds_as_csv(given.bonds));
     given = {};
+    if (!measured.empty()) output::write_whole(request.folder / "record.csv", measured);
     folder.open(sim.get());
     claim.keep();
   });

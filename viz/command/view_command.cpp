@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "command/commands.hpp"
+#include "command/injection_record.hpp"
 #include "command/interrupt.hpp"
 #include "command/standard_streams.hpp"
 #include "web/server/page_server.hpp"
@@ -20,6 +21,7 @@ namespace {
 
 struct ViewPageRequest {
   std::string folder;
+  std::string record;  ///< of a field, beside the run's pressure; empty: the run's own, if it has one
   int port = 8020;
   bool no_open = false;
 };
@@ -39,7 +41,9 @@ ExitCode view(const ViewPageRequest& request) {
   if (!std::filesystem::is_directory(request.folder, error))
     throw BadInput(fmt::format("there is no folder '{}'", request.folder));
 
-  web::PageServer server(request.folder);
+  std::string measured;
+  if (!request.record.empty()) measured = pressures_as_csv(read_injection(request.record, 1.0));
+  web::PageServer server(request.folder, measured);
   if (!server.bind(request.port))
     throw BadInput(
         request.port == 0
@@ -67,6 +71,10 @@ void add_view(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("view", "Show a run in the browser, also while it goes on");
   auto request = std::make_shared<ViewPageRequest>();
   command->add_option("DIR", request->folder, "Run folder")->required();
+  command->add_option(
+      "--record", request->record,
+      "A field's record (CSV or LAS file), its pressure beside that of the first well; otherwise "
+      "that of the schedule_file of the run's case");
   command->add_option("--port", request->port, "Port of 127.0.0.1 to serve at; 0: any that is free")
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();

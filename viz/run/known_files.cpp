@@ -32,11 +32,11 @@ void collect(const fs::path& folder, const std::regex& name, std::vector<fs::pat
 std::vector<fs::path> files_of_a_run(const fs::path& folder) {
   static const std::string data =
       R"((discs|bonds|cracks|flow|fractures|joints)(_[0-9]{5,}\.vtu|\.pvd)|)"
-      R"((history|cracks|slips|fractures|fracture_lines|events|cells|given_discs|given_bonds)\.csv|(permeability|multipliers)\.grdecl|)"
+      R"((history|record|cracks|slips|fractures|fracture_lines|events|cells|given_discs|given_bonds)\.csv|(permeability|multipliers)\.grdecl|)"
       R"(summary\.json|case\.toml|state\.hfrac|hfrac_probe|report\.html|paraview_state\.py)";
   static const std::string pictures =
       R"((model|growth|growth_[1-5]|pressure|aperture|views|history|rose|profile|events|catalogue)\.(png|svg|pdf)|)"
-      R"(movie\.mp4|kgd\.(png|svg|pdf|csv))";
+      R"(movie\.mp4|(kgd|record)\.(png|svg|pdf|csv))";
   const std::string checkpoints = R"(step_[0-9]{5,}\.checkpoint)";
   const auto with_unfinished = [](const std::string& names) {
     return std::regex("(" + names + R"()|\.()" + names + R"()\.[0-9]+-[0-9]+\.tmp)");

@@ -11,7 +11,7 @@
 SI units everywhere, unit thickness out of the plane, compression positive for stress and pressure. numpy is used if it
 is there and not needed otherwise. One simulation serves one thread at a time; different ones run side by side.
 """
-from ._abi import CrackMode, EventKind, GrdeclKind, JointState, LogLevel, Status, StepLimit, StopReason, Upscaling, WellControl
+from ._abi import CrackMode, EventKind, GrdeclKind, JointState, LogLevel, Status, StepLimit, StopReason, Upscaling, WellControl, WellFluid
 from ._catalogue import magnitude_law
 from ._definition import Definition, Option, joint_options, options, schedule_options, well_options
 from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Joints, Pipes
@@ -73,6 +73,6 @@ __all__ = [
     "LabResult", "LibraryError", "LogLevel", "MagnitudeLaw", "ModelError", "OpenStep", "Option", "OutOfMemoryError",
     "Pipes", "PoisonedError", "Run", "SetupReport", "SimState", "Simulation", "Slip", "SolverReport", "StaleViewError", "Status",
     "StepLimit", "StepLimits", "StopReason", "StoppedError", "StructSizeError", "UnknownKeyError", "Upscaling", "View",
-    "WallState", "Well", "WellControl", "WellState", "build_info", "calibrate", "devices", "joint_options", "lab", "library_path",
-    "magnitude_law", "options", "read_record", "schedule_options", "version", "well_options", "why_no_devices",
+    "WallState", "Well", "WellControl", "WellFluid", "WellState", "build_info", "calibrate", "devices", "joint_options", "lab",
+    "library_path", "magnitude_law", "options", "read_record", "schedule_options", "version", "well_options", "why_no_devices",
 ]

@@ -88,6 +88,15 @@ class WellControl(enum.IntEnum):
     RATE = 2
 
 
+class WellFluid(enum.IntEnum):
+    """What a well pumps."""
+
+    #: the fluid
+    FIRST = 0
+    #: that of fluid.second_viscosity
+    SECOND = 1
+
+
 class JointState(enum.IntEnum):
     """Whether the bonds of a joint hold."""
 
@@ -753,6 +762,7 @@ class hfrac_well_state(ctypes.Structure):
         ("wellbore_pressure", ctypes.c_double),
         ("wellhead_pressure", ctypes.c_double),
         ("wellbore_rate", ctypes.c_double),
+        ("fluid", ctypes.c_int64),
     ]
 
 
@@ -1355,6 +1365,11 @@ SIGNATURES = {
         ctypes.POINTER(ctypes.c_double),
         ctypes.POINTER(ctypes.c_int32),
         ctypes.POINTER(ctypes.c_double),
+    ),
+    "hfrac_well_set_fluid": (
+        ctypes.c_void_p,
+        ctypes.c_int32,
+        ctypes.c_int32,
     ),
     "hfrac_field_info": (
         ctypes.c_void_p,

@@ -4,7 +4,7 @@
 from typing import NamedTuple, Tuple
 
 from . import _abi
-from ._abi import CrackMode, EventKind, LabEnd, StepLimit, StopReason, WellControl
+from ._abi import CrackMode, EventKind, LabEnd, StepLimit, StopReason, WellControl, WellFluid
 
 
 class SimState(NamedTuple):
@@ -328,6 +328,8 @@ class WellState(NamedTuple):
     wellhead_pressure: float
     #: [m2/s] that the pump gave the wellbore, with all its clusters, in the last step
     wellbore_rate: float
+    #: enum hfrac_well_fluid: what it pumps; of a wellbore's clusters all that the first does
+    fluid: WellFluid
 
     @classmethod
     def of(cls, struct: _abi.hfrac_well_state) -> "WellState":
@@ -346,6 +348,7 @@ class WellState(NamedTuple):
             struct.wellbore_pressure,
             struct.wellhead_pressure,
             struct.wellbore_rate,
+            WellFluid(struct.fluid),
         )
 
 

@@ -4,7 +4,7 @@ import ctypes
 from typing import TYPE_CHECKING, Iterable, Tuple
 
 from . import _abi
-from ._abi import WellControl
+from ._abi import WellControl, WellFluid
 from ._records import WellState
 
 if TYPE_CHECKING:
@@ -71,6 +71,10 @@ class Well:
             (ctypes.c_int32 * count)(*controls),
             (ctypes.c_double * count)(*(value for _, _, value in rows)),
         )
+
+    def set_fluid(self, fluid: str) -> None:
+        """Pumps the "first" or the "second" fluid; the well stays driven as it is, and its schedule goes on."""
+        self._simulation._call("hfrac_well_set_fluid", self.index, WellFluid[fluid.upper()])
 
     @property
     def temperature(self) -> float:

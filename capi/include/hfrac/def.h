@@ -39,6 +39,12 @@ enum hfrac_well_control {
   HFRAC_WELL_RATE = 2      /**< takes `rate`; its pressure follows */
 };
 
+/** What a well pumps. */
+enum hfrac_well_fluid {
+  HFRAC_WELL_FLUID_FIRST = 0, /**< the fluid */
+  HFRAC_WELL_FLUID_SECOND = 1 /**< that of fluid.second_viscosity */
+};
+
 /** One wellbore: a round hole cut into the packing. */
 typedef struct hfrac_well_def {
   double x;             /**< [m] centre, origin at the model's lower left corner */
@@ -58,7 +64,7 @@ typedef struct hfrac_well_def {
   double depth;                 /**< [m] of the perforations below the wellhead */
   double fluid_density;         /**< [kg/m3] in wellbore and perforations; 0: thermal.fluid_density */
   int64_t wellbore;             /**< number of the wellbore it is a cluster of, the first of which drives it; 0: one of its own */
-  int64_t fluid;                /**< what it pumps: 0 the fluid, 1 that of fluid.second_viscosity */
+  int64_t fluid;                /**< enum hfrac_well_fluid: what it pumps from the start on */
   double perforation_length;    /**< [m] of its slots (law facet); 0: fracture.perforation_length and fracture.perforation_azimuth hold */
   double perforation_azimuth;   /**< [rad] of its slots from the x axis, with a length of its own */
 } hfrac_well_def;

@@ -223,6 +223,7 @@ typedef struct hfrac_well_state {
   double wellbore_pressure;  /**< [Pa] before the perforations, as stress.convention says; without friction that of the hole */
   double wellhead_pressure;  /**< [Pa] absolute: that of the wellbore less rho g depth */
   double wellbore_rate;      /**< [m2/s] that the pump gave the wellbore, with all its clusters, in the last step */
+  int64_t fluid;             /**< enum hfrac_well_fluid: what it pumps; of a wellbore's clusters all that the first does */
 } hfrac_well_state;
 /** Number of wells. Stable since 0.1. */
 HFRAC_API int32_t hfrac_well_count(const hfrac_sim *sim, int32_t *count);
@@ -249,6 +250,10 @@ HFRAC_API int32_t hfrac_well_set_rate(hfrac_sim *sim, int32_t index, double rate
  * repeat, or a value is none a well can have. Unstable since 0.1. */
 HFRAC_UNSTABLE_API int32_t hfrac_well_set_schedule(hfrac_sim *sim, int32_t index, int32_t count, const double *time,
                                           const int32_t *control, const double *value);
+/** From the next step on, a well pumps `fluid` (enum hfrac_well_fluid). It stays driven as it is, and its schedule goes on; an entry of
+ * a case file's that names a fluid changes it again. HFRAC_ERR_ARGUMENT: the model has no second fluid (fluid.second_viscosity), or
+ * another well drives this one's wellbore. Unstable since 0.2. */
+HFRAC_UNSTABLE_API int32_t hfrac_well_set_fluid(hfrac_sim *sim, int32_t index, int32_t fluid);
 
 #ifdef __cplusplus
 }

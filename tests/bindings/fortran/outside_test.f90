@@ -176,6 +176,9 @@ contains
     type(hfrac_simulation) :: sim
     type(hfrac_well_def) :: clusters(2)
     type(hfrac_well_state), allocatable :: list(:)
+    real(real64), allocatable :: share(:)
+    integer :: stat
+    character(200) :: message
     real(real64), parameter :: pi = acos(-1.0_real64)
     real(real64) :: drop
     call def%set('packing.disc_count', 600)
@@ -209,6 +212,16 @@ contains
     call expect(abs(sum(list%rate) - 3e-3_real64) < 1e-7_real64 .and. all(abs(list%wellbore_rate - 3e-3_real64) < 1e-12_real64), &
                 'the clusters share the rate')
     call expect(all(abs(list%wellbore_pressure - list%wellhead_pressure - 1050*9.80665_real64*1500) < 1.0_real64), 'head')
+    call sim%set_well_fluid(0, HFRAC_WELL_FLUID_SECOND, stat, message)
+    call expect(stat == HFRAC_ERR_ARGUMENT .and. index(message, 'second_viscosity') > 0, 'no second fluid: '//message)
+    call def%set('fluid.second_viscosity', 0.1_real64)
+    call sim%create(def)
+    call sim%step()
+    call sim%set_well_fluid(0, HFRAC_WELL_FLUID_SECOND)
+    call sim%step()
+    call sim%wells(list)
+    call sim%get('domain.second_fluid', share)
+    call expect(all(list%fluid == HFRAC_WELL_FLUID_SECOND) .and. all(share(list%domain + 1) == 1.0_real64), 'the second fluid')
   end subroutine wellbores
 
 end module fortran_test_outside

@@ -134,6 +134,19 @@ class Wells(unittest.TestCase):
             with self.assertRaisesRegex(hfrac.ArgumentError, "in order of time"):
                 well.set_schedule([(2.0, "rate", 0.0), (1.0, "rate", 0.0)])
 
+    def test_fluid(self):
+        with small(fluid_second_viscosity=0.1, wells=[{"radius": 9.0, "control": "rate", "rate": 1e-4}]) as sim:
+            (well,) = sim.wells
+            sim.step()
+            self.assertIs(well.state.fluid, hfrac.WellFluid.FIRST)
+            self.assertEqual(max(sim.field("domain.second_fluid")), 0.0)
+            well.set_fluid("second")
+            sim.step()
+            self.assertIs(well.state.fluid, hfrac.WellFluid.SECOND)
+            self.assertEqual(sim.field("domain.second_fluid")[well.state.domain], 1.0)
+        with small() as sim, self.assertRaisesRegex(hfrac.ArgumentError, "second_viscosity"):
+            sim.wells[0].set_fluid("second")
+
     def test_added(self):
         with small() as sim:
             sim.step()

@@ -73,9 +73,9 @@ _hfrac() {
       options='--help'
       ;;
     view)
-      options='--help --port --no-open'
+      options='--help --record --port --no-open'
       case $before in
-        --port) files=yes ;;
+        --record|--port) files=yes ;;
       esac
       ;;
     lab)

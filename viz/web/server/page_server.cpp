@@ -12,6 +12,7 @@
 #include <fstream>
 #include <thread>
 
+#include "run/files.hpp"
 #include "web/server/grid_cache.hpp"
 #include "web/server/guards.hpp"
 #include "web/server/page_files.hpp"
@@ -163,9 +164,10 @@ class PatientServer : public httplib::Server {
 }  // namespace
 
 struct PageServer::Parts {
-  explicit Parts(fs::path run) : folder(std::move(run)) {}
+  Parts(fs::path run, std::string pressures) : folder(std::move(run)), measured(std::move(pressures)) {}
 
   fs::path folder;
+  std::string measured;
   std::string key = random_key();
   int port = 0;
   std::atomic<bool> ended = false;
@@ -213,6 +215,9 @@ struct PageServer::Parts {
     });
     route("/api/history",
           [this](const Request& request, Response& response) { answer_history(folder, request, response); });
+    route("/api/record", [this](const Request&, Response& response) {
+      answer(response, measured.empty() ? run::read_if_there(folder / "record.csv") : measured, kCsv);
+    });
     route("/api/grid", [this](const Request& request, Response& response) {
       answer(response, grid_message(*grid_of(request), split_names(request.get_param_value("arrays"))),
              kBytes);
@@ -259,7 +264,8 @@ struct PageServer::Parts {
   }
 };
 
-PageServer::PageServer(fs::path folder) : parts_(std::make_unique<Parts>(std::move(folder))) {
+PageServer::PageServer(fs::path folder, std::string measured)
+    : parts_(std::make_unique<Parts>(std::move(folder), std::move(measured))) {
   parts_->set_up();
 }
 

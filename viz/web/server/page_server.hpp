@@ -4,6 +4,7 @@
 //   GET /KEY/                      the page; viewer.js and viewer.css beside it; without the last slash: sent there
 //   GET /KEY/api/run               what there is to show (run_index.hpp)
 //   GET /KEY/api/history?from=N    history.csv from byte N to its last whole line
+//   GET /KEY/api/record            a field's pressures beside the first well's, "time_s,pressure_Pa"; empty: there are none
 //   GET /KEY/api/grid?file=F       a VTU file as a message (grid.hpp); &arrays=A,B: only these
 //   GET /KEY/api/values?file=F&of=points|cells&index=I    all values of one disc, crack, bond or domain
 //   GET /KEY/files/F               a file of the run, to be saved
@@ -19,7 +20,8 @@ namespace hfrac::web {
 
 class PageServer {
  public:
-  explicit PageServer(std::filesystem::path folder);
+  /** `measured`: a field's pressures, "time_s,pressure_Pa"; empty: those of the run's record.csv, if it has one. */
+  explicit PageServer(std::filesystem::path folder, std::string measured = {});
   PageServer(const PageServer&) = delete;
   PageServer& operator=(const PageServer&) = delete;
   ~PageServer();

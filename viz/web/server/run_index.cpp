@@ -22,8 +22,8 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 7> kTables = {"case.toml",     "history.csv",  "cracks.csv", "events.csv",
-                                                "fractures.csv", "summary.json", "report.html"};
+constexpr std::array<const char*, 8> kTables = {"case.toml",  "history.csv",   "record.csv",   "cracks.csv",
+                                                "events.csv", "fractures.csv", "summary.json", "report.html"};
 
 // A damaged list or summary is as none: the page shows what there is.
 run::Series series_in(const fs::path& folder, const char* name) {

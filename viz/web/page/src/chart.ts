@@ -1,7 +1,7 @@
 // Curves of the history over time, with a cursor at the moment shown. A click or a drag goes to that time.
 import { css, palette, Rgb } from './colours';
 import { ticks } from './annotations';
-import { History } from './history';
+import { History, measured } from './history';
 import { figure, scaleFor } from './quantities';
 
 export interface Curve {
@@ -13,6 +13,11 @@ export interface Curve {
 
 const plainLine = (column: string, colour = () => palette().water) => [{ column, name: '', colour }];
 
+const besideMeasured = (column: string) => [
+  { column, name: 'computed', colour: () => palette().water },
+  { column: measured, name: 'measured', colour: () => palette().pull },
+];
+
 /** What can be drawn from this history; wells count from 0, the first has no number. */
 export function curvesOf(history: History): Curve[] {
   const curves: Curve[] = [];
@@ -23,7 +28,8 @@ export function curvesOf(history: History): Curve[] {
     const pressure = match[2] === 'pressure_Pa';
     curves.push({
       id: column, name: pressure ? `Well${number} pressure` : `Well${number} rate`,
-      unit: pressure ? 'Pa' : 'm2/s', lines: plainLine(column),
+      unit: pressure ? 'Pa' : 'm2/s',
+      lines: column === 'well_pressure_Pa' && history.line(measured).times.length ? besideMeasured(column) : plainLine(column),
     });
   }
   const more: Curve[] = [
@@ -81,11 +87,14 @@ export class Chart {
     const times = history.column('time_s');
     this.end = times[times.length - 1] || 1;
     let [low, high] = [0, 0];
-    for (const { column } of curve.lines)
-      for (const value of history.column(column)) {
+    for (const { column } of curve.lines) {
+      const line = history.line(column);
+      line.values.forEach((value, i) => {
+        if (line.times[i] > this.end) return;
         if (value < low) low = value;
         if (value > high) high = value;
-      }
+      });
+    }
     const scale = scaleFor(curve.unit, Math.max(high, -low) || 1);
     if (!(high > low)) high = low + scale.divisor;
     high += (high - low) * 0.06;
@@ -94,8 +103,11 @@ export class Chart {
     const x = (time: number) => room.left + (time / this.end) * w;
     const y = (value: number) => room.top + h - ((value - low) / (high - low)) * h;
     this.drawAxes(pen, scale, low, high, x, y, width, height);
-    for (const { column, colour } of curve.lines)
-      drawLine(pen, times, history.column(column), x, y, css(colour()), css(colour(), 0.08), room.top + h);
+    for (const { column, colour } of curve.lines) {
+      const line = history.line(column);
+      const fill = column === measured ? '' : css(colour(), 0.08);
+      drawLine(pen, line.times, line.values, this.end, x, y, css(colour()), fill, room.top + h);
+    }
     this.drawCursor(pen, history, curve, scale, now, x, y, width, h);
   }
 
@@ -132,7 +144,6 @@ export class Chart {
     pen: CanvasRenderingContext2D, history: History, curve: Curve, scale: { divisor: number; unit: string },
     now: number, x: (time: number) => number, y: (value: number) => number, width: number, h: number,
   ): void {
-    const row = history.rowAt(now);
     const at = Math.min(x(now), width - room.right);
     pen.strokeStyle = css(palette().faint);
     pen.lineWidth = 1;
@@ -140,10 +151,10 @@ export class Chart {
     pen.moveTo(at, room.top);
     pen.lineTo(at, room.top + h);
     pen.stroke();
-    if (row < 0) return;
     const texts: string[] = [];
     for (const { column, name, colour } of curve.lines) {
-      const value = history.column(column)[row];
+      const { times, values } = history.line(column);
+      const value = values[history.rowAt(now, times)];
       if (!Number.isFinite(value)) continue;
       pen.beginPath();
       pen.arc(at, y(value), 3.5, 0, 2 * Math.PI);
@@ -154,6 +165,7 @@ export class Chart {
       pen.stroke();
       texts.push(`${figure(value / scale.divisor)}${name ? ` ${name}` : ''}`);
     }
+    if (!texts.length) return;
     const text = `${texts.join(', ')}${scale.unit ? ` ${scale.unit}` : ''}`;
     pen.font = `600 12px ${family}`;
     const wide = pen.measureText(text).width;
@@ -165,15 +177,15 @@ export class Chart {
 
 /** At most the lowest and highest value per pixel: a history of a million steps draws as fast as a short one. */
 function drawLine(
-  pen: CanvasRenderingContext2D, times: readonly number[], values: readonly number[], x: (time: number) => number,
-  y: (value: number) => number, stroke: string, fill: string, floor: number,
+  pen: CanvasRenderingContext2D, times: readonly number[], values: readonly number[], end: number,
+  x: (time: number) => number, y: (value: number) => number, stroke: string, fill: string, floor: number,
 ): void {
   const path = new Path2D();
   let pixel = NaN;
   let lowest = 0;
   let highest = 0;
   let previous = NaN;
-  for (let i = 0; i < times.length; ++i) {
+  for (let i = 0; i < times.length && times[i] <= end; ++i) {
     if (!Number.isFinite(values[i])) continue;
     const here = Math.round(x(times[i]) * 2) / 2;
     const value = y(values[i]);
@@ -196,6 +208,7 @@ function drawLine(
   pen.lineWidth = 1.75;
   pen.lineJoin = 'round';
   pen.stroke(path);
+  if (!fill) return;
   const area = new Path2D(path);
   area.lineTo(pixel, floor);
   area.lineTo(x(times[0]), floor);

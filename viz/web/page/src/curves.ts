@@ -18,7 +18,9 @@ export class Curves {
 
   draw(): void {
     const curves = curvesOf(this.history);
-    if (curves.map(({ id }) => id).join() !== this.curves.map(({ id }) => id).join()) this.offer(curves);
+    const others = curves.map(({ id }) => id).join() !== this.curves.map(({ id }) => id).join();
+    this.curves = curves;
+    if (others) this.offer(curves);
     for (const { select, chart } of this.plots) {
       const curve = this.curves.find(({ id }) => id === select.value);
       chart.draw(this.history, curve, this.time());
@@ -26,7 +28,6 @@ export class Curves {
   }
 
   private offer(curves: Curve[]): void {
-    this.curves = curves;
     for (const { select, usual } of this.plots) {
       const first = curves[0]?.id ?? '';
       const before = select.value || usual || first;

@@ -144,6 +144,11 @@ export async function fetchHistory(from: number): Promise<string | null> {
   return response.ok ? response.text() : '';
 }
 
+/** A field's pressures over time as a table; empty if there are none. */
+export async function fetchRecord(): Promise<string> {
+  return (await answerTo('api/record')).text();
+}
+
 export async function fetchGrid(file: string, arrays: readonly string[]): Promise<Grid> {
   const chosen = arrays.length ? `&arrays=${arrays.map(encodeURIComponent).join(',')}` : '';
   return new Grid(await (await answerTo(`api/grid?file=${encodeURIComponent(file)}${chosen}`)).arrayBuffer());
