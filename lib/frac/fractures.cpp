@@ -135,7 +135,7 @@ std::vector<Fracture> find_fractures(const Assembly& a, const Network& n, const 
     Vec2 centre{};
     double length_sum = 0.0, pressure_sum = 0.0;
     for (const auto c : members) {
-      log[c].fracture = static_cast<std::int32_t>(fractures.size());
+      log.set_fracture(static_cast<std::size_t>(c), static_cast<std::int32_t>(fractures.size()));
       const auto bond = log[c].bond;
       const CrackLine line = crack_line(n, a, o, bond);
       // What it stands for of the fracture's length.

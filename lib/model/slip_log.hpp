@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/log_iterator.hpp"
+
 namespace hfrac {
 
 // Of the mean disc diameter. With a shear modulus of 30 GPa a single contact that slipped so far lost some 0.3 MPa of shear
@@ -23,6 +25,48 @@ struct Slip {
   double slip = 0.0;      // m, since the contact's last entry; sign as Assembly::slip
 };
 
-using SlipLog = std::vector<Slip>;
+// What the entries of an increment have in common is kept once.
+class SlipLog {
+ public:
+  using value_type = Slip;
+
+  [[nodiscard]] std::size_t size() const { return entries_.size(); }
+  [[nodiscard]] bool empty() const { return entries_.empty(); }
+  [[nodiscard]] Slip operator[](std::size_t k) const {
+    const Entry& entry = entries_[k];
+    const Increment& at = increments_[static_cast<std::size_t>(entry.increment)];
+    return {entry.bond, at.step, at.time, at.duration, entry.slip};
+  }
+  [[nodiscard]] LogIterator<SlipLog> begin() const { return {this, 0}; }
+  [[nodiscard]] LogIterator<SlipLog> end() const { return {this, size()}; }
+
+  void push_back(const Slip& slip) {
+    const Increment at{slip.step, slip.time, slip.duration};
+    if (increments_.empty() || increments_.back() != at) increments_.push_back(at);
+    entries_.push_back({static_cast<std::int32_t>(slip.bond),
+                        static_cast<std::int32_t>(increments_.size() - 1), slip.slip});
+  }
+  void load(const Slip& slip) { push_back(slip); }
+  void reserve(std::size_t count) { entries_.reserve(count); }
+  // To no more than there are.
+  void cut(std::size_t count) {
+    entries_.resize(count);
+    increments_.resize(empty() ? 0 : static_cast<std::size_t>(entries_.back().increment) + 1);
+  }
+  void clear() { cut(0); }
+
+ private:
+  struct Increment {
+    std::int64_t step;
+    double time, duration;
+    bool operator==(const Increment&) const = default;
+  };
+  struct Entry {
+    std::int32_t bond, increment;
+    double slip;
+  };
+  std::vector<Increment> increments_;
+  std::vector<Entry> entries_;
+};
 
 }  // namespace hfrac

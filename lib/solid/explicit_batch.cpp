@@ -51,7 +51,7 @@ void ExplicitSolver::break_into_facets(std::int64_t cycle, std::vector<Found>& f
   }
   bonds = shared_.ranks().gather(bonds);
   shared_.gather(assembly_, network_);
-  CrackLog& log = (shared_.ranks().rank() == 0 ? found[0] : dropped_[0]).cracks;  // all ranks find the same
+  std::vector<Crack>& log = (shared_.ranks().rank() == 0 ? found[0] : dropped_[0]).cracks;  // all ranks find the same
   std::sort(bonds.begin(), bonds.end());
   for (const auto e : bonds) {
     if (stays(e)) {
@@ -376,8 +376,8 @@ ExplicitSolver::Sums ExplicitSolver::sum_up(const std::vector<Found>& found) {
 }
 
 // All that broke, on whatever worker or rank, in the order of breakage.
-CrackLog ExplicitSolver::cracks_of(std::vector<Found>& found) const {
-  CrackLog broken;
+std::vector<Crack> ExplicitSolver::cracks_of(std::vector<Found>& found) const {
+  std::vector<Crack> broken;
   for (auto& part : found) {
     broken.insert(broken.end(), part.cracks.begin(), part.cracks.end());
     part.cracks.clear();

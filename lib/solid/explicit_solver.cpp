@@ -197,7 +197,8 @@ void ExplicitSolver::log_softened(Crack& crack) const {
   crack.energy += energy_taken(assembly_, options_, crack.bond);
 }
 
-void ExplicitSolver::break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, CrackLog& found) {
+void ExplicitSolver::break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle,
+                                std::vector<Crack>& found) {
   Crack crack;
   crack.bond = e;
   crack.cycle = cycle;
@@ -231,7 +232,9 @@ bool ExplicitSolver::is_held(std::int64_t bond) const {
 }
 
 void ExplicitSolver::break_bond(std::int64_t bond, CrackLog& log) {
-  break_bond(view_bond(assembly_, options_, bond), bond, total_cycles_, log);
+  std::vector<Crack> found;
+  break_bond(view_bond(assembly_, options_, bond), bond, total_cycles_, found);
+  log.append(found);
   energies_.fracture += log.back().released;
 }
 
@@ -318,9 +321,9 @@ ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, C
     hold_still(sums);
     outcome.cycles += cycles;
     outcome.force_ratio = force_ratio(sums);
-    const CrackLog broken = sums.broken ? cracks_of(found) : CrackLog{};
+    const std::vector<Crack> broken = sums.broken ? cracks_of(found) : std::vector<Crack>{};
     for (const auto& crack : broken) energies_.fracture += crack.released;
-    log.insert(log.end(), broken.begin(), broken.end());
+    log.append(broken);
     const bool rest = broken.empty() && outcome.force_ratio <= ratio;
     const bool asked = (rest || !scaled_) && facet_rules_.grow;
     if (asked) {

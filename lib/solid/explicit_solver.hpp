@@ -129,7 +129,7 @@ class ExplicitSolver {
  private:
   // What one worker found in a batch.
   struct Found {
-    CrackLog cracks;
+    std::vector<Crack> cracks;
     std::vector<std::int64_t> to_facets;  // bonds that break
   };
   // What a batch came to, over the whole model.
@@ -144,7 +144,7 @@ class ExplicitSolver {
   void fetch_state();
   static void take_work(TileSums& sums, ExactSum& total);
   Sums sum_up(const std::vector<Found>& found);
-  CrackLog cracks_of(std::vector<Found>& found) const;
+  std::vector<Crack> cracks_of(std::vector<Found>& found) const;
   void hold_still(const Sums& sums);
   void show_everywhere();
   void break_across(std::int64_t cycle, Found& found);
@@ -162,7 +162,7 @@ class ExplicitSolver {
   bool break_cross_bonds(std::int64_t pair, std::int64_t cycle, Found& found);
   void take_pairs(std::int64_t part, std::int64_t cycle, Found& found);
   void take_tile(std::int64_t tile, std::int64_t cycle, double* scratch, Found& found);
-  void break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, CrackLog& found);
+  void break_bond(const BondView& bond, std::int64_t e, std::int64_t cycle, std::vector<Crack>& found);
   void log_softened(Crack& crack) const;
   bool break_bonds(std::int64_t first, std::int64_t last, std::int64_t cycle, Found& found);
   void stiffness(std::span<double> row_x, std::span<double> row_y, std::span<double> row_rotation) const;

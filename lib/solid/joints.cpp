@@ -96,13 +96,10 @@ std::int64_t apply_joints(Assembly& a, const std::vector<JointOptions>& joints, 
     const double length = norm(along);
     a.joints.normal.push_back({-along.y / length, along.x / length});
   }
-  log.reserve(log.size() + broken.size());
+  log.reserve_from_start(log.size() + broken.size());
   for (const auto e : broken) {
     a.intact[e] = 0;
-    Crack crack;
-    crack.bond = e;
-    crack.mode = CrackMode::shear;
-    log.push_back(crack);
+    log.push_from_start(e);
   }
   begin_smooth_joints(a, joints, joint_of, o);
   bridge_flow(a, held.kept);

@@ -74,7 +74,10 @@ class Counter {
   }
   template <class Values, class Item>
   void log(const Values& values, Item&& item) {
-    list(std::span(values).first(compact_ ? 0 : values.size()), item);
+    if (compact_)
+      size_ += sizeof(std::int64_t);
+    else
+      list(values, item);
   }
   void require(bool /*sound*/) const {}
   [[nodiscard]] std::size_t size() const { return size_; }
@@ -241,14 +244,19 @@ class Loader {
   }
   template <class Values, class Item>
   void log(Values& values, Item&& item) {
-    if (!compact_) {
-      list(values, item);
-      return;
-    }
     std::int64_t count = 0;
     value(count);
-    if (count < 0 || static_cast<std::uint64_t>(count) > values.size()) refuse();
-    values.resize(static_cast<std::size_t>(count));
+    if (count < 0 || static_cast<std::uint64_t>(count) > (compact_ ? values.size() : from_.size())) refuse();
+    if (compact_) {
+      values.cut(static_cast<std::size_t>(count));
+      return;
+    }
+    values.clear();
+    for (; count > 0; --count) {
+      typename Values::value_type element;
+      item(*this, element);
+      values.load(element);
+    }
   }
   [[nodiscard]] std::size_t left() const { return from_.size(); }
   static constexpr bool loading = true;

@@ -182,8 +182,8 @@ void close_step(Engine& e, double duration, std::size_t cracks_before) {
     wellbore.taken = 0.0;
   }
   for (std::size_t c = cracks_before; c < m.cracks.size(); ++c) {
-    m.cracks[c].step = m.clock.step;
-    m.cracks[c].time = m.clock.time;
+    m.cracks.since_start(c).step = m.clock.step;
+    m.cracks.since_start(c).time = m.clock.time;
   }
   // Cracks elsewhere, say at the outer boundary, are no part of what the wells drive.
   if (m.cracks.size() > cracks_before) {

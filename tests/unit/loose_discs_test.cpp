@@ -125,9 +125,11 @@ TEST_F(LooseDiscs, ThatAreFoundOverlappingCarryNoForceYet) {
   Crack crack;
   for (std::int64_t e = 0; e < a_.bond_count(); ++e)
     if (at(e, disc_)) crack.bond = e;
+  CrackLog log;
+  log.push_back(crack);
   ContactPairs list;
   NonBondedContacts contacts(sim_.options(), list);
-  ASSERT_TRUE(contacts.search(a_, *sim_.engine().boundary, {crack}));
+  ASSERT_TRUE(contacts.search(a_, *sim_.engine().boundary, log));
   const auto pair = std::find_if(list.pairs.begin(), list.pairs.end(), [&](const ContactPair& p) {
     return std::minmax(p.first, p.second) == std::minmax(disc_, other);
   });
