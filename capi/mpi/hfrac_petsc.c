@@ -84,16 +84,18 @@ static int32_t with_handler(Solvers* s, PetscErrorCode (*work)(Solvers*, void*),
   return code ? 1 : 0;
 }
 
-static PetscErrorCode fill(Prepared* p) {
-  const RowPattern* rows = &p->pattern;
+static PetscErrorCode fill(Prepared* p, const PetscScalar* value) {
+  PetscBool alone;
+  PetscScalar* to;
   PetscFunctionBegin;
-  for (int64_t r = 0; r < rows->rows; ++r) {
-    const PetscInt row = p->first + (PetscInt)r, begin = rows->start[r];
-    PetscCall(MatSetValues(p->matrix, 1, &row, rows->start[r + 1] - begin, rows->column + begin,
-                           rows->value + begin, INSERT_VALUES));
+  PetscCall(PetscObjectTypeCompare((PetscObject)p->matrix, MATSEQAIJ, &alone));
+  if (alone) {
+    PetscCall(MatSeqAIJGetArrayWrite(p->matrix, &to));
+    memcpy(to, value, (size_t)p->pattern.start[p->pattern.rows] * sizeof *to);
+    PetscCall(MatSeqAIJRestoreArrayWrite(p->matrix, &to));
+  } else {
+    PetscCall(MatUpdateMPIAIJWithArray(p->matrix, value));
   }
-  PetscCall(MatAssemblyBegin(p->matrix, MAT_FINAL_ASSEMBLY));
-  PetscCall(MatAssemblyEnd(p->matrix, MAT_FINAL_ASSEMBLY));
   PetscFunctionReturn(0);
 }
 
@@ -146,9 +148,10 @@ static PetscErrorCode destroy(Solvers* s, void* of) {
 typedef struct Preparation {
   const hfrac_matrix* m;
   Prepared* p;
+  const PetscScalar* value;
 } Preparation;
 
-static PetscErrorCode make(Solvers* s, const hfrac_matrix* m, Prepared* p) {
+static PetscErrorCode make(Solvers* s, const hfrac_matrix* m, Prepared* p, const PetscScalar* value) {
   const PetscInt rows = (PetscInt)(m->end_row - m->first_row), all = (PetscInt)m->size;
   PetscFunctionBegin;
   PetscCall(destroy(s, p));
@@ -156,13 +159,13 @@ static PetscErrorCode make(Solvers* s, const hfrac_matrix* m, Prepared* p) {
   PetscCall(MatCreate(s->comm, &p->matrix));
   PetscCall(MatSetSizes(p->matrix, rows, rows, all, all));
   PetscCall(MatSetType(p->matrix, MATAIJ));
-  PetscCall(MatSeqAIJSetPreallocationCSR(p->matrix, p->pattern.start, p->pattern.column, p->pattern.value));
-  PetscCall(MatMPIAIJSetPreallocationCSR(p->matrix, p->pattern.start, p->pattern.column, p->pattern.value));
+  PetscCall(MatSeqAIJSetPreallocationCSR(p->matrix, p->pattern.start, p->pattern.column, value));
+  PetscCall(MatMPIAIJSetPreallocationCSR(p->matrix, p->pattern.start, p->pattern.column, value));
   if (m->kind == HFRAC_MATRIX_FLOW) PetscCall(MatSetOption(p->matrix, MAT_SPD, PETSC_TRUE));
   PetscCall(MatCreateVecs(p->matrix, &p->x, &p->right));
   PetscCall(VecScatterCreateToAll(p->x, &p->gather, &p->all));
   PetscCall(KSPCreate(s->comm, &p->ksp));
-  PetscCall(KSPSetOperators(p->ksp, p->matrix, p->matrix));
+  PetscCall(KSPSetOperators(p->ksp, p->matrix, p->matrix)); /* MUMPS is chosen for a matrix */
   PetscCall(m->kind == HFRAC_MATRIX_FLOW ? choose_flow(p->ksp) : choose_tangent(p->ksp));
   PetscCall(KSPSetFromOptions(p->ksp));
   PetscFunctionReturn(0);
@@ -190,13 +193,11 @@ static PetscErrorCode set_up(Solvers* s, void* of) {
   const hfrac_matrix* m = preparation->m;
   Prepared* p = preparation->p;
   PetscFunctionBegin;
-  add_up(&p->pattern, m->value);
   if (m->row != NULL)
-    PetscCall(make(s, m, p));
+    PetscCall(make(s, m, p, preparation->value));
   else
-    PetscCall(fill(p));
-  PetscCall(KSPSetUp(p->ksp));
-  PetscCall(require_good(p->ksp));
+    PetscCall(fill(p, preparation->value));
+  PetscCall(KSPSetOperators(p->ksp, p->matrix, p->matrix)); /* new numbers; without it the old preconditioner stays */
   PetscFunctionReturn(0);
 }
 
@@ -207,11 +208,18 @@ static int32_t prepare(void* user, const hfrac_matrix* m, void** prepared) {
   if (*prepared == NULL) *prepared = calloc(1, sizeof(Prepared));
   Prepared* p = *prepared;
   if (status == 0 && p != NULL && m->row != NULL) status = find_pattern(&p->pattern, m);
+  PetscScalar* value = status == 0 && p != NULL ? add_up(&p->pattern, m->value) : NULL;
   /* PETSc waits for all: none may be missing. */
-  int failed = status != 0 || p == NULL;
-  if (MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, s->comm) != MPI_SUCCESS || failed) return 1;
-  Preparation preparation = {m, p};
-  return with_handler(s, set_up, &preparation);
+  int failed = value == NULL;
+  if (MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, s->comm) != MPI_SUCCESS) failed = 1;
+  Preparation preparation = {m, p, value};
+  status = failed ? 1 : with_handler(s, set_up, &preparation);
+  free(value);
+  if (p != NULL) {
+    free(p->pattern.column);
+    p->pattern.column = NULL;
+  }
+  return status;
 }
 
 typedef struct Solution {
@@ -235,7 +243,7 @@ static PetscErrorCode find(Solvers* s, void* of) {
   PetscCall(VecRestoreArrayWrite(p->right, &to));
   if (solution->tolerance > 0.0)
     PetscCall(KSPSetTolerances(p->ksp, solution->tolerance, 0.0, PETSC_DEFAULT, PETSC_DEFAULT));
-  PetscCall(KSPSolve(p->ksp, p->right, p->x));
+  PetscCall(KSPSolve(p->ksp, p->right, p->x)); /* with new numbers: makes the preconditioner first */
   PetscCall(require_good(p->ksp));
   PetscCall(KSPGetIterationNumber(p->ksp, &count));
   *solution->iterations = (int32_t)count;

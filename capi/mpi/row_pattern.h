@@ -15,16 +15,14 @@
 
 typedef struct RowPattern {
   int64_t rows, entries;
-  PetscInt *start, *column; /* of rows, of places */
+  PetscInt *start, *column; /* of rows, of places; columns for as long as nobody else has them */
   int32_t* place;           /* of each entry */
-  PetscScalar* value;       /* of places */
 } RowPattern;
 
 static void forget_pattern(RowPattern* p) {
   free(p->start);
   free(p->column);
   free(p->place);
-  free(p->value);
   memset(p, 0, sizeof *p);
 }
 
@@ -61,8 +59,7 @@ static int find_pattern(RowPattern* p, const hfrac_matrix* m) {
     }
     p->start[rows] = (PetscInt)places;
     p->column = malloc(((size_t)places + 1) * sizeof *p->column);
-    p->value = malloc(((size_t)places + 1) * sizeof *p->value);
-    good = p->column && p->value;
+    good = p->column != NULL;
     for (int64_t k = 0; good && k < m->count; ++k) p->column[p->place[k]] = (PetscInt)m->column[k];
   }
   free(begin);
@@ -71,9 +68,11 @@ static int find_pattern(RowPattern* p, const hfrac_matrix* m) {
   return !good;
 }
 
-static void add_up(RowPattern* p, const double* value) {
-  memset(p->value, 0, (size_t)p->start[p->rows] * sizeof *p->value);
-  for (int64_t k = 0; k < p->entries; ++k) p->value[p->place[k]] += value[k];
+/* Of places, in rows; to be freed. NULL: no memory. */
+static PetscScalar* add_up(const RowPattern* p, const double* value) {
+  PetscScalar* sum = calloc((size_t)p->start[p->rows] + 1, sizeof *sum);
+  for (int64_t k = 0; sum != NULL && k < p->entries; ++k) sum[p->place[k]] += value[k];
+  return sum;
 }
 
 #endif

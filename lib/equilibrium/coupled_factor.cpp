@@ -41,6 +41,7 @@ void CoupledFactor::compute_outside(const CoupledSystem& system) {
   if (all != entries_) system.places(row, column, mine.first, mine.end);
   entries_ = 0;
   outside_->prepare(system.size(), row, column, values_);
+  values_ = {};  // the factor, made with the first solve, wants the room
   entries_ = all;
   doubled_ = ready_ = true;
 }

@@ -201,8 +201,10 @@ int tangent(Outside& outside, const Ranks& ranks, std::int64_t discs, bool petsc
   forget_peak();
   const double start = now();
   factor.compute(system);
+  factor.solve(right, x);  // a factor from outside is made with the first solve
   const double factored = now();
   factor.compute(system);
+  factor.solve(right, x);
   const double again = now();
   const auto outcome = Krylov(workers).solve([&](const auto& in, auto& out) { system.product(in, out); },
                                              [&](const auto& in, auto& out) { factor.solve(in, out); }, right,

@@ -36,7 +36,7 @@ typedef struct hfrac_matrix {
   const double *value;   /**< of each entry */
 } hfrac_matrix;
 
-/** Makes ready to solve with the matrix. `*prepared` is NULL at first, and what it is set to in later calls for the same equations.
+/** Takes the matrix; a factor may be left to the first solve, when the caller's lists are gone. `*prepared` is NULL at first, and what it is set to in later calls for the same equations.
  * All functions of the table return 0, or nonzero if they failed. */
 typedef int32_t (*hfrac_prepare_fn)(void *user, const hfrac_matrix *matrix, void **prepared);
 /** x of matrix x = right, to |right - matrix x| <= tolerance |right| in a norm of the solver's choice, with the same bits on all ranks;
