@@ -1588,8 +1588,9 @@ module hfrac_c
   end interface
 
   abstract interface
-    !> Makes ready to solve with the matrix. `*prepared` is NULL at first, and what it is set to in later calls for
-    !> the same equations. All functions of the table return 0, or nonzero if they failed.
+    !> Takes the matrix; a factor may be left to the first solve, when the caller's lists are gone. `*prepared` is
+    !> NULL at first, and what it is set to in later calls for the same equations. All functions of the table return
+    !> 0, or nonzero if they failed.
     function hfrac_prepare_fn(user, matrix, prepared) bind(C)
       import
       type(c_ptr), value :: user

@@ -345,8 +345,9 @@ hfrac_step_fn = ctypes.CFUNCTYPE(
     ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64, ctypes.c_double
 )
 
-#: Makes ready to solve with the matrix. `*prepared` is NULL at first, and what it is set to in later calls for the
-#: same equations. All functions of the table return 0, or nonzero if they failed.
+#: Takes the matrix; a factor may be left to the first solve, when the caller's lists are gone. `*prepared` is NULL
+#: at first, and what it is set to in later calls for the same equations. All functions of the table return 0, or
+#: nonzero if they failed.
 hfrac_prepare_fn = ctypes.CFUNCTYPE(
     ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p
 )
