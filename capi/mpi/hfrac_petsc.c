@@ -103,7 +103,6 @@ static PetscErrorCode choose_flow(KSP ksp) {
   PC pc;
   PetscBool hypre;
   PetscFunctionBegin;
-  PetscCall(KSPSetOptionsPrefix(ksp, "hfrac_flow_"));
   PetscCall(KSPSetType(ksp, KSPCG));
   PetscCall(KSPSetNormType(ksp, KSP_NORM_NATURAL)); /* of the energy: conductances differ by 1e10 */
   PetscCall(KSPGetPC(ksp, &pc));
@@ -115,20 +114,14 @@ static PetscErrorCode choose_flow(KSP ksp) {
 
 static PetscErrorCode choose_tangent(KSP ksp) {
   PC pc;
-  Mat factor;
   PetscBool mumps;
   PetscFunctionBegin;
   PetscCall(PetscHasExternalPackage("mumps", &mumps));
   PetscCheck(mumps, PETSC_COMM_SELF, PETSC_ERR_SUP, "it was built without MUMPS, which solver.factor needs");
-  PetscCall(KSPSetOptionsPrefix(ksp, "hfrac_tangent_"));
   PetscCall(KSPSetType(ksp, KSPPREONLY));
   PetscCall(KSPGetPC(ksp, &pc));
   PetscCall(PCSetType(pc, PCLU));
   PetscCall(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
-  PetscCall(PCFactorSetUpMatSolverType(pc));
-  PetscCall(PCFactorGetMatrix(pc, &factor));
-  PetscCall(MatMumpsSetIcntl(factor, 35, 2)); /* block low rank: it only preconditions */
-  PetscCall(MatMumpsSetCntl(factor, 7, 1e-8));
   PetscFunctionReturn(0);
 }
 
@@ -151,6 +144,10 @@ typedef struct Preparation {
   const PetscScalar* value;
 } Preparation;
 
+static const char* prefix_of(const hfrac_matrix* m) {
+  return m->kind == HFRAC_MATRIX_FLOW ? "hfrac_flow_" : "hfrac_tangent_";
+}
+
 static PetscErrorCode make(Solvers* s, const hfrac_matrix* m, Prepared* p, const PetscScalar* value) {
   const PetscInt rows = (PetscInt)(m->end_row - m->first_row), all = (PetscInt)m->size;
   PetscFunctionBegin;
@@ -158,6 +155,7 @@ static PetscErrorCode make(Solvers* s, const hfrac_matrix* m, Prepared* p, const
   p->first = (PetscInt)m->first_row;
   PetscCall(MatCreate(s->comm, &p->matrix));
   PetscCall(MatSetSizes(p->matrix, rows, rows, all, all));
+  PetscCall(MatSetOptionsPrefixFactor(p->matrix, prefix_of(m)));
   PetscCall(MatSetType(p->matrix, MATAIJ));
   PetscCall(MatSeqAIJSetPreallocationCSR(p->matrix, p->pattern.start, p->pattern.column, value));
   PetscCall(MatMPIAIJSetPreallocationCSR(p->matrix, p->pattern.start, p->pattern.column, value));
@@ -165,6 +163,7 @@ static PetscErrorCode make(Solvers* s, const hfrac_matrix* m, Prepared* p, const
   PetscCall(MatCreateVecs(p->matrix, &p->x, &p->right));
   PetscCall(VecScatterCreateToAll(p->x, &p->gather, &p->all));
   PetscCall(KSPCreate(s->comm, &p->ksp));
+  PetscCall(KSPSetOptionsPrefix(p->ksp, prefix_of(m)));
   PetscCall(KSPSetOperators(p->ksp, p->matrix, p->matrix)); /* MUMPS is chosen for a matrix */
   PetscCall(m->kind == HFRAC_MATRIX_FLOW ? choose_flow(p->ksp) : choose_tangent(p->ksp));
   PetscCall(KSPSetFromOptions(p->ksp));

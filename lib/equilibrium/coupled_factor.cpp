@@ -35,12 +35,17 @@ void CoupledFactor::compute(const CoupledSystem& system) {
 }
 
 void CoupledFactor::compute_outside(const CoupledSystem& system) {
-  const auto mine = outside_->rows(system.size());
-  const std::size_t all = system.entries(values_, mine.first, mine.end);
   std::vector<std::int32_t> row, column;
-  if (all != entries_) system.places(row, column, mine.first, mine.end);
+  const auto rows = outside_->rows();
+  std::size_t all = entries_ > 0 ? system.entries(values_, rows.first, rows.end) : 0;
+  if (all == 0 || all != entries_) {
+    outside_->share_out(system.entries_of_rows());
+    const auto mine = outside_->rows();
+    all = system.entries(values_, mine.first, mine.end);
+    system.places(row, column, mine.first, mine.end);
+  }
   entries_ = 0;
-  outside_->prepare(system.size(), row, column, values_);
+  outside_->prepare(row, column, values_);
   values_ = {};  // the factor, made with the first solve, wants the room
   entries_ = all;
   doubled_ = ready_ = true;

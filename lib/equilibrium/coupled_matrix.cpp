@@ -128,6 +128,12 @@ void CoupledSystem::entries(std::vector<double>& values) const {
   each_entry([&](std::int32_t, std::int32_t, double value) { values.push_back(value); });
 }
 
+std::vector<std::int32_t> CoupledSystem::entries_of_rows() const {
+  std::vector<std::int32_t> count(static_cast<std::size_t>(size()), 0);
+  each_entry([&](std::int32_t row, std::int32_t, double) { ++count[static_cast<std::size_t>(row)]; });
+  return count;
+}
+
 std::size_t CoupledSystem::entries(std::vector<double>& values, std::int64_t first, std::int64_t end) const {
   values.clear();
   std::size_t all = 0;

@@ -116,7 +116,15 @@ FlowSolver::FlowSolver(const Network& n, const Options& options, std::vector<Wel
 
 // This rank's rows, of both triangles.
 void FlowSolver::list_places() {
-  const auto mine = outside_->rows(matrix_.cols());
+  std::vector<std::int32_t> entries(static_cast<std::size_t>(matrix_.cols()), 0);
+  for (std::int32_t k = 0; k < matrix_.cols(); ++k) {
+    for (auto a = matrix_.outerIndexPtr()[k]; a < matrix_.outerIndexPtr()[k + 1]; ++a) {
+      ++entries[static_cast<std::size_t>(k)];
+      if (matrix_.innerIndexPtr()[a] != k) ++entries[static_cast<std::size_t>(matrix_.innerIndexPtr()[a])];
+    }
+  }
+  outside_->share_out(entries);
+  const auto mine = outside_->rows();
   const auto list = [&](std::int32_t row, std::int32_t column, std::int32_t entry) {
     if (!mine.hold(row)) return;
     row_.push_back(row);
@@ -137,7 +145,7 @@ void FlowSolver::list_places() {
 void FlowSolver::solve_outside(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
   value_.clear();
   for (const auto a : entry_) value_.push_back(matrix_.valuePtr()[a]);
-  outside_->prepare(matrix_.cols(), row_, column_, value_);
+  outside_->prepare(row_, column_, value_);
   row_ = column_ = {};
   change_.resize(p.size());
   for (int pass = 0; pass < most_passes_outside; ++pass) {

@@ -1,20 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "linear/outside_matrix.hpp"
 
+#include <numeric>
 #include <string>
 
 #include "core/error.hpp"
 
 namespace hfrac {
 
-void OutsideMatrix::prepare(std::int64_t size, const std::vector<std::int32_t>& row,
-                            const std::vector<std::int32_t>& column, const std::vector<double>& value) {
-  const Rows mine = rows(size);
+void OutsideMatrix::share_out(const std::vector<std::int32_t>& entries) {
+  size_ = static_cast<std::int64_t>(entries.size());
+  const std::int64_t all = std::accumulate(entries.begin(), entries.end(), std::int64_t{0});
+  const auto begin_of = [&](std::int64_t rank) {
+    std::int64_t row = 0;
+    for (std::int64_t before = 0; row < size_ && before * ranks_.size() < all * rank; ++row)
+      before += entries[static_cast<std::size_t>(row)];
+    return row;
+  };
+  rows_ = {begin_of(ranks_.rank()), ranks_.rank() + 1 < ranks_.size() ? begin_of(ranks_.rank() + 1) : size_};
+}
+
+void OutsideMatrix::prepare(const std::vector<std::int32_t>& row, const std::vector<std::int32_t>& column,
+                            const std::vector<double>& value) {
   MatrixRows matrix;
   matrix.kind = static_cast<std::int32_t>(kind_);
-  matrix.size = size;
-  matrix.first_row = mine.first;
-  matrix.end_row = mine.end;
+  matrix.size = size_;
+  matrix.first_row = rows_.first;
+  matrix.end_row = rows_.end;
   matrix.count = static_cast<std::int64_t>(value.size());
   // A rank without entries has to say, too, that places are new.
   static constexpr std::int32_t nowhere = 0;

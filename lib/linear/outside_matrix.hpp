@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Linear equations given to a solver from outside the library (hfrac/linear_solver.h: PETSc, or a host's own).
 //
-// Every rank gives the entries of an even share of the rows and gets all of the solution, so what the solver makes of the matrix is
+// Every rank gives the entries of its share of the rows and gets all of the solution, so what the solver makes of the matrix is
 // spread over the ranks. Before each call ranks tell each other that they are there, and after it whether it went well: a solver may
 // wait for a rank without looking whether it has gone.
 #pragma once
@@ -41,18 +41,18 @@ class OutsideMatrix {
   OutsideMatrix& operator=(const OutsideMatrix&) = delete;
   ~OutsideMatrix() { release(); }
 
-  // This rank's rows of `size`.
+  // Rows of a rank.
   struct Rows {
-    std::int64_t first, end;
+    std::int64_t first = 0, end = 0;
     [[nodiscard]] bool hold(std::int64_t row) const { return row >= first && row < end; }
   };
-  [[nodiscard]] Rows rows(std::int64_t size) const {
-    return {size * ranks_.rank() / ranks_.size(), size * (ranks_.rank() + 1) / ranks_.size()};
-  }
+  // This rank's share of rows with so many entries each, about as many for every rank.
+  void share_out(const std::vector<std::int32_t>& entries);
+  [[nodiscard]] Rows rows() const { return rows_; }
 
   // Entries of this rank's rows; with empty lists of places those of the call before. Throw Error(diverged) on all ranks if it fails on one.
-  void prepare(std::int64_t size, const std::vector<std::int32_t>& row,
-               const std::vector<std::int32_t>& column, const std::vector<double>& value);
+  void prepare(const std::vector<std::int32_t>& row, const std::vector<std::int32_t>& column,
+               const std::vector<double>& value);
   // Returns iterations.
   int solve(const double* right, double* x, double tolerance);
 
@@ -62,6 +62,8 @@ class OutsideMatrix {
 
   Ranks ranks_;
   Kind kind_;
+  std::int64_t size_ = 0;
+  Rows rows_;
   void* prepared_ = nullptr;
 };
 
