@@ -210,6 +210,12 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_EVENT_CRACKS = 0
   integer(c_int32_t), parameter :: HFRAC_EVENT_SLIP = 1
 
+  ! What the equations are, by which a solver chooses its way.
+  !> symmetric, positive definite, no positive entry off the diagonal; solved to a tolerance
+  integer(c_int32_t), parameter :: HFRAC_MATRIX_FLOW = 1
+  !> symmetric in its pattern only, indefinite; solved once through a factor
+  integer(c_int32_t), parameter :: HFRAC_MATRIX_TANGENT = 2
+
   ! How permeability is brought to the host's cells.
   !> crack tensor (Oda 1985): fast; takes all cracks as connected, so an upper bound
   integer(c_int32_t), parameter :: HFRAC_UPSCALE_ODA = 0
@@ -541,8 +547,9 @@ module hfrac_c
     !> [s] Mode coupled: increments of a step are not made shorter; what happens within is taken as sudden. Default
     !> 1e-6.
     real(c_double) :: solver_smallest_step = 0.0_c_double
-    !> 0: auto, 1: direct, 2: iterative. How the implicit scheme solves for pressures. direct: factorisation.
-    !> iterative: conjugate gradients, for large models. auto: direct up to 60 000 domains. Default 0.
+    !> 0: auto, 1: direct, 2: iterative, 3: petsc. How the implicit scheme solves for pressures. direct:
+    !> factorisation. iterative: conjugate gradients, for large models. auto: direct up to 60 000 domains. petsc:
+    !> PETSc's conjugate gradients with algebraic multigrid, over all ranks. Default 0.
     integer(c_int64_t) :: flow_solver = 0_c_int64_t
     !> 0: zlib, 1: lz4, 2: none. How arrays in VTU files are packed. lz4: twice as fast as zlib, files a fifth
     !> larger. Default 0.
@@ -744,6 +751,9 @@ module hfrac_c
     real(c_double) :: fluid_second_viscosity = 0.0_c_double
     !> [kg/m3] Density of the second fluid in wellbore and perforations. 0: that of the first. Default 0.0.
     real(c_double) :: fluid_second_density = 0.0_c_double
+    !> 0: own, 1: petsc. quasi-static: whose factor of the tangent preconditions. own: hfrac's, whole on every rank.
+    !> petsc: MUMPS's through PETSc, shared by all ranks. Default 0.
+    integer(c_int64_t) :: solver_factor = 0_c_int64_t
     !> 0: cpu, 1: gpu, 2: auto. What runs the cycles of the explicit solver; results do not depend on it. cpu: the
     !> processor. gpu: a card, by libhfrac_gpu; refused where there is none or the case has what cards do not run
     !> (solver.kind quasi-static, fracture.law facet, boundary.kind infinite, several ranks). auto: a card where
@@ -1235,6 +1245,48 @@ module hfrac_c
     integer(c_int64_t) :: count = 0_c_int64_t
   end type hfrac_magnitude_law
 
+  !> The rows of a square matrix that this rank gives, as a list of entries; those for the same place add up.
+  !> Borrowed for the call.
+  type, bind(C) :: hfrac_matrix
+    !> sizeof(hfrac_matrix) of the library
+    integer(c_int32_t) :: struct_size = 64_c_int32_t
+    !> hfrac_matrix_kind
+    integer(c_int32_t) :: kind = 0_c_int32_t
+    !> rows of all ranks
+    integer(c_int64_t) :: size = 0_c_int64_t
+    !> this rank's are first_row up to end_row, which is the next one's first_row
+    integer(c_int64_t) :: first_row = 0_c_int64_t
+    !> the one behind the last
+    integer(c_int64_t) :: end_row = 0_c_int64_t
+    !> entries
+    integer(c_int64_t) :: count = 0_c_int64_t
+    !> of each entry; NULL: places are those of the last call, on all ranks
+    type(c_ptr) :: row = c_null_ptr
+    !> likewise
+    type(c_ptr) :: column = c_null_ptr
+    !> of each entry
+    type(c_ptr) :: value = c_null_ptr
+  end type hfrac_matrix
+
+  !> Solvers from outside. Fill with hfrac_linear_solver_init, then all members, and let
+  !> hfrac_exchange::linear_solver point to it.
+  type, bind(C) :: hfrac_linear_solver
+    !> sizeof(hfrac_linear_solver) of the caller, set by init
+    integer(c_int32_t) :: struct_size = 0_c_int32_t
+    !> 0
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t
+    !> handed to all functions; must live as long as the simulation
+    type(c_ptr) :: user = c_null_ptr
+    !> the matrix
+    type(c_funptr) :: prepare = c_null_funptr
+    !> a right side
+    type(c_funptr) :: solve = c_null_funptr
+    !> the end
+    type(c_funptr) :: release = c_null_funptr
+    !> why not
+    type(c_funptr) :: reason = c_null_funptr
+  end type hfrac_linear_solver
+
   !> What goes to another rank, and what comes from it; either may be empty.
   type, bind(C) :: hfrac_message
     !> the other one
@@ -1273,6 +1325,8 @@ module hfrac_c
     type(c_funptr) :: gather = c_null_funptr
     !> the end of it all
     type(c_funptr) :: fail = c_null_funptr
+    !> of these ranks, copied at creation; NULL: hfrac's own only
+    type(c_ptr) :: linear_solver = c_null_ptr
   end type hfrac_exchange
 
   !> What a rank does for the others in a cycle, since the model was built; zeros with one rank. Set struct_size
@@ -1546,6 +1600,55 @@ module hfrac_c
       real(c_double), value :: time
       integer(c_int32_t) :: hfrac_step_fn
     end function hfrac_step_fn
+  end interface
+
+  abstract interface
+    !> Takes the matrix; a factor may be left to the first solve, when the caller's lists are gone. `*prepared` is
+    !> NULL at first, and what it is set to in later calls for the same equations. All functions of the table return
+    !> 0, or nonzero if they failed.
+    function hfrac_prepare_fn(user, matrix, prepared) bind(C)
+      import
+      type(c_ptr), value :: user
+      type(hfrac_matrix), intent(in) :: matrix
+      type(c_ptr), intent(inout) :: prepared
+      integer(c_int32_t) :: hfrac_prepare_fn
+    end function hfrac_prepare_fn
+  end interface
+
+  abstract interface
+    !> x of matrix x = right, to |right - matrix x| <= tolerance |right| in a norm of the solver's choice, with the
+    !> same bits on all ranks; `iterations`: what it took.
+    function hfrac_solve_fn(user, prepared, right, x, tolerance, iterations) bind(C)
+      import
+      type(c_ptr), value :: user
+      type(c_ptr), value :: prepared
+      real(c_double), intent(in) :: right(*)
+      real(c_double), intent(out) :: x
+      real(c_double), value :: tolerance
+      integer(c_int32_t), intent(out) :: iterations
+      integer(c_int32_t) :: hfrac_solve_fn
+    end function hfrac_solve_fn
+  end interface
+
+  abstract interface
+    !> The end of what was prepared; NULL is allowed. Not collective after a failure of another rank.
+    function hfrac_release_fn(user, prepared) bind(C)
+      import
+      type(c_ptr), value :: user
+      type(c_ptr), value :: prepared
+      integer(c_int32_t) :: hfrac_release_fn
+    end function hfrac_release_fn
+  end interface
+
+  abstract interface
+    !> Why the last call on this rank failed: at most `size` bytes with the ending 0.
+    function hfrac_reason_fn(user, text, size) bind(C)
+      import
+      type(c_ptr), value :: user
+      character(kind=c_char), intent(in) :: text(*)
+      integer(c_int64_t), value :: size
+      integer(c_int32_t) :: hfrac_reason_fn
+    end function hfrac_reason_fn
   end interface
 
   abstract interface
@@ -2239,6 +2342,13 @@ module hfrac_c
       type(hfrac_magnitude_law), intent(inout) :: law
       integer(c_int32_t) :: hfrac_find_magnitude_law
     end function hfrac_find_magnitude_law
+    !> Defaults into `solver`; `struct_size` is sizeof(hfrac_linear_solver) in the caller. Unstable since 0.2.
+    function hfrac_linear_solver_init(solver, struct_size) bind(C, name="hfrac_linear_solver_init")
+      import
+      type(hfrac_linear_solver), intent(inout) :: solver
+      integer(c_int32_t), value :: struct_size
+      integer(c_int32_t) :: hfrac_linear_solver_init
+    end function hfrac_linear_solver_init
     !> Defaults into `exchange`, one rank; `struct_size` is sizeof(hfrac_exchange) in the caller. Unstable since
     !> 0.2.
     function hfrac_exchange_init(exchange, struct_size) bind(C, name="hfrac_exchange_init")

@@ -7,10 +7,10 @@
 !>     call sim%create(def)
 module hfrac_mpi
   use, intrinsic :: iso_c_binding, only: c_int32_t
-  use hfrac_c, only: hfrac_exchange
+  use hfrac_c, only: hfrac_exchange, hfrac_linear_solver
   implicit none
   private
-  public :: over_communicator, hfrac_mpi_exchange
+  public :: over_communicator, hfrac_mpi_exchange, hfrac_petsc_solver
 
   interface
     !> The table by which ranks of a communicator talk; collective. It holds as long as the communicator. Unstable since 0.2.
@@ -20,6 +20,15 @@ module hfrac_mpi
       type(hfrac_exchange), intent(out) :: exchange
       integer(c_int32_t) :: hfrac_mpi_exchange
     end function hfrac_mpi_exchange
+
+    !> PETSc's solvers over those ranks (-lhfrac_petsc), collective: def%exchange%linear_solver = c_loc(solver), with `solver` a target that
+    !> lives until the simulation has been created. Unstable since 0.2.
+    function hfrac_petsc_solver(fortran_comm, solver) bind(C, name="hfrac_petsc_solver")
+      import :: c_int32_t, hfrac_linear_solver
+      integer(c_int32_t), value :: fortran_comm
+      type(hfrac_linear_solver), intent(out) :: solver
+      integer(c_int32_t) :: hfrac_petsc_solver
+    end function hfrac_petsc_solver
   end interface
 
 contains

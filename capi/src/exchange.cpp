@@ -2,6 +2,7 @@
 // One simulation on several ranks.
 #include "hfrac/exchange.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 
@@ -23,6 +24,12 @@ hfrac_exchange default_exchange() {
   return exchange;
 }
 
+hfrac_linear_solver default_solver() {
+  hfrac_linear_solver solver{};
+  solver.struct_size = sizeof solver;
+  return solver;
+}
+
 void require_sound(const hfrac_exchange& given) {
   constexpr std::int32_t most = 1048576;
   if (given.size < 1 || given.size > most)
@@ -40,17 +47,48 @@ void require_sound(const hfrac_exchange& given) {
                 "hfrac_exchange: a function is NULL; with more than one rank all five have to be given.");
 }
 
+const hfrac_linear_solver& solver(void* user) {
+  return *static_cast<const hfrac_linear_solver*>(user);
+}
+
+const OutsideSolver* take_solver(hfrac_sim& sim) {
+  static_assert(sizeof(MatrixRows) == sizeof(hfrac_matrix) &&
+                offsetof(MatrixRows, count) == offsetof(hfrac_matrix, count) &&
+                offsetof(MatrixRows, value) == offsetof(hfrac_matrix, value));
+  sim.linear_solver =
+      read_struct(sim.exchange.linear_solver, default_solver(), "hfrac_exchange: linear_solver");
+  const auto& given = sim.linear_solver;
+  if (given.prepare == nullptr || given.solve == nullptr || given.release == nullptr || given.reason == nullptr)
+    throw Error(ErrorKind::argument, "hfrac_linear_solver: a function is NULL; all four have to be given.");
+  OutsideSolver& of = sim.solver;
+  of.user = &sim.linear_solver;
+  of.prepare = [](void* user, const MatrixRows* matrix, void** prepared) {
+    return solver(user).prepare(solver(user).user, reinterpret_cast<const hfrac_matrix*>(matrix), prepared);
+  };
+  of.solve = [](void* user, void* prepared, const double* right, double* x, double tolerance,
+                std::int32_t* iterations) {
+    return solver(user).solve(solver(user).user, prepared, right, x, tolerance, iterations);
+  };
+  of.release = [](void* user, void* prepared) { return solver(user).release(solver(user).user, prepared); };
+  of.reason = [](void* user, char* text, std::int64_t size) {
+    return solver(user).reason(solver(user).user, text, size);
+  };
+  return &of;
+}
+
 const hfrac_exchange& table(void* user) {
   return *static_cast<const hfrac_exchange*>(user);
 }
 
 }  // namespace
 
-Ranks hfrac::capi::ranks_over(hfrac_exchange& kept) {
+Ranks hfrac::capi::ranks_of(hfrac_sim& sim) {
+  hfrac_exchange& kept = sim.exchange;
   static_assert(sizeof(Message) == sizeof(hfrac_message) &&
                 offsetof(Message, receive_bytes) == offsetof(hfrac_message, receive_bytes) &&
                 offsetof(Message, receive) == offsetof(hfrac_message, receive));
-  Exchange exchange{kept.rank, kept.size, &kept};
+  Exchange exchange{kept.rank, std::max(kept.size, 1), &kept};
+  if (kept.linear_solver != nullptr) exchange.solver = take_solver(sim);
   exchange.start = [](void* user, const Message* messages, std::int32_t count) {
     return table(user).start(table(user).user, reinterpret_cast<const hfrac_message*>(messages), count);
   };
@@ -67,6 +105,10 @@ Ranks hfrac::capi::ranks_over(hfrac_exchange& kept) {
 
 int32_t hfrac_exchange_init(hfrac_exchange* exchange, int32_t struct_size) {
   return guarded([&] { put_defaults(exchange, struct_size, default_exchange(), "exchange"); });
+}
+
+int32_t hfrac_linear_solver_init(hfrac_linear_solver* solver, int32_t struct_size) {
+  return guarded([&] { put_defaults(solver, struct_size, default_solver(), "solver"); });
 }
 
 int32_t hfrac_sim_create_on(const hfrac_sim_def* def, const hfrac_exchange* exchange, hfrac_sim** sim) {

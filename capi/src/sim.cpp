@@ -133,7 +133,7 @@ std::int32_t hfrac::capi::create(const hfrac_sim_def* def, const hfrac_exchange&
   const hfrac_sim_def full = read_def(def);
   auto handle = std::make_unique<hfrac_sim>();
   handle->exchange = exchange;
-  if (exchange.size > 1) handle->ranks = ranks_over(handle->exchange);
+  if (exchange.size > 1 || exchange.linear_solver != nullptr) handle->ranks = ranks_of(*handle);
   handle->listener = listener_of(full.log, full.log_user, full.log_level);
   ProgressPoll poll(*handle, full.progress, full.progress_user, 0.05);
   const char* stage = "";

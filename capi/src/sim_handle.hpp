@@ -11,6 +11,7 @@
 #include "core/ranks.hpp"
 #include "hfrac/exchange.h"
 #include "internal.hpp"
+#include "linear/outside_matrix.hpp"
 
 namespace hfrac {
 class Simulation;
@@ -25,8 +26,10 @@ struct hfrac_sim : hfrac::capi::HandleBase {
   static void* operator new(std::size_t size);
   static void operator delete(void* place, std::size_t size);
 
-  std::unique_ptr<hfrac::Simulation> simulation;
   hfrac_exchange exchange{};  // what `ranks` talk by
+  hfrac_linear_solver linear_solver{};
+  hfrac::OutsideSolver solver;  // that solves for them
+  std::unique_ptr<hfrac::Simulation> simulation;
   hfrac::Ranks ranks;
   hfrac_progress_fn progress = nullptr;
   void* progress_user = nullptr;
@@ -48,6 +51,6 @@ struct hfrac_sim : hfrac::capi::HandleBase {
 namespace hfrac::capi {
 // hfrac_sim_create, on one rank or several (exchange.cpp).
 std::int32_t create(const hfrac_sim_def* def, const hfrac_exchange& exchange, hfrac_sim** sim);
-// Ranks that talk by a table, which has to stay where it is.
-Ranks ranks_over(hfrac_exchange& kept);
+// Ranks that talk by the handle's table, which has to stay where it is.
+Ranks ranks_of(hfrac_sim& kept);
 }  // namespace hfrac::capi

@@ -26,6 +26,8 @@ struct Message {
   void* receive = nullptr;
 };
 
+struct OutsideSolver;  // linear/outside_matrix.hpp
+
 struct Exchange {
   std::int32_t rank = 0, size = 1;
   void* user = nullptr;
@@ -34,6 +36,7 @@ struct Exchange {
   std::int32_t (*sum)(void* user, std::int64_t* values, std::int32_t count) = nullptr;
   std::int32_t (*gather)(void* user, void* all, const std::int64_t* begin) = nullptr;
   std::int32_t (*fail)(void* user) = nullptr;
+  const OutsideSolver* solver = nullptr;
 };
 
 class Ranks {
@@ -44,6 +47,8 @@ class Ranks {
   [[nodiscard]] bool alone() const { return exchange_.size == 1; }
   [[nodiscard]] int rank() const { return exchange_.rank; }
   [[nodiscard]] int size() const { return exchange_.size; }
+  // Of linear equations, by all ranks together; none: each has the library's own only.
+  [[nodiscard]] const OutsideSolver* solver() const { return exchange_.solver; }
 
   // All of these are called by all ranks, in the same order. Throw Error(exchange) where the others no longer answer.
   void sum(std::span<std::int64_t> values) const {

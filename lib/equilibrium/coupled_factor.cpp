@@ -11,6 +11,7 @@ constexpr double most_single = 1e5;  // entry, of bonds' about 1, up to which si
 
 void CoupledFactor::compute(const CoupledSystem& system) {
   ready_ = false;  // until all of it is there: memory may run out on the way
+  if (outside_) return compute_outside(system);
   system.entries(values_);
   if (values_.size() != entries_) {
     entries_ = 0;
@@ -33,12 +34,34 @@ void CoupledFactor::compute(const CoupledSystem& system) {
   ready_ = true;
 }
 
+void CoupledFactor::compute_outside(const CoupledSystem& system) {
+  std::vector<std::int32_t> row, column;
+  const auto rows = outside_->rows();
+  std::size_t all = entries_ > 0 ? system.entries(values_, rows.first, rows.end) : 0;
+  if (all == 0 || all != entries_) {
+    outside_->share_out(system.entries_of_rows());
+    const auto mine = outside_->rows();
+    all = system.entries(values_, mine.first, mine.end);
+    system.places(row, column, mine.first, mine.end);
+  }
+  entries_ = 0;
+  outside_->prepare(row, column, values_);
+  values_ = {};  // the factor, made with the first solve, wants the room
+  entries_ = all;
+  doubled_ = ready_ = true;
+}
+
 bool CoupledFactor::refine() {
   exact_ = true;
   return !doubled_;
 }
 
 void CoupledFactor::solve(const Vector& right, Vector& x) {
+  if (outside_) {
+    x.resize(right.size());
+    outside_->solve(right.data(), x.data(), 0.0);
+    return;
+  }
   x = right;
   if (doubled_)
     fine_.solve(tree_, x.data(), workers_);

@@ -5,14 +5,18 @@
 // The factor is of single precision as long as that does: where pipes conduct more than 1e5 times what rock yields,
 // what a fracture stores drowns in the rounding of what passes through it, and where pieces of rock hang on a thread, so does
 // what holds them. The first shows in the entries, the second in iterations with a fresh factor.
+//
+// Or it is a solver's from outside, of double precision and shared by all ranks.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/workers.hpp"
 #include "equilibrium/coupled_system.hpp"
 #include "linear/front_tree.hpp"
 #include "linear/multifrontal.hpp"
+#include "linear/outside_matrix.hpp"
 
 namespace hfrac {
 
@@ -20,7 +24,10 @@ class CoupledFactor {
  public:
   using Vector = CoupledSystem::Vector;
 
-  explicit CoupledFactor(Workers& workers) : workers_(workers) {}
+  // Our own; or, given ranks, that of their solver.
+  explicit CoupledFactor(Workers& workers, const Ranks* outside = nullptr) : workers_(workers) {
+    if (outside != nullptr) outside_.emplace(*outside, OutsideMatrix::Kind::tangent);
+  }
 
   // Of the tangent at the last evaluation.
   void compute(const CoupledSystem& system);
@@ -34,7 +41,10 @@ class CoupledFactor {
   void solve(const Vector& right, Vector& x);
 
  private:
+  void compute_outside(const CoupledSystem& system);
+
   Workers& workers_;
+  std::optional<OutsideMatrix> outside_;
   FrontTree tree_;
   Multifrontal<float> coarse_;
   Multifrontal<double> fine_;

@@ -128,6 +128,31 @@ void CoupledSystem::entries(std::vector<double>& values) const {
   each_entry([&](std::int32_t, std::int32_t, double value) { values.push_back(value); });
 }
 
+std::vector<std::int32_t> CoupledSystem::entries_of_rows() const {
+  std::vector<std::int32_t> count(static_cast<std::size_t>(size()), 0);
+  each_entry([&](std::int32_t row, std::int32_t, double) { ++count[static_cast<std::size_t>(row)]; });
+  return count;
+}
+
+std::size_t CoupledSystem::entries(std::vector<double>& values, std::int64_t first, std::int64_t end) const {
+  values.clear();
+  std::size_t all = 0;
+  each_entry([&](std::int32_t row, std::int32_t, double value) {
+    ++all;
+    if (row >= first && row < end) values.push_back(value);
+  });
+  return all;
+}
+
+void CoupledSystem::places(std::vector<std::int32_t>& rows, std::vector<std::int32_t>& columns,
+                           std::int64_t first, std::int64_t end) const {
+  each_entry([&](std::int32_t row, std::int32_t column, double) {
+    if (row < first || row >= end) return;
+    rows.push_back(row);
+    columns.push_back(column);
+  });
+}
+
 CoupledSystem::Structure CoupledSystem::structure() const {
   const auto& n = network_;
   Structure s;

@@ -69,6 +69,11 @@ class CoupledSystem {
 
   // The tangent as a list of entries, places always the same while the same discs are near; and what they make of a pattern.
   void entries(std::vector<double>& values) const;
+  // How many each row has; those of the rows from `first` up to `end`, returning how many there are in all rows; and where they belong.
+  [[nodiscard]] std::vector<std::int32_t> entries_of_rows() const;
+  std::size_t entries(std::vector<double>& values, std::int64_t first, std::int64_t end) const;
+  void places(std::vector<std::int32_t>& row, std::vector<std::int32_t>& column, std::int64_t first,
+              std::int64_t end) const;
   struct Structure {
     std::vector<std::int32_t> node_start;  // first unknown of each node
     std::vector<Vec2> position;

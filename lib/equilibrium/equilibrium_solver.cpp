@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "equilibrium/step_part.hpp"
+#include "options/choices.hpp"
 #include "solid/bond_law.hpp"
 
 namespace hfrac {
@@ -40,7 +41,8 @@ EquilibriumSolver::EquilibriumSolver(Model& model, Facets& facets, Boundary& bou
       facets_(facets),
       system_(model.assembly, model.network, boundary, mechanics.non_bonded_contacts(), options, workers,
               facets, &model.wellbores),
-      factor_(workers),
+      factor_(workers,
+              FactorOf{options.solver_factor} == FactorOf::petsc ? &mechanics.shared_tiles().ranks() : nullptr),
       krylov_(workers) {}
 
 void EquilibriumSolver::begin_step() {

@@ -14,6 +14,10 @@ namespace {
 // Conjugate gradients: residual over right-hand side. Fluid is conserved whatever is left.
 constexpr double iterative_tolerance = 1e-12;
 constexpr int most_iterations = 20000;
+// A solver from outside: residual over right-hand side of a pass; change of a pressure over the largest difference of pressures at which
+// they have settled.
+constexpr double tolerance_outside = 1e-6, settled_outside = 1e-11;
+constexpr int most_passes_outside = 20;
 // A pressure this far below the floor is below it: less is what conjugate gradients leave open.
 constexpr double floor_slack = 0.1;  // Pa
 // A fluid that thins: sum of the flows' errors over the flows, at which conductances and pressures agree.
@@ -36,16 +40,18 @@ double outer_flow(const Network& n, std::size_t k) {
 
 }  // namespace
 
-FlowSolver::FlowSolver(const Network& n, const Options& options, std::vector<Wellbore>* wellbores)
+FlowSolver::FlowSolver(const Network& n, const Options& options, std::vector<Wellbore>* wellbores,
+                       const Ranks& ranks)
     : explicit_(FlowScheme{options.flow_scheme} == FlowScheme::explicit_scheme),
       law_(options),
       wellbores_(wellbores != nullptr && !wellbores->empty() ? wellbores : nullptr) {
   const auto domains = static_cast<Eigen::Index>(n.domain_count());
   cavitated_.assign(static_cast<std::size_t>(domains), 0);
   const FlowMatrixSolver wanted{options.flow_solver};
-  iterative_ = wanted == FlowMatrixSolver::iterative ||
+  iterative_ = wanted == FlowMatrixSolver::iterative || wanted == FlowMatrixSolver::petsc ||
                (wanted == FlowMatrixSolver::automatic && n.domain_count() > largest_to_factorise);
   if (explicit_) return;
+  if (wanted == FlowMatrixSolver::petsc) outside_.emplace(ranks, OutsideMatrix::Kind::flow);
   double volume = 0.0;
   for (std::size_t d = 1; d < n.volume.size(); ++d) volume += n.volume[d];
   imposed_weight_ = volume / static_cast<double>(domains) / options.fluid_bulk_modulus;
@@ -105,9 +111,58 @@ FlowSolver::FlowSolver(const Network& n, const Options& options, std::vector<Wel
                                      : -1);
   }
   each_pair([&](std::int32_t low, std::int32_t high) { cluster_places_.push_back(place(high, low)); });
+  if (outside_) list_places();
+}
+
+// This rank's rows, of both triangles.
+void FlowSolver::list_places() {
+  std::vector<std::int32_t> entries(static_cast<std::size_t>(matrix_.cols()), 0);
+  for (std::int32_t k = 0; k < matrix_.cols(); ++k) {
+    for (auto a = matrix_.outerIndexPtr()[k]; a < matrix_.outerIndexPtr()[k + 1]; ++a) {
+      ++entries[static_cast<std::size_t>(k)];
+      if (matrix_.innerIndexPtr()[a] != k) ++entries[static_cast<std::size_t>(matrix_.innerIndexPtr()[a])];
+    }
+  }
+  outside_->share_out(entries);
+  const auto mine = outside_->rows();
+  const auto list = [&](std::int32_t row, std::int32_t column, std::int32_t entry) {
+    if (!mine.hold(row)) return;
+    row_.push_back(row);
+    column_.push_back(column);
+    entry_.push_back(entry);
+  };
+  for (std::int32_t k = 0; k < matrix_.cols(); ++k) {
+    for (auto a = matrix_.outerIndexPtr()[k]; a < matrix_.outerIndexPtr()[k + 1]; ++a) {
+      const auto row = matrix_.innerIndexPtr()[a];
+      list(row, k, a);
+      if (row != k) list(k, row, a);
+    }
+  }
+}
+
+// What is left is found here, whoever solved, and solved for again until pressures stay: where conductances differ by powers of ten a
+// small residual alone says little about the pressures of tight rock.
+void FlowSolver::solve_outside(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
+  value_.clear();
+  for (const auto a : entry_) value_.push_back(matrix_.valuePtr()[a]);
+  outside_->prepare(row_, column_, value_);
+  row_ = column_ = {};
+  change_.resize(p.size());
+  for (int pass = 0; pass < most_passes_outside; ++pass) {
+    symmetric_product(matrix_, p, residual_);
+    residual_ = rhs - residual_;
+    if (!(residual_.squaredNorm() > 0.0)) return;
+    outside_->solve(residual_.data(), change_.data(), tolerance_outside);
+    p += change_;
+    if (change_.cwiseAbs().maxCoeff() <= settled_outside * (p.maxCoeff() - p.minCoeff())) return;
+  }
+  throw Error(ErrorKind::diverged, "the flow step's pressures did not settle in " +
+                                       std::to_string(most_passes_outside) +
+                                       " passes of the solver from outside; use flow.solver = \"auto\" or a smaller stepping.flow_step");
 }
 
 void FlowSolver::solve_pressures(Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
+  if (outside_) return solve_outside(rhs, p);
   const bool factorised = iterative_ ? conjugate_gradient_.factorise(matrix_)
                                      : (factor_.factorize(matrix_), factor_.info() == Eigen::Success);
   if (!factorised)

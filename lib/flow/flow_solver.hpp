@@ -3,7 +3,7 @@
 //
 // Both schemes move content along pipes, so what one domain loses the next one gains to the last bit but rounding:
 //   implicit  backward Euler on all domains at once (sparse Cholesky, the pattern analysed once; conjugate gradients for
-//             more than some 60 000 domains, where factors outgrow memory). Cavitation makes it
+//             more than some 60 000 domains, where factors outgrow memory; or a solver from outside). Cavitation makes it
 //             a complementarity problem: p >= floor, a domain at the floor first fills its void. A primal-dual active
 //             set finds it in a few rounds. A fluid that thins is followed by solving again at the conductances of the
 //             pressure drops found (Picard), until they agree.
@@ -13,11 +13,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "flow/fluid_law.hpp"
 #include "flow/wellbore_flow.hpp"
 #include "linear/conjugate_gradient.hpp"
+#include "linear/outside_matrix.hpp"
 #include "linear/sparse.hpp"
 #include "model/network.hpp"
 
@@ -26,7 +28,8 @@ namespace hfrac {
 class FlowSolver {
  public:
   // `wellbores` are moved along with the network; none: there are no such.
-  FlowSolver(const Network& network, const Options& options, std::vector<Wellbore>* wellbores = nullptr);
+  FlowSolver(const Network& network, const Options& options, std::vector<Wellbore>* wellbores = nullptr,
+             const Ranks& ranks = {});
 
   // Advances contents and pressures by `step` [s]. source[d] [m2/s] is injected into domain d (empty: none).
   // Domains with stiffness 0 keep their pressure. Returns sub-cycles (explicit) or rounds (implicit).
@@ -50,6 +53,9 @@ class FlowSolver {
   using Matrix = SparseMatrix;
   // Pressures of the system as it stands in matrix_ into p; uses rhs up.
   void solve_pressures(Eigen::VectorXd& rhs, Eigen::VectorXd& p);
+  // The same by a solver from outside.
+  void list_places();
+  void solve_outside(const Eigen::VectorXd& rhs, Eigen::VectorXd& p);
 
   bool explicit_, iterative_;
   FluidLaw law_;
@@ -65,6 +71,11 @@ class FlowSolver {
   std::vector<double> linear_at_;             // Pa, by cluster: pressures about which the rates are linear
   SymmetricFactor factor_;
   ConjugateGradient conjugate_gradient_;
+  std::optional<OutsideMatrix> outside_;
+  std::vector<std::int32_t> row_, column_;      // of the entries it gets, until it has them
+  std::vector<std::int32_t> entry_;             // where those are in the value array
+  std::vector<double> value_;
+  Eigen::VectorXd residual_, change_;
   Eigen::VectorXd rhs_, pressure_;
   std::vector<double> fill_;  // m2, content gained in the step
   std::vector<char> cavitated_;

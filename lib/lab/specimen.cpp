@@ -32,6 +32,7 @@ Options bench_options(Options o, const SpecimenShape& shape) {
   o.flow_scheme = static_cast<std::int64_t>(shape.wet ? FlowScheme::implicit_scheme : FlowScheme::off);
   o.stress_sigma_Hmax = shape.stress_x;
   o.stress_sigma_hmin = shape.stress_y;
+  o.solver_factor = static_cast<std::int64_t>(FactorOf::own);
   o.solver_tolerance = std::min(o.solver_tolerance, 1e-6);
   return o;
 }

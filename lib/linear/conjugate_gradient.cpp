@@ -12,6 +12,29 @@ constexpr double kept_fill = 0.97;
 
 }  // namespace
 
+void symmetric_product(const SparseMatrix& lower, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
+  const auto n = lower.cols();
+  const int* start = lower.outerIndexPtr();
+  const int* row = lower.innerIndexPtr();
+  const double* value = lower.valuePtr();
+  y.setZero(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double here = x[k];
+    double sum = value[start[k]] * here;
+    for (int a = start[k] + 1; a < start[k + 1]; ++a) {
+      sum += value[a] * x[row[a]];
+      y[row[a]] += value[a] * here;
+    }
+    y[k] += sum;
+  }
+}
+
+double scaled_length(const SparseMatrix& lower, const Eigen::VectorXd& v) {
+  double sum = 0.0;
+  for (Eigen::Index k = 0; k < v.size(); ++k) sum += v[k] * v[k] / lower.valuePtr()[lower.outerIndexPtr()[k]];
+  return std::sqrt(sum);
+}
+
 bool ConjugateGradient::factorise(const Matrix& lower) {
   const auto n = lower.cols();
   const int* start = lower.outerIndexPtr();
@@ -46,23 +69,6 @@ bool ConjugateGradient::factorise(const Matrix& lower) {
   return true;
 }
 
-void ConjugateGradient::multiply(const Matrix& lower, const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
-  const auto n = lower.cols();
-  const int* start = lower.outerIndexPtr();
-  const int* row = lower.innerIndexPtr();
-  const double* value = lower.valuePtr();
-  y.setZero();
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const double here = x[k];
-    double sum = value[start[k]] * here;
-    for (int a = start[k] + 1; a < start[k + 1]; ++a) {
-      sum += value[a] * x[row[a]];
-      y[row[a]] += value[a] * here;
-    }
-    y[k] += sum;
-  }
-}
-
 // z = (L D' L^T)^-1 r
 void ConjugateGradient::precondition(const Matrix& lower, const Eigen::VectorXd& r,
                                      Eigen::VectorXd& z) const {
@@ -84,20 +90,14 @@ void ConjugateGradient::precondition(const Matrix& lower, const Eigen::VectorXd&
 
 int ConjugateGradient::solve(const Matrix& lower, Eigen::VectorXd& rhs, Eigen::VectorXd& x, double tolerance,
                              int most) {
-  const auto n = lower.cols();
-  for (auto* v : {&z_, &p_}) v->resize(n);
-  const auto size = [&](const Eigen::VectorXd& v) {
-    double sum = 0.0;
-    for (Eigen::Index k = 0; k < n; ++k) sum += v[k] * v[k] / lower.valuePtr()[lower.outerIndexPtr()[k]];
-    return std::sqrt(sum);
-  };
-  const double target = tolerance * size(rhs);
+  for (auto* v : {&z_, &p_}) v->resize(lower.cols());
+  const double target = tolerance * scaled_length(lower, rhs);
   Eigen::VectorXd& r = rhs;
-  multiply(lower, x, z_);
+  symmetric_product(lower, x, z_);
   r -= z_;
   double product = 0.0;
   for (int iteration = 0; iteration <= most; ++iteration) {
-    if (size(r) <= target) return iteration;
+    if (scaled_length(lower, r) <= target) return iteration;
     precondition(lower, r, z_);
     const double next = r.dot(z_);
     if (iteration == 0) {
@@ -107,7 +107,7 @@ int ConjugateGradient::solve(const Matrix& lower, Eigen::VectorXd& rhs, Eigen::V
     }
     product = next;
     Eigen::VectorXd& q = z_;  // whose job is done
-    multiply(lower, p_, q);
+    symmetric_product(lower, p_, q);
     const double step = product / p_.dot(q);
     if (!std::isfinite(step)) return -1;
     x += step * p_;

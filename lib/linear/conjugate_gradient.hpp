@@ -13,6 +13,11 @@
 
 namespace hfrac {
 
+// y = A x of a symmetric matrix by its lower triangle, each column beginning with its diagonal; and the length of v in units of the
+// diagonal's roots.
+void symmetric_product(const SparseMatrix& lower, const Eigen::VectorXd& x, Eigen::VectorXd& y);
+[[nodiscard]] double scaled_length(const SparseMatrix& lower, const Eigen::VectorXd& v);
+
 class ConjugateGradient {
  public:
   using Matrix = SparseMatrix;
@@ -26,7 +31,6 @@ class ConjugateGradient {
   int solve(const Matrix& lower, Eigen::VectorXd& rhs, Eigen::VectorXd& x, double tolerance, int most);
 
  private:
-  void multiply(const Matrix& lower, const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
   void precondition(const Matrix& lower, const Eigen::VectorXd& r, Eigen::VectorXd& z) const;
 
   Eigen::VectorXd

@@ -128,7 +128,8 @@ static_assert(is_word("packing.method", "relaxed", PackingMethod::relaxed) &&
               is_word("packing.method", "square", PackingMethod::square));
 static_assert(is_word("flow.solver", "auto", FlowMatrixSolver::automatic) &&
               is_word("flow.solver", "direct", FlowMatrixSolver::direct) &&
-              is_word("flow.solver", "iterative", FlowMatrixSolver::iterative));
+              is_word("flow.solver", "iterative", FlowMatrixSolver::iterative) &&
+              is_word("flow.solver", "petsc", FlowMatrixSolver::petsc));
 static_assert(is_word("contact.shape", "round", ContactShape::round) &&
               is_word("contact.shape", "flat", ContactShape::flat));
 static_assert(is_word("contact.mode", "parallel", ContactMode::parallel) &&
@@ -152,6 +153,8 @@ static_assert(is_word("initial.state", "uniform", InitialState::uniform) &&
               is_word("initial.state", "seepage", InitialState::seepage));
 static_assert(is_word("solver.kind", "explicit", SolverKind::explicit_solver) &&
               is_word("solver.kind", "quasi-static", SolverKind::quasi_static));
+static_assert(is_word("solver.factor", "own", FactorOf::own) &&
+              is_word("solver.factor", "petsc", FactorOf::petsc));
 static_assert(is_word("thermal.mode", "uniform", ThermalMode::uniform) &&
               is_word("thermal.mode", "transport", ThermalMode::transport) &&
               is_word("thermal.outer", "held", ThermalOuter::held) &&

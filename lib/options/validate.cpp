@@ -285,6 +285,11 @@ void check_softening(const CaseDefinition& definition) {
 
 void check_solver(const Options& o) {
   const bool quasi_static = SolverKind{o.solver_kind} == SolverKind::quasi_static;
+  if (!quasi_static && FactorOf{o.solver_factor} == FactorOf::petsc) {
+    refuse(
+        "solver.factor = \"petsc\" is for solver.kind = \"quasi-static\"; the explicit solver has no factor, and "
+        "flow.solver = \"petsc\" is for its flow steps.");
+  }
   const SteppingMode mode{o.stepping_mode};
   if (mode == SteppingMode::coupled && !quasi_static) {
     refuse(

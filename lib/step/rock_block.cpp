@@ -61,11 +61,11 @@ std::string asked_by(bool exterior) {
 
 }  // namespace
 
-RockBlock::RockBlock(const CaseDefinition& definition, Packing packing)
+RockBlock::RockBlock(const CaseDefinition& definition, Packing packing, const Ranks& ranks)
     : exterior_(BoundaryKind{definition.options.boundary_kind} == BoundaryKind::infinite),
       definition_(definition_of_block(definition)),
       model_(model_of_block(definition_, std::move(packing))),
-      engine_(definition_.options, model_),
+      engine_(definition_.options, model_, ranks),
       solver_(model_, engine_.facets, *engine_.boundary, *engine_.mechanics, definition_.options,
               *engine_.workers) {
   engine_.mechanics->use_scaled_masses();

@@ -18,7 +18,7 @@ namespace hfrac {
 class RockBlock {
  public:
   // At rest under the far field. `packing`: the model's, before wells were cut. Throws Error(collapsed) where no rest is found.
-  RockBlock(const CaseDefinition& definition, Packing packing);
+  RockBlock(const CaseDefinition& definition, Packing packing, const Ranks& ranks);
   // E' [Pa] and nu' under the far field, undrained where the model has flow. The first call leaves the block under other stresses.
   [[nodiscard]] PlaneElasticity measure();
   [[nodiscard]] const Assembly& assembly() const { return model_.assembly; }

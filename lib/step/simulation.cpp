@@ -37,6 +37,20 @@ bool wants_plane_modulus(const Options& o) {
          o.fracture_plane_modulus == 0.0;
 }
 
+// Solvers from outside the library come with the ranks.
+void require_solvers(const Options& o, const Ranks& ranks) {
+  const bool flow = FlowMatrixSolver{o.flow_solver} == FlowMatrixSolver::petsc &&
+                    FlowScheme{o.flow_scheme} == FlowScheme::implicit_scheme,
+             factor = FactorOf{o.solver_factor} == FactorOf::petsc;
+  if (ranks.solver() != nullptr || !(flow || factor)) return;
+  throw Error(ErrorKind::model,
+              std::string(flow ? "flow.solver" : "solver.factor") +
+                  " = \"petsc\" needs PETSc, and this simulation was created without: install petsc-dev, build "
+                  "hfrac there (it makes libhfrac_petsc), and run by 'hfrac run' or 'mpirun -n N hfrac run'; a program "
+                  "gives hfrac_exchange::linear_solver by hfrac_petsc_solver. Or use " +
+                  (flow ? "flow.solver = \"auto\"." : "solver.factor = \"own\"."));
+}
+
 }  // namespace
 
 Simulation::Simulation(CaseDefinition definition, std::span<const double> given_discs,
@@ -44,6 +58,7 @@ Simulation::Simulation(CaseDefinition definition, std::span<const double> given_
                        const Ranks& ranks)
     : definition_(std::move(definition)), given_(definition_.options) {
   validate(definition_, given_discs, given_bonds);
+  require_solvers(options(), ranks);
   definition_.options.fracture_law = static_cast<std::int64_t>(fracture_law_of(definition_));
   resolve_fluid(definition_.options);
   set_stop(options().stop_extent_fraction, options().stop_cracks);
@@ -54,7 +69,7 @@ Simulation::Simulation(CaseDefinition definition, std::span<const double> given_
   if (progress && progress(0.5, "bonding")) throw Stopped{};
   const bool infinite = BoundaryKind{options().boundary_kind} == BoundaryKind::infinite;
   std::optional<RockBlock> block;
-  if (infinite || wants_plane_modulus(options())) block.emplace(definition_, packing);
+  if (infinite || wants_plane_modulus(options())) block.emplace(definition_, packing, ranks);
   model_ = build_model(definition_, std::move(packing), given_bonds, setup_);
   engine_ = std::make_unique<Engine>(options(), model_, ranks, std::move(device));
   if (infinite) begin_exterior(*engine_, *block, setup_);

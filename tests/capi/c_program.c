@@ -496,8 +496,11 @@ static void warm(hfrac_sim_def* def) {
 /* One rank needs no functions. */
 static void one_rank(const hfrac_sim_def* def) {
   hfrac_exchange exchange;
+  hfrac_linear_solver solver;
   hfrac_traffic traffic;
   hfrac_sim* sim = NULL;
+  good(hfrac_linear_solver_init(&solver, (int32_t)sizeof solver), NULL, "linear_solver_init");
+  check(solver.prepare == NULL && solver.reason == NULL, "no solver");
   good(hfrac_exchange_init(&exchange, (int32_t)sizeof exchange), NULL, "exchange_init");
   check(exchange.size == 1 && exchange.start == NULL, "one rank");
   good(hfrac_sim_create_on(def, &exchange, &sim), NULL, "create_on");

@@ -36,6 +36,7 @@ struct Ground {
   hfrac_sim* sim = nullptr;
   hfrac_sim* made = nullptr;  // by hfrac_sim_create, or to be destroyed
   hfrac_exchange exchange = one_rank();
+  hfrac_linear_solver linear_solver{};
   hfrac::Definition def = warm_def(), read;
   std::vector<double> reals = std::vector<double>(1U << 17U, 30e6);
   std::vector<int32_t> numbers = std::vector<int32_t>(1U << 17U);

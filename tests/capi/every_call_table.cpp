@@ -80,6 +80,8 @@ std::vector<Row> without_a_simulation() {
           static_cast<hfrac_progress_fn>(nullptr), static_cast<void*>(nullptr), g.sized<hfrac_calibration>()),
       ROW(hfrac_sim_create, reads, Optional(), &g.def, &g.made),
       ROW(hfrac_exchange_init, reads, Optional(), &g.exchange, static_cast<int32_t>(sizeof(hfrac_exchange))),
+      ROW(hfrac_linear_solver_init, reads, Optional(), &g.linear_solver,
+          static_cast<int32_t>(sizeof(hfrac_linear_solver))),
       ROW(hfrac_sim_create_on, reads, Optional(), &g.def, &g.exchange, &g.made),
       ROW(hfrac_get_traffic, reads, Optional(), g.sim, g.sized<hfrac_traffic>()),
       ROW(hfrac_sim_destroy, reads, Optional({0}), &g.made),

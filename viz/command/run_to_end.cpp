@@ -248,7 +248,7 @@ Simulation build_model(Definition definition, const std::string& case_file, cons
   definition.progress = show_setup;
   definition.progress_user = &line;
   hfrac_sim* sim = nullptr;
-  const int32_t status = hfrac_sim_create_on(&definition, &team.exchange(), &sim);
+  const int32_t status = team.create(definition, &sim);
   Simulation simulation(sim);
   line.end();
   if (status == HFRAC_STOPPED) return nullptr;
@@ -308,7 +308,7 @@ ExitCode follow(Definition definition, int64_t steps, const Team& team) {
   definition.progress = show_setup;
   definition.progress_user = &line;
   hfrac_sim* sim = nullptr;
-  const int32_t status = hfrac_sim_create_on(&definition, &team.exchange(), &sim);
+  const int32_t status = team.create(definition, &sim);
   const Simulation simulation(sim);
   if (status == HFRAC_STOPPED) return kInterrupted;
   if (status != HFRAC_OK) return kRunFailed;

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "command/exit_code.hpp"
@@ -24,11 +25,30 @@ int processes_started() {
   return 1;
 }
 
-constexpr const char* kLibrary = "libhfrac_mpi.so.0";
-
 template <class Function>
 Function function_of(void* library, const char* name) {
   return reinterpret_cast<Function>(dlsym(library, name));
+}
+
+void* load(const char* name, const std::string& who, const char* package) {
+  void* library = dlopen(name, RTLD_NOW | RTLD_GLOBAL);
+  if (library != nullptr) return library;
+  throw BadInput(fmt::format("{} needs {}, which is not there ({}); build hfrac where {} is installed", who, name,
+                             dlerror(), package));
+}
+
+constexpr const char* kMpiLibrary = "libhfrac_mpi.so.0";
+constexpr const char* kPetscLibrary = "libhfrac_petsc.so.0";
+
+bool asks_for_petsc(const hfrac_sim_def& definition) {
+  for (const char* key : {"flow.solver", "solver.factor"}) {
+    char word[32] = "";
+    int32_t length = 0;
+    if (hfrac_sim_def_get_str(&definition, key, word, sizeof word, &length) == HFRAC_OK &&
+        std::string_view(word) == "petsc")
+      return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -37,20 +57,34 @@ Team::Team() {
   run::require(hfrac_exchange_init(&exchange_, sizeof exchange_), nullptr);
   const int processes = processes_started();
   if (processes <= 1) return;
-  void* library = dlopen(kLibrary, RTLD_NOW | RTLD_GLOBAL);
-  if (library == nullptr)
-    throw BadInput(
-        fmt::format("{} processes were started together, but {} is not there ({}); build hfrac where MPI is "
-                    "installed (libopenmpi-dev), or start one process",
-                    processes, kLibrary, dlerror()));
-  const auto begin = function_of<int32_t (*)(hfrac_exchange*)>(library, "hfrac_mpi_begin");
-  const auto end = function_of<int32_t (*)(int32_t)>(library, "hfrac_mpi_end");
-  if (begin == nullptr || end == nullptr || begin(&exchange_) != HFRAC_OK)
+  load(kMpiLibrary, fmt::format("a run of {} processes started together", processes), "MPI (libopenmpi-dev)");
+  if (join(exchange_) != HFRAC_OK)
     throw BadInput(
         fmt::format("{} processes were started together, but MPI could not be begun; is {} of the MPI that "
                     "started them?",
-                    processes, kLibrary));
-  end_ = end;
+                    processes, kMpiLibrary));
+}
+
+int32_t Team::join(hfrac_exchange& exchange) const {
+  void* library = load(kMpiLibrary, "MPI", "MPI (libopenmpi-dev)");
+  const auto begin = function_of<int32_t (*)(hfrac_exchange*)>(library, "hfrac_mpi_begin");
+  const auto end = function_of<int32_t (*)(int32_t)>(library, "hfrac_mpi_end");
+  const int32_t status = begin != nullptr && end != nullptr ? begin(&exchange) : HFRAC_ERR_EXCHANGE;
+  if (status == HFRAC_OK) end_ = end;
+  return status;
+}
+
+int32_t Team::create(const hfrac_sim_def& definition, hfrac_sim** sim) const {
+  if (!asks_for_petsc(definition)) return hfrac_sim_create_on(&definition, &exchange_, sim);
+  void* library = load(kPetscLibrary, "\"petsc\" as a solver", "PETSc (petsc-dev)");
+  hfrac_exchange exchange = exchange_;
+  if (end_ == nullptr) run::require(join(exchange), nullptr);
+  const auto begin = function_of<int32_t (*)(hfrac_linear_solver*)>(library, "hfrac_petsc_begin");
+  hfrac_linear_solver solver{};
+  if (begin == nullptr || begin(&solver) != HFRAC_OK)
+    throw BadInput(fmt::format("PETSc could not be begun; is {} of the MPI that hfrac was built with?", kPetscLibrary));
+  exchange.linear_solver = &solver;
+  return hfrac_sim_create_on(&definition, &exchange, sim);
 }
 
 Team::~Team() {

@@ -24,15 +24,19 @@ class Team {
 
   [[nodiscard]] bool alone() const { return exchange_.size == 1; }
   [[nodiscard]] bool follows() const { return exchange_.rank > 0; }
-  [[nodiscard]] const hfrac_exchange& exchange() const { return exchange_; }
+  /** hfrac_sim_create on all of them, with PETSc where the case asks for it. Throws BadInput if there is no libhfrac_petsc. */
+  int32_t create(const hfrac_sim_def& definition, hfrac_sim** sim) const;
   /** What the first process has, on all. */
   [[nodiscard]] std::string share(std::string bytes) const;
   /** All have come to the end. */
   void done();
 
  private:
+  /** The table over all; from then on end_ ends MPI. */
+  int32_t join(hfrac_exchange& exchange) const;
+
   hfrac_exchange exchange_{};
-  int32_t (*end_)(int32_t failed) = nullptr;
+  mutable int32_t (*end_)(int32_t failed) = nullptr;
 };
 
 }  // namespace hfrac::command

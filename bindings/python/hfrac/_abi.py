@@ -235,6 +235,15 @@ class EventKind(enum.IntEnum):
     SLIP = 1
 
 
+class MatrixKind(enum.IntEnum):
+    """What the equations are, by which a solver chooses its way."""
+
+    #: symmetric, positive definite, no positive entry off the diagonal; solved to a tolerance
+    FLOW = 1
+    #: symmetric in its pattern only, indefinite; solved once through a factor
+    TANGENT = 2
+
+
 class Upscaling(enum.IntEnum):
     """How permeability is brought to the host's cells."""
 
@@ -346,6 +355,29 @@ hfrac_progress_fn = ctypes.CFUNCTYPE(
 #: stops after this step, which is kept (HFRAC_STOPPED). `step` counts from 1, `time` [s] is the model's.
 hfrac_step_fn = ctypes.CFUNCTYPE(
     ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64, ctypes.c_double
+)
+
+#: Takes the matrix; a factor may be left to the first solve, when the caller's lists are gone. `*prepared` is NULL
+#: at first, and what it is set to in later calls for the same equations. All functions of the table return 0, or
+#: nonzero if they failed.
+hfrac_prepare_fn = ctypes.CFUNCTYPE(
+    ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p
+)
+
+#: x of matrix x = right, to |right - matrix x| <= tolerance |right| in a norm of the solver's choice, with the same
+#: bits on all ranks; `iterations`: what it took.
+hfrac_solve_fn = ctypes.CFUNCTYPE(
+    ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double, ctypes.c_void_p
+)
+
+#: The end of what was prepared; NULL is allowed. Not collective after a failure of another rank.
+hfrac_release_fn = ctypes.CFUNCTYPE(
+    ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p
+)
+
+#: Why the last call on this rank failed: at most `size` bytes with the ending 0.
+hfrac_reason_fn = ctypes.CFUNCTYPE(
+    ctypes.c_int32, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int64
 )
 
 #: Begins to exchange `count` messages, at most one with each rank. All functions of the table return 0, or nonzero
@@ -599,6 +631,7 @@ class hfrac_sim_def(ctypes.Structure):
         ("bond_fracture_energy", ctypes.c_double),
         ("fluid_second_viscosity", ctypes.c_double),
         ("fluid_second_density", ctypes.c_double),
+        ("solver_factor", ctypes.c_int64),
         ("run_device", ctypes.c_int64),
     ]
 
@@ -924,6 +957,40 @@ class hfrac_magnitude_law(ctypes.Structure):
     ]
 
 
+class hfrac_matrix(ctypes.Structure):
+    """The rows of a square matrix that this rank gives, as a list of entries; those for the same place add up.
+    Borrowed for the call.
+    """
+
+    _fields_ = [
+        ("struct_size", ctypes.c_int32),
+        ("kind", ctypes.c_int32),
+        ("size", ctypes.c_int64),
+        ("first_row", ctypes.c_int64),
+        ("end_row", ctypes.c_int64),
+        ("count", ctypes.c_int64),
+        ("row", ctypes.c_void_p),
+        ("column", ctypes.c_void_p),
+        ("value", ctypes.c_void_p),
+    ]
+
+
+class hfrac_linear_solver(ctypes.Structure):
+    """Solvers from outside. Fill with hfrac_linear_solver_init, then all members, and let
+    hfrac_exchange::linear_solver point to it.
+    """
+
+    _fields_ = [
+        ("struct_size", ctypes.c_int32),
+        ("struct_pad", ctypes.c_int32),
+        ("user", ctypes.c_void_p),
+        ("prepare", hfrac_prepare_fn),
+        ("solve", hfrac_solve_fn),
+        ("release", hfrac_release_fn),
+        ("reason", hfrac_reason_fn),
+    ]
+
+
 class hfrac_message(ctypes.Structure):
     """What goes to another rank, and what comes from it; either may be empty."""
 
@@ -951,6 +1018,7 @@ class hfrac_exchange(ctypes.Structure):
         ("sum", hfrac_sum_fn),
         ("gather", hfrac_gather_fn),
         ("fail", hfrac_fail_fn),
+        ("linear_solver", ctypes.c_void_p),
     ]
 
 
@@ -1472,6 +1540,10 @@ SIGNATURES = {
         ctypes.c_int64,
         ctypes.c_double,
         ctypes.POINTER(hfrac_magnitude_law),
+    ),
+    "hfrac_linear_solver_init": (
+        ctypes.POINTER(hfrac_linear_solver),
+        ctypes.c_int32,
     ),
     "hfrac_exchange_init": (
         ctypes.POINTER(hfrac_exchange),

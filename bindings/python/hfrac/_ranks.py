@@ -9,20 +9,20 @@ from . import _abi
 from ._library import call, library_path
 from .errors import LibraryError
 
-_FILE = f"libhfrac_mpi.so.{_abi.ABI_VERSION}"
-
 
 @functools.lru_cache(maxsize=None)
-def _library() -> ctypes.CDLL:
+def _library(part: str, needs: str) -> ctypes.CDLL:
+    """libhfrac_mpi or libhfrac_petsc."""
     reasons = []
-    for place in (os.environ.get("HFRAC_MPI_LIBRARY"), os.path.join(os.path.dirname(library_path()), _FILE), _FILE):
+    file = f"libhfrac_{part}.so.{_abi.ABI_VERSION}"
+    for place in (os.environ.get(f"HFRAC_{part.upper()}_LIBRARY"), os.path.join(os.path.dirname(library_path()), file), file):
         if not place:
             continue
         try:
             return ctypes.CDLL(place, mode=ctypes.RTLD_GLOBAL)
         except OSError as error:
             reasons.append(str(error))
-    raise LibraryError(f"comm needs {_FILE}, which is built where MPI is installed (libopenmpi-dev). Tried: {'; '.join(reasons)}")
+    raise LibraryError(f"this needs {file}, which is built where {needs} is installed. Tried: {'; '.join(reasons)}")
 
 
 def one_rank() -> _abi.hfrac_exchange:
@@ -37,9 +37,21 @@ def exchange_over(comm: Any) -> _abi.hfrac_exchange:
     if isinstance(comm, _abi.hfrac_exchange):
         return comm
     exchange = one_rank()
-    begin = _library().hfrac_mpi_exchange
+    begin = _library("mpi", "MPI (libopenmpi-dev)").hfrac_mpi_exchange
     begin.argtypes = (ctypes.c_int32, ctypes.POINTER(_abi.hfrac_exchange))
     begin.restype = ctypes.c_int32
     if begin(comm.py2f(), ctypes.byref(exchange)) != 0:
-        raise LibraryError("the communicator cannot be used: MPI is not initialised, or is another MPI than that of " + _FILE)
+        raise LibraryError("the communicator cannot be used: MPI is not initialised, or is another MPI than that of libhfrac_mpi")
     return exchange
+
+
+def give_petsc(comm: Any, exchange: _abi.hfrac_exchange) -> Any:
+    """PETSc as the solver of the ranks of `comm`. What is returned has to live until a simulation has been made with the table."""
+    solver = _abi.hfrac_linear_solver()
+    begin = _library("petsc", "PETSc (petsc-dev)").hfrac_petsc_solver
+    begin.argtypes = (ctypes.c_int32, ctypes.POINTER(_abi.hfrac_linear_solver))
+    begin.restype = ctypes.c_int32
+    if begin(comm.py2f(), ctypes.byref(solver)) != 0:
+        raise LibraryError("PETSc cannot be used: it could not be initialised, or it is of another MPI than the communicator")
+    exchange.linear_solver = ctypes.addressof(solver)
+    return solver

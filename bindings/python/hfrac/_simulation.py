@@ -14,7 +14,7 @@ from ._fields import FIELDS, Bonds, Discs, Domains, FieldInfo, Joints, Pipes
 from ._library import call, load
 from ._open_step import OpenStep
 from ._progress import LogFunction, Progress, ProgressFunction
-from ._ranks import exchange_over
+from ._ranks import exchange_over, give_petsc
 from ._records import Balance, Crack, Event, Fracture, FracturePoint, Heat, SetupReport, SimState, Slip, SolverReport, StepLimits, Traffic, WallState
 from ._view import View
 from ._well import Well
@@ -51,7 +51,7 @@ class Simulation:
     ``progress(fraction, what)`` is called while the model is built and while it runs; a true result stops.
     ``log(level, message)`` is told what happens, from the start on.
     ``comm``, a communicator of mpi4py or a table of one's own (``hfrac_exchange``), makes one simulation of those of all its ranks, which then make the same calls;
-    results are those of one, to the last bit.
+    results are those of one, to the last bit; with ``flow.solver`` or ``solver.factor`` "petsc" to a tolerance.
 
     Close it with ``with`` or ``close()``, or leave it to the garbage collector. Arrays handed out are copies, except
     for ``view``. Calls of several threads wait for one another.
@@ -88,6 +88,8 @@ class Simulation:
                 status = call("hfrac_sim_create", ctypes.byref(definition._struct), ctypes.byref(pointer))
             else:
                 self._exchange = exchange_over(comm)
+                if hasattr(comm, "py2f") and "petsc" in (definition.get("flow.solver"), definition.get("solver.factor")):
+                    self._solver = give_petsc(comm, self._exchange)
                 status = call("hfrac_sim_create_on", ctypes.byref(definition._struct), ctypes.byref(self._exchange), ctypes.byref(pointer))
             if pointer:
                 self._handle = _Handle(pointer)

@@ -301,8 +301,9 @@ typedef struct hfrac_sim_def {
    * Default 1e-6. */
   double solver_smallest_step;
 
-  /** 0: auto, 1: direct, 2: iterative. How the implicit scheme solves for pressures. direct: factorisation.
-   * iterative: conjugate gradients, for large models. auto: direct up to 60 000 domains. Default 0. */
+  /** 0: auto, 1: direct, 2: iterative, 3: petsc. How the implicit scheme solves for pressures. direct:
+   * factorisation. iterative: conjugate gradients, for large models. auto: direct up to 60 000 domains.
+   * petsc: PETSc's conjugate gradients with algebraic multigrid, over all ranks. Default 0. */
   int64_t flow_solver;
 
   /** 0: zlib, 1: lz4, 2: none. How arrays in VTU files are packed. lz4: twice as fast as zlib, files a
@@ -527,6 +528,10 @@ typedef struct hfrac_sim_def {
   double fluid_second_viscosity;
   /** [kg/m3] Density of the second fluid in wellbore and perforations. 0: that of the first. Default 0.0. */
   double fluid_second_density;
+
+  /** 0: own, 1: petsc. quasi-static: whose factor of the tangent preconditions. own: hfrac's, whole on
+   * every rank. petsc: MUMPS's through PETSc, shared by all ranks. Default 0. */
+  int64_t solver_factor;
 
   /** 0: cpu, 1: gpu, 2: auto. What runs the cycles of the explicit solver; results do not depend on it.
    * cpu: the processor. gpu: a card, by libhfrac_gpu; refused where there is none or the case has what

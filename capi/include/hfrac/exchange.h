@@ -17,6 +17,7 @@
 #ifndef HFRAC_EXCHANGE_H
 #define HFRAC_EXCHANGE_H
 
+#include "linear_solver.h"
 #include "sim.h"
 
 #ifdef __cplusplus
@@ -57,6 +58,7 @@ typedef struct hfrac_exchange {
   hfrac_sum_fn sum;       /**< integers over all ranks */
   hfrac_gather_fn gather; /**< bytes of all ranks */
   hfrac_fail_fn fail;     /**< the end of it all */
+  const hfrac_linear_solver *linear_solver; /**< of these ranks, copied at creation; NULL: hfrac's own only */
 } hfrac_exchange;
 
 /** Defaults into `exchange`, one rank; `struct_size` is sizeof(hfrac_exchange) in the caller. Unstable since 0.2. */

@@ -14,6 +14,7 @@
 #include "grid.h"
 #include "heat.h"
 #include "lab.h"
+#include "linear_solver.h"
 #include "record.h"
 #include "sim.h"
 #include "slip.h"

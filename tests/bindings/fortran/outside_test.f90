@@ -16,11 +16,14 @@ contains
     type(hfrac_definition) :: def
     type(hfrac_simulation) :: sim, other
     type(hfrac_traffic) :: traffic
+    type(hfrac_linear_solver) :: solver
     call def%load(case_file)
     call sim%create(def)
     allocate (def%exchange)
     call expect(hfrac_exchange_init(def%exchange, int(c_sizeof(def%exchange), c_int32_t)) == 0, 'defaults of ranks')
     call expect(def%exchange%size == 1, 'one rank')
+    call expect(hfrac_linear_solver_init(solver, int(c_sizeof(solver), c_int32_t)) == 0, 'defaults of solvers')
+    call expect(.not. c_associated(def%exchange%linear_solver), 'no solver from outside')
     call other%create(def)
     call expect(other%state_hash() == sim%state_hash(), 'the same model')
     traffic = other%traffic()
