@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What libhfrac gives on a device is what it gives on the processor, to the last bit. The device is whatever libhfrac_gpu lies beside the
-// library: in CI the emulated one (emulated_device.cpp), by tests/gpu/run a card's.
+// library, over whatever driver: in CI the emulated one (emulated_driver.cpp), by tests/gpu/run a card's.
 #include <gtest/gtest.h>
 
 #include <cinttypes>
