@@ -24,30 +24,20 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_MACRO_COUNT = 6
 
   ! The one list of status codes. Values are never renumbered.
-  !> good
-  integer(c_int32_t), parameter :: HFRAC_OK = 0
-  !> stopped by a callback; the simulation is at its last good step
-  integer(c_int32_t), parameter :: HFRAC_STOPPED = 1
-  !> mechanics did not come to rest within stepping.max_cycles
-  integer(c_int32_t), parameter :: HFRAC_NOT_AT_REST = 2
+  integer(c_int32_t), parameter :: HFRAC_OK = 0  !< good
+  integer(c_int32_t), parameter :: HFRAC_STOPPED = 1  !< stopped by a callback; the simulation is at its last good step
+  integer(c_int32_t), parameter :: HFRAC_NOT_AT_REST = 2  !< mechanics did not come to rest within stepping.max_cycles
   !> stop.extent_fraction or stop.cracks is reached; hfrac_set_stop lets the run go on
   integer(c_int32_t), parameter :: HFRAC_STOP_CONDITION = 3
-  !> an argument is NULL, not finite or out of range
-  integer(c_int32_t), parameter :: HFRAC_ERR_ARGUMENT = -1
-  !> the handle was never created or is destroyed
-  integer(c_int32_t), parameter :: HFRAC_ERR_BAD_HANDLE = -2
-  !> struct_size is not set by the init function or unknown
-  integer(c_int32_t), parameter :: HFRAC_ERR_STRUCT_SIZE = -3
-  !> no option of that name
-  integer(c_int32_t), parameter :: HFRAC_ERR_UNKNOWN_KEY = -4
-  !> the case file cannot be read or holds an invalid value
-  integer(c_int32_t), parameter :: HFRAC_ERR_CASE_FILE = -5
-  !> the model cannot be built from these options
-  integer(c_int32_t), parameter :: HFRAC_ERR_MODEL = -6
+  integer(c_int32_t), parameter :: HFRAC_ERR_ARGUMENT = -1  !< an argument is NULL, not finite or out of range
+  integer(c_int32_t), parameter :: HFRAC_ERR_BAD_HANDLE = -2  !< the handle was never created or is destroyed
+  integer(c_int32_t), parameter :: HFRAC_ERR_STRUCT_SIZE = -3  !< struct_size is not set by the init function or unknown
+  integer(c_int32_t), parameter :: HFRAC_ERR_UNKNOWN_KEY = -4  !< no option of that name
+  integer(c_int32_t), parameter :: HFRAC_ERR_CASE_FILE = -5  !< the case file cannot be read or holds an invalid value
+  integer(c_int32_t), parameter :: HFRAC_ERR_MODEL = -6  !< the model cannot be built from these options
   !> the solution left the range of finite numbers; state as before the step
   integer(c_int32_t), parameter :: HFRAC_ERR_DIVERGED = -7
-  !> out of memory
-  integer(c_int32_t), parameter :: HFRAC_ERR_MEMORY = -8
+  integer(c_int32_t), parameter :: HFRAC_ERR_MEMORY = -8  !< out of memory
   !> called from inside a callback of the same simulation, or while another thread is in it
   integer(c_int32_t), parameter :: HFRAC_ERR_BUSY = -9
   !> an earlier error left the simulation unusable; only last_error and destroy work
@@ -60,102 +50,75 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_ERR_COLLAPSED = -13
   !> another rank of the simulation failed, or does not answer
   integer(c_int32_t), parameter :: HFRAC_ERR_EXCHANGE = -14
-  !> an error of the library itself; please report it
-  integer(c_int32_t), parameter :: HFRAC_ERR_INTERNAL = -99
+  integer(c_int32_t), parameter :: HFRAC_ERR_INTERNAL = -99  !< an error of the library itself; please report it
 
   ! How much a message matters. A callback gets the messages of its level and more important ones.
-  !> a call failed; the text is that of hfrac_last_error
-  integer(c_int32_t), parameter :: HFRAC_LOG_ERROR = 1
+  integer(c_int32_t), parameter :: HFRAC_LOG_ERROR = 1  !< a call failed; the text is that of hfrac_last_error
   !> the result may not be what was wanted: not at rest, bonds broken before injection
   integer(c_int32_t), parameter :: HFRAC_LOG_WARNING = 2
   !> what was built, new cracks, settings changed, states saved and restored
   integer(c_int32_t), parameter :: HFRAC_LOG_INFO = 3
-  !> every step
-  integer(c_int32_t), parameter :: HFRAC_LOG_DETAIL = 4
+  integer(c_int32_t), parameter :: HFRAC_LOG_DETAIL = 4  !< every step
 
   ! hfrac_def_limits.
   integer(c_int32_t), parameter :: HFRAC_TITLE_SIZE = 128
 
   ! How a well is driven.
-  !> held at `pressure` from the first step
-  integer(c_int32_t), parameter :: HFRAC_WELL_PRESSURE = 0
+  integer(c_int32_t), parameter :: HFRAC_WELL_PRESSURE = 0  !< held at `pressure` from the first step
   !> rises from the formation's pressure by `ramp_per_step` each sub-step, up to `pressure`
   integer(c_int32_t), parameter :: HFRAC_WELL_RAMP = 1
-  !> takes `rate`; its pressure follows
-  integer(c_int32_t), parameter :: HFRAC_WELL_RATE = 2
+  integer(c_int32_t), parameter :: HFRAC_WELL_RATE = 2  !< takes `rate`; its pressure follows
 
   ! Whether the bonds of a joint hold.
-  !> until their strength is reached
-  integer(c_int32_t), parameter :: HFRAC_JOINT_BONDED = 0
+  integer(c_int32_t), parameter :: HFRAC_JOINT_BONDED = 0  !< until their strength is reached
   !> broken from the start, and counted as cracks of the initial equilibration in shear
   integer(c_int32_t), parameter :: HFRAC_JOINT_BROKEN = 1
   !> bonded, and smooth whatever the packing: contacts look along the joint's normal
   integer(c_int32_t), parameter :: HFRAC_JOINT_SMOOTH_BONDED = 2
-  !> broken and smooth
-  integer(c_int32_t), parameter :: HFRAC_JOINT_SMOOTH_BROKEN = 3
+  integer(c_int32_t), parameter :: HFRAC_JOINT_SMOOTH_BROKEN = 3  !< broken and smooth
 
   ! Why hfrac_advance returned.
-  !> target time reached
-  integer(c_int32_t), parameter :: HFRAC_REASON_TARGET = 0
-  !> the progress callback asked for it
-  integer(c_int32_t), parameter :: HFRAC_REASON_CALLBACK = 1
+  integer(c_int32_t), parameter :: HFRAC_REASON_TARGET = 0  !< target time reached
+  integer(c_int32_t), parameter :: HFRAC_REASON_CALLBACK = 1  !< the progress callback asked for it
   !> a crack tip passed stop.extent_fraction: what follows is the boundary's doing
   integer(c_int32_t), parameter :: HFRAC_REASON_EXTENT = 2
-  !> stop.cracks reached
-  integer(c_int32_t), parameter :: HFRAC_REASON_CRACKS = 3
+  integer(c_int32_t), parameter :: HFRAC_REASON_CRACKS = 3  !< stop.cracks reached
 
   ! What limits a step binds.
-  !> none: stepping.flow_step is a matter of accuracy
-  integer(c_int32_t), parameter :: HFRAC_LIMIT_NONE = 0
+  integer(c_int32_t), parameter :: HFRAC_LIMIT_NONE = 0  !< none: stepping.flow_step is a matter of accuracy
   !> the rock's motion: a step takes several mechanical cycles
   integer(c_int32_t), parameter :: HFRAC_LIMIT_MECHANICS = 1
-  !> explicit flow: a step takes several sub-cycles
-  integer(c_int32_t), parameter :: HFRAC_LIMIT_FLOW = 2
+  integer(c_int32_t), parameter :: HFRAC_LIMIT_FLOW = 2  !< explicit flow: a step takes several sub-cycles
 
   ! Fields. location: 0 disc, 1 bond, 2 pipe, 3 domain, 4 corner of a domain (flat list), 5 contact of a smooth
   ! joint. dtype: 0 double, 1 int32.
-  !> centre now
-  integer(c_int32_t), parameter :: HFRAC_DISC_POSITION = 0
-  !> radius
-  integer(c_int32_t), parameter :: HFRAC_DISC_RADIUS = 1
-  !> since the end of the initial equilibration
-  integer(c_int32_t), parameter :: HFRAC_DISC_DISPLACEMENT = 2
-  !> since the end of the initial equilibration, anticlockwise
-  integer(c_int32_t), parameter :: HFRAC_DISC_ROTATION = 3
-  !> velocity (dynamic mode; scaled in substep mode)
-  integer(c_int32_t), parameter :: HFRAC_DISC_VELOCITY = 4
+  integer(c_int32_t), parameter :: HFRAC_DISC_POSITION = 0  !< centre now
+  integer(c_int32_t), parameter :: HFRAC_DISC_RADIUS = 1  !< radius
+  integer(c_int32_t), parameter :: HFRAC_DISC_DISPLACEMENT = 2  !< since the end of the initial equilibration
+  integer(c_int32_t), parameter :: HFRAC_DISC_ROTATION = 3  !< since the end of the initial equilibration, anticlockwise
+  integer(c_int32_t), parameter :: HFRAC_DISC_VELOCITY = 4  !< velocity (dynamic mode; scaled in substep mode)
   !> xx, yy, xy averaged over the disc's cell, from bond, contact and wall forces; compression positive
   integer(c_int32_t), parameter :: HFRAC_DISC_STRESS = 5
-  !> number of intact bonds
-  integer(c_int32_t), parameter :: HFRAC_DISC_INTACT_BONDS = 6
+  integer(c_int32_t), parameter :: HFRAC_DISC_INTACT_BONDS = 6  !< number of intact bonds
   !> of the rock; thermal.rock_temperature without a temperature in the model
   integer(c_int32_t), parameter :: HFRAC_DISC_TEMPERATURE = 7
-  !> indices of the two discs
-  integer(c_int32_t), parameter :: HFRAC_BOND_DISCS = 20
+  integer(c_int32_t), parameter :: HFRAC_BOND_DISCS = 20  !< indices of the two discs
   !> 0 intact, 1 broken in tension, 2 broken in shear, 3 never bonded
   integer(c_int32_t), parameter :: HFRAC_BOND_STATE = 21
   !> bond and contact together, per thickness, tension positive
   integer(c_int32_t), parameter :: HFRAC_BOND_NORMAL_FORCE = 22
-  !> bond and contact together, per thickness
-  integer(c_int32_t), parameter :: HFRAC_BOND_SHEAR_FORCE = 23
-  !> bending moment of the bond, per thickness
-  integer(c_int32_t), parameter :: HFRAC_BOND_MOMENT = 24
+  integer(c_int32_t), parameter :: HFRAC_BOND_SHEAR_FORCE = 23  !< bond and contact together, per thickness
+  integer(c_int32_t), parameter :: HFRAC_BOND_MOMENT = 24  !< bending moment of the bond, per thickness
   !> opening of the contact since bonding, negative: pressed together
   integer(c_int32_t), parameter :: HFRAC_BOND_GAP = 25
-  !> domains left and right of the line from disc 0 to disc 1
-  integer(c_int32_t), parameter :: HFRAC_PIPE_DOMAINS = 40
-  !> hydraulic aperture (eq. 7)
-  integer(c_int32_t), parameter :: HFRAC_PIPE_APERTURE = 41
+  integer(c_int32_t), parameter :: HFRAC_PIPE_DOMAINS = 40  !< domains left and right of the line from disc 0 to disc 1
+  integer(c_int32_t), parameter :: HFRAC_PIPE_APERTURE = 41  !< hydraulic aperture (eq. 7)
   !> volume rate from the left to the right domain in the last step
   integer(c_int32_t), parameter :: HFRAC_PIPE_FLOW = 42
-  !> pressure, as stress.convention says
-  integer(c_int32_t), parameter :: HFRAC_DOMAIN_PRESSURE = 60
-  !> fluid volume now
-  integer(c_int32_t), parameter :: HFRAC_DOMAIN_VOLUME = 61
-  !> centroid of the polygon of disc centres
-  integer(c_int32_t), parameter :: HFRAC_DOMAIN_CENTRE = 62
-  !> 0 rock, 1 well, 2 outside
-  integer(c_int32_t), parameter :: HFRAC_DOMAIN_KIND = 63
+  integer(c_int32_t), parameter :: HFRAC_DOMAIN_PRESSURE = 60  !< pressure, as stress.convention says
+  integer(c_int32_t), parameter :: HFRAC_DOMAIN_VOLUME = 61  !< fluid volume now
+  integer(c_int32_t), parameter :: HFRAC_DOMAIN_CENTRE = 62  !< centroid of the polygon of disc centres
+  integer(c_int32_t), parameter :: HFRAC_DOMAIN_KIND = 63  !< 0 rock, 1 well, 2 outside
   !> fluid saturation of the pore: volume of fluid over pore volume; below 1 where the pressure is at its floor, as
   !> near the tip of a fracture that opens faster than fluid arrives
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_SATURATION = 67
@@ -167,16 +130,13 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_OFFSET = 64
   !> disc indices around each domain, anticlockwise (outside: clockwise)
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_CORNERS = 65
-  !> the joint's place in the definition, from 0
-  integer(c_int32_t), parameter :: HFRAC_JOINT_NUMBER = 80
-  !> the bond, and pipe, that the contact stands for; ascending
-  integer(c_int32_t), parameter :: HFRAC_JOINT_BOND = 81
+  integer(c_int32_t), parameter :: HFRAC_JOINT_NUMBER = 80  !< the joint's place in the definition, from 0
+  integer(c_int32_t), parameter :: HFRAC_JOINT_BOND = 81  !< the bond, and pipe, that the contact stands for; ascending
   !> 0 holds, 1 sticks, 2 slips (friction is used up), 3 open (faces bear nothing)
   integer(c_int32_t), parameter :: HFRAC_JOINT_CONTACT_STATE = 82
   !> one end of the contact's piece of the joint now, halfway between the faces
   integer(c_int32_t), parameter :: HFRAC_JOINT_BEGIN = 83
-  !> the other end
-  integer(c_int32_t), parameter :: HFRAC_JOINT_END = 84
+  integer(c_int32_t), parameter :: HFRAC_JOINT_END = 84  !< the other end
   !> how far the faces are apart since they bore nothing; negative: pressed together
   integer(c_int32_t), parameter :: HFRAC_JOINT_OPENING = 85
   !> the joint's aperture plus opening, at least 0
@@ -209,34 +169,28 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_UPSCALE_FLOW = 1
 
   ! What an include file holds. Not both in one model: the cracks would count twice.
-  !> PERMX, PERMY [mD], PORO: rock and cracks together
-  integer(c_int32_t), parameter :: HFRAC_GRDECL_PERM = 0
+  integer(c_int32_t), parameter :: HFRAC_GRDECL_PERM = 0  !< PERMX, PERMY [mD], PORO: rock and cracks together
   !> MULTX, MULTY, MULTPV: how far the cracks raise transmissibilities and pore volume
   integer(c_int32_t), parameter :: HFRAC_GRDECL_MULT = 1
 
   ! The tests. What each gives as `value` of its report stands in brackets.
   !> square pressed by 1e-5: E in plane strain [Pa]; one linear solve where the rock is linear
   integer(c_int32_t), parameter :: HFRAC_LAB_ELASTIC = 0
-  !> direct tension, height twice the width: strength [Pa]
-  integer(c_int32_t), parameter :: HFRAC_LAB_TENSION = 1
-  !> compression, height twice the width: UCS [Pa]
-  integer(c_int32_t), parameter :: HFRAC_LAB_UNIAXIAL = 2
+  integer(c_int32_t), parameter :: HFRAC_LAB_TENSION = 1  !< direct tension, height twice the width: strength [Pa]
+  integer(c_int32_t), parameter :: HFRAC_LAB_UNIAXIAL = 2  !< compression, height twice the width: UCS [Pa]
   !> the same under `confining` on the sides: axial stress at failure [Pa]
   integer(c_int32_t), parameter :: HFRAC_LAB_BIAXIAL = 3
   !> round disc pressed on two arcs of 30 degrees: indirect strength [Pa] (Hondros 1959)
   integer(c_int32_t), parameter :: HFRAC_LAB_BRAZILIAN = 4
   !> plate with a slit in the middle, constant load: K_Ic [Pa m^0.5]
   integer(c_int32_t), parameter :: HFRAC_LAB_CENTRE_CRACK = 5
-  !> plate slit from one side, constant load: K_Ic [Pa m^0.5]
-  integer(c_int32_t), parameter :: HFRAC_LAB_SENT = 6
+  integer(c_int32_t), parameter :: HFRAC_LAB_SENT = 6  !< plate slit from one side, constant load: K_Ic [Pa m^0.5]
   !> slit in the middle under fluid pressure: K_Ic [Pa m^0.5], and its opening
   integer(c_int32_t), parameter :: HFRAC_LAB_PRESSURISED_CRACK = 7
-  !> of the unloaded network, mean of both directions [m2]
-  integer(c_int32_t), parameter :: HFRAC_LAB_PERMEABILITY = 8
+  integer(c_int32_t), parameter :: HFRAC_LAB_PERMEABILITY = 8  !< of the unloaded network, mean of both directions [m2]
 
   ! How a test ended.
-  !> the specimen failed, as it should
-  integer(c_int32_t), parameter :: HFRAC_LAB_FAILED = 0
+  integer(c_int32_t), parameter :: HFRAC_LAB_FAILED = 0  !< the specimen failed, as it should
   !> the load asked for was reached; the end of tests without failure
   integer(c_int32_t), parameter :: HFRAC_LAB_LOAD_REACHED = 1
   !> no equilibrium was found at the last load; values are those up to it
@@ -248,8 +202,7 @@ module hfrac_c
   !> (7) load, stress [Pa], axial and lateral strain, largest stress over strength, tensile cracks, shear cracks.
   !> The load is a strain between platens, else in units of 1 MPa
   integer(c_int32_t), parameter :: HFRAC_LAB_CURVE = 0
-  !> (5) x, y, radius at bonding, displacement x, y [m]
-  integer(c_int32_t), parameter :: HFRAC_LAB_DISCS = 1
+  integer(c_int32_t), parameter :: HFRAC_LAB_DISCS = 1  !< (5) x, y, radius at bonding, displacement x, y [m]
   !> (5) x, y of one end, x, y of the other [m], enum hfrac_crack_mode; in order of breakage
   integer(c_int32_t), parameter :: HFRAC_LAB_CRACKS = 2
   !> (3) x from the slit's middle [m], opening [m], pressure it holds for [Pa]; pressurised crack only
@@ -257,40 +210,28 @@ module hfrac_c
 
   !> One wellbore: a round hole cut into the packing.
   type, bind(C) :: hfrac_well_def
-    !> [m] centre, origin at the model's lower left corner
-    real(c_double) :: x = 0.0_c_double
-    !> [m]
-    real(c_double) :: y = 0.0_c_double
-    !> [m] discs with their centre inside are removed
-    real(c_double) :: radius = 0.0_c_double
+    real(c_double) :: x = 0.0_c_double  !< [m] centre, origin at the model's lower left corner
+    real(c_double) :: y = 0.0_c_double  !< [m]
+    real(c_double) :: radius = 0.0_c_double  !< [m] discs with their centre inside are removed
     !> [Pa] target; net of the formation pressure where stress.convention is effective, absolute where it is total
     real(c_double) :: pressure = 0.0_c_double
-    !> [Pa] rise per sub-step (control ramp)
-    real(c_double) :: ramp_per_step = 0.0_c_double
-    !> [m2/s] injected volume per thickness and time (control rate)
-    real(c_double) :: rate = 0.0_c_double
-    !> enum hfrac_well_control
-    integer(c_int64_t) :: control = 0_c_int64_t
+    real(c_double) :: ramp_per_step = 0.0_c_double  !< [Pa] rise per sub-step (control ramp)
+    real(c_double) :: rate = 0.0_c_double  !< [m2/s] injected volume per thickness and time (control rate)
+    integer(c_int64_t) :: control = 0_c_int64_t  !< enum hfrac_well_control
     !> [m2/Pa] volume of the wellbore's fluid per metre of thickness times compressibility
     real(c_double) :: storage = 0.0_c_double
     !> [1] perforations between wellbore and hole; 0: no perforation friction
     real(c_double) :: perforation_count = 0.0_c_double
-    !> [m] of one
-    real(c_double) :: perforation_diameter = 0.0_c_double
-    !> [1] of one; 0: 0.6
-    real(c_double) :: discharge_coefficient = 0.0_c_double
+    real(c_double) :: perforation_diameter = 0.0_c_double  !< [m] of one
+    real(c_double) :: discharge_coefficient = 0.0_c_double  !< [1] of one; 0: 0.6
     !> [Pa/(m3/s)^0.5] coefficient k of k sqrt(Q), Q = rate times height
     real(c_double) :: near_well_friction = 0.0_c_double
-    !> [m] of the well over which the rate per thickness is spread; 0: 1 m
-    real(c_double) :: height = 0.0_c_double
-    !> [m] of the perforations below the wellhead
-    real(c_double) :: depth = 0.0_c_double
-    !> [kg/m3] in wellbore and perforations; 0: thermal.fluid_density
-    real(c_double) :: fluid_density = 0.0_c_double
+    real(c_double) :: height = 0.0_c_double  !< [m] of the well over which the rate per thickness is spread; 0: 1 m
+    real(c_double) :: depth = 0.0_c_double  !< [m] of the perforations below the wellhead
+    real(c_double) :: fluid_density = 0.0_c_double  !< [kg/m3] in wellbore and perforations; 0: thermal.fluid_density
     !> number of the wellbore it is a cluster of, the first of which drives it; 0: one of its own
     integer(c_int64_t) :: wellbore = 0_c_int64_t
-    !> what it pumps: 0 the fluid, 1 that of fluid.second_viscosity
-    integer(c_int64_t) :: fluid = 0_c_int64_t
+    integer(c_int64_t) :: fluid = 0_c_int64_t  !< what it pumps: 0 the fluid, 1 that of fluid.second_viscosity
     !> [m] of its slots (law facet); 0: fracture.perforation_length and fracture.perforation_azimuth hold
     real(c_double) :: perforation_length = 0.0_c_double
     !> [rad] of its slots from the x axis, with a length of its own
@@ -302,58 +243,37 @@ module hfrac_c
   !> last counts. Set every member up to `state`: zeros are not the defaults of those keys. The members after it are
   !> of smooth joints (state HFRAC_JOINT_SMOOTH_BONDED or HFRAC_JOINT_SMOOTH_BROKEN), and 0 is the default of each.
   type, bind(C) :: hfrac_joint_def
-    !> [m] one end, origin at the model's lower left corner
-    real(c_double) :: x1 = 0.0_c_double
-    !> [m]
-    real(c_double) :: y1 = 0.0_c_double
-    !> [m] other end
-    real(c_double) :: x2 = 0.0_c_double
-    !> [m]
-    real(c_double) :: y2 = 0.0_c_double
-    !> [1] normal strength of its bonds over that of the rock
-    real(c_double) :: tensile_factor = 0.0_c_double
-    !> [1] shear strength of its bonds over that of the rock
-    real(c_double) :: shear_factor = 0.0_c_double
-    !> [1] coefficient of its contacts, negative: contact.friction
-    real(c_double) :: friction = 0.0_c_double
-    !> enum hfrac_joint_state
-    integer(c_int64_t) :: state = 0_c_int64_t
+    real(c_double) :: x1 = 0.0_c_double  !< [m] one end, origin at the model's lower left corner
+    real(c_double) :: y1 = 0.0_c_double  !< [m]
+    real(c_double) :: x2 = 0.0_c_double  !< [m] other end
+    real(c_double) :: y2 = 0.0_c_double  !< [m]
+    real(c_double) :: tensile_factor = 0.0_c_double  !< [1] normal strength of its bonds over that of the rock
+    real(c_double) :: shear_factor = 0.0_c_double  !< [1] shear strength of its bonds over that of the rock
+    real(c_double) :: friction = 0.0_c_double  !< [1] coefficient of its contacts, negative: contact.friction
+    integer(c_int64_t) :: state = 0_c_int64_t  !< enum hfrac_joint_state
     !> [Pa/m] per area, at no normal stress; 0: smooth_joint.normal_stiffness
     real(c_double) :: normal_stiffness = 0.0_c_double
-    !> [Pa/m] per area; 0: smooth_joint.shear_stiffness
-    real(c_double) :: shear_stiffness = 0.0_c_double
-    !> [m] largest closure (Bandis, Lumsden and Barton 1983); 0: linear
-    real(c_double) :: max_closure = 0.0_c_double
+    real(c_double) :: shear_stiffness = 0.0_c_double  !< [Pa/m] per area; 0: smooth_joint.shear_stiffness
+    real(c_double) :: max_closure = 0.0_c_double  !< [m] largest closure (Bandis, Lumsden and Barton 1983); 0: linear
     !> [Pa] while bonded; 0: tensile_factor times that of the rock's bonds
     real(c_double) :: tensile_strength = 0.0_c_double
-    !> [Pa] while bonded; 0: shear_factor times that of the rock's bonds
-    real(c_double) :: cohesion = 0.0_c_double
-    !> [1] once slipped by weakening_slip
-    real(c_double) :: residual_friction = 0.0_c_double
-    !> [m] over which friction falls; 0: it stays
-    real(c_double) :: weakening_slip = 0.0_c_double
-    !> [rad] at which the faces ride up as they slip
-    real(c_double) :: dilation_angle = 0.0_c_double
-    !> [m] at which dilation ends
-    real(c_double) :: dilation_slip = 0.0_c_double
+    real(c_double) :: cohesion = 0.0_c_double  !< [Pa] while bonded; 0: shear_factor times that of the rock's bonds
+    real(c_double) :: residual_friction = 0.0_c_double  !< [1] once slipped by weakening_slip
+    real(c_double) :: weakening_slip = 0.0_c_double  !< [m] over which friction falls; 0: it stays
+    real(c_double) :: dilation_angle = 0.0_c_double  !< [rad] at which the faces ride up as they slip
+    real(c_double) :: dilation_slip = 0.0_c_double  !< [m] at which dilation ends
     !> [m] open at no normal stress; 0, residual_aperture too: tight as the rock
     real(c_double) :: aperture = 0.0_c_double
-    !> [m] hydraulic, on top of what it is open
-    real(c_double) :: residual_aperture = 0.0_c_double
-    !> [1] joint roughness coefficient of the hydraulic aperture; 0: none
-    real(c_double) :: roughness = 0.0_c_double
+    real(c_double) :: residual_aperture = 0.0_c_double  !< [m] hydraulic, on top of what it is open
+    real(c_double) :: roughness = 0.0_c_double  !< [1] joint roughness coefficient of the hydraulic aperture; 0: none
   end type hfrac_joint_def
 
   !> From `time` on, a well is driven otherwise. Entries of one well stand in order of time.
   type, bind(C) :: hfrac_schedule_def
-    !> number of the well, from 0
-    integer(c_int64_t) :: well = 0_c_int64_t
-    !> [s] model time; steps end at it
-    real(c_double) :: time = 0.0_c_double
-    !> [Pa] with control pressure, [m2/s] with control rate
-    real(c_double) :: value = 0.0_c_double
-    !> HFRAC_WELL_PRESSURE or HFRAC_WELL_RATE of enum hfrac_well_control
-    integer(c_int64_t) :: control = 0_c_int64_t
+    integer(c_int64_t) :: well = 0_c_int64_t  !< number of the well, from 0
+    real(c_double) :: time = 0.0_c_double  !< [s] model time; steps end at it
+    real(c_double) :: value = 0.0_c_double  !< [Pa] with control pressure, [m2/s] with control rate
+    integer(c_int64_t) :: control = 0_c_int64_t  !< HFRAC_WELL_PRESSURE or HFRAC_WELL_RATE of enum hfrac_well_control
     !> what it pumps from then on: 0 as before, 1 the fluid, 2 that of fluid.second_viscosity
     integer(c_int64_t) :: fluid = 0_c_int64_t
   end type hfrac_schedule_def
@@ -361,30 +281,19 @@ module hfrac_c
   !> The definition of a simulation. Fill with hfrac_sim_def_init first. Members are only ever appended, options
   !> too, so later ones stand at the end; capi/tools/def_struct.py writes them from the option table.
   type, bind(C) :: hfrac_sim_def
-    !> sizeof(hfrac_sim_def) of the caller, set by init
-    integer(c_int32_t) :: struct_size = 0_c_int32_t
-    !> set by init; 2 since lists are pointers
-    integer(c_int32_t) :: struct_version = 0_c_int32_t
-    !> the library's own lists, not to be touched; NULL from init
-    type(c_ptr) :: lists = c_null_ptr
-    !> the first well; NULL if there is none
-    type(c_ptr) :: wells = c_null_ptr
-    !> wells
-    integer(c_int64_t) :: well_count = 0_c_int64_t
+    integer(c_int32_t) :: struct_size = 0_c_int32_t  !< sizeof(hfrac_sim_def) of the caller, set by init
+    integer(c_int32_t) :: struct_version = 0_c_int32_t  !< set by init; 2 since lists are pointers
+    type(c_ptr) :: lists = c_null_ptr  !< the library's own lists, not to be touched; NULL from init
+    type(c_ptr) :: wells = c_null_ptr  !< the first well; NULL if there is none
+    integer(c_int64_t) :: well_count = 0_c_int64_t  !< wells
     !> [bytes] from one well to the next: sizeof(hfrac_well_def) of whoever filled them
     integer(c_int64_t) :: well_size = 0_c_int64_t
-    !> the first line of weakness; NULL if there is none
-    type(c_ptr) :: joints = c_null_ptr
-    !> joints
-    integer(c_int64_t) :: joint_count = 0_c_int64_t
-    !> [bytes] from one joint to the next
-    integer(c_int64_t) :: joint_size = 0_c_int64_t
-    !> the first entry of the wells' schedules; NULL if there is none
-    type(c_ptr) :: schedule = c_null_ptr
-    !> entries
-    integer(c_int64_t) :: schedule_count = 0_c_int64_t
-    !> [bytes] from one entry to the next
-    integer(c_int64_t) :: schedule_size = 0_c_int64_t
+    type(c_ptr) :: joints = c_null_ptr  !< the first line of weakness; NULL if there is none
+    integer(c_int64_t) :: joint_count = 0_c_int64_t  !< joints
+    integer(c_int64_t) :: joint_size = 0_c_int64_t  !< [bytes] from one joint to the next
+    type(c_ptr) :: schedule = c_null_ptr  !< the first entry of the wells' schedules; NULL if there is none
+    integer(c_int64_t) :: schedule_count = 0_c_int64_t  !< entries
+    integer(c_int64_t) :: schedule_size = 0_c_int64_t  !< [bytes] from one entry to the next
     !> [m] Extent of the model along x, the direction of sigma_Hmax. Default 100.0.
     real(c_double) :: model_width = 0.0_c_double
     !> [m] Extent of the model along y, the direction of sigma_hmin. Default 100.0.
@@ -399,12 +308,10 @@ module hfrac_c
     integer(c_int64_t) :: packing_disc_count = 0_c_int64_t
     !> [1] Largest over smallest disc radius (Table 1). Default 2.70.
     real(c_double) :: packing_radius_ratio = 0.0_c_double
-    !> [1] Void fraction of the packing (Table 1). Default 0.15.
-    real(c_double) :: packing_porosity = 0.0_c_double
+    real(c_double) :: packing_porosity = 0.0_c_double  !< [1] Void fraction of the packing (Table 1). Default 0.15.
     !> [1] Unbalanced over mean contact force at which the packing counts as relaxed. Default 1e-4.
     real(c_double) :: packing_residual = 0.0_c_double
-    !> [kg/m3] Density of the disc material (Table 1). Default 2320.0.
-    real(c_double) :: disc_density = 0.0_c_double
+    real(c_double) :: disc_density = 0.0_c_double  !< [kg/m3] Density of the disc material (Table 1). Default 2320.0.
     !> [N/m] Normal stiffness of a disc contact, per metre of thickness (Table 1). Default 11.20e9.
     real(c_double) :: contact_normal_stiffness = 0.0_c_double
     !> [N/m] Tangential stiffness of a disc contact (Table 1). Default 11.20e9.
@@ -419,10 +326,8 @@ module hfrac_c
     real(c_double) :: bond_normal_stiffness = 0.0_c_double
     !> [N/m] Shear stiffness of a parallel bond times its area. Default 5.152e9.
     real(c_double) :: bond_shear_stiffness = 0.0_c_double
-    !> [Pa] Normal strength sigma_c (Table 1). Default 42.5e6.
-    real(c_double) :: bond_tensile_strength = 0.0_c_double
-    !> [Pa] Shear strength tau_c (Table 1). Default 42.5e6.
-    real(c_double) :: bond_shear_strength = 0.0_c_double
+    real(c_double) :: bond_tensile_strength = 0.0_c_double  !< [Pa] Normal strength sigma_c (Table 1). Default 42.5e6.
+    real(c_double) :: bond_shear_strength = 0.0_c_double  !< [Pa] Shear strength tau_c (Table 1). Default 42.5e6.
     !> [1] Bond radius over the smaller disc radius (lambda). Default 1.0.
     real(c_double) :: bond_radius_factor = 0.0_c_double
     !> [1] Share beta of the bending stress in the tensile criterion. Default 1.0.
@@ -444,10 +349,8 @@ module hfrac_c
     !> 0: fixed, 1: servo. Walls after the initial equilibrium: fixed in place, or kept at their stress by the
     !> servo. Default 0.
     integer(c_int64_t) :: boundary_walls_after_equilibration = 0_c_int64_t
-    !> [Pa s] Dynamic viscosity (Table 2). Default 0.3.
-    real(c_double) :: fluid_viscosity = 0.0_c_double
-    !> [Pa] Bulk modulus (Table 2). Default 1.0e9.
-    real(c_double) :: fluid_bulk_modulus = 0.0_c_double
+    real(c_double) :: fluid_viscosity = 0.0_c_double  !< [Pa s] Dynamic viscosity (Table 2). Default 0.3.
+    real(c_double) :: fluid_bulk_modulus = 0.0_c_double  !< [Pa] Bulk modulus (Table 2). Default 1.0e9.
     !> [Pa] Pore pressure of the formation before injection (Table 2). Default 25e6.
     real(c_double) :: fluid_formation_pressure = 0.0_c_double
     !> 0: implicit, 1: explicit, 2: off. implicit: unconditionally stable. explicit: the paper's eq. 8, sub- cycled.
@@ -476,10 +379,8 @@ module hfrac_c
     !> and breakage together in the fluid's time, flow_step seconds a step in as many increments as it takes; needs
     !> the quasi-static solver. Default 0.
     integer(c_int64_t) :: stepping_mode = 0_c_int64_t
-    !> [s] Fluid time of one step. Default 1.0.
-    real(c_double) :: stepping_flow_step = 0.0_c_double
-    !> Steps of a run by the hfrac command. Default 500.
-    integer(c_int64_t) :: stepping_steps = 0_c_int64_t
+    real(c_double) :: stepping_flow_step = 0.0_c_double  !< [s] Fluid time of one step. Default 1.0.
+    integer(c_int64_t) :: stepping_steps = 0_c_int64_t  !< Steps of a run by the hfrac command. Default 500.
     !> [s] Model time at which a run ends; 0: after stepping.steps. Default 0.0.
     real(c_double) :: stepping_end_time = 0.0_c_double
     !> [1] Mean unbalanced over mean contact force at which mechanics count as at rest. Default 1e-4.
@@ -489,35 +390,28 @@ module hfrac_c
     !> [1] Local damping: this share of each unbalanced force opposes the motion. Also used in dynamic mode. Default
     !> 0.7.
     real(c_double) :: stepping_damping = 0.0_c_double
-    !> [1] Share of the stable time step used. Default 0.8.
-    real(c_double) :: stepping_safety = 0.0_c_double
+    real(c_double) :: stepping_safety = 0.0_c_double  !< [1] Share of the stable time step used. Default 0.8.
     !> [1] A run ends when a crack tip lies farther from the well than this fraction of the smaller model side.
     !> Default 0.42.
     real(c_double) :: stop_extent_fraction = 0.0_c_double
-    !> A run ends at this number of cracks; 0: no limit. Default 0.
-    integer(c_int64_t) :: stop_cracks = 0_c_int64_t
+    integer(c_int64_t) :: stop_cracks = 0_c_int64_t  !< A run ends at this number of cracks; 0: no limit. Default 0.
     !> Worker threads of one simulation; results do not depend on it. Default 1.
     integer(c_int64_t) :: run_workers = 0_c_int64_t
     !> Steps between the snapshots of a run by the hfrac command. Default 10.
     integer(c_int64_t) :: output_every = 0_c_int64_t
-    !> free text, ends up in the output
-    character(kind=c_char) :: title(128) = c_null_char
+    character(kind=c_char) :: title(128) = c_null_char  !< free text, ends up in the output
     !> Own packing instead of ours: x, y, radius per disc [m], borrowed during hfrac_sim_create; NULL: the engine
     !> packs.
     type(c_ptr) :: given_discs = c_null_ptr
-    !> discs in given_discs
-    integer(c_int64_t) :: given_disc_count = 0_c_int64_t
-    !> called while the simulation is built; may be NULL
-    type(c_funptr) :: progress = c_null_funptr
-    !> handed to `progress`
-    type(c_ptr) :: progress_user = c_null_ptr
+    integer(c_int64_t) :: given_disc_count = 0_c_int64_t  !< discs in given_discs
+    type(c_funptr) :: progress = c_null_funptr  !< called while the simulation is built; may be NULL
+    type(c_ptr) :: progress_user = c_null_ptr  !< handed to `progress`
     !> 0: relaxed, 1: tiled, 2: growth, 3: square. How discs are packed. relaxed: from a jittered lattice. growth:
     !> grown at random places, without an underlying lattice, takes longer. tiled: periodic bricks side by side, for
     !> more than some 100 000 discs; disc_count is rounded to whole bricks and the frame of the bricks repeats.
     !> square: equal discs in rows and columns, in which cracks and joints along them are smooth slits. Default 0.
     integer(c_int64_t) :: packing_method = 0_c_int64_t
-    !> Discs in one brick of a tiled packing. Default 5000.
-    integer(c_int64_t) :: packing_brick_discs = 0_c_int64_t
+    integer(c_int64_t) :: packing_brick_discs = 0_c_int64_t  !< Discs in one brick of a tiled packing. Default 5000.
     !> 0: explicit, 1: quasi-static. How the rock comes to rest. explicit: by damped motion. quasi-static:
     !> equilibrium is solved for directly and bonds break in order of how far they exceed their strength. Default 0.
     integer(c_int64_t) :: solver_kind = 0_c_int64_t
@@ -541,8 +435,7 @@ module hfrac_c
     integer(c_int64_t) :: output_compression = 0_c_int64_t
     !> told what happens while a case file is read and the simulation is built; may be NULL. Later: hfrac_set_log
     type(c_funptr) :: log = c_null_funptr
-    !> handed to `log`
-    type(c_ptr) :: log_user = c_null_ptr
+    type(c_ptr) :: log_user = c_null_ptr  !< handed to `log`
     !> enum hfrac_log_level, down to which level `log` gets messages. Default 3
     integer(c_int64_t) :: log_level = 0_c_int64_t
     !> 0: uniform, 1: seepage. Pore pressure before the treatment. uniform: the formation's. seepage: what one well
@@ -597,16 +490,12 @@ module hfrac_c
     !> 0: constant, 1: table. constant: stiffness, strength and friction as given. table: multiplied by the factors
     !> below at each disc's temperature, linear in between; temperatures outside the table are refused. Default 0.
     integer(c_int64_t) :: thermal_parameters = 0_c_int64_t
-    !> Rows of the table in use. Default 4.
-    integer(c_int64_t) :: thermal_table_rows = 0_c_int64_t
+    integer(c_int64_t) :: thermal_table_rows = 0_c_int64_t  !< Rows of the table in use. Default 4.
     !> [K] Row 1 of the table (Table 3: 250 degrees C). Rows rise in temperature. Default 523.15.
     real(c_double) :: thermal_temperature_1 = 0.0_c_double
-    !> [K] Row 2 (Table 3: 300 degrees C). Default 573.15.
-    real(c_double) :: thermal_temperature_2 = 0.0_c_double
-    !> [K] Row 3 (Table 3: 350 degrees C). Default 623.15.
-    real(c_double) :: thermal_temperature_3 = 0.0_c_double
-    !> [K] Row 4 (Table 3: 400 degrees C). Default 673.15.
-    real(c_double) :: thermal_temperature_4 = 0.0_c_double
+    real(c_double) :: thermal_temperature_2 = 0.0_c_double  !< [K] Row 2 (Table 3: 300 degrees C). Default 573.15.
+    real(c_double) :: thermal_temperature_3 = 0.0_c_double  !< [K] Row 3 (Table 3: 350 degrees C). Default 623.15.
+    real(c_double) :: thermal_temperature_4 = 0.0_c_double  !< [K] Row 4 (Table 3: 400 degrees C). Default 673.15.
     !> [K] Row 5 (beyond Table 3; a row of your own). Default 773.15.
     real(c_double) :: thermal_temperature_5 = 0.0_c_double
     !> [1] Factor on contact and bond stiffnesses at temperature_1 (Table 3: 11.20e9 N/m over 11.20e9; bonds follow
@@ -618,29 +507,22 @@ module hfrac_c
     real(c_double) :: thermal_stiffness_3 = 0.0_c_double
     !> [1] At temperature_4 (Table 3: 5.78e9 over 11.20e9). Default 0.5160714285714286.
     real(c_double) :: thermal_stiffness_4 = 0.0_c_double
-    !> [1] At temperature_5. Default 0.5160714285714286.
-    real(c_double) :: thermal_stiffness_5 = 0.0_c_double
+    real(c_double) :: thermal_stiffness_5 = 0.0_c_double  !< [1] At temperature_5. Default 0.5160714285714286.
     !> [1] Factor on bond strengths at temperature_1. The paper gives no strength by temperature: any value but 1 is
     !> an assumption of yours. Default 1.0.
     real(c_double) :: thermal_strength_1 = 0.0_c_double
-    !> [1] At temperature_2. Default 1.0.
-    real(c_double) :: thermal_strength_2 = 0.0_c_double
-    !> [1] At temperature_3. Default 1.0.
-    real(c_double) :: thermal_strength_3 = 0.0_c_double
-    !> [1] At temperature_4. Default 1.0.
-    real(c_double) :: thermal_strength_4 = 0.0_c_double
-    !> [1] At temperature_5. Default 1.0.
-    real(c_double) :: thermal_strength_5 = 0.0_c_double
+    real(c_double) :: thermal_strength_2 = 0.0_c_double  !< [1] At temperature_2. Default 1.0.
+    real(c_double) :: thermal_strength_3 = 0.0_c_double  !< [1] At temperature_3. Default 1.0.
+    real(c_double) :: thermal_strength_4 = 0.0_c_double  !< [1] At temperature_4. Default 1.0.
+    real(c_double) :: thermal_strength_5 = 0.0_c_double  !< [1] At temperature_5. Default 1.0.
     !> [1] Factor on contact.friction at temperature_1 (Table 3: 0.22 over 0.22). Default 1.0.
     real(c_double) :: thermal_friction_1 = 0.0_c_double
-    !> [1] At temperature_2 (Table 3: 0.22 over 0.22). Default 1.0.
-    real(c_double) :: thermal_friction_2 = 0.0_c_double
+    real(c_double) :: thermal_friction_2 = 0.0_c_double  !< [1] At temperature_2 (Table 3: 0.22 over 0.22). Default 1.0.
     !> [1] At temperature_3 (Table 3: 0.23 over 0.22). Default 1.0454545454545454.
     real(c_double) :: thermal_friction_3 = 0.0_c_double
     !> [1] At temperature_4 (Table 3: 0.23 over 0.22). Default 1.0454545454545454.
     real(c_double) :: thermal_friction_4 = 0.0_c_double
-    !> [1] At temperature_5. Default 1.0454545454545454.
-    real(c_double) :: thermal_friction_5 = 0.0_c_double
+    real(c_double) :: thermal_friction_5 = 0.0_c_double  !< [1] At temperature_5. Default 1.0454545454545454.
     !> [s] Wall time between the checkpoints that hfrac resume goes on from; 0: none by time. Default 600.0.
     real(c_double) :: output_checkpoint_every = 0.0_c_double
     !> Steps between the checkpoints that hfrac resume goes on from; 0: none by steps. Default 0.
@@ -649,8 +531,7 @@ module hfrac_c
     !> hfrac_sim_create; NULL: all that are near (bond.gap_tolerance). Discs that are near but not in the list touch
     !> without a bond: their contact carries compression and friction, as after breakage, and is no crack.
     type(c_ptr) :: given_bonds = c_null_ptr
-    !> bonds in given_bonds
-    integer(c_int64_t) :: given_bond_count = 0_c_int64_t
+    integer(c_int64_t) :: given_bond_count = 0_c_int64_t  !< bonds in given_bonds
     !> [Pa/m] Normal stiffness of smooth joints, per area. 0: contact.normal_stiffness over the mean disc diameter.
     !> Default 0.0.
     real(c_double) :: smooth_joint_normal_stiffness = 0.0_c_double
@@ -740,149 +621,101 @@ module hfrac_c
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.
   type, bind(C) :: hfrac_option_info
-    !> set by the caller before the call
-    integer(c_int32_t) :: struct_size = 64_c_int32_t
-    !> 0 double, 1 integer, 2 choice
-    integer(c_int32_t) :: type = 0_c_int32_t
-    !> "section.name"
-    type(c_ptr) :: key = c_null_ptr
-    !> SI unit, "1" for none
-    type(c_ptr) :: unit = c_null_ptr
-    !> words split by '|', NULL unless a choice
-    type(c_ptr) :: choices = c_null_ptr
-    !> one sentence
-    type(c_ptr) :: help = c_null_ptr
-    !> default; the index for a choice
-    real(c_double) :: default_value = 0.0_c_double
-    !> smallest value allowed
-    real(c_double) :: minimum = 0.0_c_double
-    !> largest value allowed
-    real(c_double) :: maximum = 0.0_c_double
+    integer(c_int32_t) :: struct_size = 64_c_int32_t  !< set by the caller before the call
+    integer(c_int32_t) :: type = 0_c_int32_t  !< 0 double, 1 integer, 2 choice
+    type(c_ptr) :: key = c_null_ptr  !< "section.name"
+    type(c_ptr) :: unit = c_null_ptr  !< SI unit, "1" for none
+    type(c_ptr) :: choices = c_null_ptr  !< words split by '|', NULL unless a choice
+    type(c_ptr) :: help = c_null_ptr  !< one sentence
+    real(c_double) :: default_value = 0.0_c_double  !< default; the index for a choice
+    real(c_double) :: minimum = 0.0_c_double  !< smallest value allowed
+    real(c_double) :: maximum = 0.0_c_double  !< largest value allowed
   end type hfrac_option_info
 
   !> How the simulation stands. Set struct_size before the call.
   type, bind(C) :: hfrac_sim_state
-    !> sizeof(hfrac_sim_state) of the caller
-    integer(c_int32_t) :: struct_size = 144_c_int32_t
-    !> 1 if the last step's mechanics reached stepping.force_ratio
-    integer(c_int32_t) :: at_rest = 0_c_int32_t
-    !> [s] model (fluid) time
-    real(c_double) :: time = 0.0_c_double
-    !> steps taken since creation
-    integer(c_int64_t) :: step = 0_c_int64_t
-    !> mechanical cycles since creation
-    integer(c_int64_t) :: cycles = 0_c_int64_t
-    !> mean unbalanced over mean contact force
-    real(c_double) :: force_ratio = 0.0_c_double
-    !> bonds broken, all modes, the initial equilibration included
-    integer(c_int64_t) :: crack_count = 0_c_int64_t
-    !> of them in tension
-    integer(c_int64_t) :: tensile_cracks = 0_c_int64_t
-    !> of them in shear
-    integer(c_int64_t) :: shear_cracks = 0_c_int64_t
-    !> of them before injection, while the model came to rest
-    integer(c_int64_t) :: equilibration_cracks = 0_c_int64_t
-    !> discs
-    integer(c_int64_t) :: disc_count = 0_c_int64_t
-    !> bonded contacts, intact or broken
-    integer(c_int64_t) :: bond_count = 0_c_int64_t
-    !> fluid domains, wells included
-    integer(c_int64_t) :: domain_count = 0_c_int64_t
+    integer(c_int32_t) :: struct_size = 144_c_int32_t  !< sizeof(hfrac_sim_state) of the caller
+    integer(c_int32_t) :: at_rest = 0_c_int32_t  !< 1 if the last step's mechanics reached stepping.force_ratio
+    real(c_double) :: time = 0.0_c_double  !< [s] model (fluid) time
+    integer(c_int64_t) :: step = 0_c_int64_t  !< steps taken since creation
+    integer(c_int64_t) :: cycles = 0_c_int64_t  !< mechanical cycles since creation
+    real(c_double) :: force_ratio = 0.0_c_double  !< mean unbalanced over mean contact force
+    integer(c_int64_t) :: crack_count = 0_c_int64_t  !< bonds broken, all modes, the initial equilibration included
+    integer(c_int64_t) :: tensile_cracks = 0_c_int64_t  !< of them in tension
+    integer(c_int64_t) :: shear_cracks = 0_c_int64_t  !< of them in shear
+    integer(c_int64_t) :: equilibration_cracks = 0_c_int64_t  !< of them before injection, while the model came to rest
+    integer(c_int64_t) :: disc_count = 0_c_int64_t  !< discs
+    integer(c_int64_t) :: bond_count = 0_c_int64_t  !< bonded contacts, intact or broken
+    integer(c_int64_t) :: domain_count = 0_c_int64_t  !< fluid domains, wells included
     !> [s] time of one mechanical cycle with real masses (stable step times safety)
     real(c_double) :: mechanical_step = 0.0_c_double
     !> [m] farthest crack end from the nearest well centre, 0 without cracks
     real(c_double) :: tip_distance = 0.0_c_double
-    !> enum hfrac_stop_reason that holds now, 0 if none
-    integer(c_int32_t) :: stop_reason = 0_c_int32_t
+    integer(c_int32_t) :: stop_reason = 0_c_int32_t  !< enum hfrac_stop_reason that holds now, 0 if none
     !> explicit flow: sub-cycles of the last step; implicit: iterations
     integer(c_int32_t) :: flow_subcycles = 0_c_int32_t
-    !> [Pa] far-field stress along x in force, as stress.convention says
-    real(c_double) :: sigma_Hmax = 0.0_c_double
-    !> [Pa] along y
-    real(c_double) :: sigma_hmin = 0.0_c_double
-    !> [Pa] absolute, in the pores outside the model
-    real(c_double) :: formation_pressure = 0.0_c_double
+    real(c_double) :: sigma_Hmax = 0.0_c_double  !< [Pa] far-field stress along x in force, as stress.convention says
+    real(c_double) :: sigma_hmin = 0.0_c_double  !< [Pa] along y
+    real(c_double) :: formation_pressure = 0.0_c_double  !< [Pa] absolute, in the pores outside the model
   end type hfrac_sim_state
 
   !> What the set-up made. Set struct_size before the call.
   type, bind(C) :: hfrac_setup_report
-    !> sizeof(hfrac_setup_report) of the caller
-    integer(c_int32_t) :: struct_size = 160_c_int32_t
-    !> 0
-    integer(c_int32_t) :: struct_pad = 0_c_int32_t
+    integer(c_int32_t) :: struct_size = 160_c_int32_t  !< sizeof(hfrac_setup_report) of the caller
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t  !< 0
     !> [m] mean radius of all discs packed; of a graded packing (packing.coarsening) that of its fine discs
     real(c_double) :: mean_radius = 0.0_c_double
-    !> void fraction of the packing before the well is cut
-    real(c_double) :: porosity = 0.0_c_double
-    !> unbalanced over mean contact force of the relaxed packing
-    real(c_double) :: packing_residual = 0.0_c_double
-    !> bonds per disc times two
-    real(c_double) :: coordination = 0.0_c_double
-    !> discs packed
-    integer(c_int64_t) :: packed_discs = 0_c_int64_t
-    !> discs removed to cut the wells
-    integer(c_int64_t) :: removed_in_wells = 0_c_int64_t
-    !> discs removed because they had fewer than two bonds
-    integer(c_int64_t) :: removed_floaters = 0_c_int64_t
-    !> near contacts not bonded because they cross another
-    integer(c_int64_t) :: removed_crossings = 0_c_int64_t
+    real(c_double) :: porosity = 0.0_c_double  !< void fraction of the packing before the well is cut
+    real(c_double) :: packing_residual = 0.0_c_double  !< unbalanced over mean contact force of the relaxed packing
+    real(c_double) :: coordination = 0.0_c_double  !< bonds per disc times two
+    integer(c_int64_t) :: packed_discs = 0_c_int64_t  !< discs packed
+    integer(c_int64_t) :: removed_in_wells = 0_c_int64_t  !< discs removed to cut the wells
+    integer(c_int64_t) :: removed_floaters = 0_c_int64_t  !< discs removed because they had fewer than two bonds
+    integer(c_int64_t) :: removed_crossings = 0_c_int64_t  !< near contacts not bonded because they cross another
     !> strengths used, at the mean radius, over strengths given (bond.fracture_toughness and
     !> bond.toughness_reference_radius)
     real(c_double) :: strength_factor = 0.0_c_double
-    !> [m] r0 in use (eq. 7)
-    real(c_double) :: zero_stress_aperture = 0.0_c_double
+    real(c_double) :: zero_stress_aperture = 0.0_c_double  !< [m] r0 in use (eq. 7)
     !> [m2] of the network after the initial equilibrium, without joints that conduct
     real(c_double) :: permeability = 0.0_c_double
     !> unbalanced over mean contact force after the initial equilibrium
     real(c_double) :: equilibration_force_ratio = 0.0_c_double
-    !> wall time of the packing
-    real(c_double) :: packing_seconds = 0.0_c_double
-    !> wall time of all of hfrac_sim_create
-    real(c_double) :: setup_seconds = 0.0_c_double
+    real(c_double) :: packing_seconds = 0.0_c_double  !< wall time of the packing
+    real(c_double) :: setup_seconds = 0.0_c_double  !< wall time of all of hfrac_sim_create
     !> [m] mean radius of the discs farthest from the fine ones of a graded packing; uniform: mean_radius
     real(c_double) :: coarsest_radius = 0.0_c_double
-    !> discs packed where a graded packing is fine; uniform: all
-    integer(c_int64_t) :: fine_discs = 0_c_int64_t
+    integer(c_int64_t) :: fine_discs = 0_c_int64_t  !< discs packed where a graded packing is fine; uniform: all
     !> [Pa] E' of the rock beyond with boundary.kind infinite, given or measured; else 0
     real(c_double) :: exterior_modulus = 0.0_c_double
-    !> its Poisson's ratio in plane strain
-    real(c_double) :: exterior_poisson_ratio = 0.0_c_double
+    real(c_double) :: exterior_poisson_ratio = 0.0_c_double  !< its Poisson's ratio in plane strain
     !> [Pa] E' at tips: fracture.plane_modulus, given or measured; else 0
     real(c_double) :: plane_modulus = 0.0_c_double
   end type hfrac_setup_report
 
   !> Energy and fluid mass since the end of the initial equilibration. Set struct_size before the call.
   type, bind(C) :: hfrac_balance
-    !> sizeof(hfrac_balance) of the caller
-    integer(c_int32_t) :: struct_size = 120_c_int32_t
+    integer(c_int32_t) :: struct_size = 120_c_int32_t  !< sizeof(hfrac_balance) of the caller
     !> 1: energy_error says something; 0: the quasi-static solver closes its balance by `damping`
     integer(c_int32_t) :: energy_checked = 0_c_int32_t
-    !> [J/m] kinetic energy now
-    real(c_double) :: kinetic = 0.0_c_double
-    !> [J/m] stored in intact bonds now
-    real(c_double) :: bond_elastic = 0.0_c_double
+    real(c_double) :: kinetic = 0.0_c_double  !< [J/m] kinetic energy now
+    real(c_double) :: bond_elastic = 0.0_c_double  !< [J/m] stored in intact bonds now
     !> [J/m] stored in contacts now (discs and walls), and in the rock beyond (boundary.kind infinite)
     real(c_double) :: contact_elastic = 0.0_c_double
     !> [J/m] work of fluid pressure on the discs since the initial equilibration
     real(c_double) :: fluid_work = 0.0_c_double
     !> [J/m] work of the far field on the model since the initial equilibration
     real(c_double) :: boundary_work = 0.0_c_double
-    !> [J/m] dissipated by sliding since the initial equilibration
-    real(c_double) :: friction = 0.0_c_double
+    real(c_double) :: friction = 0.0_c_double  !< [J/m] dissipated by sliding since the initial equilibration
     !> [J/m] dissipated by damping since the initial equilibration; unless checked, whatever the works left over
     real(c_double) :: damping = 0.0_c_double
     !> [J/m] elastic energy of bonds lost as they broke since the initial equilibration
     real(c_double) :: fracture = 0.0_c_double
     !> [J/m] what is missing in: works = change of stored + dissipated; not a number unless checked
     real(c_double) :: energy_error = 0.0_c_double
-    !> [m2] fluid put in through all wells, at formation pressure
-    real(c_double) :: injected_volume = 0.0_c_double
-    !> [m2] change of content of all domains, wells included
-    real(c_double) :: stored_volume = 0.0_c_double
-    !> [m2] out through the outer boundary
-    real(c_double) :: leaked_volume = 0.0_c_double
-    !> [m2] injected + host - stored - leaked
-    real(c_double) :: fluid_error = 0.0_c_double
+    real(c_double) :: injected_volume = 0.0_c_double  !< [m2] fluid put in through all wells, at formation pressure
+    real(c_double) :: stored_volume = 0.0_c_double  !< [m2] change of content of all domains, wells included
+    real(c_double) :: leaked_volume = 0.0_c_double  !< [m2] out through the outer boundary
+    real(c_double) :: fluid_error = 0.0_c_double  !< [m2] injected + host - stored - leaked
     !> [m2] put into pores by the host (hfrac_set_cell_pressure), negative: taken out
     real(c_double) :: host_volume = 0.0_c_double
   end type hfrac_balance
@@ -890,34 +723,22 @@ module hfrac_c
   !> What the quasi-static solver did since the initial equilibration; all 0 with solver.kind "explicit". Set
   !> struct_size before the call.
   type, bind(C) :: hfrac_solver_report
-    !> sizeof(hfrac_solver_report) of the caller
-    integer(c_int32_t) :: struct_size = 80_c_int32_t
-    !> 0 explicit, 1 quasi-static
-    integer(c_int32_t) :: kind = 0_c_int32_t
-    !> [s] mode "coupled": length of the next increment of a step
-    real(c_double) :: increment = 0.0_c_double
-    !> mode "coupled": accepted increments
-    integer(c_int64_t) :: increments = 0_c_int64_t
-    !> equilibria found: one a solve, and one more each time bonds broke
-    integer(c_int64_t) :: rounds = 0_c_int64_t
-    !> of Newton's method
-    integer(c_int64_t) :: newton_iterations = 0_c_int64_t
-    !> of the linear solver
-    integer(c_int64_t) :: linear_iterations = 0_c_int64_t
-    !> factors of a tangent computed
-    integer(c_int64_t) :: factors = 0_c_int64_t
-    !> increments rejected because of solver.pressure_change
-    integer(c_int64_t) :: rejected_error = 0_c_int64_t
-    !> increments rejected because of solver.strength_overshoot
-    integer(c_int64_t) :: rejected_strength = 0_c_int64_t
-    !> increments rejected because no equilibrium was found
-    integer(c_int64_t) :: rejected_divergence = 0_c_int64_t
+    integer(c_int32_t) :: struct_size = 80_c_int32_t  !< sizeof(hfrac_solver_report) of the caller
+    integer(c_int32_t) :: kind = 0_c_int32_t  !< 0 explicit, 1 quasi-static
+    real(c_double) :: increment = 0.0_c_double  !< [s] mode "coupled": length of the next increment of a step
+    integer(c_int64_t) :: increments = 0_c_int64_t  !< mode "coupled": accepted increments
+    integer(c_int64_t) :: rounds = 0_c_int64_t  !< equilibria found: one a solve, and one more each time bonds broke
+    integer(c_int64_t) :: newton_iterations = 0_c_int64_t  !< of Newton's method
+    integer(c_int64_t) :: linear_iterations = 0_c_int64_t  !< of the linear solver
+    integer(c_int64_t) :: factors = 0_c_int64_t  !< factors of a tangent computed
+    integer(c_int64_t) :: rejected_error = 0_c_int64_t  !< increments rejected because of solver.pressure_change
+    integer(c_int64_t) :: rejected_strength = 0_c_int64_t  !< increments rejected because of solver.strength_overshoot
+    integer(c_int64_t) :: rejected_divergence = 0_c_int64_t  !< increments rejected because no equilibrium was found
   end type hfrac_solver_report
 
   !> How long a step could be, and how it is divided. Set struct_size before the call.
   type, bind(C) :: hfrac_step_limits
-    !> sizeof(hfrac_step_limits) of the caller
-    integer(c_int32_t) :: struct_size = 32_c_int32_t
+    integer(c_int32_t) :: struct_size = 32_c_int32_t  !< sizeof(hfrac_step_limits) of the caller
     !> enum hfrac_step_limit: what divides a step of stepping.flow_step most finely
     integer(c_int32_t) :: binding = 0_c_int32_t
     !> [s] what hfrac_step takes next: stepping.flow_step, or what is left to a schedule's next time
@@ -932,202 +753,126 @@ module hfrac_c
 
   !> One wall of a model with boundary.kind walls. Set struct_size before the call.
   type, bind(C) :: hfrac_wall_state
-    !> sizeof(hfrac_wall_state) of the caller
-    integer(c_int32_t) :: struct_size = 64_c_int32_t
-    !> 1: its servo keeps it at `target`, 0: fixed in place
-    integer(c_int32_t) :: moves = 0_c_int32_t
-    !> unit vector into the model
-    real(c_double) :: normal(2) = 0.0_c_double
-    !> [m] x of a wall across x, y of one across y, now
-    real(c_double) :: position = 0.0_c_double
-    !> [m] inward, since bonding
-    real(c_double) :: displacement = 0.0_c_double
+    integer(c_int32_t) :: struct_size = 64_c_int32_t  !< sizeof(hfrac_wall_state) of the caller
+    integer(c_int32_t) :: moves = 0_c_int32_t  !< 1: its servo keeps it at `target`, 0: fixed in place
+    real(c_double) :: normal(2) = 0.0_c_double  !< unit vector into the model
+    real(c_double) :: position = 0.0_c_double  !< [m] x of a wall across x, y of one across y, now
+    real(c_double) :: displacement = 0.0_c_double  !< [m] inward, since bonding
     !> [Pa] on it now, compression positive, effective: without what the pores outside carry
     real(c_double) :: stress = 0.0_c_double
-    !> [Pa] of the servo, likewise effective
-    real(c_double) :: target = 0.0_c_double
-    !> discs that can touch it
-    integer(c_int64_t) :: disc_count = 0_c_int64_t
+    real(c_double) :: target = 0.0_c_double  !< [Pa] of the servo, likewise effective
+    integer(c_int64_t) :: disc_count = 0_c_int64_t  !< discs that can touch it
   end type hfrac_wall_state
 
   !> One well as it stands. Set struct_size before the call.
   type, bind(C) :: hfrac_well_state
-    !> sizeof(hfrac_well_state) of the caller
-    integer(c_int32_t) :: struct_size = 104_c_int32_t
-    !> enum hfrac_well_control in force
-    integer(c_int32_t) :: control = 0_c_int32_t
-    !> [m] centre
-    real(c_double) :: x = 0.0_c_double
-    !> [m]
-    real(c_double) :: y = 0.0_c_double
-    !> [m] sqrt(area / pi) of the hole between disc centres
-    real(c_double) :: equivalent_radius = 0.0_c_double
-    !> [Pa] now, as stress.convention says
-    real(c_double) :: pressure = 0.0_c_double
-    !> [Pa]
-    real(c_double) :: target_pressure = 0.0_c_double
-    !> [m2/s] into the well in the last step
-    real(c_double) :: rate = 0.0_c_double
-    !> [m2] since the initial equilibration, at formation pressure
-    real(c_double) :: injected_volume = 0.0_c_double
-    !> index of its domain
-    integer(c_int64_t) :: domain = 0_c_int64_t
+    integer(c_int32_t) :: struct_size = 104_c_int32_t  !< sizeof(hfrac_well_state) of the caller
+    integer(c_int32_t) :: control = 0_c_int32_t  !< enum hfrac_well_control in force
+    real(c_double) :: x = 0.0_c_double  !< [m] centre
+    real(c_double) :: y = 0.0_c_double  !< [m]
+    real(c_double) :: equivalent_radius = 0.0_c_double  !< [m] sqrt(area / pi) of the hole between disc centres
+    real(c_double) :: pressure = 0.0_c_double  !< [Pa] now, as stress.convention says
+    real(c_double) :: target_pressure = 0.0_c_double  !< [Pa]
+    real(c_double) :: rate = 0.0_c_double  !< [m2/s] into the well in the last step
+    real(c_double) :: injected_volume = 0.0_c_double  !< [m2] since the initial equilibration, at formation pressure
+    integer(c_int64_t) :: domain = 0_c_int64_t  !< index of its domain
     !> [m] of the hole that was asked for; its wall follows discs (equivalent_radius); 0: a pore (hfrac_well_add)
     real(c_double) :: radius = 0.0_c_double
     !> [Pa] before the perforations, as stress.convention says; without friction that of the hole
     real(c_double) :: wellbore_pressure = 0.0_c_double
-    !> [Pa] absolute: that of the wellbore less rho g depth
-    real(c_double) :: wellhead_pressure = 0.0_c_double
+    real(c_double) :: wellhead_pressure = 0.0_c_double  !< [Pa] absolute: that of the wellbore less rho g depth
     !> [m2/s] that the pump gave the wellbore, with all its clusters, in the last step
     real(c_double) :: wellbore_rate = 0.0_c_double
   end type hfrac_well_state
 
   !> What a field is. Texts point into the library.
   type, bind(C) :: hfrac_field_desc
-    !> set by the caller before the call
-    integer(c_int32_t) :: struct_size = 64_c_int32_t
-    !> enum hfrac_field
-    integer(c_int32_t) :: field = 0_c_int32_t
-    !> e.g. "disc.position"
-    type(c_ptr) :: name = c_null_ptr
-    !> SI unit
-    type(c_ptr) :: unit = c_null_ptr
-    !> one phrase
-    type(c_ptr) :: help = c_null_ptr
-    !> 0 disc, 1 bond, 2 pipe, 3 domain, 4 corner, 5 contact of a joint
-    integer(c_int32_t) :: location = 0_c_int32_t
-    !> 0 double, 1 int32
-    integer(c_int32_t) :: dtype = 0_c_int32_t
-    !> values per item
-    integer(c_int32_t) :: components = 0_c_int32_t
-    !> 0
-    integer(c_int32_t) :: struct_pad = 0_c_int32_t
-    !> items now (values: count * components)
-    integer(c_int64_t) :: count = 0_c_int64_t
-    !> epoch of the simulation now
-    integer(c_int64_t) :: epoch = 0_c_int64_t
+    integer(c_int32_t) :: struct_size = 64_c_int32_t  !< set by the caller before the call
+    integer(c_int32_t) :: field = 0_c_int32_t  !< enum hfrac_field
+    type(c_ptr) :: name = c_null_ptr  !< e.g. "disc.position"
+    type(c_ptr) :: unit = c_null_ptr  !< SI unit
+    type(c_ptr) :: help = c_null_ptr  !< one phrase
+    integer(c_int32_t) :: location = 0_c_int32_t  !< 0 disc, 1 bond, 2 pipe, 3 domain, 4 corner, 5 contact of a joint
+    integer(c_int32_t) :: dtype = 0_c_int32_t  !< 0 double, 1 int32
+    integer(c_int32_t) :: components = 0_c_int32_t  !< values per item
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t  !< 0
+    integer(c_int64_t) :: count = 0_c_int64_t  !< items now (values: count * components)
+    integer(c_int64_t) :: epoch = 0_c_int64_t  !< epoch of the simulation now
   end type hfrac_field_desc
 
   !> One broken bond.
   type, bind(C) :: hfrac_crack
-    !> from 0, in order of breakage, never reused
-    integer(c_int64_t) :: id = 0_c_int64_t
-    !> index of the bond
-    integer(c_int64_t) :: bond = 0_c_int64_t
-    !> indices of the discs
-    integer(c_int64_t) :: disc(2) = 0_c_int64_t
-    !> step in which it broke; 0: during the initial equilibration
-    integer(c_int64_t) :: step = 0_c_int64_t
-    !> mechanical cycle in which it broke
-    integer(c_int64_t) :: cycle = 0_c_int64_t
-    !> [s] model time of that step
-    real(c_double) :: time = 0.0_c_double
-    !> [m] middle of the contact now
-    real(c_double) :: position(2) = 0.0_c_double
-    !> unit vector from disc 0 to disc 1 now; the crack runs across it
-    real(c_double) :: normal(2) = 0.0_c_double
-    !> [m] length of the crack line (bond diameter)
-    real(c_double) :: length = 0.0_c_double
-    !> [m] mechanical opening now, 0 if closed
-    real(c_double) :: aperture = 0.0_c_double
-    !> [N] per thickness at failure, tension positive
-    real(c_double) :: normal_force = 0.0_c_double
-    !> [N] per thickness at failure
-    real(c_double) :: shear_force = 0.0_c_double
+    integer(c_int64_t) :: id = 0_c_int64_t  !< from 0, in order of breakage, never reused
+    integer(c_int64_t) :: bond = 0_c_int64_t  !< index of the bond
+    integer(c_int64_t) :: disc(2) = 0_c_int64_t  !< indices of the discs
+    integer(c_int64_t) :: step = 0_c_int64_t  !< step in which it broke; 0: during the initial equilibration
+    integer(c_int64_t) :: cycle = 0_c_int64_t  !< mechanical cycle in which it broke
+    real(c_double) :: time = 0.0_c_double  !< [s] model time of that step
+    real(c_double) :: position(2) = 0.0_c_double  !< [m] middle of the contact now
+    real(c_double) :: normal(2) = 0.0_c_double  !< unit vector from disc 0 to disc 1 now; the crack runs across it
+    real(c_double) :: length = 0.0_c_double  !< [m] length of the crack line (bond diameter)
+    real(c_double) :: aperture = 0.0_c_double  !< [m] mechanical opening now, 0 if closed
+    real(c_double) :: normal_force = 0.0_c_double  !< [N] per thickness at failure, tension positive
+    real(c_double) :: shear_force = 0.0_c_double  !< [N] per thickness at failure
     !> [J/m] elastic energy of the bond at failure; with bond.fracture_energy what it took
     real(c_double) :: energy = 0.0_c_double
-    !> enum hfrac_crack_mode
-    integer(c_int32_t) :: mode = 0_c_int32_t
-    !> index of its fracture now, as hfrac_fractures gives them
-    integer(c_int32_t) :: fracture = 0_c_int32_t
-    !> [m] between the centres of its discs when they were bonded
-    real(c_double) :: distance = 0.0_c_double
-    !> [Pa] now, mean of the pores it lies between; 0 in a dry model
-    real(c_double) :: pressure = 0.0_c_double
+    integer(c_int32_t) :: mode = 0_c_int32_t  !< enum hfrac_crack_mode
+    integer(c_int32_t) :: fracture = 0_c_int32_t  !< index of its fracture now, as hfrac_fractures gives them
+    real(c_double) :: distance = 0.0_c_double  !< [m] between the centres of its discs when they were bonded
+    real(c_double) :: pressure = 0.0_c_double  !< [Pa] now, mean of the pores it lies between; 0 in a dry model
     !> [m] of its pipe now (eq. 7), which the cubic law takes; 0 in a dry model
     real(c_double) :: hydraulic_aperture = 0.0_c_double
   end type hfrac_crack
 
   !> One fracture.
   type, bind(C) :: hfrac_fracture
-    !> from 0, most cracks first
-    integer(c_int64_t) :: index = 0_c_int64_t
-    !> cracks in it
-    integer(c_int64_t) :: crack_count = 0_c_int64_t
-    !> of them in tension
-    integer(c_int64_t) :: tensile_cracks = 0_c_int64_t
+    integer(c_int64_t) :: index = 0_c_int64_t  !< from 0, most cracks first
+    integer(c_int64_t) :: crack_count = 0_c_int64_t  !< cracks in it
+    integer(c_int64_t) :: tensile_cracks = 0_c_int64_t  !< of them in tension
     !> [m] longest way along it: from the two longest wings if it starts at a well, the hole left out
     real(c_double) :: length = 0.0_c_double
-    !> [m] largest distance between two of its crack ends
-    real(c_double) :: extent = 0.0_c_double
-    !> [m] farthest crack end from the wall of its well; 0 if not connected
-    real(c_double) :: reach = 0.0_c_double
-    !> [rad] direction of its long axis against x (sigma_Hmax), -pi/2 to pi/2
-    real(c_double) :: azimuth = 0.0_c_double
-    !> [m] mechanical, weighted by crack length
-    real(c_double) :: mean_aperture = 0.0_c_double
-    !> [m] the fracture's width
-    real(c_double) :: largest_aperture = 0.0_c_double
-    !> [m2] aperture times length, summed
-    real(c_double) :: volume = 0.0_c_double
-    !> [Pa] of the domains along it
-    real(c_double) :: mean_pressure = 0.0_c_double
-    !> index of the well it is connected to, -1 if none
-    integer(c_int64_t) :: well = 0_c_int64_t
-    !> separate branches that start at its well; 1 if not connected to one
-    integer(c_int64_t) :: wings = 0_c_int64_t
+    real(c_double) :: extent = 0.0_c_double  !< [m] largest distance between two of its crack ends
+    real(c_double) :: reach = 0.0_c_double  !< [m] farthest crack end from the wall of its well; 0 if not connected
+    real(c_double) :: azimuth = 0.0_c_double  !< [rad] direction of its long axis against x (sigma_Hmax), -pi/2 to pi/2
+    real(c_double) :: mean_aperture = 0.0_c_double  !< [m] mechanical, weighted by crack length
+    real(c_double) :: largest_aperture = 0.0_c_double  !< [m] the fracture's width
+    real(c_double) :: volume = 0.0_c_double  !< [m2] aperture times length, summed
+    real(c_double) :: mean_pressure = 0.0_c_double  !< [Pa] of the domains along it
+    integer(c_int64_t) :: well = 0_c_int64_t  !< index of the well it is connected to, -1 if none
+    integer(c_int64_t) :: wings = 0_c_int64_t  !< separate branches that start at its well; 1 if not connected to one
   end type hfrac_fracture
 
   !> A place on the line of a fracture: one of its cracks.
   type, bind(C) :: hfrac_fracture_point
-    !> [m] middle of the crack now
-    real(c_double) :: position(2) = 0.0_c_double
+    real(c_double) :: position(2) = 0.0_c_double  !< [m] middle of the crack now
     !> [m] along the line from the centre of the well, below 0 on wing 0; without a well from its middle
     real(c_double) :: distance = 0.0_c_double
-    !> [m] of the line that this crack stands for
-    real(c_double) :: length = 0.0_c_double
-    !> [m] mechanical opening now, 0 if closed
-    real(c_double) :: aperture = 0.0_c_double
-    !> [m] that the cubic law takes; 0 in a dry model
-    real(c_double) :: hydraulic_aperture = 0.0_c_double
-    !> [Pa] now, mean of the pores it lies between; 0 in a dry model
-    real(c_double) :: pressure = 0.0_c_double
-    !> [1] share of these pores that fluid fills; 0 in a dry model
-    real(c_double) :: saturation = 0.0_c_double
-    !> bond that broke
-    integer(c_int64_t) :: bond = 0_c_int64_t
+    real(c_double) :: length = 0.0_c_double  !< [m] of the line that this crack stands for
+    real(c_double) :: aperture = 0.0_c_double  !< [m] mechanical opening now, 0 if closed
+    real(c_double) :: hydraulic_aperture = 0.0_c_double  !< [m] that the cubic law takes; 0 in a dry model
+    real(c_double) :: pressure = 0.0_c_double  !< [Pa] now, mean of the pores it lies between; 0 in a dry model
+    real(c_double) :: saturation = 0.0_c_double  !< [1] share of these pores that fluid fills; 0 in a dry model
+    integer(c_int64_t) :: bond = 0_c_int64_t  !< bond that broke
     !> 0: towards smaller x (y, if the fracture stands upright), 1: the other; -1 without a well
     integer(c_int32_t) :: wing = 0_c_int32_t
-    !> 1: the line ends here
-    integer(c_int32_t) :: tip = 0_c_int32_t
+    integer(c_int32_t) :: tip = 0_c_int32_t  !< 1: the line ends here
   end type hfrac_fracture_point
 
   !> What a contact of a smooth joint slipped since its last entry.
   type, bind(C) :: hfrac_slip
-    !> from 0, in order of time, never reused
-    integer(c_int64_t) :: id = 0_c_int64_t
-    !> index of the contact's bond
-    integer(c_int64_t) :: bond = 0_c_int64_t
-    !> indices of its discs
-    integer(c_int64_t) :: disc(2) = 0_c_int64_t
-    !> index of the joint in the definition
-    integer(c_int64_t) :: joint = 0_c_int64_t
-    !> step in which it slipped; 0: during the initial equilibration
-    integer(c_int64_t) :: step = 0_c_int64_t
-    !> [s] end of the increment in which it slipped
-    real(c_double) :: time = 0.0_c_double
-    !> [s] of that increment
-    real(c_double) :: duration = 0.0_c_double
-    !> [m] of the contact, where it was bonded
-    real(c_double) :: position(2) = 0.0_c_double
-    !> unit normal of the joint, from disc 0 to disc 1
-    real(c_double) :: normal(2) = 0.0_c_double
-    !> [m] of the joint that the contact stands for
-    real(c_double) :: length = 0.0_c_double
+    integer(c_int64_t) :: id = 0_c_int64_t  !< from 0, in order of time, never reused
+    integer(c_int64_t) :: bond = 0_c_int64_t  !< index of the contact's bond
+    integer(c_int64_t) :: disc(2) = 0_c_int64_t  !< indices of its discs
+    integer(c_int64_t) :: joint = 0_c_int64_t  !< index of the joint in the definition
+    integer(c_int64_t) :: step = 0_c_int64_t  !< step in which it slipped; 0: during the initial equilibration
+    real(c_double) :: time = 0.0_c_double  !< [s] end of the increment in which it slipped
+    real(c_double) :: duration = 0.0_c_double  !< [s] of that increment
+    real(c_double) :: position(2) = 0.0_c_double  !< [m] of the contact, where it was bonded
+    real(c_double) :: normal(2) = 0.0_c_double  !< unit normal of the joint, from disc 0 to disc 1
+    real(c_double) :: length = 0.0_c_double  !< [m] of the joint that the contact stands for
     !> [m] above 0: disc 1 moved along the normal turned by +90 degrees against disc 0
     real(c_double) :: slip = 0.0_c_double
-    !> [m] between the centres of its discs when they were bonded
-    real(c_double) :: distance = 0.0_c_double
+    real(c_double) :: distance = 0.0_c_double  !< [m] between the centres of its discs when they were bonded
     !> [Pa] of the rock, estimated from its bonds as if discs moved with the mean strain (Agnolin and Kruyt 2008):
     !> an upper bound
     real(c_double) :: shear_modulus = 0.0_c_double
@@ -1135,20 +880,15 @@ module hfrac_c
 
   !> How cracks and slips make events. Set struct_size; zeros elsewhere are the defaults.
   type, bind(C) :: hfrac_catalogue_options
-    !> sizeof(hfrac_catalogue_options) of the caller
-    integer(c_int32_t) :: struct_size = 56_c_int32_t
-    !> 0
-    integer(c_int32_t) :: struct_pad = 0_c_int32_t
+    integer(c_int32_t) :: struct_size = 56_c_int32_t  !< sizeof(hfrac_catalogue_options) of the caller
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t  !< 0
     !> [m] 0 or more; 0: twice the mean distance between the discs of the cracks (or slips)
     real(c_double) :: distance = 0.0_c_double
     !> [s] 0 or more; 0: cracks of the same step only, slips of the same increment only
     real(c_double) :: time_window = 0.0_c_double
-    !> 0 or more mechanical cycles; 0: no limit within the time window
-    integer(c_int64_t) :: cycle_window = 0_c_int64_t
-    !> [m] of rock that the plane stands for; 0: 1 m
-    real(c_double) :: thickness = 0.0_c_double
-    !> [Pa] of the rock, for slips; 0: the one that each slip gives
-    real(c_double) :: shear_modulus = 0.0_c_double
+    integer(c_int64_t) :: cycle_window = 0_c_int64_t  !< 0 or more mechanical cycles; 0: no limit within the time window
+    real(c_double) :: thickness = 0.0_c_double  !< [m] of rock that the plane stands for; 0: 1 m
+    real(c_double) :: shear_modulus = 0.0_c_double  !< [Pa] of the rock, for slips; 0: the one that each slip gives
     !> [m/s] 0 or more: slips slower than this, over their increment, are left out; 0: none. It says something where
     !> increments are as short as slip is fast, so in mode "dynamic"
     real(c_double) :: slip_rate = 0.0_c_double
@@ -1156,146 +896,90 @@ module hfrac_c
 
   !> One event.
   type, bind(C) :: hfrac_event
-    !> from 0, in order of the first crack or slip
-    integer(c_int64_t) :: index = 0_c_int64_t
-    !> id of that crack; -1 of an event from slip
-    integer(c_int64_t) :: first_crack = 0_c_int64_t
-    !> cracks in it
-    integer(c_int64_t) :: crack_count = 0_c_int64_t
-    !> of them in tension
-    integer(c_int64_t) :: tensile_cracks = 0_c_int64_t
-    !> mechanical cycle of its first break
-    integer(c_int64_t) :: first_cycle = 0_c_int64_t
-    !> and of its last
-    integer(c_int64_t) :: last_cycle = 0_c_int64_t
-    !> [s] of its first crack or slip
-    real(c_double) :: time = 0.0_c_double
-    !> [m] mean place of its cracks or slips
-    real(c_double) :: position(2) = 0.0_c_double
-    !> [N m] xx, yy, xy; outward positive
-    real(c_double) :: moment_tensor(3) = 0.0_c_double
-    !> [N m] sqrt(m_ij m_ij / 2) (Silver and Jordan 1982)
-    real(c_double) :: moment = 0.0_c_double
-    !> of the moment (Hanks and Kanamori 1979); NaN without one
-    real(c_double) :: magnitude = 0.0_c_double
-    !> [J] elastic energy of the broken bonds; 0 of an event from slip
-    real(c_double) :: energy = 0.0_c_double
+    integer(c_int64_t) :: index = 0_c_int64_t  !< from 0, in order of the first crack or slip
+    integer(c_int64_t) :: first_crack = 0_c_int64_t  !< id of that crack; -1 of an event from slip
+    integer(c_int64_t) :: crack_count = 0_c_int64_t  !< cracks in it
+    integer(c_int64_t) :: tensile_cracks = 0_c_int64_t  !< of them in tension
+    integer(c_int64_t) :: first_cycle = 0_c_int64_t  !< mechanical cycle of its first break
+    integer(c_int64_t) :: last_cycle = 0_c_int64_t  !< and of its last
+    real(c_double) :: time = 0.0_c_double  !< [s] of its first crack or slip
+    real(c_double) :: position(2) = 0.0_c_double  !< [m] mean place of its cracks or slips
+    real(c_double) :: moment_tensor(3) = 0.0_c_double  !< [N m] xx, yy, xy; outward positive
+    real(c_double) :: moment = 0.0_c_double  !< [N m] sqrt(m_ij m_ij / 2) (Silver and Jordan 1982)
+    real(c_double) :: magnitude = 0.0_c_double  !< of the moment (Hanks and Kanamori 1979); NaN without one
+    real(c_double) :: energy = 0.0_c_double  !< [J] elastic energy of the broken bonds; 0 of an event from slip
     !> 2/3 log10 energy - 2.9 (Choy and Boatwright 1995), an upper bound; NaN without energy
     real(c_double) :: energy_magnitude = 0.0_c_double
     !> -1 to 1 (Feignier and Young 1992, in the plane): 0.5 opens as one crack, 0 shears, below 0 closes
     real(c_double) :: isotropic_fraction = 0.0_c_double
-    !> [m] summed over its cracks, or over its contacts that slipped
-    real(c_double) :: length = 0.0_c_double
-    !> [m] from its position to the farthest of its cracks or slips
-    real(c_double) :: radius = 0.0_c_double
-    !> enum hfrac_event_kind
-    integer(c_int32_t) :: kind = 0_c_int32_t
-    !> 0
-    integer(c_int32_t) :: pad = 0_c_int32_t
-    !> id of its first slip; -1 of an event from cracks
-    integer(c_int64_t) :: first_slip = 0_c_int64_t
-    !> slips in it
-    integer(c_int64_t) :: slip_count = 0_c_int64_t
-    !> [m] mean over its length; 0 of an event from cracks
-    real(c_double) :: slip = 0.0_c_double
-    !> [s] from its first crack or slip to its last
-    real(c_double) :: duration = 0.0_c_double
+    real(c_double) :: length = 0.0_c_double  !< [m] summed over its cracks, or over its contacts that slipped
+    real(c_double) :: radius = 0.0_c_double  !< [m] from its position to the farthest of its cracks or slips
+    integer(c_int32_t) :: kind = 0_c_int32_t  !< enum hfrac_event_kind
+    integer(c_int32_t) :: pad = 0_c_int32_t  !< 0
+    integer(c_int64_t) :: first_slip = 0_c_int64_t  !< id of its first slip; -1 of an event from cracks
+    integer(c_int64_t) :: slip_count = 0_c_int64_t  !< slips in it
+    real(c_double) :: slip = 0.0_c_double  !< [m] mean over its length; 0 of an event from cracks
+    real(c_double) :: duration = 0.0_c_double  !< [s] from its first crack or slip to its last
   end type hfrac_event
 
   !> The law log10 N = a - b M of Gutenberg and Richter, N the events of magnitude M or more.
   type, bind(C) :: hfrac_magnitude_law
-    !> sizeof(hfrac_magnitude_law) of the caller
-    integer(c_int32_t) :: struct_size = 48_c_int32_t
-    !> 0
-    integer(c_int32_t) :: struct_pad = 0_c_int32_t
-    !> magnitude from which on events are counted
-    real(c_double) :: completeness = 0.0_c_double
+    integer(c_int32_t) :: struct_size = 48_c_int32_t  !< sizeof(hfrac_magnitude_law) of the caller
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t  !< 0
+    real(c_double) :: completeness = 0.0_c_double  !< magnitude from which on events are counted
     !> log10 e / (mean magnitude - completeness) (Aki 1965); 0: fewer than two different magnitudes
     real(c_double) :: b = 0.0_c_double
-    !> b / sqrt(count), its standard error (Aki 1965)
-    real(c_double) :: b_error = 0.0_c_double
-    !> log10 of the events from magnitude 0 on that the law gives
-    real(c_double) :: a = 0.0_c_double
-    !> events at or above completeness
-    integer(c_int64_t) :: count = 0_c_int64_t
+    real(c_double) :: b_error = 0.0_c_double  !< b / sqrt(count), its standard error (Aki 1965)
+    real(c_double) :: a = 0.0_c_double  !< log10 of the events from magnitude 0 on that the law gives
+    integer(c_int64_t) :: count = 0_c_int64_t  !< events at or above completeness
   end type hfrac_magnitude_law
 
   !> What goes to another rank, and what comes from it; either may be empty.
   type, bind(C) :: hfrac_message
-    !> the other one
-    integer(c_int32_t) :: rank = 0_c_int32_t
-    !> 0
-    integer(c_int32_t) :: struct_pad = 0_c_int32_t
-    !> [B]
-    integer(c_int64_t) :: send_bytes = 0_c_int64_t
-    !> [B]
-    integer(c_int64_t) :: receive_bytes = 0_c_int64_t
-    !> borrowed until hfrac_finish_fn returns
-    type(c_ptr) :: send = c_null_ptr
-    !> written by then
-    type(c_ptr) :: receive = c_null_ptr
+    integer(c_int32_t) :: rank = 0_c_int32_t  !< the other one
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t  !< 0
+    integer(c_int64_t) :: send_bytes = 0_c_int64_t  !< [B]
+    integer(c_int64_t) :: receive_bytes = 0_c_int64_t  !< [B]
+    type(c_ptr) :: send = c_null_ptr  !< borrowed until hfrac_finish_fn returns
+    type(c_ptr) :: receive = c_null_ptr  !< written by then
   end type hfrac_message
 
   !> How ranks talk. Fill with hfrac_exchange_init, then all members.
   type, bind(C) :: hfrac_exchange
-    !> sizeof(hfrac_exchange) of the caller, set by init
-    integer(c_int32_t) :: struct_size = 0_c_int32_t
-    !> this one, 0 to size - 1
-    integer(c_int32_t) :: rank = 0_c_int32_t
-    !> ranks, 1 to 1048576; with 1 no function is called
-    integer(c_int32_t) :: size = 0_c_int32_t
-    !> 0
-    integer(c_int32_t) :: struct_pad = 0_c_int32_t
-    !> handed to all functions; must live as long as the simulation
-    type(c_ptr) :: user = c_null_ptr
-    !> messages between two ranks
-    type(c_funptr) :: start = c_null_funptr
-    !> the end of those
-    type(c_funptr) :: finish = c_null_funptr
-    !> integers over all ranks
-    type(c_funptr) :: sum = c_null_funptr
-    !> bytes of all ranks
-    type(c_funptr) :: gather = c_null_funptr
-    !> the end of it all
-    type(c_funptr) :: fail = c_null_funptr
+    integer(c_int32_t) :: struct_size = 0_c_int32_t  !< sizeof(hfrac_exchange) of the caller, set by init
+    integer(c_int32_t) :: rank = 0_c_int32_t  !< this one, 0 to size - 1
+    integer(c_int32_t) :: size = 0_c_int32_t  !< ranks, 1 to 1048576; with 1 no function is called
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t  !< 0
+    type(c_ptr) :: user = c_null_ptr  !< handed to all functions; must live as long as the simulation
+    type(c_funptr) :: start = c_null_funptr  !< messages between two ranks
+    type(c_funptr) :: finish = c_null_funptr  !< the end of those
+    type(c_funptr) :: sum = c_null_funptr  !< integers over all ranks
+    type(c_funptr) :: gather = c_null_funptr  !< bytes of all ranks
+    type(c_funptr) :: fail = c_null_funptr  !< the end of it all
   end type hfrac_exchange
 
   !> What a rank does for the others in a cycle, since the model was built; zeros with one rank. Set struct_size
   !> before the call.
   type, bind(C) :: hfrac_traffic
-    !> sizeof(hfrac_traffic) of the caller
-    integer(c_int32_t) :: struct_size = 40_c_int32_t
-    !> 0
-    integer(c_int32_t) :: struct_pad = 0_c_int32_t
-    !> received a cycle
-    integer(c_int64_t) :: messages = 0_c_int64_t
-    !> [B] received a cycle
-    integer(c_int64_t) :: bytes = 0_c_int64_t
-    !> discs of other ranks whose motion is received
-    integer(c_int64_t) :: foreign_discs = 0_c_int64_t
-    !> bonds that this rank does beside another, which counts them
-    integer(c_int64_t) :: shared_bonds = 0_c_int64_t
+    integer(c_int32_t) :: struct_size = 40_c_int32_t  !< sizeof(hfrac_traffic) of the caller
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t  !< 0
+    integer(c_int64_t) :: messages = 0_c_int64_t  !< received a cycle
+    integer(c_int64_t) :: bytes = 0_c_int64_t  !< [B] received a cycle
+    integer(c_int64_t) :: foreign_discs = 0_c_int64_t  !< discs of other ranks whose motion is received
+    integer(c_int64_t) :: shared_bonds = 0_c_int64_t  !< bonds that this rank does beside another, which counts them
   end type hfrac_traffic
 
   !> The host's areal grid. Set struct_size, and 0 what does not apply. Either regular cells (origin, dx, dy, angle)
   !> or `corners`; nx and ny always.
   type, bind(C) :: hfrac_grid
-    !> sizeof(hfrac_grid) of the caller
-    integer(c_int32_t) :: struct_size = 72_c_int32_t
-    !> 0
-    integer(c_int32_t) :: struct_pad = 0_c_int32_t
-    !> cells along i, from 1
-    integer(c_int64_t) :: nx = 0_c_int64_t
-    !> cells along j, from 1
-    integer(c_int64_t) :: ny = 0_c_int64_t
-    !> [m] first corner of cell (0, 0), in the model's coordinates
-    real(c_double) :: origin(2) = 0.0_c_double
-    !> [m] size of regular cells along i
-    real(c_double) :: dx = 0.0_c_double
-    !> [m] along j
-    real(c_double) :: dy = 0.0_c_double
-    !> [rad] from the model's x axis to the direction of i, anticlockwise
-    real(c_double) :: angle = 0.0_c_double
+    integer(c_int32_t) :: struct_size = 72_c_int32_t  !< sizeof(hfrac_grid) of the caller
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t  !< 0
+    integer(c_int64_t) :: nx = 0_c_int64_t  !< cells along i, from 1
+    integer(c_int64_t) :: ny = 0_c_int64_t  !< cells along j, from 1
+    real(c_double) :: origin(2) = 0.0_c_double  !< [m] first corner of cell (0, 0), in the model's coordinates
+    real(c_double) :: dx = 0.0_c_double  !< [m] size of regular cells along i
+    real(c_double) :: dy = 0.0_c_double  !< [m] along j
+    real(c_double) :: angle = 0.0_c_double  !< [rad] from the model's x axis to the direction of i, anticlockwise
     !> NULL, or [m] x, y of the 4 corners of every cell: shape (2, 4, nx, ny), first index fastest; (i, j), (i+1,
     !> j), (i+1, j+1), (i, j+1); convex; copied
     type(c_ptr) :: corners = c_null_ptr
@@ -1303,30 +987,23 @@ module hfrac_c
 
   !> One cell of the host's grid as the model fills it.
   type, bind(C) :: hfrac_cell
-    !> [m2] of the cell
-    real(c_double) :: area = 0.0_c_double
-    !> share of it that the model covers, 0 to 1
-    real(c_double) :: coverage = 0.0_c_double
+    real(c_double) :: area = 0.0_c_double  !< [m2] of the cell
+    real(c_double) :: coverage = 0.0_c_double  !< share of it that the model covers, 0 to 1
     !> [m2] that the cracks add: xx, yy, xy in the model's axes, over the cell's whole area
     real(c_double) :: permeability(3) = 0.0_c_double
     !> [m2] of the rock between the cracks, over the part covered; 0 if not covered
     real(c_double) :: matrix_permeability = 0.0_c_double
-    !> opening times length of the cracks over the cell's area
-    real(c_double) :: fracture_porosity = 0.0_c_double
-    !> pore volume of the network over area, of the part covered
-    real(c_double) :: matrix_porosity = 0.0_c_double
-    !> [m] length of crack lines in the cell
-    real(c_double) :: crack_length = 0.0_c_double
-    !> [m2/s] from pores beside cracks into others, in the last step
-    real(c_double) :: leak_off = 0.0_c_double
+    real(c_double) :: fracture_porosity = 0.0_c_double  !< opening times length of the cracks over the cell's area
+    real(c_double) :: matrix_porosity = 0.0_c_double  !< pore volume of the network over area, of the part covered
+    real(c_double) :: crack_length = 0.0_c_double  !< [m] length of crack lines in the cell
+    real(c_double) :: leak_off = 0.0_c_double  !< [m2/s] from pores beside cracks into others, in the last step
     !> [m2/s] out of the model through its edge into this cell, in the last step
     real(c_double) :: outflow = 0.0_c_double
     !> [Pa] of pores beside no crack, mean by volume; formation pressure if there are none
     real(c_double) :: pressure = 0.0_c_double
     !> [Pa] of pores beside cracks, mean by opening; as `pressure` without cracks
     real(c_double) :: fracture_pressure = 0.0_c_double
-    !> cracks with some length in the cell
-    integer(c_int64_t) :: crack_count = 0_c_int64_t
+    integer(c_int64_t) :: crack_count = 0_c_int64_t  !< cracks with some length in the cell
     !> [m2/(Pa s)] of the pipes through the model's edge to this cell: `outflow` falls by so much for each Pa the
     !> cell's pressure (hfrac_set_boundary_pressure) is raised while the pores inside keep theirs; over a long step
     !> pores follow and it falls by less. At the apertures as they are now, those of the next step
@@ -1335,162 +1012,101 @@ module hfrac_c
 
   !> Heat of rock and pores, wells excluded, counted from thermal.rock_temperature. Set struct_size before the call.
   type, bind(C) :: hfrac_heat
-    !> sizeof(hfrac_heat) of the caller
-    integer(c_int32_t) :: struct_size = 80_c_int32_t
-    !> 0 off, 1 uniform, 2 transport
-    integer(c_int32_t) :: mode = 0_c_int32_t
-    !> [J/m] in rock and pores beyond that after the initial equilibration
-    real(c_double) :: stored = 0.0_c_double
+    integer(c_int32_t) :: struct_size = 80_c_int32_t  !< sizeof(hfrac_heat) of the caller
+    integer(c_int32_t) :: mode = 0_c_int32_t  !< 0 off, 1 uniform, 2 transport
+    real(c_double) :: stored = 0.0_c_double  !< [J/m] in rock and pores beyond that after the initial equilibration
     !> [J/m] from wells since the initial equilibration: carried and through their walls
     real(c_double) :: wells = 0.0_c_double
-    !> [J/m] carried in through the outer boundary
-    real(c_double) :: outside = 0.0_c_double
-    !> [J/m] from discs that are held
-    real(c_double) :: held = 0.0_c_double
-    !> [J/m] put in by the host: temperatures it set, fluid it put into pores
-    real(c_double) :: host = 0.0_c_double
-    !> [J/m] wells + outside + held + host - stored: rounding
-    real(c_double) :: error = 0.0_c_double
+    real(c_double) :: outside = 0.0_c_double  !< [J/m] carried in through the outer boundary
+    real(c_double) :: held = 0.0_c_double  !< [J/m] from discs that are held
+    real(c_double) :: host = 0.0_c_double  !< [J/m] put in by the host: temperatures it set, fluid it put into pores
+    real(c_double) :: error = 0.0_c_double  !< [J/m] wells + outside + held + host - stored: rounding
     !> [J/m] elastic energy that changes of temperature put in; one of the works of hfrac_balance
     real(c_double) :: thermal_work = 0.0_c_double
-    !> [K] coldest disc
-    real(c_double) :: lowest = 0.0_c_double
-    !> [K] warmest disc
-    real(c_double) :: highest = 0.0_c_double
+    real(c_double) :: lowest = 0.0_c_double  !< [K] coldest disc
+    real(c_double) :: highest = 0.0_c_double  !< [K] warmest disc
   end type hfrac_heat
 
   !> Which test on which specimen. Fill with hfrac_lab_spec_init first.
   type, bind(C) :: hfrac_lab_spec
-    !> sizeof(hfrac_lab_spec) of the caller, set by init
-    integer(c_int32_t) :: struct_size = 0_c_int32_t
-    !> enum hfrac_lab_test; default HFRAC_LAB_ELASTIC
-    integer(c_int32_t) :: test = 0_c_int32_t
-    !> discs packed, 100 to 2000000; default 2000
-    integer(c_int64_t) :: disc_count = 0_c_int64_t
-    !> of the packing; default 1
-    integer(c_int64_t) :: seed = 0_c_int64_t
-    !> [m] of the specimen; default 10. Sets the disc size, which K_Ic goes with
-    real(c_double) :: width = 0.0_c_double
-    !> [Pa] on the sides, HFRAC_LAB_BIAXIAL, compression positive; default 0
-    real(c_double) :: confining = 0.0_c_double
-    !> length of a slit over the width, 0.05 to 0.6; default 0.3
-    real(c_double) :: slit_fraction = 0.0_c_double
+    integer(c_int32_t) :: struct_size = 0_c_int32_t  !< sizeof(hfrac_lab_spec) of the caller, set by init
+    integer(c_int32_t) :: test = 0_c_int32_t  !< enum hfrac_lab_test; default HFRAC_LAB_ELASTIC
+    integer(c_int64_t) :: disc_count = 0_c_int64_t  !< discs packed, 100 to 2000000; default 2000
+    integer(c_int64_t) :: seed = 0_c_int64_t  !< of the packing; default 1
+    real(c_double) :: width = 0.0_c_double  !< [m] of the specimen; default 10. Sets the disc size, which K_Ic goes with
+    real(c_double) :: confining = 0.0_c_double  !< [Pa] on the sides, HFRAC_LAB_BIAXIAL, compression positive; default 0
+    real(c_double) :: slit_fraction = 0.0_c_double  !< length of a slit over the width, 0.05 to 0.6; default 0.3
   end type hfrac_lab_spec
 
   !> What a test found; 0 where a test has no such thing. Set struct_size before the call.
   type, bind(C) :: hfrac_lab_report
-    !> sizeof(hfrac_lab_report) of the caller
-    integer(c_int32_t) :: struct_size = 216_c_int32_t
-    !> enum hfrac_lab_end
-    integer(c_int32_t) :: end = 0_c_int32_t
-    !> what the test is for, see enum hfrac_lab_test
-    real(c_double) :: value = 0.0_c_double
-    !> [Pa] E in plane strain
-    real(c_double) :: modulus = 0.0_c_double
-    !> nu in plane strain
-    real(c_double) :: poisson = 0.0_c_double
-    !> [Pa] E', slope of the two-dimensional model
-    real(c_double) :: plane_modulus = 0.0_c_double
-    !> nu', likewise
-    real(c_double) :: plane_poisson = 0.0_c_double
-    !> [Pa] largest stress (or fluid pressure) borne
-    real(c_double) :: peak_stress = 0.0_c_double
-    !> axial strain there, extension positive
-    real(c_double) :: strain_at_peak = 0.0_c_double
-    !> [Pa] at the first broken bond
-    real(c_double) :: first_crack_stress = 0.0_c_double
+    integer(c_int32_t) :: struct_size = 216_c_int32_t  !< sizeof(hfrac_lab_report) of the caller
+    integer(c_int32_t) :: end = 0_c_int32_t  !< enum hfrac_lab_end
+    real(c_double) :: value = 0.0_c_double  !< what the test is for, see enum hfrac_lab_test
+    real(c_double) :: modulus = 0.0_c_double  !< [Pa] E in plane strain
+    real(c_double) :: poisson = 0.0_c_double  !< nu in plane strain
+    real(c_double) :: plane_modulus = 0.0_c_double  !< [Pa] E', slope of the two-dimensional model
+    real(c_double) :: plane_poisson = 0.0_c_double  !< nu', likewise
+    real(c_double) :: peak_stress = 0.0_c_double  !< [Pa] largest stress (or fluid pressure) borne
+    real(c_double) :: strain_at_peak = 0.0_c_double  !< axial strain there, extension positive
+    real(c_double) :: first_crack_stress = 0.0_c_double  !< [Pa] at the first broken bond
     !> [m] a: half the slit, or the depth of a notch, as cut between bonds
     real(c_double) :: slit_half_length = 0.0_c_double
     !> F of K = F sigma sqrt(pi a), or the Brazilian's sigma over P / D
     real(c_double) :: geometry_factor = 0.0_c_double
-    !> K_Ic over sigma_c sqrt(mean radius)
-    real(c_double) :: toughness_coefficient = 0.0_c_double
-    !> [m2] along x
-    real(c_double) :: permeability_x = 0.0_c_double
-    !> [m2] along y
-    real(c_double) :: permeability_y = 0.0_c_double
-    !> [m] r0 in use (eq. 7)
-    real(c_double) :: zero_stress_aperture = 0.0_c_double
-    !> [m] of the discs packed
-    real(c_double) :: mean_radius = 0.0_c_double
-    !> bonds per disc times two
-    real(c_double) :: coordination = 0.0_c_double
-    !> largest mean unbalanced over mean contact force of all equilibria
-    real(c_double) :: force_ratio = 0.0_c_double
+    real(c_double) :: toughness_coefficient = 0.0_c_double  !< K_Ic over sigma_c sqrt(mean radius)
+    real(c_double) :: permeability_x = 0.0_c_double  !< [m2] along x
+    real(c_double) :: permeability_y = 0.0_c_double  !< [m2] along y
+    real(c_double) :: zero_stress_aperture = 0.0_c_double  !< [m] r0 in use (eq. 7)
+    real(c_double) :: mean_radius = 0.0_c_double  !< [m] of the discs packed
+    real(c_double) :: coordination = 0.0_c_double  !< bonds per disc times two
+    real(c_double) :: force_ratio = 0.0_c_double  !< largest mean unbalanced over mean contact force of all equilibria
     !> largest stress over strength less 1 at which a bond broke, up to the peak
     real(c_double) :: worst_overshoot = 0.0_c_double
-    !> wall time of the packing
-    real(c_double) :: packing_seconds = 0.0_c_double
-    !> wall time of the test
-    real(c_double) :: test_seconds = 0.0_c_double
-    !> discs of the specimen
-    integer(c_int64_t) :: disc_count = 0_c_int64_t
-    !> bonds of the specimen
-    integer(c_int64_t) :: bond_count = 0_c_int64_t
-    !> bonds broken in tension
-    integer(c_int64_t) :: tensile_cracks = 0_c_int64_t
-    !> bonds broken in shear
-    integer(c_int64_t) :: shear_cracks = 0_c_int64_t
-    !> sparse factors computed
-    integer(c_int64_t) :: factor_count = 0_c_int64_t
-    !> equilibria that took the explicit solver
-    integer(c_int64_t) :: relaxation_count = 0_c_int64_t
+    real(c_double) :: packing_seconds = 0.0_c_double  !< wall time of the packing
+    real(c_double) :: test_seconds = 0.0_c_double  !< wall time of the test
+    integer(c_int64_t) :: disc_count = 0_c_int64_t  !< discs of the specimen
+    integer(c_int64_t) :: bond_count = 0_c_int64_t  !< bonds of the specimen
+    integer(c_int64_t) :: tensile_cracks = 0_c_int64_t  !< bonds broken in tension
+    integer(c_int64_t) :: shear_cracks = 0_c_int64_t  !< bonds broken in shear
+    integer(c_int64_t) :: factor_count = 0_c_int64_t  !< sparse factors computed
+    integer(c_int64_t) :: relaxation_count = 0_c_int64_t  !< equilibria that took the explicit solver
   end type hfrac_lab_report
 
   !> What a rock is to have; NaN: not asked. Fill with hfrac_targets_init first.
   type, bind(C) :: hfrac_targets
-    !> sizeof(hfrac_targets) of the caller, set by init
-    integer(c_int32_t) :: struct_size = 0_c_int32_t
+    integer(c_int32_t) :: struct_size = 0_c_int32_t  !< sizeof(hfrac_targets) of the caller, set by init
     !> nonzero: modulus and poisson are E' and nu'; default 0, plane strain
     integer(c_int32_t) :: plane_slopes = 0_c_int32_t
-    !> [Pa]
-    real(c_double) :: modulus = 0.0_c_double
-    !> 1
-    real(c_double) :: poisson = 0.0_c_double
-    !> [Pa] UCS
-    real(c_double) :: compressive_strength = 0.0_c_double
-    !> [Pa] direct
-    real(c_double) :: tensile_strength = 0.0_c_double
-    !> [Pa m^0.5] K_Ic
-    real(c_double) :: toughness = 0.0_c_double
-    !> [m2]
-    real(c_double) :: permeability = 0.0_c_double
-    !> specimens a value is the mean of; default 4
-    integer(c_int64_t) :: packings = 0_c_int64_t
-    !> of elastic and permeability specimens; default 4000
-    integer(c_int64_t) :: disc_count = 0_c_int64_t
-    !> of the others; default 2000
-    integer(c_int64_t) :: strength_disc_count = 0_c_int64_t
-    !> of the first packing; default 1
-    integer(c_int64_t) :: seed = 0_c_int64_t
+    real(c_double) :: modulus = 0.0_c_double  !< [Pa]
+    real(c_double) :: poisson = 0.0_c_double  !< 1
+    real(c_double) :: compressive_strength = 0.0_c_double  !< [Pa] UCS
+    real(c_double) :: tensile_strength = 0.0_c_double  !< [Pa] direct
+    real(c_double) :: toughness = 0.0_c_double  !< [Pa m^0.5] K_Ic
+    real(c_double) :: permeability = 0.0_c_double  !< [m2]
+    integer(c_int64_t) :: packings = 0_c_int64_t  !< specimens a value is the mean of; default 4
+    integer(c_int64_t) :: disc_count = 0_c_int64_t  !< of elastic and permeability specimens; default 4000
+    integer(c_int64_t) :: strength_disc_count = 0_c_int64_t  !< of the others; default 2000
+    integer(c_int64_t) :: seed = 0_c_int64_t  !< of the first packing; default 1
   end type hfrac_targets
 
   !> What a calibration came to. Arrays are in the order of hfrac_targets, NaN where not asked. Set struct_size
   !> before the call.
   type, bind(C) :: hfrac_calibration
-    !> sizeof(hfrac_calibration) of the caller
-    integer(c_int32_t) :: struct_size = 1256_c_int32_t
+    integer(c_int32_t) :: struct_size = 1256_c_int32_t  !< sizeof(hfrac_calibration) of the caller
     !> 1: all targets reached, within a tenth on other packings or two standard errors of their mean; 0: `text` says
     !> which not
     integer(c_int32_t) :: reached = 0_c_int32_t
-    !> mean over as many packings again, not those calibrated on
-    real(c_double) :: achieved(6) = 0.0_c_double
-    !> standard deviation over them
-    real(c_double) :: spread(6) = 0.0_c_double
+    real(c_double) :: achieved(6) = 0.0_c_double  !< mean over as many packings again, not those calibrated on
+    real(c_double) :: spread(6) = 0.0_c_double  !< standard deviation over them
     !> least that can be had with the other targets as they are; NaN: no bound known
     real(c_double) :: lowest(6) = 0.0_c_double
-    !> most, likewise
-    real(c_double) :: highest(6) = 0.0_c_double
-    !> [m] r0 at the model's disc size, if permeability was asked
-    real(c_double) :: zero_stress_aperture = 0.0_c_double
-    !> K_Ic over sigma_c sqrt(R), if K_Ic was asked
-    real(c_double) :: toughness_coefficient = 0.0_c_double
-    !> wall time
-    real(c_double) :: seconds = 0.0_c_double
-    !> tests done
-    integer(c_int64_t) :: test_count = 0_c_int64_t
-    !> what could not be reached, and the nearest; empty if all was
-    character(kind=c_char) :: text(1024) = c_null_char
+    real(c_double) :: highest(6) = 0.0_c_double  !< most, likewise
+    real(c_double) :: zero_stress_aperture = 0.0_c_double  !< [m] r0 at the model's disc size, if permeability was asked
+    real(c_double) :: toughness_coefficient = 0.0_c_double  !< K_Ic over sigma_c sqrt(R), if K_Ic was asked
+    real(c_double) :: seconds = 0.0_c_double  !< wall time
+    integer(c_int64_t) :: test_count = 0_c_int64_t  !< tests done
+    character(kind=c_char) :: text(1024) = c_null_char  !< what could not be reached, and the nearest; empty if all was
   end type hfrac_calibration
 
   abstract interface

@@ -53,6 +53,12 @@ def comment(text, indent, mark="!>"):
     return textwrap.wrap(text, 116, initial_indent=prefix, subsequent_indent=prefix, break_long_words=False)
 
 
+def documented(text, statement, indent):
+    """The statement with its meaning: behind it where a line has room, else before it."""
+    line = f"{' ' * indent}{statement}  !< {text}" if text else " " * indent + statement
+    return [line] if len(line) <= 120 else [*comment(text, indent), " " * indent + statement]
+
+
 class FortranWriter:
     def __init__(self, header):
         self.header = header
@@ -71,7 +77,7 @@ class FortranWriter:
         for enum in self.header.enums:
             lines += ["", *comment(enum.doc or f"{enum.name}.", 2, "!")]
             for name, value, doc in enum.values:
-                lines += [*comment(doc, 2), self.constant(name, value)] if doc else [self.constant(name, value)]
+                lines += documented(doc, self.constant(name, value).strip(), 2)
         for struct in self.header.structs:
             lines += ["", *self.type_of(struct)]
         for callback in self.header.callbacks:
@@ -88,8 +94,7 @@ class FortranWriter:
     def type_of(self, struct):
         lines = [*comment(struct.doc, 2), f"  type, bind(C) :: {struct.name}"]
         for member in struct.members:
-            lines += comment(member.doc, 4) if member.doc else []
-            lines.append(f"    {self.component(struct, member)}")
+            lines += documented(member.doc, self.component(struct, member), 4)
         return [*lines, f"  end type {struct.name}"]
 
     def component(self, struct, member):
