@@ -1113,12 +1113,11 @@ module hfrac_c
     !> Takes one message, a sentence without a line end, on the thread of the call it is about; `message` is valid
     !> during the call only. It may read from the simulation; calls that would change it return HFRAC_ERR_BUSY.
     !> Return 0: the result is not used.
-    function hfrac_log_fn(user, level, message) bind(C)
+    integer(c_int32_t) function hfrac_log_fn(user, level, message) bind(C)
       import
       type(c_ptr), value :: user
       integer(c_int32_t), value :: level
       character(kind=c_char), intent(in) :: message(*)
-      integer(c_int32_t) :: hfrac_log_fn
     end function hfrac_log_fn
   end interface
 
@@ -1126,12 +1125,11 @@ module hfrac_c
     !> Called while a simulation is built and while it runs, on the calling thread, with the share done in [0, 1]
     !> and what is being done. Nonzero return stops (HFRAC_STOPPED). Must not call back into the same simulation
     !> except to read.
-    function hfrac_progress_fn(user, fraction, what) bind(C)
+    integer(c_int32_t) function hfrac_progress_fn(user, fraction, what) bind(C)
       import
       type(c_ptr), value :: user
       real(c_double), value :: fraction
       character(kind=c_char), intent(in) :: what(*)
-      integer(c_int32_t) :: hfrac_progress_fn
     end function hfrac_progress_fn
   end interface
 
@@ -1139,13 +1137,12 @@ module hfrac_c
     !> Called after every whole step of hfrac_step and hfrac_advance (not of hfrac_step_do, whose host is in control
     !> anyway), on the calling thread. It may read `sim`; calls that would change it return HFRAC_ERR_BUSY. Nonzero
     !> stops after this step, which is kept (HFRAC_STOPPED). `step` counts from 1, `time` [s] is the model's.
-    function hfrac_step_fn(user, sim, step, time) bind(C)
+    integer(c_int32_t) function hfrac_step_fn(user, sim, step, time) bind(C)
       import
       type(c_ptr), value :: user
       type(c_ptr), value :: sim
       integer(c_int64_t), value :: step
       real(c_double), value :: time
-      integer(c_int32_t) :: hfrac_step_fn
     end function hfrac_step_fn
   end interface
 
@@ -1153,447 +1150,395 @@ module hfrac_c
     !> Begins to exchange `count` messages, at most one with each rank. All functions of the table return 0, or
     !> nonzero once any rank has failed: then they go on to return nonzero. They are called by one thread of a rank
     !> at a time.
-    function hfrac_start_fn(user, messages, count) bind(C)
+    integer(c_int32_t) function hfrac_start_fn(user, messages, count) bind(C)
       import
       type(c_ptr), value :: user
       type(hfrac_message), intent(in) :: messages
       integer(c_int32_t), value :: count
-      integer(c_int32_t) :: hfrac_start_fn
     end function hfrac_start_fn
   end interface
 
   abstract interface
     !> Waits until all messages begun have come and gone.
-    function hfrac_finish_fn(user) bind(C)
+    integer(c_int32_t) function hfrac_finish_fn(user) bind(C)
       import
       type(c_ptr), value :: user
-      integer(c_int32_t) :: hfrac_finish_fn
     end function hfrac_finish_fn
   end interface
 
   abstract interface
     !> Adds up `count` integers over all ranks, in place, on all of them; overflow wraps.
-    function hfrac_sum_fn(user, values, count) bind(C)
+    integer(c_int32_t) function hfrac_sum_fn(user, values, count) bind(C)
       import
       type(c_ptr), value :: user
       integer(c_int64_t), intent(out) :: values
       integer(c_int32_t), value :: count
-      integer(c_int32_t) :: hfrac_sum_fn
     end function hfrac_sum_fn
   end interface
 
   abstract interface
     !> Of the bytes at `all`, rank r has those from begin[r] up to begin[r + 1]; afterwards all ranks have all.
-    function hfrac_gather_fn(user, all, begin) bind(C)
+    integer(c_int32_t) function hfrac_gather_fn(user, all, begin) bind(C)
       import
       type(c_ptr), value :: user
       type(c_ptr), value :: all
       integer(c_int64_t), intent(in) :: begin(*)
-      integer(c_int32_t) :: hfrac_gather_fn
     end function hfrac_gather_fn
   end interface
 
   abstract interface
     !> This rank cannot go on: calls that others wait in, or make later, return nonzero.
-    function hfrac_fail_fn(user) bind(C)
+    integer(c_int32_t) function hfrac_fail_fn(user) bind(C)
       import
       type(c_ptr), value :: user
-      integer(c_int32_t) :: hfrac_fail_fn
     end function hfrac_fail_fn
   end interface
 
   interface
     !> Version of the library that runs (not of the header it was compiled against). Stable since 0.1.
-    function hfrac_version(major, minor, patch) bind(C, name="hfrac_version")
+    integer(c_int32_t) function hfrac_version(major, minor, patch) bind(C, name="hfrac_version")
       import
       integer(c_int32_t), intent(out) :: major
       integer(c_int32_t), intent(out) :: minor
       integer(c_int32_t), intent(out) :: patch
-      integer(c_int32_t) :: hfrac_version
     end function hfrac_version
     !> ABI number of the library that runs; compare with HFRAC_ABI_VERSION. Stable since 0.1.
-    function hfrac_abi_version(abi) bind(C, name="hfrac_abi_version")
+    integer(c_int32_t) function hfrac_abi_version(abi) bind(C, name="hfrac_abi_version")
       import
       integer(c_int32_t), intent(out) :: abi
-      integer(c_int32_t) :: hfrac_abi_version
     end function hfrac_abi_version
     !> Compiler, build type and the instruction set the kernels chose on this machine, as one line. Stable since
     !> 0.1.
-    function hfrac_build_info(buffer, capacity, needed) bind(C, name="hfrac_build_info")
+    integer(c_int32_t) function hfrac_build_info(buffer, capacity, needed) bind(C, name="hfrac_build_info")
       import
       type(c_ptr), value :: buffer
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(out) :: needed
-      integer(c_int32_t) :: hfrac_build_info
     end function hfrac_build_info
     !> What a status code means, as one sentence. Unknown codes give HFRAC_ERR_ARGUMENT. Stable since 0.1.
-    function hfrac_status_text(status, buffer, capacity, needed) bind(C, name="hfrac_status_text")
+    integer(c_int32_t) function hfrac_status_text(status, buffer, capacity, needed) bind(C, name="hfrac_status_text")
       import
       integer(c_int32_t), value :: status
       type(c_ptr), value :: buffer
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(out) :: needed
-      integer(c_int32_t) :: hfrac_status_text
     end function hfrac_status_text
     !> The text of the last error of `sim`, with the value at fault, the allowed range and the fix. With sim NULL:
     !> the last error on this thread of a call that had no simulation (options, create), or found another thread in
     !> it (HFRAC_ERR_BUSY). Empty if there was none. Stable since 0.1.
-    function hfrac_last_error(sim, buffer, capacity, needed) bind(C, name="hfrac_last_error")
+    integer(c_int32_t) function hfrac_last_error(sim, buffer, capacity, needed) bind(C, name="hfrac_last_error")
       import
       type(c_ptr), value :: sim
       type(c_ptr), value :: buffer
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(out) :: needed
-      integer(c_int32_t) :: hfrac_last_error
     end function hfrac_last_error
     !> Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1.
-    function hfrac_sim_def_init(def, struct_size) bind(C, name="hfrac_sim_def_init")
+    integer(c_int32_t) function hfrac_sim_def_init(def, struct_size) bind(C, name="hfrac_sim_def_init")
       import
       type(hfrac_sim_def), intent(inout) :: def
       integer(c_int32_t), value :: struct_size
-      integer(c_int32_t) :: hfrac_sim_def_init
     end function hfrac_sim_def_init
     !> Ends the lists of `def` that belong to the library; they are empty then, and everything else stays. NULL and
     !> a definition without such lists are fine. Stable since 0.1.
-    function hfrac_sim_def_free(def) bind(C, name="hfrac_sim_def_free")
+    integer(c_int32_t) function hfrac_sim_def_free(def) bind(C, name="hfrac_sim_def_free")
       import
       type(hfrac_sim_def), intent(inout) :: def
-      integer(c_int32_t) :: hfrac_sim_def_free
     end function hfrac_sim_def_free
     !> Gives `to`, which hfrac_sim_def_init has filled, all values of `from` with lists of its own; lists that
     !> belonged to `to` end. Given discs and bonds stay the caller's, shared by both. Stable since 0.1.
-    function hfrac_sim_def_copy(from, to) bind(C, name="hfrac_sim_def_copy")
+    integer(c_int32_t) function hfrac_sim_def_copy(from, to) bind(C, name="hfrac_sim_def_copy")
       import
       type(hfrac_sim_def), intent(in) :: from
       type(hfrac_sim_def), intent(inout) :: to
-      integer(c_int32_t) :: hfrac_sim_def_copy
     end function hfrac_sim_def_copy
     !> Reads a TOML case file over `def`. Unknown keys, wrong types and values out of range are refused with file,
     !> line, key, allowed range and the nearest known key (HFRAC_ERR_CASE_FILE); `def` is then unchanged. A well's
     !> record (schedule_file) becomes entries of the schedule; def->log hears of how many rows (HFRAC_LOG_INFO).
     !> Stable since 0.1.
-    function hfrac_sim_def_load(def, path) bind(C, name="hfrac_sim_def_load")
+    integer(c_int32_t) function hfrac_sim_def_load(def, path) bind(C, name="hfrac_sim_def_load")
       import
       type(hfrac_sim_def), intent(inout) :: def
       character(kind=c_char), intent(in) :: path(*)
-      integer(c_int32_t) :: hfrac_sim_def_load
     end function hfrac_sim_def_load
     !> Adds a joint for each trace of the file `path`, as [[joint]] file does: a table with the columns START_X,
     !> START_Y, END_X and END_Y, or GeoJSON (.geojson, .json), in m. All values but the ends have their defaults;
     !> the host may change them in place. What is no trace is refused with file and line (HFRAC_ERR_CASE_FILE);
     !> `def` is then unchanged. Unstable since 0.1.
-    function hfrac_sim_def_add_traces(def, path) bind(C, name="hfrac_sim_def_add_traces")
+    integer(c_int32_t) function hfrac_sim_def_add_traces(def, path) bind(C, name="hfrac_sim_def_add_traces")
       import
       type(hfrac_sim_def), intent(inout) :: def
       character(kind=c_char), intent(in) :: path(*)
-      integer(c_int32_t) :: hfrac_sim_def_add_traces
     end function hfrac_sim_def_add_traces
     !> The definition as a TOML text with every option filled in, but for a well those of its wellbore that are at
     !> their default; loading it gives the same definition. Stable since 0.1.
-    function hfrac_sim_def_write(def, buffer, capacity, needed) bind(C, name="hfrac_sim_def_write")
+    integer(c_int32_t) function hfrac_sim_def_write(def, buffer, capacity, needed) bind(C, name="hfrac_sim_def_write")
       import
       type(hfrac_sim_def), intent(in) :: def
       type(c_ptr), value :: buffer
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(out) :: needed
-      integer(c_int32_t) :: hfrac_sim_def_write
     end function hfrac_sim_def_write
     !> Refuses what cannot be built: values out of range, contradictory stresses, wells outside the model or
     !> overlapping, and so on; the text (hfrac_last_error(NULL, ...)) names the fix. Stable since 0.1.
-    function hfrac_sim_def_check(def) bind(C, name="hfrac_sim_def_check")
+    integer(c_int32_t) function hfrac_sim_def_check(def) bind(C, name="hfrac_sim_def_check")
       import
       type(hfrac_sim_def), intent(in) :: def
-      integer(c_int32_t) :: hfrac_sim_def_check
     end function hfrac_sim_def_check
     !> The same for a definition that was read from the case file `path`: the text begins with the file, and with
     !> the line of the first value it names that the file has (HFRAC_ERR_CASE_FILE). Unstable since 0.1.
-    function hfrac_sim_def_check_file(def, path) bind(C, name="hfrac_sim_def_check_file")
+    integer(c_int32_t) function hfrac_sim_def_check_file(def, path) bind(C, name="hfrac_sim_def_check_file")
       import
       type(hfrac_sim_def), intent(in) :: def
       character(kind=c_char), intent(in) :: path(*)
-      integer(c_int32_t) :: hfrac_sim_def_check_file
     end function hfrac_sim_def_check_file
     !> Mean radius [m] of the discs of the packing where they are fine, and where they are coarsest
     !> (packing.coarsening); in a uniform packing both are the mean of all. As foreseen: the packing's own are
     !> within a hundredth (hfrac_sim_get_setup). Unstable since 0.1.
-    function hfrac_sim_def_disc_radii(def, fine, coarsest) bind(C, name="hfrac_sim_def_disc_radii")
+    integer(c_int32_t) function hfrac_sim_def_disc_radii(def, fine, coarsest) bind(C, name="hfrac_sim_def_disc_radii")
       import
       type(hfrac_sim_def), intent(in) :: def
       real(c_double), intent(out) :: fine
       real(c_double), intent(out) :: coarsest
-      integer(c_int32_t) :: hfrac_sim_def_disc_radii
     end function hfrac_sim_def_disc_radii
     !> Sets an option by its key, e.g. "bond.tensile_strength", "well[0].pressure", "joint[0].x1" or
     !> "schedule[0].time". The first value of the well, joint or entry after the last one adds it; a well's centre
     !> is then the model's, as wide and high as it is at that moment. Stable since 0.1.
-    function hfrac_sim_def_set_f64(def, key, value) bind(C, name="hfrac_sim_def_set_f64")
+    integer(c_int32_t) function hfrac_sim_def_set_f64(def, key, value) bind(C, name="hfrac_sim_def_set_f64")
       import
       type(hfrac_sim_def), intent(inout) :: def
       character(kind=c_char), intent(in) :: key(*)
       real(c_double), value :: value
-      integer(c_int32_t) :: hfrac_sim_def_set_f64
     end function hfrac_sim_def_set_f64
     !> Sets an integer option, or a choice by its index. "well_count", "joint_count", "schedule_count": makes the
     !> list that long, as the library's own; items added have the keys' defaults. Stable since 0.1.
-    function hfrac_sim_def_set_i64(def, key, value) bind(C, name="hfrac_sim_def_set_i64")
+    integer(c_int32_t) function hfrac_sim_def_set_i64(def, key, value) bind(C, name="hfrac_sim_def_set_i64")
       import
       type(hfrac_sim_def), intent(inout) :: def
       character(kind=c_char), intent(in) :: key(*)
       integer(c_int64_t), value :: value
-      integer(c_int32_t) :: hfrac_sim_def_set_i64
     end function hfrac_sim_def_set_i64
     !> Sets a choice by its word, or "title". Stable since 0.1.
-    function hfrac_sim_def_set_str(def, key, value) bind(C, name="hfrac_sim_def_set_str")
+    integer(c_int32_t) function hfrac_sim_def_set_str(def, key, value) bind(C, name="hfrac_sim_def_set_str")
       import
       type(hfrac_sim_def), intent(inout) :: def
       character(kind=c_char), intent(in) :: key(*)
       character(kind=c_char), intent(in) :: value(*)
-      integer(c_int32_t) :: hfrac_sim_def_set_str
     end function hfrac_sim_def_set_str
     !> Reads an option by its key as a double (integers and choices are converted). Stable since 0.1.
-    function hfrac_sim_def_get_f64(def, key, value) bind(C, name="hfrac_sim_def_get_f64")
+    integer(c_int32_t) function hfrac_sim_def_get_f64(def, key, value) bind(C, name="hfrac_sim_def_get_f64")
       import
       type(hfrac_sim_def), intent(in) :: def
       character(kind=c_char), intent(in) :: key(*)
       real(c_double), intent(out) :: value
-      integer(c_int32_t) :: hfrac_sim_def_get_f64
     end function hfrac_sim_def_get_f64
     !> Reads an integer option, a choice's index, or "well_count", "joint_count", "schedule_count"; a real one is
     !> refused, since it would lose its fraction. Unstable since 0.1.
-    function hfrac_sim_def_get_i64(def, key, value) bind(C, name="hfrac_sim_def_get_i64")
+    integer(c_int32_t) function hfrac_sim_def_get_i64(def, key, value) bind(C, name="hfrac_sim_def_get_i64")
       import
       type(hfrac_sim_def), intent(in) :: def
       character(kind=c_char), intent(in) :: key(*)
       integer(c_int64_t), intent(out) :: value
-      integer(c_int32_t) :: hfrac_sim_def_get_i64
     end function hfrac_sim_def_get_i64
     !> Reads any option as text: a choice's word, "title", numbers with all their digits, so that setting or loading
     !> the text gives the value back bit for bit. Unstable since 0.1.
-    function hfrac_sim_def_get_str(def, key, buffer, capacity, needed) bind(C, name="hfrac_sim_def_get_str")
+    integer(c_int32_t) function hfrac_sim_def_get_str(def, key, buffer, capacity, needed) bind(C, &
+      name="hfrac_sim_def_get_str")
       import
       type(hfrac_sim_def), intent(in) :: def
       character(kind=c_char), intent(in) :: key(*)
       type(c_ptr), value :: buffer
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(out) :: needed
-      integer(c_int32_t) :: hfrac_sim_def_get_str
     end function hfrac_sim_def_get_str
     !> Number of options in the table. Stable since 0.1.
-    function hfrac_option_count(count) bind(C, name="hfrac_option_count")
+    integer(c_int32_t) function hfrac_option_count(count) bind(C, name="hfrac_option_count")
       import
       integer(c_int32_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_option_count
     end function hfrac_option_count
     !> Entry `index` (from 0) of the table. Stable since 0.1.
-    function hfrac_option_at(index, info) bind(C, name="hfrac_option_at")
+    integer(c_int32_t) function hfrac_option_at(index, info) bind(C, name="hfrac_option_at")
       import
       integer(c_int32_t), value :: index
       type(hfrac_option_info), intent(inout) :: info
-      integer(c_int32_t) :: hfrac_option_at
     end function hfrac_option_at
     !> Number of values a well has. Unstable since 0.1.
-    function hfrac_well_option_count(count) bind(C, name="hfrac_well_option_count")
+    integer(c_int32_t) function hfrac_well_option_count(count) bind(C, name="hfrac_well_option_count")
       import
       integer(c_int32_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_well_option_count
     end function hfrac_well_option_count
     !> Entry `index` (from 0) of a well's values; its key is "radius" where the keyed functions take
     !> "well[0].radius". Unstable since 0.1.
-    function hfrac_well_option_at(index, info) bind(C, name="hfrac_well_option_at")
+    integer(c_int32_t) function hfrac_well_option_at(index, info) bind(C, name="hfrac_well_option_at")
       import
       integer(c_int32_t), value :: index
       type(hfrac_option_info), intent(inout) :: info
-      integer(c_int32_t) :: hfrac_well_option_at
     end function hfrac_well_option_at
     !> Number of values a joint has. Unstable since 0.1.
-    function hfrac_joint_option_count(count) bind(C, name="hfrac_joint_option_count")
+    integer(c_int32_t) function hfrac_joint_option_count(count) bind(C, name="hfrac_joint_option_count")
       import
       integer(c_int32_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_joint_option_count
     end function hfrac_joint_option_count
     !> Entry `index` (from 0) of a joint's values; its key is "x1" where the keyed functions take "joint[0].x1".
     !> Unstable since 0.1.
-    function hfrac_joint_option_at(index, info) bind(C, name="hfrac_joint_option_at")
+    integer(c_int32_t) function hfrac_joint_option_at(index, info) bind(C, name="hfrac_joint_option_at")
       import
       integer(c_int32_t), value :: index
       type(hfrac_option_info), intent(inout) :: info
-      integer(c_int32_t) :: hfrac_joint_option_at
     end function hfrac_joint_option_at
     !> Number of values a schedule's entry has. Unstable since 0.1.
-    function hfrac_schedule_option_count(count) bind(C, name="hfrac_schedule_option_count")
+    integer(c_int32_t) function hfrac_schedule_option_count(count) bind(C, name="hfrac_schedule_option_count")
       import
       integer(c_int32_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_schedule_option_count
     end function hfrac_schedule_option_count
     !> Entry `index` (from 0) of the values of a schedule's entry; its key is "time" where the keyed functions take
     !> "schedule[0].time". Unstable since 0.1.
-    function hfrac_schedule_option_at(index, info) bind(C, name="hfrac_schedule_option_at")
+    integer(c_int32_t) function hfrac_schedule_option_at(index, info) bind(C, name="hfrac_schedule_option_at")
       import
       integer(c_int32_t), value :: index
       type(hfrac_option_info), intent(inout) :: info
-      integer(c_int32_t) :: hfrac_schedule_option_at
     end function hfrac_schedule_option_at
     !> Builds a simulation. On failure *sim is NULL and hfrac_last_error(NULL, ...) says why. HFRAC_ERR_COLLAPSED:
     !> more than initial.broken_fraction of the bonds broke under the far field, or the rock found no rest at all.
     !> Stable since 0.1.
-    function hfrac_sim_create(def, sim) bind(C, name="hfrac_sim_create")
+    integer(c_int32_t) function hfrac_sim_create(def, sim) bind(C, name="hfrac_sim_create")
       import
       type(hfrac_sim_def), intent(in) :: def
       type(c_ptr), intent(inout) :: sim
-      integer(c_int32_t) :: hfrac_sim_create
     end function hfrac_sim_create
     !> Frees a simulation and sets *sim to NULL; NULL and *sim == NULL are fine. Stable since 0.1.
-    function hfrac_sim_destroy(sim) bind(C, name="hfrac_sim_destroy")
+    integer(c_int32_t) function hfrac_sim_destroy(sim) bind(C, name="hfrac_sim_destroy")
       import
       type(c_ptr), intent(inout) :: sim
-      integer(c_int32_t) :: hfrac_sim_destroy
     end function hfrac_sim_destroy
     !> The definition the simulation was built from, defaults filled in, into `def`, which hfrac_sim_def_init has
     !> filled; its lists are the library's then (hfrac_sim_def_free). Stable since 0.1.
-    function hfrac_sim_definition(sim, def) bind(C, name="hfrac_sim_definition")
+    integer(c_int32_t) function hfrac_sim_definition(sim, def) bind(C, name="hfrac_sim_definition")
       import
       type(c_ptr), value :: sim
       type(hfrac_sim_def), intent(inout) :: def
-      integer(c_int32_t) :: hfrac_sim_definition
     end function hfrac_sim_definition
     !> Takes `count` steps (sub-steps in mode "substep", stepping.flow_step seconds of real motion each in mode
     !> "dynamic", stepping.flow_step seconds of flow and equilibrium together in mode "coupled"). All of them,
     !> whatever stop conditions say; HFRAC_STOP_CONDITION if one holds at the end. Stable since 0.1.
-    function hfrac_step(sim, count) bind(C, name="hfrac_step")
+    integer(c_int32_t) function hfrac_step(sim, count) bind(C, name="hfrac_step")
       import
       type(c_ptr), value :: sim
       integer(c_int64_t), value :: count
-      integer(c_int32_t) :: hfrac_step
     end function hfrac_step
     !> Steps until model time `target` [s] is reached: time moves in whole steps, so *reached >= target on success
     !> (HFRAC_OK or HFRAC_NOT_AT_REST), and equal to it where whole steps add up to it, rounding or not. Ends
     !> before, without a step if it holds already, at a stop condition (HFRAC_STOP_CONDITION). A target in the past
     !> is reached. Stable since 0.1.
-    function hfrac_advance(sim, target, reached, reason) bind(C, name="hfrac_advance")
+    integer(c_int32_t) function hfrac_advance(sim, target, reached, reason) bind(C, name="hfrac_advance")
       import
       type(c_ptr), value :: sim
       real(c_double), value :: target
       real(c_double), intent(out) :: reached
       integer(c_int32_t), intent(out) :: reason
-      integer(c_int32_t) :: hfrac_advance
     end function hfrac_advance
     !> The same, with the last step shortened so that *reached == target on success. HFRAC_ERR_ARGUMENT: the target
     !> lies before the model's time. Unstable since 0.1.
-    function hfrac_advance_to(sim, target, reached, reason) bind(C, name="hfrac_advance_to")
+    integer(c_int32_t) function hfrac_advance_to(sim, target, reached, reason) bind(C, name="hfrac_advance_to")
       import
       type(c_ptr), value :: sim
       real(c_double), value :: target
       real(c_double), intent(out) :: reached
       integer(c_int32_t), intent(out) :: reason
-      integer(c_int32_t) :: hfrac_advance_to
     end function hfrac_advance_to
     !> Other limits than stop.extent_fraction (0.01 to 1) and stop.cracks (0: no limit) from now on, so that a run
     !> that ended at one goes on. Unstable since 0.1.
-    function hfrac_set_stop(sim, extent_fraction, cracks) bind(C, name="hfrac_set_stop")
+    integer(c_int32_t) function hfrac_set_stop(sim, extent_fraction, cracks) bind(C, name="hfrac_set_stop")
       import
       type(c_ptr), value :: sim
       real(c_double), value :: extent_fraction
       integer(c_int64_t), value :: cracks
-      integer(c_int32_t) :: hfrac_set_stop
     end function hfrac_set_stop
     !> Sets the callback of hfrac_step and hfrac_advance, called about every `seconds` of wall time (0: between any
     !> two steps and often within one); NULL removes it. Stable since 0.1.
-    function hfrac_set_progress(sim, progress, user, seconds) bind(C, name="hfrac_set_progress")
+    integer(c_int32_t) function hfrac_set_progress(sim, progress, user, seconds) bind(C, name="hfrac_set_progress")
       import
       type(c_ptr), value :: sim
       type(c_funptr), value :: progress
       type(c_ptr), value :: user
       real(c_double), value :: seconds
-      integer(c_int32_t) :: hfrac_set_progress
     end function hfrac_set_progress
     !> Sets the callback after every step; NULL removes it. Unstable since 0.1.
-    function hfrac_set_on_step(sim, on_step, user) bind(C, name="hfrac_set_on_step")
+    integer(c_int32_t) function hfrac_set_on_step(sim, on_step, user) bind(C, name="hfrac_set_on_step")
       import
       type(c_ptr), value :: sim
       type(c_funptr), value :: on_step
       type(c_ptr), value :: user
-      integer(c_int32_t) :: hfrac_set_on_step
     end function hfrac_set_on_step
     !> Sets who is told what happens, up to `level` (enum hfrac_log_level); NULL removes it. Unstable since 0.1.
-    function hfrac_set_log(sim, log, user, level) bind(C, name="hfrac_set_log")
+    integer(c_int32_t) function hfrac_set_log(sim, log, user, level) bind(C, name="hfrac_set_log")
       import
       type(c_ptr), value :: sim
       type(c_funptr), value :: log
       type(c_ptr), value :: user
       integer(c_int32_t), value :: level
-      integer(c_int32_t) :: hfrac_set_log
     end function hfrac_set_log
     !> How the simulation stands now. Stable since 0.1.
-    function hfrac_sim_get_state(sim, state) bind(C, name="hfrac_sim_get_state")
+    integer(c_int32_t) function hfrac_sim_get_state(sim, state) bind(C, name="hfrac_sim_get_state")
       import
       type(c_ptr), value :: sim
       type(hfrac_sim_state), intent(inout) :: state
-      integer(c_int32_t) :: hfrac_sim_get_state
     end function hfrac_sim_get_state
     !> What the set-up made. Stable since 0.1.
-    function hfrac_sim_get_setup(sim, report) bind(C, name="hfrac_sim_get_setup")
+    integer(c_int32_t) function hfrac_sim_get_setup(sim, report) bind(C, name="hfrac_sim_get_setup")
       import
       type(c_ptr), value :: sim
       type(hfrac_setup_report), intent(inout) :: report
-      integer(c_int32_t) :: hfrac_sim_get_setup
     end function hfrac_sim_get_setup
     !> Energy and fluid balance now. Stable since 0.1.
-    function hfrac_get_balance(sim, balance) bind(C, name="hfrac_get_balance")
+    integer(c_int32_t) function hfrac_get_balance(sim, balance) bind(C, name="hfrac_get_balance")
       import
       type(c_ptr), value :: sim
       type(hfrac_balance), intent(inout) :: balance
-      integer(c_int32_t) :: hfrac_get_balance
     end function hfrac_get_balance
     !> What the quasi-static solver did since the initial equilibration. Unstable since 0.1.
-    function hfrac_sim_get_solver(sim, report) bind(C, name="hfrac_sim_get_solver")
+    integer(c_int32_t) function hfrac_sim_get_solver(sim, report) bind(C, name="hfrac_sim_get_solver")
       import
       type(c_ptr), value :: sim
       type(hfrac_solver_report), intent(inout) :: report
-      integer(c_int32_t) :: hfrac_sim_get_solver
     end function hfrac_sim_get_solver
     !> How long a step could be now. Unstable since 0.1.
-    function hfrac_get_step_limits(sim, limits) bind(C, name="hfrac_get_step_limits")
+    integer(c_int32_t) function hfrac_get_step_limits(sim, limits) bind(C, name="hfrac_get_step_limits")
       import
       type(c_ptr), value :: sim
       type(hfrac_step_limits), intent(inout) :: limits
-      integer(c_int32_t) :: hfrac_get_step_limits
     end function hfrac_get_step_limits
     !> Number of walls: 4 (left, right, lower, upper), or 0 with boundary.kind stress. Unstable since 0.1.
-    function hfrac_wall_count(sim, count) bind(C, name="hfrac_wall_count")
+    integer(c_int32_t) function hfrac_wall_count(sim, count) bind(C, name="hfrac_wall_count")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_wall_count
     end function hfrac_wall_count
     !> Wall `index` (from 0) now. Unstable since 0.1.
-    function hfrac_wall_get(sim, index, state) bind(C, name="hfrac_wall_get")
+    integer(c_int32_t) function hfrac_wall_get(sim, index, state) bind(C, name="hfrac_wall_get")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: index
       type(hfrac_wall_state), intent(inout) :: state
-      integer(c_int32_t) :: hfrac_wall_get
     end function hfrac_wall_get
     !> A number that is equal if and only if (up to collision) the state is equal, bit for bit. Stable since 0.1.
-    function hfrac_state_hash(sim, hash) bind(C, name="hfrac_state_hash")
+    integer(c_int32_t) function hfrac_state_hash(sim, hash) bind(C, name="hfrac_state_hash")
       import
       type(c_ptr), value :: sim
       integer(c_int64_t), intent(out) :: hash
-      integer(c_int32_t) :: hfrac_state_hash
     end function hfrac_state_hash
     !> Number of wells. Stable since 0.1.
-    function hfrac_well_count(sim, count) bind(C, name="hfrac_well_count")
+    integer(c_int32_t) function hfrac_well_count(sim, count) bind(C, name="hfrac_well_count")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_well_count
     end function hfrac_well_count
     !> Well `index` (from 0) now. Stable since 0.1.
-    function hfrac_well_get(sim, index, state) bind(C, name="hfrac_well_get")
+    integer(c_int32_t) function hfrac_well_get(sim, index, state) bind(C, name="hfrac_well_get")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: index
       type(hfrac_well_state), intent(inout) :: state
-      integer(c_int32_t) :: hfrac_well_get
     end function hfrac_well_get
     !> Adds a well at any time between two steps: the pore of the rock nearest to (`x`, `y`) [m] takes or gives
     !> fluid where it lies. No hole is cut, and no disc, bond or domain is renumbered. *index is its number, the
@@ -1602,39 +1547,35 @@ module hfrac_c
     !> from the same definition, one from before takes them away (told as a warning), and hfrac_sim_definition is
     !> what was built. HFRAC_ERR_ARGUMENT: the place is outside the rock or another well's, pores hold no fluid
     !> (flow.scheme "off"), or a step is open. Unstable since 0.1.
-    function hfrac_well_add(sim, x, y, index) bind(C, name="hfrac_well_add")
+    integer(c_int32_t) function hfrac_well_add(sim, x, y, index) bind(C, name="hfrac_well_add")
       import
       type(c_ptr), value :: sim
       real(c_double), value :: x
       real(c_double), value :: y
       integer(c_int32_t), intent(out) :: index
-      integer(c_int32_t) :: hfrac_well_add
     end function hfrac_well_add
     !> From the next step on, holds a well at `pressure` [Pa]. Stable since 0.1.
-    function hfrac_well_set_pressure(sim, index, pressure) bind(C, name="hfrac_well_set_pressure")
+    integer(c_int32_t) function hfrac_well_set_pressure(sim, index, pressure) bind(C, name="hfrac_well_set_pressure")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: index
       real(c_double), value :: pressure
-      integer(c_int32_t) :: hfrac_well_set_pressure
     end function hfrac_well_set_pressure
     !> From the next step on, ramps a well from where it is by `per_step` [Pa] up or down to `pressure` [Pa]. Stable
     !> since 0.1.
-    function hfrac_well_set_ramp(sim, index, pressure, per_step) bind(C, name="hfrac_well_set_ramp")
+    integer(c_int32_t) function hfrac_well_set_ramp(sim, index, pressure, per_step) bind(C, name="hfrac_well_set_ramp")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: index
       real(c_double), value :: pressure
       real(c_double), value :: per_step
-      integer(c_int32_t) :: hfrac_well_set_ramp
     end function hfrac_well_set_ramp
     !> From the next step on, injects `rate` [m2/s] (negative: takes out; 0: shut in). Stable since 0.1.
-    function hfrac_well_set_rate(sim, index, rate) bind(C, name="hfrac_well_set_rate")
+    integer(c_int32_t) function hfrac_well_set_rate(sim, index, rate) bind(C, name="hfrac_well_set_rate")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: index
       real(c_double), value :: rate
-      integer(c_int32_t) :: hfrac_well_set_rate
     end function hfrac_well_set_rate
     !> Replaces a well's schedule: from model time time[k] [s] on, held at value[k] [Pa] (control[k]
     !> HFRAC_WELL_PRESSURE) or taking value[k] [m2/s] (HFRAC_WELL_RATE). `count` entries in order of time, copied; 0
@@ -1643,7 +1584,8 @@ module hfrac_c
     !> (hfrac_step_do) gets what is due when its step begins. hfrac_well_set_pressure, _ramp and _rate end a well's
     !> schedule. HFRAC_ERR_ARGUMENT or HFRAC_ERR_MODEL, and the old schedule stays, if times fall or repeat, or a
     !> value is none a well can have. Unstable since 0.1.
-    function hfrac_well_set_schedule(sim, index, count, time, control, value) bind(C, name="hfrac_well_set_schedule")
+    integer(c_int32_t) function hfrac_well_set_schedule(sim, index, count, time, control, value) bind(C, &
+      name="hfrac_well_set_schedule")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: index
@@ -1651,64 +1593,59 @@ module hfrac_c
       real(c_double), intent(in) :: time(*)
       integer(c_int32_t), intent(in) :: control(*)
       real(c_double), intent(in) :: value(*)
-      integer(c_int32_t) :: hfrac_well_set_schedule
     end function hfrac_well_set_schedule
     !> Describes field `field` of `sim`. Stable since 0.1.
-    function hfrac_field_info(sim, field, desc) bind(C, name="hfrac_field_info")
+    integer(c_int32_t) function hfrac_field_info(sim, field, desc) bind(C, name="hfrac_field_info")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: field
       type(hfrac_field_desc), intent(inout) :: desc
-      integer(c_int32_t) :: hfrac_field_info
     end function hfrac_field_info
     !> The field of a name, e.g. "domain.pressure". Stable since 0.1.
-    function hfrac_field_find(name, field) bind(C, name="hfrac_field_find")
+    integer(c_int32_t) function hfrac_field_find(name, field) bind(C, name="hfrac_field_find")
       import
       character(kind=c_char), intent(in) :: name(*)
       integer(c_int32_t), intent(out) :: field
-      integer(c_int32_t) :: hfrac_field_find
     end function hfrac_field_find
     !> Copies a double field; `capacity` and *count in values, components counted. destination NULL: only *count.
     !> Stable since 0.1.
-    function hfrac_field_copy_f64(sim, field, destination, capacity, count) bind(C, name="hfrac_field_copy_f64")
+    integer(c_int32_t) function hfrac_field_copy_f64(sim, field, destination, capacity, count) bind(C, &
+      name="hfrac_field_copy_f64")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: field
       type(c_ptr), value :: destination
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_field_copy_f64
     end function hfrac_field_copy_f64
     !> Copies an int32 field, likewise. Stable since 0.1.
-    function hfrac_field_copy_i32(sim, field, destination, capacity, count) bind(C, name="hfrac_field_copy_i32")
+    integer(c_int32_t) function hfrac_field_copy_i32(sim, field, destination, capacity, count) bind(C, &
+      name="hfrac_field_copy_i32")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: field
       type(c_ptr), value :: destination
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_field_copy_i32
     end function hfrac_field_copy_i32
     !> Borrows a field: pointer to its first value, number of values, epoch at which it was taken. Stable since 0.1.
-    function hfrac_field_view(sim, field, data, count, epoch) bind(C, name="hfrac_field_view")
+    integer(c_int32_t) function hfrac_field_view(sim, field, data, count, epoch) bind(C, name="hfrac_field_view")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: field
       type(c_ptr), intent(inout) :: data
       integer(c_int64_t), intent(out) :: count
       integer(c_int64_t), intent(out) :: epoch
-      integer(c_int32_t) :: hfrac_field_view
     end function hfrac_field_view
     !> Raised by every call that may change the simulation; a view of an older epoch is stale. Stable since 0.1.
-    function hfrac_epoch(sim, epoch) bind(C, name="hfrac_epoch")
+    integer(c_int32_t) function hfrac_epoch(sim, epoch) bind(C, name="hfrac_epoch")
       import
       type(c_ptr), value :: sim
       integer(c_int64_t), intent(out) :: epoch
-      integer(c_int32_t) :: hfrac_epoch
     end function hfrac_epoch
     !> Cracks with id >= cursor, at most `capacity` of them; *next is the cursor for the next call. `crack_size` is
     !> sizeof(hfrac_crack) in the caller. buffer NULL: only *count of what there is. Stable since 0.1.
-    function hfrac_cracks_since(sim, cursor, crack_size, buffer, capacity, count, next) bind(C, &
+    integer(c_int32_t) function hfrac_cracks_since(sim, cursor, crack_size, buffer, capacity, count, next) bind(C, &
       name="hfrac_cracks_since")
       import
       type(c_ptr), value :: sim
@@ -1718,25 +1655,25 @@ module hfrac_c
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
       integer(c_int64_t), intent(out) :: next
-      integer(c_int32_t) :: hfrac_cracks_since
     end function hfrac_cracks_since
     !> Finds the fractures as they are now and copies up to `capacity`; *count is how many there are.
     !> `fracture_size` is sizeof(hfrac_fracture) in the caller; buffer NULL: only *count. Stable since 0.1.
-    function hfrac_fractures(sim, fracture_size, buffer, capacity, count) bind(C, name="hfrac_fractures")
+    integer(c_int32_t) function hfrac_fractures(sim, fracture_size, buffer, capacity, count) bind(C, &
+      name="hfrac_fractures")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: fracture_size
       type(c_ptr), value :: buffer
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_fractures
     end function hfrac_fractures
     !> A fracture as an ordered line, from the tip of one wing to that of the other: the longest ways from its well,
     !> or from end to end if no well feeds it; side branches are left out. `fracture` is its index as
     !> hfrac_fractures gives it now; before anything broke, fracture 0 has no points. Copies up to `capacity`
     !> points, *count is how many there are; `point_size` is sizeof(hfrac_fracture_point) in the caller; buffer
     !> NULL: only *count. Unstable since 0.1.
-    function hfrac_fracture_line(sim, fracture, point_size, buffer, capacity, count) bind(C, name="hfrac_fracture_line")
+    integer(c_int32_t) function hfrac_fracture_line(sim, fracture, point_size, buffer, capacity, count) bind(C, &
+      name="hfrac_fracture_line")
       import
       type(c_ptr), value :: sim
       integer(c_int64_t), value :: fracture
@@ -1744,12 +1681,12 @@ module hfrac_c
       type(c_ptr), value :: buffer
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_fracture_line
     end function hfrac_fracture_line
     !> Slips with id >= cursor, at most `capacity` of them; *next is the cursor for the next call. `slip_size` is
     !> sizeof(hfrac_slip) in the caller. buffer NULL: only *count of what there is. HFRAC_ERR_ARGUMENT: a cursor
     !> outside the log. Unstable since 0.1.
-    function hfrac_slips_since(sim, cursor, slip_size, buffer, capacity, count, next) bind(C, name="hfrac_slips_since")
+    integer(c_int32_t) function hfrac_slips_since(sim, cursor, slip_size, buffer, capacity, count, next) bind(C, &
+      name="hfrac_slips_since")
       import
       type(c_ptr), value :: sim
       integer(c_int64_t), value :: cursor
@@ -1758,14 +1695,13 @@ module hfrac_c
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
       integer(c_int64_t), intent(out) :: next
-      integer(c_int32_t) :: hfrac_slips_since
     end function hfrac_slips_since
     !> The events of `crack_count` cracks, given in order of breakage. `crack_size` and `event_size` are the sizes
     !> of the two structs in the caller. options NULL: the defaults. Copies up to `capacity` events; *count is how
     !> many there are; buffer NULL: only *count. Needs no simulation; any thread. HFRAC_ERR_ARGUMENT: a value that
     !> is not finite, or negative where it must not be. Unstable since 0.1.
-    function hfrac_find_events(cracks, crack_size, crack_count, options, event_size, buffer, capacity, count) &
-      bind(C, name="hfrac_find_events")
+    integer(c_int32_t) function hfrac_find_events(cracks, crack_size, crack_count, options, event_size, buffer, &
+      capacity, count) bind(C, name="hfrac_find_events")
       import
       type(hfrac_crack), intent(in) :: cracks
       integer(c_int32_t), value :: crack_size
@@ -1775,12 +1711,11 @@ module hfrac_c
       type(c_ptr), value :: buffer
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_find_events
     end function hfrac_find_events
     !> The events of `slip_count` slips, given in order of time; otherwise as hfrac_find_events. Slips of the
     !> initial equilibration (step 0) are no events. `cycle_window` is not used. Unstable since 0.1.
-    function hfrac_find_slip_events(slips, slip_size, slip_count, options, event_size, buffer, capacity, count) &
-      bind(C, name="hfrac_find_slip_events")
+    integer(c_int32_t) function hfrac_find_slip_events(slips, slip_size, slip_count, options, event_size, buffer, &
+      capacity, count) bind(C, name="hfrac_find_slip_events")
       import
       type(hfrac_slip), intent(in) :: slips
       integer(c_int32_t), value :: slip_size
@@ -1790,13 +1725,12 @@ module hfrac_c
       type(c_ptr), value :: buffer
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_find_slip_events
     end function hfrac_find_slip_events
     !> The index of the event that each crack belongs to, as hfrac_find_events numbers them: up to `capacity`
     !> indices, in the order of the cracks, into `buffer`; *count is crack_count. Needs no simulation; any thread.
     !> Unstable since 0.1.
-    function hfrac_find_event_of_cracks(cracks, crack_size, crack_count, options, buffer, capacity, count) bind(C, &
-      name="hfrac_find_event_of_cracks")
+    integer(c_int32_t) function hfrac_find_event_of_cracks(cracks, crack_size, crack_count, options, buffer, &
+      capacity, count) bind(C, name="hfrac_find_event_of_cracks")
       import
       type(hfrac_crack), intent(in) :: cracks
       integer(c_int32_t), value :: crack_size
@@ -1805,58 +1739,53 @@ module hfrac_c
       type(c_ptr), value :: buffer
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_find_event_of_cracks
     end function hfrac_find_event_of_cracks
     !> The law of `magnitude_count` magnitudes; those that are not finite are left out. completeness NaN: the
     !> fullest tenth of a magnitude (maximum curvature, Wiemer and Wyss 2000). Set law->struct_size. Needs no
     !> simulation; any thread. Unstable since 0.1.
-    function hfrac_find_magnitude_law(magnitudes, magnitude_count, completeness, law) bind(C, &
+    integer(c_int32_t) function hfrac_find_magnitude_law(magnitudes, magnitude_count, completeness, law) bind(C, &
       name="hfrac_find_magnitude_law")
       import
       real(c_double), intent(in) :: magnitudes(*)
       integer(c_int64_t), value :: magnitude_count
       real(c_double), value :: completeness
       type(hfrac_magnitude_law), intent(inout) :: law
-      integer(c_int32_t) :: hfrac_find_magnitude_law
     end function hfrac_find_magnitude_law
     !> Defaults into `exchange`, one rank; `struct_size` is sizeof(hfrac_exchange) in the caller. Unstable since
     !> 0.2.
-    function hfrac_exchange_init(exchange, struct_size) bind(C, name="hfrac_exchange_init")
+    integer(c_int32_t) function hfrac_exchange_init(exchange, struct_size) bind(C, name="hfrac_exchange_init")
       import
       type(hfrac_exchange), intent(inout) :: exchange
       integer(c_int32_t), value :: struct_size
-      integer(c_int32_t) :: hfrac_exchange_init
     end function hfrac_exchange_init
     !> hfrac_sim_create on each of several ranks, which all wait for each other here and in every call that changes
     !> the simulation. HFRAC_ERR_EXCHANGE: another rank failed. Unstable since 0.2.
-    function hfrac_sim_create_on(def, exchange, sim) bind(C, name="hfrac_sim_create_on")
+    integer(c_int32_t) function hfrac_sim_create_on(def, exchange, sim) bind(C, name="hfrac_sim_create_on")
       import
       type(hfrac_sim_def), intent(in) :: def
       type(hfrac_exchange), intent(in) :: exchange
       type(c_ptr), intent(inout) :: sim
-      integer(c_int32_t) :: hfrac_sim_create_on
     end function hfrac_sim_create_on
     !> What this rank receives in a cycle. Unstable since 0.2.
-    function hfrac_get_traffic(sim, traffic) bind(C, name="hfrac_get_traffic")
+    integer(c_int32_t) function hfrac_get_traffic(sim, traffic) bind(C, name="hfrac_get_traffic")
       import
       type(c_ptr), value :: sim
       type(hfrac_traffic), intent(inout) :: traffic
-      integer(c_int32_t) :: hfrac_get_traffic
     end function hfrac_get_traffic
     !> Lays the host's grid over the model, in place of an earlier one. Valid at any time after creation; the grid
     !> is no part of the state and stays over restore and reject. HFRAC_ERR_ARGUMENT: a cell without area or not
     !> convex. Costs about as much as one flow step. Unstable since 0.1.
-    function hfrac_set_grid(sim, grid) bind(C, name="hfrac_set_grid")
+    integer(c_int32_t) function hfrac_set_grid(sim, grid) bind(C, name="hfrac_set_grid")
       import
       type(c_ptr), value :: sim
       type(hfrac_grid), intent(in) :: grid
-      integer(c_int32_t) :: hfrac_set_grid
     end function hfrac_set_grid
     !> Every cell as it is now. `method`: enum hfrac_upscaling. `cell_size` is sizeof(hfrac_cell) in the caller.
     !> Copies up to `capacity` cells in the grid's order; *count is nx * ny. buffer NULL: only *count. The sum of
     !> `outflow` times the step's duration is what hfrac_balance says has leaked in it. Dry models (flow.scheme
     !> "off") give 0 for what flows. Unstable since 0.1.
-    function hfrac_grid_cells(sim, method, cell_size, buffer, capacity, count) bind(C, name="hfrac_grid_cells")
+    integer(c_int32_t) function hfrac_grid_cells(sim, method, cell_size, buffer, capacity, count) bind(C, &
+      name="hfrac_grid_cells")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: method
@@ -1864,7 +1793,6 @@ module hfrac_c
       type(c_ptr), value :: buffer
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_grid_cells
     end function hfrac_grid_cells
     !> From the next step on, pressure [Pa, as stress.convention says] beyond the model's edge: every pipe there
     !> feels that of the nearest cell of which the model covers less than half (of all cells, if it covers more of
@@ -1873,38 +1801,37 @@ module hfrac_c
     !> may be NULL) the outer boundary feels the formation's pressure again. What passes is `outflow` by cell and
     !> `leaked_volume` in all. The stress on the edge does not change. Part of the state; kept by the tries of an
     !> open step. Needs flow.outer "formation". Unstable since 0.1.
-    function hfrac_set_boundary_pressure(sim, pressure, count) bind(C, name="hfrac_set_boundary_pressure")
+    integer(c_int32_t) function hfrac_set_boundary_pressure(sim, pressure, count) bind(C, &
+      name="hfrac_set_boundary_pressure")
       import
       type(c_ptr), value :: sim
       real(c_double), intent(in) :: pressure(*)
       integer(c_int64_t), value :: count
-      integer(c_int32_t) :: hfrac_set_boundary_pressure
     end function hfrac_set_boundary_pressure
     !> At once, gives the rock's pores the host's pressure [Pa, as stress.convention says]: each the mean of the
     !> cells it lies in, by area. Pores beside cracks, wells, and pores outside the grid keep theirs; the rock
     !> answers in the next step. `count` values, one per cell. `added` (may be NULL; `capacity` at least count) gets
     !> the fluid [m2] that each cell gave, negative: took; their sum goes to `host_volume` of hfrac_balance.
     !> HFRAC_ERR_ARGUMENT while a step is open. Unstable since 0.1.
-    function hfrac_set_cell_pressure(sim, pressure, count, added, capacity) bind(C, name="hfrac_set_cell_pressure")
+    integer(c_int32_t) function hfrac_set_cell_pressure(sim, pressure, count, added, capacity) bind(C, &
+      name="hfrac_set_cell_pressure")
       import
       type(c_ptr), value :: sim
       real(c_double), intent(in) :: pressure(*)
       integer(c_int64_t), value :: count
       type(c_ptr), value :: added
       integer(c_int64_t), value :: capacity
-      integer(c_int32_t) :: hfrac_set_cell_pressure
     end function hfrac_set_cell_pressure
     !> From the next step on, stress [Pa, compression positive] on top of the far field: xx, yy, xy of every cell,
     !> shape (3, nx, ny), `count` values in all. It acts as traction on the model's edge, by the cell each disc of
     !> the edge lies in or is nearest to; inside, the model finds its own. What net force and moment the tractions
     !> have is taken out (a host balances it by forces in the volume). Zeros take it away. Kept by the tries of an
     !> open step. Needs boundary.kind "stress". Unstable since 0.1.
-    function hfrac_set_cell_stress(sim, stress, count) bind(C, name="hfrac_set_cell_stress")
+    integer(c_int32_t) function hfrac_set_cell_stress(sim, stress, count) bind(C, name="hfrac_set_cell_stress")
       import
       type(c_ptr), value :: sim
       real(c_double), intent(in) :: stress(*)
       integer(c_int64_t), value :: count
-      integer(c_int32_t) :: hfrac_set_cell_stress
     end function hfrac_set_cell_stress
     !> Writes an include file for the GRID section of an Eclipse deck, cells in Eclipse's order, the areal grid
     !> repeated for `layers` (from 1) layers. `method`: enum hfrac_upscaling; `kind`: enum hfrac_grdecl_kind.
@@ -1913,8 +1840,8 @@ module hfrac_c
     !> says. Cells the model does not cover get the rock's values and multipliers of 1; rock the host gives no value
     !> for and no cell covers takes the mean of the covered cells. The file appears whole or not at all (written
     !> aside, synced, renamed). HFRAC_ERR_FILE: it cannot be written. Unstable since 0.1.
-    function hfrac_write_grdecl(sim, path, method, kind, layers, porosity, permeability) bind(C, &
-      name="hfrac_write_grdecl")
+    integer(c_int32_t) function hfrac_write_grdecl(sim, path, method, kind, layers, porosity, permeability) &
+      bind(C, name="hfrac_write_grdecl")
       import
       type(c_ptr), value :: sim
       character(kind=c_char), intent(in) :: path(*)
@@ -1923,145 +1850,137 @@ module hfrac_c
       integer(c_int64_t), value :: layers
       real(c_double), value :: porosity
       real(c_double), value :: permeability
-      integer(c_int32_t) :: hfrac_write_grdecl
     end function hfrac_write_grdecl
     !> Gives rock and fluid one temperature [K]. HFRAC_ERR_ARGUMENT: no temperature in this simulation, a step is
     !> open, or the value lies outside the table of micro-parameters. Unstable since 0.1.
-    function hfrac_set_temperature(sim, temperature) bind(C, name="hfrac_set_temperature")
+    integer(c_int32_t) function hfrac_set_temperature(sim, temperature) bind(C, name="hfrac_set_temperature")
       import
       type(c_ptr), value :: sim
       real(c_double), value :: temperature
-      integer(c_int32_t) :: hfrac_set_temperature
     end function hfrac_set_temperature
     !> Gives every disc its temperature [K], `count` values, one per disc; the fluid in a pore takes the mean of the
     !> discs around it. What heat this takes goes to `host` of hfrac_get_heat. Needs mode "transport".
     !> HFRAC_ERR_ARGUMENT as above; nothing changes then. Unstable since 0.1.
-    function hfrac_set_disc_temperature(sim, temperature, count) bind(C, name="hfrac_set_disc_temperature")
+    integer(c_int32_t) function hfrac_set_disc_temperature(sim, temperature, count) bind(C, &
+      name="hfrac_set_disc_temperature")
       import
       type(c_ptr), value :: sim
       real(c_double), intent(in) :: temperature(*)
       integer(c_int64_t), value :: count
-      integer(c_int32_t) :: hfrac_set_disc_temperature
     end function hfrac_set_disc_temperature
     !> The same by cell of the host's grid (hfrac_set_grid), `count` values [K], one per cell (nx * ny, i fastest):
     !> a disc takes the temperature of the cell that held its centre at bonding, discs outside the grid keep theirs.
     !> Unstable since 0.1.
-    function hfrac_set_cell_temperature(sim, temperature, count) bind(C, name="hfrac_set_cell_temperature")
+    integer(c_int32_t) function hfrac_set_cell_temperature(sim, temperature, count) bind(C, &
+      name="hfrac_set_cell_temperature")
       import
       type(c_ptr), value :: sim
       real(c_double), intent(in) :: temperature(*)
       integer(c_int64_t), value :: count
-      integer(c_int32_t) :: hfrac_set_cell_temperature
     end function hfrac_set_cell_temperature
     !> Temperature [K] of the rock by cell of the host's grid: mean of the discs with their centre in it, by heat
     !> capacity; a cell without discs gives thermal.rock_temperature. Copies up to `capacity` values; *count is nx *
     !> ny. buffer NULL: only *count. Unstable since 0.1.
-    function hfrac_get_cell_temperature(sim, buffer, capacity, count) bind(C, name="hfrac_get_cell_temperature")
+    integer(c_int32_t) function hfrac_get_cell_temperature(sim, buffer, capacity, count) bind(C, &
+      name="hfrac_get_cell_temperature")
       import
       type(c_ptr), value :: sim
       type(c_ptr), value :: buffer
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_get_cell_temperature
     end function hfrac_get_cell_temperature
     !> Which discs keep their temperature whatever flows: `count` values, one per disc, not 0: held; in place of
     !> what was held before (thermal.outer "held" begins with the outermost discs). Part of the state. Needs mode
     !> "transport". Unstable since 0.1.
-    function hfrac_hold_disc_temperature(sim, held, count) bind(C, name="hfrac_hold_disc_temperature")
+    integer(c_int32_t) function hfrac_hold_disc_temperature(sim, held, count) bind(C, &
+      name="hfrac_hold_disc_temperature")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), intent(in) :: held(*)
       integer(c_int64_t), value :: count
-      integer(c_int32_t) :: hfrac_hold_disc_temperature
     end function hfrac_hold_disc_temperature
     !> Temperature [K] of what well `index` injects, from the next step on; thermal.fluid_temperature at first. Kept
     !> by the tries of an open step. Needs mode "transport". Unstable since 0.1.
-    function hfrac_well_set_temperature(sim, index, temperature) bind(C, name="hfrac_well_set_temperature")
+    integer(c_int32_t) function hfrac_well_set_temperature(sim, index, temperature) bind(C, &
+      name="hfrac_well_set_temperature")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: index
       real(c_double), value :: temperature
-      integer(c_int32_t) :: hfrac_well_set_temperature
     end function hfrac_well_set_temperature
     !> Temperature [K] of the fluid in well `index`: that injected while it feeds the rock, else the mixture of what
     !> flows in. thermal.rock_temperature before the first step. Unstable since 0.1.
-    function hfrac_well_get_temperature(sim, index, temperature) bind(C, name="hfrac_well_get_temperature")
+    integer(c_int32_t) function hfrac_well_get_temperature(sim, index, temperature) bind(C, &
+      name="hfrac_well_get_temperature")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: index
       real(c_double), intent(out) :: temperature
-      integer(c_int32_t) :: hfrac_well_get_temperature
     end function hfrac_well_get_temperature
     !> The heat balance now. Unstable since 0.1.
-    function hfrac_get_heat(sim, heat) bind(C, name="hfrac_get_heat")
+    integer(c_int32_t) function hfrac_get_heat(sim, heat) bind(C, name="hfrac_get_heat")
       import
       type(c_ptr), value :: sim
       type(hfrac_heat), intent(inout) :: heat
-      integer(c_int32_t) :: hfrac_get_heat
     end function hfrac_get_heat
     !> Defaults into `spec`; `struct_size` is sizeof(hfrac_lab_spec) in the caller. Unstable since 0.1.
-    function hfrac_lab_spec_init(spec, struct_size) bind(C, name="hfrac_lab_spec_init")
+    integer(c_int32_t) function hfrac_lab_spec_init(spec, struct_size) bind(C, name="hfrac_lab_spec_init")
       import
       type(hfrac_lab_spec), intent(inout) :: spec
       integer(c_int32_t), value :: struct_size
-      integer(c_int32_t) :: hfrac_lab_spec_init
     end function hfrac_lab_spec_init
     !> Does a test. `progress` (may be NULL) is called now and then with the share 0 and what is done; nonzero ends
     !> the test, and HFRAC_STOPPED comes back with what there is. *lab is to be destroyed; on failure it is NULL.
     !> HFRAC_ERR_ARGUMENT: the spec is out of range; HFRAC_ERR_MODEL: no specimen comes of it. Unstable since 0.1.
-    function hfrac_lab_run(def, spec, progress, user, lab) bind(C, name="hfrac_lab_run")
+    integer(c_int32_t) function hfrac_lab_run(def, spec, progress, user, lab) bind(C, name="hfrac_lab_run")
       import
       type(hfrac_sim_def), intent(in) :: def
       type(hfrac_lab_spec), intent(in) :: spec
       type(c_funptr), value :: progress
       type(c_ptr), value :: user
       type(c_ptr), intent(inout) :: lab
-      integer(c_int32_t) :: hfrac_lab_run
     end function hfrac_lab_run
     !> Frees a test and sets *lab to NULL; NULL and *lab == NULL are fine. Unstable since 0.1.
-    function hfrac_lab_destroy(lab) bind(C, name="hfrac_lab_destroy")
+    integer(c_int32_t) function hfrac_lab_destroy(lab) bind(C, name="hfrac_lab_destroy")
       import
       type(c_ptr), intent(inout) :: lab
-      integer(c_int32_t) :: hfrac_lab_destroy
     end function hfrac_lab_destroy
     !> What the test found. Unstable since 0.1.
-    function hfrac_lab_get_report(lab, report) bind(C, name="hfrac_lab_get_report")
+    integer(c_int32_t) function hfrac_lab_get_report(lab, report) bind(C, name="hfrac_lab_get_report")
       import
       type(c_ptr), value :: lab
       type(hfrac_lab_report), intent(inout) :: report
-      integer(c_int32_t) :: hfrac_lab_get_report
     end function hfrac_lab_get_report
     !> Copies up to `capacity` values of a table (enum hfrac_lab_table), row by row; *count is how many there are.
     !> buffer NULL: only *count. Unstable since 0.1.
-    function hfrac_lab_copy_f64(lab, table, buffer, capacity, count) bind(C, name="hfrac_lab_copy_f64")
+    integer(c_int32_t) function hfrac_lab_copy_f64(lab, table, buffer, capacity, count) bind(C, &
+      name="hfrac_lab_copy_f64")
       import
       type(c_ptr), value :: lab
       integer(c_int32_t), value :: table
       type(c_ptr), value :: buffer
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_lab_copy_f64
     end function hfrac_lab_copy_f64
     !> Defaults into `targets`; `struct_size` is sizeof(hfrac_targets) in the caller. Unstable since 0.1.
-    function hfrac_targets_init(targets, struct_size) bind(C, name="hfrac_targets_init")
+    integer(c_int32_t) function hfrac_targets_init(targets, struct_size) bind(C, name="hfrac_targets_init")
       import
       type(hfrac_targets), intent(inout) :: targets
       integer(c_int32_t), value :: struct_size
-      integer(c_int32_t) :: hfrac_targets_init
     end function hfrac_targets_init
     !> Finds micro-parameters that give `targets`, starting from those of `def`, and puts them into it: stiffnesses
     !> of contacts and bonds (their share of each other kept), strengths, flow.permeability, and packing.disc_count
     !> if both K_Ic and a strength are asked (the two together fix the disc size). Targets that cannot be had give
     !> the nearest, reached 0 and HFRAC_OK. `progress` as in hfrac_lab_run; stopped, HFRAC_STOPPED comes back and
     !> `def` is as it was. Unstable since 0.1.
-    function hfrac_calibrate(def, targets, progress, user, calibration) bind(C, name="hfrac_calibrate")
+    integer(c_int32_t) function hfrac_calibrate(def, targets, progress, user, calibration) bind(C, &
+      name="hfrac_calibrate")
       import
       type(hfrac_sim_def), intent(inout) :: def
       type(hfrac_targets), intent(in) :: targets
       type(c_funptr), value :: progress
       type(c_ptr), value :: user
       type(hfrac_calibration), intent(inout) :: calibration
-      integer(c_int32_t) :: hfrac_calibrate
     end function hfrac_calibrate
     !> Reads a record, a comma-separated table whose first line names its columns with their units: time_s,
     !> time_min, time_h, time_d or time (ISO 8601, the first row being time 0); rate_m2_s, or rate_m3_s,
@@ -2071,101 +1990,90 @@ module hfrac_c
     !> hold until the next row; NaN for a rate or a pressure that the file does not have. *count is how many rows
     !> there are, 1 to 1 000 000; rows NULL: only that. What is no record is refused with file and line
     !> (HFRAC_ERR_CASE_FILE). Unstable since 0.1.
-    function hfrac_read_record(path, thickness, rows, capacity, count) bind(C, name="hfrac_read_record")
+    integer(c_int32_t) function hfrac_read_record(path, thickness, rows, capacity, count) bind(C, &
+      name="hfrac_read_record")
       import
       character(kind=c_char), intent(in) :: path(*)
       real(c_double), value :: thickness
       type(c_ptr), value :: rows
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_read_record
     end function hfrac_read_record
     !> Bytes an image needs now; it grows with the crack log. Stable since 0.1.
-    function hfrac_state_size(sim, size) bind(C, name="hfrac_state_size")
+    integer(c_int32_t) function hfrac_state_size(sim, size) bind(C, name="hfrac_state_size")
       import
       type(c_ptr), value :: sim
       integer(c_int64_t), intent(out) :: size
-      integer(c_int32_t) :: hfrac_state_size
     end function hfrac_state_size
     !> Writes an image into the caller's `buffer` of `capacity` bytes; *size gets the bytes written. Stable since
     !> 0.1.
-    function hfrac_state_save(sim, buffer, capacity, size) bind(C, name="hfrac_state_save")
+    integer(c_int32_t) function hfrac_state_save(sim, buffer, capacity, size) bind(C, name="hfrac_state_save")
       import
       type(c_ptr), value :: sim
       type(c_ptr), value :: buffer
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: size
-      integer(c_int32_t) :: hfrac_state_save
     end function hfrac_state_save
     !> Restores an image. One that is damaged, of another model or another format is refused and changes nothing.
     !> Wells added to a living simulation (hfrac_well_add) come and go with it. Stable since 0.1.
-    function hfrac_state_restore(sim, image, size) bind(C, name="hfrac_state_restore")
+    integer(c_int32_t) function hfrac_state_restore(sim, image, size) bind(C, name="hfrac_state_restore")
       import
       type(c_ptr), value :: sim
       type(c_ptr), value :: image
       integer(c_int64_t), value :: size
-      integer(c_int32_t) :: hfrac_state_restore
     end function hfrac_state_restore
     !> Saves an image as file `path`: beside it first (`path`.part), synced, then renamed. After a crash or a power
     !> cut there is the old file or the new one; if it fails (HFRAC_ERR_FILE: no such folder, no rights, disk full)
     !> the old one is left and nothing else. One writer per path at a time. Unstable since 0.1.
-    function hfrac_state_save_file(sim, path) bind(C, name="hfrac_state_save_file")
+    integer(c_int32_t) function hfrac_state_save_file(sim, path) bind(C, name="hfrac_state_save_file")
       import
       type(c_ptr), value :: sim
       character(kind=c_char), intent(in) :: path(*)
-      integer(c_int32_t) :: hfrac_state_save_file
     end function hfrac_state_save_file
     !> Restores an image from a file. One that cannot be read, is cut, damaged, of another model, of another format
     !> or no image at all is refused (HFRAC_ERR_FILE) and changes nothing. Unstable since 0.1.
-    function hfrac_state_load_file(sim, path) bind(C, name="hfrac_state_load_file")
+    integer(c_int32_t) function hfrac_state_load_file(sim, path) bind(C, name="hfrac_state_load_file")
       import
       type(c_ptr), value :: sim
       character(kind=c_char), intent(in) :: path(*)
-      integer(c_int32_t) :: hfrac_state_load_file
     end function hfrac_state_load_file
     !> Opens a step: remembers the state. Stable since 0.1.
-    function hfrac_step_prepare(sim) bind(C, name="hfrac_step_prepare")
+    integer(c_int32_t) function hfrac_step_prepare(sim) bind(C, name="hfrac_step_prepare")
       import
       type(c_ptr), value :: sim
-      integer(c_int32_t) :: hfrac_step_prepare
     end function hfrac_step_prepare
     !> Takes the open step, `duration` [s] of fluid time long, from where it was opened; wells and far field as they
     !> are set now. May be called again. Status as hfrac_step. Stable since 0.1.
-    function hfrac_step_do(sim, duration) bind(C, name="hfrac_step_do")
+    integer(c_int32_t) function hfrac_step_do(sim, duration) bind(C, name="hfrac_step_do")
       import
       type(c_ptr), value :: sim
       real(c_double), value :: duration
-      integer(c_int32_t) :: hfrac_step_do
     end function hfrac_step_do
     !> Takes another step of `duration` [s] within the open one, from where the last hfrac_step_do or
     !> hfrac_step_more ended. Fails or is stopped alone: what came before it stands. Unstable since 0.1.
-    function hfrac_step_more(sim, duration) bind(C, name="hfrac_step_more")
+    integer(c_int32_t) function hfrac_step_more(sim, duration) bind(C, name="hfrac_step_more")
       import
       type(c_ptr), value :: sim
       real(c_double), value :: duration
-      integer(c_int32_t) :: hfrac_step_more
     end function hfrac_step_more
     !> Closes the open step and keeps what the last hfrac_step_do gave and hfrac_step_more added. Stable since 0.1.
-    function hfrac_step_finalize(sim) bind(C, name="hfrac_step_finalize")
+    integer(c_int32_t) function hfrac_step_finalize(sim) bind(C, name="hfrac_step_finalize")
       import
       type(c_ptr), value :: sim
-      integer(c_int32_t) :: hfrac_step_finalize
     end function hfrac_step_finalize
     !> Closes the open step and goes back to where it was opened, wells and far field included. Stable since 0.1.
-    function hfrac_step_reject(sim) bind(C, name="hfrac_step_reject")
+    integer(c_int32_t) function hfrac_step_reject(sim) bind(C, name="hfrac_step_reject")
       import
       type(c_ptr), value :: sim
-      integer(c_int32_t) :: hfrac_step_reject
     end function hfrac_step_reject
     !> From the next step on, another far-field stress [Pa], as stress.convention says; needs boundary.kind stress,
     !> or walls kept on their servo. sigma_hmin must not exceed sigma_Hmax, nor with walls, which only push, be
     !> below the pressure in the pores outside (HFRAC_ERR_ARGUMENT, nothing changes). Stable since 0.1.
-    function hfrac_set_far_field(sim, sigma_Hmax, sigma_hmin) bind(C, name="hfrac_set_far_field")
+    integer(c_int32_t) function hfrac_set_far_field(sim, sigma_Hmax, sigma_hmin) bind(C, name="hfrac_set_far_field")
       import
       type(c_ptr), value :: sim
       real(c_double), value :: sigma_Hmax
       real(c_double), value :: sigma_hmin
-      integer(c_int32_t) :: hfrac_set_far_field
     end function hfrac_set_far_field
     !> From the next step on, another pressure [Pa, absolute, 0 to 1e10] in the pores outside the model, in both
     !> stress conventions; the paper's other pressures stay net of fluid.formation_pressure as defined. Total far-
@@ -2174,11 +2082,10 @@ module hfrac_c
     !> changes then, and the load on the edge with it. Needs flow, and flow.outer formation. With total stresses it
     !> must not exceed sigma_hmin where the far field acts, nor in either one leave walls to pull. Unstable since
     !> 0.1.
-    function hfrac_set_formation_pressure(sim, pressure) bind(C, name="hfrac_set_formation_pressure")
+    integer(c_int32_t) function hfrac_set_formation_pressure(sim, pressure) bind(C, name="hfrac_set_formation_pressure")
       import
       type(c_ptr), value :: sim
       real(c_double), value :: pressure
-      integer(c_int32_t) :: hfrac_set_formation_pressure
     end function hfrac_set_formation_pressure
   end interface
 end module hfrac_c

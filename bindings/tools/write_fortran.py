@@ -116,9 +116,8 @@ class FortranWriter:
         names = ", ".join(fortran_name(parameter.name) for parameter in function.parameters)
         binding = f'bind(C, name="{function.name}")' if bound else "bind(C)"
         lines = comment(function.doc, 4)
-        lines += [f"    function {function.name}({names}) {binding}", "      import"]
-        lines += [f"      {self.dummy(parameter)}" for parameter in function.parameters]
-        lines += [f"      integer(c_int32_t) :: {function.name}", f"    end function {function.name}"]
+        lines += [f"    integer(c_int32_t) function {function.name}({names}) {binding}", "      import"]
+        lines += [*(f"      {self.dummy(parameter)}" for parameter in function.parameters), f"    end function {function.name}"]
         return self.folded(lines)
 
     def dummy(self, p: Variable):
