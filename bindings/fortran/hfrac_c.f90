@@ -24,30 +24,20 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_MACRO_COUNT = 6
 
   ! The one list of status codes. Values are never renumbered.
-  !> good
-  integer(c_int32_t), parameter :: HFRAC_OK = 0
-  !> stopped by a callback; the simulation is at its last good step
-  integer(c_int32_t), parameter :: HFRAC_STOPPED = 1
-  !> mechanics did not come to rest within stepping.max_cycles
-  integer(c_int32_t), parameter :: HFRAC_NOT_AT_REST = 2
+  integer(c_int32_t), parameter :: HFRAC_OK = 0  !< good
+  integer(c_int32_t), parameter :: HFRAC_STOPPED = 1  !< stopped by a callback; the simulation is at its last good step
+  integer(c_int32_t), parameter :: HFRAC_NOT_AT_REST = 2  !< mechanics did not come to rest within stepping.max_cycles
   !> stop.extent_fraction or stop.cracks is reached; hfrac_set_stop lets the run go on
   integer(c_int32_t), parameter :: HFRAC_STOP_CONDITION = 3
-  !> an argument is NULL, not finite or out of range
-  integer(c_int32_t), parameter :: HFRAC_ERR_ARGUMENT = -1
-  !> the handle was never created or is destroyed
-  integer(c_int32_t), parameter :: HFRAC_ERR_BAD_HANDLE = -2
-  !> struct_size is not set by the init function or unknown
-  integer(c_int32_t), parameter :: HFRAC_ERR_STRUCT_SIZE = -3
-  !> no option of that name
-  integer(c_int32_t), parameter :: HFRAC_ERR_UNKNOWN_KEY = -4
-  !> the case file cannot be read or holds an invalid value
-  integer(c_int32_t), parameter :: HFRAC_ERR_CASE_FILE = -5
-  !> the model cannot be built from these options
-  integer(c_int32_t), parameter :: HFRAC_ERR_MODEL = -6
+  integer(c_int32_t), parameter :: HFRAC_ERR_ARGUMENT = -1  !< an argument is NULL, not finite or out of range
+  integer(c_int32_t), parameter :: HFRAC_ERR_BAD_HANDLE = -2  !< the handle was never created or is destroyed
+  integer(c_int32_t), parameter :: HFRAC_ERR_STRUCT_SIZE = -3  !< struct_size is not set by the init function or unknown
+  integer(c_int32_t), parameter :: HFRAC_ERR_UNKNOWN_KEY = -4  !< no option of that name
+  integer(c_int32_t), parameter :: HFRAC_ERR_CASE_FILE = -5  !< the case file cannot be read or holds an invalid value
+  integer(c_int32_t), parameter :: HFRAC_ERR_MODEL = -6  !< the model cannot be built from these options
   !> the solution left the range of finite numbers; state as before the step
   integer(c_int32_t), parameter :: HFRAC_ERR_DIVERGED = -7
-  !> out of memory
-  integer(c_int32_t), parameter :: HFRAC_ERR_MEMORY = -8
+  integer(c_int32_t), parameter :: HFRAC_ERR_MEMORY = -8  !< out of memory
   !> called from inside a callback of the same simulation, or while another thread is in it
   integer(c_int32_t), parameter :: HFRAC_ERR_BUSY = -9
   !> an earlier error left the simulation unusable; only last_error and destroy work
@@ -62,108 +52,79 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_ERR_EXCHANGE = -14
   !> the device of run.device is not there, or failed; state as before the step
   integer(c_int32_t), parameter :: HFRAC_ERR_DEVICE = -15
-  !> an error of the library itself; please report it
-  integer(c_int32_t), parameter :: HFRAC_ERR_INTERNAL = -99
+  integer(c_int32_t), parameter :: HFRAC_ERR_INTERNAL = -99  !< an error of the library itself; please report it
 
   ! How much a message matters. A callback gets the messages of its level and more important ones.
-  !> a call failed; the text is that of hfrac_last_error
-  integer(c_int32_t), parameter :: HFRAC_LOG_ERROR = 1
+  integer(c_int32_t), parameter :: HFRAC_LOG_ERROR = 1  !< a call failed; the text is that of hfrac_last_error
   !> the result may not be what was wanted: not at rest, bonds broken before injection
   integer(c_int32_t), parameter :: HFRAC_LOG_WARNING = 2
   !> what was built, new cracks, settings changed, states saved and restored
   integer(c_int32_t), parameter :: HFRAC_LOG_INFO = 3
-  !> every step
-  integer(c_int32_t), parameter :: HFRAC_LOG_DETAIL = 4
+  integer(c_int32_t), parameter :: HFRAC_LOG_DETAIL = 4  !< every step
 
   ! hfrac_def_limits.
   integer(c_int32_t), parameter :: HFRAC_TITLE_SIZE = 128
 
   ! How a well is driven.
-  !> held at `pressure` from the first step
-  integer(c_int32_t), parameter :: HFRAC_WELL_PRESSURE = 0
+  integer(c_int32_t), parameter :: HFRAC_WELL_PRESSURE = 0  !< held at `pressure` from the first step
   !> rises from the formation's pressure by `ramp_per_step` each sub-step, up to `pressure`
   integer(c_int32_t), parameter :: HFRAC_WELL_RAMP = 1
-  !> takes `rate`; its pressure follows
-  integer(c_int32_t), parameter :: HFRAC_WELL_RATE = 2
+  integer(c_int32_t), parameter :: HFRAC_WELL_RATE = 2  !< takes `rate`; its pressure follows
 
   ! What a well pumps.
-  !> the fluid
-  integer(c_int32_t), parameter :: HFRAC_WELL_FLUID_FIRST = 0
-  !> that of fluid.second_viscosity
-  integer(c_int32_t), parameter :: HFRAC_WELL_FLUID_SECOND = 1
+  integer(c_int32_t), parameter :: HFRAC_WELL_FLUID_FIRST = 0  !< the fluid
+  integer(c_int32_t), parameter :: HFRAC_WELL_FLUID_SECOND = 1  !< that of fluid.second_viscosity
 
   ! Whether the bonds of a joint hold.
-  !> until their strength is reached
-  integer(c_int32_t), parameter :: HFRAC_JOINT_BONDED = 0
+  integer(c_int32_t), parameter :: HFRAC_JOINT_BONDED = 0  !< until their strength is reached
   !> broken from the start, and counted as cracks of the initial equilibration in shear
   integer(c_int32_t), parameter :: HFRAC_JOINT_BROKEN = 1
   !> bonded, and smooth whatever the packing: contacts look along the joint's normal
   integer(c_int32_t), parameter :: HFRAC_JOINT_SMOOTH_BONDED = 2
-  !> broken and smooth
-  integer(c_int32_t), parameter :: HFRAC_JOINT_SMOOTH_BROKEN = 3
+  integer(c_int32_t), parameter :: HFRAC_JOINT_SMOOTH_BROKEN = 3  !< broken and smooth
 
   ! Why hfrac_advance returned.
-  !> target time reached
-  integer(c_int32_t), parameter :: HFRAC_REASON_TARGET = 0
-  !> the progress callback asked for it
-  integer(c_int32_t), parameter :: HFRAC_REASON_CALLBACK = 1
+  integer(c_int32_t), parameter :: HFRAC_REASON_TARGET = 0  !< target time reached
+  integer(c_int32_t), parameter :: HFRAC_REASON_CALLBACK = 1  !< the progress callback asked for it
   !> a crack tip passed stop.extent_fraction: what follows is the boundary's doing
   integer(c_int32_t), parameter :: HFRAC_REASON_EXTENT = 2
-  !> stop.cracks reached
-  integer(c_int32_t), parameter :: HFRAC_REASON_CRACKS = 3
+  integer(c_int32_t), parameter :: HFRAC_REASON_CRACKS = 3  !< stop.cracks reached
 
   ! What limits a step binds.
-  !> none: stepping.flow_step is a matter of accuracy
-  integer(c_int32_t), parameter :: HFRAC_LIMIT_NONE = 0
+  integer(c_int32_t), parameter :: HFRAC_LIMIT_NONE = 0  !< none: stepping.flow_step is a matter of accuracy
   !> the rock's motion: a step takes several mechanical cycles
   integer(c_int32_t), parameter :: HFRAC_LIMIT_MECHANICS = 1
-  !> explicit flow: a step takes several sub-cycles
-  integer(c_int32_t), parameter :: HFRAC_LIMIT_FLOW = 2
+  integer(c_int32_t), parameter :: HFRAC_LIMIT_FLOW = 2  !< explicit flow: a step takes several sub-cycles
 
   ! Fields. location: 0 disc, 1 bond, 2 pipe, 3 domain, 4 corner of a domain (flat list), 5 contact of a smooth
   ! joint. dtype: 0 double, 1 int32.
-  !> centre now
-  integer(c_int32_t), parameter :: HFRAC_DISC_POSITION = 0
-  !> radius
-  integer(c_int32_t), parameter :: HFRAC_DISC_RADIUS = 1
-  !> since the end of the initial equilibration
-  integer(c_int32_t), parameter :: HFRAC_DISC_DISPLACEMENT = 2
-  !> since the end of the initial equilibration, anticlockwise
-  integer(c_int32_t), parameter :: HFRAC_DISC_ROTATION = 3
-  !> velocity (dynamic mode; scaled in substep mode)
-  integer(c_int32_t), parameter :: HFRAC_DISC_VELOCITY = 4
+  integer(c_int32_t), parameter :: HFRAC_DISC_POSITION = 0  !< centre now
+  integer(c_int32_t), parameter :: HFRAC_DISC_RADIUS = 1  !< radius
+  integer(c_int32_t), parameter :: HFRAC_DISC_DISPLACEMENT = 2  !< since the end of the initial equilibration
+  integer(c_int32_t), parameter :: HFRAC_DISC_ROTATION = 3  !< since the end of the initial equilibration, anticlockwise
+  integer(c_int32_t), parameter :: HFRAC_DISC_VELOCITY = 4  !< velocity (dynamic mode; scaled in substep mode)
   !> xx, yy, xy averaged over the disc's cell, from bond, contact and wall forces; compression positive
   integer(c_int32_t), parameter :: HFRAC_DISC_STRESS = 5
-  !> number of intact bonds
-  integer(c_int32_t), parameter :: HFRAC_DISC_INTACT_BONDS = 6
+  integer(c_int32_t), parameter :: HFRAC_DISC_INTACT_BONDS = 6  !< number of intact bonds
   !> of the rock; thermal.rock_temperature without a temperature in the model
   integer(c_int32_t), parameter :: HFRAC_DISC_TEMPERATURE = 7
-  !> indices of the two discs
-  integer(c_int32_t), parameter :: HFRAC_BOND_DISCS = 20
+  integer(c_int32_t), parameter :: HFRAC_BOND_DISCS = 20  !< indices of the two discs
   !> 0 intact, 1 broken in tension, 2 broken in shear, 3 never bonded
   integer(c_int32_t), parameter :: HFRAC_BOND_STATE = 21
   !> bond and contact together, per thickness, tension positive
   integer(c_int32_t), parameter :: HFRAC_BOND_NORMAL_FORCE = 22
-  !> bond and contact together, per thickness
-  integer(c_int32_t), parameter :: HFRAC_BOND_SHEAR_FORCE = 23
-  !> bending moment of the bond, per thickness
-  integer(c_int32_t), parameter :: HFRAC_BOND_MOMENT = 24
+  integer(c_int32_t), parameter :: HFRAC_BOND_SHEAR_FORCE = 23  !< bond and contact together, per thickness
+  integer(c_int32_t), parameter :: HFRAC_BOND_MOMENT = 24  !< bending moment of the bond, per thickness
   !> opening of the contact since bonding, negative: pressed together
   integer(c_int32_t), parameter :: HFRAC_BOND_GAP = 25
-  !> domains left and right of the line from disc 0 to disc 1
-  integer(c_int32_t), parameter :: HFRAC_PIPE_DOMAINS = 40
-  !> hydraulic aperture (eq. 7)
-  integer(c_int32_t), parameter :: HFRAC_PIPE_APERTURE = 41
+  integer(c_int32_t), parameter :: HFRAC_PIPE_DOMAINS = 40  !< domains left and right of the line from disc 0 to disc 1
+  integer(c_int32_t), parameter :: HFRAC_PIPE_APERTURE = 41  !< hydraulic aperture (eq. 7)
   !> volume rate from the left to the right domain in the last step
   integer(c_int32_t), parameter :: HFRAC_PIPE_FLOW = 42
-  !> pressure, as stress.convention says
-  integer(c_int32_t), parameter :: HFRAC_DOMAIN_PRESSURE = 60
-  !> fluid volume now
-  integer(c_int32_t), parameter :: HFRAC_DOMAIN_VOLUME = 61
-  !> centroid of the polygon of disc centres
-  integer(c_int32_t), parameter :: HFRAC_DOMAIN_CENTRE = 62
-  !> 0 rock, 1 well, 2 outside
-  integer(c_int32_t), parameter :: HFRAC_DOMAIN_KIND = 63
+  integer(c_int32_t), parameter :: HFRAC_DOMAIN_PRESSURE = 60  !< pressure, as stress.convention says
+  integer(c_int32_t), parameter :: HFRAC_DOMAIN_VOLUME = 61  !< fluid volume now
+  integer(c_int32_t), parameter :: HFRAC_DOMAIN_CENTRE = 62  !< centroid of the polygon of disc centres
+  integer(c_int32_t), parameter :: HFRAC_DOMAIN_KIND = 63  !< 0 rock, 1 well, 2 outside
   !> fluid saturation of the pore: volume of fluid over pore volume; below 1 where the pressure is at its floor, as
   !> near the tip of a fracture that opens faster than fluid arrives
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_SATURATION = 67
@@ -175,16 +136,13 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_OFFSET = 64
   !> disc indices around each domain, anticlockwise (outside: clockwise)
   integer(c_int32_t), parameter :: HFRAC_DOMAIN_CORNERS = 65
-  !> the joint's place in the definition, from 0
-  integer(c_int32_t), parameter :: HFRAC_JOINT_NUMBER = 80
-  !> the bond, and pipe, that the contact stands for; ascending
-  integer(c_int32_t), parameter :: HFRAC_JOINT_BOND = 81
+  integer(c_int32_t), parameter :: HFRAC_JOINT_NUMBER = 80  !< the joint's place in the definition, from 0
+  integer(c_int32_t), parameter :: HFRAC_JOINT_BOND = 81  !< the bond, and pipe, that the contact stands for; ascending
   !> 0 holds, 1 sticks, 2 slips (friction is used up), 3 open (faces bear nothing)
   integer(c_int32_t), parameter :: HFRAC_JOINT_CONTACT_STATE = 82
   !> one end of the contact's piece of the joint now, halfway between the faces
   integer(c_int32_t), parameter :: HFRAC_JOINT_BEGIN = 83
-  !> the other end
-  integer(c_int32_t), parameter :: HFRAC_JOINT_END = 84
+  integer(c_int32_t), parameter :: HFRAC_JOINT_END = 84  !< the other end
   !> how far the faces are apart since they bore nothing; negative: pressed together
   integer(c_int32_t), parameter :: HFRAC_JOINT_OPENING = 85
   !> the joint's aperture plus opening, at least 0
@@ -223,34 +181,28 @@ module hfrac_c
   integer(c_int32_t), parameter :: HFRAC_UPSCALE_FLOW = 1
 
   ! What an include file holds. Not both in one model: the cracks would count twice.
-  !> PERMX, PERMY [mD], PORO: rock and cracks together
-  integer(c_int32_t), parameter :: HFRAC_GRDECL_PERM = 0
+  integer(c_int32_t), parameter :: HFRAC_GRDECL_PERM = 0  !< PERMX, PERMY [mD], PORO: rock and cracks together
   !> MULTX, MULTY, MULTPV: how far the cracks raise transmissibilities and pore volume
   integer(c_int32_t), parameter :: HFRAC_GRDECL_MULT = 1
 
   ! The tests. What each gives as `value` of its report stands in brackets.
   !> square pressed by 1e-5: E in plane strain [Pa]; one linear solve where the rock is linear
   integer(c_int32_t), parameter :: HFRAC_LAB_ELASTIC = 0
-  !> direct tension, height twice the width: strength [Pa]
-  integer(c_int32_t), parameter :: HFRAC_LAB_TENSION = 1
-  !> compression, height twice the width: UCS [Pa]
-  integer(c_int32_t), parameter :: HFRAC_LAB_UNIAXIAL = 2
+  integer(c_int32_t), parameter :: HFRAC_LAB_TENSION = 1  !< direct tension, height twice the width: strength [Pa]
+  integer(c_int32_t), parameter :: HFRAC_LAB_UNIAXIAL = 2  !< compression, height twice the width: UCS [Pa]
   !> the same under `confining` on the sides: axial stress at failure [Pa]
   integer(c_int32_t), parameter :: HFRAC_LAB_BIAXIAL = 3
   !> round disc pressed on two arcs of 30 degrees: indirect strength [Pa] (Hondros 1959)
   integer(c_int32_t), parameter :: HFRAC_LAB_BRAZILIAN = 4
   !> plate with a slit in the middle, constant load: K_Ic [Pa m^0.5]
   integer(c_int32_t), parameter :: HFRAC_LAB_CENTRE_CRACK = 5
-  !> plate slit from one side, constant load: K_Ic [Pa m^0.5]
-  integer(c_int32_t), parameter :: HFRAC_LAB_SENT = 6
+  integer(c_int32_t), parameter :: HFRAC_LAB_SENT = 6  !< plate slit from one side, constant load: K_Ic [Pa m^0.5]
   !> slit in the middle under fluid pressure: K_Ic [Pa m^0.5], and its opening
   integer(c_int32_t), parameter :: HFRAC_LAB_PRESSURISED_CRACK = 7
-  !> of the unloaded network, mean of both directions [m2]
-  integer(c_int32_t), parameter :: HFRAC_LAB_PERMEABILITY = 8
+  integer(c_int32_t), parameter :: HFRAC_LAB_PERMEABILITY = 8  !< of the unloaded network, mean of both directions [m2]
 
   ! How a test ended.
-  !> the specimen failed, as it should
-  integer(c_int32_t), parameter :: HFRAC_LAB_FAILED = 0
+  integer(c_int32_t), parameter :: HFRAC_LAB_FAILED = 0  !< the specimen failed, as it should
   !> the load asked for was reached; the end of tests without failure
   integer(c_int32_t), parameter :: HFRAC_LAB_LOAD_REACHED = 1
   !> no equilibrium was found at the last load; values are those up to it
@@ -262,8 +214,7 @@ module hfrac_c
   !> (7) load, stress [Pa], axial and lateral strain, largest stress over strength, tensile cracks, shear cracks.
   !> The load is a strain between platens, else in units of 1 MPa
   integer(c_int32_t), parameter :: HFRAC_LAB_CURVE = 0
-  !> (5) x, y, radius at bonding, displacement x, y [m]
-  integer(c_int32_t), parameter :: HFRAC_LAB_DISCS = 1
+  integer(c_int32_t), parameter :: HFRAC_LAB_DISCS = 1  !< (5) x, y, radius at bonding, displacement x, y [m]
   !> (5) x, y of one end, x, y of the other [m], enum hfrac_crack_mode; in order of breakage
   integer(c_int32_t), parameter :: HFRAC_LAB_CRACKS = 2
   !> (3) x from the slit's middle [m], opening [m], pressure it holds for [Pa]; pressurised crack only
@@ -271,40 +222,28 @@ module hfrac_c
 
   !> One wellbore: a round hole cut into the packing.
   type, bind(C) :: hfrac_well_def
-    !> [m] centre, origin at the model's lower left corner
-    real(c_double) :: x = 0.0_c_double
-    !> [m]
-    real(c_double) :: y = 0.0_c_double
-    !> [m] discs with their centre inside are removed
-    real(c_double) :: radius = 0.0_c_double
+    real(c_double) :: x = 0.0_c_double  !< [m] centre, origin at the model's lower left corner
+    real(c_double) :: y = 0.0_c_double  !< [m]
+    real(c_double) :: radius = 0.0_c_double  !< [m] discs with their centre inside are removed
     !> [Pa] target; net of the formation pressure where stress.convention is effective, absolute where it is total
     real(c_double) :: pressure = 0.0_c_double
-    !> [Pa] rise per sub-step (control ramp)
-    real(c_double) :: ramp_per_step = 0.0_c_double
-    !> [m2/s] injected volume per thickness and time (control rate)
-    real(c_double) :: rate = 0.0_c_double
-    !> enum hfrac_well_control
-    integer(c_int64_t) :: control = 0_c_int64_t
+    real(c_double) :: ramp_per_step = 0.0_c_double  !< [Pa] rise per sub-step (control ramp)
+    real(c_double) :: rate = 0.0_c_double  !< [m2/s] injected volume per thickness and time (control rate)
+    integer(c_int64_t) :: control = 0_c_int64_t  !< enum hfrac_well_control
     !> [m2/Pa] volume of the wellbore's fluid per metre of thickness times compressibility
     real(c_double) :: storage = 0.0_c_double
     !> [1] perforations between wellbore and hole; 0: no perforation friction
     real(c_double) :: perforation_count = 0.0_c_double
-    !> [m] of one
-    real(c_double) :: perforation_diameter = 0.0_c_double
-    !> [1] of one; 0: 0.6
-    real(c_double) :: discharge_coefficient = 0.0_c_double
+    real(c_double) :: perforation_diameter = 0.0_c_double  !< [m] of one
+    real(c_double) :: discharge_coefficient = 0.0_c_double  !< [1] of one; 0: 0.6
     !> [Pa/(m3/s)^0.5] coefficient k of k sqrt(Q), Q = rate times height
     real(c_double) :: near_well_friction = 0.0_c_double
-    !> [m] of the well over which the rate per thickness is spread; 0: 1 m
-    real(c_double) :: height = 0.0_c_double
-    !> [m] of the perforations below the wellhead
-    real(c_double) :: depth = 0.0_c_double
-    !> [kg/m3] in wellbore and perforations; 0: thermal.fluid_density
-    real(c_double) :: fluid_density = 0.0_c_double
+    real(c_double) :: height = 0.0_c_double  !< [m] of the well over which the rate per thickness is spread; 0: 1 m
+    real(c_double) :: depth = 0.0_c_double  !< [m] of the perforations below the wellhead
+    real(c_double) :: fluid_density = 0.0_c_double  !< [kg/m3] in wellbore and perforations; 0: thermal.fluid_density
     !> number of the wellbore it is a cluster of, the first of which drives it; 0: one of its own
     integer(c_int64_t) :: wellbore = 0_c_int64_t
-    !> enum hfrac_well_fluid: what it pumps from the start on
-    integer(c_int64_t) :: fluid = 0_c_int64_t
+    integer(c_int64_t) :: fluid = 0_c_int64_t  !< enum hfrac_well_fluid: what it pumps from the start on
     !> [m] of its slots (law facet); 0: fracture.perforation_length and fracture.perforation_azimuth hold
     real(c_double) :: perforation_length = 0.0_c_double
     !> [rad] of its slots from the x axis, with a length of its own
@@ -316,58 +255,37 @@ module hfrac_c
   !> last counts. Set every member up to `state`: zeros are not the defaults of those keys. The members after it are
   !> of smooth joints (state HFRAC_JOINT_SMOOTH_BONDED or HFRAC_JOINT_SMOOTH_BROKEN), and 0 is the default of each.
   type, bind(C) :: hfrac_joint_def
-    !> [m] one end, origin at the model's lower left corner
-    real(c_double) :: x1 = 0.0_c_double
-    !> [m]
-    real(c_double) :: y1 = 0.0_c_double
-    !> [m] other end
-    real(c_double) :: x2 = 0.0_c_double
-    !> [m]
-    real(c_double) :: y2 = 0.0_c_double
-    !> [1] normal strength of its bonds over that of the rock
-    real(c_double) :: tensile_factor = 0.0_c_double
-    !> [1] shear strength of its bonds over that of the rock
-    real(c_double) :: shear_factor = 0.0_c_double
-    !> [1] coefficient of its contacts, negative: contact.friction
-    real(c_double) :: friction = 0.0_c_double
-    !> enum hfrac_joint_state
-    integer(c_int64_t) :: state = 0_c_int64_t
+    real(c_double) :: x1 = 0.0_c_double  !< [m] one end, origin at the model's lower left corner
+    real(c_double) :: y1 = 0.0_c_double  !< [m]
+    real(c_double) :: x2 = 0.0_c_double  !< [m] other end
+    real(c_double) :: y2 = 0.0_c_double  !< [m]
+    real(c_double) :: tensile_factor = 0.0_c_double  !< [1] normal strength of its bonds over that of the rock
+    real(c_double) :: shear_factor = 0.0_c_double  !< [1] shear strength of its bonds over that of the rock
+    real(c_double) :: friction = 0.0_c_double  !< [1] coefficient of its contacts, negative: contact.friction
+    integer(c_int64_t) :: state = 0_c_int64_t  !< enum hfrac_joint_state
     !> [Pa/m] per area, at no normal stress; 0: smooth_joint.normal_stiffness
     real(c_double) :: normal_stiffness = 0.0_c_double
-    !> [Pa/m] per area; 0: smooth_joint.shear_stiffness
-    real(c_double) :: shear_stiffness = 0.0_c_double
-    !> [m] largest closure (Bandis, Lumsden and Barton 1983); 0: linear
-    real(c_double) :: max_closure = 0.0_c_double
+    real(c_double) :: shear_stiffness = 0.0_c_double  !< [Pa/m] per area; 0: smooth_joint.shear_stiffness
+    real(c_double) :: max_closure = 0.0_c_double  !< [m] largest closure (Bandis, Lumsden and Barton 1983); 0: linear
     !> [Pa] while bonded; 0: tensile_factor times that of the rock's bonds
     real(c_double) :: tensile_strength = 0.0_c_double
-    !> [Pa] while bonded; 0: shear_factor times that of the rock's bonds
-    real(c_double) :: cohesion = 0.0_c_double
-    !> [1] once slipped by weakening_slip
-    real(c_double) :: residual_friction = 0.0_c_double
-    !> [m] over which friction falls; 0: it stays
-    real(c_double) :: weakening_slip = 0.0_c_double
-    !> [rad] at which the faces ride up as they slip
-    real(c_double) :: dilation_angle = 0.0_c_double
-    !> [m] at which dilation ends
-    real(c_double) :: dilation_slip = 0.0_c_double
+    real(c_double) :: cohesion = 0.0_c_double  !< [Pa] while bonded; 0: shear_factor times that of the rock's bonds
+    real(c_double) :: residual_friction = 0.0_c_double  !< [1] once slipped by weakening_slip
+    real(c_double) :: weakening_slip = 0.0_c_double  !< [m] over which friction falls; 0: it stays
+    real(c_double) :: dilation_angle = 0.0_c_double  !< [rad] at which the faces ride up as they slip
+    real(c_double) :: dilation_slip = 0.0_c_double  !< [m] at which dilation ends
     !> [m] open at no normal stress; 0, residual_aperture too: tight as the rock
     real(c_double) :: aperture = 0.0_c_double
-    !> [m] hydraulic, on top of what it is open
-    real(c_double) :: residual_aperture = 0.0_c_double
-    !> [1] joint roughness coefficient of the hydraulic aperture; 0: none
-    real(c_double) :: roughness = 0.0_c_double
+    real(c_double) :: residual_aperture = 0.0_c_double  !< [m] hydraulic, on top of what it is open
+    real(c_double) :: roughness = 0.0_c_double  !< [1] joint roughness coefficient of the hydraulic aperture; 0: none
   end type hfrac_joint_def
 
   !> From `time` on, a well is driven otherwise. Entries of one well stand in order of time.
   type, bind(C) :: hfrac_schedule_def
-    !> number of the well, from 0
-    integer(c_int64_t) :: well = 0_c_int64_t
-    !> [s] model time; steps end at it
-    real(c_double) :: time = 0.0_c_double
-    !> [Pa] with control pressure, [m2/s] with control rate
-    real(c_double) :: value = 0.0_c_double
-    !> HFRAC_WELL_PRESSURE or HFRAC_WELL_RATE of enum hfrac_well_control
-    integer(c_int64_t) :: control = 0_c_int64_t
+    integer(c_int64_t) :: well = 0_c_int64_t  !< number of the well, from 0
+    real(c_double) :: time = 0.0_c_double  !< [s] model time; steps end at it
+    real(c_double) :: value = 0.0_c_double  !< [Pa] with control pressure, [m2/s] with control rate
+    integer(c_int64_t) :: control = 0_c_int64_t  !< HFRAC_WELL_PRESSURE or HFRAC_WELL_RATE of enum hfrac_well_control
     !> what it pumps from then on: 0 as before, 1 the fluid, 2 that of fluid.second_viscosity
     integer(c_int64_t) :: fluid = 0_c_int64_t
   end type hfrac_schedule_def
@@ -375,30 +293,19 @@ module hfrac_c
   !> The definition of a simulation. Fill with hfrac_sim_def_init first. Members are only ever appended, options
   !> too, so later ones stand at the end; capi/tools/def_struct.py writes them from the option table.
   type, bind(C) :: hfrac_sim_def
-    !> sizeof(hfrac_sim_def) of the caller, set by init
-    integer(c_int32_t) :: struct_size = 0_c_int32_t
-    !> set by init; 2 since lists are pointers
-    integer(c_int32_t) :: struct_version = 0_c_int32_t
-    !> the library's own lists, not to be touched; NULL from init
-    type(c_ptr) :: lists = c_null_ptr
-    !> the first well; NULL if there is none
-    type(c_ptr) :: wells = c_null_ptr
-    !> wells
-    integer(c_int64_t) :: well_count = 0_c_int64_t
+    integer(c_int32_t) :: struct_size = 0_c_int32_t  !< sizeof(hfrac_sim_def) of the caller, set by init
+    integer(c_int32_t) :: struct_version = 0_c_int32_t  !< set by init; 2 since lists are pointers
+    type(c_ptr) :: lists = c_null_ptr  !< the library's own lists, not to be touched; NULL from init
+    type(c_ptr) :: wells = c_null_ptr  !< the first well; NULL if there is none
+    integer(c_int64_t) :: well_count = 0_c_int64_t  !< wells
     !> [bytes] from one well to the next: sizeof(hfrac_well_def) of whoever filled them
     integer(c_int64_t) :: well_size = 0_c_int64_t
-    !> the first line of weakness; NULL if there is none
-    type(c_ptr) :: joints = c_null_ptr
-    !> joints
-    integer(c_int64_t) :: joint_count = 0_c_int64_t
-    !> [bytes] from one joint to the next
-    integer(c_int64_t) :: joint_size = 0_c_int64_t
-    !> the first entry of the wells' schedules; NULL if there is none
-    type(c_ptr) :: schedule = c_null_ptr
-    !> entries
-    integer(c_int64_t) :: schedule_count = 0_c_int64_t
-    !> [bytes] from one entry to the next
-    integer(c_int64_t) :: schedule_size = 0_c_int64_t
+    type(c_ptr) :: joints = c_null_ptr  !< the first line of weakness; NULL if there is none
+    integer(c_int64_t) :: joint_count = 0_c_int64_t  !< joints
+    integer(c_int64_t) :: joint_size = 0_c_int64_t  !< [bytes] from one joint to the next
+    type(c_ptr) :: schedule = c_null_ptr  !< the first entry of the wells' schedules; NULL if there is none
+    integer(c_int64_t) :: schedule_count = 0_c_int64_t  !< entries
+    integer(c_int64_t) :: schedule_size = 0_c_int64_t  !< [bytes] from one entry to the next
     !> [m] Extent of the model along x, the direction of sigma_Hmax. Default 100.0.
     real(c_double) :: model_width = 0.0_c_double
     !> [m] Extent of the model along y, the direction of sigma_hmin. Default 100.0.
@@ -413,12 +320,10 @@ module hfrac_c
     integer(c_int64_t) :: packing_disc_count = 0_c_int64_t
     !> [1] Largest over smallest disc radius (Table 1). Default 2.70.
     real(c_double) :: packing_radius_ratio = 0.0_c_double
-    !> [1] Void fraction of the packing (Table 1). Default 0.15.
-    real(c_double) :: packing_porosity = 0.0_c_double
+    real(c_double) :: packing_porosity = 0.0_c_double  !< [1] Void fraction of the packing (Table 1). Default 0.15.
     !> [1] Unbalanced over mean contact force at which the packing counts as relaxed. Default 1e-4.
     real(c_double) :: packing_residual = 0.0_c_double
-    !> [kg/m3] Density of the disc material (Table 1). Default 2320.0.
-    real(c_double) :: disc_density = 0.0_c_double
+    real(c_double) :: disc_density = 0.0_c_double  !< [kg/m3] Density of the disc material (Table 1). Default 2320.0.
     !> [N/m] Normal stiffness of a disc contact, per metre of thickness (Table 1). Default 11.20e9.
     real(c_double) :: contact_normal_stiffness = 0.0_c_double
     !> [N/m] Tangential stiffness of a disc contact (Table 1). Default 11.20e9.
@@ -433,10 +338,8 @@ module hfrac_c
     real(c_double) :: bond_normal_stiffness = 0.0_c_double
     !> [N/m] Shear stiffness of a parallel bond times its area. Default 5.152e9.
     real(c_double) :: bond_shear_stiffness = 0.0_c_double
-    !> [Pa] Normal strength sigma_c (Table 1). Default 42.5e6.
-    real(c_double) :: bond_tensile_strength = 0.0_c_double
-    !> [Pa] Shear strength tau_c (Table 1). Default 42.5e6.
-    real(c_double) :: bond_shear_strength = 0.0_c_double
+    real(c_double) :: bond_tensile_strength = 0.0_c_double  !< [Pa] Normal strength sigma_c (Table 1). Default 42.5e6.
+    real(c_double) :: bond_shear_strength = 0.0_c_double  !< [Pa] Shear strength tau_c (Table 1). Default 42.5e6.
     !> [1] Bond radius over the smaller disc radius (lambda). Default 1.0.
     real(c_double) :: bond_radius_factor = 0.0_c_double
     !> [1] Share beta of the bending stress in the tensile criterion. Default 1.0.
@@ -458,10 +361,8 @@ module hfrac_c
     !> 0: fixed, 1: servo. Walls after the initial equilibrium: fixed in place, or kept at their stress by the
     !> servo. Default 0.
     integer(c_int64_t) :: boundary_walls_after_equilibration = 0_c_int64_t
-    !> [Pa s] Dynamic viscosity (Table 2). Default 0.3.
-    real(c_double) :: fluid_viscosity = 0.0_c_double
-    !> [Pa] Bulk modulus (Table 2). Default 1.0e9.
-    real(c_double) :: fluid_bulk_modulus = 0.0_c_double
+    real(c_double) :: fluid_viscosity = 0.0_c_double  !< [Pa s] Dynamic viscosity (Table 2). Default 0.3.
+    real(c_double) :: fluid_bulk_modulus = 0.0_c_double  !< [Pa] Bulk modulus (Table 2). Default 1.0e9.
     !> [Pa] Pore pressure of the formation before injection (Table 2). Default 25e6.
     real(c_double) :: fluid_formation_pressure = 0.0_c_double
     !> 0: implicit, 1: explicit, 2: off. implicit: unconditionally stable. explicit: the paper's eq. 8, sub- cycled.
@@ -490,10 +391,8 @@ module hfrac_c
     !> and breakage together in the fluid's time, flow_step seconds a step in as many increments as it takes; needs
     !> the quasi-static solver. Default 0.
     integer(c_int64_t) :: stepping_mode = 0_c_int64_t
-    !> [s] Fluid time of one step. Default 1.0.
-    real(c_double) :: stepping_flow_step = 0.0_c_double
-    !> Steps of a run by the hfrac command. Default 500.
-    integer(c_int64_t) :: stepping_steps = 0_c_int64_t
+    real(c_double) :: stepping_flow_step = 0.0_c_double  !< [s] Fluid time of one step. Default 1.0.
+    integer(c_int64_t) :: stepping_steps = 0_c_int64_t  !< Steps of a run by the hfrac command. Default 500.
     !> [s] Model time at which a run ends; 0: after stepping.steps. Default 0.0.
     real(c_double) :: stepping_end_time = 0.0_c_double
     !> [1] Mean unbalanced over mean contact force at which mechanics count as at rest. Default 1e-4.
@@ -503,35 +402,28 @@ module hfrac_c
     !> [1] Local damping: this share of each unbalanced force opposes the motion. Also used in dynamic mode. Default
     !> 0.7.
     real(c_double) :: stepping_damping = 0.0_c_double
-    !> [1] Share of the stable time step used. Default 0.8.
-    real(c_double) :: stepping_safety = 0.0_c_double
+    real(c_double) :: stepping_safety = 0.0_c_double  !< [1] Share of the stable time step used. Default 0.8.
     !> [1] A run ends when a crack tip lies farther from the well than this fraction of the smaller model side.
     !> Default 0.42.
     real(c_double) :: stop_extent_fraction = 0.0_c_double
-    !> A run ends at this number of cracks; 0: no limit. Default 0.
-    integer(c_int64_t) :: stop_cracks = 0_c_int64_t
+    integer(c_int64_t) :: stop_cracks = 0_c_int64_t  !< A run ends at this number of cracks; 0: no limit. Default 0.
     !> Worker threads of one simulation; results do not depend on it. Default 1.
     integer(c_int64_t) :: run_workers = 0_c_int64_t
     !> Steps between the snapshots of a run by the hfrac command. Default 10.
     integer(c_int64_t) :: output_every = 0_c_int64_t
-    !> free text, ends up in the output
-    character(kind=c_char) :: title(128) = c_null_char
+    character(kind=c_char) :: title(128) = c_null_char  !< free text, ends up in the output
     !> Own packing instead of ours: x, y, radius per disc [m], borrowed during hfrac_sim_create; NULL: the engine
     !> packs.
     type(c_ptr) :: given_discs = c_null_ptr
-    !> discs in given_discs
-    integer(c_int64_t) :: given_disc_count = 0_c_int64_t
-    !> called while the simulation is built; may be NULL
-    type(c_funptr) :: progress = c_null_funptr
-    !> handed to `progress`
-    type(c_ptr) :: progress_user = c_null_ptr
+    integer(c_int64_t) :: given_disc_count = 0_c_int64_t  !< discs in given_discs
+    type(c_funptr) :: progress = c_null_funptr  !< called while the simulation is built; may be NULL
+    type(c_ptr) :: progress_user = c_null_ptr  !< handed to `progress`
     !> 0: relaxed, 1: tiled, 2: growth, 3: square. How discs are packed. relaxed: from a jittered lattice. growth:
     !> grown at random places, without an underlying lattice, takes longer. tiled: periodic bricks side by side, for
     !> more than some 100 000 discs; disc_count is rounded to whole bricks and the frame of the bricks repeats.
     !> square: equal discs in rows and columns, in which cracks and joints along them are smooth slits. Default 0.
     integer(c_int64_t) :: packing_method = 0_c_int64_t
-    !> Discs in one brick of a tiled packing. Default 5000.
-    integer(c_int64_t) :: packing_brick_discs = 0_c_int64_t
+    integer(c_int64_t) :: packing_brick_discs = 0_c_int64_t  !< Discs in one brick of a tiled packing. Default 5000.
     !> 0: explicit, 1: quasi-static. How the rock comes to rest. explicit: by damped motion. quasi-static:
     !> equilibrium is solved for directly and bonds break in order of how far they exceed their strength. Default 0.
     integer(c_int64_t) :: solver_kind = 0_c_int64_t
@@ -556,8 +448,7 @@ module hfrac_c
     integer(c_int64_t) :: output_compression = 0_c_int64_t
     !> told what happens while a case file is read and the simulation is built; may be NULL. Later: hfrac_set_log
     type(c_funptr) :: log = c_null_funptr
-    !> handed to `log`
-    type(c_ptr) :: log_user = c_null_ptr
+    type(c_ptr) :: log_user = c_null_ptr  !< handed to `log`
     !> enum hfrac_log_level, down to which level `log` gets messages. Default 3
     integer(c_int64_t) :: log_level = 0_c_int64_t
     !> 0: uniform, 1: seepage. Pore pressure before the treatment. uniform: the formation's. seepage: what one well
@@ -612,16 +503,12 @@ module hfrac_c
     !> 0: constant, 1: table. constant: stiffness, strength and friction as given. table: multiplied by the factors
     !> below at each disc's temperature, linear in between; temperatures outside the table are refused. Default 0.
     integer(c_int64_t) :: thermal_parameters = 0_c_int64_t
-    !> Rows of the table in use. Default 4.
-    integer(c_int64_t) :: thermal_table_rows = 0_c_int64_t
+    integer(c_int64_t) :: thermal_table_rows = 0_c_int64_t  !< Rows of the table in use. Default 4.
     !> [K] Row 1 of the table (Table 3: 250 degrees C). Rows rise in temperature. Default 523.15.
     real(c_double) :: thermal_temperature_1 = 0.0_c_double
-    !> [K] Row 2 (Table 3: 300 degrees C). Default 573.15.
-    real(c_double) :: thermal_temperature_2 = 0.0_c_double
-    !> [K] Row 3 (Table 3: 350 degrees C). Default 623.15.
-    real(c_double) :: thermal_temperature_3 = 0.0_c_double
-    !> [K] Row 4 (Table 3: 400 degrees C). Default 673.15.
-    real(c_double) :: thermal_temperature_4 = 0.0_c_double
+    real(c_double) :: thermal_temperature_2 = 0.0_c_double  !< [K] Row 2 (Table 3: 300 degrees C). Default 573.15.
+    real(c_double) :: thermal_temperature_3 = 0.0_c_double  !< [K] Row 3 (Table 3: 350 degrees C). Default 623.15.
+    real(c_double) :: thermal_temperature_4 = 0.0_c_double  !< [K] Row 4 (Table 3: 400 degrees C). Default 673.15.
     !> [K] Row 5 (beyond Table 3; a row of your own). Default 773.15.
     real(c_double) :: thermal_temperature_5 = 0.0_c_double
     !> [1] Factor on contact and bond stiffnesses at temperature_1 (Table 3: 11.20e9 N/m over 11.20e9; bonds follow
@@ -633,29 +520,22 @@ module hfrac_c
     real(c_double) :: thermal_stiffness_3 = 0.0_c_double
     !> [1] At temperature_4 (Table 3: 5.78e9 over 11.20e9). Default 0.5160714285714286.
     real(c_double) :: thermal_stiffness_4 = 0.0_c_double
-    !> [1] At temperature_5. Default 0.5160714285714286.
-    real(c_double) :: thermal_stiffness_5 = 0.0_c_double
+    real(c_double) :: thermal_stiffness_5 = 0.0_c_double  !< [1] At temperature_5. Default 0.5160714285714286.
     !> [1] Factor on bond strengths at temperature_1. The paper gives no strength by temperature: any value but 1 is
     !> an assumption of yours. Default 1.0.
     real(c_double) :: thermal_strength_1 = 0.0_c_double
-    !> [1] At temperature_2. Default 1.0.
-    real(c_double) :: thermal_strength_2 = 0.0_c_double
-    !> [1] At temperature_3. Default 1.0.
-    real(c_double) :: thermal_strength_3 = 0.0_c_double
-    !> [1] At temperature_4. Default 1.0.
-    real(c_double) :: thermal_strength_4 = 0.0_c_double
-    !> [1] At temperature_5. Default 1.0.
-    real(c_double) :: thermal_strength_5 = 0.0_c_double
+    real(c_double) :: thermal_strength_2 = 0.0_c_double  !< [1] At temperature_2. Default 1.0.
+    real(c_double) :: thermal_strength_3 = 0.0_c_double  !< [1] At temperature_3. Default 1.0.
+    real(c_double) :: thermal_strength_4 = 0.0_c_double  !< [1] At temperature_4. Default 1.0.
+    real(c_double) :: thermal_strength_5 = 0.0_c_double  !< [1] At temperature_5. Default 1.0.
     !> [1] Factor on contact.friction at temperature_1 (Table 3: 0.22 over 0.22). Default 1.0.
     real(c_double) :: thermal_friction_1 = 0.0_c_double
-    !> [1] At temperature_2 (Table 3: 0.22 over 0.22). Default 1.0.
-    real(c_double) :: thermal_friction_2 = 0.0_c_double
+    real(c_double) :: thermal_friction_2 = 0.0_c_double  !< [1] At temperature_2 (Table 3: 0.22 over 0.22). Default 1.0.
     !> [1] At temperature_3 (Table 3: 0.23 over 0.22). Default 1.0454545454545454.
     real(c_double) :: thermal_friction_3 = 0.0_c_double
     !> [1] At temperature_4 (Table 3: 0.23 over 0.22). Default 1.0454545454545454.
     real(c_double) :: thermal_friction_4 = 0.0_c_double
-    !> [1] At temperature_5. Default 1.0454545454545454.
-    real(c_double) :: thermal_friction_5 = 0.0_c_double
+    real(c_double) :: thermal_friction_5 = 0.0_c_double  !< [1] At temperature_5. Default 1.0454545454545454.
     !> [s] Wall time between the checkpoints that hfrac resume goes on from; 0: none by time. Default 600.0.
     real(c_double) :: output_checkpoint_every = 0.0_c_double
     !> Steps between the checkpoints that hfrac resume goes on from; 0: none by steps. Default 0.
@@ -664,8 +544,7 @@ module hfrac_c
     !> hfrac_sim_create; NULL: all that are near (bond.gap_tolerance). Discs that are near but not in the list touch
     !> without a bond: their contact carries compression and friction, as after breakage, and is no crack.
     type(c_ptr) :: given_bonds = c_null_ptr
-    !> bonds in given_bonds
-    integer(c_int64_t) :: given_bond_count = 0_c_int64_t
+    integer(c_int64_t) :: given_bond_count = 0_c_int64_t  !< bonds in given_bonds
     !> [Pa/m] Normal stiffness of smooth joints, per area. 0: contact.normal_stiffness over the mean disc diameter.
     !> Default 0.0.
     real(c_double) :: smooth_joint_normal_stiffness = 0.0_c_double
@@ -763,149 +642,101 @@ module hfrac_c
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.
   type, bind(C) :: hfrac_option_info
-    !> set by the caller before the call
-    integer(c_int32_t) :: struct_size = 64_c_int32_t
-    !> 0 double, 1 integer, 2 choice
-    integer(c_int32_t) :: type = 0_c_int32_t
-    !> "section.name"
-    type(c_ptr) :: key = c_null_ptr
-    !> SI unit, "1" for none
-    type(c_ptr) :: unit = c_null_ptr
-    !> words split by '|', NULL unless a choice
-    type(c_ptr) :: choices = c_null_ptr
-    !> one sentence
-    type(c_ptr) :: help = c_null_ptr
-    !> default; the index for a choice
-    real(c_double) :: default_value = 0.0_c_double
-    !> smallest value allowed
-    real(c_double) :: minimum = 0.0_c_double
-    !> largest value allowed
-    real(c_double) :: maximum = 0.0_c_double
+    integer(c_int32_t) :: struct_size = 64_c_int32_t  !< set by the caller before the call
+    integer(c_int32_t) :: type = 0_c_int32_t  !< 0 double, 1 integer, 2 choice
+    type(c_ptr) :: key = c_null_ptr  !< "section.name"
+    type(c_ptr) :: unit = c_null_ptr  !< SI unit, "1" for none
+    type(c_ptr) :: choices = c_null_ptr  !< words split by '|', NULL unless a choice
+    type(c_ptr) :: help = c_null_ptr  !< one sentence
+    real(c_double) :: default_value = 0.0_c_double  !< default; the index for a choice
+    real(c_double) :: minimum = 0.0_c_double  !< smallest value allowed
+    real(c_double) :: maximum = 0.0_c_double  !< largest value allowed
   end type hfrac_option_info
 
   !> How the simulation stands. Set struct_size before the call.
   type, bind(C) :: hfrac_sim_state
-    !> sizeof(hfrac_sim_state) of the caller
-    integer(c_int32_t) :: struct_size = 144_c_int32_t
-    !> 1 if the last step's mechanics reached stepping.force_ratio
-    integer(c_int32_t) :: at_rest = 0_c_int32_t
-    !> [s] model (fluid) time
-    real(c_double) :: time = 0.0_c_double
-    !> steps taken since creation
-    integer(c_int64_t) :: step = 0_c_int64_t
-    !> mechanical cycles since creation
-    integer(c_int64_t) :: cycles = 0_c_int64_t
-    !> mean unbalanced over mean contact force
-    real(c_double) :: force_ratio = 0.0_c_double
-    !> bonds broken, all modes, the initial equilibration included
-    integer(c_int64_t) :: crack_count = 0_c_int64_t
-    !> of them in tension
-    integer(c_int64_t) :: tensile_cracks = 0_c_int64_t
-    !> of them in shear
-    integer(c_int64_t) :: shear_cracks = 0_c_int64_t
-    !> of them before injection, while the model came to rest
-    integer(c_int64_t) :: equilibration_cracks = 0_c_int64_t
-    !> discs
-    integer(c_int64_t) :: disc_count = 0_c_int64_t
-    !> bonded contacts, intact or broken
-    integer(c_int64_t) :: bond_count = 0_c_int64_t
-    !> fluid domains, wells included
-    integer(c_int64_t) :: domain_count = 0_c_int64_t
+    integer(c_int32_t) :: struct_size = 144_c_int32_t  !< sizeof(hfrac_sim_state) of the caller
+    integer(c_int32_t) :: at_rest = 0_c_int32_t  !< 1 if the last step's mechanics reached stepping.force_ratio
+    real(c_double) :: time = 0.0_c_double  !< [s] model (fluid) time
+    integer(c_int64_t) :: step = 0_c_int64_t  !< steps taken since creation
+    integer(c_int64_t) :: cycles = 0_c_int64_t  !< mechanical cycles since creation
+    real(c_double) :: force_ratio = 0.0_c_double  !< mean unbalanced over mean contact force
+    integer(c_int64_t) :: crack_count = 0_c_int64_t  !< bonds broken, all modes, the initial equilibration included
+    integer(c_int64_t) :: tensile_cracks = 0_c_int64_t  !< of them in tension
+    integer(c_int64_t) :: shear_cracks = 0_c_int64_t  !< of them in shear
+    integer(c_int64_t) :: equilibration_cracks = 0_c_int64_t  !< of them before injection, while the model came to rest
+    integer(c_int64_t) :: disc_count = 0_c_int64_t  !< discs
+    integer(c_int64_t) :: bond_count = 0_c_int64_t  !< bonded contacts, intact or broken
+    integer(c_int64_t) :: domain_count = 0_c_int64_t  !< fluid domains, wells included
     !> [s] time of one mechanical cycle with real masses (stable step times safety)
     real(c_double) :: mechanical_step = 0.0_c_double
     !> [m] farthest crack end from the nearest well centre, 0 without cracks
     real(c_double) :: tip_distance = 0.0_c_double
-    !> enum hfrac_stop_reason that holds now, 0 if none
-    integer(c_int32_t) :: stop_reason = 0_c_int32_t
+    integer(c_int32_t) :: stop_reason = 0_c_int32_t  !< enum hfrac_stop_reason that holds now, 0 if none
     !> explicit flow: sub-cycles of the last step; implicit: iterations
     integer(c_int32_t) :: flow_subcycles = 0_c_int32_t
-    !> [Pa] far-field stress along x in force, as stress.convention says
-    real(c_double) :: sigma_Hmax = 0.0_c_double
-    !> [Pa] along y
-    real(c_double) :: sigma_hmin = 0.0_c_double
-    !> [Pa] absolute, in the pores outside the model
-    real(c_double) :: formation_pressure = 0.0_c_double
+    real(c_double) :: sigma_Hmax = 0.0_c_double  !< [Pa] far-field stress along x in force, as stress.convention says
+    real(c_double) :: sigma_hmin = 0.0_c_double  !< [Pa] along y
+    real(c_double) :: formation_pressure = 0.0_c_double  !< [Pa] absolute, in the pores outside the model
   end type hfrac_sim_state
 
   !> What the set-up made. Set struct_size before the call.
   type, bind(C) :: hfrac_setup_report
-    !> sizeof(hfrac_setup_report) of the caller
-    integer(c_int32_t) :: struct_size = 160_c_int32_t
-    !> 0
-    integer(c_int32_t) :: struct_pad = 0_c_int32_t
+    integer(c_int32_t) :: struct_size = 160_c_int32_t  !< sizeof(hfrac_setup_report) of the caller
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t  !< 0
     !> [m] mean radius of all discs packed; of a graded packing (packing.coarsening) that of its fine discs
     real(c_double) :: mean_radius = 0.0_c_double
-    !> void fraction of the packing before the well is cut
-    real(c_double) :: porosity = 0.0_c_double
-    !> unbalanced over mean contact force of the relaxed packing
-    real(c_double) :: packing_residual = 0.0_c_double
-    !> bonds per disc times two
-    real(c_double) :: coordination = 0.0_c_double
-    !> discs packed
-    integer(c_int64_t) :: packed_discs = 0_c_int64_t
-    !> discs removed to cut the wells
-    integer(c_int64_t) :: removed_in_wells = 0_c_int64_t
-    !> discs removed because they had fewer than two bonds
-    integer(c_int64_t) :: removed_floaters = 0_c_int64_t
-    !> near contacts not bonded because they cross another
-    integer(c_int64_t) :: removed_crossings = 0_c_int64_t
+    real(c_double) :: porosity = 0.0_c_double  !< void fraction of the packing before the well is cut
+    real(c_double) :: packing_residual = 0.0_c_double  !< unbalanced over mean contact force of the relaxed packing
+    real(c_double) :: coordination = 0.0_c_double  !< bonds per disc times two
+    integer(c_int64_t) :: packed_discs = 0_c_int64_t  !< discs packed
+    integer(c_int64_t) :: removed_in_wells = 0_c_int64_t  !< discs removed to cut the wells
+    integer(c_int64_t) :: removed_floaters = 0_c_int64_t  !< discs removed because they had fewer than two bonds
+    integer(c_int64_t) :: removed_crossings = 0_c_int64_t  !< near contacts not bonded because they cross another
     !> strengths used, at the mean radius, over strengths given (bond.fracture_toughness and
     !> bond.toughness_reference_radius)
     real(c_double) :: strength_factor = 0.0_c_double
-    !> [m] r0 in use (eq. 7)
-    real(c_double) :: zero_stress_aperture = 0.0_c_double
+    real(c_double) :: zero_stress_aperture = 0.0_c_double  !< [m] r0 in use (eq. 7)
     !> [m2] of the network after the initial equilibrium, without joints that conduct
     real(c_double) :: permeability = 0.0_c_double
     !> unbalanced over mean contact force after the initial equilibrium
     real(c_double) :: equilibration_force_ratio = 0.0_c_double
-    !> wall time of the packing
-    real(c_double) :: packing_seconds = 0.0_c_double
-    !> wall time of all of hfrac_sim_create
-    real(c_double) :: setup_seconds = 0.0_c_double
+    real(c_double) :: packing_seconds = 0.0_c_double  !< wall time of the packing
+    real(c_double) :: setup_seconds = 0.0_c_double  !< wall time of all of hfrac_sim_create
     !> [m] mean radius of the discs farthest from the fine ones of a graded packing; uniform: mean_radius
     real(c_double) :: coarsest_radius = 0.0_c_double
-    !> discs packed where a graded packing is fine; uniform: all
-    integer(c_int64_t) :: fine_discs = 0_c_int64_t
+    integer(c_int64_t) :: fine_discs = 0_c_int64_t  !< discs packed where a graded packing is fine; uniform: all
     !> [Pa] E' of the rock beyond with boundary.kind infinite, given or measured; else 0
     real(c_double) :: exterior_modulus = 0.0_c_double
-    !> its Poisson's ratio in plane strain
-    real(c_double) :: exterior_poisson_ratio = 0.0_c_double
+    real(c_double) :: exterior_poisson_ratio = 0.0_c_double  !< its Poisson's ratio in plane strain
     !> [Pa] E' at tips: fracture.plane_modulus, given or measured; else 0
     real(c_double) :: plane_modulus = 0.0_c_double
   end type hfrac_setup_report
 
   !> Energy and fluid mass since the end of the initial equilibration. Set struct_size before the call.
   type, bind(C) :: hfrac_balance
-    !> sizeof(hfrac_balance) of the caller
-    integer(c_int32_t) :: struct_size = 120_c_int32_t
+    integer(c_int32_t) :: struct_size = 120_c_int32_t  !< sizeof(hfrac_balance) of the caller
     !> 1: energy_error says something; 0: the quasi-static solver closes its balance by `damping`
     integer(c_int32_t) :: energy_checked = 0_c_int32_t
-    !> [J/m] kinetic energy now
-    real(c_double) :: kinetic = 0.0_c_double
-    !> [J/m] stored in intact bonds now
-    real(c_double) :: bond_elastic = 0.0_c_double
+    real(c_double) :: kinetic = 0.0_c_double  !< [J/m] kinetic energy now
+    real(c_double) :: bond_elastic = 0.0_c_double  !< [J/m] stored in intact bonds now
     !> [J/m] stored in contacts now (discs and walls), and in the rock beyond (boundary.kind infinite)
     real(c_double) :: contact_elastic = 0.0_c_double
     !> [J/m] work of fluid pressure on the discs since the initial equilibration
     real(c_double) :: fluid_work = 0.0_c_double
     !> [J/m] work of the far field on the model since the initial equilibration
     real(c_double) :: boundary_work = 0.0_c_double
-    !> [J/m] dissipated by sliding since the initial equilibration
-    real(c_double) :: friction = 0.0_c_double
+    real(c_double) :: friction = 0.0_c_double  !< [J/m] dissipated by sliding since the initial equilibration
     !> [J/m] dissipated by damping since the initial equilibration; unless checked, whatever the works left over
     real(c_double) :: damping = 0.0_c_double
     !> [J/m] elastic energy of bonds lost as they broke since the initial equilibration
     real(c_double) :: fracture = 0.0_c_double
     !> [J/m] what is missing in: works = change of stored + dissipated; not a number unless checked
     real(c_double) :: energy_error = 0.0_c_double
-    !> [m2] fluid put in through all wells, at formation pressure
-    real(c_double) :: injected_volume = 0.0_c_double
-    !> [m2] change of content of all domains, wells included
-    real(c_double) :: stored_volume = 0.0_c_double
-    !> [m2] out through the outer boundary
-    real(c_double) :: leaked_volume = 0.0_c_double
-    !> [m2] injected + host - stored - leaked
-    real(c_double) :: fluid_error = 0.0_c_double
+    real(c_double) :: injected_volume = 0.0_c_double  !< [m2] fluid put in through all wells, at formation pressure
+    real(c_double) :: stored_volume = 0.0_c_double  !< [m2] change of content of all domains, wells included
+    real(c_double) :: leaked_volume = 0.0_c_double  !< [m2] out through the outer boundary
+    real(c_double) :: fluid_error = 0.0_c_double  !< [m2] injected + host - stored - leaked
     !> [m2] put into pores by the host (hfrac_set_cell_pressure), negative: taken out
     real(c_double) :: host_volume = 0.0_c_double
   end type hfrac_balance
@@ -913,34 +744,22 @@ module hfrac_c
   !> What the quasi-static solver did since the initial equilibration; all 0 with solver.kind "explicit". Set
   !> struct_size before the call.
   type, bind(C) :: hfrac_solver_report
-    !> sizeof(hfrac_solver_report) of the caller
-    integer(c_int32_t) :: struct_size = 80_c_int32_t
-    !> 0 explicit, 1 quasi-static
-    integer(c_int32_t) :: kind = 0_c_int32_t
-    !> [s] mode "coupled": length of the next increment of a step
-    real(c_double) :: increment = 0.0_c_double
-    !> mode "coupled": accepted increments
-    integer(c_int64_t) :: increments = 0_c_int64_t
-    !> equilibria found: one a solve, and one more each time bonds broke
-    integer(c_int64_t) :: rounds = 0_c_int64_t
-    !> of Newton's method
-    integer(c_int64_t) :: newton_iterations = 0_c_int64_t
-    !> of the linear solver
-    integer(c_int64_t) :: linear_iterations = 0_c_int64_t
-    !> factors of a tangent computed
-    integer(c_int64_t) :: factors = 0_c_int64_t
-    !> increments rejected because of solver.pressure_change
-    integer(c_int64_t) :: rejected_error = 0_c_int64_t
-    !> increments rejected because of solver.strength_overshoot
-    integer(c_int64_t) :: rejected_strength = 0_c_int64_t
-    !> increments rejected because no equilibrium was found
-    integer(c_int64_t) :: rejected_divergence = 0_c_int64_t
+    integer(c_int32_t) :: struct_size = 80_c_int32_t  !< sizeof(hfrac_solver_report) of the caller
+    integer(c_int32_t) :: kind = 0_c_int32_t  !< 0 explicit, 1 quasi-static
+    real(c_double) :: increment = 0.0_c_double  !< [s] mode "coupled": length of the next increment of a step
+    integer(c_int64_t) :: increments = 0_c_int64_t  !< mode "coupled": accepted increments
+    integer(c_int64_t) :: rounds = 0_c_int64_t  !< equilibria found: one a solve, and one more each time bonds broke
+    integer(c_int64_t) :: newton_iterations = 0_c_int64_t  !< of Newton's method
+    integer(c_int64_t) :: linear_iterations = 0_c_int64_t  !< of the linear solver
+    integer(c_int64_t) :: factors = 0_c_int64_t  !< factors of a tangent computed
+    integer(c_int64_t) :: rejected_error = 0_c_int64_t  !< increments rejected because of solver.pressure_change
+    integer(c_int64_t) :: rejected_strength = 0_c_int64_t  !< increments rejected because of solver.strength_overshoot
+    integer(c_int64_t) :: rejected_divergence = 0_c_int64_t  !< increments rejected because no equilibrium was found
   end type hfrac_solver_report
 
   !> How long a step could be, and how it is divided. Set struct_size before the call.
   type, bind(C) :: hfrac_step_limits
-    !> sizeof(hfrac_step_limits) of the caller
-    integer(c_int32_t) :: struct_size = 32_c_int32_t
+    integer(c_int32_t) :: struct_size = 32_c_int32_t  !< sizeof(hfrac_step_limits) of the caller
     !> enum hfrac_step_limit: what divides a step of stepping.flow_step most finely
     integer(c_int32_t) :: binding = 0_c_int32_t
     !> [s] what hfrac_step takes next: stepping.flow_step, or what is left to a schedule's next time
@@ -955,52 +774,34 @@ module hfrac_c
 
   !> One wall of a model with boundary.kind walls. Set struct_size before the call.
   type, bind(C) :: hfrac_wall_state
-    !> sizeof(hfrac_wall_state) of the caller
-    integer(c_int32_t) :: struct_size = 64_c_int32_t
-    !> 1: its servo keeps it at `target`, 0: fixed in place
-    integer(c_int32_t) :: moves = 0_c_int32_t
-    !> unit vector into the model
-    real(c_double) :: normal(2) = 0.0_c_double
-    !> [m] x of a wall across x, y of one across y, now
-    real(c_double) :: position = 0.0_c_double
-    !> [m] inward, since bonding
-    real(c_double) :: displacement = 0.0_c_double
+    integer(c_int32_t) :: struct_size = 64_c_int32_t  !< sizeof(hfrac_wall_state) of the caller
+    integer(c_int32_t) :: moves = 0_c_int32_t  !< 1: its servo keeps it at `target`, 0: fixed in place
+    real(c_double) :: normal(2) = 0.0_c_double  !< unit vector into the model
+    real(c_double) :: position = 0.0_c_double  !< [m] x of a wall across x, y of one across y, now
+    real(c_double) :: displacement = 0.0_c_double  !< [m] inward, since bonding
     !> [Pa] on it now, compression positive, effective: without what the pores outside carry
     real(c_double) :: stress = 0.0_c_double
-    !> [Pa] of the servo, likewise effective
-    real(c_double) :: target = 0.0_c_double
-    !> discs that can touch it
-    integer(c_int64_t) :: disc_count = 0_c_int64_t
+    real(c_double) :: target = 0.0_c_double  !< [Pa] of the servo, likewise effective
+    integer(c_int64_t) :: disc_count = 0_c_int64_t  !< discs that can touch it
   end type hfrac_wall_state
 
   !> One well as it stands. Set struct_size before the call.
   type, bind(C) :: hfrac_well_state
-    !> sizeof(hfrac_well_state) of the caller
-    integer(c_int32_t) :: struct_size = 112_c_int32_t
-    !> enum hfrac_well_control in force
-    integer(c_int32_t) :: control = 0_c_int32_t
-    !> [m] centre
-    real(c_double) :: x = 0.0_c_double
-    !> [m]
-    real(c_double) :: y = 0.0_c_double
-    !> [m] sqrt(area / pi) of the hole between disc centres
-    real(c_double) :: equivalent_radius = 0.0_c_double
-    !> [Pa] now, as stress.convention says
-    real(c_double) :: pressure = 0.0_c_double
-    !> [Pa]
-    real(c_double) :: target_pressure = 0.0_c_double
-    !> [m2/s] into the well in the last step
-    real(c_double) :: rate = 0.0_c_double
-    !> [m2] since the initial equilibration, at formation pressure
-    real(c_double) :: injected_volume = 0.0_c_double
-    !> index of its domain
-    integer(c_int64_t) :: domain = 0_c_int64_t
+    integer(c_int32_t) :: struct_size = 112_c_int32_t  !< sizeof(hfrac_well_state) of the caller
+    integer(c_int32_t) :: control = 0_c_int32_t  !< enum hfrac_well_control in force
+    real(c_double) :: x = 0.0_c_double  !< [m] centre
+    real(c_double) :: y = 0.0_c_double  !< [m]
+    real(c_double) :: equivalent_radius = 0.0_c_double  !< [m] sqrt(area / pi) of the hole between disc centres
+    real(c_double) :: pressure = 0.0_c_double  !< [Pa] now, as stress.convention says
+    real(c_double) :: target_pressure = 0.0_c_double  !< [Pa]
+    real(c_double) :: rate = 0.0_c_double  !< [m2/s] into the well in the last step
+    real(c_double) :: injected_volume = 0.0_c_double  !< [m2] since the initial equilibration, at formation pressure
+    integer(c_int64_t) :: domain = 0_c_int64_t  !< index of its domain
     !> [m] of the hole that was asked for; its wall follows discs (equivalent_radius); 0: a pore (hfrac_well_add)
     real(c_double) :: radius = 0.0_c_double
     !> [Pa] before the perforations, as stress.convention says; without friction that of the hole
     real(c_double) :: wellbore_pressure = 0.0_c_double
-    !> [Pa] absolute: that of the wellbore less rho g depth
-    real(c_double) :: wellhead_pressure = 0.0_c_double
+    real(c_double) :: wellhead_pressure = 0.0_c_double  !< [Pa] absolute: that of the wellbore less rho g depth
     !> [m2/s] that the pump gave the wellbore, with all its clusters, in the last step
     real(c_double) :: wellbore_rate = 0.0_c_double
     !> enum hfrac_well_fluid: what it pumps; of a wellbore's clusters all that the first does
@@ -1009,150 +810,92 @@ module hfrac_c
 
   !> What a field is. Texts point into the library.
   type, bind(C) :: hfrac_field_desc
-    !> set by the caller before the call
-    integer(c_int32_t) :: struct_size = 64_c_int32_t
-    !> enum hfrac_field
-    integer(c_int32_t) :: field = 0_c_int32_t
-    !> e.g. "disc.position"
-    type(c_ptr) :: name = c_null_ptr
-    !> SI unit
-    type(c_ptr) :: unit = c_null_ptr
-    !> one phrase
-    type(c_ptr) :: help = c_null_ptr
-    !> 0 disc, 1 bond, 2 pipe, 3 domain, 4 corner, 5 contact of a joint
-    integer(c_int32_t) :: location = 0_c_int32_t
-    !> 0 double, 1 int32
-    integer(c_int32_t) :: dtype = 0_c_int32_t
-    !> values per item
-    integer(c_int32_t) :: components = 0_c_int32_t
-    !> 0
-    integer(c_int32_t) :: struct_pad = 0_c_int32_t
-    !> items now (values: count * components)
-    integer(c_int64_t) :: count = 0_c_int64_t
-    !> epoch of the simulation now
-    integer(c_int64_t) :: epoch = 0_c_int64_t
+    integer(c_int32_t) :: struct_size = 64_c_int32_t  !< set by the caller before the call
+    integer(c_int32_t) :: field = 0_c_int32_t  !< enum hfrac_field
+    type(c_ptr) :: name = c_null_ptr  !< e.g. "disc.position"
+    type(c_ptr) :: unit = c_null_ptr  !< SI unit
+    type(c_ptr) :: help = c_null_ptr  !< one phrase
+    integer(c_int32_t) :: location = 0_c_int32_t  !< 0 disc, 1 bond, 2 pipe, 3 domain, 4 corner, 5 contact of a joint
+    integer(c_int32_t) :: dtype = 0_c_int32_t  !< 0 double, 1 int32
+    integer(c_int32_t) :: components = 0_c_int32_t  !< values per item
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t  !< 0
+    integer(c_int64_t) :: count = 0_c_int64_t  !< items now (values: count * components)
+    integer(c_int64_t) :: epoch = 0_c_int64_t  !< epoch of the simulation now
   end type hfrac_field_desc
 
   !> One broken bond.
   type, bind(C) :: hfrac_crack
-    !> from 0, in order of breakage, never reused
-    integer(c_int64_t) :: id = 0_c_int64_t
-    !> index of the bond
-    integer(c_int64_t) :: bond = 0_c_int64_t
-    !> indices of the discs
-    integer(c_int64_t) :: disc(2) = 0_c_int64_t
-    !> step in which it broke; 0: during the initial equilibration
-    integer(c_int64_t) :: step = 0_c_int64_t
-    !> mechanical cycle in which it broke
-    integer(c_int64_t) :: cycle = 0_c_int64_t
-    !> [s] model time of that step
-    real(c_double) :: time = 0.0_c_double
-    !> [m] middle of the contact now
-    real(c_double) :: position(2) = 0.0_c_double
-    !> unit vector from disc 0 to disc 1 now; the crack runs across it
-    real(c_double) :: normal(2) = 0.0_c_double
-    !> [m] length of the crack line (bond diameter)
-    real(c_double) :: length = 0.0_c_double
-    !> [m] mechanical opening now, 0 if closed
-    real(c_double) :: aperture = 0.0_c_double
-    !> [N] per thickness at failure, tension positive
-    real(c_double) :: normal_force = 0.0_c_double
-    !> [N] per thickness at failure
-    real(c_double) :: shear_force = 0.0_c_double
+    integer(c_int64_t) :: id = 0_c_int64_t  !< from 0, in order of breakage, never reused
+    integer(c_int64_t) :: bond = 0_c_int64_t  !< index of the bond
+    integer(c_int64_t) :: disc(2) = 0_c_int64_t  !< indices of the discs
+    integer(c_int64_t) :: step = 0_c_int64_t  !< step in which it broke; 0: during the initial equilibration
+    integer(c_int64_t) :: cycle = 0_c_int64_t  !< mechanical cycle in which it broke
+    real(c_double) :: time = 0.0_c_double  !< [s] model time of that step
+    real(c_double) :: position(2) = 0.0_c_double  !< [m] middle of the contact now
+    real(c_double) :: normal(2) = 0.0_c_double  !< unit vector from disc 0 to disc 1 now; the crack runs across it
+    real(c_double) :: length = 0.0_c_double  !< [m] length of the crack line (bond diameter)
+    real(c_double) :: aperture = 0.0_c_double  !< [m] mechanical opening now, 0 if closed
+    real(c_double) :: normal_force = 0.0_c_double  !< [N] per thickness at failure, tension positive
+    real(c_double) :: shear_force = 0.0_c_double  !< [N] per thickness at failure
     !> [J/m] elastic energy of the bond at failure; with bond.fracture_energy what it took
     real(c_double) :: energy = 0.0_c_double
-    !> enum hfrac_crack_mode
-    integer(c_int32_t) :: mode = 0_c_int32_t
-    !> index of its fracture now, as hfrac_fractures gives them
-    integer(c_int32_t) :: fracture = 0_c_int32_t
-    !> [m] between the centres of its discs when they were bonded
-    real(c_double) :: distance = 0.0_c_double
-    !> [Pa] now, mean of the pores it lies between; 0 in a dry model
-    real(c_double) :: pressure = 0.0_c_double
+    integer(c_int32_t) :: mode = 0_c_int32_t  !< enum hfrac_crack_mode
+    integer(c_int32_t) :: fracture = 0_c_int32_t  !< index of its fracture now, as hfrac_fractures gives them
+    real(c_double) :: distance = 0.0_c_double  !< [m] between the centres of its discs when they were bonded
+    real(c_double) :: pressure = 0.0_c_double  !< [Pa] now, mean of the pores it lies between; 0 in a dry model
     !> [m] of its pipe now (eq. 7), which the cubic law takes; 0 in a dry model
     real(c_double) :: hydraulic_aperture = 0.0_c_double
   end type hfrac_crack
 
   !> One fracture.
   type, bind(C) :: hfrac_fracture
-    !> from 0, most cracks first
-    integer(c_int64_t) :: index = 0_c_int64_t
-    !> cracks in it
-    integer(c_int64_t) :: crack_count = 0_c_int64_t
-    !> of them in tension
-    integer(c_int64_t) :: tensile_cracks = 0_c_int64_t
+    integer(c_int64_t) :: index = 0_c_int64_t  !< from 0, most cracks first
+    integer(c_int64_t) :: crack_count = 0_c_int64_t  !< cracks in it
+    integer(c_int64_t) :: tensile_cracks = 0_c_int64_t  !< of them in tension
     !> [m] longest way along it: from the two longest wings if it starts at a well, the hole left out
     real(c_double) :: length = 0.0_c_double
-    !> [m] largest distance between two of its crack ends
-    real(c_double) :: extent = 0.0_c_double
-    !> [m] farthest crack end from the wall of its well; 0 if not connected
-    real(c_double) :: reach = 0.0_c_double
-    !> [rad] direction of its long axis against x (sigma_Hmax), -pi/2 to pi/2
-    real(c_double) :: azimuth = 0.0_c_double
-    !> [m] mechanical, weighted by crack length
-    real(c_double) :: mean_aperture = 0.0_c_double
-    !> [m] the fracture's width
-    real(c_double) :: largest_aperture = 0.0_c_double
-    !> [m2] aperture times length, summed
-    real(c_double) :: volume = 0.0_c_double
-    !> [Pa] of the domains along it
-    real(c_double) :: mean_pressure = 0.0_c_double
-    !> index of the well it is connected to, -1 if none
-    integer(c_int64_t) :: well = 0_c_int64_t
-    !> separate branches that start at its well; 1 if not connected to one
-    integer(c_int64_t) :: wings = 0_c_int64_t
+    real(c_double) :: extent = 0.0_c_double  !< [m] largest distance between two of its crack ends
+    real(c_double) :: reach = 0.0_c_double  !< [m] farthest crack end from the wall of its well; 0 if not connected
+    real(c_double) :: azimuth = 0.0_c_double  !< [rad] direction of its long axis against x (sigma_Hmax), -pi/2 to pi/2
+    real(c_double) :: mean_aperture = 0.0_c_double  !< [m] mechanical, weighted by crack length
+    real(c_double) :: largest_aperture = 0.0_c_double  !< [m] the fracture's width
+    real(c_double) :: volume = 0.0_c_double  !< [m2] aperture times length, summed
+    real(c_double) :: mean_pressure = 0.0_c_double  !< [Pa] of the domains along it
+    integer(c_int64_t) :: well = 0_c_int64_t  !< index of the well it is connected to, -1 if none
+    integer(c_int64_t) :: wings = 0_c_int64_t  !< separate branches that start at its well; 1 if not connected to one
   end type hfrac_fracture
 
   !> A place on the line of a fracture: one of its cracks.
   type, bind(C) :: hfrac_fracture_point
-    !> [m] middle of the crack now
-    real(c_double) :: position(2) = 0.0_c_double
+    real(c_double) :: position(2) = 0.0_c_double  !< [m] middle of the crack now
     !> [m] along the line from the centre of the well, below 0 on wing 0; without a well from its middle
     real(c_double) :: distance = 0.0_c_double
-    !> [m] of the line that this crack stands for
-    real(c_double) :: length = 0.0_c_double
-    !> [m] mechanical opening now, 0 if closed
-    real(c_double) :: aperture = 0.0_c_double
-    !> [m] that the cubic law takes; 0 in a dry model
-    real(c_double) :: hydraulic_aperture = 0.0_c_double
-    !> [Pa] now, mean of the pores it lies between; 0 in a dry model
-    real(c_double) :: pressure = 0.0_c_double
-    !> [1] share of these pores that fluid fills; 0 in a dry model
-    real(c_double) :: saturation = 0.0_c_double
-    !> bond that broke
-    integer(c_int64_t) :: bond = 0_c_int64_t
+    real(c_double) :: length = 0.0_c_double  !< [m] of the line that this crack stands for
+    real(c_double) :: aperture = 0.0_c_double  !< [m] mechanical opening now, 0 if closed
+    real(c_double) :: hydraulic_aperture = 0.0_c_double  !< [m] that the cubic law takes; 0 in a dry model
+    real(c_double) :: pressure = 0.0_c_double  !< [Pa] now, mean of the pores it lies between; 0 in a dry model
+    real(c_double) :: saturation = 0.0_c_double  !< [1] share of these pores that fluid fills; 0 in a dry model
+    integer(c_int64_t) :: bond = 0_c_int64_t  !< bond that broke
     !> 0: towards smaller x (y, if the fracture stands upright), 1: the other; -1 without a well
     integer(c_int32_t) :: wing = 0_c_int32_t
-    !> 1: the line ends here
-    integer(c_int32_t) :: tip = 0_c_int32_t
+    integer(c_int32_t) :: tip = 0_c_int32_t  !< 1: the line ends here
   end type hfrac_fracture_point
 
   !> What a contact of a smooth joint slipped since its last entry.
   type, bind(C) :: hfrac_slip
-    !> from 0, in order of time, never reused
-    integer(c_int64_t) :: id = 0_c_int64_t
-    !> index of the contact's bond
-    integer(c_int64_t) :: bond = 0_c_int64_t
-    !> indices of its discs
-    integer(c_int64_t) :: disc(2) = 0_c_int64_t
-    !> index of the joint in the definition
-    integer(c_int64_t) :: joint = 0_c_int64_t
-    !> step in which it slipped; 0: during the initial equilibration
-    integer(c_int64_t) :: step = 0_c_int64_t
-    !> [s] end of the increment in which it slipped
-    real(c_double) :: time = 0.0_c_double
-    !> [s] of that increment
-    real(c_double) :: duration = 0.0_c_double
-    !> [m] of the contact, where it was bonded
-    real(c_double) :: position(2) = 0.0_c_double
-    !> unit normal of the joint, from disc 0 to disc 1
-    real(c_double) :: normal(2) = 0.0_c_double
-    !> [m] of the joint that the contact stands for
-    real(c_double) :: length = 0.0_c_double
+    integer(c_int64_t) :: id = 0_c_int64_t  !< from 0, in order of time, never reused
+    integer(c_int64_t) :: bond = 0_c_int64_t  !< index of the contact's bond
+    integer(c_int64_t) :: disc(2) = 0_c_int64_t  !< indices of its discs
+    integer(c_int64_t) :: joint = 0_c_int64_t  !< index of the joint in the definition
+    integer(c_int64_t) :: step = 0_c_int64_t  !< step in which it slipped; 0: during the initial equilibration
+    real(c_double) :: time = 0.0_c_double  !< [s] end of the increment in which it slipped
+    real(c_double) :: duration = 0.0_c_double  !< [s] of that increment
+    real(c_double) :: position(2) = 0.0_c_double  !< [m] of the contact, where it was bonded
+    real(c_double) :: normal(2) = 0.0_c_double  !< unit normal of the joint, from disc 0 to disc 1
+    real(c_double) :: length = 0.0_c_double  !< [m] of the joint that the contact stands for
     !> [m] above 0: disc 1 moved along the normal turned by +90 degrees against disc 0
     real(c_double) :: slip = 0.0_c_double
-    !> [m] between the centres of its discs when they were bonded
-    real(c_double) :: distance = 0.0_c_double
+    real(c_double) :: distance = 0.0_c_double  !< [m] between the centres of its discs when they were bonded
     !> [Pa] of the rock, estimated from its bonds as if discs moved with the mean strain (Agnolin and Kruyt 2008):
     !> an upper bound
     real(c_double) :: shear_modulus = 0.0_c_double
@@ -1160,20 +903,15 @@ module hfrac_c
 
   !> How cracks and slips make events. Set struct_size; zeros elsewhere are the defaults.
   type, bind(C) :: hfrac_catalogue_options
-    !> sizeof(hfrac_catalogue_options) of the caller
-    integer(c_int32_t) :: struct_size = 56_c_int32_t
-    !> 0
-    integer(c_int32_t) :: struct_pad = 0_c_int32_t
+    integer(c_int32_t) :: struct_size = 56_c_int32_t  !< sizeof(hfrac_catalogue_options) of the caller
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t  !< 0
     !> [m] 0 or more; 0: twice the mean distance between the discs of the cracks (or slips)
     real(c_double) :: distance = 0.0_c_double
     !> [s] 0 or more; 0: cracks of the same step only, slips of the same increment only
     real(c_double) :: time_window = 0.0_c_double
-    !> 0 or more mechanical cycles; 0: no limit within the time window
-    integer(c_int64_t) :: cycle_window = 0_c_int64_t
-    !> [m] of rock that the plane stands for; 0: 1 m
-    real(c_double) :: thickness = 0.0_c_double
-    !> [Pa] of the rock, for slips; 0: the one that each slip gives
-    real(c_double) :: shear_modulus = 0.0_c_double
+    integer(c_int64_t) :: cycle_window = 0_c_int64_t  !< 0 or more mechanical cycles; 0: no limit within the time window
+    real(c_double) :: thickness = 0.0_c_double  !< [m] of rock that the plane stands for; 0: 1 m
+    real(c_double) :: shear_modulus = 0.0_c_double  !< [Pa] of the rock, for slips; 0: the one that each slip gives
     !> [m/s] 0 or more: slips slower than this, over their increment, are left out; 0: none. It says something where
     !> increments are as short as slip is fast, so in mode "dynamic"
     real(c_double) :: slip_rate = 0.0_c_double
@@ -1181,190 +919,118 @@ module hfrac_c
 
   !> One event.
   type, bind(C) :: hfrac_event
-    !> from 0, in order of the first crack or slip
-    integer(c_int64_t) :: index = 0_c_int64_t
-    !> id of that crack; -1 of an event from slip
-    integer(c_int64_t) :: first_crack = 0_c_int64_t
-    !> cracks in it
-    integer(c_int64_t) :: crack_count = 0_c_int64_t
-    !> of them in tension
-    integer(c_int64_t) :: tensile_cracks = 0_c_int64_t
-    !> mechanical cycle of its first break
-    integer(c_int64_t) :: first_cycle = 0_c_int64_t
-    !> and of its last
-    integer(c_int64_t) :: last_cycle = 0_c_int64_t
-    !> [s] of its first crack or slip
-    real(c_double) :: time = 0.0_c_double
-    !> [m] mean place of its cracks or slips
-    real(c_double) :: position(2) = 0.0_c_double
-    !> [N m] xx, yy, xy; outward positive
-    real(c_double) :: moment_tensor(3) = 0.0_c_double
-    !> [N m] sqrt(m_ij m_ij / 2) (Silver and Jordan 1982)
-    real(c_double) :: moment = 0.0_c_double
-    !> of the moment (Hanks and Kanamori 1979); NaN without one
-    real(c_double) :: magnitude = 0.0_c_double
-    !> [J] elastic energy of the broken bonds; 0 of an event from slip
-    real(c_double) :: energy = 0.0_c_double
+    integer(c_int64_t) :: index = 0_c_int64_t  !< from 0, in order of the first crack or slip
+    integer(c_int64_t) :: first_crack = 0_c_int64_t  !< id of that crack; -1 of an event from slip
+    integer(c_int64_t) :: crack_count = 0_c_int64_t  !< cracks in it
+    integer(c_int64_t) :: tensile_cracks = 0_c_int64_t  !< of them in tension
+    integer(c_int64_t) :: first_cycle = 0_c_int64_t  !< mechanical cycle of its first break
+    integer(c_int64_t) :: last_cycle = 0_c_int64_t  !< and of its last
+    real(c_double) :: time = 0.0_c_double  !< [s] of its first crack or slip
+    real(c_double) :: position(2) = 0.0_c_double  !< [m] mean place of its cracks or slips
+    real(c_double) :: moment_tensor(3) = 0.0_c_double  !< [N m] xx, yy, xy; outward positive
+    real(c_double) :: moment = 0.0_c_double  !< [N m] sqrt(m_ij m_ij / 2) (Silver and Jordan 1982)
+    real(c_double) :: magnitude = 0.0_c_double  !< of the moment (Hanks and Kanamori 1979); NaN without one
+    real(c_double) :: energy = 0.0_c_double  !< [J] elastic energy of the broken bonds; 0 of an event from slip
     !> 2/3 log10 energy - 2.9 (Choy and Boatwright 1995), an upper bound; NaN without energy
     real(c_double) :: energy_magnitude = 0.0_c_double
     !> -1 to 1 (Feignier and Young 1992, in the plane): 0.5 opens as one crack, 0 shears, below 0 closes
     real(c_double) :: isotropic_fraction = 0.0_c_double
-    !> [m] summed over its cracks, or over its contacts that slipped
-    real(c_double) :: length = 0.0_c_double
-    !> [m] from its position to the farthest of its cracks or slips
-    real(c_double) :: radius = 0.0_c_double
-    !> enum hfrac_event_kind
-    integer(c_int32_t) :: kind = 0_c_int32_t
-    !> 0
-    integer(c_int32_t) :: pad = 0_c_int32_t
-    !> id of its first slip; -1 of an event from cracks
-    integer(c_int64_t) :: first_slip = 0_c_int64_t
-    !> slips in it
-    integer(c_int64_t) :: slip_count = 0_c_int64_t
-    !> [m] mean over its length; 0 of an event from cracks
-    real(c_double) :: slip = 0.0_c_double
-    !> [s] from its first crack or slip to its last
-    real(c_double) :: duration = 0.0_c_double
+    real(c_double) :: length = 0.0_c_double  !< [m] summed over its cracks, or over its contacts that slipped
+    real(c_double) :: radius = 0.0_c_double  !< [m] from its position to the farthest of its cracks or slips
+    integer(c_int32_t) :: kind = 0_c_int32_t  !< enum hfrac_event_kind
+    integer(c_int32_t) :: pad = 0_c_int32_t  !< 0
+    integer(c_int64_t) :: first_slip = 0_c_int64_t  !< id of its first slip; -1 of an event from cracks
+    integer(c_int64_t) :: slip_count = 0_c_int64_t  !< slips in it
+    real(c_double) :: slip = 0.0_c_double  !< [m] mean over its length; 0 of an event from cracks
+    real(c_double) :: duration = 0.0_c_double  !< [s] from its first crack or slip to its last
   end type hfrac_event
 
   !> The law log10 N = a - b M of Gutenberg and Richter, N the events of magnitude M or more.
   type, bind(C) :: hfrac_magnitude_law
-    !> sizeof(hfrac_magnitude_law) of the caller
-    integer(c_int32_t) :: struct_size = 48_c_int32_t
-    !> 0
-    integer(c_int32_t) :: struct_pad = 0_c_int32_t
-    !> magnitude from which on events are counted
-    real(c_double) :: completeness = 0.0_c_double
+    integer(c_int32_t) :: struct_size = 48_c_int32_t  !< sizeof(hfrac_magnitude_law) of the caller
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t  !< 0
+    real(c_double) :: completeness = 0.0_c_double  !< magnitude from which on events are counted
     !> log10 e / (mean magnitude - completeness) (Aki 1965); 0: fewer than two different magnitudes
     real(c_double) :: b = 0.0_c_double
-    !> b / sqrt(count), its standard error (Aki 1965)
-    real(c_double) :: b_error = 0.0_c_double
-    !> log10 of the events from magnitude 0 on that the law gives
-    real(c_double) :: a = 0.0_c_double
-    !> events at or above completeness
-    integer(c_int64_t) :: count = 0_c_int64_t
+    real(c_double) :: b_error = 0.0_c_double  !< b / sqrt(count), its standard error (Aki 1965)
+    real(c_double) :: a = 0.0_c_double  !< log10 of the events from magnitude 0 on that the law gives
+    integer(c_int64_t) :: count = 0_c_int64_t  !< events at or above completeness
   end type hfrac_magnitude_law
 
   !> The rows of a square matrix that this rank gives, as a list of entries; those for the same place add up.
   !> Borrowed for the call.
   type, bind(C) :: hfrac_matrix
-    !> sizeof(hfrac_matrix) of the library
-    integer(c_int32_t) :: struct_size = 64_c_int32_t
-    !> hfrac_matrix_kind
-    integer(c_int32_t) :: kind = 0_c_int32_t
-    !> rows of all ranks
-    integer(c_int64_t) :: size = 0_c_int64_t
+    integer(c_int32_t) :: struct_size = 64_c_int32_t  !< sizeof(hfrac_matrix) of the library
+    integer(c_int32_t) :: kind = 0_c_int32_t  !< hfrac_matrix_kind
+    integer(c_int64_t) :: size = 0_c_int64_t  !< rows of all ranks
     !> this rank's are first_row up to end_row, which is the next one's first_row
     integer(c_int64_t) :: first_row = 0_c_int64_t
-    !> the one behind the last
-    integer(c_int64_t) :: end_row = 0_c_int64_t
-    !> entries
-    integer(c_int64_t) :: count = 0_c_int64_t
-    !> of each entry; NULL: places are those of the last call, on all ranks
-    type(c_ptr) :: row = c_null_ptr
-    !> likewise
-    type(c_ptr) :: column = c_null_ptr
-    !> of each entry
-    type(c_ptr) :: value = c_null_ptr
+    integer(c_int64_t) :: end_row = 0_c_int64_t  !< the one behind the last
+    integer(c_int64_t) :: count = 0_c_int64_t  !< entries
+    type(c_ptr) :: row = c_null_ptr  !< of each entry; NULL: places are those of the last call, on all ranks
+    type(c_ptr) :: column = c_null_ptr  !< likewise
+    type(c_ptr) :: value = c_null_ptr  !< of each entry
   end type hfrac_matrix
 
   !> Solvers from outside. Fill with hfrac_linear_solver_init, then all members, and let
   !> hfrac_exchange::linear_solver point to it.
   type, bind(C) :: hfrac_linear_solver
-    !> sizeof(hfrac_linear_solver) of the caller, set by init
-    integer(c_int32_t) :: struct_size = 0_c_int32_t
-    !> 0
-    integer(c_int32_t) :: struct_pad = 0_c_int32_t
-    !> handed to all functions; must live as long as the simulation
-    type(c_ptr) :: user = c_null_ptr
-    !> the matrix
-    type(c_funptr) :: prepare = c_null_funptr
-    !> a right side
-    type(c_funptr) :: solve = c_null_funptr
-    !> the end
-    type(c_funptr) :: release = c_null_funptr
-    !> why not
-    type(c_funptr) :: reason = c_null_funptr
+    integer(c_int32_t) :: struct_size = 0_c_int32_t  !< sizeof(hfrac_linear_solver) of the caller, set by init
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t  !< 0
+    type(c_ptr) :: user = c_null_ptr  !< handed to all functions; must live as long as the simulation
+    type(c_funptr) :: prepare = c_null_funptr  !< the matrix
+    type(c_funptr) :: solve = c_null_funptr  !< a right side
+    type(c_funptr) :: release = c_null_funptr  !< the end
+    type(c_funptr) :: reason = c_null_funptr  !< why not
   end type hfrac_linear_solver
 
   !> What goes to another rank, and what comes from it; either may be empty.
   type, bind(C) :: hfrac_message
-    !> the other one
-    integer(c_int32_t) :: rank = 0_c_int32_t
-    !> 0
-    integer(c_int32_t) :: struct_pad = 0_c_int32_t
-    !> [B]
-    integer(c_int64_t) :: send_bytes = 0_c_int64_t
-    !> [B]
-    integer(c_int64_t) :: receive_bytes = 0_c_int64_t
-    !> borrowed until hfrac_finish_fn returns
-    type(c_ptr) :: send = c_null_ptr
-    !> written by then
-    type(c_ptr) :: receive = c_null_ptr
+    integer(c_int32_t) :: rank = 0_c_int32_t  !< the other one
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t  !< 0
+    integer(c_int64_t) :: send_bytes = 0_c_int64_t  !< [B]
+    integer(c_int64_t) :: receive_bytes = 0_c_int64_t  !< [B]
+    type(c_ptr) :: send = c_null_ptr  !< borrowed until hfrac_finish_fn returns
+    type(c_ptr) :: receive = c_null_ptr  !< written by then
   end type hfrac_message
 
   !> How ranks talk. Fill with hfrac_exchange_init, then all members.
   type, bind(C) :: hfrac_exchange
-    !> sizeof(hfrac_exchange) of the caller, set by init
-    integer(c_int32_t) :: struct_size = 0_c_int32_t
-    !> this one, 0 to size - 1
-    integer(c_int32_t) :: rank = 0_c_int32_t
-    !> ranks, 1 to 1048576; with 1 no function is called
-    integer(c_int32_t) :: size = 0_c_int32_t
-    !> 0
-    integer(c_int32_t) :: struct_pad = 0_c_int32_t
-    !> handed to all functions; must live as long as the simulation
-    type(c_ptr) :: user = c_null_ptr
-    !> messages between two ranks
-    type(c_funptr) :: start = c_null_funptr
-    !> the end of those
-    type(c_funptr) :: finish = c_null_funptr
-    !> integers over all ranks
-    type(c_funptr) :: sum = c_null_funptr
-    !> bytes of all ranks
-    type(c_funptr) :: gather = c_null_funptr
-    !> the end of it all
-    type(c_funptr) :: fail = c_null_funptr
-    !> of these ranks, copied at creation; NULL: hfrac's own only
-    type(c_ptr) :: linear_solver = c_null_ptr
+    integer(c_int32_t) :: struct_size = 0_c_int32_t  !< sizeof(hfrac_exchange) of the caller, set by init
+    integer(c_int32_t) :: rank = 0_c_int32_t  !< this one, 0 to size - 1
+    integer(c_int32_t) :: size = 0_c_int32_t  !< ranks, 1 to 1048576; with 1 no function is called
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t  !< 0
+    type(c_ptr) :: user = c_null_ptr  !< handed to all functions; must live as long as the simulation
+    type(c_funptr) :: start = c_null_funptr  !< messages between two ranks
+    type(c_funptr) :: finish = c_null_funptr  !< the end of those
+    type(c_funptr) :: sum = c_null_funptr  !< integers over all ranks
+    type(c_funptr) :: gather = c_null_funptr  !< bytes of all ranks
+    type(c_funptr) :: fail = c_null_funptr  !< the end of it all
+    type(c_ptr) :: linear_solver = c_null_ptr  !< of these ranks, copied at creation; NULL: hfrac's own only
   end type hfrac_exchange
 
   !> What a rank does for the others in a cycle, since the model was built; zeros with one rank. Set struct_size
   !> before the call.
   type, bind(C) :: hfrac_traffic
-    !> sizeof(hfrac_traffic) of the caller
-    integer(c_int32_t) :: struct_size = 40_c_int32_t
-    !> 0
-    integer(c_int32_t) :: struct_pad = 0_c_int32_t
-    !> received a cycle
-    integer(c_int64_t) :: messages = 0_c_int64_t
-    !> [B] received a cycle
-    integer(c_int64_t) :: bytes = 0_c_int64_t
-    !> discs of other ranks whose motion is received
-    integer(c_int64_t) :: foreign_discs = 0_c_int64_t
-    !> bonds that this rank does beside another, which counts them
-    integer(c_int64_t) :: shared_bonds = 0_c_int64_t
+    integer(c_int32_t) :: struct_size = 40_c_int32_t  !< sizeof(hfrac_traffic) of the caller
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t  !< 0
+    integer(c_int64_t) :: messages = 0_c_int64_t  !< received a cycle
+    integer(c_int64_t) :: bytes = 0_c_int64_t  !< [B] received a cycle
+    integer(c_int64_t) :: foreign_discs = 0_c_int64_t  !< discs of other ranks whose motion is received
+    integer(c_int64_t) :: shared_bonds = 0_c_int64_t  !< bonds that this rank does beside another, which counts them
   end type hfrac_traffic
 
   !> The host's areal grid. Set struct_size, and 0 what does not apply. Either regular cells (origin, dx, dy, angle)
   !> or `corners`; nx and ny always.
   type, bind(C) :: hfrac_grid
-    !> sizeof(hfrac_grid) of the caller
-    integer(c_int32_t) :: struct_size = 72_c_int32_t
-    !> 0
-    integer(c_int32_t) :: struct_pad = 0_c_int32_t
-    !> cells along i, from 1
-    integer(c_int64_t) :: nx = 0_c_int64_t
-    !> cells along j, from 1
-    integer(c_int64_t) :: ny = 0_c_int64_t
-    !> [m] first corner of cell (0, 0), in the model's coordinates
-    real(c_double) :: origin(2) = 0.0_c_double
-    !> [m] size of regular cells along i
-    real(c_double) :: dx = 0.0_c_double
-    !> [m] along j
-    real(c_double) :: dy = 0.0_c_double
-    !> [rad] from the model's x axis to the direction of i, anticlockwise
-    real(c_double) :: angle = 0.0_c_double
+    integer(c_int32_t) :: struct_size = 72_c_int32_t  !< sizeof(hfrac_grid) of the caller
+    integer(c_int32_t) :: struct_pad = 0_c_int32_t  !< 0
+    integer(c_int64_t) :: nx = 0_c_int64_t  !< cells along i, from 1
+    integer(c_int64_t) :: ny = 0_c_int64_t  !< cells along j, from 1
+    real(c_double) :: origin(2) = 0.0_c_double  !< [m] first corner of cell (0, 0), in the model's coordinates
+    real(c_double) :: dx = 0.0_c_double  !< [m] size of regular cells along i
+    real(c_double) :: dy = 0.0_c_double  !< [m] along j
+    real(c_double) :: angle = 0.0_c_double  !< [rad] from the model's x axis to the direction of i, anticlockwise
     !> NULL, or [m] x, y of the 4 corners of every cell: shape (2, 4, nx, ny), first index fastest; (i, j), (i+1,
     !> j), (i+1, j+1), (i, j+1); convex; copied
     type(c_ptr) :: corners = c_null_ptr
@@ -1372,30 +1038,23 @@ module hfrac_c
 
   !> One cell of the host's grid as the model fills it.
   type, bind(C) :: hfrac_cell
-    !> [m2] of the cell
-    real(c_double) :: area = 0.0_c_double
-    !> share of it that the model covers, 0 to 1
-    real(c_double) :: coverage = 0.0_c_double
+    real(c_double) :: area = 0.0_c_double  !< [m2] of the cell
+    real(c_double) :: coverage = 0.0_c_double  !< share of it that the model covers, 0 to 1
     !> [m2] that the cracks add: xx, yy, xy in the model's axes, over the cell's whole area
     real(c_double) :: permeability(3) = 0.0_c_double
     !> [m2] of the rock between the cracks, over the part covered; 0 if not covered
     real(c_double) :: matrix_permeability = 0.0_c_double
-    !> opening times length of the cracks over the cell's area
-    real(c_double) :: fracture_porosity = 0.0_c_double
-    !> pore volume of the network over area, of the part covered
-    real(c_double) :: matrix_porosity = 0.0_c_double
-    !> [m] length of crack lines in the cell
-    real(c_double) :: crack_length = 0.0_c_double
-    !> [m2/s] from pores beside cracks into others, in the last step
-    real(c_double) :: leak_off = 0.0_c_double
+    real(c_double) :: fracture_porosity = 0.0_c_double  !< opening times length of the cracks over the cell's area
+    real(c_double) :: matrix_porosity = 0.0_c_double  !< pore volume of the network over area, of the part covered
+    real(c_double) :: crack_length = 0.0_c_double  !< [m] length of crack lines in the cell
+    real(c_double) :: leak_off = 0.0_c_double  !< [m2/s] from pores beside cracks into others, in the last step
     !> [m2/s] out of the model through its edge into this cell, in the last step
     real(c_double) :: outflow = 0.0_c_double
     !> [Pa] of pores beside no crack, mean by volume; formation pressure if there are none
     real(c_double) :: pressure = 0.0_c_double
     !> [Pa] of pores beside cracks, mean by opening; as `pressure` without cracks
     real(c_double) :: fracture_pressure = 0.0_c_double
-    !> cracks with some length in the cell
-    integer(c_int64_t) :: crack_count = 0_c_int64_t
+    integer(c_int64_t) :: crack_count = 0_c_int64_t  !< cracks with some length in the cell
     !> [m2/(Pa s)] of the pipes through the model's edge to this cell: `outflow` falls by so much for each Pa the
     !> cell's pressure (hfrac_set_boundary_pressure) is raised while the pores inside keep theirs; over a long step
     !> pores follow and it falls by less. At the apertures as they are now, those of the next step
@@ -1404,174 +1063,112 @@ module hfrac_c
 
   !> Heat of rock and pores, wells excluded, counted from thermal.rock_temperature. Set struct_size before the call.
   type, bind(C) :: hfrac_heat
-    !> sizeof(hfrac_heat) of the caller
-    integer(c_int32_t) :: struct_size = 80_c_int32_t
-    !> 0 off, 1 uniform, 2 transport
-    integer(c_int32_t) :: mode = 0_c_int32_t
-    !> [J/m] in rock and pores beyond that after the initial equilibration
-    real(c_double) :: stored = 0.0_c_double
+    integer(c_int32_t) :: struct_size = 80_c_int32_t  !< sizeof(hfrac_heat) of the caller
+    integer(c_int32_t) :: mode = 0_c_int32_t  !< 0 off, 1 uniform, 2 transport
+    real(c_double) :: stored = 0.0_c_double  !< [J/m] in rock and pores beyond that after the initial equilibration
     !> [J/m] from wells since the initial equilibration: carried and through their walls
     real(c_double) :: wells = 0.0_c_double
-    !> [J/m] carried in through the outer boundary
-    real(c_double) :: outside = 0.0_c_double
-    !> [J/m] from discs that are held
-    real(c_double) :: held = 0.0_c_double
-    !> [J/m] put in by the host: temperatures it set, fluid it put into pores
-    real(c_double) :: host = 0.0_c_double
-    !> [J/m] wells + outside + held + host - stored: rounding
-    real(c_double) :: error = 0.0_c_double
+    real(c_double) :: outside = 0.0_c_double  !< [J/m] carried in through the outer boundary
+    real(c_double) :: held = 0.0_c_double  !< [J/m] from discs that are held
+    real(c_double) :: host = 0.0_c_double  !< [J/m] put in by the host: temperatures it set, fluid it put into pores
+    real(c_double) :: error = 0.0_c_double  !< [J/m] wells + outside + held + host - stored: rounding
     !> [J/m] elastic energy that changes of temperature put in; one of the works of hfrac_balance
     real(c_double) :: thermal_work = 0.0_c_double
-    !> [K] coldest disc
-    real(c_double) :: lowest = 0.0_c_double
-    !> [K] warmest disc
-    real(c_double) :: highest = 0.0_c_double
+    real(c_double) :: lowest = 0.0_c_double  !< [K] coldest disc
+    real(c_double) :: highest = 0.0_c_double  !< [K] warmest disc
   end type hfrac_heat
 
   !> Which test on which specimen. Fill with hfrac_lab_spec_init first.
   type, bind(C) :: hfrac_lab_spec
-    !> sizeof(hfrac_lab_spec) of the caller, set by init
-    integer(c_int32_t) :: struct_size = 0_c_int32_t
-    !> enum hfrac_lab_test; default HFRAC_LAB_ELASTIC
-    integer(c_int32_t) :: test = 0_c_int32_t
-    !> discs packed, 100 to 2000000; default 2000
-    integer(c_int64_t) :: disc_count = 0_c_int64_t
-    !> of the packing; default 1
-    integer(c_int64_t) :: seed = 0_c_int64_t
-    !> [m] of the specimen; default 10. Sets the disc size, which K_Ic goes with
-    real(c_double) :: width = 0.0_c_double
-    !> [Pa] on the sides, HFRAC_LAB_BIAXIAL, compression positive; default 0
-    real(c_double) :: confining = 0.0_c_double
-    !> length of a slit over the width, 0.05 to 0.6; default 0.3
-    real(c_double) :: slit_fraction = 0.0_c_double
+    integer(c_int32_t) :: struct_size = 0_c_int32_t  !< sizeof(hfrac_lab_spec) of the caller, set by init
+    integer(c_int32_t) :: test = 0_c_int32_t  !< enum hfrac_lab_test; default HFRAC_LAB_ELASTIC
+    integer(c_int64_t) :: disc_count = 0_c_int64_t  !< discs packed, 100 to 2000000; default 2000
+    integer(c_int64_t) :: seed = 0_c_int64_t  !< of the packing; default 1
+    real(c_double) :: width = 0.0_c_double  !< [m] of the specimen; default 10. Sets the disc size, which K_Ic goes with
+    real(c_double) :: confining = 0.0_c_double  !< [Pa] on the sides, HFRAC_LAB_BIAXIAL, compression positive; default 0
+    real(c_double) :: slit_fraction = 0.0_c_double  !< length of a slit over the width, 0.05 to 0.6; default 0.3
   end type hfrac_lab_spec
 
   !> What a test found; 0 where a test has no such thing. Set struct_size before the call.
   type, bind(C) :: hfrac_lab_report
-    !> sizeof(hfrac_lab_report) of the caller
-    integer(c_int32_t) :: struct_size = 216_c_int32_t
-    !> enum hfrac_lab_end
-    integer(c_int32_t) :: end = 0_c_int32_t
-    !> what the test is for, see enum hfrac_lab_test
-    real(c_double) :: value = 0.0_c_double
-    !> [Pa] E in plane strain
-    real(c_double) :: modulus = 0.0_c_double
-    !> nu in plane strain
-    real(c_double) :: poisson = 0.0_c_double
-    !> [Pa] E', slope of the two-dimensional model
-    real(c_double) :: plane_modulus = 0.0_c_double
-    !> nu', likewise
-    real(c_double) :: plane_poisson = 0.0_c_double
-    !> [Pa] largest stress (or fluid pressure) borne
-    real(c_double) :: peak_stress = 0.0_c_double
-    !> axial strain there, extension positive
-    real(c_double) :: strain_at_peak = 0.0_c_double
-    !> [Pa] at the first broken bond
-    real(c_double) :: first_crack_stress = 0.0_c_double
+    integer(c_int32_t) :: struct_size = 216_c_int32_t  !< sizeof(hfrac_lab_report) of the caller
+    integer(c_int32_t) :: end = 0_c_int32_t  !< enum hfrac_lab_end
+    real(c_double) :: value = 0.0_c_double  !< what the test is for, see enum hfrac_lab_test
+    real(c_double) :: modulus = 0.0_c_double  !< [Pa] E in plane strain
+    real(c_double) :: poisson = 0.0_c_double  !< nu in plane strain
+    real(c_double) :: plane_modulus = 0.0_c_double  !< [Pa] E', slope of the two-dimensional model
+    real(c_double) :: plane_poisson = 0.0_c_double  !< nu', likewise
+    real(c_double) :: peak_stress = 0.0_c_double  !< [Pa] largest stress (or fluid pressure) borne
+    real(c_double) :: strain_at_peak = 0.0_c_double  !< axial strain there, extension positive
+    real(c_double) :: first_crack_stress = 0.0_c_double  !< [Pa] at the first broken bond
     !> [m] a: half the slit, or the depth of a notch, as cut between bonds
     real(c_double) :: slit_half_length = 0.0_c_double
     !> F of K = F sigma sqrt(pi a), or the Brazilian's sigma over P / D
     real(c_double) :: geometry_factor = 0.0_c_double
-    !> K_Ic over sigma_c sqrt(mean radius)
-    real(c_double) :: toughness_coefficient = 0.0_c_double
-    !> [m2] along x
-    real(c_double) :: permeability_x = 0.0_c_double
-    !> [m2] along y
-    real(c_double) :: permeability_y = 0.0_c_double
-    !> [m] r0 in use (eq. 7)
-    real(c_double) :: zero_stress_aperture = 0.0_c_double
-    !> [m] of the discs packed
-    real(c_double) :: mean_radius = 0.0_c_double
-    !> bonds per disc times two
-    real(c_double) :: coordination = 0.0_c_double
-    !> largest mean unbalanced over mean contact force of all equilibria
-    real(c_double) :: force_ratio = 0.0_c_double
+    real(c_double) :: toughness_coefficient = 0.0_c_double  !< K_Ic over sigma_c sqrt(mean radius)
+    real(c_double) :: permeability_x = 0.0_c_double  !< [m2] along x
+    real(c_double) :: permeability_y = 0.0_c_double  !< [m2] along y
+    real(c_double) :: zero_stress_aperture = 0.0_c_double  !< [m] r0 in use (eq. 7)
+    real(c_double) :: mean_radius = 0.0_c_double  !< [m] of the discs packed
+    real(c_double) :: coordination = 0.0_c_double  !< bonds per disc times two
+    real(c_double) :: force_ratio = 0.0_c_double  !< largest mean unbalanced over mean contact force of all equilibria
     !> largest stress over strength less 1 at which a bond broke, up to the peak
     real(c_double) :: worst_overshoot = 0.0_c_double
-    !> wall time of the packing
-    real(c_double) :: packing_seconds = 0.0_c_double
-    !> wall time of the test
-    real(c_double) :: test_seconds = 0.0_c_double
-    !> discs of the specimen
-    integer(c_int64_t) :: disc_count = 0_c_int64_t
-    !> bonds of the specimen
-    integer(c_int64_t) :: bond_count = 0_c_int64_t
-    !> bonds broken in tension
-    integer(c_int64_t) :: tensile_cracks = 0_c_int64_t
-    !> bonds broken in shear
-    integer(c_int64_t) :: shear_cracks = 0_c_int64_t
-    !> sparse factors computed
-    integer(c_int64_t) :: factor_count = 0_c_int64_t
-    !> equilibria that took the explicit solver
-    integer(c_int64_t) :: relaxation_count = 0_c_int64_t
+    real(c_double) :: packing_seconds = 0.0_c_double  !< wall time of the packing
+    real(c_double) :: test_seconds = 0.0_c_double  !< wall time of the test
+    integer(c_int64_t) :: disc_count = 0_c_int64_t  !< discs of the specimen
+    integer(c_int64_t) :: bond_count = 0_c_int64_t  !< bonds of the specimen
+    integer(c_int64_t) :: tensile_cracks = 0_c_int64_t  !< bonds broken in tension
+    integer(c_int64_t) :: shear_cracks = 0_c_int64_t  !< bonds broken in shear
+    integer(c_int64_t) :: factor_count = 0_c_int64_t  !< sparse factors computed
+    integer(c_int64_t) :: relaxation_count = 0_c_int64_t  !< equilibria that took the explicit solver
   end type hfrac_lab_report
 
   !> What a rock is to have; NaN: not asked. Fill with hfrac_targets_init first.
   type, bind(C) :: hfrac_targets
-    !> sizeof(hfrac_targets) of the caller, set by init
-    integer(c_int32_t) :: struct_size = 0_c_int32_t
+    integer(c_int32_t) :: struct_size = 0_c_int32_t  !< sizeof(hfrac_targets) of the caller, set by init
     !> nonzero: modulus and poisson are E' and nu'; default 0, plane strain
     integer(c_int32_t) :: plane_slopes = 0_c_int32_t
-    !> [Pa]
-    real(c_double) :: modulus = 0.0_c_double
-    !> 1
-    real(c_double) :: poisson = 0.0_c_double
-    !> [Pa] UCS
-    real(c_double) :: compressive_strength = 0.0_c_double
-    !> [Pa] direct
-    real(c_double) :: tensile_strength = 0.0_c_double
-    !> [Pa m^0.5] K_Ic
-    real(c_double) :: toughness = 0.0_c_double
-    !> [m2]
-    real(c_double) :: permeability = 0.0_c_double
-    !> specimens a value is the mean of; default 4
-    integer(c_int64_t) :: packings = 0_c_int64_t
-    !> of elastic and permeability specimens; default 4000
-    integer(c_int64_t) :: disc_count = 0_c_int64_t
-    !> of the others; default 2000
-    integer(c_int64_t) :: strength_disc_count = 0_c_int64_t
-    !> of the first packing; default 1
-    integer(c_int64_t) :: seed = 0_c_int64_t
+    real(c_double) :: modulus = 0.0_c_double  !< [Pa]
+    real(c_double) :: poisson = 0.0_c_double  !< 1
+    real(c_double) :: compressive_strength = 0.0_c_double  !< [Pa] UCS
+    real(c_double) :: tensile_strength = 0.0_c_double  !< [Pa] direct
+    real(c_double) :: toughness = 0.0_c_double  !< [Pa m^0.5] K_Ic
+    real(c_double) :: permeability = 0.0_c_double  !< [m2]
+    integer(c_int64_t) :: packings = 0_c_int64_t  !< specimens a value is the mean of; default 4
+    integer(c_int64_t) :: disc_count = 0_c_int64_t  !< of elastic and permeability specimens; default 4000
+    integer(c_int64_t) :: strength_disc_count = 0_c_int64_t  !< of the others; default 2000
+    integer(c_int64_t) :: seed = 0_c_int64_t  !< of the first packing; default 1
   end type hfrac_targets
 
   !> What a calibration came to. Arrays are in the order of hfrac_targets, NaN where not asked. Set struct_size
   !> before the call.
   type, bind(C) :: hfrac_calibration
-    !> sizeof(hfrac_calibration) of the caller
-    integer(c_int32_t) :: struct_size = 1256_c_int32_t
+    integer(c_int32_t) :: struct_size = 1256_c_int32_t  !< sizeof(hfrac_calibration) of the caller
     !> 1: all targets reached, within a tenth on other packings or two standard errors of their mean; 0: `text` says
     !> which not
     integer(c_int32_t) :: reached = 0_c_int32_t
-    !> mean over as many packings again, not those calibrated on
-    real(c_double) :: achieved(6) = 0.0_c_double
-    !> standard deviation over them
-    real(c_double) :: spread(6) = 0.0_c_double
+    real(c_double) :: achieved(6) = 0.0_c_double  !< mean over as many packings again, not those calibrated on
+    real(c_double) :: spread(6) = 0.0_c_double  !< standard deviation over them
     !> least that can be had with the other targets as they are; NaN: no bound known
     real(c_double) :: lowest(6) = 0.0_c_double
-    !> most, likewise
-    real(c_double) :: highest(6) = 0.0_c_double
-    !> [m] r0 at the model's disc size, if permeability was asked
-    real(c_double) :: zero_stress_aperture = 0.0_c_double
-    !> K_Ic over sigma_c sqrt(R), if K_Ic was asked
-    real(c_double) :: toughness_coefficient = 0.0_c_double
-    !> wall time
-    real(c_double) :: seconds = 0.0_c_double
-    !> tests done
-    integer(c_int64_t) :: test_count = 0_c_int64_t
-    !> what could not be reached, and the nearest; empty if all was
-    character(kind=c_char) :: text(1024) = c_null_char
+    real(c_double) :: highest(6) = 0.0_c_double  !< most, likewise
+    real(c_double) :: zero_stress_aperture = 0.0_c_double  !< [m] r0 at the model's disc size, if permeability was asked
+    real(c_double) :: toughness_coefficient = 0.0_c_double  !< K_Ic over sigma_c sqrt(R), if K_Ic was asked
+    real(c_double) :: seconds = 0.0_c_double  !< wall time
+    integer(c_int64_t) :: test_count = 0_c_int64_t  !< tests done
+    character(kind=c_char) :: text(1024) = c_null_char  !< what could not be reached, and the nearest; empty if all was
   end type hfrac_calibration
 
   abstract interface
     !> Takes one message, a sentence without a line end, on the thread of the call it is about; `message` is valid
     !> during the call only. It may read from the simulation; calls that would change it return HFRAC_ERR_BUSY.
     !> Return 0: the result is not used.
-    function hfrac_log_fn(user, level, message) bind(C)
+    integer(c_int32_t) function hfrac_log_fn(user, level, message) bind(C)
       import
       type(c_ptr), value :: user
       integer(c_int32_t), value :: level
       character(kind=c_char), intent(in) :: message(*)
-      integer(c_int32_t) :: hfrac_log_fn
     end function hfrac_log_fn
   end interface
 
@@ -1579,12 +1176,11 @@ module hfrac_c
     !> Called while a simulation is built and while it runs, on the calling thread, with the share done in [0, 1]
     !> and what is being done. Nonzero return stops (HFRAC_STOPPED). Must not call back into the same simulation
     !> except to read.
-    function hfrac_progress_fn(user, fraction, what) bind(C)
+    integer(c_int32_t) function hfrac_progress_fn(user, fraction, what) bind(C)
       import
       type(c_ptr), value :: user
       real(c_double), value :: fraction
       character(kind=c_char), intent(in) :: what(*)
-      integer(c_int32_t) :: hfrac_progress_fn
     end function hfrac_progress_fn
   end interface
 
@@ -1592,13 +1188,12 @@ module hfrac_c
     !> Called after every whole step of hfrac_step and hfrac_advance (not of hfrac_step_do, whose host is in control
     !> anyway), on the calling thread. It may read `sim`; calls that would change it return HFRAC_ERR_BUSY. Nonzero
     !> stops after this step, which is kept (HFRAC_STOPPED). `step` counts from 1, `time` [s] is the model's.
-    function hfrac_step_fn(user, sim, step, time) bind(C)
+    integer(c_int32_t) function hfrac_step_fn(user, sim, step, time) bind(C)
       import
       type(c_ptr), value :: user
       type(c_ptr), value :: sim
       integer(c_int64_t), value :: step
       real(c_double), value :: time
-      integer(c_int32_t) :: hfrac_step_fn
     end function hfrac_step_fn
   end interface
 
@@ -1606,19 +1201,18 @@ module hfrac_c
     !> Takes the matrix; a factor may be left to the first solve, when the caller's lists are gone. `*prepared` is
     !> NULL at first, and what it is set to in later calls for the same equations. All functions of the table return
     !> 0, or nonzero if they failed.
-    function hfrac_prepare_fn(user, matrix, prepared) bind(C)
+    integer(c_int32_t) function hfrac_prepare_fn(user, matrix, prepared) bind(C)
       import
       type(c_ptr), value :: user
       type(hfrac_matrix), intent(in) :: matrix
       type(c_ptr), intent(inout) :: prepared
-      integer(c_int32_t) :: hfrac_prepare_fn
     end function hfrac_prepare_fn
   end interface
 
   abstract interface
     !> x of matrix x = right, to |right - matrix x| <= tolerance |right| in a norm of the solver's choice, with the
     !> same bits on all ranks; `iterations`: what it took.
-    function hfrac_solve_fn(user, prepared, right, x, tolerance, iterations) bind(C)
+    integer(c_int32_t) function hfrac_solve_fn(user, prepared, right, x, tolerance, iterations) bind(C)
       import
       type(c_ptr), value :: user
       type(c_ptr), value :: prepared
@@ -1626,28 +1220,25 @@ module hfrac_c
       real(c_double), intent(out) :: x
       real(c_double), value :: tolerance
       integer(c_int32_t), intent(out) :: iterations
-      integer(c_int32_t) :: hfrac_solve_fn
     end function hfrac_solve_fn
   end interface
 
   abstract interface
     !> The end of what was prepared; NULL is allowed. Not collective after a failure of another rank.
-    function hfrac_release_fn(user, prepared) bind(C)
+    integer(c_int32_t) function hfrac_release_fn(user, prepared) bind(C)
       import
       type(c_ptr), value :: user
       type(c_ptr), value :: prepared
-      integer(c_int32_t) :: hfrac_release_fn
     end function hfrac_release_fn
   end interface
 
   abstract interface
     !> Why the last call on this rank failed: at most `size` bytes with the ending 0.
-    function hfrac_reason_fn(user, text, size) bind(C)
+    integer(c_int32_t) function hfrac_reason_fn(user, text, size) bind(C)
       import
       type(c_ptr), value :: user
       character(kind=c_char), intent(in) :: text(*)
       integer(c_int64_t), value :: size
-      integer(c_int32_t) :: hfrac_reason_fn
     end function hfrac_reason_fn
   end interface
 
@@ -1655,457 +1246,404 @@ module hfrac_c
     !> Begins to exchange `count` messages, at most one with each rank. All functions of the table return 0, or
     !> nonzero once any rank has failed: then they go on to return nonzero. They are called by one thread of a rank
     !> at a time.
-    function hfrac_start_fn(user, messages, count) bind(C)
+    integer(c_int32_t) function hfrac_start_fn(user, messages, count) bind(C)
       import
       type(c_ptr), value :: user
       type(hfrac_message), intent(in) :: messages
       integer(c_int32_t), value :: count
-      integer(c_int32_t) :: hfrac_start_fn
     end function hfrac_start_fn
   end interface
 
   abstract interface
     !> Waits until all messages begun have come and gone.
-    function hfrac_finish_fn(user) bind(C)
+    integer(c_int32_t) function hfrac_finish_fn(user) bind(C)
       import
       type(c_ptr), value :: user
-      integer(c_int32_t) :: hfrac_finish_fn
     end function hfrac_finish_fn
   end interface
 
   abstract interface
     !> Adds up `count` integers over all ranks, in place, on all of them; overflow wraps.
-    function hfrac_sum_fn(user, values, count) bind(C)
+    integer(c_int32_t) function hfrac_sum_fn(user, values, count) bind(C)
       import
       type(c_ptr), value :: user
       integer(c_int64_t), intent(out) :: values
       integer(c_int32_t), value :: count
-      integer(c_int32_t) :: hfrac_sum_fn
     end function hfrac_sum_fn
   end interface
 
   abstract interface
     !> Of the bytes at `all`, rank r has those from begin[r] up to begin[r + 1]; afterwards all ranks have all.
-    function hfrac_gather_fn(user, all, begin) bind(C)
+    integer(c_int32_t) function hfrac_gather_fn(user, all, begin) bind(C)
       import
       type(c_ptr), value :: user
       type(c_ptr), value :: all
       integer(c_int64_t), intent(in) :: begin(*)
-      integer(c_int32_t) :: hfrac_gather_fn
     end function hfrac_gather_fn
   end interface
 
   abstract interface
     !> This rank cannot go on: calls that others wait in, or make later, return nonzero.
-    function hfrac_fail_fn(user) bind(C)
+    integer(c_int32_t) function hfrac_fail_fn(user) bind(C)
       import
       type(c_ptr), value :: user
-      integer(c_int32_t) :: hfrac_fail_fn
     end function hfrac_fail_fn
   end interface
 
   interface
     !> Version of the library that runs (not of the header it was compiled against). Stable since 0.1.
-    function hfrac_version(major, minor, patch) bind(C, name="hfrac_version")
+    integer(c_int32_t) function hfrac_version(major, minor, patch) bind(C, name="hfrac_version")
       import
       integer(c_int32_t), intent(out) :: major
       integer(c_int32_t), intent(out) :: minor
       integer(c_int32_t), intent(out) :: patch
-      integer(c_int32_t) :: hfrac_version
     end function hfrac_version
     !> ABI number of the library that runs; compare with HFRAC_ABI_VERSION. Stable since 0.1.
-    function hfrac_abi_version(abi) bind(C, name="hfrac_abi_version")
+    integer(c_int32_t) function hfrac_abi_version(abi) bind(C, name="hfrac_abi_version")
       import
       integer(c_int32_t), intent(out) :: abi
-      integer(c_int32_t) :: hfrac_abi_version
     end function hfrac_abi_version
     !> Compiler, build type and the instruction set the kernels chose on this machine, as one line. Stable since
     !> 0.1.
-    function hfrac_build_info(buffer, capacity, needed) bind(C, name="hfrac_build_info")
+    integer(c_int32_t) function hfrac_build_info(buffer, capacity, needed) bind(C, name="hfrac_build_info")
       import
       type(c_ptr), value :: buffer
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(out) :: needed
-      integer(c_int32_t) :: hfrac_build_info
     end function hfrac_build_info
     !> The cards that run.device = "gpu" can use: how many, and a line of text each with its name and memory; with
     !> none, a line that says why. Looks for the driver anew each time. Unstable since 0.2.
-    function hfrac_devices(count, buffer, capacity, needed) bind(C, name="hfrac_devices")
+    integer(c_int32_t) function hfrac_devices(count, buffer, capacity, needed) bind(C, name="hfrac_devices")
       import
       integer(c_int32_t), intent(out) :: count
       type(c_ptr), value :: buffer
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(out) :: needed
-      integer(c_int32_t) :: hfrac_devices
     end function hfrac_devices
     !> What a status code means, as one sentence. Unknown codes give HFRAC_ERR_ARGUMENT. Stable since 0.1.
-    function hfrac_status_text(status, buffer, capacity, needed) bind(C, name="hfrac_status_text")
+    integer(c_int32_t) function hfrac_status_text(status, buffer, capacity, needed) bind(C, name="hfrac_status_text")
       import
       integer(c_int32_t), value :: status
       type(c_ptr), value :: buffer
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(out) :: needed
-      integer(c_int32_t) :: hfrac_status_text
     end function hfrac_status_text
     !> The text of the last error of `sim`, with the value at fault, the allowed range and the fix. With sim NULL:
     !> the last error on this thread of a call that had no simulation (options, create), or found another thread in
     !> it (HFRAC_ERR_BUSY). Empty if there was none. Stable since 0.1.
-    function hfrac_last_error(sim, buffer, capacity, needed) bind(C, name="hfrac_last_error")
+    integer(c_int32_t) function hfrac_last_error(sim, buffer, capacity, needed) bind(C, name="hfrac_last_error")
       import
       type(c_ptr), value :: sim
       type(c_ptr), value :: buffer
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(out) :: needed
-      integer(c_int32_t) :: hfrac_last_error
     end function hfrac_last_error
     !> Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1.
-    function hfrac_sim_def_init(def, struct_size) bind(C, name="hfrac_sim_def_init")
+    integer(c_int32_t) function hfrac_sim_def_init(def, struct_size) bind(C, name="hfrac_sim_def_init")
       import
       type(hfrac_sim_def), intent(inout) :: def
       integer(c_int32_t), value :: struct_size
-      integer(c_int32_t) :: hfrac_sim_def_init
     end function hfrac_sim_def_init
     !> Ends the lists of `def` that belong to the library; they are empty then, and everything else stays. NULL and
     !> a definition without such lists are fine. Stable since 0.1.
-    function hfrac_sim_def_free(def) bind(C, name="hfrac_sim_def_free")
+    integer(c_int32_t) function hfrac_sim_def_free(def) bind(C, name="hfrac_sim_def_free")
       import
       type(hfrac_sim_def), intent(inout) :: def
-      integer(c_int32_t) :: hfrac_sim_def_free
     end function hfrac_sim_def_free
     !> Gives `to`, which hfrac_sim_def_init has filled, all values of `from` with lists of its own; lists that
     !> belonged to `to` end. Given discs and bonds stay the caller's, shared by both. Stable since 0.1.
-    function hfrac_sim_def_copy(from, to) bind(C, name="hfrac_sim_def_copy")
+    integer(c_int32_t) function hfrac_sim_def_copy(from, to) bind(C, name="hfrac_sim_def_copy")
       import
       type(hfrac_sim_def), intent(in) :: from
       type(hfrac_sim_def), intent(inout) :: to
-      integer(c_int32_t) :: hfrac_sim_def_copy
     end function hfrac_sim_def_copy
     !> Reads a TOML case file over `def`. Unknown keys, wrong types and values out of range are refused with file,
     !> line, key, allowed range and the nearest known key (HFRAC_ERR_CASE_FILE); `def` is then unchanged. A well's
     !> record (schedule_file) becomes entries of the schedule; def->log hears of how many rows (HFRAC_LOG_INFO).
     !> Stable since 0.1.
-    function hfrac_sim_def_load(def, path) bind(C, name="hfrac_sim_def_load")
+    integer(c_int32_t) function hfrac_sim_def_load(def, path) bind(C, name="hfrac_sim_def_load")
       import
       type(hfrac_sim_def), intent(inout) :: def
       character(kind=c_char), intent(in) :: path(*)
-      integer(c_int32_t) :: hfrac_sim_def_load
     end function hfrac_sim_def_load
     !> Adds a joint for each trace of the file `path`, as [[joint]] file does: a table with the columns START_X,
     !> START_Y, END_X and END_Y, or GeoJSON (.geojson, .json), in m. All values but the ends have their defaults;
     !> the host may change them in place. What is no trace is refused with file and line (HFRAC_ERR_CASE_FILE);
     !> `def` is then unchanged. Unstable since 0.1.
-    function hfrac_sim_def_add_traces(def, path) bind(C, name="hfrac_sim_def_add_traces")
+    integer(c_int32_t) function hfrac_sim_def_add_traces(def, path) bind(C, name="hfrac_sim_def_add_traces")
       import
       type(hfrac_sim_def), intent(inout) :: def
       character(kind=c_char), intent(in) :: path(*)
-      integer(c_int32_t) :: hfrac_sim_def_add_traces
     end function hfrac_sim_def_add_traces
     !> The definition as a TOML text with every option filled in, but for a well those of its wellbore that are at
     !> their default; loading it gives the same definition. Stable since 0.1.
-    function hfrac_sim_def_write(def, buffer, capacity, needed) bind(C, name="hfrac_sim_def_write")
+    integer(c_int32_t) function hfrac_sim_def_write(def, buffer, capacity, needed) bind(C, name="hfrac_sim_def_write")
       import
       type(hfrac_sim_def), intent(in) :: def
       type(c_ptr), value :: buffer
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(out) :: needed
-      integer(c_int32_t) :: hfrac_sim_def_write
     end function hfrac_sim_def_write
     !> Refuses what cannot be built: values out of range, contradictory stresses, wells outside the model or
     !> overlapping, and so on; the text (hfrac_last_error(NULL, ...)) names the fix. Stable since 0.1.
-    function hfrac_sim_def_check(def) bind(C, name="hfrac_sim_def_check")
+    integer(c_int32_t) function hfrac_sim_def_check(def) bind(C, name="hfrac_sim_def_check")
       import
       type(hfrac_sim_def), intent(in) :: def
-      integer(c_int32_t) :: hfrac_sim_def_check
     end function hfrac_sim_def_check
     !> The same for a definition that was read from the case file `path`: the text begins with the file, and with
     !> the line of the first value it names that the file has (HFRAC_ERR_CASE_FILE). Unstable since 0.1.
-    function hfrac_sim_def_check_file(def, path) bind(C, name="hfrac_sim_def_check_file")
+    integer(c_int32_t) function hfrac_sim_def_check_file(def, path) bind(C, name="hfrac_sim_def_check_file")
       import
       type(hfrac_sim_def), intent(in) :: def
       character(kind=c_char), intent(in) :: path(*)
-      integer(c_int32_t) :: hfrac_sim_def_check_file
     end function hfrac_sim_def_check_file
     !> Mean radius [m] of the discs of the packing where they are fine, and where they are coarsest
     !> (packing.coarsening); in a uniform packing both are the mean of all. As foreseen: the packing's own are
     !> within a hundredth (hfrac_sim_get_setup). Unstable since 0.1.
-    function hfrac_sim_def_disc_radii(def, fine, coarsest) bind(C, name="hfrac_sim_def_disc_radii")
+    integer(c_int32_t) function hfrac_sim_def_disc_radii(def, fine, coarsest) bind(C, name="hfrac_sim_def_disc_radii")
       import
       type(hfrac_sim_def), intent(in) :: def
       real(c_double), intent(out) :: fine
       real(c_double), intent(out) :: coarsest
-      integer(c_int32_t) :: hfrac_sim_def_disc_radii
     end function hfrac_sim_def_disc_radii
     !> Sets an option by its key, e.g. "bond.tensile_strength", "well[0].pressure", "joint[0].x1" or
     !> "schedule[0].time". The first value of the well, joint or entry after the last one adds it; a well's centre
     !> is then the model's, as wide and high as it is at that moment. Stable since 0.1.
-    function hfrac_sim_def_set_f64(def, key, value) bind(C, name="hfrac_sim_def_set_f64")
+    integer(c_int32_t) function hfrac_sim_def_set_f64(def, key, value) bind(C, name="hfrac_sim_def_set_f64")
       import
       type(hfrac_sim_def), intent(inout) :: def
       character(kind=c_char), intent(in) :: key(*)
       real(c_double), value :: value
-      integer(c_int32_t) :: hfrac_sim_def_set_f64
     end function hfrac_sim_def_set_f64
     !> Sets an integer option, or a choice by its index. "well_count", "joint_count", "schedule_count": makes the
     !> list that long, as the library's own; items added have the keys' defaults. Stable since 0.1.
-    function hfrac_sim_def_set_i64(def, key, value) bind(C, name="hfrac_sim_def_set_i64")
+    integer(c_int32_t) function hfrac_sim_def_set_i64(def, key, value) bind(C, name="hfrac_sim_def_set_i64")
       import
       type(hfrac_sim_def), intent(inout) :: def
       character(kind=c_char), intent(in) :: key(*)
       integer(c_int64_t), value :: value
-      integer(c_int32_t) :: hfrac_sim_def_set_i64
     end function hfrac_sim_def_set_i64
     !> Sets a choice by its word, or "title". Stable since 0.1.
-    function hfrac_sim_def_set_str(def, key, value) bind(C, name="hfrac_sim_def_set_str")
+    integer(c_int32_t) function hfrac_sim_def_set_str(def, key, value) bind(C, name="hfrac_sim_def_set_str")
       import
       type(hfrac_sim_def), intent(inout) :: def
       character(kind=c_char), intent(in) :: key(*)
       character(kind=c_char), intent(in) :: value(*)
-      integer(c_int32_t) :: hfrac_sim_def_set_str
     end function hfrac_sim_def_set_str
     !> Reads an option by its key as a double (integers and choices are converted). Stable since 0.1.
-    function hfrac_sim_def_get_f64(def, key, value) bind(C, name="hfrac_sim_def_get_f64")
+    integer(c_int32_t) function hfrac_sim_def_get_f64(def, key, value) bind(C, name="hfrac_sim_def_get_f64")
       import
       type(hfrac_sim_def), intent(in) :: def
       character(kind=c_char), intent(in) :: key(*)
       real(c_double), intent(out) :: value
-      integer(c_int32_t) :: hfrac_sim_def_get_f64
     end function hfrac_sim_def_get_f64
     !> Reads an integer option, a choice's index, or "well_count", "joint_count", "schedule_count"; a real one is
     !> refused, since it would lose its fraction. Unstable since 0.1.
-    function hfrac_sim_def_get_i64(def, key, value) bind(C, name="hfrac_sim_def_get_i64")
+    integer(c_int32_t) function hfrac_sim_def_get_i64(def, key, value) bind(C, name="hfrac_sim_def_get_i64")
       import
       type(hfrac_sim_def), intent(in) :: def
       character(kind=c_char), intent(in) :: key(*)
       integer(c_int64_t), intent(out) :: value
-      integer(c_int32_t) :: hfrac_sim_def_get_i64
     end function hfrac_sim_def_get_i64
     !> Reads any option as text: a choice's word, "title", numbers with all their digits, so that setting or loading
     !> the text gives the value back bit for bit. Unstable since 0.1.
-    function hfrac_sim_def_get_str(def, key, buffer, capacity, needed) bind(C, name="hfrac_sim_def_get_str")
+    integer(c_int32_t) function hfrac_sim_def_get_str(def, key, buffer, capacity, needed) bind(C, &
+      name="hfrac_sim_def_get_str")
       import
       type(hfrac_sim_def), intent(in) :: def
       character(kind=c_char), intent(in) :: key(*)
       type(c_ptr), value :: buffer
       integer(c_int32_t), value :: capacity
       integer(c_int32_t), intent(out) :: needed
-      integer(c_int32_t) :: hfrac_sim_def_get_str
     end function hfrac_sim_def_get_str
     !> Number of options in the table. Stable since 0.1.
-    function hfrac_option_count(count) bind(C, name="hfrac_option_count")
+    integer(c_int32_t) function hfrac_option_count(count) bind(C, name="hfrac_option_count")
       import
       integer(c_int32_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_option_count
     end function hfrac_option_count
     !> Entry `index` (from 0) of the table. Stable since 0.1.
-    function hfrac_option_at(index, info) bind(C, name="hfrac_option_at")
+    integer(c_int32_t) function hfrac_option_at(index, info) bind(C, name="hfrac_option_at")
       import
       integer(c_int32_t), value :: index
       type(hfrac_option_info), intent(inout) :: info
-      integer(c_int32_t) :: hfrac_option_at
     end function hfrac_option_at
     !> Number of values a well has. Unstable since 0.1.
-    function hfrac_well_option_count(count) bind(C, name="hfrac_well_option_count")
+    integer(c_int32_t) function hfrac_well_option_count(count) bind(C, name="hfrac_well_option_count")
       import
       integer(c_int32_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_well_option_count
     end function hfrac_well_option_count
     !> Entry `index` (from 0) of a well's values; its key is "radius" where the keyed functions take
     !> "well[0].radius". Unstable since 0.1.
-    function hfrac_well_option_at(index, info) bind(C, name="hfrac_well_option_at")
+    integer(c_int32_t) function hfrac_well_option_at(index, info) bind(C, name="hfrac_well_option_at")
       import
       integer(c_int32_t), value :: index
       type(hfrac_option_info), intent(inout) :: info
-      integer(c_int32_t) :: hfrac_well_option_at
     end function hfrac_well_option_at
     !> Number of values a joint has. Unstable since 0.1.
-    function hfrac_joint_option_count(count) bind(C, name="hfrac_joint_option_count")
+    integer(c_int32_t) function hfrac_joint_option_count(count) bind(C, name="hfrac_joint_option_count")
       import
       integer(c_int32_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_joint_option_count
     end function hfrac_joint_option_count
     !> Entry `index` (from 0) of a joint's values; its key is "x1" where the keyed functions take "joint[0].x1".
     !> Unstable since 0.1.
-    function hfrac_joint_option_at(index, info) bind(C, name="hfrac_joint_option_at")
+    integer(c_int32_t) function hfrac_joint_option_at(index, info) bind(C, name="hfrac_joint_option_at")
       import
       integer(c_int32_t), value :: index
       type(hfrac_option_info), intent(inout) :: info
-      integer(c_int32_t) :: hfrac_joint_option_at
     end function hfrac_joint_option_at
     !> Number of values a schedule's entry has. Unstable since 0.1.
-    function hfrac_schedule_option_count(count) bind(C, name="hfrac_schedule_option_count")
+    integer(c_int32_t) function hfrac_schedule_option_count(count) bind(C, name="hfrac_schedule_option_count")
       import
       integer(c_int32_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_schedule_option_count
     end function hfrac_schedule_option_count
     !> Entry `index` (from 0) of the values of a schedule's entry; its key is "time" where the keyed functions take
     !> "schedule[0].time". Unstable since 0.1.
-    function hfrac_schedule_option_at(index, info) bind(C, name="hfrac_schedule_option_at")
+    integer(c_int32_t) function hfrac_schedule_option_at(index, info) bind(C, name="hfrac_schedule_option_at")
       import
       integer(c_int32_t), value :: index
       type(hfrac_option_info), intent(inout) :: info
-      integer(c_int32_t) :: hfrac_schedule_option_at
     end function hfrac_schedule_option_at
     !> Builds a simulation. On failure *sim is NULL and hfrac_last_error(NULL, ...) says why. HFRAC_ERR_COLLAPSED:
     !> more than initial.broken_fraction of the bonds broke under the far field, or the rock found no rest at all.
     !> Stable since 0.1.
-    function hfrac_sim_create(def, sim) bind(C, name="hfrac_sim_create")
+    integer(c_int32_t) function hfrac_sim_create(def, sim) bind(C, name="hfrac_sim_create")
       import
       type(hfrac_sim_def), intent(in) :: def
       type(c_ptr), intent(inout) :: sim
-      integer(c_int32_t) :: hfrac_sim_create
     end function hfrac_sim_create
     !> Frees a simulation and sets *sim to NULL; NULL and *sim == NULL are fine. Stable since 0.1.
-    function hfrac_sim_destroy(sim) bind(C, name="hfrac_sim_destroy")
+    integer(c_int32_t) function hfrac_sim_destroy(sim) bind(C, name="hfrac_sim_destroy")
       import
       type(c_ptr), intent(inout) :: sim
-      integer(c_int32_t) :: hfrac_sim_destroy
     end function hfrac_sim_destroy
     !> The definition the simulation was built from, defaults filled in, into `def`, which hfrac_sim_def_init has
     !> filled; its lists are the library's then (hfrac_sim_def_free). Stable since 0.1.
-    function hfrac_sim_definition(sim, def) bind(C, name="hfrac_sim_definition")
+    integer(c_int32_t) function hfrac_sim_definition(sim, def) bind(C, name="hfrac_sim_definition")
       import
       type(c_ptr), value :: sim
       type(hfrac_sim_def), intent(inout) :: def
-      integer(c_int32_t) :: hfrac_sim_definition
     end function hfrac_sim_definition
     !> Takes `count` steps (sub-steps in mode "substep", stepping.flow_step seconds of real motion each in mode
     !> "dynamic", stepping.flow_step seconds of flow and equilibrium together in mode "coupled"). All of them,
     !> whatever stop conditions say; HFRAC_STOP_CONDITION if one holds at the end. Stable since 0.1.
-    function hfrac_step(sim, count) bind(C, name="hfrac_step")
+    integer(c_int32_t) function hfrac_step(sim, count) bind(C, name="hfrac_step")
       import
       type(c_ptr), value :: sim
       integer(c_int64_t), value :: count
-      integer(c_int32_t) :: hfrac_step
     end function hfrac_step
     !> Steps until model time `target` [s] is reached: time moves in whole steps, so *reached >= target on success
     !> (HFRAC_OK or HFRAC_NOT_AT_REST), and equal to it where whole steps add up to it, rounding or not. Ends
     !> before, without a step if it holds already, at a stop condition (HFRAC_STOP_CONDITION). A target in the past
     !> is reached. Stable since 0.1.
-    function hfrac_advance(sim, target, reached, reason) bind(C, name="hfrac_advance")
+    integer(c_int32_t) function hfrac_advance(sim, target, reached, reason) bind(C, name="hfrac_advance")
       import
       type(c_ptr), value :: sim
       real(c_double), value :: target
       real(c_double), intent(out) :: reached
       integer(c_int32_t), intent(out) :: reason
-      integer(c_int32_t) :: hfrac_advance
     end function hfrac_advance
     !> The same, with the last step shortened so that *reached == target on success. HFRAC_ERR_ARGUMENT: the target
     !> lies before the model's time. Unstable since 0.1.
-    function hfrac_advance_to(sim, target, reached, reason) bind(C, name="hfrac_advance_to")
+    integer(c_int32_t) function hfrac_advance_to(sim, target, reached, reason) bind(C, name="hfrac_advance_to")
       import
       type(c_ptr), value :: sim
       real(c_double), value :: target
       real(c_double), intent(out) :: reached
       integer(c_int32_t), intent(out) :: reason
-      integer(c_int32_t) :: hfrac_advance_to
     end function hfrac_advance_to
     !> Other limits than stop.extent_fraction (0.01 to 1) and stop.cracks (0: no limit) from now on, so that a run
     !> that ended at one goes on. Unstable since 0.1.
-    function hfrac_set_stop(sim, extent_fraction, cracks) bind(C, name="hfrac_set_stop")
+    integer(c_int32_t) function hfrac_set_stop(sim, extent_fraction, cracks) bind(C, name="hfrac_set_stop")
       import
       type(c_ptr), value :: sim
       real(c_double), value :: extent_fraction
       integer(c_int64_t), value :: cracks
-      integer(c_int32_t) :: hfrac_set_stop
     end function hfrac_set_stop
     !> Sets the callback of hfrac_step and hfrac_advance, called about every `seconds` of wall time (0: between any
     !> two steps and often within one); NULL removes it. Stable since 0.1.
-    function hfrac_set_progress(sim, progress, user, seconds) bind(C, name="hfrac_set_progress")
+    integer(c_int32_t) function hfrac_set_progress(sim, progress, user, seconds) bind(C, name="hfrac_set_progress")
       import
       type(c_ptr), value :: sim
       type(c_funptr), value :: progress
       type(c_ptr), value :: user
       real(c_double), value :: seconds
-      integer(c_int32_t) :: hfrac_set_progress
     end function hfrac_set_progress
     !> Sets the callback after every step; NULL removes it. Unstable since 0.1.
-    function hfrac_set_on_step(sim, on_step, user) bind(C, name="hfrac_set_on_step")
+    integer(c_int32_t) function hfrac_set_on_step(sim, on_step, user) bind(C, name="hfrac_set_on_step")
       import
       type(c_ptr), value :: sim
       type(c_funptr), value :: on_step
       type(c_ptr), value :: user
-      integer(c_int32_t) :: hfrac_set_on_step
     end function hfrac_set_on_step
     !> Sets who is told what happens, up to `level` (enum hfrac_log_level); NULL removes it. Unstable since 0.1.
-    function hfrac_set_log(sim, log, user, level) bind(C, name="hfrac_set_log")
+    integer(c_int32_t) function hfrac_set_log(sim, log, user, level) bind(C, name="hfrac_set_log")
       import
       type(c_ptr), value :: sim
       type(c_funptr), value :: log
       type(c_ptr), value :: user
       integer(c_int32_t), value :: level
-      integer(c_int32_t) :: hfrac_set_log
     end function hfrac_set_log
     !> How the simulation stands now. Stable since 0.1.
-    function hfrac_sim_get_state(sim, state) bind(C, name="hfrac_sim_get_state")
+    integer(c_int32_t) function hfrac_sim_get_state(sim, state) bind(C, name="hfrac_sim_get_state")
       import
       type(c_ptr), value :: sim
       type(hfrac_sim_state), intent(inout) :: state
-      integer(c_int32_t) :: hfrac_sim_get_state
     end function hfrac_sim_get_state
     !> What the set-up made. Stable since 0.1.
-    function hfrac_sim_get_setup(sim, report) bind(C, name="hfrac_sim_get_setup")
+    integer(c_int32_t) function hfrac_sim_get_setup(sim, report) bind(C, name="hfrac_sim_get_setup")
       import
       type(c_ptr), value :: sim
       type(hfrac_setup_report), intent(inout) :: report
-      integer(c_int32_t) :: hfrac_sim_get_setup
     end function hfrac_sim_get_setup
     !> Energy and fluid balance now. Stable since 0.1.
-    function hfrac_get_balance(sim, balance) bind(C, name="hfrac_get_balance")
+    integer(c_int32_t) function hfrac_get_balance(sim, balance) bind(C, name="hfrac_get_balance")
       import
       type(c_ptr), value :: sim
       type(hfrac_balance), intent(inout) :: balance
-      integer(c_int32_t) :: hfrac_get_balance
     end function hfrac_get_balance
     !> What the quasi-static solver did since the initial equilibration. Unstable since 0.1.
-    function hfrac_sim_get_solver(sim, report) bind(C, name="hfrac_sim_get_solver")
+    integer(c_int32_t) function hfrac_sim_get_solver(sim, report) bind(C, name="hfrac_sim_get_solver")
       import
       type(c_ptr), value :: sim
       type(hfrac_solver_report), intent(inout) :: report
-      integer(c_int32_t) :: hfrac_sim_get_solver
     end function hfrac_sim_get_solver
     !> How long a step could be now. Unstable since 0.1.
-    function hfrac_get_step_limits(sim, limits) bind(C, name="hfrac_get_step_limits")
+    integer(c_int32_t) function hfrac_get_step_limits(sim, limits) bind(C, name="hfrac_get_step_limits")
       import
       type(c_ptr), value :: sim
       type(hfrac_step_limits), intent(inout) :: limits
-      integer(c_int32_t) :: hfrac_get_step_limits
     end function hfrac_get_step_limits
     !> Number of walls: 4 (left, right, lower, upper), or 0 with boundary.kind stress. Unstable since 0.1.
-    function hfrac_wall_count(sim, count) bind(C, name="hfrac_wall_count")
+    integer(c_int32_t) function hfrac_wall_count(sim, count) bind(C, name="hfrac_wall_count")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_wall_count
     end function hfrac_wall_count
     !> Wall `index` (from 0) now. Unstable since 0.1.
-    function hfrac_wall_get(sim, index, state) bind(C, name="hfrac_wall_get")
+    integer(c_int32_t) function hfrac_wall_get(sim, index, state) bind(C, name="hfrac_wall_get")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: index
       type(hfrac_wall_state), intent(inout) :: state
-      integer(c_int32_t) :: hfrac_wall_get
     end function hfrac_wall_get
     !> A number that is equal if and only if (up to collision) the state is equal, bit for bit. Stable since 0.1.
-    function hfrac_state_hash(sim, hash) bind(C, name="hfrac_state_hash")
+    integer(c_int32_t) function hfrac_state_hash(sim, hash) bind(C, name="hfrac_state_hash")
       import
       type(c_ptr), value :: sim
       integer(c_int64_t), intent(out) :: hash
-      integer(c_int32_t) :: hfrac_state_hash
     end function hfrac_state_hash
     !> Number of wells. Stable since 0.1.
-    function hfrac_well_count(sim, count) bind(C, name="hfrac_well_count")
+    integer(c_int32_t) function hfrac_well_count(sim, count) bind(C, name="hfrac_well_count")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_well_count
     end function hfrac_well_count
     !> Well `index` (from 0) now. Stable since 0.1.
-    function hfrac_well_get(sim, index, state) bind(C, name="hfrac_well_get")
+    integer(c_int32_t) function hfrac_well_get(sim, index, state) bind(C, name="hfrac_well_get")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: index
       type(hfrac_well_state), intent(inout) :: state
-      integer(c_int32_t) :: hfrac_well_get
     end function hfrac_well_get
     !> Adds a well at any time between two steps: the pore of the rock nearest to (`x`, `y`) [m] takes or gives
     !> fluid where it lies. No hole is cut, and no disc, bond or domain is renumbered. *index is its number, the
@@ -2114,39 +1652,35 @@ module hfrac_c
     !> from the same definition, one from before takes them away (told as a warning), and hfrac_sim_definition is
     !> what was built. HFRAC_ERR_ARGUMENT: the place is outside the rock or another well's, pores hold no fluid
     !> (flow.scheme "off"), or a step is open. Unstable since 0.1.
-    function hfrac_well_add(sim, x, y, index) bind(C, name="hfrac_well_add")
+    integer(c_int32_t) function hfrac_well_add(sim, x, y, index) bind(C, name="hfrac_well_add")
       import
       type(c_ptr), value :: sim
       real(c_double), value :: x
       real(c_double), value :: y
       integer(c_int32_t), intent(out) :: index
-      integer(c_int32_t) :: hfrac_well_add
     end function hfrac_well_add
     !> From the next step on, holds a well at `pressure` [Pa]. Stable since 0.1.
-    function hfrac_well_set_pressure(sim, index, pressure) bind(C, name="hfrac_well_set_pressure")
+    integer(c_int32_t) function hfrac_well_set_pressure(sim, index, pressure) bind(C, name="hfrac_well_set_pressure")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: index
       real(c_double), value :: pressure
-      integer(c_int32_t) :: hfrac_well_set_pressure
     end function hfrac_well_set_pressure
     !> From the next step on, ramps a well from where it is by `per_step` [Pa] up or down to `pressure` [Pa]. Stable
     !> since 0.1.
-    function hfrac_well_set_ramp(sim, index, pressure, per_step) bind(C, name="hfrac_well_set_ramp")
+    integer(c_int32_t) function hfrac_well_set_ramp(sim, index, pressure, per_step) bind(C, name="hfrac_well_set_ramp")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: index
       real(c_double), value :: pressure
       real(c_double), value :: per_step
-      integer(c_int32_t) :: hfrac_well_set_ramp
     end function hfrac_well_set_ramp
     !> From the next step on, injects `rate` [m2/s] (negative: takes out; 0: shut in). Stable since 0.1.
-    function hfrac_well_set_rate(sim, index, rate) bind(C, name="hfrac_well_set_rate")
+    integer(c_int32_t) function hfrac_well_set_rate(sim, index, rate) bind(C, name="hfrac_well_set_rate")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: index
       real(c_double), value :: rate
-      integer(c_int32_t) :: hfrac_well_set_rate
     end function hfrac_well_set_rate
     !> Replaces a well's schedule: from model time time[k] [s] on, held at value[k] [Pa] (control[k]
     !> HFRAC_WELL_PRESSURE) or taking value[k] [m2/s] (HFRAC_WELL_RATE). `count` entries in order of time, copied; 0
@@ -2155,7 +1689,8 @@ module hfrac_c
     !> (hfrac_step_do) gets what is due when its step begins. hfrac_well_set_pressure, _ramp and _rate end a well's
     !> schedule. HFRAC_ERR_ARGUMENT or HFRAC_ERR_MODEL, and the old schedule stays, if times fall or repeat, or a
     !> value is none a well can have. Unstable since 0.1.
-    function hfrac_well_set_schedule(sim, index, count, time, control, value) bind(C, name="hfrac_well_set_schedule")
+    integer(c_int32_t) function hfrac_well_set_schedule(sim, index, count, time, control, value) bind(C, &
+      name="hfrac_well_set_schedule")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: index
@@ -2163,75 +1698,69 @@ module hfrac_c
       real(c_double), intent(in) :: time(*)
       integer(c_int32_t), intent(in) :: control(*)
       real(c_double), intent(in) :: value(*)
-      integer(c_int32_t) :: hfrac_well_set_schedule
     end function hfrac_well_set_schedule
     !> From the next step on, a well pumps `fluid` (enum hfrac_well_fluid). It stays driven as it is, and its
     !> schedule goes on; an entry of a case file's that names a fluid changes it again. HFRAC_ERR_ARGUMENT: the
     !> model has no second fluid (fluid.second_viscosity), or another well drives this one's wellbore. Unstable
     !> since 0.2.
-    function hfrac_well_set_fluid(sim, index, fluid) bind(C, name="hfrac_well_set_fluid")
+    integer(c_int32_t) function hfrac_well_set_fluid(sim, index, fluid) bind(C, name="hfrac_well_set_fluid")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: index
       integer(c_int32_t), value :: fluid
-      integer(c_int32_t) :: hfrac_well_set_fluid
     end function hfrac_well_set_fluid
     !> Describes field `field` of `sim`. Stable since 0.1.
-    function hfrac_field_info(sim, field, desc) bind(C, name="hfrac_field_info")
+    integer(c_int32_t) function hfrac_field_info(sim, field, desc) bind(C, name="hfrac_field_info")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: field
       type(hfrac_field_desc), intent(inout) :: desc
-      integer(c_int32_t) :: hfrac_field_info
     end function hfrac_field_info
     !> The field of a name, e.g. "domain.pressure". Stable since 0.1.
-    function hfrac_field_find(name, field) bind(C, name="hfrac_field_find")
+    integer(c_int32_t) function hfrac_field_find(name, field) bind(C, name="hfrac_field_find")
       import
       character(kind=c_char), intent(in) :: name(*)
       integer(c_int32_t), intent(out) :: field
-      integer(c_int32_t) :: hfrac_field_find
     end function hfrac_field_find
     !> Copies a double field; `capacity` and *count in values, components counted. destination NULL: only *count.
     !> Stable since 0.1.
-    function hfrac_field_copy_f64(sim, field, destination, capacity, count) bind(C, name="hfrac_field_copy_f64")
+    integer(c_int32_t) function hfrac_field_copy_f64(sim, field, destination, capacity, count) bind(C, &
+      name="hfrac_field_copy_f64")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: field
       type(c_ptr), value :: destination
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_field_copy_f64
     end function hfrac_field_copy_f64
     !> Copies an int32 field, likewise. Stable since 0.1.
-    function hfrac_field_copy_i32(sim, field, destination, capacity, count) bind(C, name="hfrac_field_copy_i32")
+    integer(c_int32_t) function hfrac_field_copy_i32(sim, field, destination, capacity, count) bind(C, &
+      name="hfrac_field_copy_i32")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: field
       type(c_ptr), value :: destination
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_field_copy_i32
     end function hfrac_field_copy_i32
     !> Borrows a field: pointer to its first value, number of values, epoch at which it was taken. Stable since 0.1.
-    function hfrac_field_view(sim, field, data, count, epoch) bind(C, name="hfrac_field_view")
+    integer(c_int32_t) function hfrac_field_view(sim, field, data, count, epoch) bind(C, name="hfrac_field_view")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: field
       type(c_ptr), intent(inout) :: data
       integer(c_int64_t), intent(out) :: count
       integer(c_int64_t), intent(out) :: epoch
-      integer(c_int32_t) :: hfrac_field_view
     end function hfrac_field_view
     !> Raised by every call that may change the simulation; a view of an older epoch is stale. Stable since 0.1.
-    function hfrac_epoch(sim, epoch) bind(C, name="hfrac_epoch")
+    integer(c_int32_t) function hfrac_epoch(sim, epoch) bind(C, name="hfrac_epoch")
       import
       type(c_ptr), value :: sim
       integer(c_int64_t), intent(out) :: epoch
-      integer(c_int32_t) :: hfrac_epoch
     end function hfrac_epoch
     !> Cracks with id >= cursor, at most `capacity` of them; *next is the cursor for the next call. `crack_size` is
     !> sizeof(hfrac_crack) in the caller. buffer NULL: only *count of what there is. Stable since 0.1.
-    function hfrac_cracks_since(sim, cursor, crack_size, buffer, capacity, count, next) bind(C, &
+    integer(c_int32_t) function hfrac_cracks_since(sim, cursor, crack_size, buffer, capacity, count, next) bind(C, &
       name="hfrac_cracks_since")
       import
       type(c_ptr), value :: sim
@@ -2241,25 +1770,25 @@ module hfrac_c
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
       integer(c_int64_t), intent(out) :: next
-      integer(c_int32_t) :: hfrac_cracks_since
     end function hfrac_cracks_since
     !> Finds the fractures as they are now and copies up to `capacity`; *count is how many there are.
     !> `fracture_size` is sizeof(hfrac_fracture) in the caller; buffer NULL: only *count. Stable since 0.1.
-    function hfrac_fractures(sim, fracture_size, buffer, capacity, count) bind(C, name="hfrac_fractures")
+    integer(c_int32_t) function hfrac_fractures(sim, fracture_size, buffer, capacity, count) bind(C, &
+      name="hfrac_fractures")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: fracture_size
       type(c_ptr), value :: buffer
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_fractures
     end function hfrac_fractures
     !> A fracture as an ordered line, from the tip of one wing to that of the other: the longest ways from its well,
     !> or from end to end if no well feeds it; side branches are left out. `fracture` is its index as
     !> hfrac_fractures gives it now; before anything broke, fracture 0 has no points. Copies up to `capacity`
     !> points, *count is how many there are; `point_size` is sizeof(hfrac_fracture_point) in the caller; buffer
     !> NULL: only *count. Unstable since 0.1.
-    function hfrac_fracture_line(sim, fracture, point_size, buffer, capacity, count) bind(C, name="hfrac_fracture_line")
+    integer(c_int32_t) function hfrac_fracture_line(sim, fracture, point_size, buffer, capacity, count) bind(C, &
+      name="hfrac_fracture_line")
       import
       type(c_ptr), value :: sim
       integer(c_int64_t), value :: fracture
@@ -2267,12 +1796,12 @@ module hfrac_c
       type(c_ptr), value :: buffer
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_fracture_line
     end function hfrac_fracture_line
     !> Slips with id >= cursor, at most `capacity` of them; *next is the cursor for the next call. `slip_size` is
     !> sizeof(hfrac_slip) in the caller. buffer NULL: only *count of what there is. HFRAC_ERR_ARGUMENT: a cursor
     !> outside the log. Unstable since 0.1.
-    function hfrac_slips_since(sim, cursor, slip_size, buffer, capacity, count, next) bind(C, name="hfrac_slips_since")
+    integer(c_int32_t) function hfrac_slips_since(sim, cursor, slip_size, buffer, capacity, count, next) bind(C, &
+      name="hfrac_slips_since")
       import
       type(c_ptr), value :: sim
       integer(c_int64_t), value :: cursor
@@ -2281,14 +1810,13 @@ module hfrac_c
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
       integer(c_int64_t), intent(out) :: next
-      integer(c_int32_t) :: hfrac_slips_since
     end function hfrac_slips_since
     !> The events of `crack_count` cracks, given in order of breakage. `crack_size` and `event_size` are the sizes
     !> of the two structs in the caller. options NULL: the defaults. Copies up to `capacity` events; *count is how
     !> many there are; buffer NULL: only *count. Needs no simulation; any thread. HFRAC_ERR_ARGUMENT: a value that
     !> is not finite, or negative where it must not be. Unstable since 0.1.
-    function hfrac_find_events(cracks, crack_size, crack_count, options, event_size, buffer, capacity, count) &
-      bind(C, name="hfrac_find_events")
+    integer(c_int32_t) function hfrac_find_events(cracks, crack_size, crack_count, options, event_size, buffer, &
+      capacity, count) bind(C, name="hfrac_find_events")
       import
       type(hfrac_crack), intent(in) :: cracks
       integer(c_int32_t), value :: crack_size
@@ -2298,12 +1826,11 @@ module hfrac_c
       type(c_ptr), value :: buffer
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_find_events
     end function hfrac_find_events
     !> The events of `slip_count` slips, given in order of time; otherwise as hfrac_find_events. Slips of the
     !> initial equilibration (step 0) are no events. `cycle_window` is not used. Unstable since 0.1.
-    function hfrac_find_slip_events(slips, slip_size, slip_count, options, event_size, buffer, capacity, count) &
-      bind(C, name="hfrac_find_slip_events")
+    integer(c_int32_t) function hfrac_find_slip_events(slips, slip_size, slip_count, options, event_size, buffer, &
+      capacity, count) bind(C, name="hfrac_find_slip_events")
       import
       type(hfrac_slip), intent(in) :: slips
       integer(c_int32_t), value :: slip_size
@@ -2313,13 +1840,12 @@ module hfrac_c
       type(c_ptr), value :: buffer
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_find_slip_events
     end function hfrac_find_slip_events
     !> The index of the event that each crack belongs to, as hfrac_find_events numbers them: up to `capacity`
     !> indices, in the order of the cracks, into `buffer`; *count is crack_count. Needs no simulation; any thread.
     !> Unstable since 0.1.
-    function hfrac_find_event_of_cracks(cracks, crack_size, crack_count, options, buffer, capacity, count) bind(C, &
-      name="hfrac_find_event_of_cracks")
+    integer(c_int32_t) function hfrac_find_event_of_cracks(cracks, crack_size, crack_count, options, buffer, &
+      capacity, count) bind(C, name="hfrac_find_event_of_cracks")
       import
       type(hfrac_crack), intent(in) :: cracks
       integer(c_int32_t), value :: crack_size
@@ -2328,65 +1854,59 @@ module hfrac_c
       type(c_ptr), value :: buffer
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_find_event_of_cracks
     end function hfrac_find_event_of_cracks
     !> The law of `magnitude_count` magnitudes; those that are not finite are left out. completeness NaN: the
     !> fullest tenth of a magnitude (maximum curvature, Wiemer and Wyss 2000). Set law->struct_size. Needs no
     !> simulation; any thread. Unstable since 0.1.
-    function hfrac_find_magnitude_law(magnitudes, magnitude_count, completeness, law) bind(C, &
+    integer(c_int32_t) function hfrac_find_magnitude_law(magnitudes, magnitude_count, completeness, law) bind(C, &
       name="hfrac_find_magnitude_law")
       import
       real(c_double), intent(in) :: magnitudes(*)
       integer(c_int64_t), value :: magnitude_count
       real(c_double), value :: completeness
       type(hfrac_magnitude_law), intent(inout) :: law
-      integer(c_int32_t) :: hfrac_find_magnitude_law
     end function hfrac_find_magnitude_law
     !> Defaults into `solver`; `struct_size` is sizeof(hfrac_linear_solver) in the caller. Unstable since 0.2.
-    function hfrac_linear_solver_init(solver, struct_size) bind(C, name="hfrac_linear_solver_init")
+    integer(c_int32_t) function hfrac_linear_solver_init(solver, struct_size) bind(C, name="hfrac_linear_solver_init")
       import
       type(hfrac_linear_solver), intent(inout) :: solver
       integer(c_int32_t), value :: struct_size
-      integer(c_int32_t) :: hfrac_linear_solver_init
     end function hfrac_linear_solver_init
     !> Defaults into `exchange`, one rank; `struct_size` is sizeof(hfrac_exchange) in the caller. Unstable since
     !> 0.2.
-    function hfrac_exchange_init(exchange, struct_size) bind(C, name="hfrac_exchange_init")
+    integer(c_int32_t) function hfrac_exchange_init(exchange, struct_size) bind(C, name="hfrac_exchange_init")
       import
       type(hfrac_exchange), intent(inout) :: exchange
       integer(c_int32_t), value :: struct_size
-      integer(c_int32_t) :: hfrac_exchange_init
     end function hfrac_exchange_init
     !> hfrac_sim_create on each of several ranks, which all wait for each other here and in every call that changes
     !> the simulation. HFRAC_ERR_EXCHANGE: another rank failed. Unstable since 0.2.
-    function hfrac_sim_create_on(def, exchange, sim) bind(C, name="hfrac_sim_create_on")
+    integer(c_int32_t) function hfrac_sim_create_on(def, exchange, sim) bind(C, name="hfrac_sim_create_on")
       import
       type(hfrac_sim_def), intent(in) :: def
       type(hfrac_exchange), intent(in) :: exchange
       type(c_ptr), intent(inout) :: sim
-      integer(c_int32_t) :: hfrac_sim_create_on
     end function hfrac_sim_create_on
     !> What this rank receives in a cycle. Unstable since 0.2.
-    function hfrac_get_traffic(sim, traffic) bind(C, name="hfrac_get_traffic")
+    integer(c_int32_t) function hfrac_get_traffic(sim, traffic) bind(C, name="hfrac_get_traffic")
       import
       type(c_ptr), value :: sim
       type(hfrac_traffic), intent(inout) :: traffic
-      integer(c_int32_t) :: hfrac_get_traffic
     end function hfrac_get_traffic
     !> Lays the host's grid over the model, in place of an earlier one. Valid at any time after creation; the grid
     !> is no part of the state and stays over restore and reject. HFRAC_ERR_ARGUMENT: a cell without area or not
     !> convex. Costs about as much as one flow step. Unstable since 0.1.
-    function hfrac_set_grid(sim, grid) bind(C, name="hfrac_set_grid")
+    integer(c_int32_t) function hfrac_set_grid(sim, grid) bind(C, name="hfrac_set_grid")
       import
       type(c_ptr), value :: sim
       type(hfrac_grid), intent(in) :: grid
-      integer(c_int32_t) :: hfrac_set_grid
     end function hfrac_set_grid
     !> Every cell as it is now. `method`: enum hfrac_upscaling. `cell_size` is sizeof(hfrac_cell) in the caller.
     !> Copies up to `capacity` cells in the grid's order; *count is nx * ny. buffer NULL: only *count. The sum of
     !> `outflow` times the step's duration is what hfrac_balance says has leaked in it. Dry models (flow.scheme
     !> "off") give 0 for what flows. Unstable since 0.1.
-    function hfrac_grid_cells(sim, method, cell_size, buffer, capacity, count) bind(C, name="hfrac_grid_cells")
+    integer(c_int32_t) function hfrac_grid_cells(sim, method, cell_size, buffer, capacity, count) bind(C, &
+      name="hfrac_grid_cells")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: method
@@ -2394,7 +1914,6 @@ module hfrac_c
       type(c_ptr), value :: buffer
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_grid_cells
     end function hfrac_grid_cells
     !> From the next step on, pressure [Pa, as stress.convention says] beyond the model's edge: every pipe there
     !> feels that of the nearest cell of which the model covers less than half (of all cells, if it covers more of
@@ -2403,38 +1922,37 @@ module hfrac_c
     !> may be NULL) the outer boundary feels the formation's pressure again. What passes is `outflow` by cell and
     !> `leaked_volume` in all. The stress on the edge does not change. Part of the state; kept by the tries of an
     !> open step. Needs flow.outer "formation". Unstable since 0.1.
-    function hfrac_set_boundary_pressure(sim, pressure, count) bind(C, name="hfrac_set_boundary_pressure")
+    integer(c_int32_t) function hfrac_set_boundary_pressure(sim, pressure, count) bind(C, &
+      name="hfrac_set_boundary_pressure")
       import
       type(c_ptr), value :: sim
       real(c_double), intent(in) :: pressure(*)
       integer(c_int64_t), value :: count
-      integer(c_int32_t) :: hfrac_set_boundary_pressure
     end function hfrac_set_boundary_pressure
     !> At once, gives the rock's pores the host's pressure [Pa, as stress.convention says]: each the mean of the
     !> cells it lies in, by area. Pores beside cracks, wells, and pores outside the grid keep theirs; the rock
     !> answers in the next step. `count` values, one per cell. `added` (may be NULL; `capacity` at least count) gets
     !> the fluid [m2] that each cell gave, negative: took; their sum goes to `host_volume` of hfrac_balance.
     !> HFRAC_ERR_ARGUMENT while a step is open. Unstable since 0.1.
-    function hfrac_set_cell_pressure(sim, pressure, count, added, capacity) bind(C, name="hfrac_set_cell_pressure")
+    integer(c_int32_t) function hfrac_set_cell_pressure(sim, pressure, count, added, capacity) bind(C, &
+      name="hfrac_set_cell_pressure")
       import
       type(c_ptr), value :: sim
       real(c_double), intent(in) :: pressure(*)
       integer(c_int64_t), value :: count
       type(c_ptr), value :: added
       integer(c_int64_t), value :: capacity
-      integer(c_int32_t) :: hfrac_set_cell_pressure
     end function hfrac_set_cell_pressure
     !> From the next step on, stress [Pa, compression positive] on top of the far field: xx, yy, xy of every cell,
     !> shape (3, nx, ny), `count` values in all. It acts as traction on the model's edge, by the cell each disc of
     !> the edge lies in or is nearest to; inside, the model finds its own. What net force and moment the tractions
     !> have is taken out (a host balances it by forces in the volume). Zeros take it away. Kept by the tries of an
     !> open step. Needs boundary.kind "stress". Unstable since 0.1.
-    function hfrac_set_cell_stress(sim, stress, count) bind(C, name="hfrac_set_cell_stress")
+    integer(c_int32_t) function hfrac_set_cell_stress(sim, stress, count) bind(C, name="hfrac_set_cell_stress")
       import
       type(c_ptr), value :: sim
       real(c_double), intent(in) :: stress(*)
       integer(c_int64_t), value :: count
-      integer(c_int32_t) :: hfrac_set_cell_stress
     end function hfrac_set_cell_stress
     !> Writes an include file for the GRID section of an Eclipse deck, cells in Eclipse's order, the areal grid
     !> repeated for `layers` (from 1) layers. `method`: enum hfrac_upscaling; `kind`: enum hfrac_grdecl_kind.
@@ -2443,8 +1961,8 @@ module hfrac_c
     !> says. Cells the model does not cover get the rock's values and multipliers of 1; rock the host gives no value
     !> for and no cell covers takes the mean of the covered cells. The file appears whole or not at all (written
     !> aside, synced, renamed). HFRAC_ERR_FILE: it cannot be written. Unstable since 0.1.
-    function hfrac_write_grdecl(sim, path, method, kind, layers, porosity, permeability) bind(C, &
-      name="hfrac_write_grdecl")
+    integer(c_int32_t) function hfrac_write_grdecl(sim, path, method, kind, layers, porosity, permeability) &
+      bind(C, name="hfrac_write_grdecl")
       import
       type(c_ptr), value :: sim
       character(kind=c_char), intent(in) :: path(*)
@@ -2453,145 +1971,137 @@ module hfrac_c
       integer(c_int64_t), value :: layers
       real(c_double), value :: porosity
       real(c_double), value :: permeability
-      integer(c_int32_t) :: hfrac_write_grdecl
     end function hfrac_write_grdecl
     !> Gives rock and fluid one temperature [K]. HFRAC_ERR_ARGUMENT: no temperature in this simulation, a step is
     !> open, or the value lies outside the table of micro-parameters. Unstable since 0.1.
-    function hfrac_set_temperature(sim, temperature) bind(C, name="hfrac_set_temperature")
+    integer(c_int32_t) function hfrac_set_temperature(sim, temperature) bind(C, name="hfrac_set_temperature")
       import
       type(c_ptr), value :: sim
       real(c_double), value :: temperature
-      integer(c_int32_t) :: hfrac_set_temperature
     end function hfrac_set_temperature
     !> Gives every disc its temperature [K], `count` values, one per disc; the fluid in a pore takes the mean of the
     !> discs around it. What heat this takes goes to `host` of hfrac_get_heat. Needs mode "transport".
     !> HFRAC_ERR_ARGUMENT as above; nothing changes then. Unstable since 0.1.
-    function hfrac_set_disc_temperature(sim, temperature, count) bind(C, name="hfrac_set_disc_temperature")
+    integer(c_int32_t) function hfrac_set_disc_temperature(sim, temperature, count) bind(C, &
+      name="hfrac_set_disc_temperature")
       import
       type(c_ptr), value :: sim
       real(c_double), intent(in) :: temperature(*)
       integer(c_int64_t), value :: count
-      integer(c_int32_t) :: hfrac_set_disc_temperature
     end function hfrac_set_disc_temperature
     !> The same by cell of the host's grid (hfrac_set_grid), `count` values [K], one per cell (nx * ny, i fastest):
     !> a disc takes the temperature of the cell that held its centre at bonding, discs outside the grid keep theirs.
     !> Unstable since 0.1.
-    function hfrac_set_cell_temperature(sim, temperature, count) bind(C, name="hfrac_set_cell_temperature")
+    integer(c_int32_t) function hfrac_set_cell_temperature(sim, temperature, count) bind(C, &
+      name="hfrac_set_cell_temperature")
       import
       type(c_ptr), value :: sim
       real(c_double), intent(in) :: temperature(*)
       integer(c_int64_t), value :: count
-      integer(c_int32_t) :: hfrac_set_cell_temperature
     end function hfrac_set_cell_temperature
     !> Temperature [K] of the rock by cell of the host's grid: mean of the discs with their centre in it, by heat
     !> capacity; a cell without discs gives thermal.rock_temperature. Copies up to `capacity` values; *count is nx *
     !> ny. buffer NULL: only *count. Unstable since 0.1.
-    function hfrac_get_cell_temperature(sim, buffer, capacity, count) bind(C, name="hfrac_get_cell_temperature")
+    integer(c_int32_t) function hfrac_get_cell_temperature(sim, buffer, capacity, count) bind(C, &
+      name="hfrac_get_cell_temperature")
       import
       type(c_ptr), value :: sim
       type(c_ptr), value :: buffer
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_get_cell_temperature
     end function hfrac_get_cell_temperature
     !> Which discs keep their temperature whatever flows: `count` values, one per disc, not 0: held; in place of
     !> what was held before (thermal.outer "held" begins with the outermost discs). Part of the state. Needs mode
     !> "transport". Unstable since 0.1.
-    function hfrac_hold_disc_temperature(sim, held, count) bind(C, name="hfrac_hold_disc_temperature")
+    integer(c_int32_t) function hfrac_hold_disc_temperature(sim, held, count) bind(C, &
+      name="hfrac_hold_disc_temperature")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), intent(in) :: held(*)
       integer(c_int64_t), value :: count
-      integer(c_int32_t) :: hfrac_hold_disc_temperature
     end function hfrac_hold_disc_temperature
     !> Temperature [K] of what well `index` injects, from the next step on; thermal.fluid_temperature at first. Kept
     !> by the tries of an open step. Needs mode "transport". Unstable since 0.1.
-    function hfrac_well_set_temperature(sim, index, temperature) bind(C, name="hfrac_well_set_temperature")
+    integer(c_int32_t) function hfrac_well_set_temperature(sim, index, temperature) bind(C, &
+      name="hfrac_well_set_temperature")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: index
       real(c_double), value :: temperature
-      integer(c_int32_t) :: hfrac_well_set_temperature
     end function hfrac_well_set_temperature
     !> Temperature [K] of the fluid in well `index`: that injected while it feeds the rock, else the mixture of what
     !> flows in. thermal.rock_temperature before the first step. Unstable since 0.1.
-    function hfrac_well_get_temperature(sim, index, temperature) bind(C, name="hfrac_well_get_temperature")
+    integer(c_int32_t) function hfrac_well_get_temperature(sim, index, temperature) bind(C, &
+      name="hfrac_well_get_temperature")
       import
       type(c_ptr), value :: sim
       integer(c_int32_t), value :: index
       real(c_double), intent(out) :: temperature
-      integer(c_int32_t) :: hfrac_well_get_temperature
     end function hfrac_well_get_temperature
     !> The heat balance now. Unstable since 0.1.
-    function hfrac_get_heat(sim, heat) bind(C, name="hfrac_get_heat")
+    integer(c_int32_t) function hfrac_get_heat(sim, heat) bind(C, name="hfrac_get_heat")
       import
       type(c_ptr), value :: sim
       type(hfrac_heat), intent(inout) :: heat
-      integer(c_int32_t) :: hfrac_get_heat
     end function hfrac_get_heat
     !> Defaults into `spec`; `struct_size` is sizeof(hfrac_lab_spec) in the caller. Unstable since 0.1.
-    function hfrac_lab_spec_init(spec, struct_size) bind(C, name="hfrac_lab_spec_init")
+    integer(c_int32_t) function hfrac_lab_spec_init(spec, struct_size) bind(C, name="hfrac_lab_spec_init")
       import
       type(hfrac_lab_spec), intent(inout) :: spec
       integer(c_int32_t), value :: struct_size
-      integer(c_int32_t) :: hfrac_lab_spec_init
     end function hfrac_lab_spec_init
     !> Does a test. `progress` (may be NULL) is called now and then with the share 0 and what is done; nonzero ends
     !> the test, and HFRAC_STOPPED comes back with what there is. *lab is to be destroyed; on failure it is NULL.
     !> HFRAC_ERR_ARGUMENT: the spec is out of range; HFRAC_ERR_MODEL: no specimen comes of it. Unstable since 0.1.
-    function hfrac_lab_run(def, spec, progress, user, lab) bind(C, name="hfrac_lab_run")
+    integer(c_int32_t) function hfrac_lab_run(def, spec, progress, user, lab) bind(C, name="hfrac_lab_run")
       import
       type(hfrac_sim_def), intent(in) :: def
       type(hfrac_lab_spec), intent(in) :: spec
       type(c_funptr), value :: progress
       type(c_ptr), value :: user
       type(c_ptr), intent(inout) :: lab
-      integer(c_int32_t) :: hfrac_lab_run
     end function hfrac_lab_run
     !> Frees a test and sets *lab to NULL; NULL and *lab == NULL are fine. Unstable since 0.1.
-    function hfrac_lab_destroy(lab) bind(C, name="hfrac_lab_destroy")
+    integer(c_int32_t) function hfrac_lab_destroy(lab) bind(C, name="hfrac_lab_destroy")
       import
       type(c_ptr), intent(inout) :: lab
-      integer(c_int32_t) :: hfrac_lab_destroy
     end function hfrac_lab_destroy
     !> What the test found. Unstable since 0.1.
-    function hfrac_lab_get_report(lab, report) bind(C, name="hfrac_lab_get_report")
+    integer(c_int32_t) function hfrac_lab_get_report(lab, report) bind(C, name="hfrac_lab_get_report")
       import
       type(c_ptr), value :: lab
       type(hfrac_lab_report), intent(inout) :: report
-      integer(c_int32_t) :: hfrac_lab_get_report
     end function hfrac_lab_get_report
     !> Copies up to `capacity` values of a table (enum hfrac_lab_table), row by row; *count is how many there are.
     !> buffer NULL: only *count. Unstable since 0.1.
-    function hfrac_lab_copy_f64(lab, table, buffer, capacity, count) bind(C, name="hfrac_lab_copy_f64")
+    integer(c_int32_t) function hfrac_lab_copy_f64(lab, table, buffer, capacity, count) bind(C, &
+      name="hfrac_lab_copy_f64")
       import
       type(c_ptr), value :: lab
       integer(c_int32_t), value :: table
       type(c_ptr), value :: buffer
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_lab_copy_f64
     end function hfrac_lab_copy_f64
     !> Defaults into `targets`; `struct_size` is sizeof(hfrac_targets) in the caller. Unstable since 0.1.
-    function hfrac_targets_init(targets, struct_size) bind(C, name="hfrac_targets_init")
+    integer(c_int32_t) function hfrac_targets_init(targets, struct_size) bind(C, name="hfrac_targets_init")
       import
       type(hfrac_targets), intent(inout) :: targets
       integer(c_int32_t), value :: struct_size
-      integer(c_int32_t) :: hfrac_targets_init
     end function hfrac_targets_init
     !> Finds micro-parameters that give `targets`, starting from those of `def`, and puts them into it: stiffnesses
     !> of contacts and bonds (their share of each other kept), strengths, flow.permeability, and packing.disc_count
     !> if both K_Ic and a strength are asked (the two together fix the disc size). Targets that cannot be had give
     !> the nearest, reached 0 and HFRAC_OK. `progress` as in hfrac_lab_run; stopped, HFRAC_STOPPED comes back and
     !> `def` is as it was. Unstable since 0.1.
-    function hfrac_calibrate(def, targets, progress, user, calibration) bind(C, name="hfrac_calibrate")
+    integer(c_int32_t) function hfrac_calibrate(def, targets, progress, user, calibration) bind(C, &
+      name="hfrac_calibrate")
       import
       type(hfrac_sim_def), intent(inout) :: def
       type(hfrac_targets), intent(in) :: targets
       type(c_funptr), value :: progress
       type(c_ptr), value :: user
       type(hfrac_calibration), intent(inout) :: calibration
-      integer(c_int32_t) :: hfrac_calibrate
     end function hfrac_calibrate
     !> Reads a record, a comma-separated table whose first line names its columns with their units: time_s,
     !> time_min, time_h, time_d or time (ISO 8601, the first row being time 0); rate_m2_s, or rate_m3_s,
@@ -2603,101 +2113,90 @@ module hfrac_c
     !> for a rate or a pressure that the file does not have. *count is how many rows there are, of a record 1 to 1
     !> 000 000; rows NULL: only that. What is no record is refused with file and line (HFRAC_ERR_CASE_FILE).
     !> Unstable since 0.1.
-    function hfrac_read_record(path, thickness, rows, capacity, count) bind(C, name="hfrac_read_record")
+    integer(c_int32_t) function hfrac_read_record(path, thickness, rows, capacity, count) bind(C, &
+      name="hfrac_read_record")
       import
       character(kind=c_char), intent(in) :: path(*)
       real(c_double), value :: thickness
       type(c_ptr), value :: rows
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: count
-      integer(c_int32_t) :: hfrac_read_record
     end function hfrac_read_record
     !> Bytes an image needs now; it grows with the crack log. Stable since 0.1.
-    function hfrac_state_size(sim, size) bind(C, name="hfrac_state_size")
+    integer(c_int32_t) function hfrac_state_size(sim, size) bind(C, name="hfrac_state_size")
       import
       type(c_ptr), value :: sim
       integer(c_int64_t), intent(out) :: size
-      integer(c_int32_t) :: hfrac_state_size
     end function hfrac_state_size
     !> Writes an image into the caller's `buffer` of `capacity` bytes; *size gets the bytes written. Stable since
     !> 0.1.
-    function hfrac_state_save(sim, buffer, capacity, size) bind(C, name="hfrac_state_save")
+    integer(c_int32_t) function hfrac_state_save(sim, buffer, capacity, size) bind(C, name="hfrac_state_save")
       import
       type(c_ptr), value :: sim
       type(c_ptr), value :: buffer
       integer(c_int64_t), value :: capacity
       integer(c_int64_t), intent(out) :: size
-      integer(c_int32_t) :: hfrac_state_save
     end function hfrac_state_save
     !> Restores an image. One that is damaged, of another model or another format is refused and changes nothing.
     !> Wells added to a living simulation (hfrac_well_add) come and go with it. Stable since 0.1.
-    function hfrac_state_restore(sim, image, size) bind(C, name="hfrac_state_restore")
+    integer(c_int32_t) function hfrac_state_restore(sim, image, size) bind(C, name="hfrac_state_restore")
       import
       type(c_ptr), value :: sim
       type(c_ptr), value :: image
       integer(c_int64_t), value :: size
-      integer(c_int32_t) :: hfrac_state_restore
     end function hfrac_state_restore
     !> Saves an image as file `path`: beside it first (`path`.part), synced, then renamed. After a crash or a power
     !> cut there is the old file or the new one; if it fails (HFRAC_ERR_FILE: no such folder, no rights, disk full)
     !> the old one is left and nothing else. One writer per path at a time. Unstable since 0.1.
-    function hfrac_state_save_file(sim, path) bind(C, name="hfrac_state_save_file")
+    integer(c_int32_t) function hfrac_state_save_file(sim, path) bind(C, name="hfrac_state_save_file")
       import
       type(c_ptr), value :: sim
       character(kind=c_char), intent(in) :: path(*)
-      integer(c_int32_t) :: hfrac_state_save_file
     end function hfrac_state_save_file
     !> Restores an image from a file. One that cannot be read, is cut, damaged, of another model, of another format
     !> or no image at all is refused (HFRAC_ERR_FILE) and changes nothing. Unstable since 0.1.
-    function hfrac_state_load_file(sim, path) bind(C, name="hfrac_state_load_file")
+    integer(c_int32_t) function hfrac_state_load_file(sim, path) bind(C, name="hfrac_state_load_file")
       import
       type(c_ptr), value :: sim
       character(kind=c_char), intent(in) :: path(*)
-      integer(c_int32_t) :: hfrac_state_load_file
     end function hfrac_state_load_file
     !> Opens a step: remembers the state. Stable since 0.1.
-    function hfrac_step_prepare(sim) bind(C, name="hfrac_step_prepare")
+    integer(c_int32_t) function hfrac_step_prepare(sim) bind(C, name="hfrac_step_prepare")
       import
       type(c_ptr), value :: sim
-      integer(c_int32_t) :: hfrac_step_prepare
     end function hfrac_step_prepare
     !> Takes the open step, `duration` [s] of fluid time long, from where it was opened; wells and far field as they
     !> are set now. May be called again. Status as hfrac_step. Stable since 0.1.
-    function hfrac_step_do(sim, duration) bind(C, name="hfrac_step_do")
+    integer(c_int32_t) function hfrac_step_do(sim, duration) bind(C, name="hfrac_step_do")
       import
       type(c_ptr), value :: sim
       real(c_double), value :: duration
-      integer(c_int32_t) :: hfrac_step_do
     end function hfrac_step_do
     !> Takes another step of `duration` [s] within the open one, from where the last hfrac_step_do or
     !> hfrac_step_more ended. Fails or is stopped alone: what came before it stands. Unstable since 0.1.
-    function hfrac_step_more(sim, duration) bind(C, name="hfrac_step_more")
+    integer(c_int32_t) function hfrac_step_more(sim, duration) bind(C, name="hfrac_step_more")
       import
       type(c_ptr), value :: sim
       real(c_double), value :: duration
-      integer(c_int32_t) :: hfrac_step_more
     end function hfrac_step_more
     !> Closes the open step and keeps what the last hfrac_step_do gave and hfrac_step_more added. Stable since 0.1.
-    function hfrac_step_finalize(sim) bind(C, name="hfrac_step_finalize")
+    integer(c_int32_t) function hfrac_step_finalize(sim) bind(C, name="hfrac_step_finalize")
       import
       type(c_ptr), value :: sim
-      integer(c_int32_t) :: hfrac_step_finalize
     end function hfrac_step_finalize
     !> Closes the open step and goes back to where it was opened, wells and far field included. Stable since 0.1.
-    function hfrac_step_reject(sim) bind(C, name="hfrac_step_reject")
+    integer(c_int32_t) function hfrac_step_reject(sim) bind(C, name="hfrac_step_reject")
       import
       type(c_ptr), value :: sim
-      integer(c_int32_t) :: hfrac_step_reject
     end function hfrac_step_reject
     !> From the next step on, another far-field stress [Pa], as stress.convention says; needs boundary.kind stress,
     !> or walls kept on their servo. sigma_hmin must not exceed sigma_Hmax, nor with walls, which only push, be
     !> below the pressure in the pores outside (HFRAC_ERR_ARGUMENT, nothing changes). Stable since 0.1.
-    function hfrac_set_far_field(sim, sigma_Hmax, sigma_hmin) bind(C, name="hfrac_set_far_field")
+    integer(c_int32_t) function hfrac_set_far_field(sim, sigma_Hmax, sigma_hmin) bind(C, name="hfrac_set_far_field")
       import
       type(c_ptr), value :: sim
       real(c_double), value :: sigma_Hmax
       real(c_double), value :: sigma_hmin
-      integer(c_int32_t) :: hfrac_set_far_field
     end function hfrac_set_far_field
     !> From the next step on, another pressure [Pa, absolute, 0 to 1e10] in the pores outside the model, in both
     !> stress conventions; the paper's other pressures stay net of fluid.formation_pressure as defined. Total far-
@@ -2706,11 +2205,10 @@ module hfrac_c
     !> changes then, and the load on the edge with it. Needs flow, and flow.outer formation. With total stresses it
     !> must not exceed sigma_hmin where the far field acts, nor in either one leave walls to pull. Unstable since
     !> 0.1.
-    function hfrac_set_formation_pressure(sim, pressure) bind(C, name="hfrac_set_formation_pressure")
+    integer(c_int32_t) function hfrac_set_formation_pressure(sim, pressure) bind(C, name="hfrac_set_formation_pressure")
       import
       type(c_ptr), value :: sim
       real(c_double), value :: pressure
-      integer(c_int32_t) :: hfrac_set_formation_pressure
     end function hfrac_set_formation_pressure
   end interface
 end module hfrac_c

@@ -53,6 +53,12 @@ def comment(text, indent, mark="!>"):
     return textwrap.wrap(text, 116, initial_indent=prefix, subsequent_indent=prefix, break_long_words=False)
 
 
+def documented(text, statement, indent):
+    """The statement with its meaning: behind it where a line has room, else before it."""
+    line = f"{' ' * indent}{statement}  !< {text}" if text else " " * indent + statement
+    return [line] if len(line) <= 120 else [*comment(text, indent), " " * indent + statement]
+
+
 class FortranWriter:
     def __init__(self, header):
         self.header = header
@@ -71,7 +77,7 @@ class FortranWriter:
         for enum in self.header.enums:
             lines += ["", *comment(enum.doc or f"{enum.name}.", 2, "!")]
             for name, value, doc in enum.values:
-                lines += [*comment(doc, 2), self.constant(name, value)] if doc else [self.constant(name, value)]
+                lines += documented(doc, self.constant(name, value).strip(), 2)
         for struct in self.header.structs:
             lines += ["", *self.type_of(struct)]
         for callback in self.header.callbacks:
@@ -88,8 +94,7 @@ class FortranWriter:
     def type_of(self, struct):
         lines = [*comment(struct.doc, 2), f"  type, bind(C) :: {struct.name}"]
         for member in struct.members:
-            lines += comment(member.doc, 4) if member.doc else []
-            lines.append(f"    {self.component(struct, member)}")
+            lines += documented(member.doc, self.component(struct, member), 4)
         return [*lines, f"  end type {struct.name}"]
 
     def component(self, struct, member):
@@ -111,9 +116,8 @@ class FortranWriter:
         names = ", ".join(fortran_name(parameter.name) for parameter in function.parameters)
         binding = f'bind(C, name="{function.name}")' if bound else "bind(C)"
         lines = comment(function.doc, 4)
-        lines += [f"    function {function.name}({names}) {binding}", "      import"]
-        lines += [f"      {self.dummy(parameter)}" for parameter in function.parameters]
-        lines += [f"      integer(c_int32_t) :: {function.name}", f"    end function {function.name}"]
+        lines += [f"    integer(c_int32_t) function {function.name}({names}) {binding}", "      import"]
+        lines += [*(f"      {self.dummy(parameter)}" for parameter in function.parameters), f"    end function {function.name}"]
         return self.folded(lines)
 
     def dummy(self, p: Variable):

@@ -33,9 +33,24 @@ def short_names(names):
     return ["_".join(w[shared:]) for w in words]
 
 
-def documented(text, indent):
-    prefix = " " * indent + "#: "
-    return textwrap.wrap(text, 116 - indent, initial_indent=prefix, subsequent_indent=prefix)
+def documented(text, statement):
+    """The statement with its meaning: behind it where a line has room, else before it."""
+    line = f"    {statement}  #: {text}" if text else f"    {statement}"
+    if len(line) <= 120:
+        return [line]
+    return [*textwrap.wrap(text, 112, initial_indent="    #: ", subsequent_indent="    #: "), f"    {statement}"]
+
+
+def filled(before, items, after, indent):
+    """`before`, the items with a comma behind each, `after`: on one line, or as few lines as hold them."""
+    line = " " * indent + before + ", ".join(items) + ("," if len(items) == 1 else "") + after
+    if len(line) <= 120:
+        return [line]
+    inner = " " * (indent + 4)
+    words = [item.replace(" ", "\0") + "," for item in items]
+    lines = textwrap.wrap(" ".join(words), 120, initial_indent=inner, subsequent_indent=inner, break_long_words=False,
+                          break_on_hyphens=False)
+    return [" " * indent + before, *(each.replace("\0", " ") for each in lines), " " * indent + after]
 
 
 def docstring(text, indent):
@@ -56,7 +71,7 @@ class PythonWriter:
         for e in self.header.enums:
             lines += ["", "", f"class {camel(e.name)}(enum.IntEnum):", *docstring(e.doc or e.name, 4), ""]
             for (_, value, doc), name in zip(e.values, short_names([v[0] for v in e.values])):
-                lines += [*(documented(doc, 4) if doc else []), f"    {name} = {value}"]
+                lines += documented(doc, f"{name} = {value}")
         status = self.header.lists["HFRAC_STATUS_LIST"]
         lines += ["", "", "#: What each status code means.", "STATUS_TEXTS = {"]
         lines += [f"    {value}: {text!r}," for _, value, text in status] + ["}"]
@@ -64,11 +79,11 @@ class PythonWriter:
             lines += ["", *self.comment(c.doc), f"{c.name} = ctypes.CFUNCTYPE("]
             lines += [f"    ctypes.c_int32, {', '.join(self.value(p) for p in c.parameters)}", ")"]
         for s in self.header.structs:
-            lines += ["", "", f"class {s.name}(ctypes.Structure):", *docstring(s.doc, 4), "", "    _fields_ = ["]
-            lines += [f'        ("{m.name}", {self.member(m)}),' for m in s.members] + ["    ]"]
+            lines += ["", "", f"class {s.name}(ctypes.Structure):", *docstring(s.doc, 4), ""]
+            lines += filled("_fields_ = [", [f'("{m.name}", {self.member(m)})' for m in s.members], "]", 4)
         lines += ["", "", "#: Argument types of every function; each returns an int32 status.", "SIGNATURES = {"]
         for f in self.header.functions:
-            lines += [f'    "{f.name}": (', *(f"        {self.argument(p)}," for p in f.parameters), "    ),"]
+            lines += filled(f'"{f.name}": (', [self.argument(p) for p in f.parameters], "),", 4)
         lines += ["}", "", "", "def declare(library: ctypes.CDLL) -> None:"]
         lines += ['    """Tells ctypes the signature of every function of the library."""']
         lines += ["    for name, arguments in SIGNATURES.items():", "        function = getattr(library, name)"]
@@ -107,52 +122,42 @@ class PythonWriter:
         blocks, used = [], set()
         for s in structs:
             lines = [f"class {camel(s.name)}(NamedTuple):", *docstring(re.sub(r" Set struct_size.*", "", s.doc), 4), ""]
-            getters = []
             for m in s.members:
                 if m.name.startswith("struct_"):
                     continue
-                listed = re.match(r"enum (\w+)", m.doc)
-                if m.type.base == "char":
-                    kind, getter = "str", f"struct.{m.name}.decode()"
-                else:
-                    kind, getter = NATIVE[m.type.base], f"struct.{m.name}"
-                if listed:
+                kind = "str" if m.type.base == "char" else NATIVE[m.type.base]
+                if listed := re.match(r"enum (\w+)", m.doc):
                     kind = enums[listed[1]]
                     used.add(kind)
-                    getter = f"{kind}({getter})"
                 elif m.length and m.type.base != "char":
-                    kind, getter = f"Tuple[{', '.join([kind] * m.length)}]", f"tuple({getter})"
-                lines += [*documented(m.doc, 4), f"    {m.name}: {kind}"]
-                getters.append(f"            {getter},")
+                    kind = f"Tuple[{', '.join([kind] * m.length)}]"
+                lines += documented(m.doc, f"{m.name}: {kind}")
             lines += ["", "    @classmethod", f'    def of(cls, struct: _abi.{s.name}) -> "{camel(s.name)}":']
-            lines += ['        """The struct\'s values."""', "        return cls(", *getters, "        )"]
+            lines += ['        """The struct\'s values."""', "        return filled(cls, struct)"]
             blocks.append("\n".join(lines))
         head = HEAD.format("What the library reports, as named tuples. SI units; indices count from 0.")
         names = ", ".join(sorted(used))
-        imports = f"from typing import NamedTuple, Tuple\n\nfrom . import _abi\nfrom ._abi import {names}"
+        imports = f"from typing import NamedTuple, Tuple\n\nfrom . import _abi\nfrom ._abi import {names}\nfrom ._record import filled"
         return "\n\n\n".join([head + imports, *blocks]) + "\n"
 
     def fields(self):
         """The fields as properties of discs, bonds, pipes, domains and joints."""
         head = HEAD.format("Fields by place: sim.discs.position and so on. Each access copies the field as it is now.")
-        lines = [head + "from typing import NamedTuple, Tuple\n\nfrom ._field_group import Array, FieldGroup\n\n"]
+        lines = [head + "from typing import NamedTuple, Tuple\n\nfrom ._field_group import Array, FieldGroup, field_of\n\n"]
         lines += ["class FieldInfo(NamedTuple):", '    """What a field is."""', "", "    name: str"]
-        lines += ["    #: SI unit, \"1\" for none", "    unit: str", "    #: of the library's array: double or int32"]
-        lines += ["    dtype: str", "    #: values per item", "    components: int", "    help: str", "", ""]
+        lines += ['    unit: str  #: SI, "1" for none', "    dtype: str  #: of the library's array: double or int32"]
+        lines += ["    components: int  #: values per item", "    help: str", "", ""]
         lines += ["#: Every field the library has, in its order.", "FIELDS: Tuple[FieldInfo, ...] = ("]
         table = self.header.lists["HFRAC_FIELD_LIST"]
         dtypes = {0: "double", 1: "int32"}
         for _, _, key, unit, _, dtype, components, text in table:
-            lines += ["    FieldInfo(", f"        {key!r}, {unit!r}, {dtypes[dtype]!r}, {components},"]
-            lines += [f"        {text!r},", "    ),"]
-        lines += [")"]
+            lines += filled("FieldInfo(", [repr(key), repr(unit), repr(dtypes[dtype]), str(components), repr(text)], "),", 4)
+        lines += [")", "_NAMED = {field.name: field for field in FIELDS}"]
         for prefix, group in GROUPS.items():
             lines += ["", "", f"class {group}(FieldGroup):", f'    """Fields of the {group.lower()}."""']
-            for _, _, key, unit, _, _, components, text in table:
+            lines += [""]
+            for _, _, key, *_ in table:
                 place, name = key.split(".")
-                if place != prefix:
-                    continue
-                shape = f"shape (n, {components})" if components > 1 else "shape (n,)"
-                lines += ["", "    @property", f"    def {name}(self) -> Array:"]
-                lines += [*docstring(f"[{unit}] {text}; {shape}", 8), f'        return self._simulation.field("{key}")']
+                if place == prefix:
+                    lines += [f'    {name}: Array = field_of(_NAMED["{key}"])']
         return "\n".join([*lines, ""])

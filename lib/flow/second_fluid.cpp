@@ -113,10 +113,4 @@ void SecondFluid::give(Network& n, std::int32_t d, double amount, SecondFluidBoo
   }
 }
 
-double second_fluid_in_rock(const Network& n) {
-  double all = 0.0;
-  for (std::size_t d = 1; d < n.second_content.size(); ++d) all += n.is_own(d) ? n.second_content[d] : 0.0;
-  return all;
-}
-
 }  // namespace hfrac

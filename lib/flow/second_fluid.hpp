@@ -48,7 +48,4 @@ class SecondFluid {
   std::vector<std::int32_t> ready_;
 };
 
-// In the rock [m2]: what the books say came in and did not leave.
-double second_fluid_in_rock(const Network& network);
-
 }  // namespace hfrac

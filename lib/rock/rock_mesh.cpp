@@ -7,15 +7,11 @@
 namespace hfrac {
 namespace {
 
-// A block of na by nb elements; node (a, b) with 0 <= a <= 2 na, 0 <= b <= 2 nb, or b < 2 nb if it closes upon itself.
+// A block of na by nb elements that closes upon itself; node (a, b) with 0 <= a <= 2 na, b modulo 2 nb.
 struct Block {
   int na, nb;
-  bool closed;
 
-  [[nodiscard]] std::int32_t at(int a, int b) const {
-    const int rows = closed ? 2 * nb : 2 * nb + 1;
-    return (closed ? b % rows : b) * (2 * na + 1) + a;
-  }
+  [[nodiscard]] std::int32_t at(int a, int b) const { return b % (2 * nb) * (2 * na + 1) + a; }
   [[nodiscard]] std::vector<RockMesh::Element> elements() const {
     std::vector<RockMesh::Element> all;
     for (int j = 0; j < 2 * nb; j += 2) {
@@ -28,36 +24,11 @@ struct Block {
   }
 };
 
-// Where a corner or middle node lies between the element borders.
-double along(const std::vector<double>& border, int node) {
-  const auto k = static_cast<std::size_t>(node / 2);
-  return node % 2 == 0 ? border[k] : 0.5 * (border[k] + border[k + 1]);
-}
-
 }  // namespace
-
-RockMesh rectangle_mesh(const std::vector<double>& x, const std::vector<double>& y) {
-  const Block block{static_cast<int>(x.size()) - 1, static_cast<int>(y.size()) - 1, false};
-  const int na = 2 * block.na, nb = 2 * block.nb;
-  RockMesh mesh;
-  for (int b = 0; b <= nb; ++b) {
-    for (int a = 0; a <= na; ++a) mesh.node.push_back({along(x, a), along(y, b)});
-  }
-  mesh.element = block.elements();
-  for (int a = 0; a < na; a += 2) {
-    mesh.edge.push_back({RockSide::bottom, block.at(a, 0), block.at(a + 1, 0), block.at(a + 2, 0)});
-    mesh.edge.push_back({RockSide::top, block.at(a + 2, nb), block.at(a + 1, nb), block.at(a, nb)});
-  }
-  for (int b = 0; b < nb; b += 2) {
-    mesh.edge.push_back({RockSide::right, block.at(na, b), block.at(na, b + 1), block.at(na, b + 2)});
-    mesh.edge.push_back({RockSide::left, block.at(0, b + 2), block.at(0, b + 1), block.at(0, b)});
-  }
-  return mesh;
-}
 
 RockMesh plate_mesh(double width, double height, Vec2 centre, double radius, int around, int outward) {
   const int a_side = std::max(2, (around + 3) / 4);
-  const Block block{outward, 4 * a_side, true};
+  const Block block{outward, 4 * a_side};
   const int na = 2 * outward, nb = 2 * block.nb, b_side = 2 * a_side;
   const std::array<Vec2, 5> corner = {
       {{width, 0.0}, {width, height}, {0.0, height}, {0.0, 0.0}, {width, 0.0}}};

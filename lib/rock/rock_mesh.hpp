@@ -29,9 +29,6 @@ struct RockMesh {
   std::vector<Edge> edge;
 };
 
-// x and y: positions of the element borders, ascending, two at least [m].
-RockMesh rectangle_mesh(const std::vector<double>& x, const std::vector<double>& y);
-
 // 0 to width by 0 to height with a circular hole that lies inside [m]. `around`: elements round the hole, raised to a
 // multiple of 4; `outward`: elements from the hole to the outer boundary, growing in proportion to their distance.
 RockMesh plate_mesh(double width, double height, Vec2 centre, double radius, int around, int outward);

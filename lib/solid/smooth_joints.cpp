@@ -231,10 +231,6 @@ void settle_smooth(Assembly& a, const std::vector<JointStress>& wanted) {
   }
 }
 
-double smooth_slide(const Assembly& a, const SmoothContact& contact) {
-  return motion_of(a, contact).slide;
-}
-
 double smooth_opening(const Assembly& a, const SmoothContact& contact) {
   return motion_of(a, contact).opening;
 }

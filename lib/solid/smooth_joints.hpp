@@ -57,7 +57,6 @@ struct JointStress {
 void settle_smooth(Assembly& assembly, const std::vector<JointStress>& wanted);
 
 double smooth_opening(const Assembly& assembly, const SmoothContact& contact);  // m, U_n
-double smooth_slide(const Assembly& assembly, const SmoothContact& contact);    // m, U_s
 // Opening of the broken joint a bond belongs to, across the joint [m]; 0 if closed or of no joint.
 double joint_opening(const Assembly& assembly, std::int64_t bond);
 SmoothResponse smooth_response(const Assembly& assembly, const SmoothContact& contact);

@@ -12,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "flow/second_fluid.hpp"
+#include "fluid_in_rock.hpp"
 #include "small_case.hpp"
 
 namespace added_well_test {

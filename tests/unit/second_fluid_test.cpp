@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "flow/flow_solver.hpp"
+#include "fluid_in_rock.hpp"
 #include "host/host_grid.hpp"
 #include "small_case.hpp"
 

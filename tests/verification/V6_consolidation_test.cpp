@@ -22,6 +22,7 @@
 #include <cmath>
 #include <map>
 
+#include "rectangle_mesh.hpp"
 #include "rock/biot_solver.hpp"
 #include "support.hpp"
 
@@ -113,7 +114,7 @@ class Mandel {
 TEST(V6ContinuumSmoke, ColumnConsolidatesAsTerzaghiSays) {
   const BiotMaterial m = sandstone();
   const double height = 10.0, nu_u = m.undrained_poissons_ratio();
-  BiotSolver rock(rectangle_mesh({0.0, 1.0}, mirrored(graded(height, 40, 1.5))), m,
+  BiotSolver rock(verification::rectangle_mesh({0.0, 1.0}, mirrored(graded(height, 40, 1.5))), m,
                   {{RockSide::left, SideMotion::held},
                    {RockSide::right, SideMotion::held},
                    {RockSide::bottom, SideMotion::held},
@@ -162,7 +163,8 @@ TEST(V6Continuum, PlateConsolidatesAsMandelSays) {
   const double half = 10.0;
   double coarser = 1e300;  // largest error of the mesh before
   for (const int elements : {10, 20, 40}) {
-    BiotSolver rock(rectangle_mesh(mirrored(graded(half, elements, 1.5)), graded(2.0, 4, 1.0)), m,
+    BiotSolver rock(verification::rectangle_mesh(mirrored(graded(half, elements, 1.5)), graded(2.0, 4, 1.0)),
+                    m,
                     {{RockSide::left, SideMotion::held},
                      {RockSide::bottom, SideMotion::held},
                      {RockSide::top, SideMotion::rigid_plate},
@@ -375,7 +377,7 @@ double consolidate(int64_t discs, double biot = 1.0) {
               m.undrained_poissons_ratio(), m.consolidation());
   // The continuum: a quarter of the square.
   const auto lines = mirrored(graded(half, 30, 1.5));
-  BiotSolver continuum(rectangle_mesh(lines, lines), m,
+  BiotSolver continuum(verification::rectangle_mesh(lines, lines), m,
                        {{RockSide::left, SideMotion::held},
                         {RockSide::bottom, SideMotion::held},
                         {RockSide::right, SideMotion::free, true},

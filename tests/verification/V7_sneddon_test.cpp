@@ -15,6 +15,7 @@
 
 #include "lab/laboratory.hpp"
 #include "lab_support.hpp"
+#include "rectangle_mesh.hpp"
 #include "rock/biot_solver.hpp"
 
 namespace V7_sneddon {
@@ -105,7 +106,7 @@ double plate_factor(double width) {
     x.push_back(a + (half - a) * share);
     y.push_back(half * share);
   }
-  hfrac::RockMesh mesh = hfrac::rectangle_mesh(x, y);
+  hfrac::RockMesh mesh = verification::rectangle_mesh(x, y);
   for (auto& edge : mesh.edge) {
     if (edge.side == hfrac::RockSide::bottom && mesh.node[static_cast<std::size_t>(edge.middle)].x < a)
       edge.side = hfrac::RockSide::well;

@@ -15,60 +15,37 @@ MACRO_COUNT = 6
 class Status(enum.IntEnum):
     """The one list of status codes. Values are never renumbered."""
 
-    #: good
-    OK = 0
-    #: stopped by a callback; the simulation is at its last good step
-    STOPPED = 1
-    #: mechanics did not come to rest within stepping.max_cycles
-    NOT_AT_REST = 2
-    #: stop.extent_fraction or stop.cracks is reached; hfrac_set_stop lets the run go on
-    STOP_CONDITION = 3
-    #: an argument is NULL, not finite or out of range
-    ERR_ARGUMENT = -1
-    #: the handle was never created or is destroyed
-    ERR_BAD_HANDLE = -2
-    #: struct_size is not set by the init function or unknown
-    ERR_STRUCT_SIZE = -3
-    #: no option of that name
-    ERR_UNKNOWN_KEY = -4
-    #: the case file cannot be read or holds an invalid value
-    ERR_CASE_FILE = -5
-    #: the model cannot be built from these options
-    ERR_MODEL = -6
-    #: the solution left the range of finite numbers; state as before the step
-    ERR_DIVERGED = -7
-    #: out of memory
-    ERR_MEMORY = -8
-    #: called from inside a callback of the same simulation, or while another thread is in it
-    ERR_BUSY = -9
-    #: an earlier error left the simulation unusable; only last_error and destroy work
-    ERR_POISONED = -10
-    #: a file cannot be written, cannot be read, or is not what it should be
-    ERR_FILE = -11
-    #: a callback threw an exception; the simulation is at its last whole step
-    ERR_CALLBACK = -12
+    OK = 0  #: good
+    STOPPED = 1  #: stopped by a callback; the simulation is at its last good step
+    NOT_AT_REST = 2  #: mechanics did not come to rest within stepping.max_cycles
+    STOP_CONDITION = 3  #: stop.extent_fraction or stop.cracks is reached; hfrac_set_stop lets the run go on
+    ERR_ARGUMENT = -1  #: an argument is NULL, not finite or out of range
+    ERR_BAD_HANDLE = -2  #: the handle was never created or is destroyed
+    ERR_STRUCT_SIZE = -3  #: struct_size is not set by the init function or unknown
+    ERR_UNKNOWN_KEY = -4  #: no option of that name
+    ERR_CASE_FILE = -5  #: the case file cannot be read or holds an invalid value
+    ERR_MODEL = -6  #: the model cannot be built from these options
+    ERR_DIVERGED = -7  #: the solution left the range of finite numbers; state as before the step
+    ERR_MEMORY = -8  #: out of memory
+    ERR_BUSY = -9  #: called from inside a callback of the same simulation, or while another thread is in it
+    ERR_POISONED = -10  #: an earlier error left the simulation unusable; only last_error and destroy work
+    ERR_FILE = -11  #: a file cannot be written, cannot be read, or is not what it should be
+    ERR_CALLBACK = -12  #: a callback threw an exception; the simulation is at its last whole step
     #: the rock fell apart: it does not bear its load, or a disc left its place in a step; state as before the
     #: step
     ERR_COLLAPSED = -13
-    #: another rank of the simulation failed, or does not answer
-    ERR_EXCHANGE = -14
-    #: the device of run.device is not there, or failed; state as before the step
-    ERR_DEVICE = -15
-    #: an error of the library itself; please report it
-    ERR_INTERNAL = -99
+    ERR_EXCHANGE = -14  #: another rank of the simulation failed, or does not answer
+    ERR_DEVICE = -15  #: the device of run.device is not there, or failed; state as before the step
+    ERR_INTERNAL = -99  #: an error of the library itself; please report it
 
 
 class LogLevel(enum.IntEnum):
     """How much a message matters. A callback gets the messages of its level and more important ones."""
 
-    #: a call failed; the text is that of hfrac_last_error
-    ERROR = 1
-    #: the result may not be what was wanted: not at rest, bonds broken before injection
-    WARNING = 2
-    #: what was built, new cracks, settings changed, states saved and restored
-    INFO = 3
-    #: every step
-    DETAIL = 4
+    ERROR = 1  #: a call failed; the text is that of hfrac_last_error
+    WARNING = 2  #: the result may not be what was wanted: not at rest, bonds broken before injection
+    INFO = 3  #: what was built, new cracks, settings changed, states saved and restored
+    DETAIL = 4  #: every step
 
 
 class DefLimits(enum.IntEnum):
@@ -80,58 +57,42 @@ class DefLimits(enum.IntEnum):
 class WellControl(enum.IntEnum):
     """How a well is driven."""
 
-    #: held at `pressure` from the first step
-    PRESSURE = 0
-    #: rises from the formation's pressure by `ramp_per_step` each sub-step, up to `pressure`
-    RAMP = 1
-    #: takes `rate`; its pressure follows
-    RATE = 2
+    PRESSURE = 0  #: held at `pressure` from the first step
+    RAMP = 1  #: rises from the formation's pressure by `ramp_per_step` each sub-step, up to `pressure`
+    RATE = 2  #: takes `rate`; its pressure follows
 
 
 class WellFluid(enum.IntEnum):
     """What a well pumps."""
 
-    #: the fluid
-    FIRST = 0
-    #: that of fluid.second_viscosity
-    SECOND = 1
+    FIRST = 0  #: the fluid
+    SECOND = 1  #: that of fluid.second_viscosity
 
 
 class JointState(enum.IntEnum):
     """Whether the bonds of a joint hold."""
 
-    #: until their strength is reached
-    BONDED = 0
-    #: broken from the start, and counted as cracks of the initial equilibration in shear
-    BROKEN = 1
-    #: bonded, and smooth whatever the packing: contacts look along the joint's normal
-    SMOOTH_BONDED = 2
-    #: broken and smooth
-    SMOOTH_BROKEN = 3
+    BONDED = 0  #: until their strength is reached
+    BROKEN = 1  #: broken from the start, and counted as cracks of the initial equilibration in shear
+    SMOOTH_BONDED = 2  #: bonded, and smooth whatever the packing: contacts look along the joint's normal
+    SMOOTH_BROKEN = 3  #: broken and smooth
 
 
 class StopReason(enum.IntEnum):
     """Why hfrac_advance returned."""
 
-    #: target time reached
-    TARGET = 0
-    #: the progress callback asked for it
-    CALLBACK = 1
-    #: a crack tip passed stop.extent_fraction: what follows is the boundary's doing
-    EXTENT = 2
-    #: stop.cracks reached
-    CRACKS = 3
+    TARGET = 0  #: target time reached
+    CALLBACK = 1  #: the progress callback asked for it
+    EXTENT = 2  #: a crack tip passed stop.extent_fraction: what follows is the boundary's doing
+    CRACKS = 3  #: stop.cracks reached
 
 
 class StepLimit(enum.IntEnum):
     """What limits a step binds."""
 
-    #: none: stepping.flow_step is a matter of accuracy
-    NONE = 0
-    #: the rock's motion: a step takes several mechanical cycles
-    MECHANICS = 1
-    #: explicit flow: a step takes several sub-cycles
-    FLOW = 2
+    NONE = 0  #: none: stepping.flow_step is a matter of accuracy
+    MECHANICS = 1  #: the rock's motion: a step takes several mechanical cycles
+    FLOW = 2  #: explicit flow: a step takes several sub-cycles
 
 
 class Field(enum.IntEnum):
@@ -139,86 +100,51 @@ class Field(enum.IntEnum):
     joint. dtype: 0 double, 1 int32.
     """
 
-    #: centre now
-    DISC_POSITION = 0
-    #: radius
-    DISC_RADIUS = 1
-    #: since the end of the initial equilibration
-    DISC_DISPLACEMENT = 2
-    #: since the end of the initial equilibration, anticlockwise
-    DISC_ROTATION = 3
-    #: velocity (dynamic mode; scaled in substep mode)
-    DISC_VELOCITY = 4
+    DISC_POSITION = 0  #: centre now
+    DISC_RADIUS = 1  #: radius
+    DISC_DISPLACEMENT = 2  #: since the end of the initial equilibration
+    DISC_ROTATION = 3  #: since the end of the initial equilibration, anticlockwise
+    DISC_VELOCITY = 4  #: velocity (dynamic mode; scaled in substep mode)
     #: xx, yy, xy averaged over the disc's cell, from bond, contact and wall forces; compression positive
     DISC_STRESS = 5
-    #: number of intact bonds
-    DISC_INTACT_BONDS = 6
-    #: of the rock; thermal.rock_temperature without a temperature in the model
-    DISC_TEMPERATURE = 7
-    #: indices of the two discs
-    BOND_DISCS = 20
-    #: 0 intact, 1 broken in tension, 2 broken in shear, 3 never bonded
-    BOND_STATE = 21
-    #: bond and contact together, per thickness, tension positive
-    BOND_NORMAL_FORCE = 22
-    #: bond and contact together, per thickness
-    BOND_SHEAR_FORCE = 23
-    #: bending moment of the bond, per thickness
-    BOND_MOMENT = 24
-    #: opening of the contact since bonding, negative: pressed together
-    BOND_GAP = 25
-    #: domains left and right of the line from disc 0 to disc 1
-    PIPE_DOMAINS = 40
-    #: hydraulic aperture (eq. 7)
-    PIPE_APERTURE = 41
-    #: volume rate from the left to the right domain in the last step
-    PIPE_FLOW = 42
-    #: pressure, as stress.convention says
-    DOMAIN_PRESSURE = 60
-    #: fluid volume now
-    DOMAIN_VOLUME = 61
-    #: centroid of the polygon of disc centres
-    DOMAIN_CENTRE = 62
-    #: 0 rock, 1 well, 2 outside
-    DOMAIN_KIND = 63
+    DISC_INTACT_BONDS = 6  #: number of intact bonds
+    DISC_TEMPERATURE = 7  #: of the rock; thermal.rock_temperature without a temperature in the model
+    BOND_DISCS = 20  #: indices of the two discs
+    BOND_STATE = 21  #: 0 intact, 1 broken in tension, 2 broken in shear, 3 never bonded
+    BOND_NORMAL_FORCE = 22  #: bond and contact together, per thickness, tension positive
+    BOND_SHEAR_FORCE = 23  #: bond and contact together, per thickness
+    BOND_MOMENT = 24  #: bending moment of the bond, per thickness
+    BOND_GAP = 25  #: opening of the contact since bonding, negative: pressed together
+    PIPE_DOMAINS = 40  #: domains left and right of the line from disc 0 to disc 1
+    PIPE_APERTURE = 41  #: hydraulic aperture (eq. 7)
+    PIPE_FLOW = 42  #: volume rate from the left to the right domain in the last step
+    DOMAIN_PRESSURE = 60  #: pressure, as stress.convention says
+    DOMAIN_VOLUME = 61  #: fluid volume now
+    DOMAIN_CENTRE = 62  #: centroid of the polygon of disc centres
+    DOMAIN_KIND = 63  #: 0 rock, 1 well, 2 outside
     #: fluid saturation of the pore: volume of fluid over pore volume; below 1 where the pressure is at its
     #: floor, as near the tip of a fracture that opens faster than fluid arrives
     DOMAIN_SATURATION = 67
-    #: of the fluid; thermal.rock_temperature without a temperature in the model
-    DOMAIN_TEMPERATURE = 66
+    DOMAIN_TEMPERATURE = 66  #: of the fluid; thermal.rock_temperature without a temperature in the model
     #: share of the second fluid (fluid.second_viscosity) in what the pore holds; 0 without one
     DOMAIN_SECOND_FLUID = 68
-    #: first corner of each domain in domain.corners; the next domain's is its end
-    DOMAIN_OFFSET = 64
-    #: disc indices around each domain, anticlockwise (outside: clockwise)
-    DOMAIN_CORNERS = 65
-    #: the joint's place in the definition, from 0
-    JOINT_NUMBER = 80
-    #: the bond, and pipe, that the contact stands for; ascending
-    JOINT_BOND = 81
-    #: 0 holds, 1 sticks, 2 slips (friction is used up), 3 open (faces bear nothing)
-    JOINT_CONTACT_STATE = 82
-    #: one end of the contact's piece of the joint now, halfway between the faces
-    JOINT_BEGIN = 83
-    #: the other end
-    JOINT_END = 84
-    #: how far the faces are apart since they bore nothing; negative: pressed together
-    JOINT_OPENING = 85
-    #: the joint's aperture plus opening, at least 0
-    JOINT_MECHANICAL_APERTURE = 86
-    #: of its pipe, by the joint's law where it conducts; 0 in a dry model
-    JOINT_HYDRAULIC_APERTURE = 87
+    DOMAIN_OFFSET = 64  #: first corner of each domain in domain.corners; the next domain's is its end
+    DOMAIN_CORNERS = 65  #: disc indices around each domain, anticlockwise (outside: clockwise)
+    JOINT_NUMBER = 80  #: the joint's place in the definition, from 0
+    JOINT_BOND = 81  #: the bond, and pipe, that the contact stands for; ascending
+    JOINT_CONTACT_STATE = 82  #: 0 holds, 1 sticks, 2 slips (friction is used up), 3 open (faces bear nothing)
+    JOINT_BEGIN = 83  #: one end of the contact's piece of the joint now, halfway between the faces
+    JOINT_END = 84  #: the other end
+    JOINT_OPENING = 85  #: how far the faces are apart since they bore nothing; negative: pressed together
+    JOINT_MECHANICAL_APERTURE = 86  #: the joint's aperture plus opening, at least 0
+    JOINT_HYDRAULIC_APERTURE = 87  #: of its pipe, by the joint's law where it conducts; 0 in a dry model
     #: net slip since the end of the initial equilibration; positive: seen across the joint the far side went
     #: left
     JOINT_SLIP = 88
-    #: effective, of the joint's law; compression positive
-    JOINT_NORMAL_STRESS = 89
-    #: of the joint's law; positive: drives slip that is positive
-    JOINT_SHEAR_STRESS = 90
-    #: mean of the two pores it lies between, as stress.convention says
-    JOINT_PRESSURE = 91
-    #: with what it slid in the initial equilibration: friction and dilation go by it
-    JOINT_TOTAL_SLIP = 92
+    JOINT_NORMAL_STRESS = 89  #: effective, of the joint's law; compression positive
+    JOINT_SHEAR_STRESS = 90  #: of the joint's law; positive: drives slip that is positive
+    JOINT_PRESSURE = 91  #: mean of the two pores it lies between, as stress.convention says
+    JOINT_TOTAL_SLIP = 92  #: with what it slid in the initial equilibration: friction and dilation go by it
 
 
 class CrackMode(enum.IntEnum):
@@ -238,64 +164,45 @@ class EventKind(enum.IntEnum):
 class MatrixKind(enum.IntEnum):
     """What the equations are, by which a solver chooses its way."""
 
-    #: symmetric, positive definite, no positive entry off the diagonal; solved to a tolerance
-    FLOW = 1
-    #: symmetric in its pattern only, indefinite; solved once through a factor
-    TANGENT = 2
+    FLOW = 1  #: symmetric, positive definite, no positive entry off the diagonal; solved to a tolerance
+    TANGENT = 2  #: symmetric in its pattern only, indefinite; solved once through a factor
 
 
 class Upscaling(enum.IntEnum):
     """How permeability is brought to the host's cells."""
 
-    #: crack tensor (Oda 1985): fast; takes all cracks as connected, so an upper bound
-    ODA = 0
-    #: flow through the cell's own pipes, linear pressure on its boundary (Durlofsky 1991)
-    FLOW = 1
+    ODA = 0  #: crack tensor (Oda 1985): fast; takes all cracks as connected, so an upper bound
+    FLOW = 1  #: flow through the cell's own pipes, linear pressure on its boundary (Durlofsky 1991)
 
 
 class GrdeclKind(enum.IntEnum):
     """What an include file holds. Not both in one model: the cracks would count twice."""
 
-    #: PERMX, PERMY [mD], PORO: rock and cracks together
-    PERM = 0
-    #: MULTX, MULTY, MULTPV: how far the cracks raise transmissibilities and pore volume
-    MULT = 1
+    PERM = 0  #: PERMX, PERMY [mD], PORO: rock and cracks together
+    MULT = 1  #: MULTX, MULTY, MULTPV: how far the cracks raise transmissibilities and pore volume
 
 
 class LabTest(enum.IntEnum):
     """The tests. What each gives as `value` of its report stands in brackets."""
 
-    #: square pressed by 1e-5: E in plane strain [Pa]; one linear solve where the rock is linear
-    ELASTIC = 0
-    #: direct tension, height twice the width: strength [Pa]
-    TENSION = 1
-    #: compression, height twice the width: UCS [Pa]
-    UNIAXIAL = 2
-    #: the same under `confining` on the sides: axial stress at failure [Pa]
-    BIAXIAL = 3
-    #: round disc pressed on two arcs of 30 degrees: indirect strength [Pa] (Hondros 1959)
-    BRAZILIAN = 4
-    #: plate with a slit in the middle, constant load: K_Ic [Pa m^0.5]
-    CENTRE_CRACK = 5
-    #: plate slit from one side, constant load: K_Ic [Pa m^0.5]
-    SENT = 6
-    #: slit in the middle under fluid pressure: K_Ic [Pa m^0.5], and its opening
-    PRESSURISED_CRACK = 7
-    #: of the unloaded network, mean of both directions [m2]
-    PERMEABILITY = 8
+    ELASTIC = 0  #: square pressed by 1e-5: E in plane strain [Pa]; one linear solve where the rock is linear
+    TENSION = 1  #: direct tension, height twice the width: strength [Pa]
+    UNIAXIAL = 2  #: compression, height twice the width: UCS [Pa]
+    BIAXIAL = 3  #: the same under `confining` on the sides: axial stress at failure [Pa]
+    BRAZILIAN = 4  #: round disc pressed on two arcs of 30 degrees: indirect strength [Pa] (Hondros 1959)
+    CENTRE_CRACK = 5  #: plate with a slit in the middle, constant load: K_Ic [Pa m^0.5]
+    SENT = 6  #: plate slit from one side, constant load: K_Ic [Pa m^0.5]
+    PRESSURISED_CRACK = 7  #: slit in the middle under fluid pressure: K_Ic [Pa m^0.5], and its opening
+    PERMEABILITY = 8  #: of the unloaded network, mean of both directions [m2]
 
 
 class LabEnd(enum.IntEnum):
     """How a test ended."""
 
-    #: the specimen failed, as it should
-    FAILED = 0
-    #: the load asked for was reached; the end of tests without failure
-    LOAD_REACHED = 1
-    #: no equilibrium was found at the last load; values are those up to it
-    NO_EQUILIBRIUM = 2
-    #: the progress callback asked for it; values are those up to then
-    STOPPED = 3
+    FAILED = 0  #: the specimen failed, as it should
+    LOAD_REACHED = 1  #: the load asked for was reached; the end of tests without failure
+    NO_EQUILIBRIUM = 2  #: no equilibrium was found at the last load; values are those up to it
+    STOPPED = 3  #: the progress callback asked for it; values are those up to then
 
 
 class LabTable(enum.IntEnum):
@@ -304,12 +211,9 @@ class LabTable(enum.IntEnum):
     #: (7) load, stress [Pa], axial and lateral strain, largest stress over strength, tensile cracks, shear
     #: cracks. The load is a strain between platens, else in units of 1 MPa
     CURVE = 0
-    #: (5) x, y, radius at bonding, displacement x, y [m]
-    DISCS = 1
-    #: (5) x, y of one end, x, y of the other [m], enum hfrac_crack_mode; in order of breakage
-    CRACKS = 2
-    #: (3) x from the slit's middle [m], opening [m], pressure it holds for [Pa]; pressurised crack only
-    OPENING = 3
+    DISCS = 1  #: (5) x, y, radius at bonding, displacement x, y [m]
+    CRACKS = 2  #: (5) x, y of one end, x, y of the other [m], enum hfrac_crack_mode; in order of breakage
+    OPENING = 3  #: (3) x from the slit's middle [m], opening [m], pressure it holds for [Pa]; pressurised crack only
 
 
 #: What each status code means.
@@ -411,24 +315,12 @@ class hfrac_well_def(ctypes.Structure):
     """One wellbore: a round hole cut into the packing."""
 
     _fields_ = [
-        ("x", ctypes.c_double),
-        ("y", ctypes.c_double),
-        ("radius", ctypes.c_double),
-        ("pressure", ctypes.c_double),
-        ("ramp_per_step", ctypes.c_double),
-        ("rate", ctypes.c_double),
-        ("control", ctypes.c_int64),
-        ("storage", ctypes.c_double),
-        ("perforation_count", ctypes.c_double),
-        ("perforation_diameter", ctypes.c_double),
-        ("discharge_coefficient", ctypes.c_double),
-        ("near_well_friction", ctypes.c_double),
-        ("height", ctypes.c_double),
-        ("depth", ctypes.c_double),
-        ("fluid_density", ctypes.c_double),
-        ("wellbore", ctypes.c_int64),
-        ("fluid", ctypes.c_int64),
-        ("perforation_length", ctypes.c_double),
+        ("x", ctypes.c_double), ("y", ctypes.c_double), ("radius", ctypes.c_double), ("pressure", ctypes.c_double),
+        ("ramp_per_step", ctypes.c_double), ("rate", ctypes.c_double), ("control", ctypes.c_int64),
+        ("storage", ctypes.c_double), ("perforation_count", ctypes.c_double), ("perforation_diameter", ctypes.c_double),
+        ("discharge_coefficient", ctypes.c_double), ("near_well_friction", ctypes.c_double),
+        ("height", ctypes.c_double), ("depth", ctypes.c_double), ("fluid_density", ctypes.c_double),
+        ("wellbore", ctypes.c_int64), ("fluid", ctypes.c_int64), ("perforation_length", ctypes.c_double),
         ("perforation_azimuth", ctypes.c_double),
     ]
 
@@ -442,26 +334,13 @@ class hfrac_joint_def(ctypes.Structure):
     """
 
     _fields_ = [
-        ("x1", ctypes.c_double),
-        ("y1", ctypes.c_double),
-        ("x2", ctypes.c_double),
-        ("y2", ctypes.c_double),
-        ("tensile_factor", ctypes.c_double),
-        ("shear_factor", ctypes.c_double),
-        ("friction", ctypes.c_double),
-        ("state", ctypes.c_int64),
-        ("normal_stiffness", ctypes.c_double),
-        ("shear_stiffness", ctypes.c_double),
-        ("max_closure", ctypes.c_double),
-        ("tensile_strength", ctypes.c_double),
-        ("cohesion", ctypes.c_double),
-        ("residual_friction", ctypes.c_double),
-        ("weakening_slip", ctypes.c_double),
-        ("dilation_angle", ctypes.c_double),
-        ("dilation_slip", ctypes.c_double),
-        ("aperture", ctypes.c_double),
-        ("residual_aperture", ctypes.c_double),
-        ("roughness", ctypes.c_double),
+        ("x1", ctypes.c_double), ("y1", ctypes.c_double), ("x2", ctypes.c_double), ("y2", ctypes.c_double),
+        ("tensile_factor", ctypes.c_double), ("shear_factor", ctypes.c_double), ("friction", ctypes.c_double),
+        ("state", ctypes.c_int64), ("normal_stiffness", ctypes.c_double), ("shear_stiffness", ctypes.c_double),
+        ("max_closure", ctypes.c_double), ("tensile_strength", ctypes.c_double), ("cohesion", ctypes.c_double),
+        ("residual_friction", ctypes.c_double), ("weakening_slip", ctypes.c_double),
+        ("dilation_angle", ctypes.c_double), ("dilation_slip", ctypes.c_double), ("aperture", ctypes.c_double),
+        ("residual_aperture", ctypes.c_double), ("roughness", ctypes.c_double),
     ]
 
 
@@ -469,10 +348,7 @@ class hfrac_schedule_def(ctypes.Structure):
     """From `time` on, a well is driven otherwise. Entries of one well stand in order of time."""
 
     _fields_ = [
-        ("well", ctypes.c_int64),
-        ("time", ctypes.c_double),
-        ("value", ctypes.c_double),
-        ("control", ctypes.c_int64),
+        ("well", ctypes.c_int64), ("time", ctypes.c_double), ("value", ctypes.c_double), ("control", ctypes.c_int64),
         ("fluid", ctypes.c_int64),
     ]
 
@@ -483,156 +359,74 @@ class hfrac_sim_def(ctypes.Structure):
     """
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("struct_version", ctypes.c_int32),
-        ("lists", ctypes.c_void_p),
-        ("wells", ctypes.c_void_p),
-        ("well_count", ctypes.c_int64),
-        ("well_size", ctypes.c_int64),
-        ("joints", ctypes.c_void_p),
-        ("joint_count", ctypes.c_int64),
-        ("joint_size", ctypes.c_int64),
-        ("schedule", ctypes.c_void_p),
-        ("schedule_count", ctypes.c_int64),
-        ("schedule_size", ctypes.c_int64),
-        ("model_width", ctypes.c_double),
-        ("model_height", ctypes.c_double),
-        ("model_seed", ctypes.c_int64),
-        ("stress_convention", ctypes.c_int64),
-        ("packing_disc_count", ctypes.c_int64),
-        ("packing_radius_ratio", ctypes.c_double),
-        ("packing_porosity", ctypes.c_double),
-        ("packing_residual", ctypes.c_double),
-        ("disc_density", ctypes.c_double),
-        ("contact_normal_stiffness", ctypes.c_double),
-        ("contact_shear_stiffness", ctypes.c_double),
-        ("contact_friction", ctypes.c_double),
-        ("contact_mode", ctypes.c_int64),
-        ("bond_normal_stiffness", ctypes.c_double),
-        ("bond_shear_stiffness", ctypes.c_double),
-        ("bond_tensile_strength", ctypes.c_double),
-        ("bond_shear_strength", ctypes.c_double),
-        ("bond_radius_factor", ctypes.c_double),
-        ("bond_moment_contribution", ctypes.c_double),
-        ("bond_gap_tolerance", ctypes.c_double),
-        ("bond_toughness_reference_radius", ctypes.c_double),
-        ("stress_sigma_Hmax", ctypes.c_double),
-        ("stress_sigma_hmin", ctypes.c_double),
-        ("boundary_kind", ctypes.c_int64),
-        ("boundary_walls_after_equilibration", ctypes.c_int64),
-        ("fluid_viscosity", ctypes.c_double),
-        ("fluid_bulk_modulus", ctypes.c_double),
-        ("fluid_formation_pressure", ctypes.c_double),
-        ("flow_scheme", ctypes.c_int64),
-        ("flow_permeability", ctypes.c_double),
-        ("flow_zero_stress_aperture", ctypes.c_double),
-        ("flow_half_aperture_force", ctypes.c_double),
-        ("flow_gap_factor", ctypes.c_double),
-        ("flow_bonded_gap_factor", ctypes.c_double),
-        ("flow_aperture_limit", ctypes.c_double),
-        ("flow_outer", ctypes.c_int64),
-        ("stepping_mode", ctypes.c_int64),
-        ("stepping_flow_step", ctypes.c_double),
-        ("stepping_steps", ctypes.c_int64),
-        ("stepping_end_time", ctypes.c_double),
-        ("stepping_force_ratio", ctypes.c_double),
-        ("stepping_max_cycles", ctypes.c_int64),
-        ("stepping_damping", ctypes.c_double),
-        ("stepping_safety", ctypes.c_double),
-        ("stop_extent_fraction", ctypes.c_double),
-        ("stop_cracks", ctypes.c_int64),
-        ("run_workers", ctypes.c_int64),
-        ("output_every", ctypes.c_int64),
-        ("title", ctypes.c_char * 128),
-        ("given_discs", ctypes.c_void_p),
-        ("given_disc_count", ctypes.c_int64),
-        ("progress", hfrac_progress_fn),
-        ("progress_user", ctypes.c_void_p),
-        ("packing_method", ctypes.c_int64),
-        ("packing_brick_discs", ctypes.c_int64),
-        ("solver_kind", ctypes.c_int64),
-        ("solver_tolerance", ctypes.c_double),
-        ("solver_pressure_change", ctypes.c_double),
-        ("solver_strength_overshoot", ctypes.c_double),
-        ("solver_smallest_step", ctypes.c_double),
-        ("flow_solver", ctypes.c_int64),
-        ("output_compression", ctypes.c_int64),
-        ("log", hfrac_log_fn),
-        ("log_user", ctypes.c_void_p),
-        ("log_level", ctypes.c_int64),
-        ("initial_state", ctypes.c_int64),
-        ("initial_well_pressure", ctypes.c_double),
-        ("initial_seepage_time", ctypes.c_double),
-        ("initial_youngs_modulus", ctypes.c_double),
-        ("initial_poissons_ratio", ctypes.c_double),
-        ("bond_fracture_toughness", ctypes.c_double),
-        ("bond_toughness_coefficient", ctypes.c_double),
-        ("fluid_consistency", ctypes.c_double),
-        ("fluid_power_index", ctypes.c_double),
-        ("thermal_mode", ctypes.c_int64),
-        ("thermal_rock_temperature", ctypes.c_double),
-        ("thermal_fluid_temperature", ctypes.c_double),
-        ("thermal_conductivity", ctypes.c_double),
-        ("thermal_specific_heat", ctypes.c_double),
-        ("thermal_fluid_specific_heat", ctypes.c_double),
-        ("thermal_fluid_density", ctypes.c_double),
-        ("thermal_film_coefficient", ctypes.c_double),
-        ("thermal_expansion", ctypes.c_double),
-        ("thermal_outer", ctypes.c_int64),
-        ("thermal_parameters", ctypes.c_int64),
-        ("thermal_table_rows", ctypes.c_int64),
-        ("thermal_temperature_1", ctypes.c_double),
-        ("thermal_temperature_2", ctypes.c_double),
-        ("thermal_temperature_3", ctypes.c_double),
-        ("thermal_temperature_4", ctypes.c_double),
-        ("thermal_temperature_5", ctypes.c_double),
-        ("thermal_stiffness_1", ctypes.c_double),
-        ("thermal_stiffness_2", ctypes.c_double),
-        ("thermal_stiffness_3", ctypes.c_double),
-        ("thermal_stiffness_4", ctypes.c_double),
-        ("thermal_stiffness_5", ctypes.c_double),
-        ("thermal_strength_1", ctypes.c_double),
-        ("thermal_strength_2", ctypes.c_double),
-        ("thermal_strength_3", ctypes.c_double),
-        ("thermal_strength_4", ctypes.c_double),
-        ("thermal_strength_5", ctypes.c_double),
-        ("thermal_friction_1", ctypes.c_double),
-        ("thermal_friction_2", ctypes.c_double),
-        ("thermal_friction_3", ctypes.c_double),
-        ("thermal_friction_4", ctypes.c_double),
-        ("thermal_friction_5", ctypes.c_double),
-        ("output_checkpoint_every", ctypes.c_double),
-        ("output_checkpoint_steps", ctypes.c_int64),
-        ("given_bonds", ctypes.c_void_p),
-        ("given_bond_count", ctypes.c_int64),
-        ("smooth_joint_normal_stiffness", ctypes.c_double),
-        ("smooth_joint_shear_stiffness", ctypes.c_double),
-        ("flow_fracture_aperture", ctypes.c_int64),
-        ("bond_smallest_fragment", ctypes.c_int64),
-        ("fracture_law", ctypes.c_int64),
-        ("fracture_plane_modulus", ctypes.c_double),
-        ("initial_broken_fraction", ctypes.c_double),
-        ("fracture_perforation_length", ctypes.c_double),
-        ("fracture_perforation_azimuth", ctypes.c_double),
-        ("rock_biot_coefficient", ctypes.c_double),
-        ("rock_porosity", ctypes.c_double),
-        ("rock_grain_modulus", ctypes.c_double),
-        ("packing_coarsening", ctypes.c_double),
-        ("packing_fine_half_length", ctypes.c_double),
-        ("packing_fine_half_width", ctypes.c_double),
-        ("packing_fine_azimuth", ctypes.c_double),
-        ("packing_radius_growth", ctypes.c_double),
-        ("boundary_exterior_modulus", ctypes.c_double),
-        ("boundary_exterior_poisson_ratio", ctypes.c_double),
-        ("boundary_flow_distance", ctypes.c_double),
-        ("fluid_kind", ctypes.c_int64),
-        ("contact_shape", ctypes.c_int64),
-        ("bond_open_share", ctypes.c_double),
-        ("bond_fracture_energy", ctypes.c_double),
-        ("fluid_second_viscosity", ctypes.c_double),
-        ("fluid_second_density", ctypes.c_double),
-        ("solver_factor", ctypes.c_int64),
-        ("run_device", ctypes.c_int64),
+        ("struct_size", ctypes.c_int32), ("struct_version", ctypes.c_int32), ("lists", ctypes.c_void_p),
+        ("wells", ctypes.c_void_p), ("well_count", ctypes.c_int64), ("well_size", ctypes.c_int64),
+        ("joints", ctypes.c_void_p), ("joint_count", ctypes.c_int64), ("joint_size", ctypes.c_int64),
+        ("schedule", ctypes.c_void_p), ("schedule_count", ctypes.c_int64), ("schedule_size", ctypes.c_int64),
+        ("model_width", ctypes.c_double), ("model_height", ctypes.c_double), ("model_seed", ctypes.c_int64),
+        ("stress_convention", ctypes.c_int64), ("packing_disc_count", ctypes.c_int64),
+        ("packing_radius_ratio", ctypes.c_double), ("packing_porosity", ctypes.c_double),
+        ("packing_residual", ctypes.c_double), ("disc_density", ctypes.c_double),
+        ("contact_normal_stiffness", ctypes.c_double), ("contact_shear_stiffness", ctypes.c_double),
+        ("contact_friction", ctypes.c_double), ("contact_mode", ctypes.c_int64),
+        ("bond_normal_stiffness", ctypes.c_double), ("bond_shear_stiffness", ctypes.c_double),
+        ("bond_tensile_strength", ctypes.c_double), ("bond_shear_strength", ctypes.c_double),
+        ("bond_radius_factor", ctypes.c_double), ("bond_moment_contribution", ctypes.c_double),
+        ("bond_gap_tolerance", ctypes.c_double), ("bond_toughness_reference_radius", ctypes.c_double),
+        ("stress_sigma_Hmax", ctypes.c_double), ("stress_sigma_hmin", ctypes.c_double),
+        ("boundary_kind", ctypes.c_int64), ("boundary_walls_after_equilibration", ctypes.c_int64),
+        ("fluid_viscosity", ctypes.c_double), ("fluid_bulk_modulus", ctypes.c_double),
+        ("fluid_formation_pressure", ctypes.c_double), ("flow_scheme", ctypes.c_int64),
+        ("flow_permeability", ctypes.c_double), ("flow_zero_stress_aperture", ctypes.c_double),
+        ("flow_half_aperture_force", ctypes.c_double), ("flow_gap_factor", ctypes.c_double),
+        ("flow_bonded_gap_factor", ctypes.c_double), ("flow_aperture_limit", ctypes.c_double),
+        ("flow_outer", ctypes.c_int64), ("stepping_mode", ctypes.c_int64), ("stepping_flow_step", ctypes.c_double),
+        ("stepping_steps", ctypes.c_int64), ("stepping_end_time", ctypes.c_double),
+        ("stepping_force_ratio", ctypes.c_double), ("stepping_max_cycles", ctypes.c_int64),
+        ("stepping_damping", ctypes.c_double), ("stepping_safety", ctypes.c_double),
+        ("stop_extent_fraction", ctypes.c_double), ("stop_cracks", ctypes.c_int64), ("run_workers", ctypes.c_int64),
+        ("output_every", ctypes.c_int64), ("title", ctypes.c_char * 128), ("given_discs", ctypes.c_void_p),
+        ("given_disc_count", ctypes.c_int64), ("progress", hfrac_progress_fn), ("progress_user", ctypes.c_void_p),
+        ("packing_method", ctypes.c_int64), ("packing_brick_discs", ctypes.c_int64), ("solver_kind", ctypes.c_int64),
+        ("solver_tolerance", ctypes.c_double), ("solver_pressure_change", ctypes.c_double),
+        ("solver_strength_overshoot", ctypes.c_double), ("solver_smallest_step", ctypes.c_double),
+        ("flow_solver", ctypes.c_int64), ("output_compression", ctypes.c_int64), ("log", hfrac_log_fn),
+        ("log_user", ctypes.c_void_p), ("log_level", ctypes.c_int64), ("initial_state", ctypes.c_int64),
+        ("initial_well_pressure", ctypes.c_double), ("initial_seepage_time", ctypes.c_double),
+        ("initial_youngs_modulus", ctypes.c_double), ("initial_poissons_ratio", ctypes.c_double),
+        ("bond_fracture_toughness", ctypes.c_double), ("bond_toughness_coefficient", ctypes.c_double),
+        ("fluid_consistency", ctypes.c_double), ("fluid_power_index", ctypes.c_double),
+        ("thermal_mode", ctypes.c_int64), ("thermal_rock_temperature", ctypes.c_double),
+        ("thermal_fluid_temperature", ctypes.c_double), ("thermal_conductivity", ctypes.c_double),
+        ("thermal_specific_heat", ctypes.c_double), ("thermal_fluid_specific_heat", ctypes.c_double),
+        ("thermal_fluid_density", ctypes.c_double), ("thermal_film_coefficient", ctypes.c_double),
+        ("thermal_expansion", ctypes.c_double), ("thermal_outer", ctypes.c_int64),
+        ("thermal_parameters", ctypes.c_int64), ("thermal_table_rows", ctypes.c_int64),
+        ("thermal_temperature_1", ctypes.c_double), ("thermal_temperature_2", ctypes.c_double),
+        ("thermal_temperature_3", ctypes.c_double), ("thermal_temperature_4", ctypes.c_double),
+        ("thermal_temperature_5", ctypes.c_double), ("thermal_stiffness_1", ctypes.c_double),
+        ("thermal_stiffness_2", ctypes.c_double), ("thermal_stiffness_3", ctypes.c_double),
+        ("thermal_stiffness_4", ctypes.c_double), ("thermal_stiffness_5", ctypes.c_double),
+        ("thermal_strength_1", ctypes.c_double), ("thermal_strength_2", ctypes.c_double),
+        ("thermal_strength_3", ctypes.c_double), ("thermal_strength_4", ctypes.c_double),
+        ("thermal_strength_5", ctypes.c_double), ("thermal_friction_1", ctypes.c_double),
+        ("thermal_friction_2", ctypes.c_double), ("thermal_friction_3", ctypes.c_double),
+        ("thermal_friction_4", ctypes.c_double), ("thermal_friction_5", ctypes.c_double),
+        ("output_checkpoint_every", ctypes.c_double), ("output_checkpoint_steps", ctypes.c_int64),
+        ("given_bonds", ctypes.c_void_p), ("given_bond_count", ctypes.c_int64),
+        ("smooth_joint_normal_stiffness", ctypes.c_double), ("smooth_joint_shear_stiffness", ctypes.c_double),
+        ("flow_fracture_aperture", ctypes.c_int64), ("bond_smallest_fragment", ctypes.c_int64),
+        ("fracture_law", ctypes.c_int64), ("fracture_plane_modulus", ctypes.c_double),
+        ("initial_broken_fraction", ctypes.c_double), ("fracture_perforation_length", ctypes.c_double),
+        ("fracture_perforation_azimuth", ctypes.c_double), ("rock_biot_coefficient", ctypes.c_double),
+        ("rock_porosity", ctypes.c_double), ("rock_grain_modulus", ctypes.c_double),
+        ("packing_coarsening", ctypes.c_double), ("packing_fine_half_length", ctypes.c_double),
+        ("packing_fine_half_width", ctypes.c_double), ("packing_fine_azimuth", ctypes.c_double),
+        ("packing_radius_growth", ctypes.c_double), ("boundary_exterior_modulus", ctypes.c_double),
+        ("boundary_exterior_poisson_ratio", ctypes.c_double), ("boundary_flow_distance", ctypes.c_double),
+        ("fluid_kind", ctypes.c_int64), ("contact_shape", ctypes.c_int64), ("bond_open_share", ctypes.c_double),
+        ("bond_fracture_energy", ctypes.c_double), ("fluid_second_viscosity", ctypes.c_double),
+        ("fluid_second_density", ctypes.c_double), ("solver_factor", ctypes.c_int64), ("run_device", ctypes.c_int64),
     ]
 
 
@@ -640,15 +434,9 @@ class hfrac_option_info(ctypes.Structure):
     """What the table says of one option. Texts point into the library and live as long as it is loaded."""
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("type", ctypes.c_int32),
-        ("key", ctypes.c_char_p),
-        ("unit", ctypes.c_char_p),
-        ("choices", ctypes.c_char_p),
-        ("help", ctypes.c_char_p),
-        ("default_value", ctypes.c_double),
-        ("minimum", ctypes.c_double),
-        ("maximum", ctypes.c_double),
+        ("struct_size", ctypes.c_int32), ("type", ctypes.c_int32), ("key", ctypes.c_char_p), ("unit", ctypes.c_char_p),
+        ("choices", ctypes.c_char_p), ("help", ctypes.c_char_p), ("default_value", ctypes.c_double),
+        ("minimum", ctypes.c_double), ("maximum", ctypes.c_double),
     ]
 
 
@@ -656,26 +444,13 @@ class hfrac_sim_state(ctypes.Structure):
     """How the simulation stands. Set struct_size before the call."""
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("at_rest", ctypes.c_int32),
-        ("time", ctypes.c_double),
-        ("step", ctypes.c_int64),
-        ("cycles", ctypes.c_int64),
-        ("force_ratio", ctypes.c_double),
-        ("crack_count", ctypes.c_int64),
-        ("tensile_cracks", ctypes.c_int64),
-        ("shear_cracks", ctypes.c_int64),
-        ("equilibration_cracks", ctypes.c_int64),
-        ("disc_count", ctypes.c_int64),
-        ("bond_count", ctypes.c_int64),
-        ("domain_count", ctypes.c_int64),
-        ("mechanical_step", ctypes.c_double),
-        ("tip_distance", ctypes.c_double),
-        ("stop_reason", ctypes.c_int32),
-        ("flow_subcycles", ctypes.c_int32),
-        ("sigma_Hmax", ctypes.c_double),
-        ("sigma_hmin", ctypes.c_double),
-        ("formation_pressure", ctypes.c_double),
+        ("struct_size", ctypes.c_int32), ("at_rest", ctypes.c_int32), ("time", ctypes.c_double),
+        ("step", ctypes.c_int64), ("cycles", ctypes.c_int64), ("force_ratio", ctypes.c_double),
+        ("crack_count", ctypes.c_int64), ("tensile_cracks", ctypes.c_int64), ("shear_cracks", ctypes.c_int64),
+        ("equilibration_cracks", ctypes.c_int64), ("disc_count", ctypes.c_int64), ("bond_count", ctypes.c_int64),
+        ("domain_count", ctypes.c_int64), ("mechanical_step", ctypes.c_double), ("tip_distance", ctypes.c_double),
+        ("stop_reason", ctypes.c_int32), ("flow_subcycles", ctypes.c_int32), ("sigma_Hmax", ctypes.c_double),
+        ("sigma_hmin", ctypes.c_double), ("formation_pressure", ctypes.c_double),
     ]
 
 
@@ -683,26 +458,14 @@ class hfrac_setup_report(ctypes.Structure):
     """What the set-up made. Set struct_size before the call."""
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("struct_pad", ctypes.c_int32),
-        ("mean_radius", ctypes.c_double),
-        ("porosity", ctypes.c_double),
-        ("packing_residual", ctypes.c_double),
-        ("coordination", ctypes.c_double),
-        ("packed_discs", ctypes.c_int64),
-        ("removed_in_wells", ctypes.c_int64),
-        ("removed_floaters", ctypes.c_int64),
-        ("removed_crossings", ctypes.c_int64),
-        ("strength_factor", ctypes.c_double),
-        ("zero_stress_aperture", ctypes.c_double),
-        ("permeability", ctypes.c_double),
-        ("equilibration_force_ratio", ctypes.c_double),
-        ("packing_seconds", ctypes.c_double),
-        ("setup_seconds", ctypes.c_double),
-        ("coarsest_radius", ctypes.c_double),
-        ("fine_discs", ctypes.c_int64),
-        ("exterior_modulus", ctypes.c_double),
-        ("exterior_poisson_ratio", ctypes.c_double),
+        ("struct_size", ctypes.c_int32), ("struct_pad", ctypes.c_int32), ("mean_radius", ctypes.c_double),
+        ("porosity", ctypes.c_double), ("packing_residual", ctypes.c_double), ("coordination", ctypes.c_double),
+        ("packed_discs", ctypes.c_int64), ("removed_in_wells", ctypes.c_int64), ("removed_floaters", ctypes.c_int64),
+        ("removed_crossings", ctypes.c_int64), ("strength_factor", ctypes.c_double),
+        ("zero_stress_aperture", ctypes.c_double), ("permeability", ctypes.c_double),
+        ("equilibration_force_ratio", ctypes.c_double), ("packing_seconds", ctypes.c_double),
+        ("setup_seconds", ctypes.c_double), ("coarsest_radius", ctypes.c_double), ("fine_discs", ctypes.c_int64),
+        ("exterior_modulus", ctypes.c_double), ("exterior_poisson_ratio", ctypes.c_double),
         ("plane_modulus", ctypes.c_double),
     ]
 
@@ -711,21 +474,11 @@ class hfrac_balance(ctypes.Structure):
     """Energy and fluid mass since the end of the initial equilibration. Set struct_size before the call."""
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("energy_checked", ctypes.c_int32),
-        ("kinetic", ctypes.c_double),
-        ("bond_elastic", ctypes.c_double),
-        ("contact_elastic", ctypes.c_double),
-        ("fluid_work", ctypes.c_double),
-        ("boundary_work", ctypes.c_double),
-        ("friction", ctypes.c_double),
-        ("damping", ctypes.c_double),
-        ("fracture", ctypes.c_double),
-        ("energy_error", ctypes.c_double),
-        ("injected_volume", ctypes.c_double),
-        ("stored_volume", ctypes.c_double),
-        ("leaked_volume", ctypes.c_double),
-        ("fluid_error", ctypes.c_double),
+        ("struct_size", ctypes.c_int32), ("energy_checked", ctypes.c_int32), ("kinetic", ctypes.c_double),
+        ("bond_elastic", ctypes.c_double), ("contact_elastic", ctypes.c_double), ("fluid_work", ctypes.c_double),
+        ("boundary_work", ctypes.c_double), ("friction", ctypes.c_double), ("damping", ctypes.c_double),
+        ("fracture", ctypes.c_double), ("energy_error", ctypes.c_double), ("injected_volume", ctypes.c_double),
+        ("stored_volume", ctypes.c_double), ("leaked_volume", ctypes.c_double), ("fluid_error", ctypes.c_double),
         ("host_volume", ctypes.c_double),
     ]
 
@@ -736,17 +489,10 @@ class hfrac_solver_report(ctypes.Structure):
     """
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("kind", ctypes.c_int32),
-        ("increment", ctypes.c_double),
-        ("increments", ctypes.c_int64),
-        ("rounds", ctypes.c_int64),
-        ("newton_iterations", ctypes.c_int64),
-        ("linear_iterations", ctypes.c_int64),
-        ("factors", ctypes.c_int64),
-        ("rejected_error", ctypes.c_int64),
-        ("rejected_strength", ctypes.c_int64),
-        ("rejected_divergence", ctypes.c_int64),
+        ("struct_size", ctypes.c_int32), ("kind", ctypes.c_int32), ("increment", ctypes.c_double),
+        ("increments", ctypes.c_int64), ("rounds", ctypes.c_int64), ("newton_iterations", ctypes.c_int64),
+        ("linear_iterations", ctypes.c_int64), ("factors", ctypes.c_int64), ("rejected_error", ctypes.c_int64),
+        ("rejected_strength", ctypes.c_int64), ("rejected_divergence", ctypes.c_int64),
     ]
 
 
@@ -754,11 +500,8 @@ class hfrac_step_limits(ctypes.Structure):
     """How long a step could be, and how it is divided. Set struct_size before the call."""
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("binding", ctypes.c_int32),
-        ("flow_step", ctypes.c_double),
-        ("mechanical_step", ctypes.c_double),
-        ("explicit_step", ctypes.c_double),
+        ("struct_size", ctypes.c_int32), ("binding", ctypes.c_int32), ("flow_step", ctypes.c_double),
+        ("mechanical_step", ctypes.c_double), ("explicit_step", ctypes.c_double),
     ]
 
 
@@ -766,14 +509,9 @@ class hfrac_wall_state(ctypes.Structure):
     """One wall of a model with boundary.kind walls. Set struct_size before the call."""
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("moves", ctypes.c_int32),
-        ("normal", ctypes.c_double * 2),
-        ("position", ctypes.c_double),
-        ("displacement", ctypes.c_double),
-        ("stress", ctypes.c_double),
-        ("target", ctypes.c_double),
-        ("disc_count", ctypes.c_int64),
+        ("struct_size", ctypes.c_int32), ("moves", ctypes.c_int32), ("normal", ctypes.c_double * 2),
+        ("position", ctypes.c_double), ("displacement", ctypes.c_double), ("stress", ctypes.c_double),
+        ("target", ctypes.c_double), ("disc_count", ctypes.c_int64),
     ]
 
 
@@ -781,21 +519,11 @@ class hfrac_well_state(ctypes.Structure):
     """One well as it stands. Set struct_size before the call."""
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("control", ctypes.c_int32),
-        ("x", ctypes.c_double),
-        ("y", ctypes.c_double),
-        ("equivalent_radius", ctypes.c_double),
-        ("pressure", ctypes.c_double),
-        ("target_pressure", ctypes.c_double),
-        ("rate", ctypes.c_double),
-        ("injected_volume", ctypes.c_double),
-        ("domain", ctypes.c_int64),
-        ("radius", ctypes.c_double),
-        ("wellbore_pressure", ctypes.c_double),
-        ("wellhead_pressure", ctypes.c_double),
-        ("wellbore_rate", ctypes.c_double),
-        ("fluid", ctypes.c_int64),
+        ("struct_size", ctypes.c_int32), ("control", ctypes.c_int32), ("x", ctypes.c_double), ("y", ctypes.c_double),
+        ("equivalent_radius", ctypes.c_double), ("pressure", ctypes.c_double), ("target_pressure", ctypes.c_double),
+        ("rate", ctypes.c_double), ("injected_volume", ctypes.c_double), ("domain", ctypes.c_int64),
+        ("radius", ctypes.c_double), ("wellbore_pressure", ctypes.c_double), ("wellhead_pressure", ctypes.c_double),
+        ("wellbore_rate", ctypes.c_double), ("fluid", ctypes.c_int64),
     ]
 
 
@@ -803,16 +531,9 @@ class hfrac_field_desc(ctypes.Structure):
     """What a field is. Texts point into the library."""
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("field", ctypes.c_int32),
-        ("name", ctypes.c_char_p),
-        ("unit", ctypes.c_char_p),
-        ("help", ctypes.c_char_p),
-        ("location", ctypes.c_int32),
-        ("dtype", ctypes.c_int32),
-        ("components", ctypes.c_int32),
-        ("struct_pad", ctypes.c_int32),
-        ("count", ctypes.c_int64),
+        ("struct_size", ctypes.c_int32), ("field", ctypes.c_int32), ("name", ctypes.c_char_p),
+        ("unit", ctypes.c_char_p), ("help", ctypes.c_char_p), ("location", ctypes.c_int32), ("dtype", ctypes.c_int32),
+        ("components", ctypes.c_int32), ("struct_pad", ctypes.c_int32), ("count", ctypes.c_int64),
         ("epoch", ctypes.c_int64),
     ]
 
@@ -821,24 +542,12 @@ class hfrac_crack(ctypes.Structure):
     """One broken bond."""
 
     _fields_ = [
-        ("id", ctypes.c_int64),
-        ("bond", ctypes.c_int64),
-        ("disc", ctypes.c_int64 * 2),
-        ("step", ctypes.c_int64),
-        ("cycle", ctypes.c_int64),
-        ("time", ctypes.c_double),
-        ("position", ctypes.c_double * 2),
-        ("normal", ctypes.c_double * 2),
-        ("length", ctypes.c_double),
-        ("aperture", ctypes.c_double),
-        ("normal_force", ctypes.c_double),
-        ("shear_force", ctypes.c_double),
-        ("energy", ctypes.c_double),
-        ("mode", ctypes.c_int32),
-        ("fracture", ctypes.c_int32),
-        ("distance", ctypes.c_double),
-        ("pressure", ctypes.c_double),
-        ("hydraulic_aperture", ctypes.c_double),
+        ("id", ctypes.c_int64), ("bond", ctypes.c_int64), ("disc", ctypes.c_int64 * 2), ("step", ctypes.c_int64),
+        ("cycle", ctypes.c_int64), ("time", ctypes.c_double), ("position", ctypes.c_double * 2),
+        ("normal", ctypes.c_double * 2), ("length", ctypes.c_double), ("aperture", ctypes.c_double),
+        ("normal_force", ctypes.c_double), ("shear_force", ctypes.c_double), ("energy", ctypes.c_double),
+        ("mode", ctypes.c_int32), ("fracture", ctypes.c_int32), ("distance", ctypes.c_double),
+        ("pressure", ctypes.c_double), ("hydraulic_aperture", ctypes.c_double),
     ]
 
 
@@ -846,18 +555,10 @@ class hfrac_fracture(ctypes.Structure):
     """One fracture."""
 
     _fields_ = [
-        ("index", ctypes.c_int64),
-        ("crack_count", ctypes.c_int64),
-        ("tensile_cracks", ctypes.c_int64),
-        ("length", ctypes.c_double),
-        ("extent", ctypes.c_double),
-        ("reach", ctypes.c_double),
-        ("azimuth", ctypes.c_double),
-        ("mean_aperture", ctypes.c_double),
-        ("largest_aperture", ctypes.c_double),
-        ("volume", ctypes.c_double),
-        ("mean_pressure", ctypes.c_double),
-        ("well", ctypes.c_int64),
+        ("index", ctypes.c_int64), ("crack_count", ctypes.c_int64), ("tensile_cracks", ctypes.c_int64),
+        ("length", ctypes.c_double), ("extent", ctypes.c_double), ("reach", ctypes.c_double),
+        ("azimuth", ctypes.c_double), ("mean_aperture", ctypes.c_double), ("largest_aperture", ctypes.c_double),
+        ("volume", ctypes.c_double), ("mean_pressure", ctypes.c_double), ("well", ctypes.c_int64),
         ("wings", ctypes.c_int64),
     ]
 
@@ -866,16 +567,9 @@ class hfrac_fracture_point(ctypes.Structure):
     """A place on the line of a fracture: one of its cracks."""
 
     _fields_ = [
-        ("position", ctypes.c_double * 2),
-        ("distance", ctypes.c_double),
-        ("length", ctypes.c_double),
-        ("aperture", ctypes.c_double),
-        ("hydraulic_aperture", ctypes.c_double),
-        ("pressure", ctypes.c_double),
-        ("saturation", ctypes.c_double),
-        ("bond", ctypes.c_int64),
-        ("wing", ctypes.c_int32),
-        ("tip", ctypes.c_int32),
+        ("position", ctypes.c_double * 2), ("distance", ctypes.c_double), ("length", ctypes.c_double),
+        ("aperture", ctypes.c_double), ("hydraulic_aperture", ctypes.c_double), ("pressure", ctypes.c_double),
+        ("saturation", ctypes.c_double), ("bond", ctypes.c_int64), ("wing", ctypes.c_int32), ("tip", ctypes.c_int32),
     ]
 
 
@@ -883,19 +577,10 @@ class hfrac_slip(ctypes.Structure):
     """What a contact of a smooth joint slipped since its last entry."""
 
     _fields_ = [
-        ("id", ctypes.c_int64),
-        ("bond", ctypes.c_int64),
-        ("disc", ctypes.c_int64 * 2),
-        ("joint", ctypes.c_int64),
-        ("step", ctypes.c_int64),
-        ("time", ctypes.c_double),
-        ("duration", ctypes.c_double),
-        ("position", ctypes.c_double * 2),
-        ("normal", ctypes.c_double * 2),
-        ("length", ctypes.c_double),
-        ("slip", ctypes.c_double),
-        ("distance", ctypes.c_double),
-        ("shear_modulus", ctypes.c_double),
+        ("id", ctypes.c_int64), ("bond", ctypes.c_int64), ("disc", ctypes.c_int64 * 2), ("joint", ctypes.c_int64),
+        ("step", ctypes.c_int64), ("time", ctypes.c_double), ("duration", ctypes.c_double),
+        ("position", ctypes.c_double * 2), ("normal", ctypes.c_double * 2), ("length", ctypes.c_double),
+        ("slip", ctypes.c_double), ("distance", ctypes.c_double), ("shear_modulus", ctypes.c_double),
     ]
 
 
@@ -903,14 +588,9 @@ class hfrac_catalogue_options(ctypes.Structure):
     """How cracks and slips make events. Set struct_size; zeros elsewhere are the defaults."""
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("struct_pad", ctypes.c_int32),
-        ("distance", ctypes.c_double),
-        ("time_window", ctypes.c_double),
-        ("cycle_window", ctypes.c_int64),
-        ("thickness", ctypes.c_double),
-        ("shear_modulus", ctypes.c_double),
-        ("slip_rate", ctypes.c_double),
+        ("struct_size", ctypes.c_int32), ("struct_pad", ctypes.c_int32), ("distance", ctypes.c_double),
+        ("time_window", ctypes.c_double), ("cycle_window", ctypes.c_int64), ("thickness", ctypes.c_double),
+        ("shear_modulus", ctypes.c_double), ("slip_rate", ctypes.c_double),
     ]
 
 
@@ -918,28 +598,13 @@ class hfrac_event(ctypes.Structure):
     """One event."""
 
     _fields_ = [
-        ("index", ctypes.c_int64),
-        ("first_crack", ctypes.c_int64),
-        ("crack_count", ctypes.c_int64),
-        ("tensile_cracks", ctypes.c_int64),
-        ("first_cycle", ctypes.c_int64),
-        ("last_cycle", ctypes.c_int64),
-        ("time", ctypes.c_double),
-        ("position", ctypes.c_double * 2),
-        ("moment_tensor", ctypes.c_double * 3),
-        ("moment", ctypes.c_double),
-        ("magnitude", ctypes.c_double),
-        ("energy", ctypes.c_double),
-        ("energy_magnitude", ctypes.c_double),
-        ("isotropic_fraction", ctypes.c_double),
-        ("length", ctypes.c_double),
-        ("radius", ctypes.c_double),
-        ("kind", ctypes.c_int32),
-        ("pad", ctypes.c_int32),
-        ("first_slip", ctypes.c_int64),
-        ("slip_count", ctypes.c_int64),
-        ("slip", ctypes.c_double),
-        ("duration", ctypes.c_double),
+        ("index", ctypes.c_int64), ("first_crack", ctypes.c_int64), ("crack_count", ctypes.c_int64),
+        ("tensile_cracks", ctypes.c_int64), ("first_cycle", ctypes.c_int64), ("last_cycle", ctypes.c_int64),
+        ("time", ctypes.c_double), ("position", ctypes.c_double * 2), ("moment_tensor", ctypes.c_double * 3),
+        ("moment", ctypes.c_double), ("magnitude", ctypes.c_double), ("energy", ctypes.c_double),
+        ("energy_magnitude", ctypes.c_double), ("isotropic_fraction", ctypes.c_double), ("length", ctypes.c_double),
+        ("radius", ctypes.c_double), ("kind", ctypes.c_int32), ("pad", ctypes.c_int32), ("first_slip", ctypes.c_int64),
+        ("slip_count", ctypes.c_int64), ("slip", ctypes.c_double), ("duration", ctypes.c_double),
     ]
 
 
@@ -947,13 +612,8 @@ class hfrac_magnitude_law(ctypes.Structure):
     """The law log10 N = a - b M of Gutenberg and Richter, N the events of magnitude M or more."""
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("struct_pad", ctypes.c_int32),
-        ("completeness", ctypes.c_double),
-        ("b", ctypes.c_double),
-        ("b_error", ctypes.c_double),
-        ("a", ctypes.c_double),
-        ("count", ctypes.c_int64),
+        ("struct_size", ctypes.c_int32), ("struct_pad", ctypes.c_int32), ("completeness", ctypes.c_double),
+        ("b", ctypes.c_double), ("b_error", ctypes.c_double), ("a", ctypes.c_double), ("count", ctypes.c_int64),
     ]
 
 
@@ -963,15 +623,9 @@ class hfrac_matrix(ctypes.Structure):
     """
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("kind", ctypes.c_int32),
-        ("size", ctypes.c_int64),
-        ("first_row", ctypes.c_int64),
-        ("end_row", ctypes.c_int64),
-        ("count", ctypes.c_int64),
-        ("row", ctypes.c_void_p),
-        ("column", ctypes.c_void_p),
-        ("value", ctypes.c_void_p),
+        ("struct_size", ctypes.c_int32), ("kind", ctypes.c_int32), ("size", ctypes.c_int64),
+        ("first_row", ctypes.c_int64), ("end_row", ctypes.c_int64), ("count", ctypes.c_int64), ("row", ctypes.c_void_p),
+        ("column", ctypes.c_void_p), ("value", ctypes.c_void_p),
     ]
 
 
@@ -981,12 +635,8 @@ class hfrac_linear_solver(ctypes.Structure):
     """
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("struct_pad", ctypes.c_int32),
-        ("user", ctypes.c_void_p),
-        ("prepare", hfrac_prepare_fn),
-        ("solve", hfrac_solve_fn),
-        ("release", hfrac_release_fn),
+        ("struct_size", ctypes.c_int32), ("struct_pad", ctypes.c_int32), ("user", ctypes.c_void_p),
+        ("prepare", hfrac_prepare_fn), ("solve", hfrac_solve_fn), ("release", hfrac_release_fn),
         ("reason", hfrac_reason_fn),
     ]
 
@@ -995,12 +645,8 @@ class hfrac_message(ctypes.Structure):
     """What goes to another rank, and what comes from it; either may be empty."""
 
     _fields_ = [
-        ("rank", ctypes.c_int32),
-        ("struct_pad", ctypes.c_int32),
-        ("send_bytes", ctypes.c_int64),
-        ("receive_bytes", ctypes.c_int64),
-        ("send", ctypes.c_void_p),
-        ("receive", ctypes.c_void_p),
+        ("rank", ctypes.c_int32), ("struct_pad", ctypes.c_int32), ("send_bytes", ctypes.c_int64),
+        ("receive_bytes", ctypes.c_int64), ("send", ctypes.c_void_p), ("receive", ctypes.c_void_p),
     ]
 
 
@@ -1008,16 +654,9 @@ class hfrac_exchange(ctypes.Structure):
     """How ranks talk. Fill with hfrac_exchange_init, then all members."""
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("rank", ctypes.c_int32),
-        ("size", ctypes.c_int32),
-        ("struct_pad", ctypes.c_int32),
-        ("user", ctypes.c_void_p),
-        ("start", hfrac_start_fn),
-        ("finish", hfrac_finish_fn),
-        ("sum", hfrac_sum_fn),
-        ("gather", hfrac_gather_fn),
-        ("fail", hfrac_fail_fn),
+        ("struct_size", ctypes.c_int32), ("rank", ctypes.c_int32), ("size", ctypes.c_int32),
+        ("struct_pad", ctypes.c_int32), ("user", ctypes.c_void_p), ("start", hfrac_start_fn),
+        ("finish", hfrac_finish_fn), ("sum", hfrac_sum_fn), ("gather", hfrac_gather_fn), ("fail", hfrac_fail_fn),
         ("linear_solver", ctypes.c_void_p),
     ]
 
@@ -1028,12 +667,8 @@ class hfrac_traffic(ctypes.Structure):
     """
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("struct_pad", ctypes.c_int32),
-        ("messages", ctypes.c_int64),
-        ("bytes", ctypes.c_int64),
-        ("foreign_discs", ctypes.c_int64),
-        ("shared_bonds", ctypes.c_int64),
+        ("struct_size", ctypes.c_int32), ("struct_pad", ctypes.c_int32), ("messages", ctypes.c_int64),
+        ("bytes", ctypes.c_int64), ("foreign_discs", ctypes.c_int64), ("shared_bonds", ctypes.c_int64),
     ]
 
 
@@ -1043,14 +678,8 @@ class hfrac_grid(ctypes.Structure):
     """
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("struct_pad", ctypes.c_int32),
-        ("nx", ctypes.c_int64),
-        ("ny", ctypes.c_int64),
-        ("origin", ctypes.c_double * 2),
-        ("dx", ctypes.c_double),
-        ("dy", ctypes.c_double),
-        ("angle", ctypes.c_double),
+        ("struct_size", ctypes.c_int32), ("struct_pad", ctypes.c_int32), ("nx", ctypes.c_int64), ("ny", ctypes.c_int64),
+        ("origin", ctypes.c_double * 2), ("dx", ctypes.c_double), ("dy", ctypes.c_double), ("angle", ctypes.c_double),
         ("corners", ctypes.c_void_p),
     ]
 
@@ -1059,19 +688,11 @@ class hfrac_cell(ctypes.Structure):
     """One cell of the host's grid as the model fills it."""
 
     _fields_ = [
-        ("area", ctypes.c_double),
-        ("coverage", ctypes.c_double),
-        ("permeability", ctypes.c_double * 3),
-        ("matrix_permeability", ctypes.c_double),
-        ("fracture_porosity", ctypes.c_double),
-        ("matrix_porosity", ctypes.c_double),
-        ("crack_length", ctypes.c_double),
-        ("leak_off", ctypes.c_double),
-        ("outflow", ctypes.c_double),
-        ("pressure", ctypes.c_double),
-        ("fracture_pressure", ctypes.c_double),
-        ("crack_count", ctypes.c_int64),
-        ("conductance", ctypes.c_double),
+        ("area", ctypes.c_double), ("coverage", ctypes.c_double), ("permeability", ctypes.c_double * 3),
+        ("matrix_permeability", ctypes.c_double), ("fracture_porosity", ctypes.c_double),
+        ("matrix_porosity", ctypes.c_double), ("crack_length", ctypes.c_double), ("leak_off", ctypes.c_double),
+        ("outflow", ctypes.c_double), ("pressure", ctypes.c_double), ("fracture_pressure", ctypes.c_double),
+        ("crack_count", ctypes.c_int64), ("conductance", ctypes.c_double),
     ]
 
 
@@ -1081,16 +702,9 @@ class hfrac_heat(ctypes.Structure):
     """
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("mode", ctypes.c_int32),
-        ("stored", ctypes.c_double),
-        ("wells", ctypes.c_double),
-        ("outside", ctypes.c_double),
-        ("held", ctypes.c_double),
-        ("host", ctypes.c_double),
-        ("error", ctypes.c_double),
-        ("thermal_work", ctypes.c_double),
-        ("lowest", ctypes.c_double),
+        ("struct_size", ctypes.c_int32), ("mode", ctypes.c_int32), ("stored", ctypes.c_double),
+        ("wells", ctypes.c_double), ("outside", ctypes.c_double), ("held", ctypes.c_double), ("host", ctypes.c_double),
+        ("error", ctypes.c_double), ("thermal_work", ctypes.c_double), ("lowest", ctypes.c_double),
         ("highest", ctypes.c_double),
     ]
 
@@ -1099,12 +713,8 @@ class hfrac_lab_spec(ctypes.Structure):
     """Which test on which specimen. Fill with hfrac_lab_spec_init first."""
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("test", ctypes.c_int32),
-        ("disc_count", ctypes.c_int64),
-        ("seed", ctypes.c_int64),
-        ("width", ctypes.c_double),
-        ("confining", ctypes.c_double),
+        ("struct_size", ctypes.c_int32), ("test", ctypes.c_int32), ("disc_count", ctypes.c_int64),
+        ("seed", ctypes.c_int64), ("width", ctypes.c_double), ("confining", ctypes.c_double),
         ("slit_fraction", ctypes.c_double),
     ]
 
@@ -1113,33 +723,16 @@ class hfrac_lab_report(ctypes.Structure):
     """What a test found; 0 where a test has no such thing. Set struct_size before the call."""
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("end", ctypes.c_int32),
-        ("value", ctypes.c_double),
-        ("modulus", ctypes.c_double),
-        ("poisson", ctypes.c_double),
-        ("plane_modulus", ctypes.c_double),
-        ("plane_poisson", ctypes.c_double),
-        ("peak_stress", ctypes.c_double),
-        ("strain_at_peak", ctypes.c_double),
-        ("first_crack_stress", ctypes.c_double),
-        ("slit_half_length", ctypes.c_double),
-        ("geometry_factor", ctypes.c_double),
-        ("toughness_coefficient", ctypes.c_double),
-        ("permeability_x", ctypes.c_double),
-        ("permeability_y", ctypes.c_double),
-        ("zero_stress_aperture", ctypes.c_double),
-        ("mean_radius", ctypes.c_double),
-        ("coordination", ctypes.c_double),
-        ("force_ratio", ctypes.c_double),
-        ("worst_overshoot", ctypes.c_double),
-        ("packing_seconds", ctypes.c_double),
-        ("test_seconds", ctypes.c_double),
-        ("disc_count", ctypes.c_int64),
-        ("bond_count", ctypes.c_int64),
-        ("tensile_cracks", ctypes.c_int64),
-        ("shear_cracks", ctypes.c_int64),
-        ("factor_count", ctypes.c_int64),
+        ("struct_size", ctypes.c_int32), ("end", ctypes.c_int32), ("value", ctypes.c_double),
+        ("modulus", ctypes.c_double), ("poisson", ctypes.c_double), ("plane_modulus", ctypes.c_double),
+        ("plane_poisson", ctypes.c_double), ("peak_stress", ctypes.c_double), ("strain_at_peak", ctypes.c_double),
+        ("first_crack_stress", ctypes.c_double), ("slit_half_length", ctypes.c_double),
+        ("geometry_factor", ctypes.c_double), ("toughness_coefficient", ctypes.c_double),
+        ("permeability_x", ctypes.c_double), ("permeability_y", ctypes.c_double),
+        ("zero_stress_aperture", ctypes.c_double), ("mean_radius", ctypes.c_double), ("coordination", ctypes.c_double),
+        ("force_ratio", ctypes.c_double), ("worst_overshoot", ctypes.c_double), ("packing_seconds", ctypes.c_double),
+        ("test_seconds", ctypes.c_double), ("disc_count", ctypes.c_int64), ("bond_count", ctypes.c_int64),
+        ("tensile_cracks", ctypes.c_int64), ("shear_cracks", ctypes.c_int64), ("factor_count", ctypes.c_int64),
         ("relaxation_count", ctypes.c_int64),
     ]
 
@@ -1148,18 +741,10 @@ class hfrac_targets(ctypes.Structure):
     """What a rock is to have; NaN: not asked. Fill with hfrac_targets_init first."""
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("plane_slopes", ctypes.c_int32),
-        ("modulus", ctypes.c_double),
-        ("poisson", ctypes.c_double),
-        ("compressive_strength", ctypes.c_double),
-        ("tensile_strength", ctypes.c_double),
-        ("toughness", ctypes.c_double),
-        ("permeability", ctypes.c_double),
-        ("packings", ctypes.c_int64),
-        ("disc_count", ctypes.c_int64),
-        ("strength_disc_count", ctypes.c_int64),
-        ("seed", ctypes.c_int64),
+        ("struct_size", ctypes.c_int32), ("plane_slopes", ctypes.c_int32), ("modulus", ctypes.c_double),
+        ("poisson", ctypes.c_double), ("compressive_strength", ctypes.c_double), ("tensile_strength", ctypes.c_double),
+        ("toughness", ctypes.c_double), ("permeability", ctypes.c_double), ("packings", ctypes.c_int64),
+        ("disc_count", ctypes.c_int64), ("strength_disc_count", ctypes.c_int64), ("seed", ctypes.c_int64),
     ]
 
 
@@ -1169,564 +754,184 @@ class hfrac_calibration(ctypes.Structure):
     """
 
     _fields_ = [
-        ("struct_size", ctypes.c_int32),
-        ("reached", ctypes.c_int32),
-        ("achieved", ctypes.c_double * 6),
-        ("spread", ctypes.c_double * 6),
-        ("lowest", ctypes.c_double * 6),
-        ("highest", ctypes.c_double * 6),
-        ("zero_stress_aperture", ctypes.c_double),
-        ("toughness_coefficient", ctypes.c_double),
-        ("seconds", ctypes.c_double),
-        ("test_count", ctypes.c_int64),
-        ("text", ctypes.c_char * 1024),
+        ("struct_size", ctypes.c_int32), ("reached", ctypes.c_int32), ("achieved", ctypes.c_double * 6),
+        ("spread", ctypes.c_double * 6), ("lowest", ctypes.c_double * 6), ("highest", ctypes.c_double * 6),
+        ("zero_stress_aperture", ctypes.c_double), ("toughness_coefficient", ctypes.c_double),
+        ("seconds", ctypes.c_double), ("test_count", ctypes.c_int64), ("text", ctypes.c_char * 1024),
     ]
 
 
 #: Argument types of every function; each returns an int32 status.
 SIGNATURES = {
-    "hfrac_version": (
-        ctypes.POINTER(ctypes.c_int32),
-        ctypes.POINTER(ctypes.c_int32),
-        ctypes.POINTER(ctypes.c_int32),
-    ),
-    "hfrac_abi_version": (
-        ctypes.POINTER(ctypes.c_int32),
-    ),
-    "hfrac_build_info": (
-        ctypes.c_char_p,
-        ctypes.c_int32,
-        ctypes.POINTER(ctypes.c_int32),
-    ),
-    "hfrac_devices": (
-        ctypes.POINTER(ctypes.c_int32),
-        ctypes.c_char_p,
-        ctypes.c_int32,
-        ctypes.POINTER(ctypes.c_int32),
-    ),
-    "hfrac_status_text": (
-        ctypes.c_int32,
-        ctypes.c_char_p,
-        ctypes.c_int32,
-        ctypes.POINTER(ctypes.c_int32),
-    ),
-    "hfrac_last_error": (
-        ctypes.c_void_p,
-        ctypes.c_char_p,
-        ctypes.c_int32,
-        ctypes.POINTER(ctypes.c_int32),
-    ),
-    "hfrac_sim_def_init": (
-        ctypes.POINTER(hfrac_sim_def),
-        ctypes.c_int32,
-    ),
-    "hfrac_sim_def_free": (
-        ctypes.POINTER(hfrac_sim_def),
-    ),
-    "hfrac_sim_def_copy": (
-        ctypes.POINTER(hfrac_sim_def),
-        ctypes.POINTER(hfrac_sim_def),
-    ),
-    "hfrac_sim_def_load": (
-        ctypes.POINTER(hfrac_sim_def),
-        ctypes.c_char_p,
-    ),
-    "hfrac_sim_def_add_traces": (
-        ctypes.POINTER(hfrac_sim_def),
-        ctypes.c_char_p,
-    ),
+    "hfrac_version": (ctypes.POINTER(ctypes.c_int32), ctypes.POINTER(ctypes.c_int32), ctypes.POINTER(ctypes.c_int32)),
+    "hfrac_abi_version": (ctypes.POINTER(ctypes.c_int32),),
+    "hfrac_build_info": (ctypes.c_char_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_int32)),
+    "hfrac_devices": (ctypes.POINTER(ctypes.c_int32), ctypes.c_char_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_int32)),
+    "hfrac_status_text": (ctypes.c_int32, ctypes.c_char_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_int32)),
+    "hfrac_last_error": (ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_int32)),
+    "hfrac_sim_def_init": (ctypes.POINTER(hfrac_sim_def), ctypes.c_int32),
+    "hfrac_sim_def_free": (ctypes.POINTER(hfrac_sim_def),),
+    "hfrac_sim_def_copy": (ctypes.POINTER(hfrac_sim_def), ctypes.POINTER(hfrac_sim_def)),
+    "hfrac_sim_def_load": (ctypes.POINTER(hfrac_sim_def), ctypes.c_char_p),
+    "hfrac_sim_def_add_traces": (ctypes.POINTER(hfrac_sim_def), ctypes.c_char_p),
     "hfrac_sim_def_write": (
-        ctypes.POINTER(hfrac_sim_def),
-        ctypes.c_char_p,
-        ctypes.c_int32,
-        ctypes.POINTER(ctypes.c_int32),
+        ctypes.POINTER(hfrac_sim_def), ctypes.c_char_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_int32),
     ),
-    "hfrac_sim_def_check": (
-        ctypes.POINTER(hfrac_sim_def),
-    ),
-    "hfrac_sim_def_check_file": (
-        ctypes.POINTER(hfrac_sim_def),
-        ctypes.c_char_p,
-    ),
+    "hfrac_sim_def_check": (ctypes.POINTER(hfrac_sim_def),),
+    "hfrac_sim_def_check_file": (ctypes.POINTER(hfrac_sim_def), ctypes.c_char_p),
     "hfrac_sim_def_disc_radii": (
-        ctypes.POINTER(hfrac_sim_def),
-        ctypes.POINTER(ctypes.c_double),
-        ctypes.POINTER(ctypes.c_double),
+        ctypes.POINTER(hfrac_sim_def), ctypes.POINTER(ctypes.c_double), ctypes.POINTER(ctypes.c_double),
     ),
-    "hfrac_sim_def_set_f64": (
-        ctypes.POINTER(hfrac_sim_def),
-        ctypes.c_char_p,
-        ctypes.c_double,
-    ),
-    "hfrac_sim_def_set_i64": (
-        ctypes.POINTER(hfrac_sim_def),
-        ctypes.c_char_p,
-        ctypes.c_int64,
-    ),
-    "hfrac_sim_def_set_str": (
-        ctypes.POINTER(hfrac_sim_def),
-        ctypes.c_char_p,
-        ctypes.c_char_p,
-    ),
-    "hfrac_sim_def_get_f64": (
-        ctypes.POINTER(hfrac_sim_def),
-        ctypes.c_char_p,
-        ctypes.POINTER(ctypes.c_double),
-    ),
-    "hfrac_sim_def_get_i64": (
-        ctypes.POINTER(hfrac_sim_def),
-        ctypes.c_char_p,
-        ctypes.POINTER(ctypes.c_int64),
-    ),
+    "hfrac_sim_def_set_f64": (ctypes.POINTER(hfrac_sim_def), ctypes.c_char_p, ctypes.c_double),
+    "hfrac_sim_def_set_i64": (ctypes.POINTER(hfrac_sim_def), ctypes.c_char_p, ctypes.c_int64),
+    "hfrac_sim_def_set_str": (ctypes.POINTER(hfrac_sim_def), ctypes.c_char_p, ctypes.c_char_p),
+    "hfrac_sim_def_get_f64": (ctypes.POINTER(hfrac_sim_def), ctypes.c_char_p, ctypes.POINTER(ctypes.c_double)),
+    "hfrac_sim_def_get_i64": (ctypes.POINTER(hfrac_sim_def), ctypes.c_char_p, ctypes.POINTER(ctypes.c_int64)),
     "hfrac_sim_def_get_str": (
-        ctypes.POINTER(hfrac_sim_def),
-        ctypes.c_char_p,
-        ctypes.c_char_p,
-        ctypes.c_int32,
-        ctypes.POINTER(ctypes.c_int32),
+        ctypes.POINTER(hfrac_sim_def), ctypes.c_char_p, ctypes.c_char_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_int32),
     ),
-    "hfrac_option_count": (
-        ctypes.POINTER(ctypes.c_int32),
-    ),
-    "hfrac_option_at": (
-        ctypes.c_int32,
-        ctypes.POINTER(hfrac_option_info),
-    ),
-    "hfrac_well_option_count": (
-        ctypes.POINTER(ctypes.c_int32),
-    ),
-    "hfrac_well_option_at": (
-        ctypes.c_int32,
-        ctypes.POINTER(hfrac_option_info),
-    ),
-    "hfrac_joint_option_count": (
-        ctypes.POINTER(ctypes.c_int32),
-    ),
-    "hfrac_joint_option_at": (
-        ctypes.c_int32,
-        ctypes.POINTER(hfrac_option_info),
-    ),
-    "hfrac_schedule_option_count": (
-        ctypes.POINTER(ctypes.c_int32),
-    ),
-    "hfrac_schedule_option_at": (
-        ctypes.c_int32,
-        ctypes.POINTER(hfrac_option_info),
-    ),
-    "hfrac_sim_create": (
-        ctypes.POINTER(hfrac_sim_def),
-        ctypes.POINTER(ctypes.c_void_p),
-    ),
-    "hfrac_sim_destroy": (
-        ctypes.POINTER(ctypes.c_void_p),
-    ),
-    "hfrac_sim_definition": (
-        ctypes.c_void_p,
-        ctypes.POINTER(hfrac_sim_def),
-    ),
-    "hfrac_step": (
-        ctypes.c_void_p,
-        ctypes.c_int64,
-    ),
+    "hfrac_option_count": (ctypes.POINTER(ctypes.c_int32),),
+    "hfrac_option_at": (ctypes.c_int32, ctypes.POINTER(hfrac_option_info)),
+    "hfrac_well_option_count": (ctypes.POINTER(ctypes.c_int32),),
+    "hfrac_well_option_at": (ctypes.c_int32, ctypes.POINTER(hfrac_option_info)),
+    "hfrac_joint_option_count": (ctypes.POINTER(ctypes.c_int32),),
+    "hfrac_joint_option_at": (ctypes.c_int32, ctypes.POINTER(hfrac_option_info)),
+    "hfrac_schedule_option_count": (ctypes.POINTER(ctypes.c_int32),),
+    "hfrac_schedule_option_at": (ctypes.c_int32, ctypes.POINTER(hfrac_option_info)),
+    "hfrac_sim_create": (ctypes.POINTER(hfrac_sim_def), ctypes.POINTER(ctypes.c_void_p)),
+    "hfrac_sim_destroy": (ctypes.POINTER(ctypes.c_void_p),),
+    "hfrac_sim_definition": (ctypes.c_void_p, ctypes.POINTER(hfrac_sim_def)),
+    "hfrac_step": (ctypes.c_void_p, ctypes.c_int64),
     "hfrac_advance": (
-        ctypes.c_void_p,
-        ctypes.c_double,
-        ctypes.POINTER(ctypes.c_double),
-        ctypes.POINTER(ctypes.c_int32),
+        ctypes.c_void_p, ctypes.c_double, ctypes.POINTER(ctypes.c_double), ctypes.POINTER(ctypes.c_int32),
     ),
     "hfrac_advance_to": (
-        ctypes.c_void_p,
-        ctypes.c_double,
-        ctypes.POINTER(ctypes.c_double),
-        ctypes.POINTER(ctypes.c_int32),
+        ctypes.c_void_p, ctypes.c_double, ctypes.POINTER(ctypes.c_double), ctypes.POINTER(ctypes.c_int32),
     ),
-    "hfrac_set_stop": (
-        ctypes.c_void_p,
-        ctypes.c_double,
-        ctypes.c_int64,
-    ),
-    "hfrac_set_progress": (
-        ctypes.c_void_p,
-        hfrac_progress_fn,
-        ctypes.c_void_p,
-        ctypes.c_double,
-    ),
-    "hfrac_set_on_step": (
-        ctypes.c_void_p,
-        hfrac_step_fn,
-        ctypes.c_void_p,
-    ),
-    "hfrac_set_log": (
-        ctypes.c_void_p,
-        hfrac_log_fn,
-        ctypes.c_void_p,
-        ctypes.c_int32,
-    ),
-    "hfrac_sim_get_state": (
-        ctypes.c_void_p,
-        ctypes.POINTER(hfrac_sim_state),
-    ),
-    "hfrac_sim_get_setup": (
-        ctypes.c_void_p,
-        ctypes.POINTER(hfrac_setup_report),
-    ),
-    "hfrac_get_balance": (
-        ctypes.c_void_p,
-        ctypes.POINTER(hfrac_balance),
-    ),
-    "hfrac_sim_get_solver": (
-        ctypes.c_void_p,
-        ctypes.POINTER(hfrac_solver_report),
-    ),
-    "hfrac_get_step_limits": (
-        ctypes.c_void_p,
-        ctypes.POINTER(hfrac_step_limits),
-    ),
-    "hfrac_wall_count": (
-        ctypes.c_void_p,
-        ctypes.POINTER(ctypes.c_int32),
-    ),
-    "hfrac_wall_get": (
-        ctypes.c_void_p,
-        ctypes.c_int32,
-        ctypes.POINTER(hfrac_wall_state),
-    ),
-    "hfrac_state_hash": (
-        ctypes.c_void_p,
-        ctypes.POINTER(ctypes.c_int64),
-    ),
-    "hfrac_well_count": (
-        ctypes.c_void_p,
-        ctypes.POINTER(ctypes.c_int32),
-    ),
-    "hfrac_well_get": (
-        ctypes.c_void_p,
-        ctypes.c_int32,
-        ctypes.POINTER(hfrac_well_state),
-    ),
-    "hfrac_well_add": (
-        ctypes.c_void_p,
-        ctypes.c_double,
-        ctypes.c_double,
-        ctypes.POINTER(ctypes.c_int32),
-    ),
-    "hfrac_well_set_pressure": (
-        ctypes.c_void_p,
-        ctypes.c_int32,
-        ctypes.c_double,
-    ),
-    "hfrac_well_set_ramp": (
-        ctypes.c_void_p,
-        ctypes.c_int32,
-        ctypes.c_double,
-        ctypes.c_double,
-    ),
-    "hfrac_well_set_rate": (
-        ctypes.c_void_p,
-        ctypes.c_int32,
-        ctypes.c_double,
-    ),
+    "hfrac_set_stop": (ctypes.c_void_p, ctypes.c_double, ctypes.c_int64),
+    "hfrac_set_progress": (ctypes.c_void_p, hfrac_progress_fn, ctypes.c_void_p, ctypes.c_double),
+    "hfrac_set_on_step": (ctypes.c_void_p, hfrac_step_fn, ctypes.c_void_p),
+    "hfrac_set_log": (ctypes.c_void_p, hfrac_log_fn, ctypes.c_void_p, ctypes.c_int32),
+    "hfrac_sim_get_state": (ctypes.c_void_p, ctypes.POINTER(hfrac_sim_state)),
+    "hfrac_sim_get_setup": (ctypes.c_void_p, ctypes.POINTER(hfrac_setup_report)),
+    "hfrac_get_balance": (ctypes.c_void_p, ctypes.POINTER(hfrac_balance)),
+    "hfrac_sim_get_solver": (ctypes.c_void_p, ctypes.POINTER(hfrac_solver_report)),
+    "hfrac_get_step_limits": (ctypes.c_void_p, ctypes.POINTER(hfrac_step_limits)),
+    "hfrac_wall_count": (ctypes.c_void_p, ctypes.POINTER(ctypes.c_int32)),
+    "hfrac_wall_get": (ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(hfrac_wall_state)),
+    "hfrac_state_hash": (ctypes.c_void_p, ctypes.POINTER(ctypes.c_int64)),
+    "hfrac_well_count": (ctypes.c_void_p, ctypes.POINTER(ctypes.c_int32)),
+    "hfrac_well_get": (ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(hfrac_well_state)),
+    "hfrac_well_add": (ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_int32)),
+    "hfrac_well_set_pressure": (ctypes.c_void_p, ctypes.c_int32, ctypes.c_double),
+    "hfrac_well_set_ramp": (ctypes.c_void_p, ctypes.c_int32, ctypes.c_double, ctypes.c_double),
+    "hfrac_well_set_rate": (ctypes.c_void_p, ctypes.c_int32, ctypes.c_double),
     "hfrac_well_set_schedule": (
-        ctypes.c_void_p,
-        ctypes.c_int32,
-        ctypes.c_int32,
-        ctypes.POINTER(ctypes.c_double),
-        ctypes.POINTER(ctypes.c_int32),
-        ctypes.POINTER(ctypes.c_double),
+        ctypes.c_void_p, ctypes.c_int32, ctypes.c_int32, ctypes.POINTER(ctypes.c_double),
+        ctypes.POINTER(ctypes.c_int32), ctypes.POINTER(ctypes.c_double),
     ),
-    "hfrac_well_set_fluid": (
-        ctypes.c_void_p,
-        ctypes.c_int32,
-        ctypes.c_int32,
-    ),
-    "hfrac_field_info": (
-        ctypes.c_void_p,
-        ctypes.c_int32,
-        ctypes.POINTER(hfrac_field_desc),
-    ),
-    "hfrac_field_find": (
-        ctypes.c_char_p,
-        ctypes.POINTER(ctypes.c_int32),
-    ),
+    "hfrac_well_set_fluid": (ctypes.c_void_p, ctypes.c_int32, ctypes.c_int32),
+    "hfrac_field_info": (ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(hfrac_field_desc)),
+    "hfrac_field_find": (ctypes.c_char_p, ctypes.POINTER(ctypes.c_int32)),
     "hfrac_field_copy_f64": (
-        ctypes.c_void_p,
-        ctypes.c_int32,
-        ctypes.c_void_p,
-        ctypes.c_int64,
-        ctypes.POINTER(ctypes.c_int64),
+        ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_int64, ctypes.POINTER(ctypes.c_int64),
     ),
     "hfrac_field_copy_i32": (
-        ctypes.c_void_p,
-        ctypes.c_int32,
-        ctypes.c_void_p,
-        ctypes.c_int64,
-        ctypes.POINTER(ctypes.c_int64),
+        ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_int64, ctypes.POINTER(ctypes.c_int64),
     ),
     "hfrac_field_view": (
-        ctypes.c_void_p,
-        ctypes.c_int32,
-        ctypes.POINTER(ctypes.c_void_p),
-        ctypes.POINTER(ctypes.c_int64),
+        ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(ctypes.c_int64),
         ctypes.POINTER(ctypes.c_int64),
     ),
-    "hfrac_epoch": (
-        ctypes.c_void_p,
-        ctypes.POINTER(ctypes.c_int64),
-    ),
+    "hfrac_epoch": (ctypes.c_void_p, ctypes.POINTER(ctypes.c_int64)),
     "hfrac_cracks_since": (
-        ctypes.c_void_p,
-        ctypes.c_int64,
-        ctypes.c_int32,
-        ctypes.c_void_p,
-        ctypes.c_int64,
-        ctypes.POINTER(ctypes.c_int64),
-        ctypes.POINTER(ctypes.c_int64),
+        ctypes.c_void_p, ctypes.c_int64, ctypes.c_int32, ctypes.c_void_p, ctypes.c_int64,
+        ctypes.POINTER(ctypes.c_int64), ctypes.POINTER(ctypes.c_int64),
     ),
     "hfrac_fractures": (
-        ctypes.c_void_p,
-        ctypes.c_int32,
-        ctypes.c_void_p,
-        ctypes.c_int64,
-        ctypes.POINTER(ctypes.c_int64),
+        ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_int64, ctypes.POINTER(ctypes.c_int64),
     ),
     "hfrac_fracture_line": (
-        ctypes.c_void_p,
-        ctypes.c_int64,
-        ctypes.c_int32,
-        ctypes.c_void_p,
-        ctypes.c_int64,
+        ctypes.c_void_p, ctypes.c_int64, ctypes.c_int32, ctypes.c_void_p, ctypes.c_int64,
         ctypes.POINTER(ctypes.c_int64),
     ),
     "hfrac_slips_since": (
-        ctypes.c_void_p,
-        ctypes.c_int64,
-        ctypes.c_int32,
-        ctypes.c_void_p,
-        ctypes.c_int64,
-        ctypes.POINTER(ctypes.c_int64),
-        ctypes.POINTER(ctypes.c_int64),
+        ctypes.c_void_p, ctypes.c_int64, ctypes.c_int32, ctypes.c_void_p, ctypes.c_int64,
+        ctypes.POINTER(ctypes.c_int64), ctypes.POINTER(ctypes.c_int64),
     ),
     "hfrac_find_events": (
-        ctypes.POINTER(hfrac_crack),
-        ctypes.c_int32,
-        ctypes.c_int64,
-        ctypes.POINTER(hfrac_catalogue_options),
-        ctypes.c_int32,
-        ctypes.c_void_p,
-        ctypes.c_int64,
-        ctypes.POINTER(ctypes.c_int64),
+        ctypes.POINTER(hfrac_crack), ctypes.c_int32, ctypes.c_int64, ctypes.POINTER(hfrac_catalogue_options),
+        ctypes.c_int32, ctypes.c_void_p, ctypes.c_int64, ctypes.POINTER(ctypes.c_int64),
     ),
     "hfrac_find_slip_events": (
-        ctypes.POINTER(hfrac_slip),
-        ctypes.c_int32,
-        ctypes.c_int64,
-        ctypes.POINTER(hfrac_catalogue_options),
-        ctypes.c_int32,
-        ctypes.c_void_p,
-        ctypes.c_int64,
-        ctypes.POINTER(ctypes.c_int64),
+        ctypes.POINTER(hfrac_slip), ctypes.c_int32, ctypes.c_int64, ctypes.POINTER(hfrac_catalogue_options),
+        ctypes.c_int32, ctypes.c_void_p, ctypes.c_int64, ctypes.POINTER(ctypes.c_int64),
     ),
     "hfrac_find_event_of_cracks": (
-        ctypes.POINTER(hfrac_crack),
-        ctypes.c_int32,
-        ctypes.c_int64,
-        ctypes.POINTER(hfrac_catalogue_options),
-        ctypes.c_void_p,
-        ctypes.c_int64,
-        ctypes.POINTER(ctypes.c_int64),
+        ctypes.POINTER(hfrac_crack), ctypes.c_int32, ctypes.c_int64, ctypes.POINTER(hfrac_catalogue_options),
+        ctypes.c_void_p, ctypes.c_int64, ctypes.POINTER(ctypes.c_int64),
     ),
     "hfrac_find_magnitude_law": (
-        ctypes.POINTER(ctypes.c_double),
-        ctypes.c_int64,
-        ctypes.c_double,
-        ctypes.POINTER(hfrac_magnitude_law),
+        ctypes.POINTER(ctypes.c_double), ctypes.c_int64, ctypes.c_double, ctypes.POINTER(hfrac_magnitude_law),
     ),
-    "hfrac_linear_solver_init": (
-        ctypes.POINTER(hfrac_linear_solver),
-        ctypes.c_int32,
-    ),
-    "hfrac_exchange_init": (
-        ctypes.POINTER(hfrac_exchange),
-        ctypes.c_int32,
-    ),
+    "hfrac_linear_solver_init": (ctypes.POINTER(hfrac_linear_solver), ctypes.c_int32),
+    "hfrac_exchange_init": (ctypes.POINTER(hfrac_exchange), ctypes.c_int32),
     "hfrac_sim_create_on": (
-        ctypes.POINTER(hfrac_sim_def),
-        ctypes.POINTER(hfrac_exchange),
-        ctypes.POINTER(ctypes.c_void_p),
+        ctypes.POINTER(hfrac_sim_def), ctypes.POINTER(hfrac_exchange), ctypes.POINTER(ctypes.c_void_p),
     ),
-    "hfrac_get_traffic": (
-        ctypes.c_void_p,
-        ctypes.POINTER(hfrac_traffic),
-    ),
-    "hfrac_set_grid": (
-        ctypes.c_void_p,
-        ctypes.POINTER(hfrac_grid),
-    ),
+    "hfrac_get_traffic": (ctypes.c_void_p, ctypes.POINTER(hfrac_traffic)),
+    "hfrac_set_grid": (ctypes.c_void_p, ctypes.POINTER(hfrac_grid)),
     "hfrac_grid_cells": (
-        ctypes.c_void_p,
-        ctypes.c_int32,
-        ctypes.c_int32,
-        ctypes.c_void_p,
-        ctypes.c_int64,
+        ctypes.c_void_p, ctypes.c_int32, ctypes.c_int32, ctypes.c_void_p, ctypes.c_int64,
         ctypes.POINTER(ctypes.c_int64),
     ),
-    "hfrac_set_boundary_pressure": (
-        ctypes.c_void_p,
-        ctypes.POINTER(ctypes.c_double),
-        ctypes.c_int64,
-    ),
+    "hfrac_set_boundary_pressure": (ctypes.c_void_p, ctypes.POINTER(ctypes.c_double), ctypes.c_int64),
     "hfrac_set_cell_pressure": (
-        ctypes.c_void_p,
-        ctypes.POINTER(ctypes.c_double),
-        ctypes.c_int64,
-        ctypes.c_void_p,
-        ctypes.c_int64,
+        ctypes.c_void_p, ctypes.POINTER(ctypes.c_double), ctypes.c_int64, ctypes.c_void_p, ctypes.c_int64,
     ),
-    "hfrac_set_cell_stress": (
-        ctypes.c_void_p,
-        ctypes.POINTER(ctypes.c_double),
-        ctypes.c_int64,
-    ),
+    "hfrac_set_cell_stress": (ctypes.c_void_p, ctypes.POINTER(ctypes.c_double), ctypes.c_int64),
     "hfrac_write_grdecl": (
-        ctypes.c_void_p,
-        ctypes.c_char_p,
-        ctypes.c_int32,
-        ctypes.c_int32,
-        ctypes.c_int64,
-        ctypes.c_double,
+        ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int32, ctypes.c_int32, ctypes.c_int64, ctypes.c_double,
         ctypes.c_double,
     ),
-    "hfrac_set_temperature": (
-        ctypes.c_void_p,
-        ctypes.c_double,
-    ),
-    "hfrac_set_disc_temperature": (
-        ctypes.c_void_p,
-        ctypes.POINTER(ctypes.c_double),
-        ctypes.c_int64,
-    ),
-    "hfrac_set_cell_temperature": (
-        ctypes.c_void_p,
-        ctypes.POINTER(ctypes.c_double),
-        ctypes.c_int64,
-    ),
-    "hfrac_get_cell_temperature": (
-        ctypes.c_void_p,
-        ctypes.c_void_p,
-        ctypes.c_int64,
-        ctypes.POINTER(ctypes.c_int64),
-    ),
-    "hfrac_hold_disc_temperature": (
-        ctypes.c_void_p,
-        ctypes.POINTER(ctypes.c_int32),
-        ctypes.c_int64,
-    ),
-    "hfrac_well_set_temperature": (
-        ctypes.c_void_p,
-        ctypes.c_int32,
-        ctypes.c_double,
-    ),
-    "hfrac_well_get_temperature": (
-        ctypes.c_void_p,
-        ctypes.c_int32,
-        ctypes.POINTER(ctypes.c_double),
-    ),
-    "hfrac_get_heat": (
-        ctypes.c_void_p,
-        ctypes.POINTER(hfrac_heat),
-    ),
-    "hfrac_lab_spec_init": (
-        ctypes.POINTER(hfrac_lab_spec),
-        ctypes.c_int32,
-    ),
+    "hfrac_set_temperature": (ctypes.c_void_p, ctypes.c_double),
+    "hfrac_set_disc_temperature": (ctypes.c_void_p, ctypes.POINTER(ctypes.c_double), ctypes.c_int64),
+    "hfrac_set_cell_temperature": (ctypes.c_void_p, ctypes.POINTER(ctypes.c_double), ctypes.c_int64),
+    "hfrac_get_cell_temperature": (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64, ctypes.POINTER(ctypes.c_int64)),
+    "hfrac_hold_disc_temperature": (ctypes.c_void_p, ctypes.POINTER(ctypes.c_int32), ctypes.c_int64),
+    "hfrac_well_set_temperature": (ctypes.c_void_p, ctypes.c_int32, ctypes.c_double),
+    "hfrac_well_get_temperature": (ctypes.c_void_p, ctypes.c_int32, ctypes.POINTER(ctypes.c_double)),
+    "hfrac_get_heat": (ctypes.c_void_p, ctypes.POINTER(hfrac_heat)),
+    "hfrac_lab_spec_init": (ctypes.POINTER(hfrac_lab_spec), ctypes.c_int32),
     "hfrac_lab_run": (
-        ctypes.POINTER(hfrac_sim_def),
-        ctypes.POINTER(hfrac_lab_spec),
-        hfrac_progress_fn,
-        ctypes.c_void_p,
+        ctypes.POINTER(hfrac_sim_def), ctypes.POINTER(hfrac_lab_spec), hfrac_progress_fn, ctypes.c_void_p,
         ctypes.POINTER(ctypes.c_void_p),
     ),
-    "hfrac_lab_destroy": (
-        ctypes.POINTER(ctypes.c_void_p),
-    ),
-    "hfrac_lab_get_report": (
-        ctypes.c_void_p,
-        ctypes.POINTER(hfrac_lab_report),
-    ),
+    "hfrac_lab_destroy": (ctypes.POINTER(ctypes.c_void_p),),
+    "hfrac_lab_get_report": (ctypes.c_void_p, ctypes.POINTER(hfrac_lab_report)),
     "hfrac_lab_copy_f64": (
-        ctypes.c_void_p,
-        ctypes.c_int32,
-        ctypes.c_void_p,
-        ctypes.c_int64,
-        ctypes.POINTER(ctypes.c_int64),
+        ctypes.c_void_p, ctypes.c_int32, ctypes.c_void_p, ctypes.c_int64, ctypes.POINTER(ctypes.c_int64),
     ),
-    "hfrac_targets_init": (
-        ctypes.POINTER(hfrac_targets),
-        ctypes.c_int32,
-    ),
+    "hfrac_targets_init": (ctypes.POINTER(hfrac_targets), ctypes.c_int32),
     "hfrac_calibrate": (
-        ctypes.POINTER(hfrac_sim_def),
-        ctypes.POINTER(hfrac_targets),
-        hfrac_progress_fn,
-        ctypes.c_void_p,
+        ctypes.POINTER(hfrac_sim_def), ctypes.POINTER(hfrac_targets), hfrac_progress_fn, ctypes.c_void_p,
         ctypes.POINTER(hfrac_calibration),
     ),
     "hfrac_read_record": (
-        ctypes.c_char_p,
-        ctypes.c_double,
-        ctypes.c_void_p,
-        ctypes.c_int64,
-        ctypes.POINTER(ctypes.c_int64),
+        ctypes.c_char_p, ctypes.c_double, ctypes.c_void_p, ctypes.c_int64, ctypes.POINTER(ctypes.c_int64),
     ),
-    "hfrac_state_size": (
-        ctypes.c_void_p,
-        ctypes.POINTER(ctypes.c_int64),
-    ),
-    "hfrac_state_save": (
-        ctypes.c_void_p,
-        ctypes.c_void_p,
-        ctypes.c_int64,
-        ctypes.POINTER(ctypes.c_int64),
-    ),
-    "hfrac_state_restore": (
-        ctypes.c_void_p,
-        ctypes.c_void_p,
-        ctypes.c_int64,
-    ),
-    "hfrac_state_save_file": (
-        ctypes.c_void_p,
-        ctypes.c_char_p,
-    ),
-    "hfrac_state_load_file": (
-        ctypes.c_void_p,
-        ctypes.c_char_p,
-    ),
-    "hfrac_step_prepare": (
-        ctypes.c_void_p,
-    ),
-    "hfrac_step_do": (
-        ctypes.c_void_p,
-        ctypes.c_double,
-    ),
-    "hfrac_step_more": (
-        ctypes.c_void_p,
-        ctypes.c_double,
-    ),
-    "hfrac_step_finalize": (
-        ctypes.c_void_p,
-    ),
-    "hfrac_step_reject": (
-        ctypes.c_void_p,
-    ),
-    "hfrac_set_far_field": (
-        ctypes.c_void_p,
-        ctypes.c_double,
-        ctypes.c_double,
-    ),
-    "hfrac_set_formation_pressure": (
-        ctypes.c_void_p,
-        ctypes.c_double,
-    ),
+    "hfrac_state_size": (ctypes.c_void_p, ctypes.POINTER(ctypes.c_int64)),
+    "hfrac_state_save": (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64, ctypes.POINTER(ctypes.c_int64)),
+    "hfrac_state_restore": (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64),
+    "hfrac_state_save_file": (ctypes.c_void_p, ctypes.c_char_p),
+    "hfrac_state_load_file": (ctypes.c_void_p, ctypes.c_char_p),
+    "hfrac_step_prepare": (ctypes.c_void_p,),
+    "hfrac_step_do": (ctypes.c_void_p, ctypes.c_double),
+    "hfrac_step_more": (ctypes.c_void_p, ctypes.c_double),
+    "hfrac_step_finalize": (ctypes.c_void_p,),
+    "hfrac_step_reject": (ctypes.c_void_p,),
+    "hfrac_set_far_field": (ctypes.c_void_p, ctypes.c_double, ctypes.c_double),
+    "hfrac_set_formation_pressure": (ctypes.c_void_p, ctypes.c_double),
 }
 
 

@@ -1,13 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What discs, bonds, pipes, domains and joints of a simulation have in common."""
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ._arrays import Array
 
 if TYPE_CHECKING:
+    from ._fields import FieldInfo
     from ._simulation import Simulation
 
-__all__ = ["Array", "FieldGroup"]
+__all__ = ["Array", "FieldGroup", "field_of"]
+
+
+def field_of(info: "FieldInfo") -> Any:
+    """A property that copies this field as it is now."""
+    shape = f"(n, {info.components})" if info.components > 1 else "(n,)"
+    return property(lambda group: group._simulation.field(info.name), doc=f"[{info.unit}] {info.help}; shape {shape}")
 
 
 class FieldGroup:

@@ -3,108 +3,48 @@
 """Fields by place: sim.discs.position and so on. Each access copies the field as it is now."""
 from typing import NamedTuple, Tuple
 
-from ._field_group import Array, FieldGroup
+from ._field_group import Array, FieldGroup, field_of
 
 
 class FieldInfo(NamedTuple):
     """What a field is."""
 
     name: str
-    #: SI unit, "1" for none
-    unit: str
-    #: of the library's array: double or int32
-    dtype: str
-    #: values per item
-    components: int
+    unit: str  #: SI, "1" for none
+    dtype: str  #: of the library's array: double or int32
+    components: int  #: values per item
     help: str
 
 
 #: Every field the library has, in its order.
 FIELDS: Tuple[FieldInfo, ...] = (
-    FieldInfo(
-        'disc.position', 'm', 'double', 2,
-        'centre now',
-    ),
-    FieldInfo(
-        'disc.radius', 'm', 'double', 1,
-        'radius',
-    ),
-    FieldInfo(
-        'disc.displacement', 'm', 'double', 2,
-        'since the end of the initial equilibration',
-    ),
-    FieldInfo(
-        'disc.rotation', 'rad', 'double', 1,
-        'since the end of the initial equilibration, anticlockwise',
-    ),
-    FieldInfo(
-        'disc.velocity', 'm/s', 'double', 2,
-        'velocity (dynamic mode; scaled in substep mode)',
-    ),
+    FieldInfo('disc.position', 'm', 'double', 2, 'centre now'),
+    FieldInfo('disc.radius', 'm', 'double', 1, 'radius'),
+    FieldInfo('disc.displacement', 'm', 'double', 2, 'since the end of the initial equilibration'),
+    FieldInfo('disc.rotation', 'rad', 'double', 1, 'since the end of the initial equilibration, anticlockwise'),
+    FieldInfo('disc.velocity', 'm/s', 'double', 2, 'velocity (dynamic mode; scaled in substep mode)'),
     FieldInfo(
         'disc.stress', 'Pa', 'double', 3,
         "xx, yy, xy averaged over the disc's cell, from bond, contact and wall forces; compression positive",
     ),
-    FieldInfo(
-        'disc.intact_bonds', '1', 'int32', 1,
-        'number of intact bonds',
-    ),
+    FieldInfo('disc.intact_bonds', '1', 'int32', 1, 'number of intact bonds'),
     FieldInfo(
         'disc.temperature', 'K', 'double', 1,
         'of the rock; thermal.rock_temperature without a temperature in the model',
     ),
-    FieldInfo(
-        'bond.discs', '1', 'int32', 2,
-        'indices of the two discs',
-    ),
-    FieldInfo(
-        'bond.state', '1', 'int32', 1,
-        '0 intact, 1 broken in tension, 2 broken in shear, 3 never bonded',
-    ),
-    FieldInfo(
-        'bond.normal_force', 'N', 'double', 1,
-        'bond and contact together, per thickness, tension positive',
-    ),
-    FieldInfo(
-        'bond.shear_force', 'N', 'double', 1,
-        'bond and contact together, per thickness',
-    ),
-    FieldInfo(
-        'bond.moment', 'N m', 'double', 1,
-        'bending moment of the bond, per thickness',
-    ),
-    FieldInfo(
-        'bond.gap', 'm', 'double', 1,
-        'opening of the contact since bonding, negative: pressed together',
-    ),
-    FieldInfo(
-        'pipe.domains', '1', 'int32', 2,
-        'domains left and right of the line from disc 0 to disc 1',
-    ),
-    FieldInfo(
-        'pipe.aperture', 'm', 'double', 1,
-        'hydraulic aperture (eq. 7)',
-    ),
-    FieldInfo(
-        'pipe.flow', 'm2/s', 'double', 1,
-        'volume rate from the left to the right domain in the last step',
-    ),
-    FieldInfo(
-        'domain.pressure', 'Pa', 'double', 1,
-        'pressure, as stress.convention says',
-    ),
-    FieldInfo(
-        'domain.volume', 'm2', 'double', 1,
-        'fluid volume now',
-    ),
-    FieldInfo(
-        'domain.centre', 'm', 'double', 2,
-        'centroid of the polygon of disc centres',
-    ),
-    FieldInfo(
-        'domain.kind', '1', 'int32', 1,
-        '0 rock, 1 well, 2 outside',
-    ),
+    FieldInfo('bond.discs', '1', 'int32', 2, 'indices of the two discs'),
+    FieldInfo('bond.state', '1', 'int32', 1, '0 intact, 1 broken in tension, 2 broken in shear, 3 never bonded'),
+    FieldInfo('bond.normal_force', 'N', 'double', 1, 'bond and contact together, per thickness, tension positive'),
+    FieldInfo('bond.shear_force', 'N', 'double', 1, 'bond and contact together, per thickness'),
+    FieldInfo('bond.moment', 'N m', 'double', 1, 'bending moment of the bond, per thickness'),
+    FieldInfo('bond.gap', 'm', 'double', 1, 'opening of the contact since bonding, negative: pressed together'),
+    FieldInfo('pipe.domains', '1', 'int32', 2, 'domains left and right of the line from disc 0 to disc 1'),
+    FieldInfo('pipe.aperture', 'm', 'double', 1, 'hydraulic aperture (eq. 7)'),
+    FieldInfo('pipe.flow', 'm2/s', 'double', 1, 'volume rate from the left to the right domain in the last step'),
+    FieldInfo('domain.pressure', 'Pa', 'double', 1, 'pressure, as stress.convention says'),
+    FieldInfo('domain.volume', 'm2', 'double', 1, 'fluid volume now'),
+    FieldInfo('domain.centre', 'm', 'double', 2, 'centroid of the polygon of disc centres'),
+    FieldInfo('domain.kind', '1', 'int32', 1, '0 rock, 1 well, 2 outside'),
     FieldInfo(
         'domain.saturation', '1', 'double', 1,
         'fluid saturation of the pore: volume of fluid over pore volume; below 1 where the pressure is at its floor, as near the tip of a fracture that opens faster than fluid arrives',
@@ -121,38 +61,21 @@ FIELDS: Tuple[FieldInfo, ...] = (
         'domain.corner_offset', '1', 'int32', 1,
         "first corner of each domain in domain.corners; the next domain's is its end",
     ),
+    FieldInfo('domain.corners', '1', 'int32', 1, 'disc indices around each domain, anticlockwise (outside: clockwise)'),
+    FieldInfo('joint.number', '1', 'int32', 1, "the joint's place in the definition, from 0"),
+    FieldInfo('joint.bond', '1', 'int32', 1, 'the bond, and pipe, that the contact stands for; ascending'),
     FieldInfo(
-        'domain.corners', '1', 'int32', 1,
-        'disc indices around each domain, anticlockwise (outside: clockwise)',
+        'joint.state', '1', 'int32', 1, '0 holds, 1 sticks, 2 slips (friction is used up), 3 open (faces bear nothing)',
     ),
     FieldInfo(
-        'joint.number', '1', 'int32', 1,
-        "the joint's place in the definition, from 0",
+        'joint.begin', 'm', 'double', 2, "one end of the contact's piece of the joint now, halfway between the faces",
     ),
-    FieldInfo(
-        'joint.bond', '1', 'int32', 1,
-        'the bond, and pipe, that the contact stands for; ascending',
-    ),
-    FieldInfo(
-        'joint.state', '1', 'int32', 1,
-        '0 holds, 1 sticks, 2 slips (friction is used up), 3 open (faces bear nothing)',
-    ),
-    FieldInfo(
-        'joint.begin', 'm', 'double', 2,
-        "one end of the contact's piece of the joint now, halfway between the faces",
-    ),
-    FieldInfo(
-        'joint.end', 'm', 'double', 2,
-        'the other end',
-    ),
+    FieldInfo('joint.end', 'm', 'double', 2, 'the other end'),
     FieldInfo(
         'joint.opening', 'm', 'double', 1,
         'how far the faces are apart since they bore nothing; negative: pressed together',
     ),
-    FieldInfo(
-        'joint.mechanical_aperture', 'm', 'double', 1,
-        "the joint's aperture plus opening, at least 0",
-    ),
+    FieldInfo('joint.mechanical_aperture', 'm', 'double', 1, "the joint's aperture plus opening, at least 0"),
     FieldInfo(
         'joint.hydraulic_aperture', 'm', 'double', 1,
         "of its pipe, by the joint's law where it conducts; 0 in a dry model",
@@ -161,241 +84,76 @@ FIELDS: Tuple[FieldInfo, ...] = (
         'joint.slip', 'm', 'double', 1,
         'net slip since the end of the initial equilibration; positive: seen across the joint the far side went left',
     ),
-    FieldInfo(
-        'joint.normal_stress', 'Pa', 'double', 1,
-        "effective, of the joint's law; compression positive",
-    ),
-    FieldInfo(
-        'joint.shear_stress', 'Pa', 'double', 1,
-        "of the joint's law; positive: drives slip that is positive",
-    ),
-    FieldInfo(
-        'joint.pressure', 'Pa', 'double', 1,
-        'mean of the two pores it lies between, as stress.convention says',
-    ),
+    FieldInfo('joint.normal_stress', 'Pa', 'double', 1, "effective, of the joint's law; compression positive"),
+    FieldInfo('joint.shear_stress', 'Pa', 'double', 1, "of the joint's law; positive: drives slip that is positive"),
+    FieldInfo('joint.pressure', 'Pa', 'double', 1, 'mean of the two pores it lies between, as stress.convention says'),
     FieldInfo(
         'joint.total_slip', 'm', 'double', 1,
         'with what it slid in the initial equilibration: friction and dilation go by it',
     ),
 )
+_NAMED = {field.name: field for field in FIELDS}
 
 
 class Discs(FieldGroup):
     """Fields of the discs."""
 
-    @property
-    def position(self) -> Array:
-        """[m] centre now; shape (n, 2)"""
-        return self._simulation.field("disc.position")
-
-    @property
-    def radius(self) -> Array:
-        """[m] radius; shape (n,)"""
-        return self._simulation.field("disc.radius")
-
-    @property
-    def displacement(self) -> Array:
-        """[m] since the end of the initial equilibration; shape (n, 2)"""
-        return self._simulation.field("disc.displacement")
-
-    @property
-    def rotation(self) -> Array:
-        """[rad] since the end of the initial equilibration, anticlockwise; shape (n,)"""
-        return self._simulation.field("disc.rotation")
-
-    @property
-    def velocity(self) -> Array:
-        """[m/s] velocity (dynamic mode; scaled in substep mode); shape (n, 2)"""
-        return self._simulation.field("disc.velocity")
-
-    @property
-    def stress(self) -> Array:
-        """[Pa] xx, yy, xy averaged over the disc's cell, from bond, contact and wall forces; compression positive;
-        shape (n, 3)
-        """
-        return self._simulation.field("disc.stress")
-
-    @property
-    def intact_bonds(self) -> Array:
-        """[1] number of intact bonds; shape (n,)"""
-        return self._simulation.field("disc.intact_bonds")
-
-    @property
-    def temperature(self) -> Array:
-        """[K] of the rock; thermal.rock_temperature without a temperature in the model; shape (n,)"""
-        return self._simulation.field("disc.temperature")
+    position: Array = field_of(_NAMED["disc.position"])
+    radius: Array = field_of(_NAMED["disc.radius"])
+    displacement: Array = field_of(_NAMED["disc.displacement"])
+    rotation: Array = field_of(_NAMED["disc.rotation"])
+    velocity: Array = field_of(_NAMED["disc.velocity"])
+    stress: Array = field_of(_NAMED["disc.stress"])
+    intact_bonds: Array = field_of(_NAMED["disc.intact_bonds"])
+    temperature: Array = field_of(_NAMED["disc.temperature"])
 
 
 class Bonds(FieldGroup):
     """Fields of the bonds."""
 
-    @property
-    def discs(self) -> Array:
-        """[1] indices of the two discs; shape (n, 2)"""
-        return self._simulation.field("bond.discs")
-
-    @property
-    def state(self) -> Array:
-        """[1] 0 intact, 1 broken in tension, 2 broken in shear, 3 never bonded; shape (n,)"""
-        return self._simulation.field("bond.state")
-
-    @property
-    def normal_force(self) -> Array:
-        """[N] bond and contact together, per thickness, tension positive; shape (n,)"""
-        return self._simulation.field("bond.normal_force")
-
-    @property
-    def shear_force(self) -> Array:
-        """[N] bond and contact together, per thickness; shape (n,)"""
-        return self._simulation.field("bond.shear_force")
-
-    @property
-    def moment(self) -> Array:
-        """[N m] bending moment of the bond, per thickness; shape (n,)"""
-        return self._simulation.field("bond.moment")
-
-    @property
-    def gap(self) -> Array:
-        """[m] opening of the contact since bonding, negative: pressed together; shape (n,)"""
-        return self._simulation.field("bond.gap")
+    discs: Array = field_of(_NAMED["bond.discs"])
+    state: Array = field_of(_NAMED["bond.state"])
+    normal_force: Array = field_of(_NAMED["bond.normal_force"])
+    shear_force: Array = field_of(_NAMED["bond.shear_force"])
+    moment: Array = field_of(_NAMED["bond.moment"])
+    gap: Array = field_of(_NAMED["bond.gap"])
 
 
 class Pipes(FieldGroup):
     """Fields of the pipes."""
 
-    @property
-    def domains(self) -> Array:
-        """[1] domains left and right of the line from disc 0 to disc 1; shape (n, 2)"""
-        return self._simulation.field("pipe.domains")
-
-    @property
-    def aperture(self) -> Array:
-        """[m] hydraulic aperture (eq. 7); shape (n,)"""
-        return self._simulation.field("pipe.aperture")
-
-    @property
-    def flow(self) -> Array:
-        """[m2/s] volume rate from the left to the right domain in the last step; shape (n,)"""
-        return self._simulation.field("pipe.flow")
+    domains: Array = field_of(_NAMED["pipe.domains"])
+    aperture: Array = field_of(_NAMED["pipe.aperture"])
+    flow: Array = field_of(_NAMED["pipe.flow"])
 
 
 class Domains(FieldGroup):
     """Fields of the domains."""
 
-    @property
-    def pressure(self) -> Array:
-        """[Pa] pressure, as stress.convention says; shape (n,)"""
-        return self._simulation.field("domain.pressure")
-
-    @property
-    def volume(self) -> Array:
-        """[m2] fluid volume now; shape (n,)"""
-        return self._simulation.field("domain.volume")
-
-    @property
-    def centre(self) -> Array:
-        """[m] centroid of the polygon of disc centres; shape (n, 2)"""
-        return self._simulation.field("domain.centre")
-
-    @property
-    def kind(self) -> Array:
-        """[1] 0 rock, 1 well, 2 outside; shape (n,)"""
-        return self._simulation.field("domain.kind")
-
-    @property
-    def saturation(self) -> Array:
-        """[1] fluid saturation of the pore: volume of fluid over pore volume; below 1 where the pressure is at its
-        floor, as near the tip of a fracture that opens faster than fluid arrives; shape (n,)
-        """
-        return self._simulation.field("domain.saturation")
-
-    @property
-    def temperature(self) -> Array:
-        """[K] of the fluid; thermal.rock_temperature without a temperature in the model; shape (n,)"""
-        return self._simulation.field("domain.temperature")
-
-    @property
-    def second_fluid(self) -> Array:
-        """[1] share of the second fluid (fluid.second_viscosity) in what the pore holds; 0 without one; shape (n,)"""
-        return self._simulation.field("domain.second_fluid")
-
-    @property
-    def corner_offset(self) -> Array:
-        """[1] first corner of each domain in domain.corners; the next domain's is its end; shape (n,)"""
-        return self._simulation.field("domain.corner_offset")
-
-    @property
-    def corners(self) -> Array:
-        """[1] disc indices around each domain, anticlockwise (outside: clockwise); shape (n,)"""
-        return self._simulation.field("domain.corners")
+    pressure: Array = field_of(_NAMED["domain.pressure"])
+    volume: Array = field_of(_NAMED["domain.volume"])
+    centre: Array = field_of(_NAMED["domain.centre"])
+    kind: Array = field_of(_NAMED["domain.kind"])
+    saturation: Array = field_of(_NAMED["domain.saturation"])
+    temperature: Array = field_of(_NAMED["domain.temperature"])
+    second_fluid: Array = field_of(_NAMED["domain.second_fluid"])
+    corner_offset: Array = field_of(_NAMED["domain.corner_offset"])
+    corners: Array = field_of(_NAMED["domain.corners"])
 
 
 class Joints(FieldGroup):
     """Fields of the joints."""
 
-    @property
-    def number(self) -> Array:
-        """[1] the joint's place in the definition, from 0; shape (n,)"""
-        return self._simulation.field("joint.number")
-
-    @property
-    def bond(self) -> Array:
-        """[1] the bond, and pipe, that the contact stands for; ascending; shape (n,)"""
-        return self._simulation.field("joint.bond")
-
-    @property
-    def state(self) -> Array:
-        """[1] 0 holds, 1 sticks, 2 slips (friction is used up), 3 open (faces bear nothing); shape (n,)"""
-        return self._simulation.field("joint.state")
-
-    @property
-    def begin(self) -> Array:
-        """[m] one end of the contact's piece of the joint now, halfway between the faces; shape (n, 2)"""
-        return self._simulation.field("joint.begin")
-
-    @property
-    def end(self) -> Array:
-        """[m] the other end; shape (n, 2)"""
-        return self._simulation.field("joint.end")
-
-    @property
-    def opening(self) -> Array:
-        """[m] how far the faces are apart since they bore nothing; negative: pressed together; shape (n,)"""
-        return self._simulation.field("joint.opening")
-
-    @property
-    def mechanical_aperture(self) -> Array:
-        """[m] the joint's aperture plus opening, at least 0; shape (n,)"""
-        return self._simulation.field("joint.mechanical_aperture")
-
-    @property
-    def hydraulic_aperture(self) -> Array:
-        """[m] of its pipe, by the joint's law where it conducts; 0 in a dry model; shape (n,)"""
-        return self._simulation.field("joint.hydraulic_aperture")
-
-    @property
-    def slip(self) -> Array:
-        """[m] net slip since the end of the initial equilibration; positive: seen across the joint the far side
-        went left; shape (n,)
-        """
-        return self._simulation.field("joint.slip")
-
-    @property
-    def normal_stress(self) -> Array:
-        """[Pa] effective, of the joint's law; compression positive; shape (n,)"""
-        return self._simulation.field("joint.normal_stress")
-
-    @property
-    def shear_stress(self) -> Array:
-        """[Pa] of the joint's law; positive: drives slip that is positive; shape (n,)"""
-        return self._simulation.field("joint.shear_stress")
-
-    @property
-    def pressure(self) -> Array:
-        """[Pa] mean of the two pores it lies between, as stress.convention says; shape (n,)"""
-        return self._simulation.field("joint.pressure")
-
-    @property
-    def total_slip(self) -> Array:
-        """[m] with what it slid in the initial equilibration: friction and dilation go by it; shape (n,)"""
-        return self._simulation.field("joint.total_slip")
+    number: Array = field_of(_NAMED["joint.number"])
+    bond: Array = field_of(_NAMED["joint.bond"])
+    state: Array = field_of(_NAMED["joint.state"])
+    begin: Array = field_of(_NAMED["joint.begin"])
+    end: Array = field_of(_NAMED["joint.end"])
+    opening: Array = field_of(_NAMED["joint.opening"])
+    mechanical_aperture: Array = field_of(_NAMED["joint.mechanical_aperture"])
+    hydraulic_aperture: Array = field_of(_NAMED["joint.hydraulic_aperture"])
+    slip: Array = field_of(_NAMED["joint.slip"])
+    normal_stress: Array = field_of(_NAMED["joint.normal_stress"])
+    shear_stress: Array = field_of(_NAMED["joint.shear_stress"])
+    pressure: Array = field_of(_NAMED["joint.pressure"])
+    total_slip: Array = field_of(_NAMED["joint.total_slip"])

@@ -5,74 +5,36 @@ from typing import NamedTuple, Tuple
 
 from . import _abi
 from ._abi import CrackMode, EventKind, LabEnd, StepLimit, StopReason, WellControl, WellFluid
+from ._record import filled
 
 
 class SimState(NamedTuple):
     """How the simulation stands."""
 
-    #: 1 if the last step's mechanics reached stepping.force_ratio
-    at_rest: int
-    #: [s] model (fluid) time
-    time: float
-    #: steps taken since creation
-    step: int
-    #: mechanical cycles since creation
-    cycles: int
-    #: mean unbalanced over mean contact force
-    force_ratio: float
-    #: bonds broken, all modes, the initial equilibration included
-    crack_count: int
-    #: of them in tension
-    tensile_cracks: int
-    #: of them in shear
-    shear_cracks: int
-    #: of them before injection, while the model came to rest
-    equilibration_cracks: int
-    #: discs
-    disc_count: int
-    #: bonded contacts, intact or broken
-    bond_count: int
-    #: fluid domains, wells included
-    domain_count: int
-    #: [s] time of one mechanical cycle with real masses (stable step times safety)
-    mechanical_step: float
-    #: [m] farthest crack end from the nearest well centre, 0 without cracks
-    tip_distance: float
-    #: enum hfrac_stop_reason that holds now, 0 if none
-    stop_reason: StopReason
-    #: explicit flow: sub-cycles of the last step; implicit: iterations
-    flow_subcycles: int
-    #: [Pa] far-field stress along x in force, as stress.convention says
-    sigma_Hmax: float
-    #: [Pa] along y
-    sigma_hmin: float
-    #: [Pa] absolute, in the pores outside the model
-    formation_pressure: float
+    at_rest: int  #: 1 if the last step's mechanics reached stepping.force_ratio
+    time: float  #: [s] model (fluid) time
+    step: int  #: steps taken since creation
+    cycles: int  #: mechanical cycles since creation
+    force_ratio: float  #: mean unbalanced over mean contact force
+    crack_count: int  #: bonds broken, all modes, the initial equilibration included
+    tensile_cracks: int  #: of them in tension
+    shear_cracks: int  #: of them in shear
+    equilibration_cracks: int  #: of them before injection, while the model came to rest
+    disc_count: int  #: discs
+    bond_count: int  #: bonded contacts, intact or broken
+    domain_count: int  #: fluid domains, wells included
+    mechanical_step: float  #: [s] time of one mechanical cycle with real masses (stable step times safety)
+    tip_distance: float  #: [m] farthest crack end from the nearest well centre, 0 without cracks
+    stop_reason: StopReason  #: enum hfrac_stop_reason that holds now, 0 if none
+    flow_subcycles: int  #: explicit flow: sub-cycles of the last step; implicit: iterations
+    sigma_Hmax: float  #: [Pa] far-field stress along x in force, as stress.convention says
+    sigma_hmin: float  #: [Pa] along y
+    formation_pressure: float  #: [Pa] absolute, in the pores outside the model
 
     @classmethod
     def of(cls, struct: _abi.hfrac_sim_state) -> "SimState":
         """The struct's values."""
-        return cls(
-            struct.at_rest,
-            struct.time,
-            struct.step,
-            struct.cycles,
-            struct.force_ratio,
-            struct.crack_count,
-            struct.tensile_cracks,
-            struct.shear_cracks,
-            struct.equilibration_cracks,
-            struct.disc_count,
-            struct.bond_count,
-            struct.domain_count,
-            struct.mechanical_step,
-            struct.tip_distance,
-            StopReason(struct.stop_reason),
-            struct.flow_subcycles,
-            struct.sigma_Hmax,
-            struct.sigma_hmin,
-            struct.formation_pressure,
-        )
+        return filled(cls, struct)
 
 
 class SetupReport(NamedTuple):
@@ -80,174 +42,86 @@ class SetupReport(NamedTuple):
 
     #: [m] mean radius of all discs packed; of a graded packing (packing.coarsening) that of its fine discs
     mean_radius: float
-    #: void fraction of the packing before the well is cut
-    porosity: float
-    #: unbalanced over mean contact force of the relaxed packing
-    packing_residual: float
-    #: bonds per disc times two
-    coordination: float
-    #: discs packed
-    packed_discs: int
-    #: discs removed to cut the wells
-    removed_in_wells: int
-    #: discs removed because they had fewer than two bonds
-    removed_floaters: int
-    #: near contacts not bonded because they cross another
-    removed_crossings: int
+    porosity: float  #: void fraction of the packing before the well is cut
+    packing_residual: float  #: unbalanced over mean contact force of the relaxed packing
+    coordination: float  #: bonds per disc times two
+    packed_discs: int  #: discs packed
+    removed_in_wells: int  #: discs removed to cut the wells
+    removed_floaters: int  #: discs removed because they had fewer than two bonds
+    removed_crossings: int  #: near contacts not bonded because they cross another
     #: strengths used, at the mean radius, over strengths given (bond.fracture_toughness and
     #: bond.toughness_reference_radius)
     strength_factor: float
-    #: [m] r0 in use (eq. 7)
-    zero_stress_aperture: float
-    #: [m2] of the network after the initial equilibrium, without joints that conduct
-    permeability: float
-    #: unbalanced over mean contact force after the initial equilibrium
-    equilibration_force_ratio: float
-    #: wall time of the packing
-    packing_seconds: float
-    #: wall time of all of hfrac_sim_create
-    setup_seconds: float
+    zero_stress_aperture: float  #: [m] r0 in use (eq. 7)
+    permeability: float  #: [m2] of the network after the initial equilibrium, without joints that conduct
+    equilibration_force_ratio: float  #: unbalanced over mean contact force after the initial equilibrium
+    packing_seconds: float  #: wall time of the packing
+    setup_seconds: float  #: wall time of all of hfrac_sim_create
     #: [m] mean radius of the discs farthest from the fine ones of a graded packing; uniform: mean_radius
     coarsest_radius: float
-    #: discs packed where a graded packing is fine; uniform: all
-    fine_discs: int
-    #: [Pa] E' of the rock beyond with boundary.kind infinite, given or measured; else 0
-    exterior_modulus: float
-    #: its Poisson's ratio in plane strain
-    exterior_poisson_ratio: float
-    #: [Pa] E' at tips: fracture.plane_modulus, given or measured; else 0
-    plane_modulus: float
+    fine_discs: int  #: discs packed where a graded packing is fine; uniform: all
+    exterior_modulus: float  #: [Pa] E' of the rock beyond with boundary.kind infinite, given or measured; else 0
+    exterior_poisson_ratio: float  #: its Poisson's ratio in plane strain
+    plane_modulus: float  #: [Pa] E' at tips: fracture.plane_modulus, given or measured; else 0
 
     @classmethod
     def of(cls, struct: _abi.hfrac_setup_report) -> "SetupReport":
         """The struct's values."""
-        return cls(
-            struct.mean_radius,
-            struct.porosity,
-            struct.packing_residual,
-            struct.coordination,
-            struct.packed_discs,
-            struct.removed_in_wells,
-            struct.removed_floaters,
-            struct.removed_crossings,
-            struct.strength_factor,
-            struct.zero_stress_aperture,
-            struct.permeability,
-            struct.equilibration_force_ratio,
-            struct.packing_seconds,
-            struct.setup_seconds,
-            struct.coarsest_radius,
-            struct.fine_discs,
-            struct.exterior_modulus,
-            struct.exterior_poisson_ratio,
-            struct.plane_modulus,
-        )
+        return filled(cls, struct)
 
 
 class Balance(NamedTuple):
     """Energy and fluid mass since the end of the initial equilibration."""
 
-    #: 1: energy_error says something; 0: the quasi-static solver closes its balance by `damping`
-    energy_checked: int
-    #: [J/m] kinetic energy now
-    kinetic: float
-    #: [J/m] stored in intact bonds now
-    bond_elastic: float
+    energy_checked: int  #: 1: energy_error says something; 0: the quasi-static solver closes its balance by `damping`
+    kinetic: float  #: [J/m] kinetic energy now
+    bond_elastic: float  #: [J/m] stored in intact bonds now
     #: [J/m] stored in contacts now (discs and walls), and in the rock beyond (boundary.kind infinite)
     contact_elastic: float
-    #: [J/m] work of fluid pressure on the discs since the initial equilibration
-    fluid_work: float
-    #: [J/m] work of the far field on the model since the initial equilibration
-    boundary_work: float
-    #: [J/m] dissipated by sliding since the initial equilibration
-    friction: float
+    fluid_work: float  #: [J/m] work of fluid pressure on the discs since the initial equilibration
+    boundary_work: float  #: [J/m] work of the far field on the model since the initial equilibration
+    friction: float  #: [J/m] dissipated by sliding since the initial equilibration
     #: [J/m] dissipated by damping since the initial equilibration; unless checked, whatever the works left over
     damping: float
-    #: [J/m] elastic energy of bonds lost as they broke since the initial equilibration
-    fracture: float
-    #: [J/m] what is missing in: works = change of stored + dissipated; not a number unless checked
-    energy_error: float
-    #: [m2] fluid put in through all wells, at formation pressure
-    injected_volume: float
-    #: [m2] change of content of all domains, wells included
-    stored_volume: float
-    #: [m2] out through the outer boundary
-    leaked_volume: float
-    #: [m2] injected + host - stored - leaked
-    fluid_error: float
-    #: [m2] put into pores by the host (hfrac_set_cell_pressure), negative: taken out
-    host_volume: float
+    fracture: float  #: [J/m] elastic energy of bonds lost as they broke since the initial equilibration
+    energy_error: float  #: [J/m] what is missing in: works = change of stored + dissipated; not a number unless checked
+    injected_volume: float  #: [m2] fluid put in through all wells, at formation pressure
+    stored_volume: float  #: [m2] change of content of all domains, wells included
+    leaked_volume: float  #: [m2] out through the outer boundary
+    fluid_error: float  #: [m2] injected + host - stored - leaked
+    host_volume: float  #: [m2] put into pores by the host (hfrac_set_cell_pressure), negative: taken out
 
     @classmethod
     def of(cls, struct: _abi.hfrac_balance) -> "Balance":
         """The struct's values."""
-        return cls(
-            struct.energy_checked,
-            struct.kinetic,
-            struct.bond_elastic,
-            struct.contact_elastic,
-            struct.fluid_work,
-            struct.boundary_work,
-            struct.friction,
-            struct.damping,
-            struct.fracture,
-            struct.energy_error,
-            struct.injected_volume,
-            struct.stored_volume,
-            struct.leaked_volume,
-            struct.fluid_error,
-            struct.host_volume,
-        )
+        return filled(cls, struct)
 
 
 class SolverReport(NamedTuple):
     """What the quasi-static solver did since the initial equilibration; all 0 with solver.kind "explicit"."""
 
-    #: 0 explicit, 1 quasi-static
-    kind: int
-    #: [s] mode "coupled": length of the next increment of a step
-    increment: float
-    #: mode "coupled": accepted increments
-    increments: int
-    #: equilibria found: one a solve, and one more each time bonds broke
-    rounds: int
-    #: of Newton's method
-    newton_iterations: int
-    #: of the linear solver
-    linear_iterations: int
-    #: factors of a tangent computed
-    factors: int
-    #: increments rejected because of solver.pressure_change
-    rejected_error: int
-    #: increments rejected because of solver.strength_overshoot
-    rejected_strength: int
-    #: increments rejected because no equilibrium was found
-    rejected_divergence: int
+    kind: int  #: 0 explicit, 1 quasi-static
+    increment: float  #: [s] mode "coupled": length of the next increment of a step
+    increments: int  #: mode "coupled": accepted increments
+    rounds: int  #: equilibria found: one a solve, and one more each time bonds broke
+    newton_iterations: int  #: of Newton's method
+    linear_iterations: int  #: of the linear solver
+    factors: int  #: factors of a tangent computed
+    rejected_error: int  #: increments rejected because of solver.pressure_change
+    rejected_strength: int  #: increments rejected because of solver.strength_overshoot
+    rejected_divergence: int  #: increments rejected because no equilibrium was found
 
     @classmethod
     def of(cls, struct: _abi.hfrac_solver_report) -> "SolverReport":
         """The struct's values."""
-        return cls(
-            struct.kind,
-            struct.increment,
-            struct.increments,
-            struct.rounds,
-            struct.newton_iterations,
-            struct.linear_iterations,
-            struct.factors,
-            struct.rejected_error,
-            struct.rejected_strength,
-            struct.rejected_divergence,
-        )
+        return filled(cls, struct)
 
 
 class StepLimits(NamedTuple):
     """How long a step could be, and how it is divided."""
 
-    #: enum hfrac_step_limit: what divides a step of stepping.flow_step most finely
-    binding: StepLimit
-    #: [s] what hfrac_step takes next: stepping.flow_step, or what is left to a schedule's next time
-    flow_step: float
+    binding: StepLimit  #: enum hfrac_step_limit: what divides a step of stepping.flow_step most finely
+    flow_step: float  #: [s] what hfrac_step takes next: stepping.flow_step, or what is left to a schedule's next time
     #: [s] of one mechanical cycle with real masses, stable step times stepping.safety; binds in mode dynamic
     #: only, since in the others the rock moves to rest in no time of its own
     mechanical_step: float
@@ -258,283 +132,140 @@ class StepLimits(NamedTuple):
     @classmethod
     def of(cls, struct: _abi.hfrac_step_limits) -> "StepLimits":
         """The struct's values."""
-        return cls(
-            StepLimit(struct.binding),
-            struct.flow_step,
-            struct.mechanical_step,
-            struct.explicit_step,
-        )
+        return filled(cls, struct)
 
 
 class WallState(NamedTuple):
     """One wall of a model with boundary.kind walls."""
 
-    #: 1: its servo keeps it at `target`, 0: fixed in place
-    moves: int
-    #: unit vector into the model
-    normal: Tuple[float, float]
-    #: [m] x of a wall across x, y of one across y, now
-    position: float
-    #: [m] inward, since bonding
-    displacement: float
-    #: [Pa] on it now, compression positive, effective: without what the pores outside carry
-    stress: float
-    #: [Pa] of the servo, likewise effective
-    target: float
-    #: discs that can touch it
-    disc_count: int
+    moves: int  #: 1: its servo keeps it at `target`, 0: fixed in place
+    normal: Tuple[float, float]  #: unit vector into the model
+    position: float  #: [m] x of a wall across x, y of one across y, now
+    displacement: float  #: [m] inward, since bonding
+    stress: float  #: [Pa] on it now, compression positive, effective: without what the pores outside carry
+    target: float  #: [Pa] of the servo, likewise effective
+    disc_count: int  #: discs that can touch it
 
     @classmethod
     def of(cls, struct: _abi.hfrac_wall_state) -> "WallState":
         """The struct's values."""
-        return cls(
-            struct.moves,
-            tuple(struct.normal),
-            struct.position,
-            struct.displacement,
-            struct.stress,
-            struct.target,
-            struct.disc_count,
-        )
+        return filled(cls, struct)
 
 
 class WellState(NamedTuple):
     """One well as it stands."""
 
-    #: enum hfrac_well_control in force
-    control: WellControl
-    #: [m] centre
-    x: float
-    #: [m]
-    y: float
-    #: [m] sqrt(area / pi) of the hole between disc centres
-    equivalent_radius: float
-    #: [Pa] now, as stress.convention says
-    pressure: float
-    #: [Pa]
-    target_pressure: float
-    #: [m2/s] into the well in the last step
-    rate: float
-    #: [m2] since the initial equilibration, at formation pressure
-    injected_volume: float
-    #: index of its domain
-    domain: int
+    control: WellControl  #: enum hfrac_well_control in force
+    x: float  #: [m] centre
+    y: float  #: [m]
+    equivalent_radius: float  #: [m] sqrt(area / pi) of the hole between disc centres
+    pressure: float  #: [Pa] now, as stress.convention says
+    target_pressure: float  #: [Pa]
+    rate: float  #: [m2/s] into the well in the last step
+    injected_volume: float  #: [m2] since the initial equilibration, at formation pressure
+    domain: int  #: index of its domain
     #: [m] of the hole that was asked for; its wall follows discs (equivalent_radius); 0: a pore
     #: (hfrac_well_add)
     radius: float
     #: [Pa] before the perforations, as stress.convention says; without friction that of the hole
     wellbore_pressure: float
-    #: [Pa] absolute: that of the wellbore less rho g depth
-    wellhead_pressure: float
-    #: [m2/s] that the pump gave the wellbore, with all its clusters, in the last step
-    wellbore_rate: float
-    #: enum hfrac_well_fluid: what it pumps; of a wellbore's clusters all that the first does
-    fluid: WellFluid
+    wellhead_pressure: float  #: [Pa] absolute: that of the wellbore less rho g depth
+    wellbore_rate: float  #: [m2/s] that the pump gave the wellbore, with all its clusters, in the last step
+    fluid: WellFluid  #: enum hfrac_well_fluid: what it pumps; of a wellbore's clusters all that the first does
 
     @classmethod
     def of(cls, struct: _abi.hfrac_well_state) -> "WellState":
         """The struct's values."""
-        return cls(
-            WellControl(struct.control),
-            struct.x,
-            struct.y,
-            struct.equivalent_radius,
-            struct.pressure,
-            struct.target_pressure,
-            struct.rate,
-            struct.injected_volume,
-            struct.domain,
-            struct.radius,
-            struct.wellbore_pressure,
-            struct.wellhead_pressure,
-            struct.wellbore_rate,
-            WellFluid(struct.fluid),
-        )
+        return filled(cls, struct)
 
 
 class Crack(NamedTuple):
     """One broken bond."""
 
-    #: from 0, in order of breakage, never reused
-    id: int
-    #: index of the bond
-    bond: int
-    #: indices of the discs
-    disc: Tuple[int, int]
-    #: step in which it broke; 0: during the initial equilibration
-    step: int
-    #: mechanical cycle in which it broke
-    cycle: int
-    #: [s] model time of that step
-    time: float
-    #: [m] middle of the contact now
-    position: Tuple[float, float]
-    #: unit vector from disc 0 to disc 1 now; the crack runs across it
-    normal: Tuple[float, float]
-    #: [m] length of the crack line (bond diameter)
-    length: float
-    #: [m] mechanical opening now, 0 if closed
-    aperture: float
-    #: [N] per thickness at failure, tension positive
-    normal_force: float
-    #: [N] per thickness at failure
-    shear_force: float
-    #: [J/m] elastic energy of the bond at failure; with bond.fracture_energy what it took
-    energy: float
-    #: enum hfrac_crack_mode
-    mode: CrackMode
-    #: index of its fracture now, as hfrac_fractures gives them
-    fracture: int
-    #: [m] between the centres of its discs when they were bonded
-    distance: float
-    #: [Pa] now, mean of the pores it lies between; 0 in a dry model
-    pressure: float
-    #: [m] of its pipe now (eq. 7), which the cubic law takes; 0 in a dry model
-    hydraulic_aperture: float
+    id: int  #: from 0, in order of breakage, never reused
+    bond: int  #: index of the bond
+    disc: Tuple[int, int]  #: indices of the discs
+    step: int  #: step in which it broke; 0: during the initial equilibration
+    cycle: int  #: mechanical cycle in which it broke
+    time: float  #: [s] model time of that step
+    position: Tuple[float, float]  #: [m] middle of the contact now
+    normal: Tuple[float, float]  #: unit vector from disc 0 to disc 1 now; the crack runs across it
+    length: float  #: [m] length of the crack line (bond diameter)
+    aperture: float  #: [m] mechanical opening now, 0 if closed
+    normal_force: float  #: [N] per thickness at failure, tension positive
+    shear_force: float  #: [N] per thickness at failure
+    energy: float  #: [J/m] elastic energy of the bond at failure; with bond.fracture_energy what it took
+    mode: CrackMode  #: enum hfrac_crack_mode
+    fracture: int  #: index of its fracture now, as hfrac_fractures gives them
+    distance: float  #: [m] between the centres of its discs when they were bonded
+    pressure: float  #: [Pa] now, mean of the pores it lies between; 0 in a dry model
+    hydraulic_aperture: float  #: [m] of its pipe now (eq. 7), which the cubic law takes; 0 in a dry model
 
     @classmethod
     def of(cls, struct: _abi.hfrac_crack) -> "Crack":
         """The struct's values."""
-        return cls(
-            struct.id,
-            struct.bond,
-            tuple(struct.disc),
-            struct.step,
-            struct.cycle,
-            struct.time,
-            tuple(struct.position),
-            tuple(struct.normal),
-            struct.length,
-            struct.aperture,
-            struct.normal_force,
-            struct.shear_force,
-            struct.energy,
-            CrackMode(struct.mode),
-            struct.fracture,
-            struct.distance,
-            struct.pressure,
-            struct.hydraulic_aperture,
-        )
+        return filled(cls, struct)
 
 
 class Fracture(NamedTuple):
     """One fracture."""
 
-    #: from 0, most cracks first
-    index: int
-    #: cracks in it
-    crack_count: int
-    #: of them in tension
-    tensile_cracks: int
-    #: [m] longest way along it: from the two longest wings if it starts at a well, the hole left out
-    length: float
-    #: [m] largest distance between two of its crack ends
-    extent: float
-    #: [m] farthest crack end from the wall of its well; 0 if not connected
-    reach: float
-    #: [rad] direction of its long axis against x (sigma_Hmax), -pi/2 to pi/2
-    azimuth: float
-    #: [m] mechanical, weighted by crack length
-    mean_aperture: float
-    #: [m] the fracture's width
-    largest_aperture: float
-    #: [m2] aperture times length, summed
-    volume: float
-    #: [Pa] of the domains along it
-    mean_pressure: float
-    #: index of the well it is connected to, -1 if none
-    well: int
-    #: separate branches that start at its well; 1 if not connected to one
-    wings: int
+    index: int  #: from 0, most cracks first
+    crack_count: int  #: cracks in it
+    tensile_cracks: int  #: of them in tension
+    length: float  #: [m] longest way along it: from the two longest wings if it starts at a well, the hole left out
+    extent: float  #: [m] largest distance between two of its crack ends
+    reach: float  #: [m] farthest crack end from the wall of its well; 0 if not connected
+    azimuth: float  #: [rad] direction of its long axis against x (sigma_Hmax), -pi/2 to pi/2
+    mean_aperture: float  #: [m] mechanical, weighted by crack length
+    largest_aperture: float  #: [m] the fracture's width
+    volume: float  #: [m2] aperture times length, summed
+    mean_pressure: float  #: [Pa] of the domains along it
+    well: int  #: index of the well it is connected to, -1 if none
+    wings: int  #: separate branches that start at its well; 1 if not connected to one
 
     @classmethod
     def of(cls, struct: _abi.hfrac_fracture) -> "Fracture":
         """The struct's values."""
-        return cls(
-            struct.index,
-            struct.crack_count,
-            struct.tensile_cracks,
-            struct.length,
-            struct.extent,
-            struct.reach,
-            struct.azimuth,
-            struct.mean_aperture,
-            struct.largest_aperture,
-            struct.volume,
-            struct.mean_pressure,
-            struct.well,
-            struct.wings,
-        )
+        return filled(cls, struct)
 
 
 class FracturePoint(NamedTuple):
     """A place on the line of a fracture: one of its cracks."""
 
-    #: [m] middle of the crack now
-    position: Tuple[float, float]
+    position: Tuple[float, float]  #: [m] middle of the crack now
     #: [m] along the line from the centre of the well, below 0 on wing 0; without a well from its middle
     distance: float
-    #: [m] of the line that this crack stands for
-    length: float
-    #: [m] mechanical opening now, 0 if closed
-    aperture: float
-    #: [m] that the cubic law takes; 0 in a dry model
-    hydraulic_aperture: float
-    #: [Pa] now, mean of the pores it lies between; 0 in a dry model
-    pressure: float
-    #: [1] share of these pores that fluid fills; 0 in a dry model
-    saturation: float
-    #: bond that broke
-    bond: int
-    #: 0: towards smaller x (y, if the fracture stands upright), 1: the other; -1 without a well
-    wing: int
-    #: 1: the line ends here
-    tip: int
+    length: float  #: [m] of the line that this crack stands for
+    aperture: float  #: [m] mechanical opening now, 0 if closed
+    hydraulic_aperture: float  #: [m] that the cubic law takes; 0 in a dry model
+    pressure: float  #: [Pa] now, mean of the pores it lies between; 0 in a dry model
+    saturation: float  #: [1] share of these pores that fluid fills; 0 in a dry model
+    bond: int  #: bond that broke
+    wing: int  #: 0: towards smaller x (y, if the fracture stands upright), 1: the other; -1 without a well
+    tip: int  #: 1: the line ends here
 
     @classmethod
     def of(cls, struct: _abi.hfrac_fracture_point) -> "FracturePoint":
         """The struct's values."""
-        return cls(
-            tuple(struct.position),
-            struct.distance,
-            struct.length,
-            struct.aperture,
-            struct.hydraulic_aperture,
-            struct.pressure,
-            struct.saturation,
-            struct.bond,
-            struct.wing,
-            struct.tip,
-        )
+        return filled(cls, struct)
 
 
 class Slip(NamedTuple):
     """What a contact of a smooth joint slipped since its last entry."""
 
-    #: from 0, in order of time, never reused
-    id: int
-    #: index of the contact's bond
-    bond: int
-    #: indices of its discs
-    disc: Tuple[int, int]
-    #: index of the joint in the definition
-    joint: int
-    #: step in which it slipped; 0: during the initial equilibration
-    step: int
-    #: [s] end of the increment in which it slipped
-    time: float
-    #: [s] of that increment
-    duration: float
-    #: [m] of the contact, where it was bonded
-    position: Tuple[float, float]
-    #: unit normal of the joint, from disc 0 to disc 1
-    normal: Tuple[float, float]
-    #: [m] of the joint that the contact stands for
-    length: float
-    #: [m] above 0: disc 1 moved along the normal turned by +90 degrees against disc 0
-    slip: float
-    #: [m] between the centres of its discs when they were bonded
-    distance: float
+    id: int  #: from 0, in order of time, never reused
+    bond: int  #: index of the contact's bond
+    disc: Tuple[int, int]  #: indices of its discs
+    joint: int  #: index of the joint in the definition
+    step: int  #: step in which it slipped; 0: during the initial equilibration
+    time: float  #: [s] end of the increment in which it slipped
+    duration: float  #: [s] of that increment
+    position: Tuple[float, float]  #: [m] of the contact, where it was bonded
+    normal: Tuple[float, float]  #: unit normal of the joint, from disc 0 to disc 1
+    length: float  #: [m] of the joint that the contact stands for
+    slip: float  #: [m] above 0: disc 1 moved along the normal turned by +90 degrees against disc 0
+    distance: float  #: [m] between the centres of its discs when they were bonded
     #: [Pa] of the rock, estimated from its bonds as if discs moved with the mean strain (Agnolin and Kruyt
     #: 2008): an upper bound
     shear_modulus: float
@@ -542,36 +273,17 @@ class Slip(NamedTuple):
     @classmethod
     def of(cls, struct: _abi.hfrac_slip) -> "Slip":
         """The struct's values."""
-        return cls(
-            struct.id,
-            struct.bond,
-            tuple(struct.disc),
-            struct.joint,
-            struct.step,
-            struct.time,
-            struct.duration,
-            tuple(struct.position),
-            tuple(struct.normal),
-            struct.length,
-            struct.slip,
-            struct.distance,
-            struct.shear_modulus,
-        )
+        return filled(cls, struct)
 
 
 class CatalogueOptions(NamedTuple):
     """How cracks and slips make events."""
 
-    #: [m] 0 or more; 0: twice the mean distance between the discs of the cracks (or slips)
-    distance: float
-    #: [s] 0 or more; 0: cracks of the same step only, slips of the same increment only
-    time_window: float
-    #: 0 or more mechanical cycles; 0: no limit within the time window
-    cycle_window: int
-    #: [m] of rock that the plane stands for; 0: 1 m
-    thickness: float
-    #: [Pa] of the rock, for slips; 0: the one that each slip gives
-    shear_modulus: float
+    distance: float  #: [m] 0 or more; 0: twice the mean distance between the discs of the cracks (or slips)
+    time_window: float  #: [s] 0 or more; 0: cracks of the same step only, slips of the same increment only
+    cycle_window: int  #: 0 or more mechanical cycles; 0: no limit within the time window
+    thickness: float  #: [m] of rock that the plane stands for; 0: 1 m
+    shear_modulus: float  #: [Pa] of the rock, for slips; 0: the one that each slip gives
     #: [m/s] 0 or more: slips slower than this, over their increment, are left out; 0: none. It says something
     #: where increments are as short as slip is fast, so in mode "dynamic"
     slip_rate: float
@@ -579,169 +291,87 @@ class CatalogueOptions(NamedTuple):
     @classmethod
     def of(cls, struct: _abi.hfrac_catalogue_options) -> "CatalogueOptions":
         """The struct's values."""
-        return cls(
-            struct.distance,
-            struct.time_window,
-            struct.cycle_window,
-            struct.thickness,
-            struct.shear_modulus,
-            struct.slip_rate,
-        )
+        return filled(cls, struct)
 
 
 class Event(NamedTuple):
     """One event."""
 
-    #: from 0, in order of the first crack or slip
-    index: int
-    #: id of that crack; -1 of an event from slip
-    first_crack: int
-    #: cracks in it
-    crack_count: int
-    #: of them in tension
-    tensile_cracks: int
-    #: mechanical cycle of its first break
-    first_cycle: int
-    #: and of its last
-    last_cycle: int
-    #: [s] of its first crack or slip
-    time: float
-    #: [m] mean place of its cracks or slips
-    position: Tuple[float, float]
-    #: [N m] xx, yy, xy; outward positive
-    moment_tensor: Tuple[float, float, float]
-    #: [N m] sqrt(m_ij m_ij / 2) (Silver and Jordan 1982)
-    moment: float
-    #: of the moment (Hanks and Kanamori 1979); NaN without one
-    magnitude: float
-    #: [J] elastic energy of the broken bonds; 0 of an event from slip
-    energy: float
-    #: 2/3 log10 energy - 2.9 (Choy and Boatwright 1995), an upper bound; NaN without energy
-    energy_magnitude: float
+    index: int  #: from 0, in order of the first crack or slip
+    first_crack: int  #: id of that crack; -1 of an event from slip
+    crack_count: int  #: cracks in it
+    tensile_cracks: int  #: of them in tension
+    first_cycle: int  #: mechanical cycle of its first break
+    last_cycle: int  #: and of its last
+    time: float  #: [s] of its first crack or slip
+    position: Tuple[float, float]  #: [m] mean place of its cracks or slips
+    moment_tensor: Tuple[float, float, float]  #: [N m] xx, yy, xy; outward positive
+    moment: float  #: [N m] sqrt(m_ij m_ij / 2) (Silver and Jordan 1982)
+    magnitude: float  #: of the moment (Hanks and Kanamori 1979); NaN without one
+    energy: float  #: [J] elastic energy of the broken bonds; 0 of an event from slip
+    energy_magnitude: float  #: 2/3 log10 energy - 2.9 (Choy and Boatwright 1995), an upper bound; NaN without energy
     #: -1 to 1 (Feignier and Young 1992, in the plane): 0.5 opens as one crack, 0 shears, below 0 closes
     isotropic_fraction: float
-    #: [m] summed over its cracks, or over its contacts that slipped
-    length: float
-    #: [m] from its position to the farthest of its cracks or slips
-    radius: float
-    #: enum hfrac_event_kind
-    kind: EventKind
-    #: 0
-    pad: int
-    #: id of its first slip; -1 of an event from cracks
-    first_slip: int
-    #: slips in it
-    slip_count: int
-    #: [m] mean over its length; 0 of an event from cracks
-    slip: float
-    #: [s] from its first crack or slip to its last
-    duration: float
+    length: float  #: [m] summed over its cracks, or over its contacts that slipped
+    radius: float  #: [m] from its position to the farthest of its cracks or slips
+    kind: EventKind  #: enum hfrac_event_kind
+    pad: int  #: 0
+    first_slip: int  #: id of its first slip; -1 of an event from cracks
+    slip_count: int  #: slips in it
+    slip: float  #: [m] mean over its length; 0 of an event from cracks
+    duration: float  #: [s] from its first crack or slip to its last
 
     @classmethod
     def of(cls, struct: _abi.hfrac_event) -> "Event":
         """The struct's values."""
-        return cls(
-            struct.index,
-            struct.first_crack,
-            struct.crack_count,
-            struct.tensile_cracks,
-            struct.first_cycle,
-            struct.last_cycle,
-            struct.time,
-            tuple(struct.position),
-            tuple(struct.moment_tensor),
-            struct.moment,
-            struct.magnitude,
-            struct.energy,
-            struct.energy_magnitude,
-            struct.isotropic_fraction,
-            struct.length,
-            struct.radius,
-            EventKind(struct.kind),
-            struct.pad,
-            struct.first_slip,
-            struct.slip_count,
-            struct.slip,
-            struct.duration,
-        )
+        return filled(cls, struct)
 
 
 class MagnitudeLaw(NamedTuple):
     """The law log10 N = a - b M of Gutenberg and Richter, N the events of magnitude M or more."""
 
-    #: magnitude from which on events are counted
-    completeness: float
-    #: log10 e / (mean magnitude - completeness) (Aki 1965); 0: fewer than two different magnitudes
-    b: float
-    #: b / sqrt(count), its standard error (Aki 1965)
-    b_error: float
-    #: log10 of the events from magnitude 0 on that the law gives
-    a: float
-    #: events at or above completeness
-    count: int
+    completeness: float  #: magnitude from which on events are counted
+    b: float  #: log10 e / (mean magnitude - completeness) (Aki 1965); 0: fewer than two different magnitudes
+    b_error: float  #: b / sqrt(count), its standard error (Aki 1965)
+    a: float  #: log10 of the events from magnitude 0 on that the law gives
+    count: int  #: events at or above completeness
 
     @classmethod
     def of(cls, struct: _abi.hfrac_magnitude_law) -> "MagnitudeLaw":
         """The struct's values."""
-        return cls(
-            struct.completeness,
-            struct.b,
-            struct.b_error,
-            struct.a,
-            struct.count,
-        )
+        return filled(cls, struct)
 
 
 class Traffic(NamedTuple):
     """What a rank does for the others in a cycle, since the model was built; zeros with one rank."""
 
-    #: received a cycle
-    messages: int
-    #: [B] received a cycle
-    bytes: int
-    #: discs of other ranks whose motion is received
-    foreign_discs: int
-    #: bonds that this rank does beside another, which counts them
-    shared_bonds: int
+    messages: int  #: received a cycle
+    bytes: int  #: [B] received a cycle
+    foreign_discs: int  #: discs of other ranks whose motion is received
+    shared_bonds: int  #: bonds that this rank does beside another, which counts them
 
     @classmethod
     def of(cls, struct: _abi.hfrac_traffic) -> "Traffic":
         """The struct's values."""
-        return cls(
-            struct.messages,
-            struct.bytes,
-            struct.foreign_discs,
-            struct.shared_bonds,
-        )
+        return filled(cls, struct)
 
 
 class Cell(NamedTuple):
     """One cell of the host's grid as the model fills it."""
 
-    #: [m2] of the cell
-    area: float
-    #: share of it that the model covers, 0 to 1
-    coverage: float
+    area: float  #: [m2] of the cell
+    coverage: float  #: share of it that the model covers, 0 to 1
     #: [m2] that the cracks add: xx, yy, xy in the model's axes, over the cell's whole area
     permeability: Tuple[float, float, float]
-    #: [m2] of the rock between the cracks, over the part covered; 0 if not covered
-    matrix_permeability: float
-    #: opening times length of the cracks over the cell's area
-    fracture_porosity: float
-    #: pore volume of the network over area, of the part covered
-    matrix_porosity: float
-    #: [m] length of crack lines in the cell
-    crack_length: float
-    #: [m2/s] from pores beside cracks into others, in the last step
-    leak_off: float
-    #: [m2/s] out of the model through its edge into this cell, in the last step
-    outflow: float
-    #: [Pa] of pores beside no crack, mean by volume; formation pressure if there are none
-    pressure: float
-    #: [Pa] of pores beside cracks, mean by opening; as `pressure` without cracks
-    fracture_pressure: float
-    #: cracks with some length in the cell
-    crack_count: int
+    matrix_permeability: float  #: [m2] of the rock between the cracks, over the part covered; 0 if not covered
+    fracture_porosity: float  #: opening times length of the cracks over the cell's area
+    matrix_porosity: float  #: pore volume of the network over area, of the part covered
+    crack_length: float  #: [m] length of crack lines in the cell
+    leak_off: float  #: [m2/s] from pores beside cracks into others, in the last step
+    outflow: float  #: [m2/s] out of the model through its edge into this cell, in the last step
+    pressure: float  #: [Pa] of pores beside no crack, mean by volume; formation pressure if there are none
+    fracture_pressure: float  #: [Pa] of pores beside cracks, mean by opening; as `pressure` without cracks
+    crack_count: int  #: cracks with some length in the cell
     #: [m2/(Pa s)] of the pipes through the model's edge to this cell: `outflow` falls by so much for each Pa
     #: the cell's pressure (hfrac_set_boundary_pressure) is raised while the pores inside keep theirs; over a
     #: long step pores follow and it falls by less. At the apertures as they are now, those of the next step
@@ -750,154 +380,64 @@ class Cell(NamedTuple):
     @classmethod
     def of(cls, struct: _abi.hfrac_cell) -> "Cell":
         """The struct's values."""
-        return cls(
-            struct.area,
-            struct.coverage,
-            tuple(struct.permeability),
-            struct.matrix_permeability,
-            struct.fracture_porosity,
-            struct.matrix_porosity,
-            struct.crack_length,
-            struct.leak_off,
-            struct.outflow,
-            struct.pressure,
-            struct.fracture_pressure,
-            struct.crack_count,
-            struct.conductance,
-        )
+        return filled(cls, struct)
 
 
 class Heat(NamedTuple):
     """Heat of rock and pores, wells excluded, counted from thermal.rock_temperature."""
 
-    #: 0 off, 1 uniform, 2 transport
-    mode: int
-    #: [J/m] in rock and pores beyond that after the initial equilibration
-    stored: float
-    #: [J/m] from wells since the initial equilibration: carried and through their walls
-    wells: float
-    #: [J/m] carried in through the outer boundary
-    outside: float
-    #: [J/m] from discs that are held
-    held: float
-    #: [J/m] put in by the host: temperatures it set, fluid it put into pores
-    host: float
-    #: [J/m] wells + outside + held + host - stored: rounding
-    error: float
-    #: [J/m] elastic energy that changes of temperature put in; one of the works of hfrac_balance
-    thermal_work: float
-    #: [K] coldest disc
-    lowest: float
-    #: [K] warmest disc
-    highest: float
+    mode: int  #: 0 off, 1 uniform, 2 transport
+    stored: float  #: [J/m] in rock and pores beyond that after the initial equilibration
+    wells: float  #: [J/m] from wells since the initial equilibration: carried and through their walls
+    outside: float  #: [J/m] carried in through the outer boundary
+    held: float  #: [J/m] from discs that are held
+    host: float  #: [J/m] put in by the host: temperatures it set, fluid it put into pores
+    error: float  #: [J/m] wells + outside + held + host - stored: rounding
+    thermal_work: float  #: [J/m] elastic energy that changes of temperature put in; one of the works of hfrac_balance
+    lowest: float  #: [K] coldest disc
+    highest: float  #: [K] warmest disc
 
     @classmethod
     def of(cls, struct: _abi.hfrac_heat) -> "Heat":
         """The struct's values."""
-        return cls(
-            struct.mode,
-            struct.stored,
-            struct.wells,
-            struct.outside,
-            struct.held,
-            struct.host,
-            struct.error,
-            struct.thermal_work,
-            struct.lowest,
-            struct.highest,
-        )
+        return filled(cls, struct)
 
 
 class LabReport(NamedTuple):
     """What a test found; 0 where a test has no such thing."""
 
-    #: enum hfrac_lab_end
-    end: LabEnd
-    #: what the test is for, see enum hfrac_lab_test
-    value: float
-    #: [Pa] E in plane strain
-    modulus: float
-    #: nu in plane strain
-    poisson: float
-    #: [Pa] E', slope of the two-dimensional model
-    plane_modulus: float
-    #: nu', likewise
-    plane_poisson: float
-    #: [Pa] largest stress (or fluid pressure) borne
-    peak_stress: float
-    #: axial strain there, extension positive
-    strain_at_peak: float
-    #: [Pa] at the first broken bond
-    first_crack_stress: float
-    #: [m] a: half the slit, or the depth of a notch, as cut between bonds
-    slit_half_length: float
-    #: F of K = F sigma sqrt(pi a), or the Brazilian's sigma over P / D
-    geometry_factor: float
-    #: K_Ic over sigma_c sqrt(mean radius)
-    toughness_coefficient: float
-    #: [m2] along x
-    permeability_x: float
-    #: [m2] along y
-    permeability_y: float
-    #: [m] r0 in use (eq. 7)
-    zero_stress_aperture: float
-    #: [m] of the discs packed
-    mean_radius: float
-    #: bonds per disc times two
-    coordination: float
-    #: largest mean unbalanced over mean contact force of all equilibria
-    force_ratio: float
-    #: largest stress over strength less 1 at which a bond broke, up to the peak
-    worst_overshoot: float
-    #: wall time of the packing
-    packing_seconds: float
-    #: wall time of the test
-    test_seconds: float
-    #: discs of the specimen
-    disc_count: int
-    #: bonds of the specimen
-    bond_count: int
-    #: bonds broken in tension
-    tensile_cracks: int
-    #: bonds broken in shear
-    shear_cracks: int
-    #: sparse factors computed
-    factor_count: int
-    #: equilibria that took the explicit solver
-    relaxation_count: int
+    end: LabEnd  #: enum hfrac_lab_end
+    value: float  #: what the test is for, see enum hfrac_lab_test
+    modulus: float  #: [Pa] E in plane strain
+    poisson: float  #: nu in plane strain
+    plane_modulus: float  #: [Pa] E', slope of the two-dimensional model
+    plane_poisson: float  #: nu', likewise
+    peak_stress: float  #: [Pa] largest stress (or fluid pressure) borne
+    strain_at_peak: float  #: axial strain there, extension positive
+    first_crack_stress: float  #: [Pa] at the first broken bond
+    slit_half_length: float  #: [m] a: half the slit, or the depth of a notch, as cut between bonds
+    geometry_factor: float  #: F of K = F sigma sqrt(pi a), or the Brazilian's sigma over P / D
+    toughness_coefficient: float  #: K_Ic over sigma_c sqrt(mean radius)
+    permeability_x: float  #: [m2] along x
+    permeability_y: float  #: [m2] along y
+    zero_stress_aperture: float  #: [m] r0 in use (eq. 7)
+    mean_radius: float  #: [m] of the discs packed
+    coordination: float  #: bonds per disc times two
+    force_ratio: float  #: largest mean unbalanced over mean contact force of all equilibria
+    worst_overshoot: float  #: largest stress over strength less 1 at which a bond broke, up to the peak
+    packing_seconds: float  #: wall time of the packing
+    test_seconds: float  #: wall time of the test
+    disc_count: int  #: discs of the specimen
+    bond_count: int  #: bonds of the specimen
+    tensile_cracks: int  #: bonds broken in tension
+    shear_cracks: int  #: bonds broken in shear
+    factor_count: int  #: sparse factors computed
+    relaxation_count: int  #: equilibria that took the explicit solver
 
     @classmethod
     def of(cls, struct: _abi.hfrac_lab_report) -> "LabReport":
         """The struct's values."""
-        return cls(
-            LabEnd(struct.end),
-            struct.value,
-            struct.modulus,
-            struct.poisson,
-            struct.plane_modulus,
-            struct.plane_poisson,
-            struct.peak_stress,
-            struct.strain_at_peak,
-            struct.first_crack_stress,
-            struct.slit_half_length,
-            struct.geometry_factor,
-            struct.toughness_coefficient,
-            struct.permeability_x,
-            struct.permeability_y,
-            struct.zero_stress_aperture,
-            struct.mean_radius,
-            struct.coordination,
-            struct.force_ratio,
-            struct.worst_overshoot,
-            struct.packing_seconds,
-            struct.test_seconds,
-            struct.disc_count,
-            struct.bond_count,
-            struct.tensile_cracks,
-            struct.shear_cracks,
-            struct.factor_count,
-            struct.relaxation_count,
-        )
+        return filled(cls, struct)
 
 
 class Calibration(NamedTuple):
@@ -908,35 +448,17 @@ class Calibration(NamedTuple):
     reached: int
     #: mean over as many packings again, not those calibrated on
     achieved: Tuple[float, float, float, float, float, float]
-    #: standard deviation over them
-    spread: Tuple[float, float, float, float, float, float]
+    spread: Tuple[float, float, float, float, float, float]  #: standard deviation over them
     #: least that can be had with the other targets as they are; NaN: no bound known
     lowest: Tuple[float, float, float, float, float, float]
-    #: most, likewise
-    highest: Tuple[float, float, float, float, float, float]
-    #: [m] r0 at the model's disc size, if permeability was asked
-    zero_stress_aperture: float
-    #: K_Ic over sigma_c sqrt(R), if K_Ic was asked
-    toughness_coefficient: float
-    #: wall time
-    seconds: float
-    #: tests done
-    test_count: int
-    #: what could not be reached, and the nearest; empty if all was
-    text: str
+    highest: Tuple[float, float, float, float, float, float]  #: most, likewise
+    zero_stress_aperture: float  #: [m] r0 at the model's disc size, if permeability was asked
+    toughness_coefficient: float  #: K_Ic over sigma_c sqrt(R), if K_Ic was asked
+    seconds: float  #: wall time
+    test_count: int  #: tests done
+    text: str  #: what could not be reached, and the nearest; empty if all was
 
     @classmethod
     def of(cls, struct: _abi.hfrac_calibration) -> "Calibration":
         """The struct's values."""
-        return cls(
-            struct.reached,
-            tuple(struct.achieved),
-            tuple(struct.spread),
-            tuple(struct.lowest),
-            tuple(struct.highest),
-            struct.zero_stress_aperture,
-            struct.toughness_coefficient,
-            struct.seconds,
-            struct.test_count,
-            struct.text.decode(),
-        )
+        return filled(cls, struct)
