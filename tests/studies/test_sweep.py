@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import signal
+import struct
 import subprocess
 import tempfile
 import time
@@ -40,6 +41,9 @@ class Sweep(unittest.TestCase):
         out = self.folder / "out"
         table = rows(out / "table.csv")
         self.assertEqual(len(table), 16)
+        names = list(table[0])
+        numbers = [[int(row["run"]), *(float(row[name]) for name in names[1:4])] for row in table]
+        self.assertIn(b"".join(struct.pack("<d", row[1]) for row in numbers), (out / "table.parquet").read_bytes())
         self.assertEqual([row["packing"] for row in table[:2]], ["1", "2"])
         self.assertTrue(all(row["status"] == "done" for row in table))
         for row in table:  # a well at a held pressure has it
