@@ -4,6 +4,7 @@ import csv
 import json
 import os
 import pathlib
+import re
 import signal
 import struct
 import subprocess
@@ -110,6 +111,8 @@ class Sweep(unittest.TestCase):
                          '[[parameter]]\noption = "fluid.viscosity"\nlaw = "normal"\nmean = 1e-3\ndeviation = 1e-3\n')
         done = self.sweep(study, "out")
         self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, "(?m)^run 7 failed: .*fluid.viscosity")  # refused before anything ran
+        self.assertEqual(len(re.findall("(?m)^run [0-9]+ failed", done.stderr)), 1)
         self.assertRegex(done.stderr, "1 of 9 runs failed, as run 6 .*well.*60")
         self.assertRegex(done.stderr, "1 of 9 runs failed, as run 7 .*fluid.viscosity")
         self.assertIn("--retry", done.stderr)
