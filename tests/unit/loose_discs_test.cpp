@@ -80,8 +80,7 @@ TEST(FallenDiscs, AreGoneFromTheHolesWall) {
     const Assembly& a = m.assembly;
     EXPECT_EQ(with.removed_in_wells, without.removed_in_wells);
     EXPECT_EQ(a.disc_count(), with.packed - with.removed_in_wells - with.removed_floaters);
-    EXPECT_EQ(static_cast<std::int64_t>(m.cracks.size()),
-              std::count(a.intact.begin(), a.intact.end(), 0));
+    EXPECT_EQ(static_cast<std::int64_t>(m.cracks.size()), std::count(a.intact.begin(), a.intact.end(), 0));
     fallen += with.removed_floaters - without.removed_floaters;
     // Beside the well are the discs of its pipes.
     std::vector<int> held(static_cast<std::size_t>(a.disc_count()));
@@ -90,7 +89,8 @@ TEST(FallenDiscs, AreGoneFromTheHolesWall) {
       const auto well = m.wells[0].place.domain;
       for (const auto i : {a.first[e], a.second[e]}) {
         held[static_cast<std::size_t>(i)] += a.intact[e] != 0 ? 1 : 0;
-        if (m.network.left[static_cast<std::size_t>(e)] == well || m.network.right[static_cast<std::size_t>(e)] == well)
+        if (m.network.left[static_cast<std::size_t>(e)] == well ||
+            m.network.right[static_cast<std::size_t>(e)] == well)
           wall[static_cast<std::size_t>(i)] = 1;
       }
     }

@@ -33,13 +33,16 @@ struct AnalyseRequest {
 };
 
 ExitCode analyse(const AnalyseRequest& request) {
-  const InjectionRecord record = read_injection(request.source, request.thickness > 0.0 ? request.thickness : 1.0);
+  const InjectionRecord record =
+      read_injection(request.source, request.thickness > 0.0 ? request.thickness : 1.0);
   const FalloffTerms terms{request.leak_off == "most" ? LeakOff::most : LeakOff::little,
                            request.injection_time};
   const Analysis analysis = analyse_record(record, find_shut_in(record, request.shut_in), terms);
   if (!request.quiet) fmt::print("{}\n{}", request.source, words_of(analysis, record));
-  if (!request.quiet && request.thickness == 0.0 && !record.rate.empty() && !std::filesystem::is_directory(request.source))
-    fmt::print("  {:18} 1 m is taken where rates are of the whole thickness; --thickness M gives it\n", "thickness");
+  if (!request.quiet && request.thickness == 0.0 && !record.rate.empty() &&
+      !std::filesystem::is_directory(request.source))
+    fmt::print("  {:18} 1 m is taken where rates are of the whole thickness; --thickness M gives it\n",
+               "thickness");
   if (!request.output.empty()) run::write_whole(request.output, json_of(analysis, record).dump(2) + "\n");
 #ifdef HFRAC_WITH_RENDERER
   if (!request.picture.empty())
