@@ -242,7 +242,8 @@ class CaseReader {
     }
     if (notes_ != nullptr)
       notes_->push_back(name + ": the " + std::to_string(record.time.size()) + " rows of " +
-                        printable(path, 400) + " gave " + std::to_string(entries.size()) +
+                        printable(path, 400) + ", " + number_text(record.time.front()) + " to " +
+                        number_text(record.time.back()) + " s, gave " + std::to_string(entries.size()) +
                         " entries of its schedule, within " + rounded_text(100.0 * share) + " % of the " +
                         (by_rate ? "volume" : "range of pressure"));
   }

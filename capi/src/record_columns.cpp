@@ -56,12 +56,12 @@ class Header {
     std::optional<RecordColumn> found;
     std::string_view unknown;
     for (std::size_t place = 0; place < names_.size(); ++place) {
-      if (!names_[place].starts_with(quantity.name)) continue;
+      if (!name_at(place).starts_with(quantity.name)) continue;
       const auto column = column_of(quantity, place);
       if (column && found)
         refuse("both " + found->name + " and " + column->name + "; leave one of them out.");
       if (column) found = column;
-      const auto rest = names_[place].substr(quantity.name.size());
+      const auto rest = name_at(place).substr(quantity.name.size());
       if (!column && (rest.empty() || rest.front() == '_')) unknown = names_[place];
     }
     if (!found && !unknown.empty())
@@ -76,8 +76,17 @@ class Header {
  private:
   [[noreturn]] void refuse(const std::string& fault) const { refuse_record(path_, line_, fault); }
 
+  // Where there is no other, a run's own name of the pressure, well_pressure_Pa, is one too.
+  std::string_view name_at(std::size_t place) const {
+    std::string_view name = names_[place];
+    const auto plain = [](std::string_view other) { return other.starts_with("pressure"); };
+    if (name.starts_with("well_pressure_") && std::none_of(names_.begin(), names_.end(), plain))
+      name.remove_prefix(std::string_view("well_").size());
+    return name;
+  }
+
   std::optional<RecordColumn> column_of(const Quantity& quantity, std::size_t place) const {
-    const std::string_view name = names_[place];
+    const std::string_view name = name_at(place);
     if (name == "time" && quantity.name == "time") return RecordColumn{place, std::string(name), 1.0, true};
     if (name.size() <= quantity.name.size() || name[quantity.name.size()] != '_') return std::nullopt;
     const std::string unit_name = without_per(name.substr(quantity.name.size() + 1));

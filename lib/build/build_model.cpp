@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "build/fallen_discs.hpp"
 #include "build/wellbores.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
@@ -32,6 +33,21 @@ Packing take_given(std::span<const double> discs) {
     packing.radius.push_back(discs[3 * i + 2]);
   }
   return packing;
+}
+
+std::vector<std::int32_t> faces_of_wells(const CaseDefinition& definition, const ContactGraph& graph,
+                                         const Faces& faces) {
+  std::vector<std::int32_t> found;
+  for (std::size_t w = 0; w < definition.wells.size(); ++w) {
+    const auto& well = definition.wells[w];
+    found.push_back(face_around(graph, faces, {well.x, well.y}));
+    if (found.back() < 0) {
+      throw Error(ErrorKind::model, "well[" + std::to_string(w) + "] at (" + std::to_string(well.x) + ", " +
+                                        std::to_string(well.y) +
+                                        ") m is not surrounded by rock; move it inward or make it smaller");
+    }
+  }
+  return found;
 }
 
 }  // namespace
@@ -70,37 +86,37 @@ Model build_model(const CaseDefinition& definition, Packing packing,
                   std::span<const std::int64_t> given_bonds, SetupReport& report) {
   const Options& o = definition.options;
   Model model;
+  Assembly& assembly = model.assembly;
   std::vector<Hole> holes;
   for (const auto& well : definition.wells) holes.push_back({{well.x, well.y}, well.radius});
-  ContactGraph graph = build_contact_graph(packing.x, packing.y, packing.radius, holes, o.bond_gap_tolerance,
-                                           given_bonds, packing.sizes);
-  packing = {};
-  report.removed_in_wells = graph.removed_in_wells;
-  report.removed_floaters = graph.removed_floaters;
-  report.removed_crossings = graph.removed_crossings;
-  report.unbonded = std::count(graph.bonded.begin(), graph.bonded.end(), 0);
-  Hash bonded;
-  bonded.add_all(graph.bonded);
-  report.bonded = bonded.value();
-  Faces faces = build_faces(graph);
-
+  Faces faces;
   std::vector<std::int32_t> well_domains;
-  for (std::size_t w = 0; w < definition.wells.size(); ++w) {
-    const auto& well = definition.wells[w];
-    const auto face = face_around(graph, faces, {well.x, well.y});
-    if (face < 0) {
-      throw Error(ErrorKind::model, "well[" + std::to_string(w) + "] at (" + std::to_string(well.x) + ", " +
-                                        std::to_string(well.y) +
-                                        ") m is not surrounded by rock; move it inward or make it smaller");
-    }
-    well_domains.push_back(face);
-  }
-  Assembly& assembly = model.assembly;
-  assembly = build_assembly(std::move(graph), o);
-  if (o.bond_fracture_toughness > 0.0 && FractureLaw{o.fracture_law} != FractureLaw::facet)
-    apply_fracture_toughness(assembly, o);
   report.joints = static_cast<std::int64_t>(definition.joints.size());
-  report.joints_left_out = apply_joints(assembly, definition.joints, o, model.cracks);
+  for (std::int64_t fallen = 0;;) {
+    ContactGraph graph = build_contact_graph(packing.x, packing.y, packing.radius, holes,
+                                             o.bond_gap_tolerance, given_bonds, packing.sizes);
+    if (definition.joints.empty()) packing = {};
+    report.removed_in_wells = graph.removed_in_wells - fallen;
+    report.removed_floaters = graph.removed_floaters + fallen;
+    report.removed_crossings = graph.removed_crossings;
+    report.unbonded = std::count(graph.bonded.begin(), graph.bonded.end(), 0);
+    Hash bonded;
+    bonded.add_all(graph.bonded);
+    report.bonded = bonded.value();
+    faces = build_faces(graph);
+    well_domains = faces_of_wells(definition, graph, faces);
+    assembly = build_assembly(std::move(graph), o);
+    if (o.bond_fracture_toughness > 0.0 && FractureLaw{o.fracture_law} != FractureLaw::facet)
+      apply_fracture_toughness(assembly, o);
+    report.joints_left_out = apply_joints(assembly, definition.joints, o, model.cracks);
+    // What falls is cut as by a hole of its own, so that a host's list of bonds still counts the discs that it gave.
+    const auto loose = fallen_discs(assembly, definition.joints, faces, well_domains);
+    if (loose.empty()) break;
+    for (const auto i : loose) holes.push_back({{assembly.x[i], assembly.y[i]}, 0.5 * assembly.radius[i]});
+    fallen += static_cast<std::int64_t>(loose.size());
+    model.cracks.clear();
+  }
+  packing = {};
   if (o.bond_fracture_energy > 0.0) begin_softening(assembly, o);
   report.coarsest_radius = assembly.coarsest_radius();
   report.coordination =

@@ -209,6 +209,10 @@ void equilibrate(Engine& e, const Progress& progress, SetupReport& report) {
         e.mechanics->search_contacts(m.cracks);
       } else if (!stop) {
         load_state(e, before);
+        // The boundary keeps the whole load and its share, also of the pressure outside.
+        m.network.pressure[0] = pressure[0];
+        e.boundary->restore_load(m.assembly, m.network, m.far_field.sigma_Hmax, m.far_field.sigma_hmin);
+        m.network.pressure[0] = share * pressure[0];
       }
     }
     if (!found && !stop)

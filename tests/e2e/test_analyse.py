@@ -168,6 +168,8 @@ class Analyse(unittest.TestCase):
 
     def test_a_las_file(self):
         self.write(record())
+        self.assertIn("1 m is taken", hfrac("analyse", self.file).stdout)
+        self.assertNotIn("1 m is taken", hfrac("analyse", self.file, "--thickness", 50).stdout)
         _, of_table = self.analysed("--thickness", 50)
         las = self.top / "record.las"
         las.write_text("~V\nVERS. 2.0 :\nWRAP. NO :\n~W\nNULL. -999.25 :\n~C\nTIME.S :\nRATE.L/S :\nPRES.MPA :\n~A\n"

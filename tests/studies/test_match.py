@@ -39,6 +39,19 @@ class Match(unittest.TestCase):
             self.assertEqual(again.stdout, done.stdout)
             self.assertEqual((folder / "out/members.csv").read_bytes(), text)
 
+    def test_a_record_that_no_member_explains_is_told(self):
+        """The law of the pressure ends at 30 MPa, and the ensemble stands there, narrow: that is no estimate."""
+        with tempfile.TemporaryDirectory(prefix="hfrac-studies-") as top:
+            folder = pathlib.Path(top)
+            study = support.write_study(folder, more=MATCH)
+            (folder / "record.csv").write_text("time_s,well_pressure_Pa\n" + "".join(f"{0.1 * k:.1f},32e6\n" for k in range(1, 5)))
+            done = support.hfrac("match", study, "-o", folder / "out")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("the record is not explained", done.stdout)
+            with open(folder / "out/parameters.csv", newline="") as file:
+                told = {row["verdict"] for row in csv.DictReader(file) if row["ensemble"] == "posterior"}
+            self.assertEqual(told, {"record not explained"})
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -4,7 +4,9 @@ import csv
 import json
 import os
 import pathlib
+import re
 import signal
+import struct
 import subprocess
 import tempfile
 import time
@@ -40,6 +42,9 @@ class Sweep(unittest.TestCase):
         out = self.folder / "out"
         table = rows(out / "table.csv")
         self.assertEqual(len(table), 16)
+        names = list(table[0])
+        numbers = [[int(row["run"]), *(float(row[name]) for name in names[1:4])] for row in table]
+        self.assertIn(b"".join(struct.pack("<d", row[1]) for row in numbers), (out / "table.parquet").read_bytes())
         self.assertEqual([row["packing"] for row in table[:2]], ["1", "2"])
         self.assertTrue(all(row["status"] == "done" for row in table))
         for row in table:  # a well at a held pressure has it
@@ -106,6 +111,8 @@ class Sweep(unittest.TestCase):
                          '[[parameter]]\noption = "fluid.viscosity"\nlaw = "normal"\nmean = 1e-3\ndeviation = 1e-3\n')
         done = self.sweep(study, "out")
         self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, "(?m)^run 7 failed: .*fluid.viscosity")  # refused before anything ran
+        self.assertEqual(len(re.findall("(?m)^run [0-9]+ failed", done.stderr)), 1)
         self.assertRegex(done.stderr, "1 of 9 runs failed, as run 6 .*well.*60")
         self.assertRegex(done.stderr, "1 of 9 runs failed, as run 7 .*fluid.viscosity")
         self.assertIn("--retry", done.stderr)

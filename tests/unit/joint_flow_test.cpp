@@ -91,6 +91,21 @@ TEST_P(JointFlow, FillsTheJointKeepsTheBalanceAndIsRestored) {
   EXPECT_THROW(foreign.restore(image), Error);
 }
 
+// A stage of the initial equilibration that the quasi-static solver gives up, as in half of these packings, is done again from before it. The
+// boundary then kept that stage's share of the pressure outside for good, and an image, restored, had other forces on it than the run.
+TEST(JointImage, IsRestoredInEveryPacking) {
+  CaseDefinition definition = jointed(SteppingMode::substep, SolverKind::quasi_static);
+  for (int seed = 1; seed <= 6; ++seed) {
+    definition.options.model_seed = seed;
+    Simulation s(definition, {}, {});
+    const auto before = s.state_hash();
+    std::vector<std::byte> image(s.image_size());
+    s.write_image(image);
+    s.restore(image);
+    EXPECT_EQ(s.state_hash(), before) << "packing " << seed;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Ways, JointFlow,
                          testing::Values(Way{"substep", SteppingMode::substep, SolverKind::explicit_solver},
                                          Way{"quasi-static", SteppingMode::substep, SolverKind::quasi_static},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "build/build_model.hpp"
 #include "small_case.hpp"
 #include "solid/discs_held.hpp"
 #include "solid/non_bonded_contacts.hpp"
@@ -58,6 +59,45 @@ TEST_F(LooseDiscs, OneThatASingleJointCutsOffKeepsTwoBonds) {
   }
   ASSERT_EQ(moved_.size(), 1U);
   EXPECT_EQ(moved_[0].disc, disc_);
+}
+
+// At a hole's wall one that a joint leaves with a single bond goes, and then those that it held: basel-stiff.toml in packing 3 had a chain of two,
+// which broke off as the far field came, opened the joint by a tenth of a metre and sucked at its own well.
+TEST(FallenDiscs, AreGoneFromTheHolesWall) {
+  CaseDefinition c = quiet_case();
+  JointOptions joint;
+  joint.x1 = 10.0, joint.y1 = 42.0;
+  joint.x2 = 90.0, joint.y2 = 67.0;
+  joint.state = static_cast<std::int64_t>(JointState::smooth_broken);
+  std::int64_t fallen = 0;
+  for (int seed = 1; seed <= 10; ++seed) {
+    c.options.model_seed = seed;
+    SetupReport without, with;
+    c.joints.clear();
+    (void)build_model(c, take_discs(c, {}, {}, without), {}, without);
+    c.joints = {joint};
+    const Model m = build_model(c, take_discs(c, {}, {}, with), {}, with);
+    const Assembly& a = m.assembly;
+    EXPECT_EQ(with.removed_in_wells, without.removed_in_wells);
+    EXPECT_EQ(a.disc_count(), with.packed - with.removed_in_wells - with.removed_floaters);
+    EXPECT_EQ(static_cast<std::int64_t>(m.cracks.size()), std::count(a.intact.begin(), a.intact.end(), 0));
+    fallen += with.removed_floaters - without.removed_floaters;
+    // Beside the well are the discs of its pipes.
+    std::vector<int> held(static_cast<std::size_t>(a.disc_count()));
+    std::vector<char> wall(held.size());
+    for (std::int64_t e = 0; e < a.bond_count(); ++e) {
+      const auto well = m.wells[0].place.domain;
+      for (const auto i : {a.first[e], a.second[e]}) {
+        held[static_cast<std::size_t>(i)] += a.intact[e] != 0 ? 1 : 0;
+        if (m.network.left[static_cast<std::size_t>(e)] == well ||
+            m.network.right[static_cast<std::size_t>(e)] == well)
+          wall[static_cast<std::size_t>(i)] = 1;
+      }
+    }
+    for (std::size_t i = 0; i < held.size(); ++i)
+      EXPECT_TRUE(wall[i] == 0 || held[i] >= 2) << "seed " << seed << ", disc " << i;
+  }
+  EXPECT_GT(fallen, 0) << "no packing puts what is tested to the test";
 }
 
 // It slides with the other side, so what it comes to on its own side is across the joint, and bears on contacts of the joint alone: before

@@ -23,7 +23,7 @@ struct AnalyseRequest {
   std::string source, output;
   double shut_in = NAN;         ///< [s]
   double injection_time = 0.0;  ///< [s]
-  double thickness = 1.0;       ///< [m]
+  double thickness = 0.0;       ///< [m]; 0: not given
   std::string leak_off = "little";
   bool quiet = false;
 #ifdef HFRAC_WITH_RENDERER
@@ -33,11 +33,16 @@ struct AnalyseRequest {
 };
 
 ExitCode analyse(const AnalyseRequest& request) {
-  const InjectionRecord record = read_injection(request.source, request.thickness);
+  const InjectionRecord record =
+      read_injection(request.source, request.thickness > 0.0 ? request.thickness : 1.0);
   const FalloffTerms terms{request.leak_off == "most" ? LeakOff::most : LeakOff::little,
                            request.injection_time};
   const Analysis analysis = analyse_record(record, find_shut_in(record, request.shut_in), terms);
   if (!request.quiet) fmt::print("{}\n{}", request.source, words_of(analysis, record));
+  if (!request.quiet && request.thickness == 0.0 && !record.rate.empty() &&
+      !std::filesystem::is_directory(request.source))
+    fmt::print("  {:18} 1 m is taken where rates are of the whole thickness; --thickness M gives it\n",
+               "thickness");
   if (!request.output.empty()) run::write_whole(request.output, json_of(analysis, record).dump(2) + "\n");
 #ifdef HFRAC_WITH_RENDERER
   if (!request.picture.empty())
@@ -69,9 +74,8 @@ void add_analyse(CLI::App& program, Action& action) {
       ->check(CLI::Range(1e-3, 1e9));
   command
       ->add_option("--thickness", request->thickness,
-                   "Metres that rates of the whole thickness are divided by")
-      ->check(CLI::Range(1e-6, 1e6))
-      ->capture_default_str();
+                   "Metres that rates of the whole thickness are divided by; 1 otherwise")
+      ->check(CLI::Range(1e-6, 1e6));
   command
       ->add_option("--leak-off", request->leak_off,
                    "How much leaks off while fluid goes in, for the G function: little or most")

@@ -24,6 +24,9 @@ from .study_file import Study, StudyError
 from .tables import write_csv
 
 
+EXPLAINED = 2.0  # root mean square misfit of a posterior, in errors, above which its spread says nothing of the rock
+
+
 class Ensemble(NamedTuple):
     """Members and what they predict: rows are members."""
 
@@ -83,9 +86,12 @@ def report(study: Study, task: Match, folder: pathlib.Path, outcome: Outcome) ->
     names = [one.name for one in study.parameters]
     before, after = ndtri(outcome.prior.shares), ndtri(outcome.posterior.shares)
     ratios = after.std(axis=0, ddof=1) / before.std(axis=0, ddof=1)
+    values = np.concatenate([one.value for one in task.data])
+    errors = np.concatenate([np.full(len(one.value), one.error) for one in task.data])
+    misfit = float(np.sqrt(np.mean(((outcome.posterior.predicted - values) / errors) ** 2)))
     rows, lines = [], [f"{'':34} {'P10':>11} {'P50':>11} {'P90':>11}   posterior / prior deviation"]
     for k, one in enumerate(study.parameters):
-        told = "constrained" if ratios[k] <= task.unconstrained_above else "not constrained by the data"
+        told = "record not explained" if misfit > EXPLAINED else "constrained" if ratios[k] <= task.unconstrained_above else "not constrained by the data"
         for word, shares in (("prior", outcome.prior.shares), ("posterior", outcome.posterior.shares)):
             found = percentiles(np.array([one.value(float(share)) for share in shares[:, k]]))
             rows.append([one.name, word, *found, ratios[k] if word == "posterior" else 1.0, told if word == "posterior" else ""])
@@ -103,10 +109,11 @@ def report(study: Study, task: Match, folder: pathlib.Path, outcome: Outcome) ->
         lines.append("told together more than one by one (correlation of the posterior): " + ", ".join(tied))
     if outcome.failed:
         lines.append(f"{outcome.failed} members failed and were left out")
-    values = np.concatenate([one.value for one in task.data])
-    errors = np.concatenate([np.full(len(one.value), one.error) for one in task.data])
-    misfit = float(np.sqrt(np.mean(((outcome.posterior.predicted - values) / errors) ** 2)))
     lines.append(f"root mean square misfit of the posterior: {misfit:.2f} of the errors; 1 to 1.5 is what errors explain")
+    if misfit > EXPLAINED:
+        lines.append("the record is not explained, so the values above are no estimate, however narrow: model and rock differ by more than the "
+                     "data's error, which has to hold the scatter of packings; raise error, widen the laws, or leave out what the model does not hold "
+                     "(from, until)")
     if charts.available():
         draw(study, task, folder / "match.png", outcome)
     else:

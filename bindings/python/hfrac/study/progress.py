@@ -22,6 +22,7 @@ class Progress:
         self.began, self.shown, self.last = time.monotonic(), "", 0.0
         self.terminal = sys.stderr.isatty()
         self.offset = 0  # runs of ensembles before this one
+        self.told = False  # why a run failed
 
     def text(self, pool: Pool) -> str:
         done = self.offset + len(pool.results)
@@ -38,6 +39,8 @@ class Progress:
 
     def __call__(self, pool: Pool) -> None:
         now = time.monotonic()
+        if not self.quiet and not self.told:
+            self._tell_first_failure(pool)
         if self.quiet or now - self.last < (0.2 if self.terminal else 10.0):
             return
         self.last = now
@@ -46,6 +49,14 @@ class Progress:
             self.shown = text
             sys.stderr.write(f"\r\033[K{text}" if self.terminal else f"{text}\n")
             sys.stderr.flush()
+
+    def _tell_first_failure(self, pool: Pool) -> None:
+        """At once, so that nobody waits for hundreds of runs that all fail alike."""
+        for index, result in pool.results.items():
+            if result.status == "failed":
+                self.told = True
+                sys.stderr.write(("\r\033[K" if self.terminal else "") + f"run {index} failed: {result.sentence}\n")
+                return
 
     def end(self) -> None:
         if self.terminal and self.shown and not self.quiet:

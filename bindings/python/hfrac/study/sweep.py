@@ -59,9 +59,9 @@ def report(plan: Plan, known: Dict[int, Result]) -> List[str]:
                     raise
                 known[run.index] = Result("failed", f"its files cannot be read: {error!r}; rerun it by --retry", 0.0)
     names = [*NAMES, *(one.name for one in study.quantities)]
-    said = _write_table(plan, known, measured, names)
+    _write_table(plan, known, measured, names)
     if not measured:
-        return said + ["no run is done, so there are no percentiles and no charts"]
+        return ["no run is done, so there are no percentiles and no charts"]
     values = {name: np.array([measured.get(run.index, {}).get(name, np.nan) for run in plan.runs], float) for name in names}
     write_csv(folder / "percentiles.csv", ["result", "runs", "P10", "P50", "P90", "mean", "standard_deviation"], [
         [name, int(np.isfinite(column).sum()), *statistics.percentiles(column), *_moments(column)]
@@ -69,7 +69,7 @@ def report(plan: Plan, known: Dict[int, Result]) -> List[str]:
     tables = [history(run.folder) for run in plan.runs if run.index in measured]
     bands = {name: band for name in CURVES if (band := statistics.bands(tables, name))}
     _write_bands(folder / "bands.csv", bands)
-    return said + _sensitivity(plan, values, bands)
+    return _sensitivity(plan, values, bands)
 
 
 def _moments(column: np.ndarray) -> Sequence[float]:
@@ -77,7 +77,7 @@ def _moments(column: np.ndarray) -> Sequence[float]:
     return (column.mean(), column.std(ddof=1)) if len(column) > 1 else (column.mean() if len(column) else np.nan, np.nan)
 
 
-def _write_table(plan: Plan, known: Dict[int, Result], measured: Dict[int, Dict[str, float]], names: List[str]) -> List[str]:
+def _write_table(plan: Plan, known: Dict[int, Result], measured: Dict[int, Dict[str, float]], names: List[str]) -> None:
     head = ["run", *(one.name for one in plan.study.parameters), "packing", "status", *names, "sentence"]
     rows: List[List[Any]] = []
     for run in plan.runs:
@@ -87,11 +87,7 @@ def _write_table(plan: Plan, known: Dict[int, Result], measured: Dict[int, Dict[
         rows.append([run.index, *run.values.values(), packing, result.status, *(found.get(name, float("nan")) for name in names),
                      result.sentence])
     write_csv(plan.folder / "table.csv", head, rows)
-    try:
-        parquet = write_parquet(plan.folder / "table.parquet", head, rows)
-    except Exception as error:  # an engine of any make may refuse; the table is there as CSV
-        return [f"table.parquet could not be written: {error}"]
-    return [] if parquet else ["table.parquet is not written: there is no pyarrow or fastparquet beside pandas here"]
+    write_parquet(plan.folder / "table.parquet", head, rows)
 
 
 def _write_bands(path: pathlib.Path, bands: Dict[str, Dict[str, np.ndarray]]) -> None:

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tables of a study: CSV always, Parquet where pandas has an engine for it (pyarrow or fastparquet)."""
+"""Tables of a study, as CSV and as Parquet."""
 import csv
-import importlib.util
 import io
+import os
 import pathlib
-from typing import Any, Dict, Iterable, List, Sequence
+from typing import Any, Iterable, Sequence
 
+from .parquet import parquet
 from .pool import write_whole
 
 
@@ -26,12 +27,7 @@ def write_csv(path: pathlib.Path, names: Sequence[str], rows: Iterable[Sequence[
     write_whole(path, text.getvalue())
 
 
-def write_parquet(path: pathlib.Path, names: Sequence[str], rows: List[Sequence[Any]]) -> bool:
-    """False: there is nothing here that writes Parquet."""
-    if not importlib.util.find_spec("pandas") or not any(map(importlib.util.find_spec, ("pyarrow", "fastparquet"))):
-        return False
-    import pandas
-
-    columns: Dict[str, List[Any]] = {name: [row[k] for row in rows] for k, name in enumerate(names)}
-    pandas.DataFrame(columns).to_parquet(path, index=False)
-    return True
+def write_parquet(path: pathlib.Path, names: Sequence[str], rows: Sequence[Sequence[Any]]) -> None:
+    aside = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+    aside.write_bytes(parquet(names, rows))
+    aside.replace(path)
