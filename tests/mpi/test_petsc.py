@@ -25,6 +25,7 @@ kind = "walls"
 [solver]
 kind = "quasi-static"
 factor = "{factor}"
+tolerance = 1e-9
 [stepping]
 mode = "coupled"
 flow_step = 0.05
