@@ -61,9 +61,8 @@ void OutsideMatrix::agree(std::int32_t status, const char* what) const {
               std::string("the linear solver from outside could not ") + what +
                   (kind_ == Kind::flow ? " for the flow step: " : " for the quasi-static step: ") +
                   reasons.data() +
-                  (kind_ == Kind::flow
-                       ? "; use a smaller stepping.flow_step, or flow.solver = \"auto\""
-                       : "; use a smaller stepping.flow_step, or solver.factor = \"own\""));
+                  (kind_ == Kind::flow ? "; use a smaller stepping.flow_step, or flow.solver = \"auto\""
+                                       : "; use a smaller stepping.flow_step, or solver.factor = \"own\""));
 }
 
 void OutsideMatrix::release() noexcept {
