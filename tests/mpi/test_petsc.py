@@ -25,7 +25,7 @@ kind = "walls"
 [solver]
 kind = "quasi-static"
 factor = "{factor}"
-tolerance = 1e-9
+tolerance = {tolerance}
 [stepping]
 mode = "coupled"
 flow_step = 0.05
@@ -119,25 +119,31 @@ class Petsc(unittest.TestCase):
                 self.assertLessEqual(off, 1e-9)
                 self.assertLessEqual(fluid, 1e-12)
 
-    def cracks(self, name, ranks, seed, pressure, factor):
+    def cracks(self, name, ranks, seed, pressure, factor, tolerance="1e-9"):
         case = self.folder / f"{name}.toml"
-        case.write_text(COUPLED.format(seed=seed, factor=factor, pressure=pressure))
+        case.write_text(COUPLED.format(seed=seed, factor=factor, pressure=pressure, tolerance=tolerance))
         command = [HFRAC, "run", case, "-o", self.folder / name, "-q", "--workers", 1]
         done = run(over(ranks, *command) if ranks else list(map(str, command)))
         self.assertEqual(done.returncode, 0, done.stderr)
-        rows = [row.split(",") for row in (self.folder / name / "cracks.csv").read_text().splitlines()]
+        rows = [row.split(",") for row in (self.folder / name / "cracks.csv").read_text().splitlines()[1:]]
         return [(row[1], *row[3:7]) for row in rows]  # step, time, mode, bond, disc; not how many iterations it took
 
     def test_cracks_are_those_of_the_own_factor(self):
-        cases = [(1, "55e6"), (2, "60e6"), (3, "65e6")] if os.environ.get("HFRAC_LONG") else [(1, "60e6")]
-        counted = 0
-        for seed, pressure in cases:
-            own = self.cracks(f"own-{seed}", 0, seed, pressure, "own")
-            counted += len(own) - 1
-            for ranks in (0, 1, 2, 4) if len(cases) > 1 else (0, 2, 4):
-                self.assertEqual(self.cracks(f"petsc-{seed}-{ranks}", ranks, seed, pressure, "petsc"), own, f"seed {seed}, {ranks} ranks")
-        print(f"{counted} cracks")
-        self.assertGreaterEqual(counted, 3)
+        """As far as they are decided: where serial runs of different tolerances part, nearly equal bonds are left to rounding."""
+        long = bool(os.environ.get("HFRAC_LONG"))
+        counted = decided = 0
+        for seed, pressure in [(1, "60e6"), (2, "60e6"), (3, "65e6")] if long else [(1, "60e6")]:
+            own = [self.cracks(f"own-{seed}-{tolerance}", 0, seed, pressure, "own", tolerance) for tolerance in ("1e-9", "3e-10", "1e-10")]
+            sure = os.path.commonprefix(own)
+            counted += len(own[0])
+            decided += len(sure)
+            for ranks in (0, 1, 2, 4) if long else (0, 2):
+                found = self.cracks(f"petsc-{seed}-{ranks}", ranks, seed, pressure, "petsc")
+                self.assertEqual(found[:len(sure)], sure, f"seed {seed}, {ranks} ranks")
+                print(f"seed {seed}, {ranks} ranks: {len(found)} cracks, {'all' if found == own[0] else len(os.path.commonprefix([found, own[0]]))} as serial")
+        print(f"{decided} of {counted} cracks are decided")
+        self.assertGreaterEqual(decided, 10)
+        self.assertGreaterEqual(decided, 0.8 * counted)
 
     def test_what_it_cannot_solve_is_everybodys_error(self):
         for line in self.lines(2, TOO_FEW, {"PETSC_OPTIONS": "-hfrac_flow_ksp_max_it 1"}):
