@@ -196,7 +196,8 @@ static PetscErrorCode set_up(Solvers* s, void* of) {
     PetscCall(make(s, m, p, preparation->value));
   else
     PetscCall(fill(p, preparation->value));
-  PetscCall(KSPSetOperators(p->ksp, p->matrix, p->matrix)); /* new numbers; without it the old preconditioner stays */
+  PetscCall(KSPSetOperators(p->ksp, p->matrix,
+                            p->matrix)); /* new numbers; without it the old preconditioner stays */
   PetscFunctionReturn(0);
 }
 

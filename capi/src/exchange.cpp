@@ -58,7 +58,8 @@ const OutsideSolver* take_solver(hfrac_sim& sim) {
   sim.linear_solver =
       read_struct(sim.exchange.linear_solver, default_solver(), "hfrac_exchange: linear_solver");
   const auto& given = sim.linear_solver;
-  if (given.prepare == nullptr || given.solve == nullptr || given.release == nullptr || given.reason == nullptr)
+  if (given.prepare == nullptr || given.solve == nullptr || given.release == nullptr ||
+      given.reason == nullptr)
     throw Error(ErrorKind::argument, "hfrac_linear_solver: a function is NULL; all four have to be given.");
   OutsideSolver& of = sim.solver;
   of.user = &sim.linear_solver;

@@ -41,8 +41,8 @@ EquilibriumSolver::EquilibriumSolver(Model& model, Facets& facets, Boundary& bou
       facets_(facets),
       system_(model.assembly, model.network, boundary, mechanics.non_bonded_contacts(), options, workers,
               facets, &model.wellbores),
-      factor_(workers,
-              FactorOf{options.solver_factor} == FactorOf::petsc ? &mechanics.shared_tiles().ranks() : nullptr),
+      factor_(workers, FactorOf{options.solver_factor} == FactorOf::petsc ? &mechanics.shared_tiles().ranks()
+                                                                          : nullptr),
       krylov_(workers) {}
 
 void EquilibriumSolver::begin_step() {

@@ -156,9 +156,10 @@ void FlowSolver::solve_outside(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
     p += change_;
     if (change_.cwiseAbs().maxCoeff() <= settled_outside * (p.maxCoeff() - p.minCoeff())) return;
   }
-  throw Error(ErrorKind::diverged, "the flow step's pressures did not settle in " +
-                                       std::to_string(most_passes_outside) +
-                                       " passes of the solver from outside; use flow.solver = \"auto\" or a smaller stepping.flow_step");
+  throw Error(
+      ErrorKind::diverged,
+      "the flow step's pressures did not settle in " + std::to_string(most_passes_outside) +
+          " passes of the solver from outside; use flow.solver = \"auto\" or a smaller stepping.flow_step");
 }
 
 void FlowSolver::solve_pressures(Eigen::VectorXd& rhs, Eigen::VectorXd& p) {

@@ -72,8 +72,8 @@ class FlowSolver {
   SymmetricFactor factor_;
   ConjugateGradient conjugate_gradient_;
   std::optional<OutsideMatrix> outside_;
-  std::vector<std::int32_t> row_, column_;      // of the entries it gets, until it has them
-  std::vector<std::int32_t> entry_;             // where those are in the value array
+  std::vector<std::int32_t> row_, column_;  // of the entries it gets, until it has them
+  std::vector<std::int32_t> entry_;         // where those are in the value array
   std::vector<double> value_;
   Eigen::VectorXd residual_, change_;
   Eigen::VectorXd rhs_, pressure_;

@@ -59,11 +59,10 @@ void OutsideMatrix::agree(std::int32_t status, const char* what) const {
   const std::vector<char> reasons = ranks_.gather(reason);
   throw Error(ErrorKind::diverged,
               std::string("the linear solver from outside could not ") + what +
-                  (kind_ == Kind::flow ? " of the flow step: " : " of the quasi-static step: ") +
+                  (kind_ == Kind::flow ? " for the flow step: " : " for the quasi-static step: ") +
                   reasons.data() +
-                  (kind_ == Kind::flow
-                       ? "; use a smaller stepping.flow_step, or flow.solver = \"auto\""
-                       : "; use a smaller stepping.flow_step, or solver.factor = \"own\""));
+                  (kind_ == Kind::flow ? "; use a smaller stepping.flow_step, or flow.solver = \"auto\""
+                                       : "; use a smaller stepping.flow_step, or solver.factor = \"own\""));
 }
 
 void OutsideMatrix::release() noexcept {

@@ -287,7 +287,8 @@ void check_solver(const Options& o) {
   const bool quasi_static = SolverKind{o.solver_kind} == SolverKind::quasi_static;
   if (!quasi_static && FactorOf{o.solver_factor} == FactorOf::petsc) {
     refuse(
-        "solver.factor = \"petsc\" is for solver.kind = \"quasi-static\"; the explicit solver has no factor, and "
+        "solver.factor = \"petsc\" is for solver.kind = \"quasi-static\"; the explicit solver has no factor, "
+        "and "
         "flow.solver = \"petsc\" is for its flow steps.");
   }
   const SteppingMode mode{o.stepping_mode};

@@ -43,12 +43,14 @@ void require_solvers(const Options& o, const Ranks& ranks) {
                     FlowScheme{o.flow_scheme} == FlowScheme::implicit_scheme,
              factor = FactorOf{o.solver_factor} == FactorOf::petsc;
   if (ranks.solver() != nullptr || !(flow || factor)) return;
-  throw Error(ErrorKind::model,
-              std::string(flow ? "flow.solver" : "solver.factor") +
-                  " = \"petsc\" needs PETSc, and this simulation was created without: install petsc-dev, build "
-                  "hfrac there (it makes libhfrac_petsc), and run by 'hfrac run' or 'mpirun -n N hfrac run'; a program "
-                  "gives hfrac_exchange::linear_solver by hfrac_petsc_solver. Or use " +
-                  (flow ? "flow.solver = \"auto\"." : "solver.factor = \"own\"."));
+  throw Error(
+      ErrorKind::model,
+      std::string(flow ? "flow.solver" : "solver.factor") +
+          " = \"petsc\" needs PETSc, and this simulation was created without: install petsc-dev, build "
+          "hfrac there (it makes libhfrac_petsc), and run by 'hfrac run' or 'mpirun -n N hfrac run'; a "
+          "program "
+          "gives hfrac_exchange::linear_solver by hfrac_petsc_solver. Or use " +
+          (flow ? "flow.solver = \"auto\"." : "solver.factor = \"own\"."));
 }
 
 }  // namespace

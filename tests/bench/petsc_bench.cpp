@@ -72,8 +72,7 @@ struct Outside {
     counted.solve = [](void* user, void* prepared, const double* right, double* x, double tolerance,
                        std::int32_t* taken) {
       auto& self = *static_cast<Outside*>(user);
-      const auto status =
-          self.solver.solve(self.solver.user, prepared, right, x, tolerance, taken);
+      const auto status = self.solver.solve(self.solver.user, prepared, right, x, tolerance, taken);
       self.iterations.push_back(*taken);
       return status;
     };
@@ -115,8 +114,8 @@ std::size_t make_rock(Network& n, const Options& o) {
   for (std::size_t d = 1; d < n.centroid.size(); ++d)
     if (distance(d) < distance(hole)) hole = d;
   for (std::size_t e = 0; e < n.left.size(); ++e) {
-    const double normal = std::sqrt(-2.0 * std::log(1.0 - random.uniform())) *
-                          std::cos(6.283185307179586 * random.uniform());
+    const double normal =
+        std::sqrt(-2.0 * std::log(1.0 - random.uniform())) * std::cos(6.283185307179586 * random.uniform());
     const auto l = static_cast<std::size_t>(n.left[e]), r = static_cast<std::size_t>(n.right[e]);
     const bool cracked = l != 0 && r != 0 && std::abs(n.centroid[l].y - 0.5 * side) < 0.6 &&
                          std::abs(n.centroid[r].y - 0.5 * side) < 0.6 &&
@@ -174,7 +173,8 @@ int flow(Outside& outside, const Ranks& ranks, std::int64_t discs, bool petsc) {
   }
   if (ranks.rank() == 0) {
     std::printf(
-        "flow, %s, %d ranks, %lld domains: iterations%s, second step %.2f s, pressures off %s, fluid lost %.1e\n",
+        "flow, %s, %d ranks, %lld domains: iterations%s, second step %.2f s, pressures off %s, fluid lost "
+        "%.1e\n",
         petsc ? "petsc" : "iterative", ranks.size(), static_cast<long long>(n.domain_count()), counts.c_str(),
         seconds, compared ? std::to_string(1e9 * off).append("e-9").c_str() : "-", lost);
   }
@@ -206,17 +206,18 @@ int tangent(Outside& outside, const Ranks& ranks, std::int64_t discs, bool petsc
   factor.compute(system);
   factor.solve(right, x);
   const double again = now();
-  const auto outcome = Krylov(workers).solve([&](const auto& in, auto& out) { system.product(in, out); },
-                                             [&](const auto& in, auto& out) { factor.solve(in, out); }, right,
-                                             1e-3, 40, x);
+  const auto outcome =
+      Krylov(workers).solve([&](const auto& in, auto& out) { system.product(in, out); },
+                            [&](const auto& in, auto& out) { factor.solve(in, out); }, right, 1e-3, 40, x);
   std::vector<std::int64_t> figures;
   for (const double figure : {before, memory("VmHWM") - before, memory("VmRSS") - before})
     figures.push_back(std::llround(figure));
   const auto all = ranks.gather(figures);
   if (ranks.rank() == 0) {
-    std::printf("tangent, %s, %d ranks, %lld discs: factor %.1f s, again %.1f s, GMRES %d iterations, MB a rank",
-                petsc ? "petsc" : "own", ranks.size(), static_cast<long long>(sheet.assembly.disc_count()),
-                factored - start, again - factored, outcome.iterations);
+    std::printf(
+        "tangent, %s, %d ranks, %lld discs: factor %.1f s, again %.1f s, GMRES %d iterations, MB a rank",
+        petsc ? "petsc" : "own", ranks.size(), static_cast<long long>(sheet.assembly.disc_count()),
+        factored - start, again - factored, outcome.iterations);
     for (std::size_t k = 0; k < all.size(); k += 3)
       std::printf(" %lld + %lld (%lld)", static_cast<long long>(all[k]), static_cast<long long>(all[k + 1]),
                   static_cast<long long>(all[k + 2]));

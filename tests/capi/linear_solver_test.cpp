@@ -71,7 +71,8 @@ class Dense {
       const auto& seat = *static_cast<Seat*>(user);
       return seat.dense->prepare(seat.rank, *matrix, *prepared);
     };
-    solver.solve = [](void* user, void* prepared, const double* right, double* x, double, int32_t* iterations) {
+    solver.solve = [](void* user, void* prepared, const double* right, double* x, double,
+                      int32_t* iterations) {
       *iterations = 1;
       const auto& seat = *static_cast<Seat*>(user);
       return seat.dense->solve(static_cast<Part*>(prepared), right, x);

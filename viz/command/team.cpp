@@ -33,8 +33,8 @@ Function function_of(void* library, const char* name) {
 void* load(const char* name, const std::string& who, const char* package) {
   void* library = dlopen(name, RTLD_NOW | RTLD_GLOBAL);
   if (library != nullptr) return library;
-  throw BadInput(fmt::format("{} needs {}, which is not there ({}); build hfrac where {} is installed", who, name,
-                             dlerror(), package));
+  throw BadInput(fmt::format("{} needs {}, which is not there ({}); build hfrac where {} is installed", who,
+                             name, dlerror(), package));
 }
 
 constexpr const char* kMpiLibrary = "libhfrac_mpi.so.0";
@@ -82,7 +82,8 @@ int32_t Team::create(const hfrac_sim_def& definition, hfrac_sim** sim) const {
   const auto begin = function_of<int32_t (*)(hfrac_linear_solver*)>(library, "hfrac_petsc_begin");
   hfrac_linear_solver solver{};
   if (begin == nullptr || begin(&solver) != HFRAC_OK)
-    throw BadInput(fmt::format("PETSc could not be begun; is {} of the MPI that hfrac was built with?", kPetscLibrary));
+    throw BadInput(
+        fmt::format("PETSc could not be begun; is {} of the MPI that hfrac was built with?", kPetscLibrary));
   exchange.linear_solver = &solver;
   return hfrac_sim_create_on(&definition, &exchange, sim);
 }
