@@ -18,7 +18,8 @@ namespace heat_along_a_joint_test {
 
 using namespace testing_unit;
 
-constexpr double height = 50.0, from = 3.0, to = 97.0;  // m; from near the edge, so that hardly any rock lies before it
+constexpr double height = 50.0, from = 3.0,
+                 to = 97.0;  // m; from near the edge, so that hardly any rock lies before it
 
 CaseDefinition jointed_rock() {
   CaseDefinition definition = quiet_case();

@@ -80,7 +80,9 @@ class Meeting {
   }
   // Lets go of the pores of the stem but for the one at its far end.
   void feed_from_the_far_end() {
-    const auto at = [&](const Facet& f) { return network().centroid[f.left].x + network().centroid[f.right].x; };
+    const auto at = [&](const Facet& f) {
+      return network().centroid[f.left].x + network().centroid[f.right].x;
+    };
     const auto far = *std::min_element(facets().begin(), facets().end(),
                                        [&](const Facet& f, const Facet& g) { return at(f) < at(g); });
     const bool left = network().centroid[far.left].x < network().centroid[far.right].x;
@@ -233,9 +235,11 @@ double share_by_flow(std::int64_t discs, std::int64_t seed) {
   std::int32_t end[2] = {-1, -1};
   for (const auto& c : meeting.assembly().smooth.contacts) {
     const auto k = static_cast<std::size_t>(c.joint);
-    const double from_junction = std::abs(meeting.along(c)) - 0.5 * c.area;  // where the contact's piece begins
+    const double from_junction =
+        std::abs(meeting.along(c)) - 0.5 * c.area;  // where the contact's piece begins
     if (end[k] >= 0 && std::abs(from_junction - arms[k].length) > std::abs(at[k] - arms[k].length)) continue;
-    const bool left = std::abs(n.centroid[n.left[c.bond]].y - middle) < std::abs(n.centroid[n.right[c.bond]].y - middle);
+    const bool left =
+        std::abs(n.centroid[n.left[c.bond]].y - middle) < std::abs(n.centroid[n.right[c.bond]].y - middle);
     at[k] = from_junction;
     end[k] = left ? n.left[c.bond] : n.right[c.bond];
   }
@@ -245,11 +249,13 @@ double share_by_flow(std::int64_t discs, std::int64_t seed) {
   for (std::size_t k = 0; k < 2; ++k) {
     conducts[k] = arms[k].conducts(at[k]);
     for (std::size_t e = 0; e < n.left.size(); ++e)
-      if ((n.left[e] == end[k]) != (n.right[e] == end[k])) taken[k] += n.right[e] == end[k] ? n.flow[e] : -n.flow[e];
+      if ((n.left[e] == end[k]) != (n.right[e] == end[k]))
+        taken[k] += n.right[e] == end[k] ? n.flow[e] : -n.flow[e];
   }
   const double found = taken[0] / (taken[0] + taken[1]), hand = conducts[0] / (conducts[0] + conducts[1]);
-  std::printf("  %lld discs, packing %lld: flow %.3e and %.3e m2/s, the upper arm's share %.3f, by hand %.3f\n",
-              static_cast<long long>(discs), static_cast<long long>(seed), taken[0], taken[1], found, hand);
+  std::printf(
+      "  %lld discs, packing %lld: flow %.3e and %.3e m2/s, the upper arm's share %.3f, by hand %.3f\n",
+      static_cast<long long>(discs), static_cast<long long>(seed), taken[0], taken[1], found, hand);
   std::fflush(stdout);
   return found / hand;
 }
@@ -277,8 +283,9 @@ void hold(std::int64_t discs) {
 
 TEST(V33MeetingFlow, EachArmOfATTakesItsShareByFlow) {
   for (int seed = 1; seed <= 3; ++seed)
-    verification::report("T by flow, packing " + std::to_string(seed) + ": the upper arm's share over the hand's",
-                         share_by_flow(10000, seed), 1.0, 0.10);
+    verification::report(
+        "T by flow, packing " + std::to_string(seed) + ": the upper arm's share over the hand's",
+        share_by_flow(10000, seed), 1.0, 0.10);
 }
 
 TEST(V33MeetingSmoke, OpensAsAT) {
