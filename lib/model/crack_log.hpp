@@ -53,7 +53,9 @@ class CrackLog {
   }
 
   void push_back(const Crack& crack) { broken_.push_back(crack); }
-  void append(const std::vector<Crack>& cracks) { broken_.insert(broken_.end(), cracks.begin(), cracks.end()); }
+  void append(const std::vector<Crack>& cracks) {
+    broken_.insert(broken_.end(), cracks.begin(), cracks.end());
+  }
   // Of bonds that joints broke; before any other breaks.
   void reserve_from_start(std::size_t count) { from_start_.reserve(count); }
   void push_from_start(std::int64_t bond) { from_start_.push_back({static_cast<std::int32_t>(bond), -1}); }

@@ -24,8 +24,13 @@ void each_bond_around(const Network& n, const Assembly& a, std::int32_t domain, 
   }
 }
 
+// Where two joints cross, either's fluid passes the other's contact: that is no way of its own.
+bool at_crossing(const Assembly& a, std::int64_t bond) {
+  return std::binary_search(a.smooth.shared.begin(), a.smooth.shared.end(), bond);
+}
+
 // Makes the pipes of a joint together as long as the joint: where it runs through a void of the packing between two pieces (none of a
-// well) they share the way, and what short pieces count too much is taken from all.
+// well) they share the way, but for one that another joint's fluid passes, and what short pieces count too much is taken from all.
 void stretch_pipes(Network& n, const Assembly& a) {
   const auto& contacts = a.smooth.contacts;
   std::vector<std::vector<std::size_t>> on(a.smooth.law_number.size());
@@ -52,10 +57,13 @@ void stretch_pipes(Network& n, const Assembly& a) {
       const SmoothContact& next = contacts[joint[m + 1]];
       const double gap = at(joint[m + 1]) - at(joint[m]) - 0.5 * (c.area + next.area);
       if (gap <= 0.0 || at_well(c) || at_well(next)) continue;
-      n.joint_length[static_cast<std::size_t>(c.bond)] += 0.5 * gap;
-      n.joint_length[static_cast<std::size_t>(next.bond)] += 0.5 * gap;
       wanted += gap;
-      sum += 0.5 * gap;  // the other half is in the next contact's length
+      const bool here = !at_crossing(a, c.bond), there = !at_crossing(a, next.bond);
+      const double share = here && there ? 0.5 * gap : gap;
+      if (there) n.joint_length[static_cast<std::size_t>(next.bond)] += share;  // summed up with it
+      if (!here) continue;
+      n.joint_length[static_cast<std::size_t>(c.bond)] += share;
+      sum += share;
     }
     for (const auto k : joint) n.joint_length[static_cast<std::size_t>(contacts[k].bond)] *= wanted / sum;
   }
@@ -108,9 +116,7 @@ void begin_joint_pores(Network& n, const Assembly& a, const Options& o) {
   for (const auto& contact : smooth.contacts) {
     const auto e = static_cast<std::size_t>(contact.bond);
     if (!smooth.law_of(contact).conducts() || n.left[e] == n.right[e]) continue;
-    // Where two joints cross, either's fluid passes the other's contact: that is no way of its own.
-    const bool crossing = std::binary_search(smooth.shared.begin(), smooth.shared.end(), contact.bond);
-    n.joint_length[e] = std::max(crossing ? 0.0 : contact.area,
+    n.joint_length[e] = std::max(at_crossing(a, contact.bond) ? 0.0 : contact.area,
                                  shortest_pipe * a.mean_radius_of(static_cast<std::int64_t>(e)));
     for (const auto d : {n.left[e], n.right[e]}) take(d, contact, contact.area);
   }

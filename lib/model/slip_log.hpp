@@ -43,8 +43,8 @@ class SlipLog {
   void push_back(const Slip& slip) {
     const Increment at{slip.step, slip.time, slip.duration};
     if (increments_.empty() || increments_.back() != at) increments_.push_back(at);
-    entries_.push_back({static_cast<std::int32_t>(slip.bond),
-                        static_cast<std::int32_t>(increments_.size() - 1), slip.slip});
+    entries_.push_back(
+        {static_cast<std::int32_t>(slip.bond), static_cast<std::int32_t>(increments_.size() - 1), slip.slip});
   }
   void load(const Slip& slip) { push_back(slip); }
   void reserve(std::size_t count) { entries_.reserve(count); }

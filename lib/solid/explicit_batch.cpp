@@ -51,7 +51,8 @@ void ExplicitSolver::break_into_facets(std::int64_t cycle, std::vector<Found>& f
   }
   bonds = shared_.ranks().gather(bonds);
   shared_.gather(assembly_, network_);
-  std::vector<Crack>& log = (shared_.ranks().rank() == 0 ? found[0] : dropped_[0]).cracks;  // all ranks find the same
+  std::vector<Crack>& log =
+      (shared_.ranks().rank() == 0 ? found[0] : dropped_[0]).cracks;  // all ranks find the same
   std::sort(bonds.begin(), bonds.end());
   for (const auto e : bonds) {
     if (stays(e)) {

@@ -3,23 +3,27 @@
 //
 // Formula    T: a fracture of facets (the stem) ends in the middle of a joint without friction (the arms), with one pressure above the stress in
 //            both: openings by displacement discontinuities in rock without end (Crouch and Starfield 1983). By symmetry both arms hold as much.
+//            T by flow: at rest and steady, an arm of hydraulic aperture w and length L takes w^3 / (12 eta L) of the pressure at the junction (parallel conductances).
 //            Tip: the stress on an interface that does not slip, across the tip of a pressurised crack, by Westergaard (1939): z = a + i y,
 //            Z = z / sqrt(z^2 - a^2) - 1, sigma_xx = p (Re Z - y Im Z'), tau = -p y Re Z'; what criteria of crossing compare with friction.
 // Set-up     Random packings of 100 m, stress by a load, tight rock that does not break, pores that drain; stem of 20 m along x, joint of 20 m across.
-//            T: 10 MPa all round, 1 MPa more in stem and arms. Tip: 12 MPa across the joint, whose friction is 10, 1 MPa more than 10 MPa
+//            T: 10 MPa all round, 1 MPa more in stem and arms. T by flow: 30 MPa across two joints that end at the stem's end and stay closed, one of 0.15 mm
+//            whose pressure is held 12 m off, one of 0.2 mm and 18 m; the stem is opened as before, then fluid goes in at its far end and rock stands still. Tip: 12 MPa across the joint, whose friction is 10, 1 MPa more than 10 MPa
 //            in the stem. E' is measured on each packing without joint.
-// Measured   T: volume of stem and arms over the formula's; the arms' over each other. Tip: at the joint's contacts between 2 and 10 R from the tip, shear by
+// Measured   T: volume of stem and arms over the formula's; the arms' over each other. T by flow: the upper arm's share of what both take, over the hand's. Tip: at the joint's contacts between 2 and 10 R from the tip, shear by
 //            least squares over the formula's, and the mean change of normal stress less the formula's, over the net pressure.
 // Tolerance  Means of three packings of 10 000 discs: volumes 10 %, the arms' difference 10 % of their mean, shear 15 %;
-//            normal stress is told only.
+//            normal stress is told only. Share by flow: 10 % in each packing.
 // Page       docs/verification/V33.md
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "displacement_discontinuity.hpp"
+#include "flow/flow_solver.hpp"
 #include "flow/joint_view.hpp"
 #include "joint_model.hpp"
 #include "step/simulation.hpp"
@@ -32,11 +36,18 @@ using namespace hfrac;
 constexpr double side = 100.0, junction = 55.0, middle = 50.0, stem = 20.0, arm = 10.0;  // m
 constexpr double stress = 10e6, net = 1e6, pores = 5e6;                                  // Pa
 
+JointOptions joint(double from, double to, double friction, double aperture) {
+  constexpr double stiff = 1e12;  // Pa/m
+  return verification::plate_joint({junction, from}, {junction, to}, friction, stiff, aperture);
+}
+
 // A model with a stem whose bonds are broken, and a joint across its right end.
 class Meeting {
  public:
   Meeting(std::int64_t discs, std::int64_t seed, double across, double friction)
-      : sim_(definition(discs, seed, across, friction), {}, {}), a_(sim_.assembly()) {
+      : Meeting(discs, seed, across, std::vector{joint(middle - arm, middle + arm, friction, 1e-3)}) {}
+  Meeting(std::int64_t discs, std::int64_t seed, double across, std::vector<JointOptions> joints)
+      : sim_(definition(discs, seed, across, std::move(joints)), {}, {}), a_(sim_.assembly()) {
     Engine& e = sim_.engine();
     Model& m = e.model;
     double first = side, before = 0.0;
@@ -67,6 +78,27 @@ class Meeting {
       sim_.step(sim_.loads(), duration);
     }
   }
+  // Lets go of the pores of the stem but for the one at its far end.
+  void feed_from_the_far_end() {
+    const auto at = [&](const Facet& f) {
+      return network().centroid[f.left].x + network().centroid[f.right].x;
+    };
+    const auto far = *std::min_element(facets().begin(), facets().end(),
+                                       [&](const Facet& f, const Facet& g) { return at(f) < at(g); });
+    const bool left = network().centroid[far.left].x < network().centroid[far.right].x;
+    for (const auto d : pressed_) network().stiffness[d] = any_stiffness;
+    hold(left ? far.left : far.right, stress + net);
+  }
+  void hold(std::int32_t pore, double pressure) {
+    network().stiffness[pore] = 0.0;
+    network().pressure[pore] = pressure;
+  }
+  // Steady flow while the rock stands still.
+  void flow() {
+    FlowSolver solver(network(), sim_.options());
+    const std::vector<double> source(static_cast<std::size_t>(network().domain_count()), 0.0);
+    for (int k = 0; k < 3; ++k) solver.advance(network(), long_time, source);
+  }
   [[nodiscard]] const std::vector<Facet>& facets() { return sim_.engine().facets.all(); }
   [[nodiscard]] Network& network() { return sim_.engine().model.network; }
   [[nodiscard]] const Assembly& assembly() const { return a_; }
@@ -83,18 +115,18 @@ class Meeting {
   }
 
  private:
-  static CaseDefinition definition(std::int64_t discs, std::int64_t seed, double across, double friction) {
+  static CaseDefinition definition(std::int64_t discs, std::int64_t seed, double across,
+                                   std::vector<JointOptions> joints) {
     CaseDefinition definition = verification::tight_rock(discs, seed, pores);
     Options& o = definition.options;
     o.stress_sigma_Hmax = across;
     o.stress_sigma_hmin = stress;
     o.fluid_bulk_modulus = 1e6;
     o.fracture_law = static_cast<std::int64_t>(FractureLaw::facet);
-    constexpr double stiff = 1e12, aperture = 1e-3;  // Pa/m, m
-    definition.joints = {verification::plate_joint({junction, middle - arm}, {junction, middle + arm},
-                                                   friction, stiff, aperture)};
+    definition.joints = std::move(joints);
     return definition;
   }
+  static constexpr double any_stiffness = 1e9, long_time = 1e9;  // Pa/m2, s: what is steady knows neither
   hfrac::Simulation sim_;
   const Assembly& a_;
   double left_ = 0.0;
@@ -185,6 +217,49 @@ OnInterface stress_at_tip(std::int64_t discs, std::int64_t seed) {
   return found;
 }
 
+struct Arm {
+  double length, aperture;  // m; to where its pressure is held
+  [[nodiscard]] double conducts(double to) const { return aperture * aperture * aperture / to; }
+};
+
+// Share that the upper arm takes of what comes through the stem, over the hand's.
+double share_by_flow(std::int64_t discs, std::int64_t seed) {
+  constexpr Arm arms[2] = {{12.0, 1.5e-4}, {18.0, 2e-4}};
+  constexpr double beyond = 2.0, across = 30e6, friction = 10.0;  // m, Pa
+  Meeting meeting(discs, seed, across,
+                  {joint(middle, middle + arms[0].length + beyond, friction, arms[0].aperture),
+                   joint(middle - arms[1].length - beyond, middle, friction, arms[1].aperture)});
+  meeting.press(1.0);
+  const Network& n = meeting.network();
+  double at[2] = {}, taken[2] = {}, conducts[2] = {};
+  std::int32_t end[2] = {-1, -1};
+  for (const auto& c : meeting.assembly().smooth.contacts) {
+    const auto k = static_cast<std::size_t>(c.joint);
+    const double from_junction =
+        std::abs(meeting.along(c)) - 0.5 * c.area;  // where the contact's piece begins
+    if (end[k] >= 0 && std::abs(from_junction - arms[k].length) > std::abs(at[k] - arms[k].length)) continue;
+    const bool left =
+        std::abs(n.centroid[n.left[c.bond]].y - middle) < std::abs(n.centroid[n.right[c.bond]].y - middle);
+    at[k] = from_junction;
+    end[k] = left ? n.left[c.bond] : n.right[c.bond];
+  }
+  meeting.feed_from_the_far_end();
+  for (const auto pore : end) meeting.hold(pore, pores);
+  meeting.flow();
+  for (std::size_t k = 0; k < 2; ++k) {
+    conducts[k] = arms[k].conducts(at[k]);
+    for (std::size_t e = 0; e < n.left.size(); ++e)
+      if ((n.left[e] == end[k]) != (n.right[e] == end[k]))
+        taken[k] += n.right[e] == end[k] ? n.flow[e] : -n.flow[e];
+  }
+  const double found = taken[0] / (taken[0] + taken[1]), hand = conducts[0] / (conducts[0] + conducts[1]);
+  std::printf(
+      "  %lld discs, packing %lld: flow %.3e and %.3e m2/s, the upper arm's share %.3f, by hand %.3f\n",
+      static_cast<long long>(discs), static_cast<long long>(seed), taken[0], taken[1], found, hand);
+  std::fflush(stdout);
+  return found / hand;
+}
+
 void hold(std::int64_t discs) {
   constexpr int packings = 3;
   double in_stem = 0.0, in_arms = 0.0, uneven = 0.0, normal = 0.0, shear = 0.0;
@@ -204,6 +279,13 @@ void hold(std::int64_t discs) {
   std::printf("  tip, normal stress off by %.3f of the net pressure in the mean; 0.15 wanted, not held\n",
               normal);
   verification::report(name + "tip, shear on the interface over the formula's", shear, 1.0, 0.15);
+}
+
+TEST(V33MeetingFlow, EachArmOfATTakesItsShareByFlow) {
+  for (int seed = 1; seed <= 3; ++seed)
+    verification::report(
+        "T by flow, packing " + std::to_string(seed) + ": the upper arm's share over the hand's",
+        share_by_flow(10000, seed), 1.0, 0.10);
 }
 
 TEST(V33MeetingSmoke, OpensAsAT) {
