@@ -39,6 +39,16 @@ TEST(Base, BuildInfoIsOneLine) {
   EXPECT_EQ(std::string(text).rfind("hfrac 0.2.0, ", 0), 0u) << text;
 }
 
+TEST(Base, DevicesAreListedOrItIsSaidWhyThereAreNone) {
+  char text[4096];
+  int32_t count = -1, needed = 0;
+  ASSERT_EQ(hfrac_devices(&count, text, sizeof text, &needed), HFRAC_OK);
+  EXPECT_EQ(std::string(text).size() + 1, static_cast<std::size_t>(needed));
+  EXPECT_GT(needed, 1);
+  EXPECT_GE(count, 0);
+  EXPECT_EQ(hfrac_devices(nullptr, text, sizeof text, &needed), HFRAC_ERR_ARGUMENT);
+}
+
 TEST(Base, EveryStatusHasItsOwnText) {
   std::set<std::string> texts;
 #define HFRAC_ONE(name, value, text)                                              \

@@ -106,7 +106,7 @@ HFRAC_API int32_t hfrac_build_info(char *buffer, int32_t capacity, int32_t *need
 
 /** The cards that run.device = "gpu" can use: how many, and a line of text each with its name and memory; with none, a line that says
  * why. Looks for the driver anew each time. Unstable since 0.2. */
-HFRAC_API int32_t hfrac_devices(int32_t *count, char *buffer, int32_t capacity, int32_t *needed);
+HFRAC_UNSTABLE_API int32_t hfrac_devices(int32_t *count, char *buffer, int32_t capacity, int32_t *needed);
 
 /** What a status code means, as one sentence. Unknown codes give HFRAC_ERR_ARGUMENT. Stable since 0.1. */
 HFRAC_API int32_t hfrac_status_text(int32_t status, char *buffer, int32_t capacity, int32_t *needed);

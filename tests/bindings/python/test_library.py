@@ -29,6 +29,12 @@ class Library(unittest.TestCase):
         _library.call("hfrac_abi_version", ctypes.byref(abi))
         self.assertEqual(abi.value, _abi.ABI_VERSION)
 
+    def test_a_table_of_solvers_begins_empty(self):
+        solver = _abi.hfrac_linear_solver()
+        _library.call("hfrac_linear_solver_init", ctypes.byref(solver), ctypes.sizeof(solver))
+        self.assertEqual(solver.struct_size, ctypes.sizeof(solver))
+        self.assertFalse(solver.prepare or solver.solve or solver.release or solver.reason)
+
     def test_status_texts_are_those_of_the_library(self):
         for status, text in _abi.STATUS_TEXTS.items():
             self.assertEqual(_library.status_text(status), text)

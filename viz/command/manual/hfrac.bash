@@ -36,7 +36,7 @@ _hfrac() {
       esac
       ;;
     info)
-      options='--help'
+      options='--help --devices'
       ;;
     catalogue)
       options='--help --distance --seconds --cycles --thickness --shear-modulus --slip-rate --completeness --quakeml --start --latitude --longitude --depth --azimuth --diffusivity --width --print --dark --svg --pdf --quiet'
