@@ -101,8 +101,8 @@ class DeviceArray {
     reserve(bytes);
     if (bytes > 0) device_->upload(address_, from, bytes);
   }
-  void get(void* to, std::size_t bytes, std::size_t from = 0) const {
-    if (bytes > 0) device_->download(to, static_cast<const char*>(address_) + from, bytes);
+  void get(void* to, std::size_t bytes) const {
+    if (bytes > 0) device_->download(to, address_, bytes);
   }
   template <class T>
   [[nodiscard]] T* as() const {

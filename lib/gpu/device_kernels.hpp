@@ -20,19 +20,8 @@ struct OneLane {
   using Value = double;
 };
 
-// A contact of a smooth joint as it lies in memory (model/smooth_contacts.hpp).
-struct ContactRecord {
-  int32_t bond, joint;
-  double normal_x, normal_y, area, opens_i, opens_j, slides_i, slides_j;
-};
-
 inline int64_t item_of(const DeviceTask& t, int64_t block) {
   return t.list != nullptr ? t.list[block] : block;
-}
-
-// Eight partial sums and their total, as in kernels_chunk.hpp.
-inline double total_of(const double* lane) {
-  return ((lane[0] + lane[1]) + (lane[2] + lane[3])) + ((lane[4] + lane[5]) + (lane[6] + lane[7]));
 }
 
 inline __attribute__((always_inline)) BondMotion bond_state(const KernelArrays& a, int64_t e) {
@@ -55,7 +44,7 @@ inline __attribute__((always_inline)) BondMotion bond_state(const KernelArrays& 
 
 inline __attribute__((always_inline)) BondAnswer answer_any(const KernelArrays& a, const double* values,
                                                             const BondMotion& m) {
-  const BondLaw law(a);
+  const BondConstants law(a);
   const bool flat = a.flat != 0;
   if (a.softening_start != nullptr)
     return flat ? answer_bond<true, true, true>(law, values, m)
@@ -219,7 +208,7 @@ void press_walls(Block& block, const DeviceTask& t) {
     const DeviceWall& wall = d.outside->walls[w];
     block.each(wall.last - wall.first, [&](int64_t q) {
       const int64_t k = wall.first + q;
-      const int32_t i = d.wall_discs[k].disc;
+      const int64_t i = d.wall_discs[k].disc;
       const double closing =
           wall.displacement - (a.ux[i] * wall.inward_x + a.uy[i] * wall.inward_y) + d.wall_discs[k].growth;
       const double force = d.wall_stiffness * positive(closing);

@@ -10,6 +10,13 @@ namespace {
 // Share of dropped fill that goes to the diagonal: all of it would leave nothing for rounding.
 constexpr double kept_fill = 0.97;
 
+// In units of the diagonal's roots.
+double scaled_length(const SparseMatrix& lower, const Eigen::VectorXd& v) {
+  double sum = 0.0;
+  for (Eigen::Index k = 0; k < v.size(); ++k) sum += v[k] * v[k] / lower.valuePtr()[lower.outerIndexPtr()[k]];
+  return std::sqrt(sum);
+}
+
 }  // namespace
 
 void symmetric_product(const SparseMatrix& lower, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
@@ -27,12 +34,6 @@ void symmetric_product(const SparseMatrix& lower, const Eigen::VectorXd& x, Eige
     }
     y[k] += sum;
   }
-}
-
-double scaled_length(const SparseMatrix& lower, const Eigen::VectorXd& v) {
-  double sum = 0.0;
-  for (Eigen::Index k = 0; k < v.size(); ++k) sum += v[k] * v[k] / lower.valuePtr()[lower.outerIndexPtr()[k]];
-  return std::sqrt(sum);
 }
 
 bool ConjugateGradient::factorise(const Matrix& lower) {

@@ -13,10 +13,8 @@
 
 namespace hfrac {
 
-// y = A x of a symmetric matrix by its lower triangle, each column beginning with its diagonal; and the length of v in units of the
-// diagonal's roots.
+// y = A x of a symmetric matrix by its lower triangle, each column beginning with its diagonal.
 void symmetric_product(const SparseMatrix& lower, const Eigen::VectorXd& x, Eigen::VectorXd& y);
-[[nodiscard]] double scaled_length(const SparseMatrix& lower, const Eigen::VectorXd& v);
 
 class ConjugateGradient {
  public:

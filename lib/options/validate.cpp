@@ -288,8 +288,7 @@ void check_solver(const Options& o) {
   if (!quasi_static && FactorOf{o.solver_factor} == FactorOf::petsc) {
     refuse(
         "solver.factor = \"petsc\" is for solver.kind = \"quasi-static\"; the explicit solver has no factor, "
-        "and "
-        "flow.solver = \"petsc\" is for its flow steps.");
+        "and flow.solver = \"petsc\" is for its flow steps.");
   }
   const SteppingMode mode{o.stepping_mode};
   if (mode == SteppingMode::coupled && !quasi_static) {

@@ -18,8 +18,8 @@ struct DeviceCorner {
 
 // A disc that walls press on.
 struct DeviceWallDisc {
-  int32_t disc, place;  // place: where its force is noted
-  double growth;        // m, by temperature
+  int64_t disc;
+  double growth;  // m, by temperature
 };
 
 struct DeviceWall {

@@ -87,7 +87,7 @@ void DeviceCycles::lay_out(const TilePlan& plan) {
   a.external_moment = d.external_moment;
   twin(h.first, bonds, a.first, once);
   twin(h.second, bonds, a.second, once);
-  twin(h.geometry, assembly_.geometry.value_count(), a.geometry, there);
+  twin(h.geometry, assembly_.geometry.value_count(), a.geometry, once);
   twin(h.intact, bonds, a.intact, there);
   twin(h.slip, bonds, a.slip, there_and_back);
   for (auto of : {&KernelArrays::growth, &KernelArrays::stiffness_factor, &KernelArrays::tensile_factor,
@@ -97,8 +97,8 @@ void DeviceCycles::lay_out(const TilePlan& plan) {
   twin(h.softening_worst, bonds, a.softening_worst, there_and_back);
   twin(h.domain_corner_start, domains > 0 ? domains + 1 : 0, a.domain_corner_start, once);
   twin(h.domain_corner_disc, corners, a.domain_corner_disc, once);
-  twin(h.domain_corner_weight, 2 * corners, a.domain_corner_weight, there);
-  twin(h.domain_corner_turn, corners, a.domain_corner_turn, there);
+  twin(h.domain_corner_weight, 2 * corners, a.domain_corner_weight, once);
+  twin(h.domain_corner_turn, corners, a.domain_corner_turn, once);
   twin(h.pressure, domains, a.pressure, there_and_back);
   twin(h.volume_change, domains, a.volume_change, there_and_back);
   twin(h.content, domains, a.content, there);
@@ -226,7 +226,7 @@ void DeviceCycles::put_walls() {
     const Wall& wall = boundary_.walls()[w];
     DeviceWall& to = walls_.walls[w];
     to.first = static_cast<std::int64_t>(discs.size());
-    for (const auto i : wall.discs) discs.push_back({i, 0, assembly_.thermal.growth_of(i)});
+    for (const auto i : wall.discs) discs.push_back({i, assembly_.thermal.growth_of(i)});
     to.last = static_cast<std::int64_t>(discs.size());
     to.inward_x = wall.inward.x;
     to.inward_y = wall.inward.y;
@@ -288,8 +288,6 @@ void DeviceCycles::put_contacts(std::span<const Pushed> pushed, const ContactPai
 }
 
 void DeviceCycles::begin_batch(double friction) {
-  constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
-  stop_.put(&never, sizeof never);
   put(Travels::in_batches);
   for (std::size_t w = 0; w < boundary_.walls().size(); ++w) {
     walls_.walls[w].displacement = boundary_.walls()[w].displacement;
@@ -365,23 +363,25 @@ void DeviceCycles::get_bonds(std::int64_t first, std::int64_t last) {
   get(host_.softening_worst, a.softening_worst, first, last);
 }
 
-void DeviceCycles::get_discs(std::int64_t tile) {
+void DeviceCycles::get_discs(std::int64_t first, std::int64_t last) {
   const KernelArrays& a = task_.d.a;
-  const Tile& t = host_.tiles[tile];
-  get(host_.ux, a.ux, t.first_disc, t.last_disc);
-  get(host_.uy, a.uy, t.first_disc, t.last_disc);
-  get(host_.rotation, a.rotation, t.first_disc, t.last_disc);
+  get(host_.ux, a.ux, first, last);
+  get(host_.uy, a.uy, first, last);
+  get(host_.rotation, a.rotation, first, last);
 }
 
 void DeviceCycles::get_tile(std::int64_t tile) {
-  get_discs(tile);
-  get_bonds(host_.tiles[tile].first_bond, host_.tiles[tile].last_bond);
+  const Tile& t = host_.tiles[tile];
+  get_discs(t.first_disc, t.last_disc);
+  get_bonds(t.first_bond, t.last_bond);
 }
 
 void DeviceCycles::get_pair(std::int64_t pair) {
   const TilePair& p = host_.pairs[pair];
-  get_discs(host_.first[p.first_bond] / tile_size);
-  get_discs(host_.second[p.first_bond] / tile_size);
+  for (const auto disc : {host_.first[p.first_bond], host_.second[p.first_bond]}) {
+    const Tile& t = host_.tiles[disc / tile_size];
+    get_discs(t.first_disc, t.last_disc);
+  }
   get_bonds(p.first_bond, p.last_bond);
 }
 
@@ -417,7 +417,7 @@ void DeviceCycles::take_out(const Boundary::RigidMotion& motion) {
 }
 
 void DeviceCycles::get_displacements() {
-  for (std::int64_t tile = 0; tile < host_.tile_count; ++tile) get_discs(tile);
+  get_discs(0, host_.disc_count);
 }
 
 void DeviceCycles::get_state(ContactPairs& contacts) {

@@ -83,7 +83,7 @@ class DeviceCycles {
   // Items from `first` up to `last` of an array that has a twin.
   template <class T>
   void get(T* host, const T* at, std::int64_t first, std::int64_t last);
-  void get_discs(std::int64_t tile);
+  void get_discs(std::int64_t first, std::int64_t last);
   void get_bonds(std::int64_t first, std::int64_t last);
 
   const Device& device_;

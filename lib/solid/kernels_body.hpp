@@ -29,7 +29,7 @@ __attribute__((noinline)) void bond_law_with(const KernelArrays& a, int64_t e, i
       softens ? whole_blocks(a.softening_start + e, n, copies[most > 6 ? 6 : 0]) : nullptr;
   const double* __restrict worst_ =
       softens ? whole_blocks(a.softening_worst + e, n, copies[most > 6 ? 7 : 0]) : nullptr;
-  const BondLaw law(a);
+  const BondConstants law(a);
   for (int64_t k = 0; k < n; ++k) c.intact[k] = static_cast<double>(intact_[k]);
   for (int64_t k = n; k < in_blocks(n); ++k) c.intact[k] = c.intact[n - 1];
   const auto one = [&](int64_t k, int64_t lane, const double* __restrict values)

@@ -22,8 +22,7 @@ struct Partial {
   double lane[8];
 };
 inline double total(const Partial& p) {
-  return ((p.lane[0] + p.lane[1]) + (p.lane[2] + p.lane[3])) +
-         ((p.lane[4] + p.lane[5]) + (p.lane[6] + p.lane[7]));
+  return total_of(p.lane);
 }
 
 // Adds n values in an order that does not depend on the vector width.

@@ -30,11 +30,22 @@ inline __attribute__((always_inline)) double magnitude(double a) {
   return __builtin_fabs(a);
 }
 
+// Eight partial sums come to this.
+inline double total_of(const double* lane) {
+  return ((lane[0] + lane[1]) + (lane[2] + lane[3])) + ((lane[4] + lane[5]) + (lane[6] + lane[7]));
+}
+
+// A contact of a smooth joint as it lies in memory (model/smooth_contacts.hpp).
+struct ContactRecord {
+  int32_t bond, joint;
+  double normal_x, normal_y, area, opens_i, opens_j, slides_i, slides_j;
+};
+
 // What all bonds have in common (KernelArrays).
-struct BondLaw {
+struct BondConstants {
   double bond_normal, bond_shear, contact_normal, contact_shear, inverse_contact_shear, friction,
       bending_share, contact_with_bond, tensile, shearing, shear_per_normal, softening;
-  explicit __attribute__((always_inline)) BondLaw(const KernelArrays& a)
+  explicit __attribute__((always_inline)) BondConstants(const KernelArrays& a)
       : bond_normal(a.bond_normal),
         bond_shear(a.bond_shear),
         contact_normal(a.contact_normal),
@@ -66,7 +77,7 @@ struct BondAnswer {
 // With `varied`, bonds differ; with `flat`, contacts bear moments; with `softens`, which varies too, bonds soften. `values` is where the
 // bond's first value lies in its block (core/layout.hpp).
 template <bool varied, bool flat, bool softens>
-inline __attribute__((always_inline)) BondAnswer answer_bond(const BondLaw& law,
+inline __attribute__((always_inline)) BondAnswer answer_bond(const BondConstants& law,
                                                              const double* __restrict values,
                                                              const BondMotion& m) {
   BondAnswer r;

@@ -9,20 +9,15 @@ namespace hfrac {
 namespace HFRAC_KERNEL_NAMESPACE {
 namespace {
 
-// SmoothContact, read as two rows of four.
-struct SmoothRecord {
-  int32_t bond, joint;
-  double values[7];
-};
-
 struct FourLanes {
   using Value = Quad;
 };
 
 // Four contacts of smooth joints, by the law of solid/smooth_joints.hpp, in place of their bonds, which are e + lane[].
 inline __attribute__((always_inline)) void answer_four(const KernelArrays& a,
-                                                       const SmoothRecord* const* contact,
+                                                       const ContactRecord* const* contact,
                                                        const int64_t* lane, int64_t e, Chunk& c) {
+  // A record as two rows of four.
   const auto row = [&](int64_t w, int64_t part) -> const Quad& {
     return reinterpret_cast<const Quad*>(contact[w])[part];
   };
@@ -58,7 +53,7 @@ inline __attribute__((always_inline)) void answer_four(const KernelArrays& a,
   l.intact_friction = law(3, 1);
   transpose(l.friction, l.tensile, l.cohesion, l.intact_friction);
   if (a.smooth.settled != nullptr) {
-    const SmoothRecord* first = static_cast<const SmoothRecord*>(a.smooth.contacts);
+    const ContactRecord* first = static_cast<const ContactRecord*>(a.smooth.contacts);
     const auto settled = [&](int64_t w) -> const Quad& {
       return reinterpret_cast<const Quad*>(a.smooth.settled)[contact[w] - first];
     };
@@ -88,12 +83,12 @@ inline __attribute__((always_inline)) void answer_four(const KernelArrays& a,
 
 // Contacts of smooth joints from number q on, those of bonds e to e + n - 1, answer in place of them. Returns the number that follows.
 int64_t answer_smooth(const KernelArrays& a, int64_t e, int64_t n, int64_t q, Chunk& c) {
-  const SmoothRecord* contacts = static_cast<const SmoothRecord*>(a.smooth.contacts);
+  const ContactRecord* contacts = static_cast<const ContactRecord*>(a.smooth.contacts);
   int64_t last = q;
   while (last < a.smooth.count && contacts[last].bond < e + n) ++last;
   for (int64_t k = q; k < last && a.smooth.forces == nullptr; k += 4) {
     // The last stands in for those missing.
-    const SmoothRecord* four[4];
+    const ContactRecord* four[4];
     int64_t lane[4];
     for (int64_t w = 0; w < 4; ++w) {
       four[w] = contacts + (k + w < last ? k + w : last - 1);

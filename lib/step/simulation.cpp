@@ -48,8 +48,7 @@ void require_solvers(const Options& o, const Ranks& ranks) {
       std::string(flow ? "flow.solver" : "solver.factor") +
           " = \"petsc\" needs PETSc, and this simulation was created without: install petsc-dev, build "
           "hfrac there (it makes libhfrac_petsc), and run by 'hfrac run' or 'mpirun -n N hfrac run'; a "
-          "program "
-          "gives hfrac_exchange::linear_solver by hfrac_petsc_solver. Or use " +
+          "program gives hfrac_exchange::linear_solver by hfrac_petsc_solver. Or use " +
           (flow ? "flow.solver = \"auto\"." : "solver.factor = \"own\"."));
 }
 

@@ -4,16 +4,11 @@
 usage: tests/gpu/random_models.py [--models N] [--seed S] [--only K]
 (PYTHONPATH=bindings/python, HFRAC_LIBRARY=the libhfrac beside which libhfrac_gpu lies)
 """
-import argparse
 import pathlib
 import sys
 
-import hfrac
-
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "trust"))
-from random_models import add_well, do, draw  # noqa: E402
-
-FAILURES = (hfrac.ModelError, hfrac.ArgumentError, hfrac.DivergedError, hfrac.CollapsedError)
+from random_models import chosen_models, course, draw  # noqa: E402
 
 
 def drawn(seed, number):
@@ -31,35 +26,16 @@ def drawn(seed, number):
     return model, deeds
 
 
-def course(model, deeds, device):
-    """On what it ran, the state after each step, or how it ended."""
-    heard, states = [], []
-    try:
-        with hfrac.Simulation(**model, run_device=device, log=lambda _, text: heard.append(text)) as sim:
-            for deed, share, well in deeds[:3]:
-                do(sim, model, deed, share)
-                add_well(sim, well)
-                sim.step()
-                states.append(sim.state_hash)
-    except FAILURES as end:
-        states.append(str(end))
-    return [text for text in heard if text.startswith("cycles run on ")], states
-
-
 def main():
     """Draws, compares, tells."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--models", type=int, default=40)
-    parser.add_argument("--seed", type=int, default=20261125)
-    parser.add_argument("--only", type=int)
-    chosen = parser.parse_args()
-    numbers = range(chosen.models) if chosen.only is None else (chosen.only,)
+    numbers, seed = chosen_models(__doc__, 40)
     bad = steps = on_device = 0
     for n in numbers:
-        model, deeds = drawn(chosen.seed, n)
-        _, alone = course(model, deeds, "cpu")
-        where, there = course(model, deeds, "gpu")
-        on_device += bool(where)
+        model, deeds = drawn(seed, n)
+        heard = []
+        alone = course(model, deeds)
+        there = course(model, deeds, run_device="gpu", log=lambda _, text, told=heard: told.append(text))
+        on_device += any(text.startswith("cycles run on ") for text in heard)
         steps += sum(isinstance(state, int) for state in alone)
         if there != alone:
             bad += 1

@@ -14,8 +14,7 @@ import sys
 import tempfile
 import time
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from test_mpi import CASE, ENVIRONMENT, HFRAC, over, run  # noqa: E402
+from over_ranks import CASE, ENVIRONMENT, HFRAC, over, run
 
 
 def processes_of(launcher):

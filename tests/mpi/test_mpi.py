@@ -2,55 +2,16 @@
 """One simulation over several processes: the same files as one process writes, on any number, killed or stopped and gone on with on
 another number; no process waits for one that has gone."""
 import os
-import pathlib
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-HFRAC = os.environ["HFRAC_COMMAND"]
-MPIEXEC = os.environ["MPIEXEC"]
-CASE = """
-title = "a hole under pressure"
-[packing]
-disc_count = 2000
-[stress]
-sigma_Hmax = 33e6
-sigma_hmin = 28e6
-[stepping]
-steps = 6
-flow_step = 1e-2
-[output]
-every = 2
-checkpoint_steps = 2
-[[well]]
-radius = 10.0
-pressure = 65e6
-"""
-# Open MPI asks root twice, and keeps more ranks than cores from spinning; MPICH knows none of it.
-ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1",
-                   OMPI_MCA_mpi_yield_when_idle="1", OMPI_MCA_btl="self,vader", OMPI_MCA_plm="isolated")
+from over_ranks import ENVIRONMENT, HFRAC, OverRanks, over, run
 
 
-def over(ranks, *command):
-    return [MPIEXEC, "-n", str(ranks), *map(str, command)]
-
-
-def run(command, **options):
-    return subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=300, **options)
-
-
-class Mpi(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.case = self.folder / "case.toml"
-        self.case.write_text(CASE)
-
+class Mpi(OverRanks):
     def alone(self, *more):
         done = run([HFRAC, "run", self.case, "-o", self.folder / "alone", "-q", *more])
         self.assertEqual(done.returncode, 0, done.stderr)

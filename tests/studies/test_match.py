@@ -18,13 +18,18 @@ points = 4
 
 
 class Match(unittest.TestCase):
+    def matched(self, folder, pressure):
+        """The study, and what `hfrac match` says, of a record of one pressure."""
+        study = support.write_study(folder, more=MATCH)
+        (folder / "record.csv").write_text("time_s,well_pressure_Pa\n" + "".join(f"{0.1 * k:.1f},{pressure}\n" for k in range(1, 5)))
+        done = support.hfrac("match", study, "-o", folder / "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return study, done
+
     def test_what_data_tell_and_what_not(self):
         with tempfile.TemporaryDirectory(prefix="hfrac-studies-") as top:
             folder = pathlib.Path(top)
-            study = support.write_study(folder, more=MATCH)
-            (folder / "record.csv").write_text("time_s,well_pressure_Pa\n" + "".join(f"{0.1 * k:.1f},21e6\n" for k in range(1, 5)))
-            done = support.hfrac("match", study, "-o", folder / "out")
-            self.assertEqual(done.returncode, 0, done.stderr)
+            study, done = self.matched(folder, "21e6")
             with open(folder / "out/parameters.csv", newline="") as file:
                 found = {(row["parameter"], row["ensemble"]): row for row in csv.DictReader(file)}
             pressure, strength = found["pressure", "posterior"], found["bond.tensile_strength", "posterior"]
@@ -43,10 +48,7 @@ class Match(unittest.TestCase):
         """The law of the pressure ends at 30 MPa, and the ensemble stands there, narrow: that is no estimate."""
         with tempfile.TemporaryDirectory(prefix="hfrac-studies-") as top:
             folder = pathlib.Path(top)
-            study = support.write_study(folder, more=MATCH)
-            (folder / "record.csv").write_text("time_s,well_pressure_Pa\n" + "".join(f"{0.1 * k:.1f},32e6\n" for k in range(1, 5)))
-            done = support.hfrac("match", study, "-o", folder / "out")
-            self.assertEqual(done.returncode, 0, done.stderr)
+            _, done = self.matched(folder, "32e6")
             self.assertIn("the record is not explained", done.stdout)
             with open(folder / "out/parameters.csv", newline="") as file:
                 told = {row["verdict"] for row in csv.DictReader(file) if row["ensemble"] == "posterior"}

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstring>
+#include <fstream>
 #include <stdexcept>
 
 namespace golden {
@@ -124,6 +125,13 @@ std::uint64_t fingerprint(const Case& which, int64_t workers) {
   }
   hfrac_sim_destroy(&sim);
   return fold.value();
+}
+
+std::map<std::string, std::uint64_t> wanted(const char* file) {
+  std::map<std::string, std::uint64_t> numbers;
+  std::ifstream lines(file);
+  for (std::string name, number; lines >> name >> number;) numbers[name] = std::stoull(number, nullptr, 16);
+  return numbers;
 }
 
 }  // namespace golden

@@ -6,6 +6,7 @@
 #include <hfrac/definition.hpp>
 
 #include <cstdint>
+#include <map>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -26,5 +27,8 @@ std::vector<Case> cases();
 /** Builds and steps a case with so many workers and folds what a host can read of the end - places, bonds, pressures,
  * apertures, cracks, balances - into one number. Throws std::runtime_error if a call fails. */
 std::uint64_t fingerprint(const Case& which, int64_t workers);
+
+/** What golden.txt says, by the names of cases. */
+std::map<std::string, std::uint64_t> wanted(const char* file);
 
 }  // namespace golden

@@ -5,22 +5,9 @@
 // only the equality among workers is demanded.
 #include <gtest/gtest.h>
 
-#include <cinttypes>
-#include <cstdio>
-#include <fstream>
-#include <map>
-
 #include "golden.hpp"
 
 namespace {
-
-std::map<std::string, std::uint64_t> wanted() {
-  std::map<std::string, std::uint64_t> numbers;
-  std::ifstream file(HFRAC_GOLDEN_FILE);
-  std::string name, number;
-  while (file >> name >> number) numbers[name] = std::stoull(number, nullptr, 16);
-  return numbers;
-}
 
 class Golden : public testing::TestWithParam<golden::Case> {};
 
@@ -28,7 +15,7 @@ TEST_P(Golden, SameBitsOnAnyNumberOfWorkers) {
   const auto& which = GetParam();
   const std::uint64_t alone = golden::fingerprint(which, 1);
 #if defined(__x86_64__) && defined(__GLIBC__)
-  const auto numbers = wanted();
+  const auto numbers = golden::wanted(HFRAC_GOLDEN_FILE);
   ASSERT_TRUE(numbers.contains(which.name)) << "golden.txt has no " << which.name;
   EXPECT_EQ(alone, numbers.at(which.name)) << which.name
                                            << " gives another result than golden.txt says. If that is meant, "

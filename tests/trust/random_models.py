@@ -129,6 +129,34 @@ def do(sim, model, deed, share):
     return True
 
 
+FAILURES = (hfrac.ModelError, hfrac.ArgumentError, hfrac.DivergedError, hfrac.CollapsedError)
+
+
+def course(model, deeds, **how):
+    """State after each of three steps, or how it ended."""
+    states = []
+    try:
+        with hfrac.Simulation(**model, **how) as sim:
+            for deed, share, well in deeds[:3]:
+                do(sim, model, deed, share)
+                add_well(sim, well)
+                sim.step()
+                states.append(sim.state_hash)
+    except FAILURES as end:
+        states.append(str(end))
+    return states
+
+
+def chosen_models(description, models):
+    """The numbers of models and the seed that a command line asks for."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--models", type=int, default=models)
+    parser.add_argument("--seed", type=int, default=20261125)
+    parser.add_argument("--only", type=int)
+    chosen = parser.parse_args()
+    return (range(chosen.models) if chosen.only is None else (chosen.only,)), chosen.seed
+
+
 def add_well(sim, well):
     """Adds it, or is refused and changes nothing."""
     if well is None:
