@@ -179,8 +179,8 @@ void begin_smooth_joints(Assembly& a, const std::vector<JointOptions>& joints,
       smooth.contacts.push_back(c);
     }
   }
+  smooth.sort_lines(diameter);  // one that crosses no bond lies between discs, too
   if (smooth.contacts.empty()) return;
-  smooth.sort_lines(diameter);
   std::sort(smooth.contacts.begin(), smooth.contacts.end(),
             [](const SmoothContact& p, const SmoothContact& q) { return p.bond < q.bond; });
   smooth.index = BondIndex(

@@ -78,6 +78,18 @@ TEST(SmoothJoint, PiecesAddUpToItsLengthWhateverTheAngle) {
 }
 
 // The whole point: one half slides over the other without being lifted, and bears its coefficient of friction.
+// As where a well took all the discs along it, or another joint all of its bonds.
+TEST(SmoothJoint, ThatCrossesNoBondStillLiesBetweenDiscs) {
+  const Options o = dry_options(500);
+  const Discs discs = packed(o);
+  Assembly a = build_assembly(build_contact_graph(discs.x, discs.y, discs.radius, {}, o.bond_gap_tolerance), o);
+  CrackLog cracks;
+  apply_joints(a, {joint_at(0.0, 8.0, {10.0, 50.0}, 0.5, JointState::smooth_broken)}, o, cracks);
+  EXPECT_TRUE(a.smooth.empty());
+  EXPECT_TRUE(a.smooth.separate({10.0, 49.0}, {10.0, 51.0}));
+  EXPECT_FALSE(a.smooth.separate({10.0, 9.0}, {10.0, 11.0}));
+}
+
 TEST(SmoothJoint, SlidesWithoutDilationAtItsCoefficientOfFriction) {
   for (const double degrees : {0.0, 30.0, 60.0}) {
     Cut cut(degrees, JointState::smooth_broken, 0.5);
