@@ -93,7 +93,7 @@ double band_permeability(const Network& n, const Assembly& a, double low, double
           pressure[d] >= 0.0 ? pressure[d] : std::clamp((high - n.centroid[d].x) / span, 0.0, 1.0);
     }
     ConjugateGradient solver;
-    if (!solver.factorise(matrix) || solver.solve(matrix, rhs, p, 1e-8, 20000) < 0) return 0.0;
+    if (!solver.prepare(matrix) || solver.solve(rhs, p, 1e-8, 20000) < 0) return 0.0;
     for (std::size_t d = 1; d < domains; ++d) {
       if (unknown[d] >= 0) pressure[d] = p[unknown[d]];
     }

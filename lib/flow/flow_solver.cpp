@@ -41,10 +41,11 @@ double outer_flow(const Network& n, std::size_t k) {
 }  // namespace
 
 FlowSolver::FlowSolver(const Network& n, const Options& options, std::vector<Wellbore>* wellbores,
-                       const Ranks& ranks)
+                       const Ranks& ranks, Workers* workers)
     : explicit_(FlowScheme{options.flow_scheme} == FlowScheme::explicit_scheme),
       law_(options),
-      wellbores_(wellbores != nullptr && !wellbores->empty() ? wellbores : nullptr) {
+      wellbores_(wellbores != nullptr && !wellbores->empty() ? wellbores : nullptr),
+      conjugate_gradient_(workers) {
   const auto domains = static_cast<Eigen::Index>(n.domain_count());
   cavitated_.assign(static_cast<std::size_t>(domains), 0);
   const FlowMatrixSolver wanted{options.flow_solver};
@@ -164,7 +165,7 @@ void FlowSolver::solve_outside(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
 
 void FlowSolver::solve_pressures(Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
   if (outside_) return solve_outside(rhs, p);
-  const bool factorised = iterative_ ? conjugate_gradient_.factorise(matrix_)
+  const bool factorised = iterative_ ? conjugate_gradient_.prepare(matrix_)
                                      : (factor_.factorize(matrix_), factor_.info() == Eigen::Success);
   if (!factorised)
     throw Error(
@@ -173,7 +174,7 @@ void FlowSolver::solve_pressures(Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
         "the range of finite numbers; use a shorter stepping.flow_step or a smaller flow.aperture_limit");
   if (!iterative_) {
     p = factor_.solve(rhs);
-  } else if (conjugate_gradient_.solve(matrix_, rhs, p, iterative_tolerance, most_iterations) < 0) {
+  } else if (conjugate_gradient_.solve(rhs, p, iterative_tolerance, most_iterations) < 0) {
     throw Error(ErrorKind::diverged,
                 "the flow step's conjugate gradients did not converge in " + std::to_string(most_iterations) +
                     " iterations; use a smaller stepping.flow_step or flow.aperture_limit");

@@ -28,8 +28,9 @@ namespace hfrac {
 class FlowSolver {
  public:
   // `wellbores` are moved along with the network; none: there are no such.
+  // `workers` share conjugate gradients; none: the calling thread.
   FlowSolver(const Network& network, const Options& options, std::vector<Wellbore>* wellbores = nullptr,
-             const Ranks& ranks = {});
+             const Ranks& ranks = {}, Workers* workers = nullptr);
 
   // Advances contents and pressures by `step` [s]. source[d] [m2/s] is injected into domain d (empty: none).
   // Domains with stiffness 0 keep their pressure. Returns sub-cycles (explicit) or rounds (implicit).

@@ -113,7 +113,7 @@ class Conductivity {
       if (factor.info() == Eigen::Success) t = factor.solve(rhs);
     } else {
       ConjugateGradient solver;
-      if (!solver.factorise(matrix) || solver.solve(matrix, rhs, t, 1e-8, 20000) < 0) t.setConstant(NAN);
+      if (!solver.prepare(matrix) || solver.solve(rhs, t, 1e-8, 20000) < 0) t.setConstant(NAN);
     }
     double sum = 0.0;
     const auto temperature = [&](std::size_t node) {

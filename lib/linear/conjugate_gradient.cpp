@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "linear/conjugate_gradient.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace hfrac {
 namespace {
 
-// Share of dropped fill that goes to the diagonal: all of it would leave nothing for rounding.
-constexpr double kept_fill = 0.97;
-
-// In units of the diagonal's roots.
-double scaled_length(const SparseMatrix& lower, const Eigen::VectorXd& v) {
-  double sum = 0.0;
-  for (Eigen::Index k = 0; k < v.size(); ++k) sum += v[k] * v[k] / lower.valuePtr()[lower.outerIndexPtr()[k]];
-  return std::sqrt(sum);
-}
+constexpr std::int64_t rows_worth_sharing = 8 * Multigrid::group;
 
 }  // namespace
 
@@ -36,83 +27,75 @@ void symmetric_product(const SparseMatrix& lower, const Eigen::VectorXd& x, Eige
   }
 }
 
-bool ConjugateGradient::factorise(const Matrix& lower) {
-  const auto n = lower.cols();
-  const int* start = lower.outerIndexPtr();
-  const int* row = lower.innerIndexPtr();
-  values_ = Eigen::Map<const Eigen::VectorXd>(lower.valuePtr(), lower.nonZeros());
-  double* value = values_.data();
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const int begin = start[k], end = start[k + 1];
-    const double pivot = value[begin];
-    if (!(pivot > 0.0) || !std::isfinite(pivot)) return false;
-    // What eliminating unknown k does to the pairs of its neighbours.
-    for (int a = begin + 1; a < end; ++a) {
-      const double share = value[a] / pivot;
-      if (share == 0.0) continue;
-      value[start[row[a]]] -= share * value[a];
-      for (int b = a + 1; b < end; ++b) {
-        const double fill = share * value[b];
-        if (fill == 0.0) continue;
-        const int* first = row + start[row[a]] + 1;
-        const int* last = row + start[row[a] + 1];
-        const int* at = std::lower_bound(first, last, row[b]);
-        if (at != last && *at == row[b]) {
-          value[at - row] -= fill;
-        } else {
-          value[start[row[a]]] -= kept_fill * fill;
-          value[start[row[b]]] -= kept_fill * fill;
-        }
-      }
-    }
-    for (int a = begin + 1; a < end; ++a) value[a] /= pivot;
-  }
-  return true;
+template <class Term>
+void ConjugateGradient::add_up(const Workers::Member& member, Sums& sums, const Term& term) {
+  Multigrid::each_group(member, multigrid_.rows(), [&](std::int64_t first, std::int64_t end) {
+    sums[static_cast<std::size_t>(first / Multigrid::group)] = term(first, end - first);
+  });
 }
 
-// z = (L D' L^T)^-1 r
-void ConjugateGradient::precondition(const Matrix& lower, const Eigen::VectorXd& r,
-                                     Eigen::VectorXd& z) const {
-  const auto n = lower.cols();
-  const int* start = lower.outerIndexPtr();
-  const int* row = lower.innerIndexPtr();
-  const double* value = values_.data();
-  z = r;
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const double here = z[k];
-    for (int a = start[k] + 1; a < start[k + 1]; ++a) z[row[a]] -= value[a] * here;
-  }
-  for (Eigen::Index k = n - 1; k >= 0; --k) {
-    double sum = z[k] / value[start[k]];
-    for (int a = start[k] + 1; a < start[k + 1]; ++a) sum -= value[a] * z[row[a]];
-    z[k] = sum;
-  }
+double ConjugateGradient::total(const Sums& sums) {
+  double all = 0.0;
+  for (const double s : sums) all += s;
+  return all;
 }
 
-int ConjugateGradient::solve(const Matrix& lower, Eigen::VectorXd& rhs, Eigen::VectorXd& x, double tolerance,
-                             int most) {
-  for (auto* v : {&z_, &p_}) v->resize(lower.cols());
-  const double target = tolerance * scaled_length(lower, rhs);
+int ConjugateGradient::solve(Eigen::VectorXd& rhs, Eigen::VectorXd& x, double tolerance, int most) {
+  const auto rows = multigrid_.rows();
+  const bool shared = workers_ != nullptr && rows >= rows_worth_sharing;
+  Workers& team = shared ? *workers_ : alone_;
+  z_.resize(rows);
+  p_.setZero(rows);
+  for (auto* sums : {&sums_, &other_sums_})
+    sums->resize(static_cast<std::size_t>((rows + Multigrid::group - 1) / Multigrid::group));
   Eigen::VectorXd& r = rhs;
-  symmetric_product(lower, x, z_);
-  r -= z_;
-  double product = 0.0;
+  const Eigen::Map<const Eigen::VectorXd> diagonal(multigrid_.diagonal().data(), rows);
+  // In units of the diagonal's roots.
+  const auto squared_length = [&](std::int64_t first, std::int64_t count) {
+    return (r.segment(first, count).array().square() / diagonal.segment(first, count).array()).sum();
+  };
+  double target = 0.0, product = 1.0, far = 0.0;
+  team.share(shared, [&](const Workers::Member& member) {
+    add_up(member, other_sums_, squared_length);
+    multigrid_.multiply(member, x.data(), z_.data());
+    add_up(member, sums_, [&](std::int64_t first, std::int64_t count) {
+      r.segment(first, count) -= z_.segment(first, count);
+      return squared_length(first, count);
+    });
+  });
+  target = tolerance * std::sqrt(total(other_sums_));
   for (int iteration = 0; iteration <= most; ++iteration) {
-    if (scaled_length(lower, r) <= target) return iteration;
-    precondition(lower, r, z_);
-    const double next = r.dot(z_);
-    if (iteration == 0) {
-      p_ = z_;
-    } else {
-      p_ = z_ + (next / product) * p_;
-    }
-    product = next;
-    Eigen::VectorXd& q = z_;  // whose job is done
-    symmetric_product(lower, p_, q);
-    const double step = product / p_.dot(q);
-    if (!std::isfinite(step)) return -1;
-    x += step * p_;
-    r -= step * q;
+    if (std::sqrt(total(sums_)) <= target) return iteration;
+    team.share(shared, [&](const Workers::Member& member) {
+      multigrid_.precondition(member, r.data(), z_.data());
+      add_up(member, sums_, [&](std::int64_t first, std::int64_t count) {
+        return r.segment(first, count).dot(z_.segment(first, count));
+      });
+      member.barrier();
+      const double along = total(sums_), kept = along / product;
+      Multigrid::each_group(member, rows, [&](std::int64_t first, std::int64_t end) {
+        auto p = p_.segment(first, end - first);
+        p = z_.segment(first, end - first) + kept * p;
+      });
+      member.barrier();
+      Eigen::VectorXd& q = z_;  // whose job is done
+      multigrid_.multiply(member, p_.data(), q.data());
+      add_up(member, other_sums_, [&](std::int64_t first, std::int64_t count) {
+        return p_.segment(first, count).dot(q.segment(first, count));
+      });
+      member.barrier();
+      const double step = along / total(other_sums_);
+      add_up(member, sums_, [&](std::int64_t first, std::int64_t count) {
+        x.segment(first, count) += step * p_.segment(first, count);
+        r.segment(first, count) -= step * q.segment(first, count);
+        return squared_length(first, count);
+      });
+      if (member.number == 0) {  // the others have read the product before two barriers
+        product = along;
+        far = step;
+      }
+    });
+    if (!std::isfinite(far)) return -1;
   }
   return -1;
 }

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Conjugate gradients preconditioned by multigrid: right whatever conducts how well, in iterations that hardly grow with the
+// model, with the same bits on any number of workers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "core/random.hpp"
+#include "linear/conjugate_gradient.hpp"
+
+namespace conjugate_gradient_test {
+using namespace hfrac;
+
+// Pores on a square grid, joined to four neighbours each: rock of random conductance (1, standard deviation of its logarithm 1),
+// `storage` of each pore, and a crack of conductance `crack` along half of the middle row. Held at 0 left of the first column.
+SparseMatrix grid(int side, double storage, double crack) {
+  Random random(7);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int k = 0; k < side * side; ++k) entries.emplace_back(k, k, storage + (k % side == 0 ? 1.0 : 0.0));
+  const auto join = [&](int k, int other, double c) {
+    entries.emplace_back(k, k, c);
+    entries.emplace_back(other, other, c);
+    entries.emplace_back(other, k, -c);
+  };
+  const auto rock = [&] { return std::exp(2.0 * std::sqrt(3.0) * (random.uniform() - 0.5)); };
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      const int k = y * side + x;
+      const bool cracked = y == side / 2 && x > side / 4 && x < 3 * side / 4;
+      if (x + 1 < side) join(k, k + 1, cracked ? crack : rock());
+      if (y + 1 < side) join(k, k + side, rock());
+    }
+  }
+  SparseMatrix lower(side * side, side * side);
+  lower.setFromTriplets(entries.begin(), entries.end());
+  return lower;
+}
+
+Eigen::VectorXd from_the_middle(const SparseMatrix& lower) {
+  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(lower.cols());
+  rhs[lower.cols() / 2] = 1.0;
+  return rhs;
+}
+
+int solve(const SparseMatrix& lower, Eigen::VectorXd& x, Workers* workers = nullptr) {
+  ConjugateGradient solver(workers);
+  if (!solver.prepare(lower)) return -2;
+  Eigen::VectorXd rhs = from_the_middle(lower);
+  x = Eigen::VectorXd::Zero(lower.cols());
+  return solver.solve(rhs, x, 1e-12, 1000);
+}
+
+TEST(ConjugateGradient, AgreesWithTheFactorWhateverIsStoredAndHoweverWellACrackConducts) {
+  for (const double storage : {1e2, 1.0, 1e-3, 0.0}) {
+    for (const double crack : {1.0, 1e4, 1e8}) {
+      const auto lower = grid(90, storage, crack);
+      Eigen::VectorXd x;
+      const int iterations = solve(lower, x);
+      EXPECT_GE(iterations, 1) << storage << ' ' << crack;
+      EXPECT_LE(iterations, 60) << storage << ' ' << crack;
+      const SymmetricFactor factor(lower);
+      const Eigen::VectorXd exact = factor.solve(from_the_middle(lower));
+      EXPECT_LE((x - exact).cwiseAbs().maxCoeff(), 1e-6 * exact.cwiseAbs().maxCoeff())
+          << storage << ' ' << crack;
+    }
+  }
+}
+
+TEST(ConjugateGradient, NeedsHardlyMoreIterationsForAModelSixteenTimesAsLarge) {
+  Eigen::VectorXd x;
+  const int small = solve(grid(80, 0.0, 1e6), x), large = solve(grid(320, 0.0, 1e6), x);
+  EXPECT_GT(small, 0);
+  EXPECT_LE(large, 1.5 * small);
+}
+
+TEST(ConjugateGradient, HasTheSameBitsOnAnyNumberOfWorkers) {
+  for (const double storage : {3.0, 1e-3}) {
+    const auto lower = grid(140, storage, 1e5);
+    Eigen::VectorXd alone;
+    ASSERT_GT(solve(lower, alone), 0);
+    for (const int count : {1, 2, 3, 5}) {
+      Workers workers(count);
+      Eigen::VectorXd x;
+      ASSERT_GT(solve(lower, x, &workers), 0);
+      EXPECT_TRUE((x.array() == alone.array()).all()) << count << " workers, storage " << storage;
+    }
+  }
+}
+
+// Cracks that cross, of conductances over three powers of ten, in rock that conducts a millionth of them and less.
+TEST(ConjugateGradient, FollowsCracksInRockThatHardlyConducts) {
+  constexpr int side = 100;
+  for (const double rock : {0.0, 1e-10, 1e-6}) {
+    Random random(11);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int k = 0; k < side * side; ++k) entries.emplace_back(k, k, 1e-6);
+    const auto join = [&](int k, int other, bool cracked) {
+      const double c = cracked ? std::pow(10.0, -3.0 * random.uniform()) : rock;
+      entries.emplace_back(k, k, c);
+      entries.emplace_back(other, other, c);
+      entries.emplace_back(other, k, -c);
+    };
+    const auto inside = [](int at) { return at > side / 8 && at < 7 * side / 8; };
+    for (int y = 0; y < side; ++y) {
+      for (int x = 0; x < side; ++x) {
+        if (x + 1 < side) join(y * side + x, y * side + x + 1, y % 20 == 10 && inside(x));
+        if (y + 1 < side) join(y * side + x, y * side + x + side, x % 25 == 12 && inside(y));
+      }
+    }
+    SparseMatrix lower(side * side, side * side);
+    lower.setFromTriplets(entries.begin(), entries.end());
+    Eigen::VectorXd x;
+    const int iterations = solve(lower, x);
+    EXPECT_GT(iterations, 0) << rock;
+    EXPECT_LE(iterations, 60) << rock;
+    const Eigen::VectorXd exact = SymmetricFactor(lower).solve(from_the_middle(lower));
+    EXPECT_LE((x - exact).cwiseAbs().maxCoeff(), 1e-6 * exact.cwiseAbs().maxCoeff()) << rock;
+  }
+}
+
+TEST(ConjugateGradient, RefusesAMatrixThatIsNotPositive) {
+  auto lower = grid(8, 1.0, 1.0);
+  ConjugateGradient solver;
+  ASSERT_TRUE(solver.prepare(lower));
+  lower.coeffRef(7, 7) = -1.0;
+  EXPECT_FALSE(solver.prepare(lower));
+  lower.coeffRef(7, 7) = NAN;
+  EXPECT_FALSE(solver.prepare(lower));
+}
+
+}  // namespace conjugate_gradient_test
