@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -97,8 +98,8 @@ class Meeting {
   [[nodiscard]] double open_share() {
     double all = 0.0, open = 0.0;
     for (const Facet& f : facets()) {
-      all += f.length;
-      if (sim_.engine().facets.opening(a_, network(), f) > 0.0) open += f.length;
+      all += std::abs(f.length);
+      if (sim_.engine().facets.opening(a_, network(), f) > 0.0) open += std::abs(f.length);
     }
     return open / all;
   }
