@@ -34,7 +34,7 @@ class Meeting {
       : sim_(definition(discs, seed, across, std::move(joints)), {}, {}), a_(sim_.assembly()) {
     Engine& e = sim_.engine();
     Model& m = e.model;
-    double first = side, before = 0.0;
+    double first = side, before = 0.0, last = 0.0;
     for (std::int64_t b = 0; b < a_.bond_count(); ++b) {
       const auto i = a_.first[b], j = a_.second[b];
       if ((a_.y[i] - middle) * (a_.y[j] - middle) >= 0.0 || a_.smooth.of(b) != nullptr) continue;
@@ -42,9 +42,12 @@ class Meeting {
       if (x < junction - stem) before = std::max(before, x);
       if (x < junction - stem || x > junction) continue;
       first = std::min(first, x);
-      if (!e.mechanics->stays(b)) e.mechanics->break_bond(b, m.cracks);  // else its disc would come loose
+      if (e.mechanics->stays(b)) continue;  // else its disc would come loose
+      last = std::max(last, x);
+      e.mechanics->break_bond(b, m.cracks);
     }
     left_ = 0.5 * (before + first);
+    short_of_ = junction - last;
     e.facets.update(a_, m.network);
     for (const Facet& f : facets()) pressed_.insert(pressed_.end(), {f.left, f.right});
   }
@@ -87,7 +90,8 @@ class Meeting {
   [[nodiscard]] const std::vector<Facet>& facets() { return sim_.engine().facets.all(); }
   [[nodiscard]] Network& network() { return sim_.engine().model.network; }
   [[nodiscard]] const Assembly& assembly() const { return a_; }
-  [[nodiscard]] double left() const { return left_; }  // m, of the stem
+  [[nodiscard]] double left() const { return left_; }          // m, of the stem
+  [[nodiscard]] double short_of() const { return short_of_; }  // m, from its last bond to the joint
   [[nodiscard]] double stem_volume() {
     double volume = 0.0;
     for (const Facet& f : facets())
@@ -123,7 +127,7 @@ class Meeting {
   static constexpr double any_stiffness = 1e9, long_time = 1e9;  // Pa/m2, s: what is steady knows neither
   hfrac::Simulation sim_;
   const Assembly& a_;
-  double left_ = 0.0;
+  double left_ = 0.0, short_of_ = 0.0;
   std::vector<std::int32_t> pressed_;  // pores
 };
 
