@@ -132,7 +132,7 @@ void hold_tip(std::int64_t discs) {
   hold_once_open(discs);
 }
 
-constexpr double half_stem = 0.5 * stem, radius_10000 = 0.53, near_tip = 2.0 * radius_10000,
+constexpr double half_stem = 0.5 * stem, radius_10000 = 0.50, near_tip = 2.0 * radius_10000,
                  far_off = 10.0 * radius_10000;  // m
 
 // `found` of y against the formula's where those measures look.
