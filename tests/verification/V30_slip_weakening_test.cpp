@@ -197,6 +197,14 @@ TEST(V30SlipWeakening, RunsAwayOrArrestsAsItsStressSays) {
   hold(10000);
 }
 
+// As discs come to be finer: slip where it arrests misses theory by less. The rest is told.
+TEST(V30SlipWeakeningLong, NearsTheoryFromCoarserDiscs) {
+  mean_of(4000, 3, falling, 30.0);
+  const Ratios coarse = mean_of(4000, 3, holding, 7.0), fine = mean_of(10000, 3, holding, 7.0);
+  verification::report_absolute("where it arrests: miss of the slip, 10000 over 4000 discs",
+                                std::abs(fine.slip - 1.0) / std::abs(coarse.slip - 1.0), 0.0, 1.0);
+}
+
 TEST(V30SlipWeakeningLong, DoesSoWithFinerDiscs) {
   hold(40000);
 }
