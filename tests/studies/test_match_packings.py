@@ -1,8 +1,10 @@
 #!/usr/bin/python3
-"""examples/field/match.toml where the truth comes from another packing than the ensemble's: packings 2, 3 and 4, each reported, none chosen.
+"""examples/field/match-packings.toml where the truth comes from packings that the ensemble has not: 11, 12 and 13, each reported, none chosen.
 
-The record is what match-case.toml gives in that packing with the known values, and 0.03 MPa of noise; the ensemble is in packing 1 as
-in match.toml. Its `error` is 0.1 MPa, the scatter of packings that docs/studies.md named before this was run. The table printed here is the page's.
+The record is what match-case.toml gives in that packing with the known values and the hole's `fluid_area`, and 0.03 MPa of noise. Packings, members,
+passes and error of the study, these truths and what counts were committed before any was run: P50 within 10 % of the truth as the issue asks,
+which the table tells; and, tested, that of the nine 95 % intervals (of 64 members) at most one misses its truth.
+The table printed here is the page's (docs/studies.md).
 """
 import csv
 import json
@@ -18,7 +20,9 @@ import numpy as np
 
 TRUTH = {"K_Ic": 4.2e6, "sigma_hmin": 10.8e6, "permeability": 1e-14}
 FIELD = support.ROOT / "examples/field"
-ERROR = 0.1e6  # Pa
+STUDY = os.environ.get("HFRAC_STUDY", "match-packings.toml")
+PACKINGS = tuple(map(int, os.environ.get("HFRAC_PACKINGS", "11 12 13").split()))
+AREA = 8.55  # m2
 
 
 def with_value(text, key, value):
@@ -29,13 +33,14 @@ def with_value(text, key, value):
     return "\n".join(lines) + "\n"
 
 
-def truth(top, packing):
+def truth(top, packing, area=AREA):
     """Times and pressures of the case with the known values, and the radius of its hole [m]."""
     case = (FIELD / "match-case.toml").read_text()
     for key, value in (("fracture_toughness", TRUTH["K_Ic"]), ("sigma_hmin", TRUTH["sigma_hmin"]), ("permeability", TRUTH["permeability"])):
         case = with_value(case, key, value)
+    case = case.replace("\n[[well]]\n", f"\n[[well]]\nfluid_area = {area!r}\n")
     (top / "truth.toml").write_text(case + f"\n[model]\nseed = {packing}\n")
-    done = support.hfrac("run", top / "truth.toml", "-o", top / f"truth-{packing}", "-q")
+    done = support.hfrac("run", top / "truth.toml", "-o", top / f"truth-{packing}", "-q", "--overwrite")
     if done.returncode != 0:
         raise AssertionError(done.stderr)
     with open(top / f"truth-{packing}/history.csv", newline="") as file:
@@ -44,44 +49,59 @@ def truth(top, packing):
     return *np.array(rows).T, summary["wells"][0]["radius_m"]
 
 
-def match(top, packing):
-    """The posterior's rows by parameter."""
+def record(top, packing):
     times, pressures, _ = truth(top, packing)
     pressures = pressures + 0.03e6 * np.random.default_rng(packing).standard_normal(len(pressures))
-    (top / "match-record.csv").write_text(
-        "time_s,well_pressure_Pa\n" + "".join(f"{float(time)!r},{float(pressure)!r}\n" for time, pressure in zip(times, pressures)))
-    (top / "match-case.toml").write_text((FIELD / "match-case.toml").read_text())
-    (top / "match.toml").write_text(with_value((FIELD / "match.toml").read_text(), "error", ERROR))
-    done = support.hfrac("match", top / "match.toml", "-o", top / "out", "--jobs", os.environ.get("HFRAC_JOBS", "2"), limit=5000)
+    return "time_s,well_pressure_Pa\n" + "".join(f"{time:g},{pressure:.0f}\n" for time, pressure in zip(times, pressures))
+
+
+def match(top, packing):
+    """The posterior's rows by parameter, its members' values, and what the command printed."""
+    (top / "match-packings-record.csv").write_text(record(top, packing))
+    for name in ("match-case.toml", STUDY):
+        (top / name).write_text((FIELD / name).read_text())
+    # One folder for all: the first ensemble and the runs in each packing are the same.
+    done = support.hfrac("match", top / STUDY, "-o", top / "out", "--jobs", os.environ.get("HFRAC_JOBS", "2"), limit=7000)
     if done.returncode != 0:
         raise AssertionError(done.stderr)
     with open(top / "out/parameters.csv", newline="") as file:
-        return {row["parameter"]: row for row in csv.DictReader(file) if row["ensemble"] == "posterior"}
+        found = {row["parameter"]: row for row in csv.DictReader(file) if row["ensemble"] == "posterior"}
+    with open(top / "out/members.csv", newline="") as file:
+        members = [row for row in csv.DictReader(file) if row["ensemble"] == "posterior"]
+    return found, {name: np.array([float(row[name]) for row in members]) for name in TRUTH}, done.stdout
 
 
 class OtherPackings(unittest.TestCase):
     def test_how_far_packings_are_apart(self):
+        """Pressure off the mean of four packings, same values, with the void between the discs as the hole's fluid and with the area asked for."""
+        apart = {}
         with tempfile.TemporaryDirectory(prefix="hfrac-studies-") as top:
-            times, first, radius = truth(pathlib.Path(top), 1)
-            print(f"packing 1: hole of {radius:.2f} m, largest pressure after {times[first.argmax()]:.0f} s")
-            for packing in (2, 3, 4):
-                at, other, radius = truth(pathlib.Path(top), packing)
-                off = np.interp(times, at, other) - first
-                print(f"packing {packing}: hole of {radius:.2f} m, largest pressure after {at[other.argmax()]:.0f} s, {1e-6 * np.sqrt(np.mean(off ** 2)):.2f} MPa "
-                      f"rms off packing 1, at most {1e-6 * np.abs(off[times > 90.0]).max():.2f} MPa from 90 s on")
-                self.assertGreater(np.sqrt(np.mean(off ** 2)), ERROR, "the scatter of packings is no larger than the error that is said to hold it")
+            for area in (0.0, AREA):
+                runs = [truth(pathlib.Path(top), packing, area) for packing in (1, 2, 3, 4)]
+                at = np.linspace(0.0, 120.0, 241)
+                curves = np.array([np.interp(at, times, pressures) for times, pressures, _ in runs])
+                apart[area] = 1e-6 * np.sqrt(np.mean((curves - curves.mean(axis=0)) ** 2, axis=1))
+                rises = [np.interp(20.0, times, pressures) - pressures[0] for times, pressures, _ in runs]
+                print(f"fluid_area {area:g} m2: packings 1 to 4 with holes of {', '.join(f'{radius:.2f}' for _, _, radius in runs)} m: pressure rises by "
+                      f"{', '.join(f'{1e-6 * rise / 20.0:.3f}' for rise in rises)} MPa/s over 20 s; rms off their mean "
+                      f"{', '.join(f'{off:.2f}' for off in apart[area])} MPa")
+        self.assertLess(np.sqrt(np.mean(apart[AREA] ** 2)), np.sqrt(np.mean(apart[0.0] ** 2)))
 
     def test_what_the_truth_of_another_packing_gives(self):
-        for packing in map(int, os.environ.get("HFRAC_PACKINGS", "2 3 4").split()):
-            with tempfile.TemporaryDirectory(prefix="hfrac-studies-") as top:
-                found = match(pathlib.Path(top), packing)
-            for name, value in TRUTH.items():
-                row = found[name]
-                print(f"| {packing} | {name} | {value:g} | " + " | ".join(f"{float(row[part]):.4g}" for part in ("P10", "P50", "P90"))
-                      + f" | {100 * (float(row['P50']) / value - 1):+.1f} % | {row['verdict']} |")
-                sys.stdout.flush()
-                off = abs(float(row["P50"]) / value - 1.0)
-                self.assertTrue(off <= 0.1 or row["verdict"] == "record not explained", f"packing {packing} claims a wrong {name}: {row['verdict']}")
+        missed = []
+        with tempfile.TemporaryDirectory(prefix="hfrac-studies-") as folder:
+            for packing in PACKINGS:
+                found, members, text = match(pathlib.Path(folder), packing)
+                print(text)
+                for name, value in TRUTH.items():
+                    row = found[name]
+                    low, high = np.percentile(members[name], [2.5, 97.5])
+                    print(f"| {packing} | {name} | {value:g} | " + " | ".join(f"{float(row[part]):.4g}" for part in ("P10", "P50", "P90"))
+                          + f" | {100 * (float(row['P50']) / value - 1):+.1f} % | {low:.4g} to {high:.4g} | {float(row['deviation_ratio']):.2f} | {row['verdict']} |")
+                    sys.stdout.flush()
+                    if row["verdict"] != "record not explained" and not low <= value <= high:
+                        missed.append((packing, name))
+        self.assertLessEqual(len(missed), 1, f"95 % intervals that miss the truth: {missed}")
 
 
 if __name__ == "__main__":
