@@ -1,10 +1,12 @@
 #!/usr/bin/python3
-"""examples/field/match-packings.toml where the truth comes from packings that the ensemble has not: 11, 12 and 13, each reported, none chosen.
+"""examples/field/match-packings.toml and match-falloff.toml where the truth comes from packings that the ensemble has not: 11, 12 and 13, each
+reported, none chosen.
 
-The record is what match-case.toml gives in that packing with the known values and the hole's `fluid_area`, and 0.03 MPa of noise. Packings, members,
-passes and error of the study, these truths and what counts were committed before any was run: P50 within 10 % of the truth as the issue asks,
+The record is what match-case.toml gives in that packing with the known values and the study's [set], and 0.03 MPa (0.5 m) of noise. Packings, members,
+passes and error of a study, these truths and what counts were committed before any was run with it: P50 within 10 % of the truth as the issue asks,
 which the table tells; and, tested, that of the nine 95 % intervals (of 64 members) at most one misses its truth.
-The table printed here is the page's (docs/studies.md).
+match-falloff.toml is a second attempt, set after match-packings.toml had been run for packing 11 (K_Ic -41 %, sigma_hmin +3 %, permeability -43 %).
+The tables printed here are the page's (docs/studies.md).
 """
 import csv
 import json
@@ -12,6 +14,7 @@ import os
 import pathlib
 import sys
 import tempfile
+import tomllib
 import unittest
 
 import support
@@ -20,9 +23,9 @@ import numpy as np
 
 TRUTH = {"K_Ic": 4.2e6, "sigma_hmin": 10.8e6, "permeability": 1e-14}
 FIELD = support.ROOT / "examples/field"
-STUDY = os.environ.get("HFRAC_STUDY", "match-packings.toml")
 PACKINGS = tuple(map(int, os.environ.get("HFRAC_PACKINGS", "11 12 13").split()))
 AREA = 8.55  # m2
+NOISE = {"well_pressure_Pa": 0.03e6, "tip_distance_m": 0.5}
 
 
 def with_value(text, key, value):
@@ -33,35 +36,42 @@ def with_value(text, key, value):
     return "\n".join(lines) + "\n"
 
 
-def truth(top, packing, area=AREA):
-    """Times and pressures of the case with the known values, and the radius of its hole [m]."""
+def truth(top, packing, settings):
+    """History of the case with the known values, as columns, and the radius of its hole [m]."""
     case = (FIELD / "match-case.toml").read_text()
     for key, value in (("fracture_toughness", TRUTH["K_Ic"]), ("sigma_hmin", TRUTH["sigma_hmin"]), ("permeability", TRUTH["permeability"])):
         case = with_value(case, key, value)
-    case = case.replace("\n[[well]]\n", f"\n[[well]]\nfluid_area = {area!r}\n")
+    for key, value in settings.get("stepping", {}).items():
+        case = with_value(case, key, value)
+    for key, value in settings["well"].items():
+        case = case.replace("\n[[well]]\n", f"\n[[well]]\n{key} = {value!r}\n")
     (top / "truth.toml").write_text(case + f"\n[model]\nseed = {packing}\n")
     done = support.hfrac("run", top / "truth.toml", "-o", top / f"truth-{packing}", "-q", "--overwrite")
     if done.returncode != 0:
         raise AssertionError(done.stderr)
     with open(top / f"truth-{packing}/history.csv", newline="") as file:
-        rows = [(float(row["time_s"]), float(row["well_pressure_Pa"])) for row in csv.DictReader(file)]
+        rows = list(csv.DictReader(file))
     summary = json.loads((top / f"truth-{packing}/summary.json").read_text())
-    return *np.array(rows).T, summary["wells"][0]["radius_m"]
+    return {name: np.array([float(row[name]) for row in rows]) for name in ("time_s", *NOISE)}, summary["wells"][0]["radius_m"]
 
 
-def record(top, packing):
-    times, pressures, _ = truth(top, packing)
-    pressures = pressures + 0.03e6 * np.random.default_rng(packing).standard_normal(len(pressures))
-    return "time_s,well_pressure_Pa\n" + "".join(f"{time:g},{pressure:.0f}\n" for time, pressure in zip(times, pressures))
+def record(top, packing, settings):
+    """The record's text."""
+    table, _ = truth(top, packing, settings)
+    random = np.random.default_rng(packing)
+    for name, deviation in NOISE.items():
+        table[name] = table[name] + deviation * random.standard_normal(len(table[name]))
+    return "time_s,well_pressure_Pa,tip_distance_m\n" + "".join(f"{time:g},{pressure:.0f},{distance:.2f}\n" for time, pressure, distance in zip(*table.values()))
 
 
-def match(top, packing):
+def match(top, name, packing):
     """The posterior's rows by parameter, its members' values, and what the command printed."""
-    (top / "match-packings-record.csv").write_text(record(top, packing))
-    for name in ("match-case.toml", STUDY):
-        (top / name).write_text((FIELD / name).read_text())
+    study = tomllib.loads((FIELD / name).read_text())
+    (top / study["match"]["data"][0]["record"]).write_text(record(top, packing, study["set"]))
+    for file in ("match-case.toml", name):
+        (top / file).write_text((FIELD / file).read_text())
     # One folder for all: the first ensemble and the runs in each packing are the same.
-    done = support.hfrac("match", top / STUDY, "-o", top / "out", "--jobs", os.environ.get("HFRAC_JOBS", "2"), limit=7000)
+    done = support.hfrac("match", top / name, "-o", top / "out", "--jobs", os.environ.get("HFRAC_JOBS", "2"), limit=7000)
     if done.returncode != 0:
         raise AssertionError(done.stderr)
     with open(top / "out/parameters.csv", newline="") as file:
@@ -77,21 +87,26 @@ class OtherPackings(unittest.TestCase):
         apart = {}
         with tempfile.TemporaryDirectory(prefix="hfrac-studies-") as top:
             for area in (0.0, AREA):
-                runs = [truth(pathlib.Path(top), packing, area) for packing in (1, 2, 3, 4)]
+                runs = [truth(pathlib.Path(top), packing, {"well": {"fluid_area": area}}) for packing in (1, 2, 3, 4)]
                 at = np.linspace(0.0, 120.0, 241)
-                curves = np.array([np.interp(at, times, pressures) for times, pressures, _ in runs])
-                apart[area] = 1e-6 * np.sqrt(np.mean((curves - curves.mean(axis=0)) ** 2, axis=1))
-                rises = [np.interp(20.0, times, pressures) - pressures[0] for times, pressures, _ in runs]
-                print(f"fluid_area {area:g} m2: packings 1 to 4 with holes of {', '.join(f'{radius:.2f}' for _, _, radius in runs)} m: pressure rises by "
-                      f"{', '.join(f'{1e-6 * rise / 20.0:.3f}' for rise in rises)} MPa/s over 20 s; rms off their mean "
+                curves = 1e-6 * np.array([np.interp(at, table["time_s"], table["well_pressure_Pa"]) for table, _ in runs])
+                apart[area] = np.sqrt(np.mean((curves - curves.mean(axis=0)) ** 2, axis=1))
+                print(f"fluid_area {area:g} m2: packings 1 to 4 with holes of {', '.join(f'{radius:.2f}' for _, radius in runs)} m: pressure rises by "
+                      f"{', '.join(f'{(curve[40] - curve[0]) / 20.0:.3f}' for curve in curves)} MPa/s over 20 s; rms off their mean "
                       f"{', '.join(f'{off:.2f}' for off in apart[area])} MPa")
         self.assertLess(np.sqrt(np.mean(apart[AREA] ** 2)), np.sqrt(np.mean(apart[0.0] ** 2)))
 
-    def test_what_the_truth_of_another_packing_gives(self):
+    def test_pressure_with_a_short_fall_off(self):
+        self.judge("match-packings.toml")
+
+    def test_pressure_until_closure_and_event_radius(self):
+        self.judge("match-falloff.toml")
+
+    def judge(self, study):
         missed = []
         with tempfile.TemporaryDirectory(prefix="hfrac-studies-") as folder:
             for packing in PACKINGS:
-                found, members, text = match(pathlib.Path(folder), packing)
+                found, members, text = match(pathlib.Path(folder), study, packing)
                 print(text)
                 for name, value in TRUTH.items():
                     row = found[name]
