@@ -190,8 +190,8 @@ TEST(FluidArea, NeedsFlowAndIsNoneBelowZero) {
     CaseDefinition definition = quiet_case();
     if (area > 0.0) definition.options.flow_scheme = choice(FlowScheme::off);
     definition.wells[0].fluid_area = area;
-    const std::string wanted =
-        area > 0.0 ? "well[0].fluid_area = 10 m2 needs flow" : "well[0].fluid_area = -1 is outside 0 to 1e12 m2";
+    const std::string wanted = area > 0.0 ? "well[0].fluid_area = 10 m2 needs flow"
+                                          : "well[0].fluid_area = -1 is outside 0 to 1e12 m2";
     try {
       const Simulation s(definition, {}, {});
       FAIL() << wanted;
