@@ -158,6 +158,7 @@ def _scattering(task: Match, outcome: Outcome) -> List[str]:
         first += len(one.time)
         lines.append(f"{one.column}: {outcome.scatter.packings} packings scatter by {np.sqrt(variance[part].mean()):.3g} (rms over the record), "
                      f"beside an error of {one.error:.3g}; both count")
+    lines.append(f"correlations of that scatter are shrunk by {outcome.scatter.shrinkage:.2f} (0: enough packings)")
     return lines
 
 

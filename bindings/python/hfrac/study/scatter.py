@@ -20,6 +20,8 @@ class Scatter(NamedTuple):
 
     covariance: np.ndarray
     packings: int
+    #: lambda
+    shrinkage: float = 0.0
 
     @property
     def unseen(self) -> np.ndarray:
@@ -50,4 +52,5 @@ def shrunk(samples: np.ndarray) -> Tuple[np.ndarray, float]:
 
 def scatter_of(predicted: np.ndarray) -> Scatter:
     """From predictions of one set of values, a row per packing."""
-    return Scatter(shrunk(predicted)[0], len(predicted))
+    covariance, share = shrunk(predicted)
+    return Scatter(covariance, len(predicted), share)
