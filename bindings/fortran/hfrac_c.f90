@@ -248,6 +248,8 @@ module hfrac_c
     real(c_double) :: perforation_length = 0.0_c_double
     !> [rad] of its slots from the x axis, with a length of its own
     real(c_double) :: perforation_azimuth = 0.0_c_double
+    !> [m2] that the hole's fluid fills at formation pressure; 0: the void between the discs
+    real(c_double) :: fluid_area = 0.0_c_double
   end type hfrac_well_def
 
   !> A straight line along which the rock is weaker or broken: it takes the bonds between discs whose centres lie on

@@ -142,8 +142,7 @@ Model build_model(const CaseDefinition& definition, Packing packing,
   begin_joint_pores(model.network, assembly, o);
   for (auto& wellbore : model.wellbores)
     wellbore.start_pressure = wellbore.pressure = model.network.reference_pressure;
-  for (const auto& well : model.wells)
-    model.network.storing[well.place.domain] += well.storage * o.fluid_bulk_modulus;
+  begin_holes(model, definition);
   model.well_count = model.wells.size();
   model.far_field = {o.stress_sigma_Hmax, o.stress_sigma_hmin, o.fluid_formation_pressure, false};
   return model;

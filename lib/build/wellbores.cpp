@@ -51,4 +51,24 @@ void begin_wellbores(Model& model, const CaseDefinition& definition) {
   }
 }
 
+void begin_holes(Model& model, const CaseDefinition& definition) {
+  Network& n = model.network;
+  for (std::size_t w = 0; w < model.wells.size(); ++w) {
+    const auto d = static_cast<std::size_t>(model.wells[w].place.domain);
+    const double area = definition.wells[w].fluid_area;
+    if (area == 0.0) continue;
+    for (std::size_t other = 0; other < w; ++other) {
+      if (model.wells[other].place.domain == model.wells[w].place.domain &&
+          definition.wells[other].fluid_area > 0.0)
+        throw Error(ErrorKind::model,
+                    "well[" + std::to_string(other) + "] and well[" + std::to_string(w) +
+                        "] lie in the same hole, and each gives it a fluid_area; give one, or place them "
+                        "farther apart.");
+    }
+    n.volume[d] = n.storing[d] = area;
+  }
+  for (const auto& well : model.wells)
+    n.storing[well.place.domain] += well.storage * definition.options.fluid_bulk_modulus;
+}
+
 }  // namespace hfrac

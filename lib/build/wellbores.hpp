@@ -9,4 +9,7 @@ namespace hfrac {
 // After the wells are placed, before the network is built.
 void begin_wellbores(Model& model, const CaseDefinition& definition);
 
+// After the network is built: what holes store, well.fluid_area in place of the void between the discs, and a wellbore's storage.
+void begin_holes(Model& model, const CaseDefinition& definition);
+
 }  // namespace hfrac

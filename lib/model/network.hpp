@@ -46,7 +46,7 @@ struct Network {
   std::vector<DomainKind> kind;
   // 1: a pore of the rock that a well added later feeds; empty: none. Follows from the wells.
   std::vector<std::uint8_t> fed;
-  Array<double> volume;         // m2, pore volume at bonding
+  Array<double> volume;         // m2, pore volume at bonding; of a hole well.fluid_area if it is given
   Array<double> storing;        // m2, pore volume whose fluid alone would store what fluid and grains do
   Array<double> volume_change;  // m2
   Array<double> content;        // m2

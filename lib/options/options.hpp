@@ -82,6 +82,7 @@ struct WellOptions {
   std::int64_t wellbore = 0;                                   // 0: one of its own
   std::int64_t fluid = 0;                                      // WellFluid
   double perforation_length = 0.0, perforation_azimuth = 0.0;  // m, rad; a length of 0: as options say of all
+  double fluid_area = 0.0;                                     // m2; 0: the void between the discs
 };
 
 // A line along which the rock is weaker or broken (solid/joints.hpp).

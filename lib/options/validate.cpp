@@ -569,6 +569,9 @@ void check_wellbore(std::size_t w, const CaseDefinition& c) {
     refuse(name +
            " has wellbore storage or friction, which need flow, but flow.scheme = \"off\"; set flow.scheme = "
            "\"implicit\".");
+  if (FlowScheme{o.flow_scheme} == FlowScheme::off && well.fluid_area > 0.0)
+    refuse(name + "." + value_text("fluid_area", well.fluid_area, "m2") +
+           " needs flow, but flow.scheme = \"off\"; set flow.scheme = \"implicit\", or fluid_area = 0.");
   if (friction && FlowScheme{o.flow_scheme} == FlowScheme::explicit_scheme)
     refuse(name +
            " has friction, which the explicit flow scheme does not follow; set flow.scheme = \"implicit\".");

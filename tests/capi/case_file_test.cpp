@@ -78,7 +78,7 @@ TEST(CaseFile, WrittenDefinitionsReadBackBitForBit) {
   hfrac_sim_def_set_i64(&def, "well_count", 2);
   def.wells[1] = {1.0 / 3.0, 0.1,  5e-324 + 1e-6, -0.0,      1e5,  -1e-300, HFRAC_WELL_RAMP, 1e-9,
                   8.0,       0.01, 0.8,           1e6 / 3.0, 20.0, 2000.0,  998.1,           3,
-                  1,         2.5,  -1.5};
+                  1,         2.5,  -1.5,          8.55};
   std::strcpy(def.title, "quotes \" and \\, a tab \t, umlauts \xC3\xA4, a bell \x07");
   const std::string text = written(def);
   ASSERT_FALSE(text.empty()) << last_error();

@@ -71,6 +71,24 @@ TEST(Well, TellsThePressuresOfWellboreAndWellhead) {
   EXPECT_NEAR(well.rate, 2e-3, 1e-15);
 }
 
+// Half the area, twice the rise: the fluid is far softer than the rock.
+TEST(Well, HoldsTheAreaOfFluidThatItIsGiven) {
+  double rise[2] = {};
+  for (const int k : {0, 1}) {
+    hfrac::Definition def = quiet_def();
+    def.wells[0].control = HFRAC_WELL_RATE;
+    def.wells[0].rate = 0.5;
+    def.flow_permeability = 1e-22;
+    def.fluid_bulk_modulus = 1e7;
+    ASSERT_EQ(hfrac_sim_def_set_f64(&def, "well[0].fluid_area", k == 0 ? 200.0 : 100.0), HFRAC_OK);
+    const Sim sim(def);
+    const double before = well_of(sim).pressure;
+    ASSERT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+    rise[k] = well_of(sim).pressure - before;
+  }
+  EXPECT_NEAR(rise[1] / rise[0], 2.0, 0.02);
+}
+
 TEST(Well, RampsUpAndDown) {
   hfrac::Definition def = quiet_def();
   def.wells[0].control = HFRAC_WELL_RAMP;

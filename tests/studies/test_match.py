@@ -18,9 +18,9 @@ points = 4
 
 
 class Match(unittest.TestCase):
-    def matched(self, folder, pressure):
+    def matched(self, folder, pressure, more=MATCH):
         """The study, and what `hfrac match` says, of a record of one pressure."""
-        study = support.write_study(folder, more=MATCH)
+        study = support.write_study(folder, more=more)
         (folder / "record.csv").write_text("time_s,well_pressure_Pa\n" + "".join(f"{0.1 * k:.1f},{pressure}\n" for k in range(1, 5)))
         done = support.hfrac("match", study, "-o", folder / "out")
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -43,6 +43,25 @@ class Match(unittest.TestCase):
             again = support.hfrac("match", study, "-o", folder / "out")
             self.assertEqual(again.stdout, done.stdout)
             self.assertEqual((folder / "out/members.csv").read_bytes(), text)
+
+    def test_members_are_spread_over_packings(self):
+        """Each packing has its share of members in every pass, dealt anew; what packings scatter at a held pressure is nothing, and said."""
+        with tempfile.TemporaryDirectory(prefix="hfrac-studies-") as top:
+            folder = pathlib.Path(top)
+            study, done = self.matched(folder, "21e6", "packings = [5, 6, 7, 8]\n" + MATCH)
+            dealt = [[next(line.split("=")[1] for line in (folder / f"out/iteration_{k}/{member:05d}/asked.toml").read_text().splitlines()
+                           if line.split("=")[0].strip() == "seed") for member in range(16)] for k in range(3)]
+            for one in dealt:
+                self.assertEqual(sorted(map(int, one)), sorted(4 * [5, 6, 7, 8]))
+            self.assertNotEqual(dealt[0], dealt[1])
+            self.assertEqual(len(list((folder / "out/packings").iterdir())), 4)
+            self.assertIn("well_pressure_Pa: 4 packings scatter by ", done.stdout)
+            with open(folder / "out/parameters.csv", newline="") as file:
+                found = {(row["parameter"], row["ensemble"]): row for row in csv.DictReader(file)}
+            self.assertAlmostEqual(float(found["pressure", "posterior"]["P50"]) / 21e6, 1.0, delta=0.02)
+            self.assertEqual(found["bond.tensile_strength", "posterior"]["verdict"], "not constrained by the data")
+            again = support.hfrac("match", study, "-o", folder / "out")
+            self.assertEqual(again.stdout, done.stdout)
 
     def test_a_record_that_no_member_explains_is_told(self):
         """The law of the pressure ends at 30 MPa, and the ensemble stands there, narrow: that is no estimate."""

@@ -4,7 +4,7 @@
 Ishigami's function f = sin x1 + 7 sin^2 x2 + 0.1 x3^4 sin x1 on (-pi, pi)^3 has S = 0.3139, 0.4424, 0 and ST = 0.5576, 0.4424,
 0.2437 (Ishigami and Homma 1990; Saltelli et al. 2008). Tolerance 0.05. A linear Gaussian problem has an
 exact posterior (mean and covariance by Bayes); the smoother's tolerance of 0.1 prior deviations in the mean and 10 % in the
-deviations. Both were set before measuring.
+deviations. Both were set before measuring. With packings that scatter the posterior is that of the joint error.
 """
 import math
 import pathlib
@@ -17,6 +17,7 @@ from hfrac.study import sobol, statistics
 from hfrac.study.designs import design
 from hfrac.study.esmda import update
 from hfrac.study.laws import Parameter
+from hfrac.study.scatter import Scatter, shrunk
 from hfrac.study.study_file import Study, StudyError
 
 
@@ -138,6 +139,53 @@ class Smoother(unittest.TestCase):
             self.assertLess(abs(ensemble.mean(axis=0) - mean).max(), 0.1)
             self.assertLess(abs(ensemble.std(axis=0) / deviation - 1.0).max(), 0.1)
         self.assertGreater(deviation[2], 0.9)
+
+    def across_packings(self, passes, told, packings=200, each=30):
+        """The same, where every packing adds its own e ~ N(0, Q) and the data's packing is none of the ensemble's. Of a new packing about
+        these the error is C_D + Q (1 + 1/k); `told`: the smoother is told of Q."""
+        random = np.random.default_rng(7)
+        forward, errors = random.standard_normal((12, 3)), np.full(12, 0.8)
+        root = 0.7 * random.standard_normal((12, 12))
+        scatter = Scatter(root @ root.T, packings)
+        offsets = random.standard_normal((packings, 12)) @ root.T
+        data = forward @ np.array([1.0, -0.5, 0.3]) + root @ random.standard_normal(12) + errors * random.standard_normal(12)
+        inverse = np.linalg.inv(np.diag(errors ** 2) + scatter.unseen)
+        covariance = np.linalg.inv(np.eye(3) + forward.T @ inverse @ forward)
+        mean = covariance @ forward.T @ inverse @ (data - offsets.mean(axis=0))
+        ensemble = random.standard_normal((packings * each, 3))
+        for _ in range(passes):
+            packing = random.permutation(len(ensemble)) % packings
+            predicted = ensemble @ forward.T + offsets[packing]
+            more = (scatter, packing) if told else ()
+            ensemble = update(ensemble, predicted, data, errors, float(passes), random, *more)
+        return mean, np.sqrt(np.diag(covariance)), ensemble
+
+    def test_scatter_of_packings_belongs_to_the_error(self):
+        for passes in (1, 4):
+            mean, deviation, ensemble = self.across_packings(passes, True)
+            print(f"ES-MDA across packings, {passes} passes: mean {np.round(ensemble.mean(axis=0), 3)} of {np.round(mean, 3)}, "
+                  f"deviation {np.round(ensemble.std(axis=0), 3)} of {np.round(deviation, 3)}")
+            self.assertLess(abs(ensemble.mean(axis=0) - mean).max(), 0.1)
+            self.assertLess(abs(ensemble.std(axis=0) / deviation - 1.0).max(), 0.1)
+        mean, deviation, ensemble = self.across_packings(4, False)
+        self.assertLess((ensemble.std(axis=0) / deviation).min(), 0.8)  # scatter taken for knowledge
+
+    def test_shrinkage_keeps_variances_and_leaves_what_many_samples_tell(self):
+        random = np.random.default_rng(11)
+        root = np.linalg.cholesky(0.8 * np.ones((6, 6)) + 0.2 * np.eye(6)) * np.arange(1.0, 7.0)[:, None]
+        true, shares = root @ root.T, []
+        for count in (5, 20, 5000):
+            samples = random.standard_normal((count, 6)) @ root.T
+            found, share = shrunk(samples)
+            self.assertLess(abs(np.diag(found) / samples.var(axis=0, ddof=1) - 1.0).max(), 1e-12)
+            self.assertGreater(np.linalg.eigvalsh(found).min(), 0.0)
+            shares.append(share)
+        print(f"lambda of 5, 20 and 5000 samples: {np.round(shares, 4)}")
+        self.assertTrue(1.0 >= shares[0] > shares[1] > shares[2] and shares[2] < 0.01)
+        self.assertLess(abs(found / true - 1.0).max(), 0.1)
+        self.assertEqual(shrunk(random.standard_normal((20, 1)))[1], 1.0)
+        constant = shrunk(np.column_stack([np.ones(8), random.standard_normal(8)]))[0]
+        self.assertEqual(constant[0].tolist(), [0.0, 0.0])
 
 
 if __name__ == "__main__":

@@ -82,6 +82,9 @@ class Refusals(unittest.TestCase):
                 self.refused("match", 'case = "case.toml"\n' + PARAMETER + text, pattern)
         self.refused("match", 'case = "case.toml"\n[[parameter]]\noption = "model.seed"\nlaw = "list"\nvalues = [1, 2]\n'
                      '[match]\n[[match.data]]\nrecord = "r.csv"\nerror = 1.0\n', r"law = 'list' cannot be matched")
+        for packings, members in (([1, 2, 3], 20), ([1, 2, 3, 4, 5, 6], 11)):
+            self.refused("match", f'case = "case.toml"\npackings = {packings}\n' + PARAMETER + f'[match]\nmembers = {members}\n[[match.data]]\n'
+                         'record = "r.csv"\nerror = 1.0\n', rf"packings = \[1, 2, 3.* must be one, or at least 4 .* half of match.members = {members}")
 
     def test_no_study(self):
         done = support.hfrac("sweep", self.folder / "none.toml")

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "core/error.hpp"
 #include "flow/wellbore_flow.hpp"
@@ -135,6 +136,68 @@ TEST(WellboreStorage, RisesByTheRateOverIt) {
       EXPECT_NEAR(s.balance().injected, 50.0, 1e-10);
     }
     EXPECT_LT(own, 0.1 * 2e-5);  // or the storage would not be what is tested
+  }
+}
+
+// In rock that lets nothing in, a fluid far softer than the rock: dp / dt = Q K_f / A, whatever the packing left as a hole.
+TEST(FluidArea, IsWhatAHoleHoldsInEveryWayOfStepping) {
+  constexpr double area = 100.0, bulk = 1e7, rate = 0.5;  // m2, Pa, m2/s
+  for (const auto mode : {SteppingMode::substep, SteppingMode::dynamic, SteppingMode::coupled}) {
+    CaseDefinition definition = quiet_case();
+    Options& o = definition.options;
+    o.flow_permeability = 1e-22;
+    o.fluid_bulk_modulus = bulk;
+    o.stepping_force_ratio = 1e-6;
+    o.stepping_mode = choice(mode);
+    if (mode == SteppingMode::dynamic) o.stepping_flow_step = 0.02;
+    if (mode == SteppingMode::coupled) o.solver_kind = choice(SolverKind::quasi_static);
+    definition.wells[0].control = WellControl::rate;
+    definition.wells[0].rate = rate;
+    definition.wells[0].fluid_area = area;
+    Simulation s(definition, {}, {});
+    const auto held = [&s] { return s.network().fluid_in(s.wells()[0].place.domain); };
+    const double before = held();  // the far field has pressed the hole together
+    EXPECT_NEAR(before, area, one_percent * area);
+    for (int k = 0; k < 3; ++k) s.step();
+    const double pumped = 3.0 * rate * o.stepping_flow_step, rise = pumped * bulk / area;
+    EXPECT_NEAR(hole_pressure(s, 0) - 25e6, rise, one_percent * rise);
+    EXPECT_LE(std::abs(s.balance().fluid_error), 1e-12 * pumped);
+    EXPECT_NEAR(held() - before, pumped, 1e-6 * pumped);
+  }
+}
+
+TEST(FluidArea, TheVoidItselfChangesNoBitAndAnotherAreaIsAnotherModel) {
+  CaseDefinition definition = quiet_case();
+  Simulation as_it_is(definition, {}, {});
+  const double hole = as_it_is.network().volume[as_it_is.wells()[0].place.domain];
+  EXPECT_GT(hole, 1.05 * std::numbers::pi * 10.0 * 10.0);  // larger than asked
+  definition.wells[0].fluid_area = hole;
+  Simulation given(definition, {}, {});
+  as_it_is.step();
+  given.step();
+  EXPECT_EQ(given.state_hash(), as_it_is.state_hash());
+  std::vector<std::byte> image(given.image_size());
+  given.write_image(image);
+  as_it_is.restore(image);
+  EXPECT_EQ(as_it_is.state_hash(), given.state_hash());
+  definition.wells[0].fluid_area = 0.5 * hole;
+  Simulation other(definition, {}, {});
+  EXPECT_THROW(other.restore(image), Error);
+}
+
+TEST(FluidArea, NeedsFlowAndIsNoneBelowZero) {
+  for (const double area : {10.0, -1.0}) {
+    CaseDefinition definition = quiet_case();
+    if (area > 0.0) definition.options.flow_scheme = choice(FlowScheme::off);
+    definition.wells[0].fluid_area = area;
+    const std::string wanted = area > 0.0 ? "well[0].fluid_area = 10 m2 needs flow"
+                                          : "well[0].fluid_area = -1 is outside 0 to 1e12 m2";
+    try {
+      const Simulation s(definition, {}, {});
+      FAIL() << wanted;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(wanted), std::string::npos) << error.what();
+    }
   }
 }
 

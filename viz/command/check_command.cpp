@@ -16,7 +16,8 @@ namespace hfrac::command {
 namespace {
 
 std::string well_line(const hfrac_well_def& well) {
-  const std::string place = fmt::format("({:g}, {:g}) m, radius {:g} m", well.x, well.y, well.radius);
+  std::string place = fmt::format("({:g}, {:g}) m, radius {:g} m", well.x, well.y, well.radius);
+  if (well.fluid_area > 0.0) place += fmt::format(", fluid in {:g} m2", well.fluid_area);
   if (well.control == HFRAC_WELL_RATE) return fmt::format("{}, takes {:g} m2/s", place, well.rate);
   if (well.control == HFRAC_WELL_RAMP)
     return fmt::format("{}, pressure rises by {:g} MPa per sub-step to {:g} MPa", place,

@@ -321,7 +321,7 @@ class hfrac_well_def(ctypes.Structure):
         ("discharge_coefficient", ctypes.c_double), ("near_well_friction", ctypes.c_double),
         ("height", ctypes.c_double), ("depth", ctypes.c_double), ("fluid_density", ctypes.c_double),
         ("wellbore", ctypes.c_int64), ("fluid", ctypes.c_int64), ("perforation_length", ctypes.c_double),
-        ("perforation_azimuth", ctypes.c_double),
+        ("perforation_azimuth", ctypes.c_double), ("fluid_area", ctypes.c_double),
     ]
 
 

@@ -67,6 +67,7 @@ typedef struct hfrac_well_def {
   int64_t fluid;                /**< enum hfrac_well_fluid: what it pumps from the start on */
   double perforation_length;    /**< [m] of its slots (law facet); 0: fracture.perforation_length and fracture.perforation_azimuth hold */
   double perforation_azimuth;   /**< [rad] of its slots from the x axis, with a length of its own */
+  double fluid_area;            /**< [m2] that the hole's fluid fills at formation pressure; 0: the void between the discs */
 } hfrac_well_def;
 
 /** Whether the bonds of a joint hold. */

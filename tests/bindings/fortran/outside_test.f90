@@ -225,6 +225,11 @@ contains
     call sim%wells(list)
     call sim%get('domain.second_fluid', share)
     call expect(all(list%fluid == HFRAC_WELL_FLUID_SECOND) .and. all(share(list%domain + 1) == 1.0_real64), 'the second fluid')
+    clusters%fluid_area = 100.0_real64
+    call def%set_wells(clusters)
+    call sim%create(def)
+    call sim%get('domain.volume', share)
+    call expect(all(abs(share(list%domain + 1) - 100.0_real64) < 1.0_real64), 'the area of fluid in the holes')
   end subroutine wellbores
 
 end module fortran_test_outside

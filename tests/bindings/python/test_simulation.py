@@ -196,6 +196,15 @@ class Wells(unittest.TestCase):
             (well,) = sim.wells
             self.assertAlmostEqual(well.state.wellbore_pressure - well.pressure, 1e8 * (4.0 * 1e-4) ** 0.5, delta=1e4)
 
+    def test_fluid_area(self):
+        with hfrac.Simulation(
+            packing_disc_count=600, stress={"sigma_Hmax": 30e6, "sigma_hmin": 30e6}, fluid={"formation_pressure": 25e6, "bulk_modulus": 1e7},
+            flow_permeability=1e-22, stepping={"mode": "coupled", "flow_step": 1.0}, solver_kind="quasi-static",
+            wells=[{"radius": 9.0, "control": "rate", "rate": 0.5, "fluid_area": 100.0}],
+        ) as sim:
+            sim.step()
+            self.assertAlmostEqual(sim.wells[0].pressure - 25e6, 0.5 * 1e7 / 100.0, delta=500.0)  # Q K_f / A
+
     def test_no_such_well(self):
         with small() as sim, self.assertRaisesRegex(hfrac.ArgumentError, "well 3 is not there"):
             hfrac.Well(sim, 3).set_pressure(1.0)

@@ -68,13 +68,14 @@ def settled(study: Study) -> Definition:
     return definition
 
 
-def runs_of(study: Study, points: np.ndarray, folder: pathlib.Path, settings: Definition) -> List[Run]:
-    """Every row of `points` in every packing of the study, as runs under `folder`."""
+def runs_of(study: Study, points: np.ndarray, folder: pathlib.Path, settings: Definition,
+            dealt: Optional[np.ndarray] = None) -> List[Run]:
+    """Every row of `points` in every packing of the study, or in the one (of study.packings) that it is dealt, as runs under `folder`."""
     runs: List[Run] = []
     packings: Tuple[Optional[int], ...] = study.packings or (None,)
     for sample, point in enumerate(points):
         values = {one.name: one.value(float(share)) for one, share in zip(study.parameters, point)}
-        for packing in packings:
+        for packing in packings if dealt is None else (packings[dealt[sample]],):
             index = len(runs)
             text, refusal = "", ""
             try:

@@ -131,7 +131,8 @@ def _print_percentiles(folder: pathlib.Path) -> None:
 def run_match(asked: argparse.Namespace, study: Study, folder: pathlib.Path) -> int:
     task = read_match(study)
     held = lock(folder)
-    progress = Progress(task.members * (task.iterations + 1), asked.quiet, "runs of the ensembles")
+    medians = len(study.packings) if len(study.packings) > 1 else 0
+    progress = Progress(medians + task.members * (task.iterations + 1), asked.quiet, "runs of the ensembles")
     pool = _pool(asked, study, held, progress)
     outcome = match.match(study, task, folder, pool, progress, asked.retry, lambda text: _say(asked, text))
     progress.end()

@@ -4,6 +4,8 @@
 Parameters are moved as normal scores, z = Phi^-1(share below the value), so that every prior is normal with deviation 1 and no value leaves
 its law. What the record tells of a parameter is the deviation of its scores after over before; above `unconstrained_above`,
 which stands in the study file, it tells nothing that counts, and match says so.
+
+With several packings the ensemble is spread over them, and their scatter at the laws' medians belongs to the error (scatter.py, esmda.py).
 """
 import pathlib
 from typing import Callable, Dict, List, NamedTuple, Optional
@@ -13,12 +15,13 @@ from scipy.special import ndtr, ndtri
 from scipy.stats import qmc
 
 from . import charts
-from .cases import runs_of, settled
+from .cases import Run, runs_of, settled
 from .esmda import update
 from .match_file import Data, Match
 from .measures import column, history
 from .pool import Pool
 from .progress import Progress
+from .scatter import Scatter, scatter_of
 from .statistics import percentiles
 from .study_file import Study, StudyError
 from .tables import write_csv
@@ -40,6 +43,9 @@ class Outcome(NamedTuple):
     prior: Ensemble
     posterior: Ensemble
     failed: int
+    #: standard deviation of each point: that of the data and what packings scatter
+    errors: np.ndarray
+    scatter: Optional[Scatter]
 
 
 def predict(folder: pathlib.Path, data: Match) -> np.ndarray:
@@ -56,11 +62,20 @@ def match(study: Study, task: Match, folder: pathlib.Path, pool: Pool, progress:
     scores = ndtri(np.clip(qmc.LatinHypercube(size, seed=study.seed).random(task.members), 1e-6, 1.0 - 1e-6))
     values = np.concatenate([one.value for one in task.data])
     errors = np.concatenate([np.full(len(one.value), one.error) for one in task.data])
+    count = len(study.packings)
+    scatter = packing = None
+    if count > 1:
+        scatter = _scatter(study, task, runs_of(study, np.full((1, size), 0.5), folder / "packings", settings), pool, again)
+        if scatter is None:
+            return None
+    whole = errors if scatter is None else np.sqrt(errors ** 2 + np.diag(scatter.unseen))
     ensembles: List[Ensemble] = []
-    lost = done_before = 0
+    lost, done_before = 0, count if scatter else 0
     for iteration in range(task.iterations + 1):
         shares = ndtr(scores)
-        runs = runs_of(study, shares, folder / f"iteration_{iteration}", settings)
+        if scatter is not None:
+            packing = random.permutation(len(scores)) % count
+        runs = runs_of(study, shares, folder / f"iteration_{iteration}", settings, packing)
         progress.offset = done_before
         known = pool.work(runs, again)
         if pool.stopped:
@@ -72,13 +87,25 @@ def match(study: Study, task: Match, folder: pathlib.Path, pool: Pool, progress:
                 raise StudyError(f"{len(runs) - len(good)} of {len(runs)} members failed, too many to go on; one says: {known[run.index].sentence}")
         lost += len(runs) - len(good)
         scores = scores[good]
+        packing = None if packing is None else packing[good]
         predicted = np.array([predict(runs[index].folder, task) for index in good])
         ensembles.append(Ensemble(ndtr(scores), predicted))
-        misfit = np.mean(((predicted - values) / errors) ** 2)
+        misfit = np.mean(((predicted - values) / whole) ** 2)
         say(f"pass {iteration} of {task.iterations}: mean squared misfit {misfit:.3g} of the errors' variance")
         if iteration < task.iterations:
-            scores = update(scores, predicted, values, errors, float(task.iterations), random)
-    return Outcome(ensembles[0], ensembles[-1], lost)
+            scores = update(scores, predicted, values, errors, float(task.iterations), random, scatter, packing)
+    return Outcome(ensembles[0], ensembles[-1], lost, whole, scatter)
+
+
+def _scatter(study: Study, task: Match, runs: List[Run], pool: Pool, again: bool) -> Optional[Scatter]:
+    """Of the data over packings, from a run in each; None: interrupted."""
+    known = pool.work(runs, again)
+    if pool.stopped:
+        return None
+    for run in runs:
+        if known[run.index].status == "failed":
+            raise StudyError(f"packing {run.packing} of {list(study.packings)} fails at the laws' medians, leave it out: {known[run.index].sentence}")
+    return scatter_of(np.array([predict(run.folder, task) for run in runs]))
 
 
 def report(study: Study, task: Match, folder: pathlib.Path, outcome: Outcome) -> List[str]:
@@ -87,8 +114,7 @@ def report(study: Study, task: Match, folder: pathlib.Path, outcome: Outcome) ->
     before, after = ndtri(outcome.prior.shares), ndtri(outcome.posterior.shares)
     ratios = after.std(axis=0, ddof=1) / before.std(axis=0, ddof=1)
     values = np.concatenate([one.value for one in task.data])
-    errors = np.concatenate([np.full(len(one.value), one.error) for one in task.data])
-    misfit = float(np.sqrt(np.mean(((outcome.posterior.predicted - values) / errors) ** 2)))
+    misfit = float(np.sqrt(np.mean(((outcome.posterior.predicted - values) / outcome.errors) ** 2)))
     rows, lines = [], [f"{'':34} {'P10':>11} {'P50':>11} {'P90':>11}   posterior / prior deviation"]
     for k, one in enumerate(study.parameters):
         told = "record not explained" if misfit > EXPLAINED else "constrained" if ratios[k] <= task.unconstrained_above else "not constrained by the data"
@@ -107,18 +133,33 @@ def report(study: Study, task: Match, folder: pathlib.Path, outcome: Outcome) ->
         lines.append(f"the data do not constrain {', '.join(loose)}: the deviation stays above {task.unconstrained_above:g} of the prior's")
     if tied:
         lines.append("told together more than one by one (correlation of the posterior): " + ", ".join(tied))
+    if outcome.scatter is not None:
+        lines.extend(_scattering(task, outcome))
     if outcome.failed:
         lines.append(f"{outcome.failed} members failed and were left out")
     lines.append(f"root mean square misfit of the posterior: {misfit:.2f} of the errors; 1 to 1.5 is what errors explain")
     if misfit > EXPLAINED:
         lines.append("the record is not explained, so the values above are no estimate, however narrow: model and rock differ by more than the "
-                     "data's error, which has to hold the scatter of packings; raise error, widen the laws, or leave out what the model does not hold "
-                     "(from, until)")
+                     "data's error" + ("" if outcome.scatter else ", which has to hold the scatter of packings (packings = [...] measures it)") +
+                     "; raise error, widen the laws, or leave out what the model does not hold (from, until)")
     if charts.available():
         draw(study, task, folder / "match.png", outcome)
     else:
         lines.append("no chart is drawn: apt-get install python3-matplotlib")
     return [*lines, f"parameters.csv, members.csv and match.png are in '{folder}'"]
+
+
+def _scattering(task: Match, outcome: Outcome) -> List[str]:
+    """How large the scatter of packings is in each of the data."""
+    lines, first = [], 0
+    variance = np.diag(outcome.scatter.covariance)
+    for one in task.data:
+        part = slice(first, first + len(one.time))
+        first += len(one.time)
+        lines.append(f"{one.column}: {outcome.scatter.packings} packings scatter by {np.sqrt(variance[part].mean()):.3g} (rms over the record), "
+                     f"beside an error of {one.error:.3g}; both count")
+    lines.append(f"correlations of that scatter are shrunk by {outcome.scatter.shrinkage:.2f} (0: enough packings)")
+    return lines
 
 
 def _tied(names: List[str], scores: np.ndarray) -> List[str]:
@@ -139,7 +180,7 @@ def draw(study: Study, task: Match, path: pathlib.Path, outcome: Outcome) -> Non
         axis = figure.add_subplot(grid[0, place * len(study.parameters):(place + 1) * len(study.parameters)])
         part = slice(first, first + len(one.time))
         first += len(one.time)
-        _curves(axis, one, {"prior": outcome.prior.predicted[:, part], "posterior": outcome.posterior.predicted[:, part]})
+        _curves(axis, one, outcome.errors[part], {"prior": outcome.prior.predicted[:, part], "posterior": outcome.posterior.predicted[:, part]})
     for place, one in enumerate(study.parameters):
         axis = figure.add_subplot(grid[1, place * len(task.data):(place + 1) * len(task.data)])
         logarithmic = one.law in ("loguniform", "lognormal")
@@ -154,13 +195,13 @@ def draw(study: Study, task: Match, path: pathlib.Path, outcome: Outcome) -> Non
     plt.close(figure)
 
 
-def _curves(axis: object, one: Data, predicted: Dict[str, np.ndarray]) -> None:
+def _curves(axis: object, one: Data, errors: np.ndarray, predicted: Dict[str, np.ndarray]) -> None:
     label, factor = charts.shown(one.column)
     for word, colour in (("prior", charts.GREY), ("posterior", charts.BLUE)):
         low, middle, high = (np.percentile(predicted[word], level, axis=0) * factor for level in (10.0, 50.0, 90.0))
         axis.fill_between(one.time, low, high, color=colour, alpha=0.3, linewidth=0.0, label=f"{word}, P10 to P90")
         axis.plot(one.time, middle, color=colour, linewidth=1.0)
-    axis.errorbar(one.time, one.value * factor, one.error * factor, fmt=".", color=charts.RED, markersize=3.0, linewidth=0.6,
+    axis.errorbar(one.time, one.value * factor, errors * factor, fmt=".", color=charts.RED, markersize=3.0, linewidth=0.6,
                   label="record")
     axis.set_xlabel("time [s]")
     axis.set_ylabel(label)

@@ -2,13 +2,13 @@
 """The [match] part of a study file: the record, and how it is matched.
 
     [match]
-    members = 100                   # of the ensemble
+    members = 100                   # of the ensemble; with several packings spread over them
     iterations = 4                  # passes of ES-MDA
     unconstrained_above = 0.7       # posterior over prior standard deviation above which data do not tell a parameter
     [[match.data]]
     record = "record.csv"           # with time_s and the column; or a pump's record, as a schedule_file
     column = "well_pressure_Pa"     # of history.csv
-    error = 0.1e6                   # standard deviation of a point: of the gauge and of the model
+    error = 0.1e6                   # standard deviation of a point: of the gauge and of the model, scatter of packings apart if there are several
     points = 40                     # the record is read at so many times
     from = 0.0                      # s
     until = 200.0
@@ -24,6 +24,9 @@ from .._injection import read_record
 from ..errors import HfracError
 from .measures import read_table
 from .study_file import Reader, Study, StudyError
+
+
+LEAST_PACKINGS = 4
 
 
 class Data(NamedTuple):
@@ -67,8 +70,10 @@ def _match(study: Study) -> Match:
     for index, parameter in enumerate(study.parameters):
         if parameter.law == "list":
             raise StudyError(f"parameter[{index}].law = 'list' cannot be matched; take a law of numbers")
-    if len(study.packings) > 1:
-        raise StudyError("packings must be one for hfrac match: an ensemble over packings would take scatter for knowledge")
+    count = len(study.packings)
+    if 1 < count < LEAST_PACKINGS or 2 * count > members:
+        raise StudyError(f"packings = {list(study.packings)!r} must be one, or at least {LEAST_PACKINGS} for their scatter to be told, and "
+                         f"no more than half of match.members = {members}, so that each has two members at least")
     return Match(members, iterations, above, data)
 
 

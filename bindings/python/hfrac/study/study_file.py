@@ -5,7 +5,7 @@
     runs = 200                      # asked for; a grid, saltelli and one-at-a-time make their own number of it
     sampling = "sobol"              # sobol, latin-hypercube, random, grid, saltelli, one-at-a-time
     seed = 1                        # of the sampling
-    packings = [1, 2, 3]            # model.seed: each sample in each of these packings; left out: the case's own
+    packings = [1, 2, 3]            # model.seed: each sample in each of these packings, of a match each member in one; left out: the case's own
     [set]                           # over the base case, in every run
     [[parameter]]                   # what varies (laws.py)
     [[quantity]]                    # a further result (measures.py)
