@@ -278,6 +278,8 @@ module hfrac_c
     real(c_double) :: aperture = 0.0_c_double
     real(c_double) :: residual_aperture = 0.0_c_double  !< [m] hydraulic, on top of what it is open
     real(c_double) :: roughness = 0.0_c_double  !< [1] joint roughness coefficient of the hydraulic aperture; 0: none
+    !> [m/Pa] fluid per length and pressure that pores and small fractures beside it take in
+    real(c_double) :: storage = 0.0_c_double
   end type hfrac_joint_def
 
   !> From `time` on, a well is driven otherwise. Entries of one well stand in order of time.

@@ -103,6 +103,7 @@ typedef struct hfrac_joint_def {
   double aperture;          /**< [m] open at no normal stress; 0, residual_aperture too: tight as the rock */
   double residual_aperture; /**< [m] hydraulic, on top of what it is open */
   double roughness;         /**< [1] joint roughness coefficient of the hydraulic aperture; 0: none */
+  double storage;           /**< [m/Pa] fluid per length and pressure that pores and small fractures beside it take in */
 } hfrac_joint_def;
 
 /** From `time` on, a well is driven otherwise. Entries of one well stand in order of time. */
