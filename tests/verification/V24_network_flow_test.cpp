@@ -223,7 +223,8 @@ TEST(V24NetworkFlowSmoke, FollowsTheCubicLawAlongOneJoint) {
 TEST(V24NetworkFlowSmoke, StorageSpreadsPressureByItsDiffusivity) {
   constexpr double storage = 8e-9, reach = 16.0;  // m/Pa, m: sqrt(4 D t)
   constexpr int steps = 200;
-  const double diffusivity = w * w * w / (12.0 * viscosity * storage), time = reach * reach / (4.0 * diffusivity);
+  const double diffusivity = w * w * w / (12.0 * viscosity * storage),
+               time = reach * reach / (4.0 * diffusivity);
   Case c{"storage", {{{10.0, 50.0}, {90.0, 50.0}, w}}, {}, {}};
   CaseDefinition definition = network_of(c, 4000, 1);
   definition.joints[0].storage = storage;
@@ -259,13 +260,16 @@ TEST(V24NetworkFlowSmoke, StorageSpreadsPressureByItsDiffusivity) {
   for (int k = 0; k < steps; ++k) solver.advance(n, time / steps, source);
   double worst = 0.0;
   for (const auto& [x, pore] : places) {
-    const double formula = std::erfc((x - begin) / reach), model = (n.pressure[pore] - n.reference_pressure) / drop;
+    const double formula = std::erfc((x - begin) / reach),
+                 model = (n.pressure[pore] - n.reference_pressure) / drop;
     if (std::abs(model - formula) > std::abs(worst)) worst = model - formula;
   }
-  verification::report_absolute("pressure along a joint that stores, worst, over that at its end", worst, 0.0, 0.03);
-  verification::report("volume it took in over the formula's",
-                       (held() - before) / (2.0 * drop * storage * std::sqrt(diffusivity * time / verification::pi)), 1.0,
-                       0.03);
+  verification::report_absolute("pressure along a joint that stores, worst, over that at its end", worst, 0.0,
+                                0.03);
+  verification::report(
+      "volume it took in over the formula's",
+      (held() - before) / (2.0 * drop * storage * std::sqrt(diffusivity * time / verification::pi)), 1.0,
+      0.03);
 }
 
 TEST(V24NetworkFlow, AddsUpInSeriesAndInParallel) {
