@@ -395,7 +395,7 @@ module hfrac_c
     integer(c_int64_t) :: stepping_mode = 0_c_int64_t
     real(c_double) :: stepping_flow_step = 0.0_c_double  !< [s] Fluid time of one step. Default 1.0.
     integer(c_int64_t) :: stepping_steps = 0_c_int64_t  !< Steps of a run by the hfrac command. Default 500.
-    !> [s] Model time at which a run ends; 0: after stepping.steps. Default 0.0.
+    !> [s] Model time at which a run ends, with the step that reaches it; 0: after stepping.steps. Default 0.0.
     real(c_double) :: stepping_end_time = 0.0_c_double
     !> [1] Mean unbalanced over mean contact force at which mechanics count as at rest. Default 1e-4.
     real(c_double) :: stepping_force_ratio = 0.0_c_double

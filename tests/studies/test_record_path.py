@@ -40,6 +40,7 @@ class RecordPath(unittest.TestCase):
                 rows = {row["result"]: row for row in csv.DictReader(file)}
             for name in ("largest_pressure_Pa", "injectivity_m2_per_Pa_s", "joint_slipped_length_m"):
                 self.assertEqual(rows[name]["runs"], "3", name)
+            self.assertEqual(float(rows["event_count"]["P90"]), 0.0)  # nothing slips yet, and a zone that was broken from the start is no event
             self.assertTrue(46e6 < float(rows["largest_pressure_Pa"]["P10"]) <= float(rows["largest_pressure_Pa"]["P90"]) < 75e6)
             self.assertGreater(float(rows["injectivity_m2_per_Pa_s"]["P10"]), 0.0)
 

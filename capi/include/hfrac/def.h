@@ -242,7 +242,8 @@ typedef struct hfrac_sim_def {
   double stepping_flow_step;
   /** Steps of a run by the hfrac command. Default 500. */
   int64_t stepping_steps;
-  /** [s] Model time at which a run ends; 0: after stepping.steps. Default 0.0. */
+  /** [s] Model time at which a run ends, with the step that reaches it; 0: after stepping.steps. Default
+   * 0.0. */
   double stepping_end_time;
   /** [1] Mean unbalanced over mean contact force at which mechanics count as at rest. Default 1e-4. */
   double stepping_force_ratio;
