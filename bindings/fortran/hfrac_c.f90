@@ -280,6 +280,8 @@ module hfrac_c
     real(c_double) :: aperture = 0.0_c_double
     real(c_double) :: residual_aperture = 0.0_c_double  !< [m] hydraulic, on top of what it is open
     real(c_double) :: roughness = 0.0_c_double  !< [1] joint roughness coefficient of the hydraulic aperture; 0: none
+    !> [m/Pa] fluid per length and pressure that pores and small fractures beside it take in
+    real(c_double) :: storage = 0.0_c_double
   end type hfrac_joint_def
 
   !> From `time` on, a well is driven otherwise. Entries of one well stand in order of time.
@@ -395,7 +397,7 @@ module hfrac_c
     integer(c_int64_t) :: stepping_mode = 0_c_int64_t
     real(c_double) :: stepping_flow_step = 0.0_c_double  !< [s] Fluid time of one step. Default 1.0.
     integer(c_int64_t) :: stepping_steps = 0_c_int64_t  !< Steps of a run by the hfrac command. Default 500.
-    !> [s] Model time at which a run ends; 0: after stepping.steps. Default 0.0.
+    !> [s] Model time at which a run ends, with the step that reaches it; 0: after stepping.steps. Default 0.0.
     real(c_double) :: stepping_end_time = 0.0_c_double
     !> [1] Mean unbalanced over mean contact force at which mechanics count as at rest. Default 1e-4.
     real(c_double) :: stepping_force_ratio = 0.0_c_double

@@ -26,6 +26,7 @@ struct JointLaw {
   double dilation = 0.0, dilation_slip = 0.0;            // 1, tan psi; m, s_d
   double aperture = 0.0, residual_aperture = 0.0;        // m, e_0; hydraulic
   double roughness = 0.0;                                // 1, J; 0: smooth
+  double storage = 0.0;                                  // m/Pa, of pores and small fractures beside it
   double tensile_factor = 1.0, shear_factor = 1.0;       // of its bonds' strengths
 
   // Whether fluid flows along it by its own aperture; otherwise as through any broken bond.

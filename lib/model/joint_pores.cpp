@@ -106,10 +106,11 @@ void begin_joint_pores(Network& n, const Assembly& a, const Options& o) {
   n.joint_length.assign(n.left.size(), 0.0);
   n.joint_pore.assign(n.kind.size(), 0);
   n.corner_turn.assign(n.corner_disc.size(), 0.0);
-  std::vector<double> stored(n.kind.size(), 0.0);
+  std::vector<double> stored(n.kind.size(), 0.0), beside(n.kind.size(), 0.0);
   const auto take = [&](std::int32_t d, const SmoothContact& contact, double length) {
-    if (n.kind[d] != DomainKind::rock) return;
     const JointLaw& law = smooth.law_of(contact);
+    beside[d] += 0.5 * length * law.storage * o.fluid_bulk_modulus;  // a hole's share, too
+    if (n.kind[d] != DomainKind::rock) return;
     n.joint_pore[d] = 1;
     stored[d] += 0.5 * length * std::max(law.aperture, law.residual_aperture);
   };
@@ -131,10 +132,13 @@ void begin_joint_pores(Network& n, const Assembly& a, const Options& o) {
       if (n.joint_pore[d] == 0) take(d, contact, n.joint_length[e]);
   }
   for (std::size_t d = 1; d < n.kind.size(); ++d) {
-    if (n.kind[d] == DomainKind::well) add_face_weights(n, a, static_cast<std::int32_t>(d));
+    if (n.kind[d] == DomainKind::well) {
+      add_face_weights(n, a, static_cast<std::int32_t>(d));
+      n.storing[d] += beside[d];
+    }
     if (n.joint_pore[d] == 0) continue;
     const double size = a.mean_radius_at(n.centroid[d]);
-    n.storing[d] = moves ? std::max(stored[d], smallest_explicit * size * size) : stored[d];
+    n.storing[d] = (moves ? std::max(stored[d], smallest_explicit * size * size) : stored[d]) + beside[d];
     for (auto k = 2 * n.corner_start[d]; k < 2 * n.corner_start[d + 1]; ++k) n.corner_weight[k] = 0.0;
     add_face_weights(n, a, static_cast<std::int32_t>(d));
   }

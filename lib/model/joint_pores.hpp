@@ -3,7 +3,8 @@
 //
 // The pores that a joint's contacts lie between become its own. Each contact of length A (its piece of the joint) belongs to either
 // pore by half, and there
-//   stores    A / 2 e_0 at K_f (Network::storing; the packing's pore stays its volume), and what the pore grows by as the joint opens
+//   stores    A / 2 e_0 at K_f (Network::storing; the packing's pore stays its volume), what the pore grows by as the joint opens, and
+//             A / 2 S p of a joint with a storage S: pores and small fractures beside it, which take in fluid and move nothing
 //   conducts  w^3 / (12 eta A) along the joint, w of its opening (joint_aperture); voids between pieces count, too, and
 //             pieces below 0.05 R as much as that, all others less for it
 //   pushes    p A / 2 on both discs along the joint's normal, where the contact lies, so with a moment (Network::corner_turn), and

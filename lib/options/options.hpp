@@ -106,6 +106,7 @@ struct JointOptions {
   double dilation_angle = 0.0, dilation_slip = 0.0;      // rad, m
   double aperture = 0.0, residual_aperture = 0.0;        // m
   double roughness = 0.0;                                // 1
+  double storage = 0.0;                                  // m/Pa
 };
 
 // From `time` on, a well is driven otherwise.

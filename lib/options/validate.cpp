@@ -421,6 +421,10 @@ void check_joint(const std::string& name, const JointOptions& joint, const Optio
   need(joint.aperture == 0.0 || joint.max_closure <= joint.aperture, "max_closure",
        " = " + number_text(joint.max_closure) + " m is more than the aperture of " +
            number_text(joint.aperture) + " m that there is to close.");
+  need(joint.storage == 0.0 || joint.aperture > 0.0 || joint.residual_aperture > 0.0, "storage",
+       " is for joints with an aperture of their own: without one, fluid does not flow along them; set "
+       "aperture or "
+       "residual_aperture, or leave it out.");
 }
 
 // Whether a joint meets the model's rectangle (Liang and Barsky 1984).

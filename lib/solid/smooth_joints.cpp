@@ -110,6 +110,7 @@ JointLaw law_of(const JointOptions& joint, const SmoothJoints& smooth, const Opt
   law.aperture = joint.aperture;
   law.residual_aperture = joint.residual_aperture;
   law.roughness = joint.roughness;
+  law.storage = joint.storage;
   law.tensile_factor = joint.tensile_factor;
   law.shear_factor = joint.shear_factor;
   return law;

@@ -90,6 +90,7 @@ std::uint64_t fingerprint_of(const Engine& e, const SetupReport& report) {
                        law.residual_aperture, law.roughness};
     if (std::any_of(more.begin(), more.end(), [](double value) { return value != 0.0; }))
       for (const double value : more) hash.add(value);
+    if (law.storage != 0.0) hash.add(law.storage);
   }
   hash.add_all(e.model.network.volume);
   // Models whose wells are holes and nothing else have the fingerprints that they had before there was more.

@@ -156,6 +156,8 @@ class Analyse(unittest.TestCase):
         done = hfrac("plot", run, "--record", self.file)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn(f"computed less measured: -0.5 MPa in the mean, 0.5 MPa rms, over {len(rows)} rows", done.stdout)
+        done = hfrac("plot", run, "--record", self.file, "--record-offset", -5e5)
+        self.assertRegex(done.stdout, r"computed less measured: (0|-?\d.*e-\d+) MPa in the mean")
         for ending in ("png", "svg", "csv"):
             self.assertGreater((run / f"pictures/record.{ending}").stat().st_size, 500)
         done = hfrac("report", run)

@@ -91,6 +91,45 @@ TEST_P(JointFlow, FillsTheJointKeepsTheBalanceAndIsRestored) {
   EXPECT_THROW(foreign.restore(image), Error);
 }
 
+// What is pumped into a closed joint that conducts well and stores far more than hole, rock and fluid raises its pressure by
+// V / (S L), L its length outside the hole as discs form it, and nothing else moves: its faces stay but for what the pressure on them does.
+TEST_P(JointFlow, StoresWhatIsPumpedByItsLength) {
+  constexpr double storage = 1e-6, wanted = 1e5;  // m/Pa, Pa
+  CaseDefinition definition = jointed(GetParam().mode, GetParam().solver);
+  definition.options.fluid_viscosity = 1e-6;  // pressure is even along it, in dynamic steps of 1 ms, too
+  JointOptions& joint = definition.joints[0] =
+      joint_through_the_well(42.0, 17.0);  // its length is known to half a disc, 1 m
+  joint.max_closure = joint.aperture = joint.dilation_angle = joint.dilation_slip = 0.0;
+  joint.normal_stiffness = 1e12;
+  joint.residual_aperture = 0.05;
+  joint.storage = storage;
+  constexpr int steps = 5;
+  definition.wells[0].control = WellControl::rate;
+  const double along = std::hypot(joint.x2 - joint.x1, joint.y2 - joint.y1);
+  const double hole = 2.0 * Simulation(definition, {}, {}).model().wells[0].place.equivalent_radius,
+               length = along - hole;
+  definition.wells[0].rate = storage * length * wanted / (steps * definition.options.stepping_flow_step);
+  Simulation s(definition, {}, {});
+  const auto start = s.network().pressure;
+  std::vector<std::byte> image(s.image_size());
+  s.write_image(image);
+  for (int k = 0; k < steps; ++k) s.step();
+  const Balance b = s.balance();
+  EXPECT_NEAR(b.injected, storage * length * wanted, 1e-9 * b.injected);
+  EXPECT_LE(std::abs(b.fluid_error), 1e-12 * b.injected);
+  for (const auto& c : s.assembly().smooth.contacts) {
+    const auto d = s.network().left[c.bond];
+    EXPECT_NEAR(s.network().pressure[d] - start[d], wanted, 0.03 * wanted) << c.bond;
+  }
+  Simulation other(definition, {}, {});
+  other.restore(image);
+  for (int k = 0; k < steps; ++k) other.step();
+  EXPECT_EQ(s.state_hash(), other.state_hash());
+  joint.storage = 0.0;
+  Simulation unlike(definition, {}, {});
+  EXPECT_THROW(unlike.restore(image), Error);
+}
+
 // A stage of the initial equilibration that the quasi-static solver gives up, as in half of these packings, is done again from before it. The
 // boundary then kept that stage's share of the pressure outside for good, and an image, restored, had other forces on it than the run.
 TEST(JointImage, IsRestoredInEveryPacking) {

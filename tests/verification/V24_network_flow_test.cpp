@@ -9,7 +9,10 @@
 //            networks by a seed between two wide joints, of traces that discs of 0.5 m can tell apart (ends 2.5 m off other traces, no sharp
 //            crossings); the rock at rest, the implicit flow solver in steps long enough to be steady.
 //            Networks of any traces are printed beside: there the packing decides what ends within a disc of a trace connect.
-// Tolerance  1 %.
+//            Storage: one joint of 80 m that stores S per length and pressure (joint storage), at rest, then one end held at dp: pressure goes by
+//            dp erfc(x / sqrt(4 D t)), D = w^3 / (12 eta S), and sqrt(D t / pi) 2 dp S has gone in (Carslaw and Jaeger 1959, 2.4-2.5), while
+//            sqrt(4 D t) is a fifth of its length.
+// Tolerance  1 %; storage 3 %, of dp and of the volume.
 // Page       docs/verification/V24.md
 #include <Eigen/Dense>
 #include <algorithm>
@@ -215,6 +218,58 @@ Case random_network(unsigned seed, Ends ends) {
 TEST(V24NetworkFlowSmoke, FollowsTheCubicLawAlongOneJoint) {
   verification::report("flow along one joint over the cubic law's", measured(single(), 4000, 1).ratio(), 1.0,
                        0.01);
+}
+
+TEST(V24NetworkFlowSmoke, StorageSpreadsPressureByItsDiffusivity) {
+  constexpr double storage = 8e-9, reach = 16.0;  // m/Pa, m: sqrt(4 D t)
+  constexpr int steps = 200;
+  const double diffusivity = w * w * w / (12.0 * viscosity * storage),
+               time = reach * reach / (4.0 * diffusivity);
+  Case c{"storage", {{{10.0, 50.0}, {90.0, 50.0}, w}}, {}, {}};
+  CaseDefinition definition = network_of(c, 4000, 1);
+  definition.joints[0].storage = storage;
+  Simulation sim(definition, {}, {});
+  const Assembly& a = sim.assembly();
+  Network& n = sim.engine().model.network;
+  struct Place {
+    double x;
+    std::int32_t pore;  // on the contact's far side
+  };
+  std::vector<Place> places;
+  std::int32_t inlet = -1;
+  double begin = 1e300;
+  for (const auto& k : a.smooth.contacts) {
+    const double x = a.x[a.first[k.bond]] + k.first_arm().x, half = 0.5 * k.area;
+    const bool left = n.centroid[n.left[k.bond]].x < n.centroid[n.right[k.bond]].x;
+    places.push_back({x + half, left ? n.right[k.bond] : n.left[k.bond]});
+    if (x - half >= begin) continue;
+    begin = x - half;
+    inlet = left ? n.left[k.bond] : n.right[k.bond];
+  }
+  const auto held = [&] {
+    double sum = 0.0;
+    for (std::int64_t d = 1; d < n.domain_count(); ++d)
+      sum += d == inlet ? content_at(n, d, sim.options().fluid_bulk_modulus, n.pressure[d]) : n.content[d];
+    return sum;
+  };
+  const double before = held();
+  n.stiffness[inlet] = 0.0;
+  n.pressure[inlet] = n.reference_pressure + drop;
+  FlowSolver solver(n, sim.options());
+  const std::vector<double> source(static_cast<std::size_t>(n.domain_count()), 0.0);
+  for (int k = 0; k < steps; ++k) solver.advance(n, time / steps, source);
+  double worst = 0.0;
+  for (const auto& [x, pore] : places) {
+    const double formula = std::erfc((x - begin) / reach),
+                 model = (n.pressure[pore] - n.reference_pressure) / drop;
+    if (std::abs(model - formula) > std::abs(worst)) worst = model - formula;
+  }
+  verification::report_absolute("pressure along a joint that stores, worst, over that at its end", worst, 0.0,
+                                0.03);
+  verification::report(
+      "volume it took in over the formula's",
+      (held() - before) / (2.0 * drop * storage * std::sqrt(diffusivity * time / verification::pi)), 1.0,
+      0.03);
 }
 
 TEST(V24NetworkFlow, AddsUpInSeriesAndInParallel) {

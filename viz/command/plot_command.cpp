@@ -318,8 +318,9 @@ struct PlotRequest {
   std::string folder;
   Paper paper;
   bool quiet = false;
-  bool kgd = false;    ///< the profile beside the plane-strain solution
-  std::string record;  ///< of a field, beside the run
+  bool kgd = false;     ///< the profile beside the plane-strain solution
+  std::string record;   ///< of a field, beside the run
+  double offset = 0.0;  ///< Pa, of the record
   CompareRequest compare;
 };
 
@@ -362,8 +363,9 @@ ExitCode plot_kgd(const PlotRequest& request) {
 
 /** A field's pressure beside that of the run's first well; how far apart they are is told. The report shows the SVG file. */
 ExitCode plot_record(const PlotRequest& request) {
-  const InjectionRecord computed = read_injection(request.folder, 1.0),
-                        measured = read_injection(request.record, 1.0);
+  const InjectionRecord computed = read_injection(request.folder, 1.0);
+  InjectionRecord measured = read_injection(request.record, 1.0);
+  for (double& pressure : measured.pressure) pressure += request.offset;
   const RecordComparison both = compare_records(measured, computed);
   if (both.rows == 0)
     throw BadInput(fmt::format("'{}' has no row between {:g} and {:g} s, the times of '{}'", request.record,
@@ -408,11 +410,19 @@ void add_plot(CLI::App& program, Action& action) {
                  "Only the profile along the fracture while it is driven, beside the "
                  "plane-strain solution of the same volume (KGD)")
       ->needs(folder);
+  auto* record =
+      command
+          ->add_option(
+              "--record", request->record,
+              "Only the pressure of a field's record (CSV or LAS file) beside the run's, and how far "
+              "apart they are")
+          ->needs(folder);
   command
-      ->add_option("--record", request->record,
-                   "Only the pressure of a field's record (CSV or LAS file) beside the run's, and how far "
-                   "apart they are")
-      ->needs(folder);
+      ->add_option(
+          "--record-offset", request->offset,
+          "Added to the record's pressures [Pa]: the formation's, where they count from the well at rest, or "
+          "the weight of the fluid's column, where they were read at the wellhead")
+      ->needs(record);
   add_compare_options(*command, request->compare, folder);
   command->callback([request, &action] { action = [request] { return plot(*request); }; });
 }

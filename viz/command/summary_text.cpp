@@ -100,7 +100,7 @@ std::string summary_text(const json& summary, const std::string& ended) {
   text += line(
       "energy",
       std::isnan(energy_error)
-          ? "not checked: the quasi-static solver balance what the works left over as damping"
+          ? "not checked: the quasi-static solver counts what the works leave over as damping"
           : fmt::format("missing {:.2g} J/m{}", energy_error, share(energy_error, energy_scale(balance))));
   text += line("state hash", summary.at("state_hash").get<std::string>());
   return text;

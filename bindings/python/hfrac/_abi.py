@@ -340,7 +340,7 @@ class hfrac_joint_def(ctypes.Structure):
         ("max_closure", ctypes.c_double), ("tensile_strength", ctypes.c_double), ("cohesion", ctypes.c_double),
         ("residual_friction", ctypes.c_double), ("weakening_slip", ctypes.c_double),
         ("dilation_angle", ctypes.c_double), ("dilation_slip", ctypes.c_double), ("aperture", ctypes.c_double),
-        ("residual_aperture", ctypes.c_double), ("roughness", ctypes.c_double),
+        ("residual_aperture", ctypes.c_double), ("roughness", ctypes.c_double), ("storage", ctypes.c_double),
     ]
 
 

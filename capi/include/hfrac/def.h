@@ -104,6 +104,7 @@ typedef struct hfrac_joint_def {
   double aperture;          /**< [m] open at no normal stress; 0, residual_aperture too: tight as the rock */
   double residual_aperture; /**< [m] hydraulic, on top of what it is open */
   double roughness;         /**< [1] joint roughness coefficient of the hydraulic aperture; 0: none */
+  double storage;           /**< [m/Pa] fluid per length and pressure that pores and small fractures beside it take in */
 } hfrac_joint_def;
 
 /** From `time` on, a well is driven otherwise. Entries of one well stand in order of time. */
@@ -242,7 +243,8 @@ typedef struct hfrac_sim_def {
   double stepping_flow_step;
   /** Steps of a run by the hfrac command. Default 500. */
   int64_t stepping_steps;
-  /** [s] Model time at which a run ends; 0: after stepping.steps. Default 0.0. */
+  /** [s] Model time at which a run ends, with the step that reaches it; 0: after stepping.steps. Default
+   * 0.0. */
   double stepping_end_time;
   /** [1] Mean unbalanced over mean contact force at which mechanics count as at rest. Default 1e-4. */
   double stepping_force_ratio;

@@ -9,7 +9,7 @@ _hfrac() {
   case ${COMP_WORDS[1]} in
     new)
       options='--help --output --overwrite'
-      first='fracture minifrac hour crossing stress-shadow cold-water paper smoke'
+      first='fracture minifrac record hour crossing stress-shadow cold-water paper smoke'
       case $before in
         -o|--output) files=yes ;;
       esac
@@ -99,10 +99,10 @@ _hfrac() {
       esac
       ;;
     plot)
-      options='--help --width --print --dark --svg --pdf --quiet --kgd --record --compare --x --y --series --output --title'
+      options='--help --width --print --dark --svg --pdf --quiet --kgd --record --record-offset --compare --x --y --series --output --title'
       case $before in
         --y) values='cracks tensile-cracks shear-cracks length width extent reach wings volume injected leak-off tip pressure rate initiation-pressure' ;;
-        --width|--print|--record|--compare|--x|--series|-o|--output|--title) files=yes ;;
+        --width|--print|--record|--record-offset|--compare|--x|--series|-o|--output|--title) files=yes ;;
       esac
       ;;
     report)

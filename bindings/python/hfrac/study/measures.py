@@ -16,7 +16,7 @@ from .study_file import Quantity, StudyError
 
 #: in the table's order; what a run cannot have is nan
 NAMES = ("length_m", "width_m", "fracture_volume_m2", "largest_pressure_Pa", "end_pressure_Pa", "injectivity_m2_per_Pa_s",
-         "injected_volume_m2", "crack_count", "event_count", "largest_magnitude")
+         "injected_volume_m2", "crack_count", "event_count", "largest_magnitude", "joint_slipped_length_m")
 
 Table = Dict[str, np.ndarray]
 
@@ -71,11 +71,13 @@ def measure(folder: pathlib.Path, quantities: List[Quantity]) -> Dict[str, float
     with open(folder / "case.toml", "rb") as file:
         case = tomllib.load(file)
     magnitudes = read_table(folder / "events.csv")["magnitude"]
+    magnitudes = magnitudes[np.isfinite(magnitudes)]  # a joint that was broken from the start has none
     pressure = table["well_pressure_Pa"]
     found = dict(zip(NAMES, (
         summary["longest_fracture"]["length_m"], summary["longest_fracture"]["width_m"], summary["fracture_volume_m2"],
         float(np.nanmax(pressure)) if np.isfinite(pressure).any() else float("nan"), float(pressure[-1]),
         injectivity(table, case), summary["balance"]["injected_volume_m2"], summary["state"]["crack_count"],
-        len(magnitudes), float(magnitudes.max()) if len(magnitudes) else float("nan"))))
+        len(magnitudes), float(magnitudes.max()) if len(magnitudes) else float("nan"),
+        float(table["joint_slipped_length_m"][-1]) if "joint_slipped_length_m" in table else float("nan"))))
     found.update({one.name: taken(table, one) for one in quantities})
     return found
