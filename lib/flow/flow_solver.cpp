@@ -11,13 +11,10 @@
 namespace hfrac {
 namespace {
 
-// Conjugate gradients: residual over right-hand side. Fluid is conserved whatever is left.
-constexpr double iterative_tolerance = 1e-12;
-constexpr int most_iterations = 20000;
-// A solver from outside: residual over right-hand side of a pass; change of a pressure over the largest difference of pressures at which
-// they have settled.
-constexpr double tolerance_outside = 1e-6, settled_outside = 1e-11;
-constexpr int most_passes_outside = 20;
+// Whoever solves iteratively, in passes: residual over right-hand side of a pass; change of a pressure over the largest difference of
+// pressures at which they have settled.
+constexpr double pass_tolerance = 1e-6, settled = 1e-11;
+constexpr int most_passes = 20, most_iterations = 20000;
 // A pressure this far below the floor is below it: less is what conjugate gradients leave open.
 constexpr double floor_slack = 0.1;  // Pa
 // A fluid that thins: sum of the flows' errors over the flows, at which conductances and pressures agree.
@@ -141,43 +138,57 @@ void FlowSolver::list_places() {
   }
 }
 
-// What is left is found here, whoever solved, and solved for again until pressures stay: where conductances differ by powers of ten a
+// What is left is found here, whoever solves, and solved for again until pressures stay: where conductances differ by powers of ten a
 // small residual alone says little about the pressures of tight rock.
-void FlowSolver::solve_outside(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
-  value_.clear();
-  for (const auto a : entry_) value_.push_back(matrix_.valuePtr()[a]);
-  outside_->prepare(row_, column_, value_);
-  row_ = column_ = {};
+void FlowSolver::solve_in_passes(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
+  if (outside_) {
+    value_.clear();
+    for (const auto a : entry_) value_.push_back(matrix_.valuePtr()[a]);
+    outside_->prepare(row_, column_, value_);
+    row_ = column_ = {};
+  }
   change_.resize(p.size());
-  for (int pass = 0; pass < most_passes_outside; ++pass) {
+  double before = 0.0;
+  for (int pass = 0; pass < most_passes; ++pass) {
     symmetric_product(matrix_, p, residual_);
     residual_ = rhs - residual_;
     if (!(residual_.squaredNorm() > 0.0)) return;
-    outside_->solve(residual_.data(), change_.data(), tolerance_outside);
+    if (outside_) {
+      outside_->solve(residual_.data(), change_.data(), pass_tolerance);
+    } else {
+      change_.setZero();
+      if (conjugate_gradient_.solve(residual_, change_, pass_tolerance, most_iterations) < 0) break;
+    }
     p += change_;
-    if (change_.cwiseAbs().maxCoeff() <= settled_outside * (p.maxCoeff() - p.minCoeff())) return;
+    const double change = change_.cwiseAbs().maxCoeff();
+    // The next pass would change less, by as much as this one did.
+    const double next = before > 0.0 ? change * std::min(1.0, change / before) : change;
+    if (next <= settled * (p.maxCoeff() - p.minCoeff())) return;
+    before = change;
   }
-  throw Error(
-      ErrorKind::diverged,
-      "the flow step's pressures did not settle in " + std::to_string(most_passes_outside) +
-          " passes of the solver from outside; use flow.solver = \"auto\" or a smaller stepping.flow_step");
+  throw Error(ErrorKind::diverged,
+              "the flow step's pressures did not settle in " + std::to_string(most_passes) + " passes of " +
+                  (outside_ ? "the solver from outside" : std::to_string(most_iterations) + " iterations") +
+                  "; use flow.solver = \"direct\" or a smaller stepping.flow_step");
 }
 
 void FlowSolver::solve_pressures(Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
-  if (outside_) return solve_outside(rhs, p);
-  const bool factorised = iterative_ ? conjugate_gradient_.prepare(matrix_)
-                                     : (factor_.factorize(matrix_), factor_.info() == Eigen::Success);
-  if (!factorised)
+  bool prepared = true;
+  if (!iterative_) {
+    factor_.factorize(matrix_);
+    prepared = factor_.info() == Eigen::Success;
+  } else if (!outside_) {
+    prepared = conjugate_gradient_.prepare(matrix_);
+  }
+  if (!prepared)
     throw Error(
         ErrorKind::diverged,
         "the flow matrix cannot be factorised (eq. 6, 8): an aperture, a volume or their ratio left "
         "the range of finite numbers; use a shorter stepping.flow_step or a smaller flow.aperture_limit");
-  if (!iterative_) {
+  if (iterative_) {
+    solve_in_passes(rhs, p);
+  } else {
     p = factor_.solve(rhs);
-  } else if (conjugate_gradient_.solve(rhs, p, iterative_tolerance, most_iterations) < 0) {
-    throw Error(ErrorKind::diverged,
-                "the flow step's conjugate gradients did not converge in " + std::to_string(most_iterations) +
-                    " iterations; use a smaller stepping.flow_step or flow.aperture_limit");
   }
 }
 
@@ -210,12 +221,12 @@ int FlowSolver::advance_implicit(Network& n, double step, const std::vector<doub
   }
   const std::vector<double>& fed = wellbores_ != nullptr ? source_ : source;
   int rounds = solve_step(n, step, fed);
-  constexpr int most_passes = 400;
+  constexpr int most_rounds = 400;
   int passes = 0;
   while (law_.thins() && follow_thinning(n) > thinning_tolerance) {
-    if (++passes > most_passes) {
+    if (++passes > most_rounds) {
       throw Error(ErrorKind::diverged,
-                  "the flow of the thinning fluid did not settle in " + std::to_string(most_passes) +
+                  "the flow of the thinning fluid did not settle in " + std::to_string(most_rounds) +
                       " passes; use a smaller stepping.flow_step or a smaller fluid.viscosity");
     }
     rounds += solve_step(n, step, fed);

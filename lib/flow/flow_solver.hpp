@@ -54,9 +54,9 @@ class FlowSolver {
   using Matrix = SparseMatrix;
   // Pressures of the system as it stands in matrix_ into p; uses rhs up.
   void solve_pressures(Eigen::VectorXd& rhs, Eigen::VectorXd& p);
-  // The same by a solver from outside.
+  // The same by conjugate gradients, or by a solver from outside.
+  void solve_in_passes(const Eigen::VectorXd& rhs, Eigen::VectorXd& p);
   void list_places();
-  void solve_outside(const Eigen::VectorXd& rhs, Eigen::VectorXd& p);
 
   bool explicit_, iterative_;
   FluidLaw law_;

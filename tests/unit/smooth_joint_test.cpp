@@ -82,7 +82,8 @@ TEST(SmoothJoint, PiecesAddUpToItsLengthWhateverTheAngle) {
 TEST(SmoothJoint, ThatCrossesNoBondStillLiesBetweenDiscs) {
   const Options o = dry_options(500);
   const Discs discs = packed(o);
-  Assembly a = build_assembly(build_contact_graph(discs.x, discs.y, discs.radius, {}, o.bond_gap_tolerance), o);
+  Assembly a =
+      build_assembly(build_contact_graph(discs.x, discs.y, discs.radius, {}, o.bond_gap_tolerance), o);
   CrackLog cracks;
   apply_joints(a, {joint_at(0.0, 8.0, {10.0, 50.0}, 0.5, JointState::smooth_broken)}, o, cracks);
   EXPECT_TRUE(a.smooth.empty());
