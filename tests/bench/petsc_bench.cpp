@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Solvers over ranks on a sheet of hexagonally packed discs (two pores a disc), hfrac's own or PETSc's (libhfrac_petsc):
 //
-//     mpirun -n RANKS bench_petsc flow DISCS [petsc|iterative]      a long flow step out of a hole: rock of random conductance (standard
+//     mpirun -n RANKS bench_petsc flow DISCS [petsc|iterative [WORKERS]]   a long flow step out of a hole: rock of random conductance (standard
 //         deviation of its logarithm 1), a crack of 1e3 times that through a third of the model
 //     mpirun -n RANKS bench_petsc tangent DISCS [petsc|own]         factor of the undrained quasi-static tangent, one solve to 1e-3 by GMRES
 //
@@ -132,7 +132,7 @@ std::size_t make_rock(Network& n, const Options& o) {
   return hole;
 }
 
-int flow(Outside& outside, const Ranks& ranks, std::int64_t discs, bool petsc) {
+int flow(Outside& outside, const Ranks& ranks, std::int64_t discs, bool petsc, int workers) {
   Options o = wet_options();
   bench::Sheet sheet(discs, o);
   Network& n = sheet.network;
@@ -141,7 +141,8 @@ int flow(Outside& outside, const Ranks& ranks, std::int64_t discs, bool petsc) {
   const auto solver = petsc ? FlowMatrixSolver::petsc : FlowMatrixSolver::iterative;
   o.flow_solver = static_cast<std::int64_t>(solver);
   Network alike = n;
-  FlowSolver by(n, o, nullptr, ranks);
+  Workers team(workers);
+  FlowSolver by(n, o, nullptr, ranks, &team);
   double lost = 0.0, seconds = 0.0, off = 0.0;
   std::string counts;
   for (int k = 0; k < 2; ++k) {
@@ -232,15 +233,16 @@ int tangent(Outside& outside, const Ranks& ranks, std::int64_t discs, bool petsc
 int main(int count, char** arguments) {
   const std::string what = count > 2 ? arguments[1] : "", by = count > 3 ? arguments[3] : "petsc";
   const std::int64_t discs = count > 2 ? std::atoll(arguments[2]) : 0;
-  if ((what != "flow" && what != "tangent") || discs < 100 || discs > 5000000) {
-    std::fprintf(stderr, "usage: bench_petsc flow|tangent DISCS [petsc|iterative|own]\n");
+  const int workers = count > 4 ? std::atoi(arguments[4]) : 1;
+  if ((what != "flow" && what != "tangent") || discs < 100 || discs > 5000000 || workers < 1) {
+    std::fprintf(stderr, "usage: bench_petsc flow|tangent DISCS [petsc|iterative|own [WORKERS]]\n");
     return 2;
   }
   Outside outside;
   const Ranks ranks = outside.ranks();
   int status = 1;
   try {
-    status = what == "flow" ? flow(outside, ranks, discs, by == "petsc")
+    status = what == "flow" ? flow(outside, ranks, discs, by == "petsc", workers)
                             : tangent(outside, ranks, discs, by == "petsc");
   } catch (const Error& error) {
     std::fprintf(stderr, "bench_petsc: %s\n", error.what());
