@@ -97,7 +97,7 @@ static void define(hfrac_sim_def* def, hfrac_well_def* well) {
   check(info.type == 2 && strcmp(info.key, "control") == 0, "a well's values are listed");
   good(hfrac_joint_option_count(&count), NULL, "joint_option_count");
   good(hfrac_joint_option_at(0, &info), NULL, "joint_option_at");
-  check(count == 20 && strcmp(info.key, "x1") == 0, "a joint's values are listed");
+  check(count == 21 && strcmp(info.key, "x1") == 0, "a joint's values are listed");
   good(hfrac_schedule_option_count(&count), NULL, "schedule_option_count");
   good(hfrac_schedule_option_at(1, &info), NULL, "schedule_option_at");
   check(count == 5 && strcmp(info.key, "time") == 0, "an entry's values are listed");
