@@ -7,6 +7,8 @@
 #include <queue>
 #include <set>
 
+#include "model/joint_pores.hpp"
+
 namespace hfrac {
 namespace {
 
@@ -18,15 +20,16 @@ std::int32_t farthest(const FractureGraph::Ways& ways) {
 
 }  // namespace
 
-double FractureGraph::leg(const Network& n, std::int32_t domain, Vec2 crack) {
+double FractureGraph::leg(const Network& n, std::int32_t domain, std::int64_t bond, Vec2 middle) {
+  if (const double piece = joint_length(n, static_cast<std::size_t>(bond)); piece > 0.0) return 0.5 * piece;
   if (n.kind[domain] != DomainKind::rock) return 0.0;
-  const Vec2 way = n.centroid[domain] - crack;
+  const Vec2 way = n.centroid[domain] - middle;
   return norm(way);
 }
 
 void FractureGraph::add(const Network& n, std::int64_t bond, Vec2 middle) {
   const auto l = n.left[bond], r = n.right[bond];
-  const double way = leg(n, l, middle) + leg(n, r, middle);
+  const double way = leg(n, l, bond, middle) + leg(n, r, bond, middle);
   if (edges_.empty()) first_ = l;
   edges_[l].push_back({r, bond, way});
   edges_[r].push_back({l, bond, way});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A fracture as a graph: domains are the nodes, cracks the edges, each as long as the way from pore to pore through its contact. At a
-// hole or the outside the way begins at the contact.
+// hole or the outside the way begins at the contact. Pores lie to either side of a joint, which is straight: along one that conducts an edge
+// is as long as its piece of the joint.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +14,8 @@ namespace hfrac {
 
 class FractureGraph {
  public:
-  // Way from a domain's middle to a crack's [m].
-  static double leg(const Network& network, std::int32_t domain, Vec2 crack);
+  // Way over a crack at `middle` from a domain's middle, as far as the crack's [m].
+  static double leg(const Network& network, std::int32_t domain, std::int64_t bond, Vec2 middle);
   void add(const Network& network, std::int64_t bond, Vec2 middle);
   [[nodiscard]] bool holds(std::int32_t domain) const { return edges_.count(domain) > 0; }
 

@@ -22,8 +22,8 @@ std::vector<FracturePoint> along(const std::vector<std::int64_t>& bonds, std::in
   for (const auto bond : bonds) {
     const CrackLine& crack = lines.at(bond);
     const auto next = n.left[bond] == at ? n.right[bond] : n.left[bond];
-    const double before = FractureGraph::leg(n, at, crack.middle),
-                 after = FractureGraph::leg(n, next, crack.middle);
+    const double before = FractureGraph::leg(n, at, bond, crack.middle),
+                 after = FractureGraph::leg(n, next, bond, crack.middle);
     FracturePoint p{};
     p.bond = bond;
     p.at = crack.middle;
