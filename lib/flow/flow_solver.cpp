@@ -172,7 +172,7 @@ void FlowSolver::solve_in_passes(const Eigen::VectorXd& rhs, Eigen::VectorXd& p)
                   "; use flow.solver = \"direct\" or a smaller stepping.flow_step");
 }
 
-void FlowSolver::solve_pressures(Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
+void FlowSolver::solve_pressures(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
   bool prepared = true;
   if (!iterative_) {
     factor_.factorize(matrix_);

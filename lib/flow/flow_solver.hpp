@@ -52,8 +52,8 @@ class FlowSolver {
   int advance_explicit(Network& network, double step, const std::vector<double>& source);
 
   using Matrix = SparseMatrix;
-  // Pressures of the system as it stands in matrix_ into p; uses rhs up.
-  void solve_pressures(Eigen::VectorXd& rhs, Eigen::VectorXd& p);
+  // Pressures of the system as it stands in matrix_ into p.
+  void solve_pressures(const Eigen::VectorXd& rhs, Eigen::VectorXd& p);
   // The same by conjugate gradients, or by a solver from outside.
   void solve_in_passes(const Eigen::VectorXd& rhs, Eigen::VectorXd& p);
   void list_places();

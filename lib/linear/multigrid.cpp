@@ -64,18 +64,7 @@ std::int32_t join_in_pairs(const SymmetricRows& a, bool leave_dominant, std::vec
 // The sums of the equations of rows that have the same number in `part`.
 void merge(const SymmetricRows& a, const std::vector<std::int32_t>& part, std::int32_t parts,
            std::vector<std::int32_t>& place, SymmetricRows& merged) {
-  // Rows by their parts.
-  std::vector<std::int32_t> first(static_cast<std::size_t>(parts) + 1, 0);
-  for (const auto p : part)
-    if (p >= 0) ++first[static_cast<std::size_t>(p) + 1];
-  for (std::size_t p = 0; p < static_cast<std::size_t>(parts); ++p) first[p + 1] += first[p];
-  std::vector<std::int32_t> row(static_cast<std::size_t>(first.back()));
-  auto cursor = first;
-  for (std::size_t i = 0; i < part.size(); ++i)
-    if (part[i] >= 0)
-      row[static_cast<std::size_t>(cursor[static_cast<std::size_t>(part[i])]++)] =
-          static_cast<std::int32_t>(i);
-
+  const RowsByPart rows(part, parts);
   merged.start.assign(1, 0);
   merged.column.clear();
   merged.value.clear();
@@ -86,8 +75,8 @@ void merge(const SymmetricRows& a, const std::vector<std::int32_t>& part, std::i
     const std::int32_t begin = merged.start.back();
     // What a row has on the diagonal beyond its other entries is added up by itself: those of a crack would leave nothing of it.
     double beyond = 0.0, inside = 0.0;
-    for (auto r = first[static_cast<std::size_t>(p)]; r < first[static_cast<std::size_t>(p) + 1]; ++r) {
-      const auto i = static_cast<std::size_t>(row[static_cast<std::size_t>(r)]);
+    for (const auto row : rows.of(p)) {
+      const auto i = static_cast<std::size_t>(row);
       double sum = a.diagonal[i];
       for (auto k = static_cast<std::size_t>(a.start[i]); k < static_cast<std::size_t>(a.start[i + 1]); ++k) {
         sum += a.value[k];
@@ -114,6 +103,20 @@ void merge(const SymmetricRows& a, const std::vector<std::int32_t>& part, std::i
 }
 
 }  // namespace
+
+RowsByPart::RowsByPart(const std::vector<std::int32_t>& part, std::int32_t parts)
+    : first_(static_cast<std::size_t>(parts) + 1, 0) {
+  for (const auto p : part)
+    if (p >= 0) ++first_[static_cast<std::size_t>(p) + 1];
+  for (std::size_t p = 0; p < static_cast<std::size_t>(parts); ++p) first_[p + 1] += first_[p];
+  row_.resize(static_cast<std::size_t>(first_.back()));
+  auto cursor = first_;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    if (part[i] >= 0)
+      row_[static_cast<std::size_t>(cursor[static_cast<std::size_t>(part[i])]++)] =
+          static_cast<std::int32_t>(i);
+  }
+}
 
 void SymmetricRows::assign(const SparseMatrix& lower) {
   const auto rows = static_cast<std::size_t>(lower.cols());
@@ -177,21 +180,6 @@ void Multigrid::Level::assign(const SymmetricRows& a) {
   }
 }
 
-void Multigrid::Level::list_members(std::int32_t aggregates) {
-  member_start.assign(static_cast<std::size_t>(aggregates) + 1, 0);
-  for (const auto g : aggregate)
-    if (g >= 0) ++member_start[static_cast<std::size_t>(g) + 1];
-  for (std::size_t g = 0; g < static_cast<std::size_t>(aggregates); ++g)
-    member_start[g + 1] += member_start[g];
-  member.resize(static_cast<std::size_t>(member_start.back()));
-  auto cursor = member_start;
-  for (std::size_t i = 0; i < aggregate.size(); ++i) {
-    if (aggregate[i] >= 0)
-      member[static_cast<std::size_t>(cursor[static_cast<std::size_t>(aggregate[i])]++)] =
-          static_cast<std::int32_t>(i);
-  }
-}
-
 bool Multigrid::prepare(const SparseMatrix& lower) {
   rows_.assign(lower);
   for (const double d : rows_.diagonal)
@@ -206,7 +194,7 @@ bool Multigrid::prepare(const SparseMatrix& lower) {
     if (count == 0 || count >= level.rows()) break;
     for (std::size_t i = 0; i < pair_.size(); ++i)
       level.aggregate[i] = pair_[i] < 0 ? -1 : pair_of_pairs_[static_cast<std::size_t>(pair_[i])];
-    level.list_members(count);
+    level.members = RowsByPart(level.aggregate, count);
     merge(merged_, pair_of_pairs_, count, place_, rows_);
     rows_.inside.clear();
   }
@@ -300,9 +288,8 @@ void Multigrid::cycle(const Workers::Member& member, std::size_t at, const doubl
   const auto mine = member.part(coarse.rows(), group / 4);
   for (auto g = static_cast<std::size_t>(mine.first); g < static_cast<std::size_t>(mine.last); ++g) {
     double sum = 0.0;
-    for (auto m = static_cast<std::size_t>(level.member_start[g]);
-         m < static_cast<std::size_t>(level.member_start[g + 1]); ++m)
-      sum += level.residual(static_cast<std::size_t>(level.member[m]));
+    for (const auto i : level.members.of(static_cast<std::int32_t>(g)))
+      sum += level.residual(static_cast<std::size_t>(i));
     coarse.right[g] = sum;
   }
   member.barrier();

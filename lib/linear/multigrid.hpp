@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <span>
 #include <vector>
 
 #include "core/workers.hpp"
@@ -35,6 +36,21 @@ struct SymmetricRows {
   [[nodiscard]] std::int64_t count() const { return static_cast<std::int64_t>(diagonal.size()); }
   // Of the lower triangle, each column beginning with its diagonal.
   void assign(const SparseMatrix& lower);
+};
+
+// The rows that have the same number, ascending; negative: in no part.
+class RowsByPart {
+ public:
+  RowsByPart() = default;
+  RowsByPart(const std::vector<std::int32_t>& part, std::int32_t parts);
+  [[nodiscard]] std::span<const std::int32_t> of(std::int32_t part) const {
+    const auto p = static_cast<std::size_t>(part);
+    return std::span(row_).subspan(static_cast<std::size_t>(first_[p]),
+                                   static_cast<std::size_t>(first_[p + 1] - first_[p]));
+  }
+
+ private:
+  std::vector<std::int32_t> first_, row_;
 };
 
 class Multigrid {
@@ -69,12 +85,11 @@ class Multigrid {
     std::vector<double> value, diagonal;
     std::vector<double> weight;           // the diagonal as the smoother takes it
     std::vector<std::int32_t> aggregate;  // of a row: row of the coarser level; -1: none
-    std::vector<std::int32_t> member_start, member;
+    RowsByPart members;
     std::vector<double> right, before, after, rest, more;
 
     [[nodiscard]] std::int64_t rows() const { return static_cast<std::int64_t>(diagonal.size()); }
     void assign(const SymmetricRows& rows);
-    void list_members(std::int32_t aggregates);
     void multiply(const Workers::Member& team, const double* x, double* y) const;
     void smooth_from_nothing(const Workers::Member& team, const double* right);
     [[nodiscard]] double residual(std::size_t i) const;

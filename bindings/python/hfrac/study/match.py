@@ -8,7 +8,7 @@ which stands in the study file, it tells nothing that counts, and match says so.
 With several packings the ensemble is spread over them, and their scatter at the laws' medians belongs to the error (scatter.py, esmda.py).
 """
 import pathlib
-from typing import Callable, Dict, List, NamedTuple, Optional
+from typing import Callable, Dict, Iterator, List, NamedTuple, Optional, Tuple
 
 import numpy as np
 from scipy.special import ndtr, ndtri
@@ -149,13 +149,19 @@ def report(study: Study, task: Match, folder: pathlib.Path, outcome: Outcome) ->
     return [*lines, f"parameters.csv, members.csv and match.png are in '{folder}'"]
 
 
+def _parts(task: Match) -> Iterator[Tuple[Data, slice]]:
+    """Each of the data, and where its points lie among all."""
+    first = 0
+    for one in task.data:
+        yield one, slice(first, first + len(one.time))
+        first += len(one.time)
+
+
 def _scattering(task: Match, outcome: Outcome) -> List[str]:
     """How large the scatter of packings is in each of the data."""
-    lines, first = [], 0
+    lines = []
     variance = np.diag(outcome.scatter.covariance)
-    for one in task.data:
-        part = slice(first, first + len(one.time))
-        first += len(one.time)
+    for one, part in _parts(task):
         lines.append(f"{one.column}: {outcome.scatter.packings} packings scatter by {np.sqrt(variance[part].mean()):.3g} (rms over the record), "
                      f"beside an error of {one.error:.3g}; both count")
     lines.append(f"correlations of that scatter are shrunk by {outcome.scatter.shrinkage:.2f} (0: enough packings)")
@@ -175,11 +181,8 @@ def draw(study: Study, task: Match, path: pathlib.Path, outcome: Outcome) -> Non
     columns = max(len(task.data), len(study.parameters))
     figure = plt.figure(figsize=(max(6.5, 2.7 * columns), 5.4))
     grid = figure.add_gridspec(2, len(task.data) * len(study.parameters), height_ratios=[1.5, 1.0])
-    first = 0
-    for place, one in enumerate(task.data):
+    for place, (one, part) in enumerate(_parts(task)):
         axis = figure.add_subplot(grid[0, place * len(study.parameters):(place + 1) * len(study.parameters)])
-        part = slice(first, first + len(one.time))
-        first += len(one.time)
         _curves(axis, one, outcome.errors[part], {"prior": outcome.prior.predicted[:, part], "posterior": outcome.posterior.predicted[:, part]})
     for place, one in enumerate(study.parameters):
         axis = figure.add_subplot(grid[1, place * len(task.data):(place + 1) * len(task.data)])
