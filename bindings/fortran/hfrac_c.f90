@@ -998,7 +998,7 @@ module hfrac_c
     type(c_ptr) :: receive = c_null_ptr  !< written by then
   end type hfrac_message
 
-  !> How ranks talk. Fill with hfrac_exchange_init, then all members.
+  !> How ranks talk. Fill with hfrac_exchange_init, then all members up to `fail`.
   type, bind(C) :: hfrac_exchange
     integer(c_int32_t) :: struct_size = 0_c_int32_t  !< sizeof(hfrac_exchange) of the caller, set by init
     integer(c_int32_t) :: rank = 0_c_int32_t  !< this one, 0 to size - 1
@@ -1011,6 +1011,8 @@ module hfrac_c
     type(c_funptr) :: gather = c_null_funptr  !< bytes of all ranks
     type(c_funptr) :: fail = c_null_funptr  !< the end of it all
     type(c_ptr) :: linear_solver = c_null_ptr  !< of these ranks, copied at creation; NULL: hfrac's own only
+    type(c_funptr) :: fail_text = c_null_funptr  !< why, before the end; NULL: nobody is told
+    type(c_funptr) :: failed = c_null_funptr  !< which rank failed, and why; NULL: "another rank"
   end type hfrac_exchange
 
   !> What a rank does for the others in a cycle, since the model was built; zeros with one rank. Set struct_size
@@ -1292,6 +1294,28 @@ module hfrac_c
       import
       type(c_ptr), value :: user
     end function hfrac_fail_fn
+  end interface
+
+  abstract interface
+    !> Called before hfrac_fail_fn: why this rank cannot go on, UTF-8 that ends with 0, borrowed for the call.
+    integer(c_int32_t) function hfrac_fail_text_fn(user, text) bind(C)
+      import
+      type(c_ptr), value :: user
+      character(kind=c_char), intent(in) :: text(*)
+    end function hfrac_fail_text_fn
+  end interface
+
+  abstract interface
+    !> Called after a nonzero return: of the ranks that have failed with a text the lowest, into `rank`, and its
+    !> text into the `size` bytes at `text`, cut where it has to be. Returns nonzero if no text is known, as of a
+    !> rank that was killed.
+    integer(c_int32_t) function hfrac_failed_fn(user, rank, text, size) bind(C)
+      import
+      type(c_ptr), value :: user
+      integer(c_int32_t), intent(out) :: rank
+      character(kind=c_char), intent(in) :: text(*)
+      integer(c_int32_t), value :: size
+    end function hfrac_failed_fn
   end interface
 
   interface

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  *
  * What hfrac/exchange.h asks of a transport, by MPI. Nobody waits in MPI itself: every wait looks whether it is over and whether some
- * rank has failed, which that rank says by an empty message to all others. Nothing here ends the process: errors of MPI are returned.
+ * rank has failed, which that rank says by a message to all others with the reason in it. Nothing here ends the process: errors of MPI are returned.
  */
 #define HFRAC_ENABLE_UNSTABLE
 #include "hfrac/mpi.h"
@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { tag_message = 1, tag_failed = 2 };
+enum { tag_message = 1, tag_failed = 2, longest_reason = 512 };
 
 /* Of one communicator. */
 typedef struct Talk {
@@ -20,6 +20,10 @@ typedef struct Talk {
   int rank, size, failed;
   MPI_Request* requests; /* of the messages under way */
   int count, capacity;
+  char reason
+      [longest_reason]; /* of this rank's failure; sent from here, and Talks that have failed are kept */
+  int told_by;          /* the lowest rank whose reason is in `told`; -1: none */
+  char told[longest_reason];
 } Talk;
 
 static int has_failed(Talk* talk) {
@@ -100,14 +104,46 @@ static int32_t gather(void* user, void* all, const int64_t* begin) {
   return talk->failed;
 }
 
+static int32_t fail_text(void* user, const char* text) {
+  Talk* talk = user;
+  if (!talk->failed && text != NULL) strncpy(talk->reason, text, longest_reason - 1);
+  return 0;
+}
+
 static int32_t fail(void* user) {
   Talk* talk = user;
+  const int bytes = (int)strlen(talk->reason);
   for (int r = 0; r < talk->size; ++r) {
     MPI_Request request;
-    if (r != talk->rank && MPI_Isend(NULL, 0, MPI_BYTE, r, tag_failed, talk->comm, &request) == MPI_SUCCESS)
+    if (r != talk->rank &&
+        MPI_Isend(talk->reason, bytes, MPI_BYTE, r, tag_failed, talk->comm, &request) == MPI_SUCCESS)
       MPI_Request_free(&request);
   }
   talk->failed = 1;
+  return 0;
+}
+
+/* Of what has come so far; a rank's message has come whole once it can be seen. */
+static int32_t failed(void* user, int32_t* rank, char* text, int32_t size) {
+  Talk* talk = user;
+  if (rank == NULL || text == NULL || size < 1) return 1;
+  for (int r = 0; r < (talk->told_by < 0 ? talk->size : talk->told_by); ++r) {
+    int there = 0, bytes = 0;
+    MPI_Status status;
+    if (MPI_Iprobe(r, tag_failed, talk->comm, &there, &status) != MPI_SUCCESS || !there) continue;
+    char reason[longest_reason] = "";
+    if (MPI_Get_count(&status, MPI_BYTE, &bytes) != MPI_SUCCESS || bytes >= longest_reason ||
+        MPI_Recv(reason, bytes, MPI_BYTE, r, tag_failed, talk->comm, MPI_STATUS_IGNORE) != MPI_SUCCESS ||
+        bytes == 0)
+      continue;
+    talk->told_by = r;
+    memcpy(talk->told, reason, longest_reason);
+    break;
+  }
+  if (talk->told_by < 0) return 1;
+  *rank = talk->told_by;
+  strncpy(text, talk->told, (size_t)size - 1);
+  text[size - 1] = 0;
   return 0;
 }
 
@@ -136,6 +172,7 @@ static Talk* talk_of(MPI_Comm comm) {
   if (found) return talk;
   talk = calloc(1, sizeof *talk);
   if (talk == NULL) return NULL;
+  talk->told_by = -1;
   if (MPI_Comm_dup(comm, &talk->comm) != MPI_SUCCESS) {
     free(talk);
     return NULL;
@@ -160,6 +197,8 @@ static int32_t table_of(MPI_Comm comm, hfrac_exchange* exchange) {
   exchange->sum = sum;
   exchange->gather = gather;
   exchange->fail = fail;
+  exchange->fail_text = fail_text;
+  exchange->failed = failed;
   return HFRAC_OK;
 }
 

@@ -44,7 +44,8 @@ void require_sound(const hfrac_exchange& given) {
                      given.gather != nullptr && given.fail != nullptr;
   if (given.size > 1 && !whole)
     throw Error(ErrorKind::argument,
-                "hfrac_exchange: a function is NULL; with more than one rank all five have to be given.");
+                "hfrac_exchange: a function is NULL; with more than one rank start, finish, sum, gather and "
+                "fail have to be given.");
 }
 
 const hfrac_linear_solver& solver(void* user) {
@@ -101,6 +102,14 @@ Ranks hfrac::capi::ranks_of(hfrac_sim& sim) {
     return table(user).gather(table(user).user, all, begin);
   };
   exchange.fail = [](void* user) { return table(user).fail(table(user).user); };
+  if (kept.fail_text != nullptr)
+    exchange.fail_text = [](void* user, const char* text) {
+      return table(user).fail_text(table(user).user, text);
+    };
+  if (kept.failed != nullptr)
+    exchange.failed = [](void* user, std::int32_t* rank, char* text, std::int32_t size) {
+      return table(user).failed(table(user).user, rank, text, size);
+    };
   return Ranks(exchange);
 }
 

@@ -22,7 +22,9 @@ auto together(const hfrac_sim& sim, const Work& work) {
   } catch (const Stopped&) {
     throw;
   } catch (...) {
-    sim.ranks.fail();
+    ErrorText text;
+    status_of_current_exception(text);
+    sim.ranks.fail(text.get().data());
     throw;
   }
 }

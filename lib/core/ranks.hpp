@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/error.hpp"
@@ -36,6 +37,8 @@ struct Exchange {
   std::int32_t (*sum)(void* user, std::int64_t* values, std::int32_t count) = nullptr;
   std::int32_t (*gather)(void* user, void* all, const std::int64_t* begin) = nullptr;
   std::int32_t (*fail)(void* user) = nullptr;
+  std::int32_t (*fail_text)(void* user, const char* text) = nullptr;  // may be missing, as the next
+  std::int32_t (*failed)(void* user, std::int32_t* rank, char* text, std::int32_t size) = nullptr;
   const OutsideSolver* solver = nullptr;
 };
 
@@ -90,18 +93,25 @@ class Ranks {
   }
   void finish() const { check(exchange_.finish(exchange_.user)); }
 
-  // This rank cannot go on: the others' calls fail from now on, and so do its own.
-  void fail() const noexcept {
-    if (!alone()) exchange_.fail(exchange_.user);
+  // This rank cannot go on, for the reason given: the others' calls fail from now on, and so do its own.
+  void fail(const char* reason) const noexcept {
+    if (alone()) return;
+    if (exchange_.fail_text != nullptr) exchange_.fail_text(exchange_.user, reason);
+    exchange_.fail(exchange_.user);
   }
 
  private:
-  static void check(std::int32_t status) {
+  void check(std::int32_t status) const {
     if (status == 0) return;
+    std::int32_t failed = 0;
+    char reason[512] = "";
+    const bool told = exchange_.failed != nullptr &&
+                      exchange_.failed(exchange_.user, &failed, reason, sizeof reason) == 0 &&
+                      failed != rank();
     throw Error(ErrorKind::exchange,
-                "another rank has failed or is no longer there; destroy the simulation on all ranks and go "
-                "on from the last "
-                "state that was saved");
+                (told ? "rank " + std::to_string(failed) + " has failed: " + reason
+                      : std::string("another rank has failed or is no longer there.")) +
+                    " Destroy the simulation on all ranks and go on from the last state that was saved.");
   }
   Exchange exchange_;
 };

@@ -209,6 +209,10 @@ TEST(RanksFail, AllIfACallbackThrowsOnOne) {
     const auto thrower = [](void*, double, const char*) -> int32_t { throw 1; };
     ASSERT_EQ(hfrac_set_progress(sim, rank == 1 ? +thrower : nullptr, nullptr, 0.0), HFRAC_OK);
     EXPECT_EQ(hfrac_step(sim, 1), rank == 1 ? HFRAC_ERR_CALLBACK : HFRAC_ERR_EXCHANGE);
+    // The others say which rank it was, and what it ran into.
+    const std::string said = last_error(sim);
+    EXPECT_NE(said.find("callback"), std::string::npos) << said;
+    EXPECT_EQ(said.find("rank 1 has failed") != std::string::npos, rank == 0) << said;
     EXPECT_EQ(hfrac_sim_destroy(&sim), HFRAC_OK);
   });
 }

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstdio>
 #include <cstring>
 #include <deque>
 #include <functional>
 #include <map>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -44,6 +46,13 @@ class Meeting {
       return seat.meeting->gather(seat, all, begin);
     };
     table.fail = [](void* user) { return static_cast<Seat*>(user)->meeting->fail(); };
+    table.fail_text = [](void* user, const char* text) {
+      auto& seat = *static_cast<Seat*>(user);
+      return seat.meeting->fail_text(seat, text);
+    };
+    table.failed = [](void* user, int32_t* by, char* text, int32_t size) {
+      return static_cast<Seat*>(user)->meeting->failed(by, text, size);
+    };
     return table;
   }
 
@@ -147,6 +156,20 @@ class Meeting {
     return 0;
   }
 
+  int32_t fail_text(const Seat& seat, const char* text) {
+    const std::scoped_lock lock(mutex_);
+    reasons_.emplace(seat.rank, text);
+    return 0;
+  }
+
+  int32_t failed(int32_t* rank, char* text, int32_t size) {
+    const std::scoped_lock lock(mutex_);
+    if (reasons_.empty()) return 1;
+    *rank = reasons_.begin()->first;
+    std::snprintf(text, static_cast<std::size_t>(size), "%s", reasons_.begin()->second.c_str());
+    return 0;
+  }
+
   int32_t size_;
   std::vector<Seat> seats_;
   std::mutex mutex_;
@@ -157,6 +180,7 @@ class Meeting {
   int32_t here_ = 0;
   std::uint64_t round_ = 0;
   bool failed_ = false;
+  std::map<int32_t, std::string> reasons_;
 };
 
 }  // namespace testing_capi

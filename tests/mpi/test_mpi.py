@@ -65,6 +65,10 @@ class Mpi(OverRanks):
         self.assertEqual(len(hashes), 8)
         self.assertEqual(len(set(hashes)), 1, done.stdout)
 
+    def test_the_others_are_told_which_process_gave_up_and_why(self):
+        done = run(over(3, os.environ["HFRAC_MPI_PROGRAM"], "fail"))
+        self.assertEqual(done.stdout.splitlines(), ["2: no room"] * 2, done.stderr)
+
     def test_a_program_in_fortran_gives_its_communicator(self):
         program = os.environ.get("HFRAC_MPI_FORTRAN")
         if not program:

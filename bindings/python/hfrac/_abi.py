@@ -310,6 +310,18 @@ hfrac_fail_fn = ctypes.CFUNCTYPE(
     ctypes.c_int32, ctypes.c_void_p
 )
 
+#: Called before hfrac_fail_fn: why this rank cannot go on, UTF-8 that ends with 0, borrowed for the call.
+hfrac_fail_text_fn = ctypes.CFUNCTYPE(
+    ctypes.c_int32, ctypes.c_void_p, ctypes.c_char_p
+)
+
+#: Called after a nonzero return: of the ranks that have failed with a text the lowest, into `rank`, and its text
+#: into the `size` bytes at `text`, cut where it has to be. Returns nonzero if no text is known, as of a rank that
+#: was killed.
+hfrac_failed_fn = ctypes.CFUNCTYPE(
+    ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int32
+)
+
 
 class hfrac_well_def(ctypes.Structure):
     """One wellbore: a round hole cut into the packing."""
@@ -651,13 +663,13 @@ class hfrac_message(ctypes.Structure):
 
 
 class hfrac_exchange(ctypes.Structure):
-    """How ranks talk. Fill with hfrac_exchange_init, then all members."""
+    """How ranks talk. Fill with hfrac_exchange_init, then all members up to `fail`."""
 
     _fields_ = [
         ("struct_size", ctypes.c_int32), ("rank", ctypes.c_int32), ("size", ctypes.c_int32),
         ("struct_pad", ctypes.c_int32), ("user", ctypes.c_void_p), ("start", hfrac_start_fn),
         ("finish", hfrac_finish_fn), ("sum", hfrac_sum_fn), ("gather", hfrac_gather_fn), ("fail", hfrac_fail_fn),
-        ("linear_solver", ctypes.c_void_p),
+        ("linear_solver", ctypes.c_void_p), ("fail_text", hfrac_fail_text_fn), ("failed", hfrac_failed_fn),
     ]
 
 

@@ -10,8 +10,8 @@
  *
  * Calls that change the simulation are collective: all ranks make them, in the same order and with the same arguments. Calls that
  * read are not. A progress or log function may differ by rank; if one asks to stop, all stop. What fails on all ranks alike is
- * undone as ever. If one rank alone fails (memory, a rank killed), the calls of the others end with HFRAC_ERR_EXCHANGE, and the
- * simulation can only be destroyed: go on from the last saved state.
+ * undone as ever. If one rank alone fails (memory, a rank killed), the calls of the others end with HFRAC_ERR_EXCHANGE and its text, if
+ * it could still give one, and the simulation can only be destroyed: go on from the last saved state.
  *
  * The library knows no MPI: a table of functions carries its messages. hfrac/mpi.h (libhfrac_mpi) fills it with MPI's.
  */
@@ -46,8 +46,13 @@ typedef int32_t (*hfrac_sum_fn)(void *user, int64_t *values, int32_t count);
 typedef int32_t (*hfrac_gather_fn)(void *user, void *all, const int64_t *begin);
 /** This rank cannot go on: calls that others wait in, or make later, return nonzero. */
 typedef int32_t (*hfrac_fail_fn)(void *user);
+/** Called before hfrac_fail_fn: why this rank cannot go on, UTF-8 that ends with 0, borrowed for the call. */
+typedef int32_t (*hfrac_fail_text_fn)(void *user, const char *text);
+/** Called after a nonzero return: of the ranks that have failed with a text the lowest, into `rank`, and its text into the `size`
+ * bytes at `text`, cut where it has to be. Returns nonzero if no text is known, as of a rank that was killed. */
+typedef int32_t (*hfrac_failed_fn)(void *user, int32_t *rank, char *text, int32_t size);
 
-/** How ranks talk. Fill with hfrac_exchange_init, then all members. */
+/** How ranks talk. Fill with hfrac_exchange_init, then all members up to `fail`. */
 typedef struct hfrac_exchange {
   int32_t struct_size;    /**< sizeof(hfrac_exchange) of the caller, set by init */
   int32_t rank;           /**< this one, 0 to size - 1 */
@@ -60,6 +65,8 @@ typedef struct hfrac_exchange {
   hfrac_gather_fn gather; /**< bytes of all ranks */
   hfrac_fail_fn fail;     /**< the end of it all */
   const hfrac_linear_solver *linear_solver; /**< of these ranks, copied at creation; NULL: hfrac's own only */
+  hfrac_fail_text_fn fail_text; /**< why, before the end; NULL: nobody is told */
+  hfrac_failed_fn failed;       /**< which rank failed, and why; NULL: "another rank" */
 } hfrac_exchange;
 
 /** Defaults into `exchange`, one rank; `struct_size` is sizeof(hfrac_exchange) in the caller. Unstable since 0.2. */
