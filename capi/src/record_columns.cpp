@@ -17,7 +17,8 @@ struct Unit {
   double scale;
   bool whole = false;  // of the whole thickness
 };
-constexpr double gallon = 231.0 * 0.0254 * 0.0254 * 0.0254;  // m3, of the United States; a barrel of oil has 42
+constexpr double gallon =
+    231.0 * 0.0254 * 0.0254 * 0.0254;  // m3, of the United States; a barrel of oil has 42
 constexpr Unit time_units[] = {{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}, {"d", 86400.0}};
 constexpr Unit rate_units[] = {{"m2_s", 1.0},
                                {"m3_s", 1.0, true},
