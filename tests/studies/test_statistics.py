@@ -119,6 +119,8 @@ class Together(unittest.TestCase):
         for values, moves in (([3.0, 3.0], False), ([3.0, 4.0], True)):
             band = statistics.bands([{"time_s": time, "length": np.array(values)}], "length", 5)
             self.assertEqual(sweep.goes_on(band), moves)
+        for values, varies in (([np.nan], False), ([31.488047, 31.488047 + 1e-11], False), ([31.4, np.nan, 31.5], True), ([0.0, 1e-30], True)):
+            self.assertEqual(sweep.varies(np.array(values)), varies)
 
     def test_swings_find_the_larger_effect(self):
         points = np.random.default_rng(1).random((200, 2))

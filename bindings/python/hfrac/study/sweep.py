@@ -105,7 +105,7 @@ def _sensitivity(plan: Plan, values: Dict[str, np.ndarray], bands: Dict[str, Dic
         packed = column.reshape(-1, each)
         counts = np.isfinite(packed).sum(axis=1)
         mean = np.where(counts > 0, np.nansum(packed, axis=1) / np.maximum(counts, 1), np.nan)
-        if not np.isfinite(mean).any() or np.nanmax(mean) == np.nanmin(mean):
+        if not varies(mean):
             continue
         swings = statistics.swings(names, plan.points, mean, single)
         total = np.full(len(names), np.nan)
@@ -129,9 +129,15 @@ def foremost(found: List[Any], study: Study) -> List[Any]:
     return sorted(found, key=lambda one: first.index(one[0]) if one[0] in first else len(first))[:DRAWN]
 
 
+def varies(values: np.ndarray) -> bool:
+    """By more than rounding, as what a record injects in every run does not."""
+    values = values[np.isfinite(values)]
+    return len(values) > 0 and bool(np.ptp(values) > 1e-9 * np.abs(values).max())
+
+
 def goes_on(band: Dict[str, np.ndarray]) -> bool:
     """Not the same from beginning to end."""
-    return any(np.ptp(band[level][np.isfinite(band[level])]) > 0.0 for level in ("P10", "P50", "P90"))
+    return any(varies(band[level]) for level in ("P10", "P50", "P90"))
 
 
 def _draw(plan: Plan, bars: Any, shares: Any, bands: Any, names: List[str]) -> List[str]:
