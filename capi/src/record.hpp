@@ -27,8 +27,8 @@ struct RecordWishes {
 //   time_s, time_min, time_h, time_d        seconds, minutes, hours, days of model time
 //   time                                    ISO 8601 (2026-03-01T08:00:00, with Z or +01:00 or neither); the first row is time 0
 //   rate_m2_s                               per metre of thickness (also rate_m2_per_s, and so on)
-//   rate_m3_s, rate_m3_min, rate_m3_h, rate_L_s, rate_L_min   of the whole thickness
-//   pressure_Pa, pressure_kPa, pressure_MPa, pressure_bar
+//   rate_m3_s, rate_m3_min, rate_m3_h, rate_L_s, rate_L_min, rate_bbl_min, rate_gal_min   of the whole thickness
+//   pressure_Pa, pressure_kPa, pressure_MPa, pressure_bar, pressure_psi
 // or a LAS 2.0 file, whose curves are such columns (record_las.hpp).
 // At most 1 000 000 rows. Throws Error(case_file) with file, line, fault and what is allowed.
 Record read_record(const std::string& path, const RecordWishes& wishes);

@@ -17,14 +17,19 @@ struct Unit {
   double scale;
   bool whole = false;  // of the whole thickness
 };
+constexpr double gallon =
+    231.0 * 0.0254 * 0.0254 * 0.0254;  // m3, of the United States; a barrel of oil has 42
 constexpr Unit time_units[] = {{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}, {"d", 86400.0}};
 constexpr Unit rate_units[] = {{"m2_s", 1.0},
                                {"m3_s", 1.0, true},
                                {"m3_min", 1.0 / 60.0, true},
                                {"m3_h", 1.0 / 3600.0, true},
                                {"L_s", 1e-3, true},
-                               {"L_min", 1e-3 / 60.0, true}};
-constexpr Unit pressure_units[] = {{"Pa", 1.0}, {"kPa", 1e3}, {"MPa", 1e6}, {"bar", 1e5}};
+                               {"L_min", 1e-3 / 60.0, true},
+                               {"bbl_min", 42.0 * gallon / 60.0, true},
+                               {"gal_min", gallon / 60.0, true}};
+constexpr Unit pressure_units[] = {
+    {"Pa", 1.0}, {"kPa", 1e3}, {"MPa", 1e6}, {"bar", 1e5}, {"psi", 4.4482216152605 / (0.0254 * 0.0254)}};
 
 struct Quantity {
   std::string_view name;

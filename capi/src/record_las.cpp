@@ -33,11 +33,33 @@ std::optional<double> number_of(std::string_view text) {
 std::string column_name(std::string_view mnemonic, std::string_view unit) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 5> quantities{
       {{"TIME", "time"}, {"ETIM", "time"}, {"RATE", "rate"}, {"FLOW", "rate"}, {"PRES", "pressure"}}};
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 20> units{
-      {{"S", "s"},       {"SEC", "s"},      {"MIN", "min"},   {"H", "h"},       {"HR", "h"},
-       {"D", "d"},       {"DAY", "d"},      {"M2/S", "m2_s"}, {"M3/S", "m3_s"}, {"M3/MIN", "m3_min"},
-       {"M3/H", "m3_h"}, {"M3/HR", "m3_h"}, {"L/S", "L_s"},   {"L/SEC", "L_s"}, {"L/MIN", "L_min"},
-       {"PA", "Pa"},     {"KPA", "kPa"},    {"MPA", "MPa"},   {"BAR", "bar"},   {"M3/SEC", "m3_s"}}};
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 27> units{{{"S", "s"},
+                                                                                 {"SEC", "s"},
+                                                                                 {"MIN", "min"},
+                                                                                 {"H", "h"},
+                                                                                 {"HR", "h"},
+                                                                                 {"D", "d"},
+                                                                                 {"DAY", "d"},
+                                                                                 {"M2/S", "m2_s"},
+                                                                                 {"M3/S", "m3_s"},
+                                                                                 {"M3/MIN", "m3_min"},
+                                                                                 {"M3/H", "m3_h"},
+                                                                                 {"M3/HR", "m3_h"},
+                                                                                 {"L/S", "L_s"},
+                                                                                 {"L/SEC", "L_s"},
+                                                                                 {"L/MIN", "L_min"},
+                                                                                 {"PA", "Pa"},
+                                                                                 {"KPA", "kPa"},
+                                                                                 {"MPA", "MPa"},
+                                                                                 {"BAR", "bar"},
+                                                                                 {"M3/SEC", "m3_s"},
+                                                                                 {"BBL/MIN", "bbl_min"},
+                                                                                 {"BPM", "bbl_min"},
+                                                                                 {"GAL/MIN", "gal_min"},
+                                                                                 {"GPM", "gal_min"},
+                                                                                 {"PSI", "psi"},
+                                                                                 {"PSIA", "psi"},
+                                                                                 {"BARA", "bar"}}};
   const std::string name = in_capitals(mnemonic), spelt = in_capitals(unit);
   for (const auto& [begins, quantity] : quantities) {
     if (!name.starts_with(begins)) continue;

@@ -155,7 +155,13 @@ TEST(Record, IsReadInItsUnits) {
   near("rate_m3_per_s,note,time_d\n0.5,a,0\n0,b,1\n", thick, 86400.0, 0.5 / 20);
   near("time_s,rate_m2_per_s\n0,0.5\n9,0\n", by_rate, 9.0, 0.5);
   near("time_s,pressure_MPa\n0,41\n9,30\n", by_pressure, 9.0, 41e6);
-  near("time_s,pressure_bar,rate_gpm\n0,410\n9,300\n", by_pressure, 9.0, 41e6);
+  // NIST Special Publication 811 (2008), appendix B.8.
+  near("time_min,rate_bbl_min\n0,60\n1,0\n", thick, 60.0, 0.158987294928 / 20);
+  near("time_min,rate_gal_min\n0,60\n1,0\n", thick, 60.0, 3.785411784e-3 / 20);
+  const auto in_psi = entries_of("time_s,pressure_psi\n0,6000\n9,4000\n", by_pressure);
+  ASSERT_EQ(in_psi.size(), 2U);
+  EXPECT_NEAR(in_psi[0].value, 6000 * 6894.757, 6000 * 5e-4);
+  near("time_s,pressure_bar,rate_stb\n0,410\n9,300\n", by_pressure, 9.0, 41e6);
   near(
       "\xEF\xBB\xBF# logger "
       "3\ntime,rate_m2_s\r\n2026-02-28T23:59:30.5+01:00,0.5\r\n\r\n2026-03-01T00:00:30.5+01:00,0\r\n",
@@ -258,6 +264,10 @@ TEST(Record, IsReadFromALasFile) {
   };
   EXPECT_EQ(rows_in("plain.las"), rows_in("record.csv"));
   EXPECT_EQ(rows_in("wrapped.las"), rows_in("record.csv"));
+  folder.write("time_s,rate_bbl_min,pressure_psi\n0,6,4000\n1,6,4100\n2,0,3900\n", "record.csv");
+  folder.write("~V\nVERS. 2.0 :\n~C\nTIME.SEC :\nRATE.BPM :\nPRES.PSIA :\n~A\n0 6 4000\n1 6 4100\n2 0 3900\n",
+               "field.las");
+  EXPECT_EQ(rows_in("field.las"), rows_in("record.csv"));
 }
 
 TEST(Record, OfARunHasItsNameOfThePressure) {

@@ -187,7 +187,7 @@ class Analyse(unittest.TestCase):
             (head + "0,1,20\n5,1,21\n4,0,22\n", (), "record.csv:4: time_s = 4 is not after 5"),
             (head + "0,1,20\n5,,21\n", (), "record.csv:3: the row has no rate_L_s"),
             ("time_s,rate_L_s\n0,1\n5,0\n", (), "no column of pressure"),
-            ("time_s,pressure_psi\n0,1\n5,0\n", (), "record.csv:1: the name pressure_psi ends with no known unit"),
+            ("time_s,pressure_psig\n0,1\n5,0\n", (), "record.csv:1: the name pressure_psig ends with no known unit"),
             ("a,b\n0,1\n", (), "record.csv:1: no column of time"),
             (head + "0,1,20\n", (), "has 1 rows; an injection has two at least"),
             (head + "0,1,20\n5,1,21\n", (), "the record has no shut-in"),

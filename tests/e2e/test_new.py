@@ -25,7 +25,11 @@ class New(unittest.TestCase):
                     self.assertEqual(hfrac("new", name, "-o", file).returncode, 0)
                     self.assertIn(file.read_text(), texts)
                     checked = hfrac("check", file)
-                    self.assertEqual(checked.returncode, 0, checked.stderr)
+                    if name == "record-study":
+                        self.assertEqual(checked.returncode, 2)
+                        self.assertIn(f"is a study: hfrac sweep {file}, or hfrac match {file} (docs/studies.md#the-study-file)", checked.stderr)
+                    else:
+                        self.assertEqual(checked.returncode, 0, checked.stderr)
                     self.assertEqual(hfrac("new", name).stdout, file.read_text())
 
     def test_a_file_that_is_there_stays(self):

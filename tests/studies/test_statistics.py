@@ -13,12 +13,13 @@ import unittest
 import support  # noqa: F401
 import numpy as np
 
-from hfrac.study import sobol, statistics
+from hfrac.study import sobol, statistics, sweep
 from hfrac.study.designs import design
 from hfrac.study.esmda import update
 from hfrac.study.laws import Parameter
+from hfrac.study.measures import NAMES
 from hfrac.study.scatter import Scatter, shrunk
-from hfrac.study.study_file import Study, StudyError
+from hfrac.study.study_file import Quantity, Study, StudyError
 
 
 def study(parameters, sampling, runs):
@@ -107,6 +108,19 @@ class Together(unittest.TestCase):
         self.assertEqual(band["runs"].tolist(), [12] * 11 + [1] * 10)
         self.assertAlmostEqual(band["P50"][10], 50.0)
         self.assertAlmostEqual(band["P50"][20], 50.0)
+
+    def test_what_is_drawn(self):
+        """What the study asks for and how far joints slipped come first; a curve that stays the same is left out."""
+        asked = study(THREE, "sobol", 8)._replace(quantities=(Quantity("late_Pa", "well_pressure_Pa", "last", 0.0),))
+        found = [(name, 1.0) for name in (*NAMES, "late_Pa")]
+        names = [one[0] for one in sweep.foremost(found, asked)]
+        self.assertEqual(names, ["late_Pa", "joint_slipped_length_m", *NAMES[:sweep.DRAWN - 2]])
+        time = np.array([0.0, 10.0])
+        for values, moves in (([3.0, 3.0], False), ([3.0, 4.0], True)):
+            band = statistics.bands([{"time_s": time, "length": np.array(values)}], "length", 5)
+            self.assertEqual(sweep.goes_on(band), moves)
+        for values, varies in (([np.nan], False), ([31.488047, 31.488047 + 1e-11], False), ([31.4, np.nan, 31.5], True), ([0.0, 1e-30], True)):
+            self.assertEqual(sweep.varies(np.array(values)), varies)
 
     def test_swings_find_the_larger_effect(self):
         points = np.random.default_rng(1).random((200, 2))

@@ -68,7 +68,10 @@ class Refusals(unittest.TestCase):
         (self.folder / "study.toml").write_text(CASES[3][0])
         done = support.hfrac("sweep", self.folder / "study.toml", "-o", self.folder / "out")
         self.assertEqual((done.returncode, done.stdout), (2, ""))
-        self.assertRegex(done.stderr, "^hfrac: .*study.toml: sampels is not known; .*\n$")
+        self.assertRegex(done.stderr, r"^hfrac: .*study.toml: sampels is not known; .* \(docs/studies.md#the-study-file\)\n$")
+        (self.folder / "study.toml").write_text('case = "case.toml"\n' + PARAMETER)
+        done = support.hfrac("match", self.folder / "study.toml", "-o", self.folder / "out")
+        self.assertRegex(done.stderr, r"\[match\] is missing; .* \(docs/studies.md#matching-a-record\)\n$")
         self.assertFalse((self.folder / "out").exists())
 
     def test_bad_studies(self):

@@ -11,14 +11,27 @@ import subprocess
 import tempfile
 import time
 import tomllib
+import types
 import unittest
 
 import support
+from hfrac.study.pool import Result
+from hfrac.study.progress import Progress
 
 
 def rows(path):
     with open(path, newline="") as file:
         return list(csv.DictReader(file))
+
+
+class Cost(unittest.TestCase):
+    def test_what_a_run_takes_and_what_is_left(self):
+        """Five of ten runs were there, this process did three in 60 s by the clock, two at a time, one of which failed."""
+        done = [Result("done", "", 40.0)] * 5 + [Result("done", "", 30.0), Result("failed", "no rest", 20.0), Result("done", "", 30.0)]
+        progress = Progress(10, True)
+        progress.began = time.monotonic() - 60.0
+        text = progress.text(types.SimpleNamespace(results=dict(enumerate(done)), fresh=3, jobs=2))
+        self.assertEqual(text, "8 of 10 runs, 1 failed; 35 s a run, 40 s left with 2 at a time")
 
 
 class Sweep(unittest.TestCase):
@@ -39,6 +52,7 @@ class Sweep(unittest.TestCase):
         done = self.sweep(study, "out")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("largest_pressure_Pa", done.stdout)
+        self.assertRegex(done.stderr, r"(?m)^16 runs took \d+ s of a processor$")
         out = self.folder / "out"
         table = rows(out / "table.csv")
         self.assertEqual(len(table), 16)

@@ -21,6 +21,18 @@ void require_good(int32_t status) {
   if (status < 0) throw BadInput(run::error_text(status, nullptr));
 }
 
+// `hfrac check study.toml` is natural to try.
+void require_case(int32_t status, const std::string& file) {
+  if (status >= 0) return;
+  std::string text = run::error_text(status, nullptr);
+  if (text.find(": case is not a known key") != std::string::npos)
+    text += fmt::format(
+        " A file that names a base case is a study: hfrac sweep {0}, or hfrac match {0} "
+        "(docs/studies.md#the-study-file).",
+        file);
+  throw BadInput(text);
+}
+
 int32_t keep_note(void* notes, int32_t /*level*/, const char* message) {
   static_cast<std::vector<std::string>*>(notes)->emplace_back(message);
   return 0;
@@ -60,7 +72,7 @@ Definition load_case(const std::string& file, int64_t workers, const GivenParts&
     definition.log = keep_note;
     definition.log_user = notes;
   }
-  require_good(hfrac_sim_def_load(&definition, file.c_str()));
+  require_case(hfrac_sim_def_load(&definition, file.c_str()), file);
   definition.log = nullptr;
   definition.log_user = nullptr;
   if (workers > 0) definition.run_workers = workers;

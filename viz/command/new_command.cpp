@@ -22,6 +22,7 @@
 HFRAC_CASE_TEXT(fracture, "field/fracture.toml")
 HFRAC_CASE_TEXT(minifrac, "field/minifrac.toml")
 HFRAC_CASE_TEXT(record, "field/record.toml")
+HFRAC_CASE_TEXT(record_study, "field/record-study.toml")
 HFRAC_CASE_TEXT(hour, "field/hour.toml")
 HFRAC_CASE_TEXT(crossing, "field/crossing-angles.toml")
 HFRAC_CASE_TEXT(shadow, "field/stress-shadow.toml")
@@ -38,10 +39,12 @@ struct Purpose {
   const char* text;
   std::string_view about;
 };
-const std::array<Purpose, 9> purposes = {
+const std::array<Purpose, 10> purposes = {
     {{"fracture", hfrac_case_fracture, "granite at depth, a perforated well at a constant rate, shut-in"},
      {"minifrac", hfrac_case_minifrac, "injection, shut-in, and closure read from the pressure"},
-     {"record", hfrac_case_record, "a field's record of rates into a fracture zone; many runs of it"},
+     {"record", hfrac_case_record, "a field's record of rates into a fracture zone"},
+     {"record-study", hfrac_case_record_study,
+      "record.toml in many runs, for hfrac sweep: P10, P50, P90 (docs/studies.md)"},
      {"hour", hfrac_case_hour, "an hour at a constant rate in a model of 600 m"},
      {"crossing", hfrac_case_crossing, "a fracture meets a natural fracture at an angle"},
      {"stress-shadow", hfrac_case_shadow, "two wells side by side, a fracture at each"},

@@ -9,7 +9,7 @@ _hfrac() {
   case ${COMP_WORDS[1]} in
     new)
       options='--help --output --overwrite'
-      first='fracture minifrac record hour crossing stress-shadow cold-water paper smoke'
+      first='fracture minifrac record record-study hour crossing stress-shadow cold-water paper smoke'
       case $before in
         -o|--output) files=yes ;;
       esac

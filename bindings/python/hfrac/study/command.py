@@ -4,6 +4,7 @@ import argparse
 import os
 import pathlib
 import re
+import resource
 import shutil
 import signal
 import sys
@@ -13,7 +14,7 @@ from . import match, slurm, statistics, sweep
 from .match_file import read_match
 from .measures import read_table
 from .pool import Pool, Result, lock, result_of
-from .progress import Progress
+from .progress import Progress, duration
 from .study_file import Study, StudyError, read_study
 
 GOOD, FAILED, INTERRUPTED = 0, 1, 130
@@ -69,6 +70,12 @@ def _say(asked: argparse.Namespace, text: str) -> None:
         print(text, file=sys.stderr)
 
 
+def _cost(pool: Pool) -> str:
+    """Processor time, which says more than the clock where others use the machine."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return f"{pool.fresh} runs took {duration(used.ru_utime + used.ru_stime)} of a processor"
+
+
 def _interrupted(folder: pathlib.Path) -> int:
     print(f"hfrac: interrupted; what is done stays in '{folder}', and the same command goes on", file=sys.stderr)
     return INTERRUPTED
@@ -91,6 +98,7 @@ def run_sweep(asked: argparse.Namespace, study: Study, folder: pathlib.Path) -> 
         progress.end()
         if pool.stopped:
             return _interrupted(folder)
+        _say(asked, _cost(pool))
     if asked.only is not None:
         return GOOD
     folder.mkdir(parents=True, exist_ok=True)

@@ -21,8 +21,8 @@ from .pool import Result, result_of
 from .study_file import Study, StudyError
 from .tables import write_csv, write_parquet
 
-CURVES = ("well_pressure_Pa", "fracture_length_m", "fracture_width_m")
-DRAWN = 6  # results with a panel in the charts
+CURVES = ("well_pressure_Pa", "fracture_length_m", "fracture_width_m", "joint_slipped_length_m")
+DRAWN = 8  # results with a panel in the charts
 
 
 class Plan(NamedTuple):
@@ -105,7 +105,7 @@ def _sensitivity(plan: Plan, values: Dict[str, np.ndarray], bands: Dict[str, Dic
         packed = column.reshape(-1, each)
         counts = np.isfinite(packed).sum(axis=1)
         mean = np.where(counts > 0, np.nansum(packed, axis=1) / np.maximum(counts, 1), np.nan)
-        if not np.isfinite(mean).any() or np.nanmax(mean) == np.nanmin(mean):
+        if not varies(mean):
             continue
         swings = statistics.swings(names, plan.points, mean, single)
         total = np.full(len(names), np.nan)
@@ -119,7 +119,25 @@ def _sensitivity(plan: Plan, values: Dict[str, np.ndarray], bands: Dict[str, Dic
         if np.isfinite(first).any():
             shares.append((name, first, total))
     write_csv(plan.folder / "sensitivity.csv", ["result", "parameter", "low", "high", "first_order", "total_order"], rows)
-    return _draw(plan, bars[:DRAWN], shares[:DRAWN], bands, names)
+    return _draw(plan, foremost(bars, study), foremost(shares, study), bands, names)
+
+
+def foremost(found: List[Any], study: Study) -> List[Any]:
+    """What is drawn, by the name that each begins with: what the study asks for, how far joints slipped (where a zone is broken from
+    the start, length_m is the zone's), then the others in the table's order."""
+    first = [*(one.name for one in study.quantities), "joint_slipped_length_m"]
+    return sorted(found, key=lambda one: first.index(one[0]) if one[0] in first else len(first))[:DRAWN]
+
+
+def varies(values: np.ndarray) -> bool:
+    """By more than rounding, as what a record injects in every run does not."""
+    values = values[np.isfinite(values)]
+    return len(values) > 0 and bool(np.ptp(values) > 1e-9 * np.abs(values).max())
+
+
+def goes_on(band: Dict[str, np.ndarray]) -> bool:
+    """Not the same from beginning to end."""
+    return any(varies(band[level]) for level in ("P10", "P50", "P90"))
 
 
 def _draw(plan: Plan, bars: Any, shares: Any, bands: Any, names: List[str]) -> List[str]:
@@ -130,6 +148,6 @@ def _draw(plan: Plan, bars: Any, shares: Any, bands: Any, names: List[str]) -> L
         charts.tornado(plan.folder / "tornado.png", bars, "P10 and P90, others at P50" if single else "means of lowest and highest fifth")
     if shares:
         charts.indices(plan.folder / "sobol.png", names, shares)
-    if bands:
-        charts.bands(plan.folder / "bands.png", bands)
+    if drawn := {name: band for name, band in bands.items() if goes_on(band)}:
+        charts.bands(plan.folder / "bands.png", drawn)
     return []
