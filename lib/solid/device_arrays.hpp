@@ -7,6 +7,7 @@
 // No standard templates here, see kernels.hpp.
 #pragma once
 
+#include "core/device_kernel.hpp"
 #include "solid/kernels.hpp"
 
 namespace hfrac {
@@ -78,18 +79,7 @@ struct DeviceArrays {
   double* momenta;  // six by tile
 };
 
-// A launch: what to do, and for which tiles, pairs or parts.
-enum DeviceKernel : int32_t {
-  device_cross_pairs,  // one block a pair of tiles
-  device_cross_pores,  // a part
-  device_push,         // one block: walls, then non-bonded contacts
-  device_tile_step,    // a tile: forces, then motion unless a bond exceeds its strength
-  device_tile_move,    // a tile: motion by the forces held back
-  device_momenta,      // a tile
-  device_take_out,     // a tile: rigid motion out of it
-  device_kernel_count
-};
-
+// For which tiles, pairs or parts a kernel is launched, and what else it is told.
 struct DeviceTask {
   DeviceArrays d;
   int64_t stage;        // of the batch: 2 cycle (bonds across tiles, boundary), 2 cycle + 1 (tiles)
@@ -98,7 +88,6 @@ struct DeviceTask {
   double motion[6];  // device_take_out: Boundary::RigidMotion
 };
 
-constexpr int64_t device_threads = 256;
 constexpr int64_t most_tile_bonds = 3 * tile_size;  // a planar graph has no more edges
 
 // Bytes of a block's own memory for a kernel, given the largest number of bonds and of pores of a tile.
