@@ -17,6 +17,7 @@ enum DeviceKernel : int32_t {
   device_tile_move,    // a tile: motion by the forces held back
   device_momenta,      // a tile
   device_take_out,     // a tile: rigid motion out of it
+  device_look_over,    // a tile: what it moves with, and whether all of it is a number
   // multigrid (linear/multigrid_kernels.hpp) of a level, one block a group of rows
   device_smooth_forward,
   device_take_to_coarser,  // a block: 256 rows of the coarser level
