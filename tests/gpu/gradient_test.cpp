@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Conjugate gradients on a device beside those of workers: the same bits, whether levels are many, one, or none is merged; and what is sent.
-#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +8,7 @@
 
 #include "core/device.hpp"
 #include "core/random.hpp"
+#include "emulated.hpp"
 #include "linear/conjugate_gradient.hpp"
 
 namespace {
@@ -83,20 +83,15 @@ TEST_F(GradientOnADevice, SaysSoWhereIterationsOrPassesAreNotEnough) {
 
 // Of the finest level a second matrix of the same pattern sends no pattern; an emulated driver counts bytes.
 TEST_F(GradientOnADevice, SendsAPatternOnce) {
-  void* driver = dlopen("libcuda.so.1", RTLD_NOW | RTLD_LOCAL);
-  const auto bytes = reinterpret_cast<void (*)(long long*, long long*)>(
-      driver != nullptr ? dlsym(driver, "hfrac_emulated_bytes") : nullptr);
-  if (bytes == nullptr) GTEST_SKIP() << "not the emulated driver";
+  if (emulated::bytes().sent < 0) GTEST_SKIP() << "not the emulated driver";
   ConjugateGradient there(nullptr, device_.get());
   const auto sent = [&](double storage) {
     const auto lower = grid(60, storage, 1.0);
     Eigen::VectorXd rhs = Eigen::VectorXd::Zero(lower.cols()), x = rhs;
     rhs[0] = 1.0;
-    long long before = 0, after = 0, fetched = 0;
-    bytes(&before, &fetched);
+    const auto before = emulated::bytes().sent;
     EXPECT_TRUE(there.prepare(lower) && there.settle(rhs, x, rules));
-    bytes(&after, &fetched);
-    return after - before;
+    return emulated::bytes().sent - before;
   };
   const auto first = sent(1e3), second = sent(2e3);  // one level, of 3600 rows and 14 160 entries
   EXPECT_GE(first - second, 4 * (3601 + 2 * 3600 + 14160));
