@@ -111,6 +111,9 @@ class ExplicitSolver {
   void take_back();
   // The host's arrays are about to be written anew, all of them.
   void forget_device() { away_ = lost_ = false; }
+  // There is no state: a device failed that had it. bring_home says so, until a saved one is read.
+  [[nodiscard]] bool is_lost() const { return lost_; }
+  void lose() { lost_ = true; }
   // For tests: what is not here reads as 1e99.
   void spoil_what_is_away() { spoils_ = true; }
   void count_cycles(std::int64_t cycles) { total_cycles_ += cycles; }  // of another solver

@@ -4,7 +4,8 @@
 // Blocks run one after the other and the threads of a loop likewise, both in an order drawn anew each time: a loop in which one thread needs
 // what another one does, or a launch in which one block does, gives other bits sooner or later. A block's own memory begins
 // as not-a-number. What a driver would refuse is refused: no context current, a block with more memory than was asked for, an address that was
-// not given out. HFRAC_EMULATED_LAUNCHES = n lets n launches succeed in this process and the next one fail.
+// not given out. HFRAC_EMULATED_LAUNCHES = n lets n launches succeed in this process and the next one fail; with
+// HFRAC_EMULATED_DEATH nothing succeeds from then on, as after a fault of a real card.
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -82,6 +83,7 @@ struct Card {
   std::vector<std::int64_t> order, blocks;
   std::vector<double> shared;
   long launches = 0;
+  bool dead = false;
   long long sent = 0, fetched = 0;  // bytes
 };
 
@@ -102,6 +104,7 @@ bool is_given_out(std::uint64_t address, std::size_t bytes) {
 int copy(std::uint64_t on_card, void* to, const void* from, std::size_t bytes, long long& counted) {
   const std::lock_guard lock(card().mutex);
   if (current.empty()) return invalid_context;
+  if (card().dead) return launch_failed;
   if (!is_given_out(on_card, bytes)) return invalid_value;
   std::memcpy(to, from, bytes);
   counted += static_cast<long long>(bytes);
@@ -110,7 +113,9 @@ int copy(std::uint64_t on_card, void* to, const void* from, std::size_t bytes, l
 
 bool is_to_fail() {
   const char* limit = std::getenv("HFRAC_EMULATED_LAUNCHES");
-  return limit != nullptr && card().launches++ == std::atol(limit);
+  const bool fails = limit != nullptr && card().launches++ == std::atol(limit);
+  card().dead = card().dead || (fails && std::getenv("HFRAC_EMULATED_DEATH") != nullptr);
+  return fails || card().dead;
 }
 
 }  // namespace
