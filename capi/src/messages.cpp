@@ -23,7 +23,8 @@ double excess_of_tips(const Simulation& s) {
   }
   const bool total = StressConvention{o.stress_convention} == StressConvention::total;
   const double borne = o.stress_sigma_hmin - (total ? o.fluid_formation_pressure : 0.0);
-  return 1.0 + 0.8 * std::max(0.0, borne) * std::sqrt(s.engine_as_is().model.assembly.mean_radius) / o.bond_fracture_toughness;
+  return 1.0 + 0.8 * std::max(0.0, borne) * std::sqrt(s.engine_as_is().model.assembly.mean_radius) /
+                   o.bond_fracture_toughness;
 }
 
 }  // namespace
@@ -43,10 +44,11 @@ void tell_setup(const hfrac_sim& sim) {
   const SetupReport& setup = s.setup();
   if (sim.listener.hears(HFRAC_LOG_INFO)) {
     tell(sim, HFRAC_LOG_INFO,
-         "built in " + rounded_text(setup.setup_seconds) + " s: " + number_text(s.engine_as_is().model.assembly.disc_count()) +
-             " discs of mean radius " + rounded_text(s.engine_as_is().model.assembly.mean_radius) + " m, " +
-             number_text(s.engine_as_is().model.assembly.bond_count()) + " bonds, " + std::to_string(s.wells().size()) +
-             " wells");
+         "built in " + rounded_text(setup.setup_seconds) +
+             " s: " + number_text(s.engine_as_is().model.assembly.disc_count()) + " discs of mean radius " +
+             rounded_text(s.engine_as_is().model.assembly.mean_radius) + " m, " +
+             number_text(s.engine_as_is().model.assembly.bond_count()) + " bonds, " +
+             std::to_string(s.wells().size()) + " wells");
     if (s.engine_as_is().model.assembly.sizes.graded())
       tell(sim, HFRAC_LOG_INFO,
            "graded packing: " + number_text(setup.fine_discs) + " of " + number_text(setup.packed) +
@@ -102,7 +104,8 @@ void tell_step(const hfrac_sim& sim, std::size_t cracks_before) {
   const std::string step = "step " + number_text(s.engine_as_is().model.clock.step);
   if (!s.engine_as_is().model.clock.at_rest) {
     tell(sim, HFRAC_LOG_WARNING,
-         step + " did not come to rest: force ratio " + rounded_text(s.engine_as_is().model.clock.force_ratio));
+         step + " did not come to rest: force ratio " +
+             rounded_text(s.engine_as_is().model.clock.force_ratio));
   }
   const std::size_t cracks = s.cracks().size();
   if (cracks > cracks_before) {
@@ -113,8 +116,8 @@ void tell_step(const hfrac_sim& sim, std::size_t cracks_before) {
   if (sim.listener.hears(HFRAC_LOG_DETAIL)) {
     tell(sim, HFRAC_LOG_DETAIL,
          step + ", " + rounded_text(s.time()) + " s: force ratio " +
-             rounded_text(s.engine_as_is().model.clock.force_ratio) + ", " + number_text(s.engine_as_is().model.clock.cycles) +
-             " cycles so far");
+             rounded_text(s.engine_as_is().model.clock.force_ratio) + ", " +
+             number_text(s.engine_as_is().model.clock.cycles) + " cycles so far");
   }
 }
 

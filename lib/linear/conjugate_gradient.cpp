@@ -54,7 +54,7 @@ void ConjugateGradient::take(const Eigen::VectorXd& rhs, const Eigen::VectorXd& 
     b_[i] = rhs[order[i]];
     x_[i] = x[order[i]];
   }
-  arrays_ = {multigrid_.groups(), b_.data(),    x_.data(),      r_.data(),     d_.data(), p_.data(),
+  arrays_ = {multigrid_.groups(), b_.data(),    x_.data(),      r_.data(),       d_.data(),      p_.data(),
              z_.data(),           sums_.data(), others_.data(), highest_.data(), lowest_.data(), nullptr};
 }
 
@@ -118,8 +118,7 @@ int ConjugateGradient::iterate(double target, int most) {
 
 bool ConjugateGradient::settle(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, const PassRules& rules) {
   take(rhs, x);
-  const bool settled =
-      on_device_ ? on_device_->settle(multigrid_, b_, x_, rules) : settle_here(rules);
+  const bool settled = on_device_ ? on_device_->settle(multigrid_, b_, x_, rules) : settle_here(rules);
   give(x);
   return settled;
 }

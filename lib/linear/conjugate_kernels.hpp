@@ -93,7 +93,8 @@ void multiply_residuals(Block& block, const ConjugateArrays& c, const LevelArray
 }
 
 template <class Block>
-void turn_direction(Block& block, const ConjugateArrays& c, const LevelArrays& l, double kept, int64_t group) {
+void turn_direction(Block& block, const ConjugateArrays& c, const LevelArrays& l, double kept,
+                    int64_t group) {
   const int64_t first = group * row_group;
   block.each(end_of_group(l, group) - first,
              [&](int64_t k) { c.p[first + k] = c.z[first + k] + kept * c.p[first + k]; });
@@ -128,7 +129,9 @@ void end_pass(Block& block, const ConjugateArrays& c, const LevelArrays& l, int6
     double most = which == 0 ? 0.0 : of[first];
     for (int64_t k = 0; k < count; ++k) {
       const double value = of[first + k];
-      most = which == 0 ? larger(most, value < 0.0 ? -value : value) : which == 1 ? larger(most, value) : smaller(most, value);
+      most = which == 0   ? larger(most, value < 0.0 ? -value : value)
+             : which == 1 ? larger(most, value)
+                          : smaller(most, value);
     }
     (which == 0 ? c.sums : which == 1 ? c.highest : c.lowest)[group] = most;
   });

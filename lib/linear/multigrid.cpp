@@ -319,8 +319,8 @@ void Multigrid::cycle(const Workers::Member& member, std::size_t at, const doubl
   SerialBlock block;
   if (level.rows <= few_rows) {
     if (member.number == 0)
-      visit_few(block, arrays_.data(), static_cast<std::int64_t>(at), static_cast<std::int64_t>(arrays_.size()), r,
-                z);
+      visit_few(block, arrays_.data(), static_cast<std::int64_t>(at),
+                static_cast<std::int64_t>(arrays_.size()), r, z);
     return;
   }
   const auto each = [&](const auto& visit) { each_group(member, level.rows, visit); };

@@ -62,8 +62,10 @@ class Multigrid {
  public:
   // A matrix and what the next coarser one is made of. Rows stand by groups and, within a group, by colours.
   struct Level {
-    std::vector<std::int32_t> order, place;  // the row of the matrix given that stands here, and where a row of it stands
-    std::vector<std::int32_t> start, upper, outer, column, group_colour, colour_start;  // as LevelArrays has them
+    std::vector<std::int32_t> order,
+        place;  // the row of the matrix given that stands here, and where a row of it stands
+    std::vector<std::int32_t> start, upper, outer, column, group_colour,
+        colour_start;                // as LevelArrays has them
     std::vector<std::int32_t> from;  // of entries: where their values are in the matrix given
     std::vector<double> value, diagonal, weight;
     std::vector<std::int32_t> aggregate;
@@ -89,7 +91,9 @@ class Multigrid {
 
   // z = M^-1 r, both in the order of the finest level's rows; by all members of a team together, who meet at a barrier before they read
   // what others made.
-  void precondition(const Workers::Member& member, const double* r, double* z) const { cycle(member, 0, r, z); }
+  void precondition(const Workers::Member& member, const double* r, double* z) const {
+    cycle(member, 0, r, z);
+  }
 
   // Calls visit(group) for each group of a member.
   template <class Visit>

@@ -22,12 +22,13 @@ struct LevelArrays {
   // Entries of row i: of its group, of colours before its own from start[i], of colours after it from upper[i]; of other groups from outer[i].
   const int32_t *start, *upper, *outer, *column;
   const double *value, *diagonal;
-  const double* weight;            // the diagonal as the smoother takes it
-  const int32_t* group_colour;     // of group g: its colours, group_colour[g] up to group_colour[g + 1]
-  const int32_t* colour_start;     // of a colour: its first row
-  const int32_t* aggregate;        // of a row: row of the coarser level; -1: none
-  const int32_t *first, *member;   // of a row of the coarser level: its rows, first[g] up to first[g + 1] of member; null: no coarser level
-  const double* inverse;           // of the coarsest level's matrix, column by column; null: this one is smoothed
+  const double* weight;         // the diagonal as the smoother takes it
+  const int32_t* group_colour;  // of group g: its colours, group_colour[g] up to group_colour[g + 1]
+  const int32_t* colour_start;  // of a colour: its first row
+  const int32_t* aggregate;     // of a row: row of the coarser level; -1: none
+  const int32_t *first,
+      *member;  // of a row of the coarser level: its rows, first[g] up to first[g + 1] of member; null: no coarser level
+  const double* inverse;  // of the coarsest level's matrix, column by column; null: this one is smoothed
   double *right, *before, *after, *rest, *more;
 };
 

@@ -44,7 +44,8 @@ void smooth_from_nothing(Block& block, const LevelArrays& l, const double* b, in
 // Rows from `first` up to `end` of the coarser level's right-hand side: right-hand side less product after the above, of which what
 // lies below the diagonal was already taken away.
 template <class Block>
-void take_to_coarser(Block& block, const LevelArrays& l, const LevelArrays& coarse, int64_t first, int64_t end) {
+void take_to_coarser(Block& block, const LevelArrays& l, const LevelArrays& coarse, int64_t first,
+                     int64_t end) {
   block.each(end - first, [&](int64_t at) {
     double all = 0.0;
     for (int32_t m = l.first[first + at]; m < l.first[first + at + 1]; ++m) {
@@ -67,7 +68,8 @@ template <class Block>
 void smooth_back(Block& block, const LevelArrays& l, const double* b, const double* coarse, double* z,
                  int64_t group) {
   const int64_t begin = group * row_group;
-  block.each(end_of_group(l, group) - begin, [&](int64_t at) { z[begin + at] = corrected(l, coarse, begin + at); });
+  block.each(end_of_group(l, group) - begin,
+             [&](int64_t at) { z[begin + at] = corrected(l, coarse, begin + at); });
   for (int32_t c = l.group_colour[group + 1]; c-- > l.group_colour[group];) {
     const int64_t first = l.colour_start[c];
     block.each(l.colour_start[c + 1] - first, [&](int64_t at) {
@@ -119,7 +121,8 @@ void solve_coarsest(Block& block, const LevelArrays& l, const double* r, double*
 
 // From level `top`, of few rows, to the last one of `depth` and back.
 template <class Block>
-void visit_few(Block& block, const LevelArrays* levels, int64_t top, int64_t depth, const double* r, double* z) {
+void visit_few(Block& block, const LevelArrays* levels, int64_t top, int64_t depth, const double* r,
+               double* z) {
   const auto groups_of = [](const LevelArrays& l) { return (l.rows + row_group - 1) / row_group; };
   for (int64_t at = top; at < depth; ++at) {
     const LevelArrays& l = levels[at];

@@ -83,11 +83,11 @@ struct DeviceArrays {
 // For which tiles, pairs or parts a kernel is launched, and what else it is told.
 struct DeviceTask {
   DeviceArrays d;
-  int64_t stage;        // of the batch: 2 cycle (bonds across tiles, boundary), 2 cycle + 1 (tiles)
-  const int32_t* list;  // which, by block; null: all
+  int64_t stage;         // of the batch: 2 cycle (bonds across tiles, boundary), 2 cycle + 1 (tiles)
+  const int32_t* list;   // which, by block; null: all
   int64_t moves_anyway;  // device_tile_step: 1 whether or not bonds exceed their strength
   int64_t looks_only;    // likewise: 1 forces, pressures and volumes, no motion
-  double motion[6];  // device_take_out: Boundary::RigidMotion
+  double motion[6];      // device_take_out: Boundary::RigidMotion
 };
 
 constexpr int64_t most_tile_bonds = 3 * tile_size;  // a planar graph has no more edges
@@ -98,7 +98,7 @@ constexpr int64_t device_shared_bytes(int32_t kernel, int64_t bonds, int64_t dom
   const int64_t doubles = kernel == device_tile_step     ? 4 * tile_size + 6 * bonds + domains + sums
                           : kernel == device_tile_move   ? 4 * tile_size + sums
                           : kernel == device_momenta     ? 6 * tile_size
-                         : kernel == device_look_over   ? tile_size + sums
+                          : kernel == device_look_over   ? tile_size + sums
                           : kernel == device_cross_pairs ? 2 * 64 + sums
                           : kernel == device_cross_pores ? domains + sums
                                                          : sums;

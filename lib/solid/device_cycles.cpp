@@ -81,8 +81,7 @@ void DeviceCycles::lay_out(const TilePlan& plan) {
   const auto of_bonds = assembly_.smooth.empty() && h.softening_start == nullptr ? kept : moved;
   for (auto of : {&KernelArrays::ux, &KernelArrays::uy}) twin(h.*of, discs, a.*of, moved);
   twin(h.rotation, discs, a.rotation, turns ? moved : kept);
-  for (auto of : {&KernelArrays::vx, &KernelArrays::vy, &KernelArrays::spin})
-    twin(h.*of, discs, a.*of, kept);
+  for (auto of : {&KernelArrays::vx, &KernelArrays::vy, &KernelArrays::spin}) twin(h.*of, discs, a.*of, kept);
   for (auto of : {&KernelArrays::inverse_mass, &KernelArrays::inverse_inertia})
     twin(h.*of, discs, a.*of, there);
   twin(assembly_.external_x.data(), discs, d.external_x, kept);
@@ -132,7 +131,8 @@ void DeviceCycles::lay_out(const TilePlan& plan) {
   d.centre_y = boundary_.centre().y;
   d.held_force =
       static_cast<double*>(held_force_.reserve(3 * static_cast<std::size_t>(discs) * sizeof(double)));
-  d.looked = static_cast<double*>(looked_.reserve(2 * static_cast<std::size_t>(h.tile_count) * sizeof(double)));
+  d.looked =
+      static_cast<double*>(looked_.reserve(2 * static_cast<std::size_t>(h.tile_count) * sizeof(double)));
   d.momenta = static_cast<double*>(
       momenta_.reserve(static_cast<std::size_t>(h.tile_count) * sizeof(Boundary::RigidMotion)));
   d.stop = static_cast<std::int64_t*>(stop_.reserve(sizeof(std::int64_t)));

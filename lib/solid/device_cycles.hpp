@@ -114,8 +114,8 @@ class DeviceCycles {
   const Options& options_;
   std::vector<Twin> twins_;
   std::vector<DeviceArray> of_twins_, lists_, copies_;  // copies: of twins that are kept
-  DeviceArray item_, stop_, held_force_, momenta_, outside_, wall_discs_, wall_force_, pairs_,
-      pushed_, pushed_pairs_, pairs_copy_, looked_;
+  DeviceArray item_, stop_, held_force_, momenta_, outside_, wall_discs_, wall_force_, pairs_, pushed_,
+      pushed_pairs_, pairs_copy_, looked_;
   DeviceArray smooth_contacts_, smooth_settled_, smooth_law_number_, smooth_laws_, smooth_from_;
   std::vector<DevicePair> contacts_;
   DeviceOutside walls_{};

@@ -92,8 +92,10 @@ void ExplicitSolver::fetch_or_lose(const Fetch& fetch) const {
 void ExplicitSolver::bring_home() const {
   if (lost_)
     throw Error(ErrorKind::device,
-                "the device failed, and with it went the state that it held since the last time all of it was asked for; "
-                "restore a saved state, or create the simulation anew, with run.device = \"cpu\" if the device goes on failing");
+                "the device failed, and with it went the state that it held since the last time all of it "
+                "was asked for; "
+                "restore a saved state, or create the simulation anew, with run.device = \"cpu\" if the "
+                "device goes on failing");
   if (!away_) return;
   fetch_or_lose([&] { device_cycles_->get_state(contacts_); });
   away_ = false;

@@ -17,7 +17,8 @@ namespace {
 void require_driver(const Simulation& s, std::size_t well) {
   const auto wellbore = s.wells()[well].wellbore;
   if (wellbore < 0) return;
-  const auto first = s.engine_as_is().model.wellbores[static_cast<std::size_t>(wellbore)].clusters.front().well;
+  const auto first =
+      s.engine_as_is().model.wellbores[static_cast<std::size_t>(wellbore)].clusters.front().well;
   if (first == static_cast<std::int64_t>(well)) return;
   throw Error(ErrorKind::argument, "well " + std::to_string(well) + " is a cluster of a wellbore that well " +
                                        std::to_string(first) + " drives; drive well " +

@@ -53,10 +53,12 @@ void measure(std::int64_t count, bool on_card, int workers, int steps) {
   for (int k = 0; k < steps; ++k) step = std::min(step, seconds_of([&] { sim->step(); }));
   Engine& e = sim->engine();
   for (int k = 0; k < steps; ++k)
-    flow = std::min(flow, seconds_of([&] { e.flow->advance(e.model.network, o.stepping_flow_step, e.source); }));
+    flow =
+        std::min(flow, seconds_of([&] { e.flow->advance(e.model.network, o.stepping_flow_step, e.source); }));
   constexpr std::int64_t many = 400;
   CrackLog cracks;
-  for (int k = 0; k < steps; ++k) cycles = std::min(cycles, seconds_of([&] { e.mechanics->run(many, cracks); }));
+  for (int k = 0; k < steps; ++k)
+    cycles = std::min(cycles, seconds_of([&] { e.mechanics->run(many, cracks); }));
   const auto discs = sim->assembly().disc_count();
   std::printf("coupled %lld %s %.4g %.4g %.4g | %lld pores, set-up %.1f s, %zu cracks\n",
               static_cast<long long>(discs), on_card ? e.device->name().c_str() : kernel_isa(),
@@ -69,7 +71,8 @@ void measure(std::int64_t count, bool on_card, int workers, int steps) {
 int main(int argc, char** argv) {
   const std::int64_t count = argc > 1 ? std::atoll(argv[1]) : 0;
   const bool on_card = argc > 2 && std::strcmp(argv[2], "gpu") == 0;
-  const int workers = argc > 2 && !on_card ? std::atoi(argv[2]) : 1, steps = argc > 3 ? std::atoi(argv[3]) : 3;
+  const int workers = argc > 2 && !on_card ? std::atoi(argv[2]) : 1,
+            steps = argc > 3 ? std::atoi(argv[3]) : 3;
   if (argc < 3 || count < 1000 || count > 5000000 || workers < 1 || steps < 1) {
     std::fprintf(stderr, "usage: bench_card N gpu|WORKERS [STEPS]   1 000 to 5 000 000 discs\n");
     return 2;

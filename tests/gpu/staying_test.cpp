@@ -27,7 +27,8 @@ struct Named {
 // Models of two tiles and more; each has something else that the host might read too late.
 const std::vector<Named> models = {
     {"cracks_behind_walls", [](CaseDefinition&) {}},
-    {"iterative_flow", [](CaseDefinition& d) { d.options.flow_solver = choice(FlowMatrixSolver::iterative); }},
+    {"iterative_flow",
+     [](CaseDefinition& d) { d.options.flow_solver = choice(FlowMatrixSolver::iterative); }},
     {"servo_walls_under_stress",
      [](CaseDefinition& d) {
        Options& o = d.options;
@@ -172,11 +173,12 @@ TEST(BytesOfAStep, AreThoseOfTheFluidAndOfDisplacements) {
     const auto cycles = sim.engine_as_is().model.clock.cycles;
     sim.step();
     const auto after = emulated::bytes();
-    const auto batches = (sim.engine_as_is().model.clock.cycles - cycles + 19) / 20 + 1;  // and the evaluation
+    const auto batches =
+        (sim.engine_as_is().model.clock.cycles - cycles + 19) / 20 + 1;  // and the evaluation
     const auto of_batches =
-        batches * static_cast<long long>(sizeof(TileSums) * static_cast<std::size_t>(4 * arrays.tile_count +
-                                                                                   arrays.pair_count) +
-                                         6 * sizeof(double) * static_cast<std::size_t>(arrays.tile_count) + 512);
+        batches * static_cast<long long>(
+                      sizeof(TileSums) * static_cast<std::size_t>(4 * arrays.tile_count + arrays.pair_count) +
+                      6 * sizeof(double) * static_cast<std::size_t>(arrays.tile_count) + 512);
     return std::pair{after.sent - before.sent - of_batches, after.fetched - before.fetched - of_batches};
   };
   const auto quiet = step();
