@@ -18,6 +18,7 @@ enum DeviceKernel : int32_t {
   device_momenta,      // a tile
   device_take_out,     // a tile: rigid motion out of it
   device_look_over,    // a tile: what it moves with, and whether all of it is a number
+  device_clear_sums,   // a block: 256 tiles, pairs or parts
   // multigrid (linear/multigrid_kernels.hpp) of a level, one block a group of rows
   device_smooth_forward,
   device_take_to_coarser,  // a block: 256 rows of the coarser level

@@ -504,6 +504,19 @@ void take_out(Block& block, const DeviceTask& t) {
   });
 }
 
+// The sums that a batch of cycles adds to, from 0.
+template <class Block>
+void clear_sums(Block& block, const DeviceTask& t) {
+  const KernelArrays& a = t.d.a;
+  const int64_t tiles = a.tile_count, first = block.number * device_threads;
+  block.each(device_threads, [&](int64_t k) {
+    const int64_t at = first + k;
+    if (at < tiles + a.pair_count) a.bond_sums[at] = {};
+    if (at < tiles) a.disc_sums[at] = {};
+    if (at < 2 * tiles) a.domain_sums[at] = {};
+  });
+}
+
 // What a tile's discs, and a share of all bonds, hold: motion energy, and whether all of it is a number.
 template <class Block>
 void look_over(Block& block, const DeviceTask& t) {

@@ -307,7 +307,7 @@ void DeviceCycles::put_contacts(std::span<const Pushed> pushed, const ContactPai
 }
 
 void DeviceCycles::begin_batch(double friction) {
-  put(Travels::in_batches);
+  clear_sums();
   for (std::size_t w = 0; w < boundary_.walls().size(); ++w) {
     walls_.walls[w].displacement = boundary_.walls()[w].displacement;
     walls_.walls[w].velocity = boundary_.walls()[w].velocity;
@@ -341,6 +341,12 @@ void DeviceCycles::launch_one(DeviceKernel kernel, std::int64_t item) {
   task_.list = item_.as<std::int32_t>();
   launch(kernel, 1);
   task_.list = nullptr;
+}
+
+// As the host's are before a batch.
+void DeviceCycles::clear_sums() {
+  const auto most = std::max(host_.tile_count + host_.pair_count, 2 * host_.tile_count);
+  launch(device_clear_sums, (most + device_threads - 1) / device_threads);
 }
 
 std::int64_t DeviceCycles::run(std::int64_t stage, std::int64_t last) {
@@ -436,7 +442,7 @@ void DeviceCycles::take_out(const Boundary::RigidMotion& motion) {
 }
 
 void DeviceCycles::evaluate() {
-  put(Travels::in_batches);
+  clear_sums();
   constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
   stop_.put(&never, sizeof never);
   task_.stage = 0;

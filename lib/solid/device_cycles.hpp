@@ -37,7 +37,7 @@ class DeviceCycles {
   // Cycles follow: the state as it stands goes to the device, or, where that has the newest, what the fluid changed alone.
   void begin(std::span<const Pushed> pushed, const ContactPairs& contacts);
   void go_on();
-  // A batch of them follows. `friction` [J/m]: the ledger's, to which non-bonded contacts add.
+  // A batch of them follows, whose sums begin at 0. `friction` [J/m]: the ledger's, to which non-bonded contacts add.
   void begin_batch(double friction);
   // Stages from `stage` up to `last`, two a cycle: bonds across tiles, tiles. Returns the first in which a bond exceeds its strength and
   // after which nothing was done, or `last`.
@@ -103,6 +103,7 @@ class DeviceCycles {
   void get_discs(std::int64_t first, std::int64_t last);
   void get_bonds(std::int64_t first, std::int64_t last);
   void take_numbers();
+  void clear_sums();
   void get_pores();
   void take_contacts(ContactPairs& contacts) const;
 
