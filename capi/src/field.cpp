@@ -42,16 +42,16 @@ const FieldEntry& entry_of(std::int32_t field) {
 std::int64_t item_count(const Simulation& s, std::int32_t location) {
   switch (location) {
     case 0:
-      return s.assembly().disc_count();
+      return s.engine_as_is().model.assembly.disc_count();
     case 1:
     case 2:
-      return s.assembly().bond_count();
+      return s.engine_as_is().model.assembly.bond_count();
     case 3:
       return s.network().domain_count();
     case 4:
       return static_cast<std::int64_t>(s.network().corner_disc.size());
     default:
-      return static_cast<std::int64_t>(s.assembly().smooth.contacts.size());
+      return static_cast<std::int64_t>(s.engine_as_is().model.assembly.smooth.contacts.size());
   }
 }
 

@@ -23,7 +23,8 @@ double excess_of_tips(const Simulation& s) {
   }
   const bool total = StressConvention{o.stress_convention} == StressConvention::total;
   const double borne = o.stress_sigma_hmin - (total ? o.fluid_formation_pressure : 0.0);
-  return 1.0 + 0.8 * std::max(0.0, borne) * std::sqrt(s.assembly().mean_radius) / o.bond_fracture_toughness;
+  return 1.0 + 0.8 * std::max(0.0, borne) * std::sqrt(s.engine_as_is().model.assembly.mean_radius) /
+                   o.bond_fracture_toughness;
 }
 
 }  // namespace
@@ -43,14 +44,15 @@ void tell_setup(const hfrac_sim& sim) {
   const SetupReport& setup = s.setup();
   if (sim.listener.hears(HFRAC_LOG_INFO)) {
     tell(sim, HFRAC_LOG_INFO,
-         "built in " + rounded_text(setup.setup_seconds) + " s: " + number_text(s.assembly().disc_count()) +
-             " discs of mean radius " + rounded_text(s.assembly().mean_radius) + " m, " +
-             number_text(s.assembly().bond_count()) + " bonds, " + std::to_string(s.wells().size()) +
-             " wells");
-    if (s.assembly().sizes.graded())
+         "built in " + rounded_text(setup.setup_seconds) +
+             " s: " + number_text(s.engine_as_is().model.assembly.disc_count()) + " discs of mean radius " +
+             rounded_text(s.engine_as_is().model.assembly.mean_radius) + " m, " +
+             number_text(s.engine_as_is().model.assembly.bond_count()) + " bonds, " +
+             std::to_string(s.wells().size()) + " wells");
+    if (s.engine_as_is().model.assembly.sizes.graded())
       tell(sim, HFRAC_LOG_INFO,
            "graded packing: " + number_text(setup.fine_discs) + " of " + number_text(setup.packed) +
-               " discs are within " + rounded_text(s.assembly().sizes.half_width) +
+               " discs are within " + rounded_text(s.engine_as_is().model.assembly.sizes.half_width) +
                " m of where fractures go, with that mean radius; the coarsest have " +
                rounded_text(setup.coarsest_radius) + " m");
     if (s.options().bond_fracture_toughness > 0.0)
@@ -66,7 +68,7 @@ void tell_setup(const hfrac_sim& sim) {
     tell(sim, HFRAC_LOG_WARNING,
          "run.device = \"auto\": cycles run on the processor, since " + setup.why_no_device);
   const Options& o = s.options();
-  if (s.assembly().sizes.graded() && o.bond_fracture_toughness <= 0.0 &&
+  if (s.engine_as_is().model.assembly.sizes.graded() && o.bond_fracture_toughness <= 0.0 &&
       o.bond_toughness_reference_radius <= 0.0) {
     tell(sim, HFRAC_LOG_WARNING,
          "bonds of fine and coarse discs are equally strong, so the rock's toughness goes with the root of "
@@ -87,9 +89,9 @@ void tell_setup(const hfrac_sim& sim) {
     tell(sim, HFRAC_LOG_WARNING,
          number_text(setup.joints_left_out) + " of " + number_text(setup.joints) +
              " joints are left out: shorter than two discs of mean radius " +
-             rounded_text(s.assembly().mean_radius) + " m, or outside the rock");
+             rounded_text(s.engine_as_is().model.assembly.mean_radius) + " m, or outside the rock");
   }
-  if (!s.model().clock.at_rest) {
+  if (!s.engine_as_is().model.clock.at_rest) {
     tell(sim, HFRAC_LOG_WARNING,
          "the model did not come to rest under the far field: force ratio " +
              rounded_text(setup.force_ratio) + "; raise stepping.max_cycles");
@@ -99,10 +101,11 @@ void tell_setup(const hfrac_sim& sim) {
 void tell_step(const hfrac_sim& sim, std::size_t cracks_before) {
   if (!sim.listener.hears(HFRAC_LOG_WARNING)) return;
   const Simulation& s = *sim.simulation;
-  const std::string step = "step " + number_text(s.model().clock.step);
-  if (!s.model().clock.at_rest) {
+  const std::string step = "step " + number_text(s.engine_as_is().model.clock.step);
+  if (!s.engine_as_is().model.clock.at_rest) {
     tell(sim, HFRAC_LOG_WARNING,
-         step + " did not come to rest: force ratio " + rounded_text(s.model().clock.force_ratio));
+         step + " did not come to rest: force ratio " +
+             rounded_text(s.engine_as_is().model.clock.force_ratio));
   }
   const std::size_t cracks = s.cracks().size();
   if (cracks > cracks_before) {
@@ -113,8 +116,8 @@ void tell_step(const hfrac_sim& sim, std::size_t cracks_before) {
   if (sim.listener.hears(HFRAC_LOG_DETAIL)) {
     tell(sim, HFRAC_LOG_DETAIL,
          step + ", " + rounded_text(s.time()) + " s: force ratio " +
-             rounded_text(s.model().clock.force_ratio) + ", " + number_text(s.model().clock.cycles) +
-             " cycles so far");
+             rounded_text(s.engine_as_is().model.clock.force_ratio) + ", " +
+             number_text(s.engine_as_is().model.clock.cycles) + " cycles so far");
   }
 }
 

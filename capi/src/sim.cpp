@@ -55,7 +55,7 @@ std::int32_t take_step(hfrac_sim& sim, ProgressPoll& poll, double fraction, doub
   const auto asks_to_stop = [&] {
     return sim.on_step != nullptr &&
            call_host(&sim, [&] {
-             return sim.on_step(sim.on_step_user, &sim, s.model().clock.step, s.time());
+             return sim.on_step(sim.on_step_user, &sim, s.engine_as_is().model.clock.step, s.time());
            }) != 0;
   };
   if (sim.ranks.any(together(sim, asks_to_stop))) return HFRAC_STOPPED;
@@ -97,7 +97,7 @@ std::int32_t advance(hfrac_sim& sim, double target, bool exact, double& reached,
       reason = HFRAC_REASON_CALLBACK;
       return HFRAC_STOPPED;
     }
-    if (!s.model().clock.at_rest) status = HFRAC_NOT_AT_REST;
+    if (!s.engine_as_is().model.clock.at_rest) status = HFRAC_NOT_AT_REST;
   }
   return status;
 }
@@ -265,7 +265,7 @@ int32_t hfrac_set_log(hfrac_sim* sim, hfrac_log_fn log, void* user, int32_t leve
 int32_t hfrac_sim_get_state(const hfrac_sim* sim, hfrac_sim_state* state) {
   return guarded_sim(sim, [&] {
     const Simulation& s = *sim->simulation;
-    const Clock& clock = s.model().clock;
+    const Clock& clock = s.engine_as_is().model.clock;
     hfrac_sim_state full{};
     full.at_rest = clock.at_rest ? 1 : 0;
     full.time = clock.time;
@@ -277,10 +277,10 @@ int32_t hfrac_sim_get_state(const hfrac_sim* sim, hfrac_sim_state* state) {
       ++(crack.mode == CrackMode::tension ? full.tensile_cracks : full.shear_cracks);
     }
     full.equilibration_cracks = s.setup().cracks;
-    full.disc_count = s.assembly().disc_count();
-    full.bond_count = s.assembly().bond_count();
+    full.disc_count = s.engine_as_is().model.assembly.disc_count();
+    full.bond_count = s.engine_as_is().model.assembly.bond_count();
     full.domain_count = s.network().domain_count();
-    full.mechanical_step = s.engine().mechanics->real_step();
+    full.mechanical_step = s.engine_as_is().mechanics->real_step();
     full.tip_distance = clock.tip_distance;
     full.stop_reason = static_cast<std::int32_t>(s.stop_reason());
     full.flow_subcycles = clock.flow_rounds;
@@ -296,7 +296,7 @@ int32_t hfrac_sim_get_setup(const hfrac_sim* sim, hfrac_setup_report* report) {
     const Simulation& s = *sim->simulation;
     const SetupReport& setup = s.setup();
     hfrac_setup_report full{};
-    full.mean_radius = s.assembly().mean_radius;
+    full.mean_radius = s.engine_as_is().model.assembly.mean_radius;
     full.porosity = setup.porosity;
     full.packing_residual = setup.packing_residual;
     full.coordination = setup.coordination;
@@ -304,7 +304,7 @@ int32_t hfrac_sim_get_setup(const hfrac_sim* sim, hfrac_setup_report* report) {
     full.removed_in_wells = setup.removed_in_wells;
     full.removed_floaters = setup.removed_floaters;
     full.removed_crossings = setup.removed_crossings;
-    full.strength_factor = s.assembly().strength_factor;
+    full.strength_factor = s.engine_as_is().model.assembly.strength_factor;
     full.zero_stress_aperture = s.network().zero_stress_aperture;
     full.permeability = setup.permeability;
     full.equilibration_force_ratio = setup.force_ratio;
@@ -345,10 +345,10 @@ int32_t hfrac_get_balance(const hfrac_sim* sim, hfrac_balance* balance) {
 int32_t hfrac_sim_get_solver(const hfrac_sim* sim, hfrac_solver_report* report) {
   return guarded_sim(sim, [&] {
     const Simulation& s = *sim->simulation;
-    const SolverWork& work = s.model().work;
+    const SolverWork& work = s.engine_as_is().model.work;
     hfrac_solver_report full{};
     full.kind = static_cast<std::int32_t>(s.options().solver_kind);
-    full.increment = s.model().increment.length;
+    full.increment = s.engine_as_is().model.increment.length;
     full.increments = work.increments;
     full.rounds = work.rounds;
     full.newton_iterations = work.newton;
@@ -384,7 +384,7 @@ int32_t hfrac_wall_count(const hfrac_sim* sim, int32_t* count) {
 int32_t hfrac_wall_get(const hfrac_sim* sim, int32_t index, hfrac_wall_state* state) {
   return guarded_sim(sim, [&] {
     const Simulation& s = *sim->simulation;
-    const Boundary& boundary = *s.engine().boundary;
+    const Boundary& boundary = *s.engine_as_is().boundary;
     if (index < 0 || index >= (boundary.walled() ? 4 : 0)) {
       throw Error(ErrorKind::argument,
                   "wall " + std::to_string(index) + " is not there: this simulation has " +
@@ -439,15 +439,15 @@ int32_t hfrac_well_get(const hfrac_sim* sim, int32_t index, hfrac_well_state* st
     full.wellbore_pressure = full.pressure;
     full.wellbore_rate = full.rate;
     if (well.wellbore >= 0) {
-      const Wellbore& wellbore = s.model().wellbores[static_cast<std::size_t>(well.wellbore)];
+      const Wellbore& wellbore = s.engine_as_is().model.wellbores[static_cast<std::size_t>(well.wellbore)];
       full.wellbore_pressure = wellbore.pressure;
       full.wellbore_rate = wellbore.pump_rate;
     }
     const bool net = StressConvention{s.options().stress_convention} == StressConvention::effective;
     full.wellhead_pressure =
         full.wellbore_pressure + (net ? s.options().fluid_formation_pressure : 0.0) -
-        (s.model().drive_of(well).fluid == WellFluid::second ? well.second_head : well.head);
-    full.fluid = static_cast<std::int64_t>(s.model().drive_of(well).fluid);
+        (s.engine_as_is().model.drive_of(well).fluid == WellFluid::second ? well.second_head : well.head);
+    full.fluid = static_cast<std::int64_t>(s.engine_as_is().model.drive_of(well).fluid);
     write_struct(state, full, "hfrac_well_state");
   });
 }

@@ -13,8 +13,7 @@ namespace {
 
 // Whoever solves iteratively, in passes: residual over right-hand side of a pass; change of a pressure over the largest difference of
 // pressures at which they have settled.
-constexpr double pass_tolerance = 1e-6, settled = 1e-11;
-constexpr int most_passes = 20, most_iterations = 20000;
+constexpr PassRules pass_rules{1e-6, 1e-11, 20, 20000};
 // A pressure this far below the floor is below it: less is what conjugate gradients leave open.
 constexpr double floor_slack = 0.1;  // Pa
 // A fluid that thins: sum of the flows' errors over the flows, at which conductances and pressures agree.
@@ -38,11 +37,11 @@ double outer_flow(const Network& n, std::size_t k) {
 }  // namespace
 
 FlowSolver::FlowSolver(const Network& n, const Options& options, std::vector<Wellbore>* wellbores,
-                       const Ranks& ranks, Workers* workers)
+                       const Ranks& ranks, Workers* workers, const Device* device)
     : explicit_(FlowScheme{options.flow_scheme} == FlowScheme::explicit_scheme),
       law_(options),
       wellbores_(wellbores != nullptr && !wellbores->empty() ? wellbores : nullptr),
-      conjugate_gradient_(workers) {
+      conjugate_gradient_(workers, device) {
   const auto domains = static_cast<Eigen::Index>(n.domain_count());
   cavitated_.assign(static_cast<std::size_t>(domains), 0);
   const FlowMatrixSolver wanted{options.flow_solver};
@@ -138,38 +137,36 @@ void FlowSolver::list_places() {
   }
 }
 
-// What is left is found here, whoever solves, and solved for again until pressures stay: where conductances differ by powers of ten a
-// small residual alone says little about the pressures of tight rock.
+// What is left is found by the product, whoever solves, and solved for again until pressures stay: where conductances differ by powers of
+// ten a small residual alone says little about the pressures of tight rock.
 void FlowSolver::solve_in_passes(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
-  if (outside_) {
-    value_.clear();
-    for (const auto a : entry_) value_.push_back(matrix_.valuePtr()[a]);
-    outside_->prepare(row_, column_, value_);
-    row_ = column_ = {};
-  }
+  if (outside_ ? settle_outside(rhs, p) : conjugate_gradient_.settle(rhs, p, pass_rules)) return;
+  throw Error(ErrorKind::diverged,
+              "the flow step's pressures did not settle in " + std::to_string(pass_rules.most_passes) +
+                  " passes of " +
+                  (outside_ ? "the solver from outside"
+                            : std::to_string(pass_rules.most_iterations) + " iterations") +
+                  "; use flow.solver = \"direct\" or a smaller stepping.flow_step");
+}
+
+bool FlowSolver::settle_outside(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
+  value_.clear();
+  for (const auto a : entry_) value_.push_back(matrix_.valuePtr()[a]);
+  outside_->prepare(row_, column_, value_);
+  row_ = column_ = {};
   change_.resize(p.size());
   double before = 0.0;
-  for (int pass = 0; pass < most_passes; ++pass) {
+  for (int pass = 0; pass < pass_rules.most_passes; ++pass) {
     symmetric_product(matrix_, p, residual_);
     residual_ = rhs - residual_;
-    if (!(residual_.squaredNorm() > 0.0)) return;
-    if (outside_) {
-      outside_->solve(residual_.data(), change_.data(), pass_tolerance);
-    } else {
-      change_.setZero();
-      if (conjugate_gradient_.solve(residual_, change_, pass_tolerance, most_iterations) < 0) break;
-    }
+    if (!(residual_.squaredNorm() > 0.0)) return true;
+    outside_->solve(residual_.data(), change_.data(), pass_rules.pass_tolerance);
     p += change_;
     const double change = change_.cwiseAbs().maxCoeff();
-    // The next pass would change less, by as much as this one did.
-    const double next = before > 0.0 ? change * std::min(1.0, change / before) : change;
-    if (next <= settled * (p.maxCoeff() - p.minCoeff())) return;
+    if (pass_rules.are_there(change, before, p.maxCoeff() - p.minCoeff())) return true;
     before = change;
   }
-  throw Error(ErrorKind::diverged,
-              "the flow step's pressures did not settle in " + std::to_string(most_passes) + " passes of " +
-                  (outside_ ? "the solver from outside" : std::to_string(most_iterations) + " iterations") +
-                  "; use flow.solver = \"direct\" or a smaller stepping.flow_step");
+  return false;
 }
 
 void FlowSolver::solve_pressures(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) {

@@ -28,9 +28,9 @@ namespace hfrac {
 class FlowSolver {
  public:
   // `wellbores` are moved along with the network; none: there are no such.
-  // `workers` share conjugate gradients; none: the calling thread.
+  // `workers` share conjugate gradients; none: the calling thread. With a device they run there.
   FlowSolver(const Network& network, const Options& options, std::vector<Wellbore>* wellbores = nullptr,
-             const Ranks& ranks = {}, Workers* workers = nullptr);
+             const Ranks& ranks = {}, Workers* workers = nullptr, const Device* device = nullptr);
 
   // Advances contents and pressures by `step` [s]. source[d] [m2/s] is injected into domain d (empty: none).
   // Domains with stiffness 0 keep their pressure. Returns sub-cycles (explicit) or rounds (implicit).
@@ -56,6 +56,7 @@ class FlowSolver {
   void solve_pressures(const Eigen::VectorXd& rhs, Eigen::VectorXd& p);
   // The same by conjugate gradients, or by a solver from outside.
   void solve_in_passes(const Eigen::VectorXd& rhs, Eigen::VectorXd& p);
+  bool settle_outside(const Eigen::VectorXd& rhs, Eigen::VectorXd& p);
   void list_places();
 
   bool explicit_, iterative_;

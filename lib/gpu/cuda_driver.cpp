@@ -12,6 +12,7 @@
 #include <new>
 
 #include "core/device.hpp"
+#include "linear/multigrid_task.hpp"
 #include "solid/device_arrays.hpp"
 
 // The kernels, as clang made them (lib/gpu/CMakeLists.txt); the text ends with a zero.
@@ -38,12 +39,20 @@ enum Status : std::int32_t {
   wrong_task = 100003
 };
 
-#define HFRAC_DEVICE_KERNEL(name) #name,
-constexpr std::array kernel_names = {
+struct KernelEntry {
+  const char* name;
+  std::size_t task_bytes;
+};
+constexpr std::int64_t shared_bytes_of(std::int32_t kernel) {
+  return kernel < device_smooth_forward ? device_shared_bytes(kernel, most_tile_bonds, 2 * tile_size)
+                                        : grid_shared_bytes;
+}
+#define HFRAC_DEVICE_KERNEL(name, Task) KernelEntry{#name, sizeof(Task)},
+constexpr std::array known_kernels = {
 #include "gpu/device_kernel_list.inc"
 };
 #undef HFRAC_DEVICE_KERNEL
-static_assert(kernel_names.size() == static_cast<std::size_t>(device_kernel_count));
+static_assert(known_kernels.size() == static_cast<std::size_t>(device_kernel_count));
 
 // The functions of libcuda.so.1 that are called, by their names there, with the types of the driver API's documentation: results and
 // devices are int, contexts, modules, functions and streams pointers, addresses 64-bit numbers.
@@ -124,7 +133,7 @@ const Loaded& loaded() {
 struct Card {
   int device = 0;
   void *context = nullptr, *module = nullptr, *stream = nullptr;
-  std::array<void*, kernel_names.size()> kernels{};
+  std::array<void*, known_kernels.size()> kernels{};
 };
 
 // The card's context, current while this lives.
@@ -180,10 +189,10 @@ std::int32_t start(Card& card) {
   int status = here.status();
   if (status == 0) status = c.StreamCreate(&card.stream, apart_from_the_default_stream);
   if (status == 0) status = c.ModuleLoadData(&card.module, hfrac_kernels_ptx);
-  for (std::size_t k = 0; status == 0 && k < kernel_names.size(); ++k) {
-    status = c.ModuleGetFunction(&card.kernels[k], card.module, kernel_names[k]);
+  for (std::size_t k = 0; status == 0 && k < known_kernels.size(); ++k) {
+    status = c.ModuleGetFunction(&card.kernels[k], card.module, known_kernels[k].name);
     constexpr int most_dynamic_shared_bytes = 8;  // CU_FUNC_ATTRIBUTE_MAX_DYNAMIC_SHARED_SIZE_BYTES
-    const auto most = device_shared_bytes(static_cast<std::int32_t>(k), most_tile_bonds, 2 * tile_size);
+    const auto most = shared_bytes_of(static_cast<std::int32_t>(k));
     if (status == 0)
       status = c.FuncSetAttribute(card.kernels[k], most_dynamic_shared_bytes, static_cast<int>(most));
   }
@@ -254,12 +263,12 @@ std::int32_t copy(void* opened, void* to, const void* from, std::int64_t bytes) 
 std::int32_t launch(void* opened, std::int32_t kernel, std::int64_t blocks, std::int64_t shared_bytes,
                     const void* task, std::int64_t task_bytes) {
   const Card& card = *static_cast<Card*>(opened);
-  if (kernel < 0 || kernel >= device_kernel_count || task_bytes != sizeof(DeviceTask)) return wrong_task;
+  if (kernel < 0 || kernel >= device_kernel_count ||
+      static_cast<std::size_t>(task_bytes) != known_kernels[static_cast<std::size_t>(kernel)].task_bytes)
+    return wrong_task;
   const Current here(card);
   if (here.status() != 0) return here.status();
-  DeviceTask copy;
-  std::memcpy(&copy, task, sizeof copy);
-  std::array<void*, 1> arguments = {&copy};
+  std::array<void*, 1> arguments = {const_cast<void*>(task)};  // it is only read
   return loaded().cuda.LaunchKernel(
       card.kernels[static_cast<std::size_t>(kernel)], static_cast<unsigned>(blocks), 1, 1,
       static_cast<unsigned>(device_threads), 1, 1, static_cast<unsigned>(shared_bytes), card.stream,

@@ -3,6 +3,7 @@
 // translates for the card it finds.
 #define HFRAC_KERNEL_NAMESPACE kernels_device
 #pragma clang force_cuda_host_device begin
+#include "gpu/device_gradient_kernels.hpp"
 #include "gpu/device_kernels.hpp"
 #pragma clang force_cuda_host_device end
 
@@ -12,6 +13,7 @@ namespace {
 
 // The threads of this block share out the items of a loop, and wait for each other at its end.
 struct CardBlock {
+  static constexpr bool serial = false;
   int64_t number;
   double* shared;
   template <class Item>
@@ -23,9 +25,9 @@ struct CardBlock {
 
 }  // namespace
 
-#define HFRAC_DEVICE_KERNEL(name)                                                                    \
+#define HFRAC_DEVICE_KERNEL(name, Task)                                                              \
   extern "C" __attribute__((global)) __attribute__((launch_bounds(hfrac::device_threads))) void name( \
-      const hfrac::DeviceTask task) {                                                                \
+      const hfrac::Task task) {                                                                      \
     CardBlock block{__nvvm_read_ptx_sreg_ctaid_x(), hfrac_shared};                                   \
     hfrac::kernels_device::name(block, task);                                                        \
   }

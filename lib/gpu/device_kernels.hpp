@@ -424,7 +424,7 @@ void tile_step(Block& block, const DeviceTask& t) {
       f[2] += p * a.domain_corner_turn[c];
     }
   };
-  const bool waits = *over > 0.0 && t.moves_anyway == 0;
+  const bool waits = *over > 0.0 && t.moves_anyway == 0 && t.looks_only == 0;
   block.each(17, [&](int64_t lane) {
     if (lane == 16) {
       double work = 0.0;
@@ -444,6 +444,7 @@ void tile_step(Block& block, const DeviceTask& t) {
     sums.flagged = *over > 0.0 ? 1 : 0;
     if (waits) *d.stop = t.stage;
   });
+  if (t.looks_only != 0) return;
   if (!waits) {
     move_discs(block, t, number, motion, sizes, lanes, collect);
     return;
@@ -500,6 +501,57 @@ void take_out(Block& block, const DeviceTask& t) {
     a.vx[i] -= t.motion[3] - t.motion[5] * ry;
     a.vy[i] -= t.motion[4] + t.motion[5] * rx;
     a.spin[i] -= t.motion[5];
+  });
+}
+
+// The sums that a batch of cycles adds to, from 0.
+template <class Block>
+void clear_sums(Block& block, const DeviceTask& t) {
+  const KernelArrays& a = t.d.a;
+  const int64_t tiles = a.tile_count, first = block.number * device_threads;
+  block.each(device_threads, [&](int64_t k) {
+    const int64_t at = first + k;
+    if (at < tiles + a.pair_count) a.bond_sums[at] = {};
+    if (at < tiles) a.disc_sums[at] = {};
+    if (at < 2 * tiles) a.domain_sums[at] = {};
+  });
+}
+
+// What a tile's discs, and a share of all bonds, hold: motion energy, and whether all of it is a number.
+template <class Block>
+void look_over(Block& block, const DeviceTask& t) {
+  const DeviceArrays& d = t.d;
+  const KernelArrays& a = d.a;
+  const int64_t tile = block.number, first = a.tiles[tile].first_disc,
+                discs = a.tiles[tile].last_disc - first;
+  double *energy = block.shared, *off = energy + tile_size;
+  const auto is_number = [](double value) { return value - value == 0.0; };
+  block.each(tile_size, [&](int64_t k) {
+    energy[k] = 0.0;
+    if (k == 0) *off = 0.0;
+  });
+  block.each(discs, [&](int64_t k) {
+    const int64_t i = first + k;
+    energy[k] = 0.5 * (a.vx[i] * a.vx[i] + a.vy[i] * a.vy[i]) / a.inverse_mass[i];
+    if (a.inverse_inertia[i] > 0.0) energy[k] += 0.5 * a.spin[i] * a.spin[i] / a.inverse_inertia[i];
+    if (!is_number(energy[k]) || !is_number(a.rotation[i]) || !is_number(d.external_x[i]) ||
+        !is_number(d.external_y[i]) || !is_number(d.external_moment[i]))
+      *off = 1.0;
+  });
+  const int64_t share = (a.bond_count + a.tile_count - 1) / a.tile_count, from = tile * share,
+                to = from + share < a.bond_count ? from + share : a.bond_count;
+  block.each(to - from, [&](int64_t k) {
+    const int64_t e = from + k;
+    bool good = is_number(a.slip[e]);
+    if (a.softening_start != nullptr)
+      good = good && is_number(a.softening_start[e]) && is_number(a.softening_worst[e]);
+    if (!good) *off = 1.0;
+  });
+  for (int64_t half = tile_size / 2; half > 0; half /= 2)
+    block.each(half, [&](int64_t k) { energy[k] += energy[k + half]; });
+  block.each(1, [&](int64_t) {
+    d.looked[2 * tile] = energy[0];
+    d.looked[2 * tile + 1] = *off;
   });
 }
 

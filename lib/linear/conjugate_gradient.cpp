@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "linear/conjugate_gradient.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "linear/device_conjugate_gradient.hpp"
+#include "linear/serial_block.hpp"
 
 namespace hfrac {
 namespace {
 
-constexpr std::int64_t rows_worth_sharing = 8 * Multigrid::group;
+constexpr std::int64_t rows_worth_sharing = 8 * row_group;
 
 }  // namespace
 
@@ -27,69 +31,81 @@ void symmetric_product(const SparseMatrix& lower, const Eigen::VectorXd& x, Eige
   }
 }
 
-template <class Term>
-void ConjugateGradient::add_up(const Workers::Member& member, Sums& sums, const Term& term) {
-  Multigrid::each_group(member, multigrid_.rows(), [&](std::int64_t first, std::int64_t end) {
-    sums[static_cast<std::size_t>(first / Multigrid::group)] = term(first, end - first);
+ConjugateGradient::ConjugateGradient(Workers* workers, const Device* device) : workers_(workers) {
+  if (device != nullptr) on_device_ = std::make_unique<DeviceConjugateGradient>(*device);
+}
+
+ConjugateGradient::~ConjugateGradient() = default;
+
+template <class Task>
+void ConjugateGradient::share(const Task& task) {
+  const bool shared = workers_ != nullptr && multigrid_.rows() >= rows_worth_sharing;
+  (shared ? *workers_ : alone_).share(shared, task);
+}
+
+// Vectors from the order of the matrix's rows to that of the finest level, and back.
+void ConjugateGradient::take(const Eigen::VectorXd& rhs, const Eigen::VectorXd& x) {
+  const auto& order = multigrid_.level(0).order;
+  const auto rows = order.size();
+  for (auto* per_row : {&b_, &x_, &r_, &d_, &p_, &z_}) per_row->resize(rows);
+  for (auto* per_group : {&sums_, &others_, &highest_, &lowest_})
+    per_group->resize(static_cast<std::size_t>(multigrid_.groups()));
+  for (std::size_t i = 0; i < rows; ++i) {
+    b_[i] = rhs[order[i]];
+    x_[i] = x[order[i]];
+  }
+  arrays_ = {multigrid_.groups(), b_.data(),    x_.data(),      r_.data(),       d_.data(),      p_.data(),
+             z_.data(),           sums_.data(), others_.data(), highest_.data(), lowest_.data(), nullptr};
+}
+
+void ConjugateGradient::give(Eigen::VectorXd& x) const {
+  const auto& order = multigrid_.level(0).order;
+  for (std::size_t i = 0; i < order.size(); ++i) x[order[i]] = x_[i];
+}
+
+void ConjugateGradient::begin() {
+  const LevelArrays& level = multigrid_.arrays()[0];
+  share([&](const Workers::Member& member) {
+    SerialBlock block;
+    Multigrid::each_group(member, level.rows, [&](std::int64_t g) { begin_pass(block, arrays_, level, g); });
   });
 }
 
-double ConjugateGradient::total(const Sums& sums) {
-  double all = 0.0;
-  for (const double s : sums) all += s;
-  return all;
+int ConjugateGradient::solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, double tolerance, int most) {
+  take(rhs, x);
+  const LevelArrays& level = multigrid_.arrays()[0];
+  SerialBlock block;
+  for (std::int64_t g = 0; g < arrays_.groups; ++g)
+    keep_sum(block, arrays_.sums, g, squared_length(block, level, arrays_.b, g));
+  const double target = tolerance * std::sqrt(total_of_groups(block, arrays_.sums, arrays_.groups));
+  begin();
+  const int iterations = iterate(target, most);
+  for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += d_[i];
+  give(x);
+  return iterations;
 }
 
-int ConjugateGradient::solve(Eigen::VectorXd& rhs, Eigen::VectorXd& x, double tolerance, int most) {
-  const auto rows = multigrid_.rows();
-  const bool shared = workers_ != nullptr && rows >= rows_worth_sharing;
-  Workers& team = shared ? *workers_ : alone_;
-  z_.resize(rows);
-  p_.setZero(rows);
-  for (auto* sums : {&sums_, &other_sums_})
-    sums->resize(static_cast<std::size_t>((rows + Multigrid::group - 1) / Multigrid::group));
-  Eigen::VectorXd& r = rhs;
-  const Eigen::Map<const Eigen::VectorXd> diagonal(multigrid_.diagonal().data(), rows);
-  // In units of the diagonal's roots.
-  const auto squared_length = [&](std::int64_t first, std::int64_t count) {
-    return (r.segment(first, count).array().square() / diagonal.segment(first, count).array()).sum();
-  };
-  double target = 0.0, product = 1.0, far = 0.0;
-  team.share(shared, [&](const Workers::Member& member) {
-    add_up(member, other_sums_, squared_length);
-    multigrid_.multiply(member, x.data(), z_.data());
-    add_up(member, sums_, [&](std::int64_t first, std::int64_t count) {
-      r.segment(first, count) -= z_.segment(first, count);
-      return squared_length(first, count);
-    });
-  });
-  target = tolerance * std::sqrt(total(other_sums_));
+// Of d, until what is left of r is no longer than `target`.
+int ConjugateGradient::iterate(double target, int most) {
+  const LevelArrays& level = multigrid_.arrays()[0];
+  const ConjugateArrays& c = arrays_;
+  double product = 1.0, far = 0.0;
+  SerialBlock mine;
   for (int iteration = 0; iteration <= most; ++iteration) {
-    if (std::sqrt(total(sums_)) <= target) return iteration;
-    team.share(shared, [&](const Workers::Member& member) {
-      multigrid_.precondition(member, r.data(), z_.data());
-      add_up(member, sums_, [&](std::int64_t first, std::int64_t count) {
-        return r.segment(first, count).dot(z_.segment(first, count));
-      });
+    if (std::sqrt(total_of_groups(mine, c.sums, c.groups)) <= target) return iteration;
+    share([&](const Workers::Member& member) {
+      SerialBlock block;
+      const auto each = [&](const auto& visit) { Multigrid::each_group(member, level.rows, visit); };
+      multigrid_.precondition(member, c.r, c.z);
+      each([&](std::int64_t g) { multiply_residuals(block, c, level, g); });
       member.barrier();
-      const double along = total(sums_), kept = along / product;
-      Multigrid::each_group(member, rows, [&](std::int64_t first, std::int64_t end) {
-        auto p = p_.segment(first, end - first);
-        p = z_.segment(first, end - first) + kept * p;
-      });
+      const double along = total_of_groups(block, c.sums, c.groups), kept = along / product;
+      each([&](std::int64_t g) { turn_direction(block, c, level, kept, g); });
       member.barrier();
-      Eigen::VectorXd& q = z_;  // whose job is done
-      multigrid_.multiply(member, p_.data(), q.data());
-      add_up(member, other_sums_, [&](std::int64_t first, std::int64_t count) {
-        return p_.segment(first, count).dot(q.segment(first, count));
-      });
+      each([&](std::int64_t g) { multiply_direction(block, c, level, g); });
       member.barrier();
-      const double step = along / total(other_sums_);
-      add_up(member, sums_, [&](std::int64_t first, std::int64_t count) {
-        x.segment(first, count) += step * p_.segment(first, count);
-        r.segment(first, count) -= step * q.segment(first, count);
-        return squared_length(first, count);
-      });
+      const double step = along / total_of_groups(block, c.others, c.groups);
+      each([&](std::int64_t g) { go_along(block, c, level, step, g); });
       if (member.number == 0) {  // the others have read the product before two barriers
         product = along;
         far = step;
@@ -98,6 +114,35 @@ int ConjugateGradient::solve(Eigen::VectorXd& rhs, Eigen::VectorXd& x, double to
     if (!std::isfinite(far)) return -1;
   }
   return -1;
+}
+
+bool ConjugateGradient::settle(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, const PassRules& rules) {
+  take(rhs, x);
+  const bool settled = on_device_ ? on_device_->settle(multigrid_, b_, x_, rules) : settle_here(rules);
+  give(x);
+  return settled;
+}
+
+bool ConjugateGradient::settle_here(const PassRules& rules) {
+  const LevelArrays& level = multigrid_.arrays()[0];
+  SerialBlock mine;
+  double before = 0.0;
+  for (int pass = 0; pass < rules.most_passes; ++pass) {
+    begin();
+    const double length = std::sqrt(total_of_groups(mine, arrays_.sums, arrays_.groups));
+    if (!(length > 0.0)) return true;
+    if (iterate(rules.pass_tolerance * length, rules.most_iterations) < 0) return false;
+    share([&](const Workers::Member& member) {
+      SerialBlock block;
+      Multigrid::each_group(member, level.rows, [&](std::int64_t g) { end_pass(block, arrays_, level, g); });
+    });
+    const double change = *std::max_element(sums_.begin(), sums_.end()),
+                 difference = *std::max_element(highest_.begin(), highest_.end()) -
+                              *std::min_element(lowest_.begin(), lowest_.end());
+    if (rules.are_there(change, before, difference)) return true;
+    before = change;
+  }
+  return false;
 }
 
 }  // namespace hfrac

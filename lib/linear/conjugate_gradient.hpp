@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Conjugate gradients, preconditioned by multigrid, for the flow matrix of models too large to factorise.
 //
-// Workers share the vectors by groups of rows of fixed length; a scalar product is the sum over groups in order, whoever made them. So
-// the bits do not depend on their number, nor, as every rank solves for itself, on that of ranks.
+// Workers share the vectors by groups of rows of fixed length, or a card does all of it (device_conjugate_gradient.hpp); a sum over a group
+// is made in one way, and so is the sum over groups (conjugate_kernels.hpp). So the bits depend neither on who does it nor on how many do,
+// and, as every rank solves for itself, nor on ranks.
 #pragma once
 
+#include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "core/workers.hpp"
@@ -13,34 +16,59 @@
 
 namespace hfrac {
 
+class Device;
+class DeviceConjugateGradient;
+
 // y = A x of a symmetric matrix by its lower triangle, each column beginning with its diagonal.
 void symmetric_product(const SparseMatrix& lower, const Eigen::VectorXd& x, Eigen::VectorXd& y);
 
+// When a solution in passes is good enough: each solves for what is left to `pass_tolerance` of it, until no value changes by more than
+// `settled` times the largest difference of values.
+struct PassRules {
+  double pass_tolerance, settled;
+  int most_passes, most_iterations;  // passes; iterations of a pass
+  // Whether values that changed by `change`, and in the pass before by `before` (0: there was none), are there. The next pass would change
+  // them less, by as much as this one did.
+  [[nodiscard]] bool are_there(double change, double before, double difference) const {
+    const double next = before > 0.0 ? change * std::min(1.0, change / before) : change;
+    return next <= settled * difference;
+  }
+};
+
 class ConjugateGradient {
  public:
-  // Without workers on the calling thread alone.
-  explicit ConjugateGradient(Workers* workers = nullptr) : workers_(workers) {}
+  // Without workers on the calling thread alone. With a device, `settle` is its.
+  explicit ConjugateGradient(Workers* workers = nullptr, const Device* device = nullptr);
+  ~ConjugateGradient();
+  ConjugateGradient(const ConjugateGradient&) = delete;
+  ConjugateGradient& operator=(const ConjugateGradient&) = delete;
 
-  // `lower` is the lower triangle of a symmetric positive definite matrix, each column beginning with its diagonal. False if
-  // an entry of the diagonal is not positive or not finite.
+  // `lower` is the lower triangle of a symmetric positive definite matrix, each column beginning with its diagonal; of one pattern, whenever
+  // one comes. False if an entry of the diagonal is not positive or not finite.
   [[nodiscard]] bool prepare(const SparseMatrix& lower) { return multigrid_.prepare(lower); }
 
-  // Improves x until the residual, scaled by the diagonal, is below `tolerance` of the right-hand side's. Returns the
-  // iterations it took, or -1 if `most` were not enough. Leaves the residual in `rhs`.
-  int solve(Eigen::VectorXd& rhs, Eigen::VectorXd& x, double tolerance, int most);
+  // Improves x until the residual, scaled by the diagonal, is below `tolerance` of the right-hand side's. Returns the iterations it
+  // took, or -1 if `most` were not enough.
+  int solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, double tolerance, int most);
+  // Improves x in passes; false if the rules' numbers of them were not enough.
+  [[nodiscard]] bool settle(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, const PassRules& rules);
 
  private:
-  using Sums = std::vector<double>;  // of groups
-  // Of each group the sum term(first row, rows); total() is known to all behind the next barrier.
-  template <class Term>
-  void add_up(const Workers::Member& member, Sums& sums, const Term& term);
-  static double total(const Sums& sums);
+  void take(const Eigen::VectorXd& rhs, const Eigen::VectorXd& x);
+  void give(Eigen::VectorXd& x) const;
+  void begin();
+  int iterate(double target, int most);
+  bool settle_here(const PassRules& rules);
+  template <class Task>
+  void share(const Task& task);
 
   Workers* workers_;
   Workers alone_{1};
   Multigrid multigrid_;
-  Eigen::VectorXd z_, p_;
-  Sums sums_, other_sums_;
+  std::unique_ptr<DeviceConjugateGradient> on_device_;
+  // In the order of the finest level's rows, and of its groups.
+  std::vector<double> b_, x_, r_, d_, p_, z_, sums_, others_, highest_, lowest_;
+  ConjugateArrays arrays_{};
 };
 
 }  // namespace hfrac

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "linear/multigrid.hpp"
 
+#include <Eigen/Cholesky>
 #include <cmath>
 #include <utility>
+
+#include "linear/multigrid_kernels.hpp"
+#include "linear/serial_block.hpp"
 
 namespace hfrac {
 namespace {
@@ -15,12 +19,6 @@ constexpr double strong = 0.25;
 // Nor does an entry between merged rows below this share of what joins the weaker of them: Gauss-Seidel on the finer level would hardly
 // bring such two together.
 constexpr double weak = 0.25;
-// A level of no more rows is visited once a cycle, by one worker.
-constexpr std::int64_t few_rows = 2048;
-// The coarser level's correction, times this: constants on pieces are stiffer than what they stand for (Braess 1995, Computing 55,
-// 379-393, who takes 1.8 for larger pieces).
-constexpr double over_correction = 1.15;
-
 // Joins each row with the one that it is most strongly joined to among those still alone; who finds none alone joins that one's
 // pair. With `leave_dominant` rows that hardly depend on others get -1. Returns how many pairs there are.
 std::int32_t join_in_pairs(const SymmetricRows& a, bool leave_dominant, std::vector<std::int32_t>& pair) {
@@ -149,173 +147,203 @@ void SymmetricRows::assign(const SparseMatrix& lower) {
   }
 }
 
-void Multigrid::Level::assign(const SymmetricRows& a) {
-  start = a.start;
-  diagonal = a.diagonal;
-  column.resize(a.column.size());
-  value.resize(a.value.size());
-  for (auto* per_row : {&upper, &outer}) per_row->resize(diagonal.size());
-  for (auto* per_row : {&weight, &right, &before, &after, &rest, &more}) per_row->resize(diagonal.size());
-  aggregate.assign(diagonal.size(), -1);
-  for (std::int32_t i = 0; i < static_cast<std::int32_t>(diagonal.size()); ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const auto first = static_cast<std::int32_t>(i / group * group),
-               end = static_cast<std::int32_t>(first + group);
-    auto to = static_cast<std::size_t>(start[at]);
-    const auto put_if = [&](const auto& wanted) {
+// Rows of a group by colours, and each row's entries by what the smoother knows of them.
+void Multigrid::Level::take_pattern(const SymmetricRows& a) {
+  const auto rows = static_cast<std::int32_t>(a.count());
+  const auto rows_there = static_cast<std::size_t>(rows);
+  order.resize(rows_there);
+  place.resize(rows_there);
+  group_colour.assign(1, 0);
+  colour_start.clear();
+  std::vector<std::int32_t> colour(rows_there), taken_by, count;
+  for (std::int32_t first = 0; first < rows; first += row_group) {
+    const auto end = std::min(rows, first + static_cast<std::int32_t>(row_group));
+    count.clear();
+    for (auto i = first; i < end; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      taken_by.resize(count.size(), -1);
       for (auto k = static_cast<std::size_t>(a.start[at]); k < static_cast<std::size_t>(a.start[at + 1]);
            ++k) {
-        if (!wanted(a.column[k])) continue;
-        column[to] = a.column[k];
-        value[to++] = a.value[k];
+        if (const auto j = a.column[k]; j >= first && j < i)
+          taken_by[static_cast<std::size_t>(colour[static_cast<std::size_t>(j)])] = i;
       }
-      return static_cast<std::int32_t>(to);
-    };
-    upper[at] = put_if([&](std::int32_t j) { return j >= first && j < i; });
-    outer[at] = put_if([&](std::int32_t j) { return j > i && j < end; });
-    put_if([&](std::int32_t j) { return j < first || j >= end; });
-    double elsewhere = 0.0;
-    for (auto k = static_cast<std::size_t>(outer[at]); k < to; ++k) elsewhere += std::abs(value[k]);
-    weight[at] = diagonal[at] + 0.5 * elsewhere;
+      const auto free = std::find_if(taken_by.begin(), taken_by.end(), [i](auto by) { return by != i; });
+      const auto mine = static_cast<std::size_t>(free - taken_by.begin());
+      if (mine == count.size()) count.push_back(0);
+      colour[at] = static_cast<std::int32_t>(mine);
+      ++count[mine];
+    }
+    auto next = first;
+    for (auto& of_colour : count) {
+      colour_start.push_back(next);
+      next += std::exchange(of_colour, next);  // from here on where its next row goes
+    }
+    for (auto i = first; i < end; ++i) {
+      const auto to = count[static_cast<std::size_t>(colour[static_cast<std::size_t>(i)])]++;
+      order[static_cast<std::size_t>(to)] = i;
+      place[static_cast<std::size_t>(i)] = to;
+    }
+    group_colour.push_back(static_cast<std::int32_t>(colour_start.size()));
+    taken_by.clear();
   }
+  colour_start.push_back(rows);
+  start.assign(1, 0);
+  upper.clear();
+  outer.clear();
+  column.clear();
+  from.clear();
+  column.reserve(a.column.size());
+  from.reserve(a.column.size());
+  for (std::int32_t p = 0; p < rows; ++p) {
+    const auto i = static_cast<std::size_t>(order[static_cast<std::size_t>(p)]);
+    const auto first = static_cast<std::int32_t>(p / row_group * row_group),
+               end = static_cast<std::int32_t>(first + row_group);
+    const auto put_if = [&](const auto& wanted) {
+      for (auto k = a.start[i]; k < a.start[i + 1]; ++k) {
+        const auto q = place[static_cast<std::size_t>(a.column[static_cast<std::size_t>(k)])];
+        if (!wanted(q)) continue;
+        column.push_back(q);
+        from.push_back(k);
+      }
+      return static_cast<std::int32_t>(column.size());
+    };
+    upper.push_back(put_if([&](std::int32_t q) { return q >= first && q < p; }));
+    outer.push_back(put_if([&](std::int32_t q) { return q > p && q < end; }));
+    start.push_back(put_if([&](std::int32_t q) { return q < first || q >= end; }));
+  }
+  ++pattern;
+}
+
+void Multigrid::Level::take_values(const SymmetricRows& a) {
+  const auto rows = order.size();
+  value.resize(from.size());
+  for (auto* per_row : {&diagonal, &weight, &right, &before, &after, &rest, &more}) per_row->resize(rows);
+  aggregate.assign(rows, -1);
+  members = {};
+  inverse.clear();
+  for (std::size_t p = 0; p < rows; ++p) {
+    diagonal[p] = a.diagonal[static_cast<std::size_t>(order[p])];
+    double elsewhere = 0.0;
+    for (auto k = static_cast<std::size_t>(start[p]); k < static_cast<std::size_t>(start[p + 1]); ++k) {
+      value[k] = a.value[static_cast<std::size_t>(from[k])];
+      if (k >= static_cast<std::size_t>(outer[p])) elsewhere += std::abs(value[k]);
+    }
+    weight[p] = diagonal[p] + 0.5 * elsewhere;
+  }
+}
+
+LevelArrays Multigrid::Level::arrays() {
+  LevelArrays a{};
+  a.rows = rows();
+  a.start = start.data();
+  a.upper = upper.data();
+  a.outer = outer.data();
+  a.column = column.data();
+  a.value = value.data();
+  a.diagonal = diagonal.data();
+  a.weight = weight.data();
+  a.group_colour = group_colour.data();
+  a.colour_start = colour_start.data();
+  a.aggregate = aggregate.data();
+  if (!members.first().empty()) {
+    a.first = members.first().data();
+    a.member = members.rows().data();
+  }
+  if (!inverse.empty()) a.inverse = inverse.data();
+  a.right = right.data();
+  a.before = before.data();
+  a.after = after.data();
+  a.rest = rest.data();
+  a.more = more.data();
+  return a;
 }
 
 bool Multigrid::prepare(const SparseMatrix& lower) {
   rows_.assign(lower);
   for (const double d : rows_.diagonal)
     if (!(d > 0.0) || !std::isfinite(d)) return false;
-  for (depth_ = 0;;) {
-    if (levels_.size() == depth_) levels_.emplace_back();
-    Level& level = levels_[depth_++];
-    level.assign(rows_);
+  std::size_t depth = 0;
+  for (std::int32_t count = 0;;) {
+    if (levels_.size() == depth) levels_.emplace_back();
+    Level& level = levels_[depth];
+    if (depth > 0 || level.order.size() != rows_.diagonal.size() || level.from.size() != rows_.value.size())
+      level.take_pattern(rows_);
+    level.take_values(rows_);
+    if (depth > 0) {  // the finer one's rows now know where theirs stand
+      Level& finer = levels_[depth - 1];
+      for (std::size_t p = 0; p < finer.order.size(); ++p) {
+        const auto pair = pair_[static_cast<std::size_t>(finer.order[p])];
+        if (pair >= 0)
+          finer.aggregate[p] =
+              level.place[static_cast<std::size_t>(pair_of_pairs_[static_cast<std::size_t>(pair)])];
+      }
+      finer.members = RowsByPart(finer.aggregate, count);
+    }
+    ++depth;
     if (rows_.count() <= largest_coarsest) break;
     merge(rows_, pair_, join_in_pairs(rows_, true, pair_), place_, merged_);
-    const auto count = join_in_pairs(merged_, false, pair_of_pairs_);
+    count = join_in_pairs(merged_, false, pair_of_pairs_);
     if (count == 0 || count >= level.rows()) break;
-    for (std::size_t i = 0; i < pair_.size(); ++i)
-      level.aggregate[i] = pair_[i] < 0 ? -1 : pair_of_pairs_[static_cast<std::size_t>(pair_[i])];
-    level.members = RowsByPart(level.aggregate, count);
     merge(merged_, pair_of_pairs_, count, place_, rows_);
     rows_.inside.clear();
   }
-  const Level& last = levels_[depth_ - 1];
-  factorised_ = last.rows() <= largest_coarsest;
-  if (factorised_) {
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(last.rows(), last.rows());
-    for (Eigen::Index i = 0; i < last.rows(); ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      matrix(i, i) = last.diagonal[at];
-      for (auto k = static_cast<std::size_t>(last.start[at]);
-           k < static_cast<std::size_t>(last.start[at + 1]); ++k)
-        matrix(i, last.column[k]) = last.value[k];
-    }
-    factor_.compute(matrix);
-    factorised_ = factor_.info() == Eigen::Success;
-  }
+  levels_.resize(depth);
+  if (levels_.back().rows() <= largest_coarsest) invert_coarsest();
+  arrays_.clear();
+  for (auto& level : levels_) arrays_.push_back(level.arrays());
   return true;
 }
 
-void Multigrid::Level::multiply(const Workers::Member& team, const double* x, double* y) const {
-  each_group(team, rows(), [&](std::int64_t first, std::int64_t end) {
-    for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(end); ++i) {
-      double sum = diagonal[i] * x[i];
-      for (auto k = static_cast<std::size_t>(start[i]); k < static_cast<std::size_t>(start[i + 1]); ++k)
-        sum += value[k] * x[column[k]];
-      y[i] = sum;
-    }
-  });
+// A few hundred rows: their inverse is as long as two triangles, and every row of a product with it stands alone.
+void Multigrid::invert_coarsest() {
+  Level& last = levels_.back();
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(last.rows(), last.rows());
+  for (Eigen::Index i = 0; i < last.rows(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    matrix(i, i) = last.diagonal[at];
+    for (auto k = static_cast<std::size_t>(last.start[at]); k < static_cast<std::size_t>(last.start[at + 1]);
+         ++k)
+      matrix(i, last.column[k]) = last.value[k];
+  }
+  const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
+  if (factor.info() != Eigen::Success) return;
+  const Eigen::MatrixXd inverse = factor.solve(Eigen::MatrixXd::Identity(last.rows(), last.rows()));
+  last.inverse.resize(static_cast<std::size_t>(inverse.size()));
+  Eigen::Map<Eigen::MatrixXd>(last.inverse.data(), last.rows(), last.rows()) =
+      0.5 * (inverse + inverse.transpose());
 }
 
-// Forward, from 0.
-void Multigrid::Level::smooth_from_nothing(const Workers::Member& team, const double* b) {
-  each_group(team, rows(), [&](std::int64_t first, std::int64_t end) {
-    for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(end); ++i) {
-      double sum = b[i];
-      for (auto k = static_cast<std::size_t>(start[i]); k < static_cast<std::size_t>(upper[i]); ++k)
-        sum -= value[k] * before[static_cast<std::size_t>(column[k])];
-      before[i] = sum / weight[i];
-    }
-  });
-}
-
-// Right-hand side less product after that: what lies below the diagonal was already taken away.
-double Multigrid::Level::residual(std::size_t i) const {
-  double sum = (weight[i] - diagonal[i]) * before[i];
-  for (auto k = static_cast<std::size_t>(upper[i]); k < static_cast<std::size_t>(start[i + 1]); ++k)
-    sum -= value[k] * before[static_cast<std::size_t>(column[k])];
-  return sum;
-}
-
-// Adds the coarser level's correction (nullptr: none), then backward.
-void Multigrid::Level::smooth_back(const Workers::Member& team, const double* b, const double* coarse,
-                                   double* z) const {
-  const auto corrected = [&](std::size_t i) {
-    return coarse == nullptr || aggregate[i] < 0 ? before[i]
-                                                 : before[i] + over_correction * coarse[aggregate[i]];
-  };
-  each_group(team, rows(), [&](std::int64_t first, std::int64_t end) {
-    for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(end); ++i)
-      z[i] = corrected(i);
-    for (auto i = static_cast<std::size_t>(end); i-- > static_cast<std::size_t>(first);) {
-      double sum = b[i] - diagonal[i] * z[i];
-      for (auto k = static_cast<std::size_t>(start[i]); k < static_cast<std::size_t>(outer[i]); ++k)
-        sum -= value[k] * z[column[k]];
-      for (auto k = static_cast<std::size_t>(outer[i]); k < static_cast<std::size_t>(start[i + 1]); ++k)
-        sum -= value[k] * corrected(static_cast<std::size_t>(column[k]));
-      z[i] += sum / weight[i];
-    }
-  });
-}
-
-void Multigrid::cycle(const Workers::Member& member, std::size_t at, const double* r, double* z) {
-  Level& level = levels_[at];
-  const bool last = at + 1 == depth_;
-  if (last && factorised_) {
-    if (member.number == 0) {
-      Eigen::Map<Eigen::VectorXd> solution(z, level.rows());
-      solution = Eigen::Map<const Eigen::VectorXd>(r, level.rows());
-      factor_.solveInPlace(solution);
-    }
+// Levels of many rows are solved for twice, which their workers share; those of few by one.
+void Multigrid::cycle(const Workers::Member& member, std::size_t at, const double* r, double* z) const {
+  const LevelArrays& level = arrays_[at];
+  SerialBlock block;
+  if (level.rows <= few_rows) {
+    if (member.number == 0)
+      visit_few(block, arrays_.data(), static_cast<std::int64_t>(at),
+                static_cast<std::int64_t>(arrays_.size()), r, z);
     return;
   }
-  level.smooth_from_nothing(member, r);
+  const auto each = [&](const auto& visit) { each_group(member, level.rows, visit); };
+  each([&](std::int64_t group) { smooth_from_nothing(block, level, r, group); });
   member.barrier();
-  if (last) {
-    level.smooth_back(member, r, nullptr, z);
-    return;
+  const LevelArrays* coarse = at + 1 < arrays_.size() ? &arrays_[at + 1] : nullptr;
+  if (coarse != nullptr) {
+    const auto mine = member.part(coarse->rows, row_group / 4);
+    take_to_coarser(block, level, *coarse, mine.first, mine.last);
+    member.barrier();
+    cycle(member, at + 1, coarse->right, coarse->after);
+    member.barrier();
+    if (coarse->rows > few_rows) {
+      const auto each_coarse = [&](const auto& visit) { each_group(member, coarse->rows, visit); };
+      each_coarse([&](std::int64_t group) { find_rest_of_group(block, *coarse, group); });
+      cycle(member, at + 1, coarse->rest, coarse->more);
+      each_coarse([&](std::int64_t group) { add_more(block, *coarse, group); });
+      member.barrier();
+    }
   }
-  Level& coarse = levels_[at + 1];
-  const auto mine = member.part(coarse.rows(), group / 4);
-  for (auto g = static_cast<std::size_t>(mine.first); g < static_cast<std::size_t>(mine.last); ++g) {
-    double sum = 0.0;
-    for (const auto i : level.members.of(static_cast<std::int32_t>(g)))
-      sum += level.residual(static_cast<std::size_t>(i));
-    coarse.right[g] = sum;
-  }
-  member.barrier();
-  if (coarse.rows() > few_rows) {
-    correct(member, at + 1);
-  } else if (member.number == 0) {
-    cycle({member.team, 0, 1}, at + 1, coarse.right.data(), coarse.after.data());
-  }
-  member.barrier();
-  level.smooth_back(member, r, coarse.after.data(), z);
-}
-
-// The coarser level's equations, twice.
-void Multigrid::correct(const Workers::Member& member, std::size_t at) {
-  Level& level = levels_[at];
-  cycle(member, at, level.right.data(), level.after.data());
-  member.barrier();
-  level.multiply(member, level.after.data(), level.rest.data());
-  const auto each_row = [&](const auto& change) {
-    each_group(member, level.rows(), [&](std::int64_t first, std::int64_t end) {
-      for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(end); ++i) change(i);
-    });
-  };
-  each_row([&](std::size_t i) { level.rest[i] = level.right[i] - level.rest[i]; });
-  cycle(member, at, level.rest.data(), level.more.data());
-  each_row([&](std::size_t i) { level.after[i] += level.more[i]; });
+  each([&](std::int64_t group) {
+    smooth_back(block, level, r, coarse != nullptr ? coarse->after : nullptr, z, group);
+  });
 }
 
 }  // namespace hfrac

@@ -11,11 +11,12 @@
 // Each level is smoothed by Gauss-Seidel, forward before and backward after the coarser one, within groups of fixed length; of other
 // groups the values from before are taken. So that this converges whatever the groups are, a row's diagonal counts more by half of
 // what it has in other groups (the l1 smoothers of Baker, Falgout, Kolev and Yang 2011, SIAM J. Sci. Comput. 33, 2864-2887, take all
-// of it): M + M^T - A is then no less than the diagonal, which is all that is needed. Workers share groups and rows, and no sum
-// depends on who makes it: the same bits on any number of them.
+// of it): M + M^T - A is then no less than the diagonal, which is all that is needed. Within a group rows go by colours: a row gets
+// the first colour that none of its neighbours before it has, and rows of one colour, which do not depend on each other, stand in a row.
+// So a worker sweeps along memory and a card does a colour at once (multigrid_kernels.hpp). Workers share groups and rows, and no sum
+// depends on who makes it: the same bits on any number of them, and on a card.
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cstdint>
 #include <deque>
@@ -23,6 +24,7 @@
 #include <vector>
 
 #include "core/workers.hpp"
+#include "linear/multigrid_arrays.hpp"
 #include "linear/sparse.hpp"
 
 namespace hfrac {
@@ -48,6 +50,9 @@ class RowsByPart {
     return std::span(row_).subspan(static_cast<std::size_t>(first_[p]),
                                    static_cast<std::size_t>(first_[p + 1] - first_[p]));
   }
+  // All of them, part by part, and where each part begins.
+  [[nodiscard]] const std::vector<std::int32_t>& rows() const { return row_; }
+  [[nodiscard]] const std::vector<std::int32_t>& first() const { return first_; }
 
  private:
   std::vector<std::int32_t> first_, row_;
@@ -55,54 +60,54 @@ class RowsByPart {
 
 class Multigrid {
  public:
-  static constexpr std::int64_t group = 1024;  // rows
+  // A matrix and what the next coarser one is made of. Rows stand by groups and, within a group, by colours.
+  struct Level {
+    std::vector<std::int32_t> order,
+        place;  // the row of the matrix given that stands here, and where a row of it stands
+    std::vector<std::int32_t> start, upper, outer, column, group_colour,
+        colour_start;                // as LevelArrays has them
+    std::vector<std::int32_t> from;  // of entries: where their values are in the matrix given
+    std::vector<double> value, diagonal, weight;
+    std::vector<std::int32_t> aggregate;
+    RowsByPart members;
+    std::vector<double> inverse;
+    std::vector<double> right, before, after, rest, more;
+    std::int64_t pattern = 0;  // another number whenever another pattern came
 
-  // False if an entry of the diagonal is not positive or not finite.
+    [[nodiscard]] std::int64_t rows() const { return static_cast<std::int64_t>(diagonal.size()); }
+    void take_pattern(const SymmetricRows& rows);
+    void take_values(const SymmetricRows& rows);
+    [[nodiscard]] LevelArrays arrays();
+  };
+
+  // False if an entry of the diagonal is not positive or not finite. All matrices given to one object that have as many rows and
+  // entries have one pattern.
   [[nodiscard]] bool prepare(const SparseMatrix& lower);
   [[nodiscard]] std::int64_t rows() const { return levels_[0].rows(); }
-  [[nodiscard]] const std::vector<double>& diagonal() const { return levels_[0].diagonal; }
+  [[nodiscard]] std::int64_t groups() const { return (rows() + row_group - 1) / row_group; }
+  // Levels in use, the finest first.
+  [[nodiscard]] std::span<const LevelArrays> arrays() const { return arrays_; }
+  [[nodiscard]] const Level& level(std::size_t at) const { return levels_[at]; }
 
-  // The following are called by all members of a team together, who meet at a barrier before they read what others made.
-  // y = A x
-  void multiply(const Workers::Member& member, const double* x, double* y) const {
-    levels_[0].multiply(member, x, y);
+  // z = M^-1 r, both in the order of the finest level's rows; by all members of a team together, who meet at a barrier before they read
+  // what others made.
+  void precondition(const Workers::Member& member, const double* r, double* z) const {
+    cycle(member, 0, r, z);
   }
-  // z = M^-1 r
-  void precondition(const Workers::Member& member, const double* r, double* z) { cycle(member, 0, r, z); }
 
-  // Calls visit(first, end) for each group of a member.
+  // Calls visit(group) for each group of a member.
   template <class Visit>
   static void each_group(const Workers::Member& member, std::int64_t rows, const Visit& visit) {
-    const auto mine = member.part(rows, group);
-    for (auto first = mine.first; first < mine.last; first += group)
-      visit(first, std::min(first + group, mine.last));
+    const auto mine = member.part((rows + row_group - 1) / row_group, 1);
+    for (auto group = mine.first; group < mine.last; ++group) visit(group);
   }
 
  private:
-  struct Level {
-    // Entries of row i: of its group, below the diagonal from start[i], above it from upper[i]; of other groups from outer[i].
-    std::vector<std::int32_t> start, upper, outer, column;
-    std::vector<double> value, diagonal;
-    std::vector<double> weight;           // the diagonal as the smoother takes it
-    std::vector<std::int32_t> aggregate;  // of a row: row of the coarser level; -1: none
-    RowsByPart members;
-    std::vector<double> right, before, after, rest, more;
-
-    [[nodiscard]] std::int64_t rows() const { return static_cast<std::int64_t>(diagonal.size()); }
-    void assign(const SymmetricRows& rows);
-    void multiply(const Workers::Member& team, const double* x, double* y) const;
-    void smooth_from_nothing(const Workers::Member& team, const double* right);
-    [[nodiscard]] double residual(std::size_t i) const;
-    void smooth_back(const Workers::Member& member, const double* right, const double* coarse,
-                     double* z) const;
-  };
-  void cycle(const Workers::Member& member, std::size_t level, const double* r, double* z);
-  void correct(const Workers::Member& member, std::size_t coarse);
+  void cycle(const Workers::Member& member, std::size_t level, const double* r, double* z) const;
+  void invert_coarsest();
 
   std::deque<Level> levels_;
-  std::size_t depth_ = 0;    // levels in use
-  bool factorised_ = false;  // the last of them
-  Eigen::LLT<Eigen::MatrixXd> factor_;
+  std::vector<LevelArrays> arrays_;  // of those in use
   SymmetricRows rows_, merged_;
   std::vector<std::int32_t> pair_, pair_of_pairs_, place_;
 };

@@ -7,6 +7,7 @@
 // No standard templates here, see kernels.hpp.
 #pragma once
 
+#include "core/device_kernel.hpp"
 #include "solid/kernels.hpp"
 
 namespace hfrac {
@@ -76,29 +77,19 @@ struct DeviceArrays {
   // rigid motion of a model that nothing holds
   double centre_x, centre_y;
   double* momenta;  // six by tile
+  double* looked;   // two by tile: J/m of motion; 1 if something is no number
 };
 
-// A launch: what to do, and for which tiles, pairs or parts.
-enum DeviceKernel : int32_t {
-  device_cross_pairs,  // one block a pair of tiles
-  device_cross_pores,  // a part
-  device_push,         // one block: walls, then non-bonded contacts
-  device_tile_step,    // a tile: forces, then motion unless a bond exceeds its strength
-  device_tile_move,    // a tile: motion by the forces held back
-  device_momenta,      // a tile
-  device_take_out,     // a tile: rigid motion out of it
-  device_kernel_count
-};
-
+// For which tiles, pairs or parts a kernel is launched, and what else it is told.
 struct DeviceTask {
   DeviceArrays d;
-  int64_t stage;        // of the batch: 2 cycle (bonds across tiles, boundary), 2 cycle + 1 (tiles)
-  const int32_t* list;  // which, by block; null: all
-  int64_t moves_anyway;
-  double motion[6];  // device_take_out: Boundary::RigidMotion
+  int64_t stage;         // of the batch: 2 cycle (bonds across tiles, boundary), 2 cycle + 1 (tiles)
+  const int32_t* list;   // which, by block; null: all
+  int64_t moves_anyway;  // device_tile_step: 1 whether or not bonds exceed their strength
+  int64_t looks_only;    // likewise: 1 forces, pressures and volumes, no motion
+  double motion[6];      // device_take_out: Boundary::RigidMotion
 };
 
-constexpr int64_t device_threads = 256;
 constexpr int64_t most_tile_bonds = 3 * tile_size;  // a planar graph has no more edges
 
 // Bytes of a block's own memory for a kernel, given the largest number of bonds and of pores of a tile.
@@ -107,6 +98,7 @@ constexpr int64_t device_shared_bytes(int32_t kernel, int64_t bonds, int64_t dom
   const int64_t doubles = kernel == device_tile_step     ? 4 * tile_size + 6 * bonds + domains + sums
                           : kernel == device_tile_move   ? 4 * tile_size + sums
                           : kernel == device_momenta     ? 6 * tile_size
+                          : kernel == device_look_over   ? tile_size + sums
                           : kernel == device_cross_pairs ? 2 * 64 + sums
                           : kernel == device_cross_pores ? domains + sums
                                                          : sums;

@@ -25,6 +25,8 @@ DeviceCycles::DeviceCycles(const Device& device, const KernelArrays& arrays, con
       pairs_(device),
       pushed_(device),
       pushed_pairs_(device),
+      pairs_copy_(device),
+      looked_(device),
       smooth_contacts_(device),
       smooth_settled_(device),
       smooth_law_number_(device),
@@ -74,14 +76,17 @@ void DeviceCycles::lay_out(const TilePlan& plan) {
   const auto discs = h.disc_count, bonds = h.bond_count;
   const auto domains = h.with_pressure != 0 ? network_.domain_count() : 0;
   const auto corners = domains > 0 ? static_cast<std::int64_t>(network_.corner_disc.size()) : 0;
-  for (auto of : {&KernelArrays::ux, &KernelArrays::uy, &KernelArrays::rotation, &KernelArrays::vx,
-                  &KernelArrays::vy, &KernelArrays::spin})
-    twin(h.*of, discs, a.*of, there_and_back);
+  // Flow needs openings and normal forces: of rotations and of what bonds slid and softened only where those bear on them.
+  const bool turns = h.flat != 0 || h.domain_corner_turn != nullptr || !assembly_.smooth.empty();
+  const auto of_bonds = assembly_.smooth.empty() && h.softening_start == nullptr ? kept : moved;
+  for (auto of : {&KernelArrays::ux, &KernelArrays::uy}) twin(h.*of, discs, a.*of, moved);
+  twin(h.rotation, discs, a.rotation, turns ? moved : kept);
+  for (auto of : {&KernelArrays::vx, &KernelArrays::vy, &KernelArrays::spin}) twin(h.*of, discs, a.*of, kept);
   for (auto of : {&KernelArrays::inverse_mass, &KernelArrays::inverse_inertia})
     twin(h.*of, discs, a.*of, there);
-  twin(assembly_.external_x.data(), discs, d.external_x, there_and_back);
-  twin(assembly_.external_y.data(), discs, d.external_y, there_and_back);
-  twin(assembly_.external_moment.data(), discs, d.external_moment, there_and_back);
+  twin(assembly_.external_x.data(), discs, d.external_x, kept);
+  twin(assembly_.external_y.data(), discs, d.external_y, kept);
+  twin(assembly_.external_moment.data(), discs, d.external_moment, kept);
   a.external_x = d.external_x;
   a.external_y = d.external_y;
   a.external_moment = d.external_moment;
@@ -89,20 +94,20 @@ void DeviceCycles::lay_out(const TilePlan& plan) {
   twin(h.second, bonds, a.second, once);
   twin(h.geometry, assembly_.geometry.value_count(), a.geometry, once);
   twin(h.intact, bonds, a.intact, there);
-  twin(h.slip, bonds, a.slip, there_and_back);
+  twin(h.slip, bonds, a.slip, of_bonds);
   for (auto of : {&KernelArrays::growth, &KernelArrays::stiffness_factor, &KernelArrays::tensile_factor,
                   &KernelArrays::shear_factor, &KernelArrays::bond_friction})
     twin(h.*of, bonds, a.*of, there);
-  twin(h.softening_start, bonds, a.softening_start, there_and_back);
-  twin(h.softening_worst, bonds, a.softening_worst, there_and_back);
+  twin(h.softening_start, bonds, a.softening_start, of_bonds);
+  twin(h.softening_worst, bonds, a.softening_worst, of_bonds);
   twin(h.domain_corner_start, domains > 0 ? domains + 1 : 0, a.domain_corner_start, once);
   twin(h.domain_corner_disc, corners, a.domain_corner_disc, once);
   twin(h.domain_corner_weight, 2 * corners, a.domain_corner_weight, once);
   twin(h.domain_corner_turn, corners, a.domain_corner_turn, once);
-  twin(h.pressure, domains, a.pressure, there_and_back);
-  twin(h.volume_change, domains, a.volume_change, there_and_back);
-  twin(h.content, domains, a.content, there);
-  twin(h.stiffness, domains, a.stiffness, there);
+  twin(h.pressure, domains, a.pressure, pores);
+  twin(h.volume_change, domains, a.volume_change, pores);
+  twin(h.content, domains, a.content, fluid);
+  twin(h.stiffness, domains, a.stiffness, fluid);
   twin(h.tiles, h.tile_count, a.tiles, there);
   twin(h.pairs, h.pair_count, a.pairs, once);
   twin(h.cross_parts, static_cast<std::int64_t>(plan.cross_parts.size()), a.cross_parts, once);
@@ -126,6 +131,8 @@ void DeviceCycles::lay_out(const TilePlan& plan) {
   d.centre_y = boundary_.centre().y;
   d.held_force =
       static_cast<double*>(held_force_.reserve(3 * static_cast<std::size_t>(discs) * sizeof(double)));
+  d.looked =
+      static_cast<double*>(looked_.reserve(2 * static_cast<std::size_t>(h.tile_count) * sizeof(double)));
   d.momenta = static_cast<double*>(
       momenta_.reserve(static_cast<std::size_t>(h.tile_count) * sizeof(Boundary::RigidMotion)));
   d.stop = static_cast<std::int64_t*>(stop_.reserve(sizeof(std::int64_t)));
@@ -182,19 +189,31 @@ void DeviceCycles::list_forces(const TilePlan& plan) {
   list(corner_of, d.corner_of);
 }
 
-void DeviceCycles::begin(std::span<const Pushed> pushed, const ContactPairs& contacts) {
-  // Numbers that the host changes are those of now.
+// Numbers that the host changes are those of now.
+void DeviceCycles::take_numbers() {
   KernelArrays& a = task_.d.a;
   a.damping = host_.damping;
   a.step = host_.step;
   a.reference_pressure = host_.reference_pressure;
   a.floor_pressure = host_.floor_pressure;
   a.undrained = host_.undrained;
-  put(Travels::there);
-  put(Travels::there_and_back);
+}
+
+void DeviceCycles::begin(std::span<const Pushed> pushed, const ContactPairs& contacts) {
+  using enum Travels;
+  take_numbers();
+  for (const auto what : {there, fluid, moved, kept, pores}) put(what);
   put_smooth_joints();
   put_walls();
   put_contacts(pushed, contacts);
+}
+
+// Volumes are as the device left them.
+void DeviceCycles::go_on() {
+  take_numbers();
+  put(Travels::fluid);
+  for (std::size_t k = 0; k < twins_.size(); ++k)
+    if (twins_[k].host == host_.pressure) of_twins_[k].put(twins_[k].host, twins_[k].bytes);
 }
 
 void DeviceCycles::put_smooth_joints() {
@@ -288,7 +307,7 @@ void DeviceCycles::put_contacts(std::span<const Pushed> pushed, const ContactPai
 }
 
 void DeviceCycles::begin_batch(double friction) {
-  put(Travels::in_batches);
+  clear_sums();
   for (std::size_t w = 0; w < boundary_.walls().size(); ++w) {
     walls_.walls[w].displacement = boundary_.walls()[w].displacement;
     walls_.walls[w].velocity = boundary_.walls()[w].velocity;
@@ -322,6 +341,12 @@ void DeviceCycles::launch_one(DeviceKernel kernel, std::int64_t item) {
   task_.list = item_.as<std::int32_t>();
   launch(kernel, 1);
   task_.list = nullptr;
+}
+
+// As the host's are before a batch.
+void DeviceCycles::clear_sums() {
+  const auto most = std::max(host_.tile_count + host_.pair_count, 2 * host_.tile_count);
+  launch(device_clear_sums, (most + device_threads - 1) / device_threads);
 }
 
 std::int64_t DeviceCycles::run(std::int64_t stage, std::int64_t last) {
@@ -416,16 +441,85 @@ void DeviceCycles::take_out(const Boundary::RigidMotion& motion) {
   launch(device_take_out, host_.tile_count);
 }
 
+void DeviceCycles::evaluate() {
+  clear_sums();
+  constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
+  stop_.put(&never, sizeof never);
+  task_.stage = 0;
+  task_.looks_only = 1;
+  task_.d.a.undrained = 1;  // volumes are looked at
+  if (host_.with_pressure != 0) launch(device_cross_pores, host_.tile_count);
+  launch(device_cross_pairs, host_.pair_count);
+  launch(device_tile_step, host_.tile_count);
+  task_.looks_only = 0;
+  get(Travels::in_batches);
+}
+
+DeviceCycles::Look DeviceCycles::look_over() {
+  launch(device_look_over, host_.tile_count);
+  std::vector<double> looked(2 * static_cast<std::size_t>(host_.tile_count));
+  looked_.get(looked.data(), looked.size() * sizeof(double));
+  Look all{0.0, true};
+  for (std::size_t k = 0; k < looked.size(); k += 2) {
+    all.kinetic += looked[k];
+    all.finite = all.finite && looked[k + 1] == 0.0;
+  }
+  return all;
+}
+
 void DeviceCycles::get_displacements() {
   get_discs(0, host_.disc_count);
 }
 
-void DeviceCycles::get_state(ContactPairs& contacts) {
-  get(Travels::there_and_back);
-  pairs_.get(contacts_.data(), contacts_.size() * sizeof(DevicePair));
+// Without the outside, whose volume the host alone follows.
+void DeviceCycles::get_pores() {
+  if (host_.with_pressure == 0) return;
+  const KernelArrays& a = task_.d.a;
+  get(host_.pressure, static_cast<const double*>(a.pressure), 1, network_.domain_count());
+  get(host_.volume_change, static_cast<const double*>(a.volume_change), 1, network_.domain_count());
+}
+
+void DeviceCycles::get_moved() {
+  get(Travels::moved);
+  get_pores();
+}
+
+void DeviceCycles::take_contacts(ContactPairs& contacts) const {
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     contacts.pairs[k].normal_force = contacts_[k].normal_force;
     contacts.pairs[k].shear_force = contacts_[k].shear_force;
+  }
+}
+
+void DeviceCycles::get_state(ContactPairs& contacts) {
+  get_moved();
+  get(Travels::kept);
+  pairs_.get(contacts_.data(), contacts_.size() * sizeof(DevicePair));
+  take_contacts(contacts);
+}
+
+void DeviceCycles::keep() {
+  const auto copy = [&](DeviceArray& to, const DeviceArray& from, std::size_t bytes) {
+    if (bytes > 0) device_.copy(to.reserve(bytes), from.as<void>(), bytes, 1);
+  };
+  while (copies_.size() < twins_.size()) copies_.emplace_back(device_);
+  for (std::size_t k = 0; k < twins_.size(); ++k)
+    if (twins_[k].when == Travels::kept) copy(copies_[k], of_twins_[k], twins_[k].bytes);
+  copy(pairs_copy_, pairs_, contacts_.size() * sizeof(DevicePair));
+}
+
+void DeviceCycles::get_kept(ContactPairs& contacts) {
+  for (std::size_t k = 0; k < twins_.size(); ++k)
+    if (twins_[k].when == Travels::kept) copies_[k].get(twins_[k].host, twins_[k].bytes);
+  pairs_copy_.get(contacts_.data(), contacts_.size() * sizeof(DevicePair));
+  take_contacts(contacts);
+}
+
+void DeviceCycles::spoil_host() const {
+  for (const auto& twin : twins_) {
+    if (twin.when != Travels::kept) continue;
+    auto* values = static_cast<double*>(twin.host);
+    std::fill(values, values + twin.bytes / sizeof(double), 1e99);
   }
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cycles of the explicit solver on a device (gpu/device_kernels.hpp): its copy of the model, what it is told to do, and what comes back.
 //
-// What never changes goes there once; state goes there where cycles begin and comes back where somebody asks for it. While cycles go on the
-// host learns of the sums alone and of bonds that exceed their strength: it breaks those itself, by the same code as always.
+// What never changes goes there once. Of the state the device may keep what only cycles change (`Travels::kept`) from one step to the next:
+// ExplicitSolver::bring_home says who asks for it. While cycles go on the host learns of the sums alone and of bonds that exceed
+// their strength: it breaks those itself, by the same code as always.
 #pragma once
 
 #include <cstdint>
@@ -33,9 +34,10 @@ class DeviceCycles {
   DeviceCycles(const Device& device, const KernelArrays& arrays, const TilePlan& plan, Assembly& assembly,
                Network& network, Boundary& boundary, const Options& options);
 
-  // Cycles follow: the state as it stands goes to the device.
+  // Cycles follow: the state as it stands goes to the device, or, where that has the newest, what the fluid changed alone.
   void begin(std::span<const Pushed> pushed, const ContactPairs& contacts);
-  // A batch of them follows. `friction` [J/m]: the ledger's, to which non-bonded contacts add.
+  void go_on();
+  // A batch of them follows, whose sums begin at 0. `friction` [J/m]: the ledger's, to which non-bonded contacts add.
   void begin_batch(double friction);
   // Stages from `stage` up to `last`, two a cycle: bonds across tiles, tiles. Returns the first in which a bond exceeds its strength and
   // after which nothing was done, or `last`.
@@ -56,12 +58,27 @@ class DeviceCycles {
   // Of tiles' discs (Boundary::momenta), and what they come to taken out of all.
   [[nodiscard]] std::vector<Boundary::RigidMotion> momenta();
   void take_out(const Boundary::RigidMotion& motion);
-  // Displacements, or all of the state.
+  // Forces, pressures and volumes at the displacements as they stand, of all but the outside (ExplicitSolver::evaluate).
+  void evaluate();
+  struct Look {
+    double kinetic;  // J/m, summed in another order than the host's
+    bool finite;     // all that the device keeps
+  };
+  [[nodiscard]] Look look_over();
+  // Displacements; or what the next flow step needs: places, pressures, volumes; or all of the state.
   void get_displacements();
+  void get_moved();
   void get_state(ContactPairs& contacts);
+  // A copy, on the device, of what is kept there, and that copy to the host.
+  void keep();
+  void get_kept(ContactPairs& contacts);
+  // Tests: the host's copies of what is kept there become worthless.
+  void spoil_host() const;
 
  private:
-  enum class Travels { once, there, there_and_back, in_batches };
+  // once: never changes. there: the host's own. fluid: the host's own, changed by every flow step. moved: changed by cycles and read by
+  // the host after each step. kept: changed by cycles and read when somebody asks. pores: changed by both.
+  enum class Travels { once, there, fluid, moved, kept, pores, in_batches };
   struct Twin {
     void* host;
     std::size_t bytes;
@@ -85,6 +102,10 @@ class DeviceCycles {
   void get(T* host, const T* at, std::int64_t first, std::int64_t last);
   void get_discs(std::int64_t first, std::int64_t last);
   void get_bonds(std::int64_t first, std::int64_t last);
+  void take_numbers();
+  void clear_sums();
+  void get_pores();
+  void take_contacts(ContactPairs& contacts) const;
 
   const Device& device_;
   const KernelArrays& host_;
@@ -93,9 +114,9 @@ class DeviceCycles {
   Boundary& boundary_;
   const Options& options_;
   std::vector<Twin> twins_;
-  std::vector<DeviceArray> of_twins_, lists_;
+  std::vector<DeviceArray> of_twins_, lists_, copies_;  // copies: of twins that are kept
   DeviceArray item_, stop_, held_force_, momenta_, outside_, wall_discs_, wall_force_, pairs_, pushed_,
-      pushed_pairs_;
+      pushed_pairs_, pairs_copy_, looked_;
   DeviceArray smooth_contacts_, smooth_settled_, smooth_law_number_, smooth_laws_, smooth_from_;
   std::vector<DevicePair> contacts_;
   DeviceOutside walls_{};

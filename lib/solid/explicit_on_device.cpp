@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A batch of cycles on a device: it goes on by itself until a bond exceeds its strength; the host breaks that, and it goes on from there.
+#include "core/error.hpp"
 #include "solid/explicit_solver.hpp"
 #include "solid/smooth_joints.hpp"
 
 namespace hfrac {
 
 void ExplicitSolver::use_device(const Device* device) {
+  bring_home();
   device_ = device;
   device_cycles_.reset();
 }
@@ -17,9 +19,13 @@ bool ExplicitSolver::runs_on_device() const {
 }
 
 void ExplicitSolver::begin_on_device() {
-  take_facets();
   arrays_.stiffness = network_.stiffness.data();
   arrays_.undrained = undrained_ ? 1 : 0;
+  if (away_) {  // only the fluid has moved since
+    device_cycles_->go_on();
+    return;
+  }
+  take_facets();
   begin_smooth_joints();
   mark_left_alone();
   put_loads();
@@ -30,6 +36,7 @@ void ExplicitSolver::begin_on_device() {
   std::vector<DeviceCycles::Pushed> pushed;
   for (const auto& disc : pushed_) pushed.push_back({disc.disc, disc.walled, disc.load});
   device_cycles_->begin(pushed, non_bonded_.list());
+  away_ = true;
 }
 
 void ExplicitSolver::batch_on_device(std::int64_t cycles, std::vector<Found>& found) {
@@ -66,9 +73,63 @@ void ExplicitSolver::batch_on_device(std::int64_t cycles, std::vector<Found>& fo
 // All that cycles changed and is not here: on other ranks, or on a device.
 void ExplicitSolver::fetch_state() {
   if (on_device_)
-    device_cycles_->get_state(non_bonded_.list());
+    bring_home();
   else
     shared_.gather(assembly_, network_);
+}
+
+template <class Fetch>
+void ExplicitSolver::fetch_or_lose(const Fetch& fetch) const {
+  lost_ = true;
+  try {
+    fetch();
+  } catch (const Error&) {
+    bring_home();  // which says what that means
+  }
+  lost_ = false;
+}
+
+void ExplicitSolver::bring_home() const {
+  if (lost_)
+    throw Error(ErrorKind::device,
+                "the device failed, and with it went the state that it held since the last time all of it "
+                "was asked for; "
+                "restore a saved state, or create the simulation anew, with run.device = \"cpu\" if the "
+                "device goes on failing");
+  if (!away_) return;
+  fetch_or_lose([&] { device_cycles_->get_state(contacts_); });
+  away_ = false;
+}
+
+void ExplicitSolver::evaluate_on_device() {
+  device_cycles_->evaluate();
+  device_cycles_->get_moved();
+  arrays_.undrained = 1;
+  if (arrays_.with_pressure != 0) kernels_.cross_domains(arrays_, arrays_.tile_count);  // the outside
+  take_works();
+  if (spoils_) device_cycles_->spoil_host();
+}
+
+bool ExplicitSolver::holds_numbers() const {
+  return !away_ || device_cycles_->look_over().finite;
+}
+
+// The device's sum has another order than the host's, so it decides where it is clear.
+bool ExplicitSolver::is_slower(double kinetic) const {
+  constexpr double clear = 1.0 - 1e-6;
+  return (away_ && device_cycles_->look_over().kinetic <= clear * kinetic) || kinetic_energy() <= kinetic;
+}
+
+void ExplicitSolver::keep_for_step() {
+  if (lost_) bring_home();
+  kept_ = away_;
+  if (kept_) device_cycles_->keep();
+}
+
+// After the host's arrays were read back: what had been away as the step began comes from its copy.
+void ExplicitSolver::take_back() {
+  away_ = lost_ = false;
+  if (kept_) fetch_or_lose([&] { device_cycles_->get_kept(contacts_); });
 }
 
 }  // namespace hfrac

@@ -26,6 +26,7 @@ ExplicitSolver::ExplicitSolver(Model& model, Boundary& boundary, const Options& 
       energies_(model.accounts.energies),
       total_cycles_(model.clock.cycles),
       boundary_(boundary),
+      contacts_(model.contact_pairs),
       non_bonded_(options, model.contact_pairs),
       options_(options),
       workers_(workers),
@@ -59,6 +60,7 @@ ExplicitSolver::ExplicitSolver(Model& model, Boundary& boundary, const Options& 
 }
 
 void ExplicitSolver::bind_arrays() {
+  bring_home();
   device_cycles_.reset();
   auto& a = assembly_;
   auto& n = network_;
@@ -142,6 +144,7 @@ void ExplicitSolver::stiffness(std::span<double> row_x, std::span<double> row_y,
 
 // Row sums stand where the masses by them will.
 void ExplicitSolver::refresh_stiffness() {
+  bring_home();
   const std::span<double> row_x = inverse_mass_, row_rotation = inverse_inertia_;
   std::vector<double> row_y(row_x.size());
   stiffness(row_x, row_y, row_rotation);
@@ -182,6 +185,7 @@ void ExplicitSolver::use_real_masses() {
 }
 
 void ExplicitSolver::stop_motion() {
+  bring_home();
   for (auto* v : {&assembly_.vx, &assembly_.vy, &assembly_.spin}) std::fill(v->begin(), v->end(), 0.0);
   for (auto& wall : boundary_.walls()) wall.velocity = 0.0;
 }
@@ -215,6 +219,7 @@ void ExplicitSolver::break_bond(const BondView& bond, std::int64_t e, std::int64
 }
 
 void ExplicitSolver::hold_edge(bool hold) {
+  bring_home();
   held_.assign(hold ? static_cast<std::size_t>(assembly_.disc_count()) : 0, 0);
   if (hold)
     for (const auto i : boundary_.edge()) held_[static_cast<std::size_t>(i)] = 1;
@@ -313,7 +318,10 @@ ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, C
     kernels_.cross_domains(arrays_, arrays_.tile_count);
   }
   on_device_ = runs_on_device();
-  if (on_device_) begin_on_device();
+  if (on_device_)
+    begin_on_device();
+  else
+    bring_home();
   while (outcome.cycles < most) {
     const std::int64_t cycles = std::min(look_every, most - outcome.cycles);
     on_device_ ? batch_on_device(cycles, found) : batch(cycles, found);
@@ -350,7 +358,7 @@ ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, C
     if (ranks.any(slide > assembly_.mean_radius))
       break;  // past what the law holds for: Simulation refuses it
   }
-  fetch_state();
+  if (!on_device_ || !stays_) fetch_state();
   return outcome;
 }
 
@@ -370,6 +378,10 @@ ExplicitSolver::Outcome ExplicitSolver::run_for(double duration, CrackLog& log,
 }
 
 void ExplicitSolver::evaluate() {
+  if (away_) {
+    evaluate_on_device();
+    return;
+  }
   take_facets();
   if (facets_.active()) facets_.begin_cycles();
   arrays_.stiffness = facets_.active() ? facets_.stiffness() : network_.stiffness.data();
@@ -385,17 +397,23 @@ void ExplicitSolver::evaluate() {
     kernels_.cross_domains(arrays_, part);
   for (std::int64_t tile = 0; tile < arrays_.tile_count; ++tile)
     kernels_.tile_forces(arrays_, tile, scratch_[0].data());
-  ExactSum friction, fluid;
-  for (auto& of : bond_sums_) take_work(of, friction);
-  for (auto& of : domain_sums_) take_work(of, fluid);
-  energies_.friction += friction.value();
-  energies_.fluid += fluid.value();
+  take_works();
   if (!facets_.active()) return;
   facets_.answer(true);
   facets_.end_cycles();
 }
 
+// Of an evaluation, to the ledger.
+void ExplicitSolver::take_works() {
+  ExactSum friction, fluid;
+  for (auto& of : bond_sums_) take_work(of, friction);
+  for (auto& of : domain_sums_) take_work(of, fluid);
+  energies_.friction += friction.value();
+  energies_.fluid += fluid.value();
+}
+
 void ExplicitSolver::search_contacts(const CrackLog& cracks) {
+  if (away_ && non_bonded_.is_due(assembly_, cracks)) bring_home();
   if (!non_bonded_.search(assembly_, boundary_, cracks)) return;
   list_pushed();
   refresh_stiffness();
@@ -418,6 +436,7 @@ void ExplicitSolver::after_restore(double sigma_Hmax, double sigma_hmin) {
 }
 
 double ExplicitSolver::kinetic_energy() const {
+  bring_home();
   double energy = 0.0;
   for (std::size_t i = 0; i < inverse_mass_.size(); ++i) {
     energy +=

@@ -95,6 +95,27 @@ class ExplicitSolver {
   // Cycles run on this device from here on wherever it knows all that answers in them (null: on none). It must outlive the solver's cycles.
   void use_device(const Device* device);
   [[nodiscard]] bool runs_on_device() const;
+  // State that stays on the device from one step to the next, once this allows it. The host has, after evaluate(), what the next flow step
+  // and the checks of a step read: displacements, pressures, volumes, cracks, sums; rotations, slips and softening where apertures
+  // depend on them (DeviceCycles). The rest is there until somebody asks:
+  //   bring_home      before anything reads or changes it: images, hashes, balances (step/snapshot.cpp, step/ledger.cpp), whoever comes
+  //                   in by Simulation::model(), assembly() or engine(), new contacts, loads and temperatures, breaks in close_step
+  //   holds_numbers, is_slower   what check_step asks of it, found on the device
+  //   keep_for_step, take_back   the way back of a step that fails: a copy on the device
+  void let_state_stay() { stays_ = true; }
+  void bring_home() const;
+  [[nodiscard]] bool is_away() const { return away_; }
+  [[nodiscard]] bool holds_numbers() const;
+  [[nodiscard]] bool is_slower(double kinetic) const;  // J/m
+  void keep_for_step();
+  void take_back();
+  // The host's arrays are about to be written anew, all of them.
+  void forget_device() { away_ = lost_ = false; }
+  // There is no state: a device failed that had it. bring_home says so, until a saved one is read.
+  [[nodiscard]] bool is_lost() const { return lost_; }
+  void lose() { lost_ = true; }
+  // For tests: what is not here reads as 1e99.
+  void spoil_what_is_away() { spoils_ = true; }
   void count_cycles(std::int64_t cycles) { total_cycles_ += cycles; }  // of another solver
   void stop_motion();
   // Looks for new contacts around cracks; call between steps.
@@ -142,6 +163,10 @@ class ExplicitSolver {
   void begin_on_device();
   void batch_on_device(std::int64_t cycles, std::vector<Found>& found);
   void fetch_state();
+  void evaluate_on_device();
+  void take_works();
+  template <class Fetch>
+  void fetch_or_lose(const Fetch& fetch) const;
   static void take_work(TileSums& sums, ExactSum& total);
   Sums sum_up(const std::vector<Found>& found);
   std::vector<Crack> cracks_of(std::vector<Found>& found) const;
@@ -174,6 +199,7 @@ class ExplicitSolver {
   Energies& energies_;
   std::int64_t& total_cycles_;
   Boundary& boundary_;
+  ContactPairs& contacts_;  // those of non_bonded_
   NonBondedContacts non_bonded_;
   const Options& options_;
   Workers& workers_;
@@ -203,6 +229,10 @@ class ExplicitSolver {
   const Device* device_ = nullptr;
   std::unique_ptr<DeviceCycles> device_cycles_;  // once there were some
   bool on_device_ = false;                       // the cycles at hand
+  bool stays_ = false, spoils_ = false;
+  mutable bool away_ = false;  // the device has the newest state
+  mutable bool lost_ = false;  // it had, and failed
+  bool kept_ = false;          // a copy of what it had as the step began
   SharedTiles shared_;
   std::vector<Found> dropped_;          // by worker: what another rank finds, too
   std::atomic<bool> no_memory_{false};  // in the batch at hand

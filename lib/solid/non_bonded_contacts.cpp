@@ -70,18 +70,19 @@ std::vector<NonBondedContacts::Pair> pairs_near_cracks(const Assembly& a,
 
 }  // namespace
 
-bool NonBondedContacts::search(Assembly& a, const Boundary& boundary, const CrackLog& cracks) {
+bool NonBondedContacts::is_due(const Assembly& a, const CrackLog& cracks) const {
   if (cracks.empty()) return false;
   bool due = cracks.size() != list_.cracks_seen;
-  if (!due) {
-    for (std::size_t k = 0; k < list_.cracked.size() && !due; ++k) {
-      const auto i = list_.cracked[k];
-      const double limit = search_move * a.mean_radius_at({a.x[i], a.y[i]});
-      due = std::hypot(a.ux[i] - list_.searched_x[k], a.uy[i] - list_.searched_y[k]) > limit;
-    }
+  for (std::size_t k = 0; k < list_.cracked.size() && !due; ++k) {
+    const auto i = list_.cracked[k];
+    const double limit = search_move * a.mean_radius_at({a.x[i], a.y[i]});
+    due = std::hypot(a.ux[i] - list_.searched_x[k], a.uy[i] - list_.searched_y[k]) > limit;
   }
-  if (!due) return false;
+  return due;
+}
 
+bool NonBondedContacts::search(Assembly& a, const Boundary& boundary, const CrackLog& cracks) {
+  if (!is_due(a, cracks)) return false;
   list_.cracked = discs_with_broken_bonds(a, cracks);
   list_.cracks_seen = cracks.size();
   list_.searched_x.clear();

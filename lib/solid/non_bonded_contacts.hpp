@@ -26,7 +26,8 @@ class NonBondedContacts {
 
   NonBondedContacts(const Options& options, ContactPairs& list) : options_(options), list_(list) {}
 
-  // Looks for pairs if cracks were added or discs moved since the last time. True if the list changed.
+  // Whether cracks were added or discs moved since pairs were looked for; looks for them if so. True if the list changed.
+  [[nodiscard]] bool is_due(const Assembly& assembly, const CrackLog& cracks) const;
   bool search(Assembly& assembly, const Boundary& boundary, const CrackLog& cracks);
 
   // Forces of one cycle onto external_*; after Boundary::cycle. Adds friction work to `friction`.

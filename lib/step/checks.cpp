@@ -27,6 +27,7 @@ std::int64_t first_bad(const Array<double>& values) {
 
 std::string not_finite(const Engine& e) {
   if (is_finite(e)) return {};
+  e.mechanics->bring_home();
   const Network& n = e.model.network;
   const std::string end =
       " after " + std::to_string(e.model.clock.time) +
@@ -78,11 +79,10 @@ void watch_energy(const Engine& e) {
   const Model& m = e.model;
   constexpr double noteworthy = 0.01;    // kinetic energy over all that was ever put in
   constexpr double from_nowhere = 0.25;  // energy no work accounts for, likewise; in sound runs some 1e-3
-  const double kinetic = e.mechanics->kinetic_energy();
   const double load_work = e.boundary->load_work(m.assembly) - m.start.boundary_work;
   const double start = m.start.bond_energy + m.start.contact_energy;
   const double put_in = std::abs(m.accounts.energies.fluid) + std::abs(load_work) + start;
-  if (kinetic <= noteworthy * put_in) return;
+  if (e.mechanics->is_slower(noteworthy * put_in)) return;
   const Balance b = balance_of(e);
   const double excess = -b.energy_error;
   if (excess <= from_nowhere * (std::abs(b.fluid_work) + std::abs(b.boundary_work) + start)) return;

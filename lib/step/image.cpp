@@ -161,14 +161,18 @@ void restore_image(Engine& e, std::uint64_t fingerprint, std::span<const std::by
         "thermal differ.");
   }
   std::vector<std::byte> before;
-  save_state(e, before, true);
+  const bool had_one = !e.mechanics->is_lost();
+  if (had_one) save_state(e, before, true);
   try {
     load_state(e, state, true);
     FiniteCheck start;  // where the ledger begins; what else is not finite the next step finds
     visit_start(start, e.model, e.wet());
     if (!start.finite()) refuse("it holds a number that is not finite.");
   } catch (...) {
-    load_state(e, before, true);
+    if (had_one)
+      load_state(e, before, true);
+    else
+      e.mechanics->lose();
     throw;
   }
 }

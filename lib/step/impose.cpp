@@ -17,7 +17,8 @@ namespace {
 void require_driver(const Simulation& s, std::size_t well) {
   const auto wellbore = s.wells()[well].wellbore;
   if (wellbore < 0) return;
-  const auto first = s.model().wellbores[static_cast<std::size_t>(wellbore)].clusters.front().well;
+  const auto first =
+      s.engine_as_is().model.wellbores[static_cast<std::size_t>(wellbore)].clusters.front().well;
   if (first == static_cast<std::int64_t>(well)) return;
   throw Error(ErrorKind::argument, "well " + std::to_string(well) + " is a cluster of a wellbore that well " +
                                        std::to_string(first) + " drives; drive well " +
@@ -73,7 +74,7 @@ void set_well_schedule(Simulation& s, std::size_t well, std::vector<ScheduleEntr
 
 void set_well_fluid(Simulation& s, std::size_t well, WellFluid fluid) {
   require_driver(s, well);
-  if (fluid == WellFluid::second && !s.engine().second_fluid) {
+  if (fluid == WellFluid::second && !s.engine_as_is().second_fluid) {
     throw Error(ErrorKind::argument, "well " + std::to_string(well) +
                                          " cannot pump the second fluid: this model has none; build it with "
                                          "fluid.second_viscosity above 0 Pa s.");
@@ -87,15 +88,15 @@ void set_well_fluid(Simulation& s, std::size_t well, WellFluid fluid) {
 }
 
 void set_well_temperature(Simulation& s, std::size_t well, double kelvin) {
-  require_transport(s.engine(), "the temperature of a well's fluid");
-  s.engine().heat->table.require(kelvin, "the temperature of well " + std::to_string(well));
+  require_transport(s.engine_as_is(), "the temperature of a well's fluid");
+  s.engine_as_is().heat->table.require(kelvin, "the temperature of well " + std::to_string(well));
   Loads loads = s.loads();
   loads.well_temperature[well] = kelvin;
   s.impose(loads);
 }
 
 void set_far_field(Simulation& s, double sigma_Hmax, double sigma_hmin) {
-  const Engine& e = s.engine();
+  const Engine& e = s.engine_as_is();
   if (!e.boundary->follows_far_field()) {
     throw Error(ErrorKind::argument,
                 "the walls are fixed, so the far field cannot act; use boundary.kind = \"stress\" or "
@@ -114,7 +115,7 @@ void set_far_field(Simulation& s, double sigma_Hmax, double sigma_hmin) {
 
 void set_formation_pressure(Simulation& s, double pressure) {
   const Options& o = s.options();
-  const Engine& e = s.engine();
+  const Engine& e = s.engine_as_is();
   Loads loads = s.loads();
   if (!e.flow || OuterPores{o.flow_outer} == OuterPores::closed) {
     throw Error(
@@ -140,7 +141,7 @@ void set_formation_pressure(Simulation& s, double pressure) {
 
 void set_boundary_pressure(Simulation& s, std::span<const double> pressure) {
   const Network& n = s.network();
-  if (!s.engine().flow || OuterPores{s.options().flow_outer} == OuterPores::closed) {
+  if (!s.engine_as_is().flow || OuterPores{s.options().flow_outer} == OuterPores::closed) {
     throw Error(ErrorKind::argument,
                 "no fluid passes this model's outer boundary; it takes flow.outer = \"formation\" and a "
                 "flow.scheme other than "
@@ -175,7 +176,7 @@ void set_boundary_pressure(Simulation& s, std::span<const double> pressure) {
 }
 
 void set_cell_stress(Simulation& s, std::span<const double> stress) {
-  const Boundary& boundary = *s.engine().boundary;
+  const Boundary& boundary = *s.engine_as_is().boundary;
   require_cells(s, stress.size(), 3, "stress");
   if (boundary.walled()) {
     throw Error(ErrorKind::argument,
@@ -203,7 +204,7 @@ void set_cell_stress(Simulation& s, std::span<const double> stress) {
 }
 
 void hold_temperature(Simulation& s, std::span<const std::int32_t> held) {
-  require_transport(s.engine(), "holding the temperature of discs");
+  require_transport(s.engine_as_is(), "holding the temperature of discs");
   require_no_open_step(s, "held temperatures");
   Loads loads = s.loads();
   auto& keeps = loads.held_temperature;

@@ -286,7 +286,7 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
     if (e.second_fluid || (e.heat && FluidKind{o.fluid_kind} == FluidKind::water))
       n.viscosity_share.assign(n.left.size(), 1.0);
     e.flow = std::make_unique<FlowSolver>(n, o, &m.wellbores, e.mechanics->shared_tiles().ranks(),
-                                          e.workers.get());
+                                          e.workers.get(), e.device.get());
     e.mechanics->set_undrained(true);
   }
   if (wet) m.increment.pressure_rate.assign(static_cast<std::size_t>(n.domain_count()), 0.0);

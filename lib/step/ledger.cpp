@@ -72,6 +72,7 @@ Balance balance_of(const Engine& engine) {
 }
 
 ElasticEnergy elastic_energy(const Engine& e) {
+  e.mechanics->bring_home();
   const Assembly& a = e.model.assembly;
   ElasticEnergy energy;
   energy.contacts = e.boundary->walled() ? e.boundary->wall_energy(a) : e.boundary->exterior_energy(a);

@@ -51,6 +51,7 @@ void impose(Engine& engine, Loads& now, const Loads& wanted) {
   const auto same = [](Vec2 a, Vec2 b) { return !differ(a.x, b.x) && !differ(a.y, b.y); };
   for (std::size_t k = 0; k < wanted.cell_load.size(); ++k)
     stress = stress || !same(m.boundary.cell_load[k], wanted.cell_load[k]);
+  if (stress || differ(now.formation_pressure, wanted.formation_pressure)) engine.mechanics->bring_home();
   m.boundary.cell_load = wanted.cell_load;
   if (differ(now.formation_pressure, wanted.formation_pressure)) {
     keep_outside_work(m);

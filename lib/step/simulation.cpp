@@ -80,6 +80,7 @@ Simulation::Simulation(CaseDefinition definition, std::span<const double> given_
   equilibrate(*engine_, progress, setup_);
   oda_matrix_ = begin_run(*engine_, definition_.wells, setup_);
   loads_ = loads_of(model_);
+  engine_->mechanics->let_state_stay();
   fingerprint_ = fingerprint_of(*engine_, setup_);
   return_unused_pages();
   setup_.setup_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -104,23 +105,23 @@ void Simulation::take_well(const Well& well) {
 StepOutcome Simulation::step(const Loads& loads, double duration, const Interrupt& interrupt) {
   Engine& e = *engine_;
   impose(loads);
-  save_state(e, before_step_);
+  save_before_step(e, before_step_);
   note_places(e);
   try {
     // What a step does follows from the state alone, so no factor outlives the step before.
     if (e.equilibrium) e.equilibrium->begin_step();
     const StepOutcome outcome = stepper_of(options())(e, duration, interrupt);
     if (!outcome.stopped) return outcome;
-    load_state(e, before_step_);
+    load_before_step(e, before_step_);
     return {true, model_.clock.at_rest};
   } catch (const Error& error) {
     // A solver that could not go on may not know which number kept it from it.
     const std::string what = error.kind() == ErrorKind::diverged ? not_finite(e) : std::string();
-    load_state(e, before_step_);
+    load_before_step(e, before_step_);
     if (!what.empty()) throw Error(ErrorKind::diverged, what);
     throw;
   } catch (...) {
-    load_state(e, before_step_);
+    load_before_step(e, before_step_);
     throw;
   }
 }
@@ -207,11 +208,13 @@ std::uint64_t Simulation::state_hash() const {
 }
 
 std::vector<Fracture> Simulation::fractures() {
+  bring_home();
   return find_fractures(model_.assembly, model_.network, options(), model_.well_places(), model_.cracks,
                         &engine_->facets);
 }
 
 std::vector<FracturePoint> Simulation::fracture_line(std::int32_t fracture) const {
+  bring_home();
   return hfrac::fracture_line(model_.assembly, model_.network, options(), model_.well_places(), model_.cracks,
                               fracture);
 }

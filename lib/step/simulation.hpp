@@ -36,11 +36,17 @@ class Simulation {
   // As it was given.
   [[nodiscard]] CaseDefinition given_definition() const;
   [[nodiscard]] const Options& options() const { return definition_.options; }
-  [[nodiscard]] const Model& model() const { return model_; }
-  [[nodiscard]] const Engine& engine() const { return *engine_; }
-  [[nodiscard]] Engine& engine() { return *engine_; }
+  // What a device keeps of the state comes home first (ExplicitSolver::bring_home).
+  [[nodiscard]] const Model& model() const { return bring_home().model; }
+  [[nodiscard]] const Engine& engine() const { return bring_home(); }
+  [[nodiscard]] Engine& engine() {
+    bring_home();
+    return *engine_;
+  }
+  // For all else: sizes, clock, loads, wells, cracks, displacements, what flows.
+  [[nodiscard]] const Engine& engine_as_is() const { return *engine_; }
   [[nodiscard]] const SetupReport& setup() const { return setup_; }
-  [[nodiscard]] const Assembly& assembly() const { return model_.assembly; }
+  [[nodiscard]] const Assembly& assembly() const { return bring_home().model.assembly; }
   [[nodiscard]] const Network& network() const { return model_.network; }
   [[nodiscard]] const std::vector<Well>& wells() const { return model_.wells; }
   [[nodiscard]] const CrackLog& cracks() const { return model_.cracks; }
@@ -88,6 +94,10 @@ class Simulation {
   [[nodiscard]] double oda_matrix() const { return oda_matrix_; }
 
  private:
+  const Engine& bring_home() const {
+    engine_->mechanics->bring_home();
+    return *engine_;
+  }
   void require_open_step() const;
   void reopen();
 

@@ -8,21 +8,24 @@
 
 namespace hfrac {
 
-std::size_t state_size(const Engine& e, bool whole) {
+namespace {
+
+std::size_t size_here(const Engine& e, bool whole) {
   Counter counter(!whole);
   visit_state(counter, e.model, e.wet());
   if (whole) visit_start(counter, e.model, e.wet());
   return counter.size();
 }
 
-void write_state(const Engine& e, std::span<std::byte> state, bool whole) {
+void write_here(const Engine& e, std::span<std::byte> state, bool whole) {
   Saver saver(state, !whole);
   visit_state(saver, e.model, e.wet());
   if (whole) visit_start(saver, e.model, e.wet());
 }
 
-void save_state(const Engine& e, std::vector<std::byte>& state, bool whole) {
-  const std::size_t size = state_size(e, whole);
+// As the host's arrays stand.
+void save_here(const Engine& e, std::vector<std::byte>& state, bool whole) {
+  const std::size_t size = size_here(e, whole);
   if (state.capacity() < size) {
     // Not both at once, nor a hole where the smaller one was; and room for the contacts to come.
     std::vector<std::byte>().swap(state);
@@ -30,15 +33,16 @@ void save_state(const Engine& e, std::vector<std::byte>& state, bool whole) {
     return_unused_pages();
   }
   state.resize(size);
-  write_state(e, state, whole);
+  write_here(e, state, whole);
 }
 
-void load_state(Engine& e, std::span<const std::byte> image, bool whole) {
+void load_here(Engine& e, std::span<const std::byte> image, bool whole, bool of_a_step) {
   Loader loader(image, !whole);
   visit_state(loader, e.model, e.wet());
   if (whole) visit_start(loader, e.model, e.wet());
   if (loader.left() != 0)
     throw Error(ErrorKind::argument, "the state image is longer than this simulation's state.");
+  if (of_a_step) e.mechanics->take_back();
   e.take_wells();
   count_logged_slips(e.model);
   feel_heat_again(e);
@@ -47,13 +51,47 @@ void load_state(Engine& e, std::span<const std::byte> image, bool whole) {
   e.mechanics->after_restore(e.model.far_field.sigma_Hmax, e.model.far_field.sigma_hmin);
 }
 
+}  // namespace
+
+std::size_t state_size(const Engine& e, bool whole) {
+  e.mechanics->bring_home();
+  return size_here(e, whole);
+}
+
+void write_state(const Engine& e, std::span<std::byte> state, bool whole) {
+  e.mechanics->bring_home();
+  write_here(e, state, whole);
+}
+
+void save_state(const Engine& e, std::vector<std::byte>& state, bool whole) {
+  e.mechanics->bring_home();
+  save_here(e, state, whole);
+}
+
+void load_state(Engine& e, std::span<const std::byte> image, bool whole) {
+  e.mechanics->forget_device();
+  load_here(e, image, whole, false);
+}
+
+// What a device holds stays there: a copy of it, too. Of that the image has what the host last knew.
+void save_before_step(Engine& e, std::vector<std::byte>& state) {
+  e.mechanics->keep_for_step();
+  save_here(e, state, false);
+}
+
+void load_before_step(Engine& e, std::span<const std::byte> image) {
+  e.mechanics->forget_device();
+  load_here(e, image, false, true);
+}
+
 bool is_finite(const Engine& e) {
   FiniteCheck check;
   visit_state(check, e.model, e.wet());
-  return check.finite();
+  return check.finite() && e.mechanics->holds_numbers();
 }
 
 std::uint64_t hash_of_state(const Engine& e) {
+  e.mechanics->bring_home();
   Hasher hasher;
   visit_state(hasher, e.model, e.wet());
   visit_start(hasher, e.model, e.wet());

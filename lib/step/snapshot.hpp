@@ -17,6 +17,9 @@ void write_state(const Engine& engine, std::span<std::byte> state, bool whole);
 void save_state(const Engine& engine, std::vector<std::byte>& state, bool whole = false);
 // Throws Error(argument) if the bytes are not those of a state of this model; what is left then is not one.
 void load_state(Engine& engine, std::span<const std::byte> state, bool whole = false);
+// The same for a step and back, where a device may keep part of the state: a copy of that stays there, too.
+void save_before_step(Engine& engine, std::vector<std::byte>& state);
+void load_before_step(Engine& engine, std::span<const std::byte> state);
 
 // Every number of the state is finite.
 bool is_finite(const Engine& engine);

@@ -148,6 +148,7 @@ void move_heat(Engine& e, double duration) {
 void feel_heat(Engine& e) {
   if (!e.heat || e.model.heat->felt == e.model.heat->disc) return;
   HeatState& state = *e.model.heat;
+  e.mechanics->bring_home();
   const ElasticEnergy before = elastic_energy(e);
   state.felt = state.disc;
   feel_heat_again(e);
@@ -187,6 +188,7 @@ void close_step(Engine& e, double duration, std::size_t cracks_before) {
   }
   // Cracks elsewhere, say at the outer boundary, are no part of what the wells drive.
   if (m.cracks.size() > cracks_before) {
+    e.mechanics->bring_home();
     m.clock.tip_distance = std::max(
         m.clock.tip_distance, farthest_tip(m.assembly, m.network, e.options, m.well_places(), m.cracks));
   }

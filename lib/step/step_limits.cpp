@@ -12,7 +12,7 @@ StepLimits step_limits(const Simulation& s) {
   const Options& o = s.options();
   StepLimits limits;
   limits.flow_step = s.next_step();
-  limits.mechanical_step = s.engine().mechanics->real_step();
+  limits.mechanical_step = s.engine_as_is().mechanics->real_step();
   limits.explicit_step = std::min(unlimited, FlowSolver::explicit_limit(s.network()));
   const double mechanics =
       SteppingMode{o.stepping_mode} == SteppingMode::dynamic ? limits.mechanical_step : unlimited;

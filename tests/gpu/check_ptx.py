@@ -27,7 +27,7 @@ def faults(ptx, wanted):
 
 def main():
     ptx_file, list_file = map(Path, sys.argv[1:3])
-    wanted = set(re.findall(r"HFRAC_DEVICE_KERNEL\((\w+)\)", list_file.read_text(encoding="utf-8")))
+    wanted = set(re.findall(r"HFRAC_DEVICE_KERNEL\((\w+),", list_file.read_text(encoding="utf-8")))
     ptx = ptx_file.read_text(encoding="utf-8")
     found = list(faults(ptx, wanted))
     print("\n".join(found) or f"{len(wanted)} kernels, {len(re.findall(r'f64', ptx))} mentions of f64: as wanted")

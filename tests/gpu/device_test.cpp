@@ -3,6 +3,7 @@
 // library, over whatever driver: in CI the emulated one (emulated_driver.cpp), by tests/gpu/run a card's.
 #include <gtest/gtest.h>
 
+#include "emulated.hpp"
 #include "golden.hpp"
 
 namespace {
@@ -22,6 +23,24 @@ TEST_P(GoldenOnADevice, HasTheBitsOfTheProcessor) {
 
 INSTANTIATE_TEST_SUITE_P(Cases, GoldenOnADevice, testing::ValuesIn(golden::cases()),
                          [](const auto& which) { return which.param.name; });
+
+TEST(Device, SolvesForTheFlowStepsPressures) {
+  if (emulated::launches("gradient_begin_pass") < 0) GTEST_SKIP() << "not the emulated driver";
+  const auto launches_in = [](int64_t flow_solver) {
+    hfrac::Definition def = golden::cases().front().def;
+    def.flow_solver = flow_solver;
+    def.run_device = gpu;
+    hfrac_sim* sim = nullptr;
+    EXPECT_EQ(hfrac_sim_create(&def, &sim), HFRAC_OK);
+    const long before = emulated::launches("grid_visit_few") + emulated::launches("gradient_go_along");
+    EXPECT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+    hfrac_sim_destroy(&sim);
+    return emulated::launches("grid_visit_few") + emulated::launches("gradient_go_along") - before;
+  };
+  constexpr int64_t direct = 1, iterative = 2;
+  EXPECT_EQ(launches_in(direct), 0);
+  EXPECT_GT(launches_in(iterative), 10);
+}
 
 golden::Case small() {
   return golden::cases().front();

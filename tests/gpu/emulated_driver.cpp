@@ -4,7 +4,8 @@
 // Blocks run one after the other and the threads of a loop likewise, both in an order drawn anew each time: a loop in which one thread needs
 // what another one does, or a launch in which one block does, gives other bits sooner or later. A block's own memory begins
 // as not-a-number. What a driver would refuse is refused: no context current, a block with more memory than was asked for, an address that was
-// not given out. HFRAC_EMULATED_LAUNCHES = n lets n launches succeed in this process and the next one fail.
+// not given out. HFRAC_EMULATED_LAUNCHES = n lets n launches succeed in this process and the next one fail; with
+// HFRAC_EMULATED_DEATH nothing succeeds from then on, as after a fault of a real card.
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -18,6 +19,7 @@
 #include <vector>
 
 #define HFRAC_KERNEL_NAMESPACE kernels_emulated
+#include "gpu/device_gradient_kernels.hpp"
 #include "gpu/device_kernels.hpp"
 
 namespace {
@@ -34,6 +36,7 @@ enum Result : int {
 };
 
 struct HostBlock {
+  static constexpr bool serial = false;
   std::int64_t number;
   double* shared;
   std::mt19937_64* random;
@@ -56,11 +59,18 @@ void HostBlock::each(std::int64_t n, const Item& item) const {
 
 struct Kernel {
   const char* name;
-  void (*run)(HostBlock&, const DeviceTask&);
+  void (*run)(HostBlock&, const void* task);
   int most_shared;
+  long launches;
 };
 
-#define HFRAC_DEVICE_KERNEL(name) {#name, kernels_emulated::name<HostBlock>, 48 * 1024},
+template <class Task, void (*kernel)(HostBlock&, const Task&)>
+void run_kernel(HostBlock& block, const void* task) {
+  kernel(block, *static_cast<const Task*>(task));
+}
+
+#define HFRAC_DEVICE_KERNEL(name, Task) \
+  {#name, run_kernel<Task, kernels_emulated::name<HostBlock>>, 48 * 1024, 0},
 Kernel known_kernels[] = {
 #include "gpu/device_kernel_list.inc"
 };
@@ -73,6 +83,8 @@ struct Card {
   std::vector<std::int64_t> order, blocks;
   std::vector<double> shared;
   long launches = 0;
+  bool dead = false;
+  long long sent = 0, fetched = 0;  // bytes
 };
 
 Card& card() {
@@ -89,17 +101,21 @@ bool is_given_out(std::uint64_t address, std::size_t bytes) {
   return at != memory.begin() && (--at, address + bytes <= at->first + at->second);
 }
 
-int copy(std::uint64_t on_card, void* to, const void* from, std::size_t bytes) {
+int copy(std::uint64_t on_card, void* to, const void* from, std::size_t bytes, long long& counted) {
   const std::lock_guard lock(card().mutex);
   if (current.empty()) return invalid_context;
+  if (card().dead) return launch_failed;
   if (!is_given_out(on_card, bytes)) return invalid_value;
   std::memcpy(to, from, bytes);
+  counted += static_cast<long long>(bytes);
   return success;
 }
 
 bool is_to_fail() {
   const char* limit = std::getenv("HFRAC_EMULATED_LAUNCHES");
-  return limit != nullptr && card().launches++ == std::atol(limit);
+  const bool fails = limit != nullptr && card().launches++ == std::atol(limit);
+  card().dead = card().dead || (fails && std::getenv("HFRAC_EMULATED_DEATH") != nullptr);
+  return fails || card().dead;
 }
 
 }  // namespace
@@ -185,32 +201,32 @@ DRIVER cuMemFree_v2(std::uint64_t address) {
   return success;
 }
 DRIVER cuMemcpyHtoDAsync_v2(std::uint64_t to, const void* from, std::size_t bytes, void* /*stream*/) {
-  return copy(to, reinterpret_cast<void*>(to), from, bytes);
+  return copy(to, reinterpret_cast<void*>(to), from, bytes, card().sent);
 }
 DRIVER cuMemcpyDtoHAsync_v2(void* to, std::uint64_t from, std::size_t bytes, void* /*stream*/) {
-  return copy(from, to, reinterpret_cast<const void*>(from), bytes);
+  return copy(from, to, reinterpret_cast<const void*>(from), bytes, card().fetched);
 }
 DRIVER cuMemcpyDtoDAsync_v2(std::uint64_t to, std::uint64_t from, std::size_t bytes, void* /*stream*/) {
+  long long within = 0;
   return is_given_out(to, bytes)
-             ? copy(from, reinterpret_cast<void*>(to), reinterpret_cast<const void*>(from), bytes)
+             ? copy(from, reinterpret_cast<void*>(to), reinterpret_cast<const void*>(from), bytes, within)
              : static_cast<int>(invalid_value);
 }
 DRIVER cuLaunchKernel(void* function, unsigned blocks, unsigned, unsigned, unsigned threads, unsigned,
                       unsigned, unsigned shared_bytes, void* /*stream*/, void** arguments, void** /*extra*/) {
   const std::lock_guard lock(card().mutex);
-  const Kernel& kernel = *static_cast<Kernel*>(function);
+  Kernel& kernel = *static_cast<Kernel*>(function);
   if (current.empty()) return invalid_context;
   if (blocks == 0 || threads != device_threads || static_cast<int>(shared_bytes) > kernel.most_shared)
     return invalid_value;
   if (is_to_fail()) return launch_failed;
-  DeviceTask task;
-  std::memcpy(&task, arguments[0], sizeof task);
+  ++kernel.launches;
   Card& c = card();
   shuffle(c.blocks, blocks, c.random);
   for (const auto number : c.blocks) {
     c.shared.assign(shared_bytes / sizeof(double), std::numeric_limits<double>::quiet_NaN());
     HostBlock block{number, c.shared.data(), &c.random, &c.order};
-    kernel.run(block, task);
+    kernel.run(block, arguments[0]);
   }
   return success;
 }
@@ -227,4 +243,16 @@ DRIVER cuStreamDestroy_v2(void* destroyed) {
 DRIVER cuGetErrorString(int result, const char** text) {
   *text = result == launch_failed ? "unspecified launch failure" : "an error of the emulated driver";
   return success;
+}
+
+// For tests, which a real driver does not have: launches of a kernel so far; bytes that went there and that came back.
+extern "C" __attribute__((visibility("default"))) long hfrac_emulated_launches(const char* name) {
+  for (const auto& kernel : known_kernels)
+    if (std::strcmp(kernel.name, name) == 0) return kernel.launches;
+  return -1;
+}
+extern "C" __attribute__((visibility("default"))) void hfrac_emulated_bytes(long long* sent,
+                                                                            long long* fetched) {
+  *sent = card().sent;
+  *fetched = card().fetched;
 }

@@ -3,7 +3,9 @@
 // model, with the same bits on any number of workers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <vector>
 
 #include "core/random.hpp"
@@ -94,32 +96,101 @@ TEST(ConjugateGradient, HasTheSameBitsOnAnyNumberOfWorkers) {
 
 // Cracks that cross, of conductances over three powers of ten, in rock that conducts a millionth of them and less.
 TEST(ConjugateGradient, FollowsCracksInRockThatHardlyConducts) {
-  constexpr int side = 100;
+  constexpr int side = 100, seeds = 20;
   for (const double rock : {0.0, 1e-10, 1e-6}) {
-    Random random(11);
-    std::vector<Eigen::Triplet<double>> entries;
-    for (int k = 0; k < side * side; ++k) entries.emplace_back(k, k, 1e-6);
-    const auto join = [&](int k, int other, bool cracked) {
-      const double c = cracked ? std::pow(10.0, -3.0 * random.uniform()) : rock;
-      entries.emplace_back(k, k, c);
-      entries.emplace_back(other, other, c);
-      entries.emplace_back(other, k, -c);
-    };
-    const auto inside = [](int at) { return at > side / 8 && at < 7 * side / 8; };
-    for (int y = 0; y < side; ++y) {
-      for (int x = 0; x < side; ++x) {
-        if (x + 1 < side) join(y * side + x, y * side + x + 1, y % 20 == 10 && inside(x));
-        if (y + 1 < side) join(y * side + x, y * side + x + side, x % 25 == 12 && inside(y));
+    int all = 0, most = 0;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      Random random(seed);
+      std::vector<Eigen::Triplet<double>> entries;
+      for (int k = 0; k < side * side; ++k) entries.emplace_back(k, k, 1e-6);
+      const auto join = [&](int k, int other, bool cracked) {
+        const double c = cracked ? std::pow(10.0, -3.0 * random.uniform()) : rock;
+        entries.emplace_back(k, k, c);
+        entries.emplace_back(other, other, c);
+        entries.emplace_back(other, k, -c);
+      };
+      const auto inside = [](int at) { return at > side / 8 && at < 7 * side / 8; };
+      for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+          if (x + 1 < side) join(y * side + x, y * side + x + 1, y % 20 == 10 && inside(x));
+          if (y + 1 < side) join(y * side + x, y * side + x + side, x % 25 == 12 && inside(y));
+        }
+      }
+      SparseMatrix lower(side * side, side * side);
+      lower.setFromTriplets(entries.begin(), entries.end());
+      Eigen::VectorXd x;
+      const int iterations = solve(lower, x);
+      EXPECT_GT(iterations, 0) << rock;
+      all += iterations;
+      most = std::max(most, iterations);
+      if (seed > 3) continue;
+      const Eigen::VectorXd exact = SymmetricFactor(lower).solve(from_the_middle(lower));
+      EXPECT_LE((x - exact).cwiseAbs().maxCoeff(), 1e-6 * exact.cwiseAbs().maxCoeff()) << rock;
+    }
+    std::cout << "rock " << rock << ": " << static_cast<double>(all) / seeds << " iterations on the mean of "
+              << seeds << " draws, at most " << most << '\n';
+    EXPECT_LE(all, 60 * seeds) << "iterations on the mean over draws; rock " << rock;
+  }
+}
+
+// A colour's rows do not depend on each other, colours stand in order within their group, and a pore network takes few of them.
+TEST(Multigrid, PutsRowsOfAGroupInOrderOfColours) {
+  const auto lower = grid(70, 0.1, 1e4);
+  Multigrid multigrid;
+  ASSERT_TRUE(multigrid.prepare(lower));
+  for (std::size_t at = 0; at < multigrid.arrays().size(); ++at) {
+    const LevelArrays& l = multigrid.arrays()[at];
+    const auto& order = multigrid.level(at).order;
+    std::vector<int> colour(static_cast<std::size_t>(l.rows), -1);
+    const std::int64_t groups = (l.rows + row_group - 1) / row_group;
+    ASSERT_EQ(l.colour_start[l.group_colour[groups]], l.rows);
+    for (std::int64_t g = 0; g < groups; ++g) {
+      EXPECT_EQ(l.colour_start[l.group_colour[g]], g * row_group);
+      EXPECT_LE(l.group_colour[g + 1] - l.group_colour[g], at == 0 ? 4 : 12);
+      for (auto c = l.group_colour[g]; c < l.group_colour[g + 1]; ++c) {
+        EXPECT_LT(l.colour_start[c], l.colour_start[c + 1]);
+        for (auto i = l.colour_start[c]; i < l.colour_start[c + 1]; ++i) {
+          colour[static_cast<std::size_t>(i)] = c;
+          EXPECT_EQ(order[static_cast<std::size_t>(i)] / row_group, g) << "a row left its group";
+        }
       }
     }
-    SparseMatrix lower(side * side, side * side);
-    lower.setFromTriplets(entries.begin(), entries.end());
-    Eigen::VectorXd x;
-    const int iterations = solve(lower, x);
-    EXPECT_GT(iterations, 0) << rock;
-    EXPECT_LE(iterations, 60) << rock;
-    const Eigen::VectorXd exact = SymmetricFactor(lower).solve(from_the_middle(lower));
-    EXPECT_LE((x - exact).cwiseAbs().maxCoeff(), 1e-6 * exact.cwiseAbs().maxCoeff()) << rock;
+    for (std::int64_t i = 0; i < l.rows; ++i) {
+      const auto of = [&](int k) { return colour[static_cast<std::size_t>(l.column[k])]; };
+      const int mine = colour[static_cast<std::size_t>(i)];
+      for (auto k = l.start[i]; k < l.upper[i]; ++k) EXPECT_LT(of(k), mine);
+      for (auto k = l.upper[i]; k < l.outer[i]; ++k) EXPECT_GT(of(k), mine);
+      for (auto k = l.outer[i]; k < l.start[i + 1]; ++k) EXPECT_NE(l.column[k] / row_group, i / row_group);
+    }
+  }
+}
+
+// Conjugate gradients need a preconditioner that is symmetric and positive.
+TEST(Multigrid, IsSymmetricAndPositive) {
+  const auto lower = grid(90, 1e-3, 1e6);
+  Multigrid multigrid;
+  ASSERT_TRUE(multigrid.prepare(lower));
+  Workers team(1);
+  Random random(9);
+  const auto rows = static_cast<std::size_t>(lower.cols());
+  for (int draw = 0; draw < 3; ++draw) {
+    std::vector<double> a(rows), b(rows), to_a(rows), to_b(rows);
+    for (std::size_t i = 0; i < rows; ++i) {
+      a[i] = random.uniform() - 0.5;
+      b[i] = random.uniform() - 0.5;
+    }
+    multigrid.precondition({team, 0, 1}, a.data(), to_a.data());
+    multigrid.precondition({team, 0, 1}, b.data(), to_b.data());
+    double ab = 0.0, ba = 0.0, aa = 0.0, bb = 0.0;
+    for (std::size_t i = 0; i < rows; ++i) {
+      ab += a[i] * to_b[i];
+      ba += b[i] * to_a[i];
+      aa += a[i] * to_a[i];
+      bb += b[i] * to_b[i];
+    }
+    EXPECT_GT(aa, 0.0);
+    EXPECT_GT(bb, 0.0);
+    EXPECT_LE(std::abs(ab - ba), 1e-12 * std::sqrt(aa * bb));
   }
 }
 
