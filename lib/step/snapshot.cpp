@@ -39,6 +39,10 @@ void load_state(Engine& e, std::span<const std::byte> image, bool whole) {
   if (whole) visit_start(loader, e.model, e.wet());
   if (loader.left() != 0)
     throw Error(ErrorKind::argument, "the state image is longer than this simulation's state.");
+  follow_state(e);
+}
+
+void follow_state(Engine& e) {
   e.take_wells();
   count_logged_slips(e.model);
   feel_heat_again(e);

@@ -17,6 +17,8 @@ void write_state(const Engine& engine, std::span<std::byte> state, bool whole);
 void save_state(const Engine& engine, std::vector<std::byte>& state, bool whole = false);
 // Throws Error(argument) if the bytes are not those of a state of this model; what is left then is not one.
 void load_state(Engine& engine, std::span<const std::byte> state, bool whole = false);
+// Makes anew what follows from a state that has just come.
+void follow_state(Engine& engine);
 
 // Every number of the state is finite.
 bool is_finite(const Engine& engine);
