@@ -27,12 +27,12 @@ struct PackRequest {
   bool quiet = false;
 };
 
-int32_t show(void* line, double fraction, const char* what) {
+int32_t show_packing(void* line, double fraction, const char* what) {
   static_cast<ProgressLine*>(line)->show(fmt::format("{:3.0f} %  {}", fraction * 100.0, what ? what : ""));
   return interrupted() ? 1 : 0;
 }
 
-int32_t tell_warning(void* line, int32_t /*level*/, const char* message) {
+int32_t tell_while_packing(void* line, int32_t /*level*/, const char* message) {
   static_cast<ProgressLine*>(line)->end();
   tell("hfrac: warning: {}\n", message);
   return 0;
@@ -50,9 +50,9 @@ ExitCode pack(const PackRequest& request) {
   for (const auto& text : unlikely_values(definition)) tell("hfrac: warning: {}\n", text);
   catch_interrupts();
   ProgressLine line(request.quiet);
-  definition.progress = show;
+  definition.progress = show_packing;
   definition.progress_user = &line;
-  definition.log = tell_warning;
+  definition.log = tell_while_packing;
   definition.log_user = &line;
   definition.log_level = HFRAC_LOG_WARNING;
   const int32_t status = hfrac_pack(&definition, request.model_file.c_str());

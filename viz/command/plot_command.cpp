@@ -21,6 +21,7 @@
 #include "command/drawing.hpp"
 #include "command/exit_code.hpp"
 #include "command/interrupt.hpp"
+#include "command/injection_record.hpp"
 #include "command/kgd_plot.hpp"
 #include "command/progress_line.hpp"
 #include "command/standard_streams.hpp"
