@@ -2177,7 +2177,7 @@ module hfrac_c
     !> begin that name it (packing_file of hfrac_sim_def): on any number of ranks, with other wells' rates and
     !> pressures, schedules, viscosity, permeability, toughness at tips, lengths of steps and outputs, and with the
     !> result they would have without it. A simulation that differs in what the model was made from is refused
-    !> (HFRAC_ERR_MODEL), with the first value that differs, the file's and what to do. The file holds about 250
+    !> (HFRAC_ERR_MODEL), with the first value that differs, the file's and what to do. The file holds about 200
     !> bytes a disc, is replaced as hfrac_state_save_file does it, and is read by the version that wrote it.
     !> HFRAC_STOPPED: def->progress stopped it, and there is no file. Unstable since 0.2.
     integer(c_int32_t) function hfrac_pack(def, path) bind(C, name="hfrac_pack")

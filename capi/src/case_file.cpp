@@ -163,7 +163,8 @@ class CaseReader {
 
   // From wherever the definition is used: run folders hold case files of their own.
   [[nodiscard]] std::string packing_file(const std::string& given) const {
-    return given.empty() ? given : std::filesystem::absolute(beside(full_path_, given)).lexically_normal().string();
+    return given.empty() ? given
+                         : std::filesystem::absolute(beside(full_path_, given)).lexically_normal().string();
   }
 
   // One value, the type of which must fit: an integer will do for a real number, nothing else is converted.

@@ -87,14 +87,15 @@ std::string case_text(const CaseDefinition& definition) {
       text += "\n[[well.schedule]]\ntime = " + real_text(entry.time) + "\n" +
               (by_rate ? "rate" : "pressure") + " = " + real_text(entry.value) + "\n";
       if (ScheduleFluid{entry.fluid} != ScheduleFluid::same)
-        text += "fluid = " + toml_string(choice_word(find_schedule_value("fluid")->choices, entry.fluid)) + "\n";
+        text +=
+            "fluid = " + toml_string(choice_word(find_schedule_value("fluid")->choices, entry.fluid)) + "\n";
     }
   }
   for (const auto& joint : definition.joints) {
     text += "\n[[joint]]\n";
     for (const auto& info : joint_table()) {
-      const std::string value =
-          info.real != nullptr ? real_text(joint.*info.real) : toml_string(choice_word(info.choices, joint.state));
+      const std::string value = info.real != nullptr ? real_text(joint.*info.real)
+                                                     : toml_string(choice_word(info.choices, joint.state));
       text += std::string(info.key) + " = " + value + "\n";
     }
   }

@@ -13,6 +13,7 @@
 #include "def_lists.hpp"
 #include "internal.hpp"
 #include "model_file.hpp"
+#include "options/fracture_law.hpp"
 #include "options/grading.hpp"
 #include "options/number_text.hpp"
 #include "traces.hpp"
@@ -190,7 +191,10 @@ void check(const hfrac_sim_def& full) {
   const CaseDefinition definition = case_of(full);
   validate(definition, given_discs_of(full), given_bonds_of(full));
   const auto packed = packed_model_of(definition, !given_discs_of(full).empty());
-  if (packed) require_fit(*packed, definition);
+  if (!packed) return;
+  CaseDefinition decided = definition;
+  decided.options.fracture_law = static_cast<std::int64_t>(fracture_law_of(definition));
+  require_fit(*packed, decided);
 }
 
 }  // namespace
@@ -258,9 +262,7 @@ std::int32_t hfrac_sim_def_write(const hfrac_sim_def* def, char* buffer, std::in
 }
 
 std::int32_t hfrac_sim_def_check(const hfrac_sim_def* def) {
-  return guarded([&] {
-    check(read_def(def));
-  });
+  return guarded([&] { check(read_def(def)); });
 }
 
 std::int32_t hfrac_sim_def_disc_radii(const hfrac_sim_def* def, double* fine, double* coarsest) {

@@ -59,8 +59,7 @@ template <std::size_t size>
 std::string text_of(const char (&member)[size], const std::string& name) {
   const char* end = std::find(std::begin(member), std::end(member), '\0');
   if (end == std::end(member)) {
-    throw Error(ErrorKind::argument,
-                name + " has no final 0 within its " + std::to_string(size) + " bytes.");
+    throw Error(ErrorKind::argument, name + " has no final 0 within its " + std::to_string(size) + " bytes.");
   }
   std::string text(std::begin(member), end);
   if (!is_utf8(text)) throw Error(ErrorKind::argument, name + " is not valid UTF-8.");

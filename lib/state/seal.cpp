@@ -49,9 +49,7 @@ void put_seal(std::span<std::byte> whole, const SealKind& kind, std::uint64_t mo
 }
 
 Sealed open_seal(std::span<const std::byte> whole, const SealKind& kind) {
-  const auto refuse = [&](const std::string& why) {
-    throw Error(ErrorKind::argument, kind.refusal + why);
-  };
+  const auto refuse = [&](const std::string& why) { throw Error(ErrorKind::argument, kind.refusal + why); };
   const std::string what = kind.what;
   Header header{};
   if (whole.size() < sizeof header) refuse("it is shorter than " + what + "'s header.");

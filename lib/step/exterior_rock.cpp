@@ -48,8 +48,10 @@ void begin_exterior(Engine& e, RockBlock* block, RockAtRest& told, SetupReport& 
                        o.boundary_exterior_poisson_ratio / (1.0 - o.boundary_exterior_poisson_ratio)};
   const Places places = block != nullptr ? places_of(block->assembly()) : Places{};
   if (rock.modulus == 0.0) {
-    if (block != nullptr) rock = block->measure();
-    else rock = {told.modulus, told.poisson};
+    if (block != nullptr)
+      rock = block->measure();
+    else
+      rock = {told.modulus, told.poisson};
     told.modulus = rock.modulus;
     told.poisson = rock.poisson;
   }

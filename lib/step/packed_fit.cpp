@@ -15,15 +15,36 @@ namespace {
 
 // Used after the model came to rest, or not by the model at all.
 constexpr std::array<std::string_view, 3> free_sections = {"run", "output", "stop"};
-constexpr std::array<std::string_view, 30> free_options = {
-    "packing.reuse", "stepping.mode", "stepping.flow_step", "stepping.steps", "stepping.end_time",
-    "fluid.viscosity", "fluid.consistency", "fluid.power_index", "fluid.second_viscosity",
-    "fluid.second_density", "flow.permeability", "flow.zero_stress_aperture", "flow.half_aperture_force",
-    "flow.gap_factor", "flow.bonded_gap_factor", "flow.aperture_limit", "flow.solver",
-    "solver.pressure_change", "solver.strength_overshoot", "solver.smallest_step", "solver.factor",
-    "thermal.fluid_temperature", "thermal.conductivity", "thermal.specific_heat",
-    "thermal.fluid_specific_heat", "thermal.fluid_density", "thermal.film_coefficient", "thermal.outer",
-    "fracture.perforation_length", "fracture.perforation_azimuth"};
+constexpr std::array<std::string_view, 30> free_options = {"packing.reuse",
+                                                           "stepping.mode",
+                                                           "stepping.flow_step",
+                                                           "stepping.steps",
+                                                           "stepping.end_time",
+                                                           "fluid.viscosity",
+                                                           "fluid.consistency",
+                                                           "fluid.power_index",
+                                                           "fluid.second_viscosity",
+                                                           "fluid.second_density",
+                                                           "flow.permeability",
+                                                           "flow.zero_stress_aperture",
+                                                           "flow.half_aperture_force",
+                                                           "flow.gap_factor",
+                                                           "flow.bonded_gap_factor",
+                                                           "flow.aperture_limit",
+                                                           "flow.solver",
+                                                           "solver.pressure_change",
+                                                           "solver.strength_overshoot",
+                                                           "solver.smallest_step",
+                                                           "solver.factor",
+                                                           "thermal.fluid_temperature",
+                                                           "thermal.conductivity",
+                                                           "thermal.specific_heat",
+                                                           "thermal.fluid_specific_heat",
+                                                           "thermal.fluid_density",
+                                                           "thermal.film_coefficient",
+                                                           "thermal.outer",
+                                                           "fracture.perforation_length",
+                                                           "fracture.perforation_azimuth"};
 constexpr std::array<std::string_view, 7> free_of_wells = {
     "control", "pressure", "ramp_per_step", "rate", "fluid", "perforation_length", "perforation_azimuth"};
 
@@ -113,13 +134,12 @@ class Fit {
   [[noreturn]] void refuse(const std::string& key, const std::string& here, const std::string& there) const {
     const auto section = section_of(key);
     const bool of_discs = section == "packing" || section == "model";
-    throw Error(ErrorKind::model,
-                key + " = " + here + ", but the model of packing.file was made with " + there +
-                    ": give that value, or make the file anew with hfrac pack" +
-                    (discs_alone_ || of_discs
-                         ? ""
-                         : ", or take its discs alone with packing.reuse = \"discs\"") +
-                    ".");
+    throw Error(
+        ErrorKind::model,
+        key + " = " + here + ", but the model of packing.file was made with " + there +
+            ": give that value, or make the file anew with hfrac pack" +
+            (discs_alone_ || of_discs ? "" : ", or take its discs alone with packing.reuse = \"discs\"") +
+            ".");
   }
 
   const PackedModel& model_;

@@ -14,8 +14,8 @@ namespace hfrac {
 namespace {
 
 // The hundreds of the format count changes of what stands here, the rest is that of the state.
-constexpr SealKind packed_seal{"hfracpak", 100 + image_format, "the model file cannot be used: ",
-                               "a model file",
+constexpr SealKind packed_seal{"hfracpak", 100 + image_format,
+                               "the model file cannot be used: ", "a model file",
                                "make it anew with hfrac pack, or use the version that made it."};
 
 // An array with its length, all at once.

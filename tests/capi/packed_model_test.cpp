@@ -25,11 +25,13 @@ class PackedModel : public testing::Test {
   }
   // After two steps.
   static int64_t end_of(const hfrac_sim_def& def) {
+    EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_OK) << last_error();
     const Sim sim(def);
     EXPECT_GE(hfrac_step(sim, 2), 0) << last_error(sim);
     return hash_of(sim);
   }
-  void expect_refused(const hfrac::Definition& def, int32_t status, const std::vector<std::string>& words) const {
+  void expect_refused(const hfrac::Definition& def, int32_t status,
+                      const std::vector<std::string>& words) const {
     hfrac_sim* sim = nullptr;
     const hfrac::Definition asked = from_file(def);
     EXPECT_EQ(hfrac_sim_create(&asked, &sim), status);
@@ -167,7 +169,8 @@ TEST_F(PackedModel, WhatIsNoModelFileIsRefused) {
     bytes.assign(std::istreambuf_iterator<char>(in), {});
   }
   const auto write = [&](const std::string& changed) {
-    std::ofstream(file_, std::ios::binary).write(changed.data(), static_cast<std::streamsize>(changed.size()));
+    std::ofstream(file_, std::ios::binary)
+        .write(changed.data(), static_cast<std::streamsize>(changed.size()));
   };
   write(bytes.substr(0, bytes.size() / 2));
   expect_refused(def, HFRAC_ERR_FILE, {"it was cut"});
@@ -201,7 +204,8 @@ TEST_F(PackedModel, ItsNameIsPartOfTheDefinition) {
                            << "-{seed}\"\n";
   hfrac::Definition loaded;
   ASSERT_EQ(hfrac_sim_def_load(&loaded, case_file.c_str()), HFRAC_OK) << last_error();
-  EXPECT_EQ(std::filesystem::path(loaded.packing_file), std::filesystem::path(whole + "-{seed}").lexically_normal());
+  EXPECT_EQ(std::filesystem::path(loaded.packing_file),
+            std::filesystem::path(whole + "-{seed}").lexically_normal());
   std::vector<char> text(20000);
   ASSERT_EQ(hfrac_sim_def_write(&loaded, text.data(), static_cast<int32_t>(text.size()), nullptr), HFRAC_OK);
   EXPECT_NE(std::string(text.data()).find(loaded.packing_file), std::string::npos);
@@ -210,7 +214,7 @@ TEST_F(PackedModel, ItsNameIsPartOfTheDefinition) {
 }
 
 TEST_F(PackedModel, StopsIfAsked) {
-  hfrac::Definition def = quiet_def();
+  hfrac::Definition def = quiet_def(20000);  // long enough to be asked
   def.progress = [](void*, double, const char*) { return 1; };
   EXPECT_EQ(hfrac_pack(&def, file_.c_str()), HFRAC_STOPPED);
   EXPECT_FALSE(std::filesystem::exists(file_));

@@ -66,9 +66,10 @@ ExitCode pack(const PackRequest& request) {
   run::require(status, nullptr);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   if (!request.quiet)
-    tell("hfrac: packed and brought to rest in {}; {:.1f} MB in '{}'; cases begin from it with packing.file\n",
-         readable_duration(took.count()),
-         1e-6 * static_cast<double>(std::filesystem::file_size(request.model_file)), request.model_file);
+    tell(
+        "hfrac: packed and brought to rest in {}; {:.1f} MB in '{}'; cases begin from it with packing.file\n",
+        readable_duration(took.count()),
+        1e-6 * static_cast<double>(std::filesystem::file_size(request.model_file)), request.model_file);
   return kGood;
 }
 
