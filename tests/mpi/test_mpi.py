@@ -52,6 +52,19 @@ class Mpi(OverRanks):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.same(alone, folder)
 
+    def test_all_begin_from_a_packed_model(self):
+        alone = self.alone()
+        model, case = self.folder / "rock.model", self.folder / "packed.toml"
+        done = run([HFRAC, "pack", self.case, "-o", model, "-q"])
+        self.assertEqual(done.returncode, 0, done.stderr)
+        case.write_text(self.case.read_text().replace("[packing]", f'[packing]\nfile = "{model}"', 1))
+        done = run(over(3, HFRAC, "run", case, "-o", self.folder / "packed", "-q"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.same(alone, self.folder / "packed")
+        done = run(over(2, HFRAC, "pack", self.case, "-o", model, "-q"))
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("start it without mpirun", done.stderr)
+
     def test_what_the_first_process_refuses_ends_all(self):
         self.alone()
         done = run(over(2, HFRAC, "run", self.case, "-o", self.folder / "alone"))

@@ -68,8 +68,8 @@ class Definition(unittest.TestCase):
             self.assertEqual(begun.get("packing.file"), path)
             with hfrac.Simulation(begun) as one, hfrac.Simulation(hfrac.Definition(**small)) as other:
                 self.assertEqual(one.state_hash, other.state_hash)
-            begun.set("stress.sigma_hmin", 24e6)
-            with self.assertRaisesRegex(hfrac.ModelError, "stress.sigma_hmin = 2.4e7 Pa, but"):
+            begun.set("stress.sigma_hmin", 26e6)
+            with self.assertRaisesRegex(hfrac.ModelError, "stress.sigma_hmin = 2.6e7 Pa, but"):
                 begun.check()
 
     def test_wells(self):
