@@ -7,6 +7,7 @@
 #include "def_image.hpp"
 #include "hfrac/state.h"
 #include "internal.hpp"
+#include "messages.hpp"
 #include "options/choices.hpp"
 #include "options/number_text.hpp"
 #include "sim_handle.hpp"
