@@ -104,6 +104,7 @@ contains
     character(*), intent(inout), optional :: errmsg
     type(hfrac_definition) :: full
     type(progress_holder), target :: holder
+    character(:), allocatable :: fault
     integer(c_int32_t) :: status
     status = hfrac_sim_destroy(self%handle)
     if (status /= HFRAC_OK) then
@@ -112,21 +113,10 @@ contains
     end if
     full%values = def%values
     call full%init()
-    if (allocated(def%discs)) then
-      if (size(def%discs, 1) /= 3) then
-        call report_text(HFRAC_ERR_ARGUMENT, 'discs must have the shape (3, n): x, y, radius.', stat, errmsg)
-        return
-      end if
-      full%values%given_disc_count = size(def%discs, 2, c_int64_t)
-      if (size(def%discs) > 0) full%values%given_discs = c_loc(def%discs)
-    end if
-    if (allocated(def%bonds)) then
-      if (size(def%bonds, 1) /= 2) then
-        call report_text(HFRAC_ERR_ARGUMENT, 'bonds must have the shape (2, m): two discs each, from 0.', stat, errmsg)
-        return
-      end if
-      full%values%given_bond_count = size(def%bonds, 2, c_int64_t)
-      if (size(def%bonds) > 0) full%values%given_bonds = c_loc(def%bonds)
+    call def%lend(full%values, fault)
+    if (allocated(fault)) then
+      call report_text(HFRAC_ERR_ARGUMENT, fault, stat, errmsg)
+      return
     end if
     if (associated(def%progress)) then
       holder%ask => def%progress

@@ -64,6 +64,7 @@ module hfrac_c
 
   ! hfrac_def_limits.
   integer(c_int32_t), parameter :: HFRAC_TITLE_SIZE = 128
+  integer(c_int32_t), parameter :: HFRAC_PATH_SIZE = 1024
 
   ! How a well is driven.
   integer(c_int32_t), parameter :: HFRAC_WELL_PRESSURE = 0  !< held at `pressure` from the first step
@@ -642,6 +643,14 @@ module hfrac_c
     !> (solver.kind quasi-static, fracture.law facet, boundary.kind infinite, several ranks). auto: a card where
     !> there is one and the case allows it, else the processor. Default 0.
     integer(c_int64_t) :: run_device = 0_c_int64_t
+    !> A file of hfrac_pack, from which the simulation begins instead of being packed and brought to rest, with the
+    !> same result; {seed} in it stands for model.seed. Case files give it relative to themselves (packing.file).
+    !> Empty: the engine packs.
+    character(kind=c_char) :: packing_file(1024) = c_null_char
+    !> 0: model, 1: discs. What is taken of packing.file. model: discs and their state at rest under the far field.
+    !> discs: the discs alone, which are brought to rest anew, so that stresses, rock and wells may be others than
+    !> those of the file. Default 0.
+    integer(c_int64_t) :: packing_reuse = 0_c_int64_t
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.
@@ -2188,6 +2197,18 @@ module hfrac_c
       type(c_ptr), value :: sim
       character(kind=c_char), intent(in) :: path(*)
     end function hfrac_state_load_file
+    !> Packs a model, brings it to rest under the far field and keeps it as file `path`, from which simulations
+    !> begin that name it (packing_file of hfrac_sim_def): on any number of ranks, with other wells' rates and
+    !> pressures, schedules, viscosity, permeability, toughness at tips, lengths of steps and outputs, and with the
+    !> result they would have without it. A simulation that differs in what the model was made from is refused
+    !> (HFRAC_ERR_MODEL), with the first value that differs, the file's and what to do. The file holds about 200
+    !> bytes a disc, is replaced as hfrac_state_save_file does it, and is read by the version that wrote it.
+    !> HFRAC_STOPPED: def->progress stopped it, and there is no file. Unstable since 0.2.
+    integer(c_int32_t) function hfrac_pack(def, path) bind(C, name="hfrac_pack")
+      import
+      type(hfrac_sim_def), intent(in) :: def
+      character(kind=c_char), intent(in) :: path(*)
+    end function hfrac_pack
     !> Opens a step: remembers the state. Stable since 0.1.
     integer(c_int32_t) function hfrac_step_prepare(sim) bind(C, name="hfrac_step_prepare")
       import

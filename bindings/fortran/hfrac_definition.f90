@@ -63,6 +63,8 @@ module hfrac_definition_module
     procedure :: set_schedule
     procedure :: check
     procedure :: disc_radii
+    procedure :: pack
+    procedure :: lend
     procedure :: get
     procedure :: get_integer
     procedure :: get_text
@@ -204,6 +206,41 @@ contains
     call self%init()
     call report(hfrac_sim_def_disc_radii(self%values, fine, coarsest), c_null_ptr, stat, errmsg)
   end subroutine disc_radii
+
+  !> Packs the model, brings it to rest and keeps it as file `path`, for definitions that name it as packing.file.
+  subroutine pack(self, path, stat, errmsg)
+    class(hfrac_definition), intent(inout) :: self
+    character(*), intent(in) :: path
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    type(hfrac_sim_def) :: full
+    character(:), allocatable :: fault
+    call self%init()
+    full = self%values
+    call self%lend(full, fault)
+    if (allocated(fault)) then
+      call report_text(HFRAC_ERR_ARGUMENT, fault, stat, errmsg)
+    else
+      call report(hfrac_pack(full, to_c(path)), c_null_ptr, stat, errmsg)
+    end if
+  end subroutine pack
+
+  !> Has `values` borrow the discs and bonds of this definition; `fault` says why not.
+  subroutine lend(self, values, fault)
+    class(hfrac_definition), intent(in), target :: self
+    type(hfrac_sim_def), intent(inout) :: values
+    character(:), allocatable, intent(out) :: fault
+    if (allocated(self%discs)) then
+      if (size(self%discs, 1) /= 3) fault = 'discs must have the shape (3, n): x, y, radius.'
+      values%given_disc_count = size(self%discs, 2, c_int64_t)
+      if (size(self%discs) > 0) values%given_discs = c_loc(self%discs)
+    end if
+    if (allocated(self%bonds)) then
+      if (size(self%bonds, 1) /= 2) fault = 'bonds must have the shape (2, m): two discs each, from 0.'
+      values%given_bond_count = size(self%bonds, 2, c_int64_t)
+      if (size(self%bonds) > 0) values%given_bonds = c_loc(self%bonds)
+    end if
+  end subroutine lend
 
   !> An option by its key, integers and choices as a double.
   function get(self, key, stat, errmsg) result(value)

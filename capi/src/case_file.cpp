@@ -4,6 +4,7 @@
 #include "case_file.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 #include <vector>
 
@@ -150,10 +151,20 @@ class CaseReader {
       refuse(node, name + " is a section, not a value; write [" + name + "] and its keys below.");
     for (const auto& [key, value] : entries_by_line(*table)) {
       const std::string full = name + "." + printable(key);
+      if (full == "packing.file") {
+        result_.packing_file = packing_file(text_of(*value, full));
+        continue;
+      }
       const OptionInfo* info = find_option(full);
       if (info == nullptr) refuse(*value, unknown_key_text(full));
       read_value(result_.options, *info, full, *value);
     }
+  }
+
+  // From wherever the definition is used: run folders hold case files of their own.
+  [[nodiscard]] std::string packing_file(const std::string& given) const {
+    return given.empty() ? given
+                         : std::filesystem::absolute(beside(full_path_, given)).lexically_normal().string();
   }
 
   // One value, the type of which must fit: an integer will do for a real number, nothing else is converted.

@@ -12,7 +12,7 @@ namespace hfrac::capi {
 namespace {
 
 // A TOML basic string.
-std::string quoted(std::string_view text) {
+std::string toml_string(std::string_view text) {
   constexpr char digits[] = "0123456789abcdef";
   std::string result = "\"";
   for (const char c : text) {
@@ -41,7 +41,7 @@ std::string value_text(const OptionInfo& info, const Options& values) {
     case ValueType::integer:
       return number_text(values.*info.integer);
     case ValueType::choice:
-      return quoted(choice_word(info.choices, values.*info.integer));
+      return toml_string(choice_word(info.choices, values.*info.integer));
   }
   return {};
 }
@@ -49,14 +49,14 @@ std::string value_text(const OptionInfo& info, const Options& values) {
 std::string value_text(const WellOptionInfo& info, const WellOptions& values) {
   if (info.real != nullptr) return real_text(values.*info.real);
   if (info.type == ValueType::integer) return number_text(values.*info.integer);
-  return quoted(choice_word(info.choices, static_cast<std::int64_t>(get_value(values, info))));
+  return toml_string(choice_word(info.choices, static_cast<std::int64_t>(get_value(values, info))));
 }
 
 }  // namespace
 
 std::string case_text(const CaseDefinition& definition) {
   check_ranges(definition);
-  std::string text = "title = " + quoted(definition.title) + "\n";
+  std::string text = "title = " + toml_string(definition.title) + "\n";
   // A section stands once, wherever in the table its later options are.
   std::vector<std::pair<std::string_view, std::string>> sections;
   for (const auto& info : option_table()) {
@@ -68,6 +68,9 @@ std::string case_text(const CaseDefinition& definition) {
     if (section == sections.end()) section = sections.insert(sections.end(), {name, {}});
     section->second += std::string(key.substr(dot + 1)) + " = " + value_text(info, definition.options) + "\n";
   }
+  for (auto& [name, lines] : sections)
+    if (name == "packing" && !definition.packing_file.empty())
+      lines += "file = " + toml_string(definition.packing_file) + "\n";
   for (const auto& [name, lines] : sections) text += "\n[" + std::string(name) + "]\n" + lines;
   for (std::size_t w = 0; w < definition.wells.size(); ++w) {
     text += "\n[[well]]\n";
@@ -84,14 +87,15 @@ std::string case_text(const CaseDefinition& definition) {
       text += "\n[[well.schedule]]\ntime = " + real_text(entry.time) + "\n" +
               (by_rate ? "rate" : "pressure") + " = " + real_text(entry.value) + "\n";
       if (ScheduleFluid{entry.fluid} != ScheduleFluid::same)
-        text += "fluid = " + quoted(choice_word(find_schedule_value("fluid")->choices, entry.fluid)) + "\n";
+        text +=
+            "fluid = " + toml_string(choice_word(find_schedule_value("fluid")->choices, entry.fluid)) + "\n";
     }
   }
   for (const auto& joint : definition.joints) {
     text += "\n[[joint]]\n";
     for (const auto& info : joint_table()) {
-      const std::string value =
-          info.real != nullptr ? real_text(joint.*info.real) : quoted(choice_word(info.choices, joint.state));
+      const std::string value = info.real != nullptr ? real_text(joint.*info.real)
+                                                     : toml_string(choice_word(info.choices, joint.state));
       text += std::string(info.key) + " = " + value + "\n";
     }
   }

@@ -12,6 +12,8 @@
 #include "def_image.hpp"
 #include "def_lists.hpp"
 #include "internal.hpp"
+#include "model_file.hpp"
+#include "options/fracture_law.hpp"
 #include "options/grading.hpp"
 #include "options/number_text.hpp"
 #include "traces.hpp"
@@ -185,6 +187,16 @@ void tell_notes(const hfrac_sim_def& def, const std::vector<std::string>& notes)
   }
 }
 
+void check(const hfrac_sim_def& full) {
+  const CaseDefinition definition = case_of(full);
+  validate(definition, given_discs_of(full), given_bonds_of(full));
+  const auto packed = packed_model_of(definition, !given_discs_of(full).empty());
+  if (!packed) return;
+  CaseDefinition decided = definition;
+  decided.options.fracture_law = static_cast<std::int64_t>(fracture_law_of(definition));
+  require_fit(*packed, decided);
+}
+
 }  // namespace
 
 std::int32_t hfrac_sim_def_init(hfrac_sim_def* def, std::int32_t struct_size) {
@@ -250,10 +262,7 @@ std::int32_t hfrac_sim_def_write(const hfrac_sim_def* def, char* buffer, std::in
 }
 
 std::int32_t hfrac_sim_def_check(const hfrac_sim_def* def) {
-  return guarded([&] {
-    const hfrac_sim_def full = read_def(def);
-    validate(case_of(full), given_discs_of(full), given_bonds_of(full));
-  });
+  return guarded([&] { check(read_def(def)); });
 }
 
 std::int32_t hfrac_sim_def_disc_radii(const hfrac_sim_def* def, double* fine, double* coarsest) {
@@ -273,7 +282,7 @@ std::int32_t hfrac_sim_def_check_file(const hfrac_sim_def* def, const char* path
     const hfrac_sim_def full = read_def(def);
     require_not_null(path, "path");
     try {
-      validate(case_of(full), given_discs_of(full), given_bonds_of(full));
+      check(full);
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::argument && error.kind() != ErrorKind::model) throw;
       const std::string text = with_place(path, lines_of_keys(path), error.what());
@@ -300,13 +309,15 @@ std::int32_t hfrac_sim_def_set_i64(hfrac_sim_def* def, const char* key, std::int
 
 std::int32_t hfrac_sim_def_set_str(hfrac_sim_def* def, const char* key, const char* value) {
   if (value == nullptr) return guarded([&] { require_not_null(value, "value"); });
-  if (key == nullptr || key != std::string_view("title")) {
+  const bool title = key != nullptr && key == std::string_view("title"),
+             file = key != nullptr && key == std::string_view("packing.file");
+  if (!title && !file) {
     const std::string word = printable(value);
     return set_by_key(def, key, [&](auto& values, const auto& info) { set_word(values, info, key, word); });
   }
   return guarded([&] {
     hfrac_sim_def full = read_def(def);
-    put_title(value, full);
+    title ? put_title(value, full) : put_packing_file(value, full);
     write_def(def, full, "def");
   });
 }
@@ -364,6 +375,8 @@ std::int32_t hfrac_sim_def_get_str(const hfrac_sim_def* def, const char* key, ch
                                               : value_text(*info, get_value(options, *info));
     } else if (key == std::string_view("title")) {
       text = case_of(full).title;
+    } else if (key == std::string_view("packing.file")) {
+      text = case_of(full).packing_file;
     } else if (!of_list) {
       refuse_unknown(key);
     }

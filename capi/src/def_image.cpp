@@ -54,6 +54,30 @@ static_assert(static_cast<int>(WellControl::pressure) == HFRAC_WELL_PRESSURE &&
               static_cast<int>(WellControl::ramp) == HFRAC_WELL_RAMP &&
               static_cast<int>(WellControl::rate) == HFRAC_WELL_RATE);
 
+// Texts that the struct holds itself.
+template <std::size_t size>
+std::string text_of(const char (&member)[size], const std::string& name) {
+  const char* end = std::find(std::begin(member), std::end(member), '\0');
+  if (end == std::end(member)) {
+    throw Error(ErrorKind::argument, name + " has no final 0 within its " + std::to_string(size) + " bytes.");
+  }
+  std::string text(std::begin(member), end);
+  if (!is_utf8(text)) throw Error(ErrorKind::argument, name + " is not valid UTF-8.");
+  return text;
+}
+
+template <std::size_t size>
+void put_text(std::string_view text, char (&member)[size], const std::string& name) {
+  if (text.size() >= size) {
+    throw Error(ErrorKind::argument, name + " has " + std::to_string(text.size()) + " bytes; at most " +
+                                         std::to_string(size - 1) + " fit.");
+  }
+  if (text.find('\0') != std::string_view::npos || !is_utf8(text))
+    throw Error(ErrorKind::argument, name + " is not valid UTF-8, or holds a character 0.");
+  std::memset(member, 0, size);
+  std::copy(text.begin(), text.end(), member);
+}
+
 }  // namespace
 
 hfrac_sim_def default_def() {
@@ -105,6 +129,7 @@ void write_def(hfrac_sim_def* to, const hfrac_sim_def& full, const char* name) {
 #undef F64
 #undef I64
 #undef CHOICE
+  keep("packing.file", offsetof(hfrac_sim_def, packing_file), full.packing_file[0] != '\0');
   write_struct(to, full, name);
 }
 
@@ -131,13 +156,10 @@ void put_options(const Options& options, hfrac_sim_def& def) {
 }
 
 CaseDefinition case_of(const hfrac_sim_def& def) {
-  const char* end = std::find(std::begin(def.title), std::end(def.title), '\0');
-  if (end == std::end(def.title)) {
-    throw Error(ErrorKind::argument,
-                "title has no final 0 within its " + std::to_string(sizeof def.title) + " bytes.");
-  }
-  CaseDefinition definition{options_of(def), {}, std::string(std::begin(def.title), end), {}, {}};
-  if (!is_utf8(definition.title)) throw Error(ErrorKind::argument, "title is not valid UTF-8.");
+  CaseDefinition definition;
+  definition.options = options_of(def);
+  definition.title = text_of(def.title, "title");
+  definition.packing_file = text_of(def.packing_file, "packing.file");
   each_list([&](auto list) { list.in(definition) = items_of(list, def); });
   return definition;
 }
@@ -172,6 +194,7 @@ std::span<const std::int64_t> given_bonds_of(const hfrac_sim_def& def) {
 
 void write_case(hfrac_sim_def* to, const CaseDefinition& definition, hfrac_sim_def full, const char* name) {
   put_title(definition.title, full);
+  put_packing_file(definition.packing_file, full);
   auto lists = std::make_unique<OwnedLists>();
   each_list([&](auto list) { list.in(*lists) = owned(list, list.in(definition), full); });
   put_options(definition.options, full);
@@ -184,15 +207,11 @@ void write_case(hfrac_sim_def* to, const CaseDefinition& definition, hfrac_sim_d
 }
 
 void put_title(std::string_view title, hfrac_sim_def& def) {
-  if (title.size() >= sizeof def.title) {
-    throw Error(ErrorKind::argument, "title has " + std::to_string(title.size()) + " bytes; at most " +
-                                         std::to_string(sizeof def.title - 1) + " fit.");
-  }
-  if (title.find('\0') != std::string_view::npos || !is_utf8(title)) {
-    throw Error(ErrorKind::argument, "title is not valid UTF-8, or holds a character 0.");
-  }
-  std::memset(def.title, 0, sizeof def.title);
-  std::copy(title.begin(), title.end(), def.title);
+  put_text(title, def.title, "title");
+}
+
+void put_packing_file(std::string_view path, hfrac_sim_def& def) {
+  put_text(path, def.packing_file, "packing.file");
 }
 
 }  // namespace hfrac::capi

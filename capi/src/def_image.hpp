@@ -33,5 +33,7 @@ void put_options(const Options& options, hfrac_sim_def& def);
 void write_case(hfrac_sim_def* to, const CaseDefinition& definition, hfrac_sim_def full, const char* name);
 // Throws Error(argument) unless `title` is UTF-8 without a 0, short enough for the struct.
 void put_title(std::string_view title, hfrac_sim_def& def);
+// Likewise of a model file's path.
+void put_packing_file(std::string_view path, hfrac_sim_def& def);
 
 }  // namespace hfrac::capi

@@ -13,6 +13,7 @@
 #include "def_lists.hpp"
 #include "internal.hpp"
 #include "messages.hpp"
+#include "model_file.hpp"
 #include "options/choices.hpp"
 #include "options/number_text.hpp"
 #include "sim_handle.hpp"
@@ -143,8 +144,10 @@ std::int32_t hfrac::capi::create(const hfrac_sim_def* def, const hfrac_exchange&
       return poll.stop(done, what);
     };
     handle->simulation = together(*handle, [&] {
-      return std::make_unique<Simulation>(case_of(full), given_discs_of(full), progress, given_bonds_of(full),
-                                          handle->ranks);
+      CaseDefinition definition = case_of(full);
+      const auto packed = packed_model_of(definition, full.given_disc_count > 0, handle->ranks);
+      return std::make_unique<Simulation>(std::move(definition), given_discs_of(full), progress,
+                                          given_bonds_of(full), handle->ranks, packed ? &*packed : nullptr);
     });
   } catch (const Stopped&) {
     return HFRAC_STOPPED;

@@ -53,12 +53,14 @@ std::vector<std::int32_t> faces_of_wells(const CaseDefinition& definition, const
 }  // namespace
 
 Packing take_discs(const CaseDefinition& definition, std::span<const double> given_discs,
-                   const Progress& progress, SetupReport& report) {
+                   const Progress& progress, SetupReport& report, const Packing* made) {
   const Options& o = definition.options;
   const auto start = std::chrono::steady_clock::now();
   bool stop = false;
   Packing packing;
-  if (given_discs.empty()) {
+  if (made != nullptr) {
+    packing = *made;
+  } else if (given_discs.empty()) {
     PackingOptions asked = packing_options(o);
     asked.sizes = grading_of(definition);
     packing = pack_discs(

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The one list of what the state of a model is. Whoever changes what is visited, or in which order, raises the format of images
-// (step/image.cpp) and changes every fingerprint.
+// and changes every fingerprint.
 #pragma once
 
+#include <cstdint>
 #include <type_traits>
 
 #include "model/model.hpp"
 #include "state/archive.hpp"
 
 namespace hfrac {
+
+// Of state images, and of the state in a model file (step/packed_model.hpp).
+inline constexpr std::uint32_t image_format = 7;
 
 // Everything that a step, a well or the host can change. Derived values (forces, stable step) are found anew. This is kept
 // before every step, so what cannot change is left out: in a dry model (`wet` false) the pores, in any where the ledger begins.

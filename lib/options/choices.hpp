@@ -9,6 +9,7 @@ namespace hfrac {
 
 enum class StressConvention : std::int64_t { total = 0, effective = 1 };
 enum class PackingMethod : std::int64_t { relaxed = 0, tiled = 1, growth = 2, square = 3 };
+enum class PackingReuse : std::int64_t { model = 0, discs = 1 };
 enum class ContactMode : std::int64_t { parallel = 0, after_break = 1 };
 enum class ContactShape : std::int64_t { round = 0, flat = 1 };
 enum class BoundaryKind : std::int64_t { stress = 0, walls = 1, infinite = 2 };

@@ -126,6 +126,8 @@ static_assert(is_word("packing.method", "relaxed", PackingMethod::relaxed) &&
               is_word("packing.method", "tiled", PackingMethod::tiled) &&
               is_word("packing.method", "growth", PackingMethod::growth) &&
               is_word("packing.method", "square", PackingMethod::square));
+static_assert(is_word("packing.reuse", "model", PackingReuse::model) &&
+              is_word("packing.reuse", "discs", PackingReuse::discs));
 static_assert(is_word("flow.solver", "auto", FlowMatrixSolver::automatic) &&
               is_word("flow.solver", "direct", FlowMatrixSolver::direct) &&
               is_word("flow.solver", "iterative", FlowMatrixSolver::iterative) &&

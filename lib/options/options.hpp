@@ -126,6 +126,8 @@ struct CaseDefinition {
   std::string title;
   std::vector<JointOptions> joints;
   std::vector<ScheduleEntry> schedule;
+  std::string
+      packing_file;  // of a model that was packed before (step/packed_model.hpp); empty: the model is packed
 };
 
 struct OptionInfo : ValueInfo {

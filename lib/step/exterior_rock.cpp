@@ -41,15 +41,23 @@ std::vector<Vec2> rest_of_rim(const Places& block, const Assembly& a, const Exte
 
 }  // namespace
 
-void begin_exterior(Engine& e, RockBlock& block, SetupReport& report) {
+void begin_exterior(Engine& e, RockBlock* block, RockAtRest& told, SetupReport& report) {
   const Options& o = e.options;
   const Assembly& a = e.model.assembly;
   PlaneElasticity rock{o.boundary_exterior_modulus,
                        o.boundary_exterior_poisson_ratio / (1.0 - o.boundary_exterior_poisson_ratio)};
-  const Places places = places_of(block.assembly());
-  if (rock.modulus == 0.0) rock = block.measure();
+  const Places places = block != nullptr ? places_of(block->assembly()) : Places{};
+  if (rock.modulus == 0.0) {
+    if (block != nullptr)
+      rock = block->measure();
+    else
+      rock = {told.modulus, told.poisson};
+    told.modulus = rock.modulus;
+    told.poisson = rock.poisson;
+  }
   auto exterior = std::make_unique<Exterior>(a, e.model.network, rock);
-  exterior->rest_at(rest_of_rim(places, a, *exterior));
+  if (block != nullptr) told.rim = rest_of_rim(places, a, *exterior);
+  exterior->rest_at(told.rim);
   e.boundary->engage(std::move(exterior));
   e.mechanics->refresh_stiffness();
   report.exterior_modulus = rock.modulus;

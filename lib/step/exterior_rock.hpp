@@ -9,12 +9,14 @@
 
 #include "build/build_model.hpp"
 #include "step/engine.hpp"
+#include "step/packed_model.hpp"
 #include "step/rock_block.hpp"
 
 namespace hfrac {
 
-// Lets the exterior answer from here on. `block`: at rest under the far field, not measured yet.
-void begin_exterior(Engine& engine, RockBlock& block, SetupReport& report);
+// Lets the exterior answer from here on. `block`: at rest under the far field, not measured yet; fills `rock`, as far as the options ask.
+// nullptr: `rock` is what it told before.
+void begin_exterior(Engine& engine, RockBlock* block, RockAtRest& rock, SetupReport& report);
 
 // Rock between the outermost discs and where the pores have the formation pressure (boundary.flow_distance): a conductance behind each
 // pipe to the outside, by its share of the loop's length. Together they are steady radial flow (Darcy) from the circle of the

@@ -2,7 +2,6 @@
 #include "step/image.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,40 +10,17 @@
 #include "core/hash.hpp"
 #include "model/visit_state.hpp"
 #include "options/choices.hpp"
+#include "state/seal.hpp"
 #include "step/snapshot.hpp"
 
 namespace hfrac {
-
-// Image: magic, format, byte order, fingerprint of the model, size of the state, checksum, the state. The format is that
-// of visit_state: whoever changes what is visited, or in which order, raises it.
 namespace {
 
-struct ImageHeader {
-  char magic[8];
-  std::uint32_t format;
-  std::uint32_t byte_order;
-  std::uint64_t model, size, checksum;  // the checksum is of the header before it and of the state
-};
-constexpr char image_magic[8] = {'h', 'f', 'r', 'a', 'c', 'i', 'm', 'g'};
-constexpr std::uint32_t image_format = 7, image_byte_order = 0x01020304;
-
-std::uint64_t checksum(const ImageHeader& header, std::span<const std::byte> bytes) {
-  Hash hash;
-  hash.add(header.model);
-  hash.add(header.size);
-  hash.add((static_cast<std::uint64_t>(header.format) << 32U) | header.byte_order);
-  std::size_t k = 0;
-  for (; k + 8 <= bytes.size(); k += 8) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes.data() + k, 8);
-    hash.add(word);
-  }
-  for (; k < bytes.size(); ++k) hash.add(static_cast<std::uint64_t>(bytes[k]));
-  return hash.value();
-}
+constexpr SealKind image_seal{"hfracimg", image_format, "the state image cannot be restored: ", "an image",
+                              "use the version of the library that wrote it, or run the case anew."};
 
 [[noreturn]] void refuse(const std::string& why) {
-  throw Error(ErrorKind::argument, "the state image cannot be restored: " + why);
+  throw Error(ErrorKind::argument, image_seal.refusal + why);
 }
 
 // Options that a state makes no sense without. Others, such as the length of a step, may differ.
@@ -120,41 +96,18 @@ std::uint64_t fingerprint_of(const Engine& e, const SetupReport& report) {
 }
 
 std::size_t image_size(const Engine& e) {
-  return sizeof(ImageHeader) + state_size(e, true);
+  return seal_size + state_size(e, true);
 }
 
 void write_image(const Engine& e, std::uint64_t fingerprint, std::span<std::byte> image) {
-  const auto state = image.subspan(sizeof(ImageHeader));
-  write_state(e, state, true);
-  ImageHeader header{};
-  std::memcpy(header.magic, image_magic, sizeof header.magic);
-  header.format = image_format;
-  header.byte_order = image_byte_order;
-  header.model = fingerprint;
-  header.size = state.size();
-  header.checksum = checksum(header, state);
-  std::memcpy(image.data(), &header, sizeof header);
+  write_state(e, image.subspan(seal_size), true);
+  put_seal(image, image_seal, fingerprint);
 }
 
 void restore_image(Engine& e, std::uint64_t fingerprint, std::span<const std::byte> image) {
-  ImageHeader header{};
-  if (image.size() < sizeof header) refuse("it is shorter than an image's header.");
-  std::memcpy(&header, image.data(), sizeof header);
-  const auto state = image.subspan(sizeof header);
-  if (std::memcmp(header.magic, image_magic, sizeof header.magic) != 0)
-    refuse("it is not an image of this library.");
-  if (header.byte_order != image_byte_order) refuse("it comes from a machine of the other byte order.");
-  if (header.format != image_format) {
-    refuse("its format is " + std::to_string(header.format) + ", and this library reads format " +
-           std::to_string(image_format) +
-           "; use the version of the library that wrote it, or run the case anew.");
-  }
-  if (header.size != state.size()) {
-    refuse("it should be " + std::to_string(header.size + sizeof header) + " bytes long and is " +
-           std::to_string(image.size()) + ": it was cut, or something was added.");
-  }
-  if (header.checksum != checksum(header, state)) refuse("it is damaged: its checksum differs.");
-  if (header.model != fingerprint) {
+  const Sealed opened = open_seal(image, image_seal);
+  const auto state = opened.body;
+  if (opened.model != fingerprint) {
     refuse(
         "it was taken from another model: discs, wells, or options of model, disc, contact, bond, boundary, "
         "fluid, flow or "

@@ -20,6 +20,7 @@
 #include "step/checks.hpp"
 #include "step/exterior_rock.hpp"
 #include "step/ledger.hpp"
+#include "step/packed_state.hpp"
 #include "step/rest.hpp"
 #include "step/slips.hpp"
 #include "step/snapshot.hpp"
@@ -163,23 +164,15 @@ void require_some_rest(const Engine& e, const ExplicitSolver::Outcome& outcome, 
           number_text(o.stepping_max_cycles) + " if it was still slowing down");
 }
 
-}  // namespace
-
 // Far field and formation pressure in stages, together: at every stage effective stresses are a share of the final ones.
 // Pores are drained, so breakage here is the far field's doing alone. Under stress control the quasi-static solver finds each stage's
 // equilibrium and breaks bonds in order, the farthest beyond its strength first; damped motion, which can shake more loose than the
 // load breaks, serves the explicit solver, walls, and stages that have no equilibrium near.
-void equilibrate(Engine& e, const Progress& progress, SetupReport& report) {
+void load_in_stages(Engine& e, const std::vector<double>& pressure, const Progress& progress) {
   const Options& o = e.options;
   Model& m = e.model;
   Network& network = m.network;
   constexpr int stages = 10;
-  const std::vector<double> pressure = initial_pressures(e);
-  if (progress && progress(0.5, "finding equilibrium under the far field")) throw Stopped{};
-  e.mechanics->use_scaled_masses();
-  e.mechanics->set_damping(std::max(0.3, o.stepping_damping));
-  e.mechanics->set_undrained(false);
-  e.mechanics->hold_edge(!e.boundary->walled());
   std::unique_ptr<EquilibriumSolver> rest;
   if (SolverKind{o.solver_kind} == SolverKind::quasi_static && !e.boundary->walled()) {
     network.stiffness.assign(network.stiffness.size(), 0.0);  // pressures are given
@@ -231,13 +224,32 @@ void equilibrate(Engine& e, const Progress& progress, SetupReport& report) {
     m.assembly.smooth.held = false;
     load(1.0);
   }
+  m.clock.force_ratio = outcome.force_ratio;
+  m.clock.at_rest = outcome.at_rest;
+}
+
+}  // namespace
+
+void equilibrate(Engine& e, const Progress& progress, SetupReport& report, const PackedModel* at_rest) {
+  const Options& o = e.options;
+  Model& m = e.model;
+  const std::vector<double> pressure = initial_pressures(e);
+  if (progress && progress(0.5, "finding equilibrium under the far field")) throw Stopped{};
+  e.mechanics->use_scaled_masses();
+  e.mechanics->set_damping(std::max(0.3, o.stepping_damping));
+  e.mechanics->set_undrained(false);
+  e.mechanics->hold_edge(!e.boundary->walled());
+  const std::size_t cracks_before = m.cracks.size();
+  if (at_rest != nullptr)
+    load_rest(e, *at_rest, pressure);
+  else
+    load_in_stages(e, pressure, progress);
   // The quasi-static solver needs an equilibrium afterwards, too.
   if (SolverKind{o.solver_kind} != SolverKind::quasi_static) e.mechanics->hold_edge(false);
   require_joints_in_reach(e);
-  report.force_ratio = m.clock.force_ratio = outcome.force_ratio;
+  report.force_ratio = m.clock.force_ratio;
   report.cracks = static_cast<std::int64_t>(m.cracks.size());
   report.broken_joints = static_cast<std::int64_t>(cracks_before);
-  m.clock.at_rest = outcome.at_rest;
   if (WallsAfterEquilibration{o.boundary_walls_after_equilibration} == WallsAfterEquilibration::fixed)
     e.boundary->fix_walls();
   e.mechanics->stop_motion();

@@ -16,6 +16,7 @@
 #include "step/exterior_rock.hpp"
 #include "step/image.hpp"
 #include "step/initial_equilibration.hpp"
+#include "step/packed_state.hpp"
 #include "step/rock_block.hpp"
 #include "step/snapshot.hpp"
 #include "step/stages.hpp"
@@ -54,36 +55,79 @@ void require_solvers(const Options& o, const Ranks& ranks) {
 
 }  // namespace
 
-Simulation::Simulation(CaseDefinition definition, std::span<const double> given_discs,
-                       const Progress& progress, std::span<const std::int64_t> given_bonds,
-                       const Ranks& ranks)
+// What a simulation is built of beside its definition, and what is kept of it on the way.
+struct Simulation::Parts {
+  std::span<const double> discs;
+  std::span<const std::int64_t> bonds;
+  const PackedModel* from = nullptr;
+  PackedModel* kept = nullptr;
+};
+
+// As far as the model at rest.
+Simulation::Simulation(CaseDefinition definition, const Progress& progress, const Ranks& ranks,
+                       const Parts& parts)
     : definition_(std::move(definition)), given_(definition_.options) {
-  validate(definition_, given_discs, given_bonds);
+  validate(definition_, parts.discs, parts.bonds);
   require_solvers(options(), ranks);
   definition_.options.fracture_law = static_cast<std::int64_t>(fracture_law_of(definition_));
+  if (parts.from != nullptr) require_fit(*parts.from, definition_);
+  if (parts.kept != nullptr) parts.kept->take_definition(definition_);
   resolve_fluid(definition_.options);
   set_stop(options().stop_extent_fraction, options().stop_cracks);
-  const auto start = std::chrono::steady_clock::now();
   auto device = device_for(definition_, ranks.size(), setup_.why_no_device);
   if (device) setup_.device = device->name();
-  Packing packing = take_discs(definition_, given_discs, progress, setup_);
+  Packing packing = take_discs(definition_, parts.discs, progress, setup_,
+                               parts.from != nullptr ? &parts.from->packing : nullptr);
+  const auto bonds = parts.from != nullptr ? std::span<const std::int64_t>(parts.from->bonds) : parts.bonds;
   if (progress && progress(0.5, "bonding")) throw Stopped{};
-  const bool infinite = BoundaryKind{options().boundary_kind} == BoundaryKind::infinite;
+  if (parts.kept != nullptr) {
+    parts.kept->packing = packing;
+    parts.kept->bonds.assign(bonds.begin(), bonds.end());
+  }
+  const bool discs_alone = PackingReuse{options().packing_reuse} == PackingReuse::discs;
+  const PackedModel* at_rest = discs_alone ? nullptr : parts.from;
+  const bool infinite = BoundaryKind{options().boundary_kind} == BoundaryKind::infinite,
+             judged = wants_plane_modulus(options());
+  RockAtRest rock = at_rest != nullptr ? at_rest->rock : RockAtRest{};
   std::optional<RockBlock> block;
-  if (infinite || wants_plane_modulus(options())) block.emplace(definition_, packing, ranks);
-  model_ = build_model(definition_, std::move(packing), given_bonds, setup_);
+  if (at_rest == nullptr && (infinite || judged)) block.emplace(definition_, packing, ranks);
+  model_ = build_model(definition_, std::move(packing), bonds, setup_);
   engine_ = std::make_unique<Engine>(options(), model_, ranks, std::move(device));
-  if (infinite) begin_exterior(*engine_, *block, setup_);
-  if (wants_plane_modulus(options())) definition_.options.fracture_plane_modulus = block->measure().modulus;
+  if (infinite) begin_exterior(*engine_, block ? &*block : nullptr, rock, setup_);
+  if (judged) {
+    if (block) rock.modulus = block->measure().modulus;
+    definition_.options.fracture_plane_modulus = rock.modulus;
+  }
   setup_.plane_modulus = options().fracture_plane_modulus;
   block.reset();
-  equilibrate(*engine_, progress, setup_);
+  equilibrate(*engine_, progress, setup_, at_rest);
+  if (parts.kept != nullptr) {
+    parts.kept->rock = std::move(rock);
+    keep_rest(*engine_, *parts.kept);
+  }
+}
+
+Simulation::Simulation(CaseDefinition definition, std::span<const double> given_discs,
+                       const Progress& progress, std::span<const std::int64_t> given_bonds,
+                       const Ranks& ranks, const PackedModel* packed)
+    : Simulation(std::move(definition), progress, ranks, {given_discs, given_bonds, packed, nullptr}) {
   oda_matrix_ = begin_run(*engine_, definition_.wells, setup_);
   loads_ = loads_of(model_);
   engine_->mechanics->let_state_stay();
   fingerprint_ = fingerprint_of(*engine_, setup_);
   return_unused_pages();
-  setup_.setup_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  setup_.setup_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+}
+
+PackedModel Simulation::pack(CaseDefinition definition, std::span<const double> given_discs,
+                             const Progress& progress, std::span<const std::int64_t> given_bonds,
+                             const PackedModel* packed) {
+  PackedModel kept;
+  // Nothing flows yet, and PETSc's factor and the library's find the same rest.
+  definition.options.flow_solver = static_cast<std::int64_t>(FlowMatrixSolver::automatic);
+  definition.options.solver_factor = static_cast<std::int64_t>(FactorOf::own);
+  const Simulation at_rest(std::move(definition), progress, {}, {given_discs, given_bonds, packed, &kept});
+  return kept;
 }
 
 CaseDefinition Simulation::given_definition() const {

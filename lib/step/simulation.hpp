@@ -4,6 +4,7 @@
 // counted in ledger.hpp, what a host may impose in impose.hpp and put in at once in host_state.hpp.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -17,6 +18,7 @@
 #include "step/engine.hpp"
 #include "step/ledger.hpp"
 #include "step/loads.hpp"
+#include "step/packed_model.hpp"
 #include "step/steppers.hpp"
 
 namespace hfrac {
@@ -28,8 +30,14 @@ class Simulation {
   // Builds the model and brings it to rest under the far field. Throws Error; Stopped if progress asked for it.
   // The host's own discs (x, y, radius each) instead of a packing, and which of them are bonded (two indices each; none: all
   // that are near). Over several ranks, on each with the same arguments.
+  // Or from a model that was packed before: what its state spares is not done again. Throws Error(model) if it does not fit.
   Simulation(CaseDefinition definition, std::span<const double> given_discs, const Progress& progress,
-             std::span<const std::int64_t> given_bonds = {}, const Ranks& ranks = {});
+             std::span<const std::int64_t> given_bonds = {}, const Ranks& ranks = {},
+             const PackedModel* packed = nullptr);
+  // As far as the model at rest, to begin others from.
+  static PackedModel pack(CaseDefinition definition, std::span<const double> given_discs,
+                          const Progress& progress, std::span<const std::int64_t> given_bonds = {},
+                          const PackedModel* packed = nullptr);
 
   // What was built, with what the case leaves open decided. Loads that changed since stand in loads().
   [[nodiscard]] const CaseDefinition& definition() const { return definition_; }
@@ -98,9 +106,12 @@ class Simulation {
     engine_->mechanics->bring_home();
     return *engine_;
   }
+  struct Parts;
+  Simulation(CaseDefinition definition, const Progress& progress, const Ranks& ranks, const Parts& parts);
   void require_open_step() const;
   void reopen();
 
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   CaseDefinition definition_;
   Options given_;
   Model model_;

@@ -43,6 +43,12 @@ void load_here(Engine& e, std::span<const std::byte> image, bool whole, bool of_
   if (loader.left() != 0)
     throw Error(ErrorKind::argument, "the state image is longer than this simulation's state.");
   if (of_a_step) e.mechanics->take_back();
+  follow_state(e);
+}
+
+}  // namespace
+
+void follow_state(Engine& e) {
   e.take_wells();
   count_logged_slips(e.model);
   feel_heat_again(e);
@@ -50,8 +56,6 @@ void load_here(Engine& e, std::span<const std::byte> image, bool whole, bool of_
   e.model.network.planes.refresh(e.model.network, e.model.assembly);
   e.mechanics->after_restore(e.model.far_field.sigma_Hmax, e.model.far_field.sigma_hmin);
 }
-
-}  // namespace
 
 std::size_t state_size(const Engine& e, bool whole) {
   e.mechanics->bring_home();

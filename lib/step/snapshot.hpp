@@ -20,6 +20,8 @@ void load_state(Engine& engine, std::span<const std::byte> state, bool whole = f
 // The same for a step and back, where a device may keep part of the state: a copy of that stays there, too.
 void save_before_step(Engine& engine, std::vector<std::byte>& state);
 void load_before_step(Engine& engine, std::span<const std::byte> state);
+// Makes anew what follows from a state that has just come.
+void follow_state(Engine& engine);
 
 // Every number of the state is finite.
 bool is_finite(const Engine& engine);

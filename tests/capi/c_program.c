@@ -332,6 +332,23 @@ static void slips(hfrac_sim* sim) {
         "a slip is an event");
 }
 
+static void pack_and_begin(void) {
+  hfrac_sim_def def;
+  hfrac_sim* sim = NULL;
+  memset(&def, 0, sizeof def);
+  good(hfrac_sim_def_init(&def, (int32_t)sizeof def), NULL, "def_init");
+  def.packing_disc_count = 200;
+  def.packing_residual = 1e-3;
+  def.bond_tensile_strength = def.bond_shear_strength = 1e12;
+  good(hfrac_pack(&def, "c_program.model"), NULL, "pack");
+  strcpy(def.packing_file, "c_program.model");
+  good(hfrac_sim_create(&def, &sim), NULL, "sim_create from a packed model");
+  good(hfrac_sim_destroy(&sim), NULL, "sim_destroy");
+  def.stress_sigma_Hmax = 34e6;
+  expect(hfrac_sim_create(&def, &sim), HFRAC_ERR_MODEL, NULL, "a model under another stress");
+  remove("c_program.model");
+}
+
 /* state.h */
 static void go_back(hfrac_sim* sim) {
   int64_t size = 0, written = 0, before = 0, after = 0;
@@ -527,6 +544,7 @@ int main(void) {
     slips(sim);
     records();
     go_back(sim);
+    pack_and_begin();
     exchange(sim);
     walls(sim);
   }

@@ -37,6 +37,7 @@ std::vector<Row> without_a_simulation() {
       ROW(hfrac_sim_def_write, reads, Optional({3}), &g.def, +g.text, 4096, &g.number),
       ROW(hfrac_sim_def_check, reads, Optional(), &g.def),
       ROW(hfrac_sim_def_check_file, reads, Optional(), &g.def, g.case_file.c_str()),
+      ROW(hfrac_pack, reads, Optional(), &g.def, g.grdecl_file.c_str()),
       ROW(hfrac_sim_def_disc_radii, reads, Optional(), &g.def, &g.real, g.reals.data()),
       ROW(hfrac_sim_def_set_f64, reads, Optional(), &g.def, "stress.sigma_Hmax", 30e6),
       ROW(hfrac_sim_def_set_i64, reads, Optional(), &g.def, "model.seed", int64_t{1}),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One simulation on several ranks gives what one alone gives, to the last bit: any number of ranks and workers, all ways of
 // stepping, both laws of fractures, walls, rock beyond, joints. And no rank waits for one that has gone.
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -111,8 +112,9 @@ hfrac::Definition def_of(const Case& which, int64_t workers) {
 
 // All ranks' ends. `first`: what each goes on from, if anything; steps are those after it.
 std::vector<End> on_ranks(const Case& which, int32_t size, int64_t workers, int64_t steps,
-                          const std::vector<unsigned char>& first = {}) {
-  const hfrac::Definition def = def_of(which, workers);
+                          const std::vector<unsigned char>& first = {}, const std::string& packed = {}) {
+  hfrac::Definition def = def_of(which, workers);
+  EXPECT_EQ(hfrac_sim_def_set_str(&def, "packing.file", packed.c_str()), HFRAC_OK);
   Meeting meeting(size);
   std::vector<End> ends(static_cast<std::size_t>(size));
   meeting.run([&](int32_t rank) {
@@ -143,6 +145,26 @@ TEST_P(Ranks, GiveTheBitsOfOne) {
       EXPECT_EQ(end.image, alone.image) << size << " ranks, " << workers << " workers";
     }
   }
+}
+
+// What was packed by one is what any number begins from, to the last bit; how wells are driven may differ.
+TEST_P(Ranks, BeginFromAPackedModel) {
+  const Case& which = GetParam();
+  const std::string file = testing::TempDir() + "hfrac_packed_" + which.name;
+  hfrac::Definition def = def_of(which, 1);
+  const double pressure = def.wells[0].pressure;
+  def.wells[0].pressure = 1e6;
+  ASSERT_EQ(hfrac_pack(&def, file.c_str()), HFRAC_OK) << last_error();
+  def.wells[0].pressure = pressure;
+  const Sim sim(def);
+  ASSERT_GE(hfrac_step(sim, which.steps), 0);
+  const End straight = end_of(sim);
+  for (const int32_t size : {1, 2, 3})
+    for (const auto& end : on_ranks(which, size, 1, which.steps, {}, file)) {
+      EXPECT_EQ(end.hash, straight.hash) << size << " ranks";
+      EXPECT_EQ(end.image, straight.image) << size << " ranks";
+    }
+  std::remove(file.c_str());
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, Ranks, testing::ValuesIn(cases),

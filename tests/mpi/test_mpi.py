@@ -2,6 +2,7 @@
 """One simulation over several processes: the same files as one process writes, on any number, killed or stopped and gone on with on
 another number; no process waits for one that has gone."""
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -51,6 +52,32 @@ class Mpi(OverRanks):
         done = run(over(2, HFRAC, "resume", folder, "-q"))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.same(alone, folder)
+
+    def test_all_begin_from_a_packed_model(self):
+        alone = self.alone()
+        model, case = self.folder / "rock.model", self.folder / "packed.toml"
+        done = run([HFRAC, "pack", self.case, "-o", model, "-q"])
+        self.assertEqual(done.returncode, 0, done.stderr)
+        case.write_text(self.case.read_text().replace("[packing]", f'[packing]\nfile = "{model}"', 1))
+        done = run(over(3, HFRAC, "run", case, "-o", self.folder / "packed", "-q"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.same(alone, self.folder / "packed")
+        done = run(over(2, HFRAC, "pack", self.case, "-o", model, "-q"))
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("start it without mpirun", done.stderr)
+
+    def test_writing_takes_the_first_process_no_more_than_docs_scale_says(self):
+        discs, model = 20000, self.folder / "rock.model"
+        text = self.case.read_text().replace("disc_count = 2000", f"disc_count = {discs}")
+        self.case.write_text(text.replace("[output]\nevery = 2\ncheckpoint_steps = 2", "[output]\nevery = 1"))
+        self.assertEqual(run([HFRAC, "pack", self.case, "-o", model, "-q"]).returncode, 0)
+        self.case.write_text(self.case.read_text().replace("[packing]", f'[packing]\nfile = "{model}"', 1))
+        tell = ("import os, resource, subprocess, sys; code = subprocess.run(sys.argv[1:]).returncode; "
+                "print('most', os.environ.get('OMPI_COMM_WORLD_RANK'), resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss); sys.exit(code)")
+        done = run(over(2, sys.executable, "-c", tell, HFRAC, "run", self.case, "-o", self.folder / "run", "-q", "--steps", 2, "--workers", 1))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        most = {int(rank): 1024 * int(size) for rank, size in re.findall(r"most (\d) (\d+)", done.stdout)}
+        self.assertLess(most[0] - most[1], 500 * discs + 4e6, done.stdout)
 
     def test_what_the_first_process_refuses_ends_all(self):
         self.alone()

@@ -13,6 +13,7 @@ namespace hfrac::command {
 using Action = std::function<ExitCode()>;
 
 void add_new(CLI::App& program, Action& action);
+void add_pack(CLI::App& program, Action& action);
 void add_run(CLI::App& program, Action& action);
 void add_resume(CLI::App& program, Action& action);
 void add_check(CLI::App& program, Action& action);

@@ -49,6 +49,7 @@ int run_program(int argument_count, char** arguments) {
   program.require_subcommand(1);
   Action action;
   add_new(program, action);
+  add_pack(program, action);
   add_run(program, action);
   add_resume(program, action);
   add_check(program, action);

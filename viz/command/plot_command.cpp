@@ -20,6 +20,7 @@
 #include "command/commands.hpp"
 #include "command/drawing.hpp"
 #include "command/exit_code.hpp"
+#include "command/injection_record.hpp"
 #include "command/interrupt.hpp"
 #include "command/kgd_plot.hpp"
 #include "command/progress_line.hpp"

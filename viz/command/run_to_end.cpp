@@ -252,7 +252,7 @@ Simulation build_model(Definition definition, const std::string& case_file, cons
   Simulation simulation(sim);
   line.end();
   if (status == HFRAC_STOPPED) return nullptr;
-  if (status == HFRAC_ERR_MODEL || status == HFRAC_ERR_ARGUMENT)
+  if (status == HFRAC_ERR_MODEL || status == HFRAC_ERR_ARGUMENT || status == HFRAC_ERR_FILE)
     throw BadInput(fmt::format("{}: {}", case_file, output::error_text(status, nullptr)));
   if (status == HFRAC_ERR_COLLAPSED)
     throw output::EngineError(status, fmt::format("{}: {}", case_file, output::error_text(status, nullptr)));

@@ -14,9 +14,8 @@
 #include "run/engine_call.hpp"
 
 namespace hfrac::command {
-namespace {
 
-/** As launchers tell the processes they start: Open MPI, MPICH and Slurm, in this order. */
+// Open MPI's variable, that of MPICH and Slurm.
 int processes_started() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
     const char* value = std::getenv(name);
@@ -24,6 +23,8 @@ int processes_started() {
   }
   return 1;
 }
+
+namespace {
 
 template <class Function>
 Function function_of(void* library, const char* name) {

@@ -13,6 +13,9 @@
 
 namespace hfrac::command {
 
+/** As the launcher says; 1 without one. */
+int processes_started();
+
 class Team {
  public:
   /** Joins the others, if there are any. Throws BadInput if the launcher says so, but there is no libhfrac_mpi. */

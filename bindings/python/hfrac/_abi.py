@@ -52,6 +52,7 @@ class DefLimits(enum.IntEnum):
     """hfrac_def_limits"""
 
     TITLE_SIZE = 128
+    PATH_SIZE = 1024
 
 
 class WellControl(enum.IntEnum):
@@ -439,6 +440,7 @@ class hfrac_sim_def(ctypes.Structure):
         ("fluid_kind", ctypes.c_int64), ("contact_shape", ctypes.c_int64), ("bond_open_share", ctypes.c_double),
         ("bond_fracture_energy", ctypes.c_double), ("fluid_second_viscosity", ctypes.c_double),
         ("fluid_second_density", ctypes.c_double), ("solver_factor", ctypes.c_int64), ("run_device", ctypes.c_int64),
+        ("packing_file", ctypes.c_char * 1024), ("packing_reuse", ctypes.c_int64),
     ]
 
 
@@ -937,6 +939,7 @@ SIGNATURES = {
     "hfrac_state_restore": (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64),
     "hfrac_state_save_file": (ctypes.c_void_p, ctypes.c_char_p),
     "hfrac_state_load_file": (ctypes.c_void_p, ctypes.c_char_p),
+    "hfrac_pack": (ctypes.POINTER(hfrac_sim_def), ctypes.c_char_p),
     "hfrac_step_prepare": (ctypes.c_void_p,),
     "hfrac_step_do": (ctypes.c_void_p, ctypes.c_double),
     "hfrac_step_more": (ctypes.c_void_p, ctypes.c_double),

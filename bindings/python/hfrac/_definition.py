@@ -182,8 +182,8 @@ class Definition:
 
     def get(self, key: str) -> Value:
         """One value by its key; a choice as its word."""
-        if key == "title":
-            return self.title
+        if key in ("title", "packing.file"):
+            return _library.text("hfrac_sim_def_get_str", ctypes.byref(self._struct), key.encode())
         where, name = ctypes.byref(self._struct), key.encode()
         kind = self._kind(key)
         if kind == "choice":
@@ -255,6 +255,10 @@ class Definition:
             call("hfrac_sim_def_check", ctypes.byref(self._struct))
         else:
             call("hfrac_sim_def_check_file", ctypes.byref(self._struct), os.fsencode(path))
+
+    def pack(self, path: PathLike) -> None:
+        """Packs the model, brings it to rest and keeps it as file `path`, for definitions that name it as packing.file."""
+        call("hfrac_pack", ctypes.byref(self._struct), os.fsencode(path))
 
     @property
     def disc_radii(self) -> Tuple[float, float]:

@@ -30,7 +30,7 @@
 extern "C" {
 #endif
 
-enum hfrac_def_limits { HFRAC_TITLE_SIZE = 128 };
+enum hfrac_def_limits { HFRAC_TITLE_SIZE = 128, HFRAC_PATH_SIZE = 1024 };
 
 /** How a well is driven. */
 enum hfrac_well_control {
@@ -541,6 +541,15 @@ typedef struct hfrac_sim_def {
    * cards do not run (solver.kind quasi-static, fracture.law facet, boundary.kind infinite, several
    * ranks). auto: a card where there is one and the case allows it, else the processor. Default 0. */
   int64_t run_device;
+
+  /** A file of hfrac_pack, from which the simulation begins instead of being packed and brought to rest, with the same result; {seed} in it
+   * stands for model.seed. Case files give it relative to themselves (packing.file). Empty: the engine packs. */
+  char packing_file[HFRAC_PATH_SIZE];
+
+  /** 0: model, 1: discs. What is taken of packing.file. model: discs and their state at rest under the far
+   * field. discs: the discs alone, which are brought to rest anew, so that stresses, rock and wells may be
+   * others than those of the file. Default 0. */
+  int64_t packing_reuse;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */

@@ -43,6 +43,14 @@ HFRAC_UNSTABLE_API int32_t hfrac_state_save_file(const hfrac_sim *sim, const cha
  * at all is refused (HFRAC_ERR_FILE) and changes nothing. Unstable since 0.1. */
 HFRAC_UNSTABLE_API int32_t hfrac_state_load_file(hfrac_sim *sim, const char *path);
 
+/** Packs a model, brings it to rest under the far field and keeps it as file `path`, from which simulations begin that name it
+ * (packing_file of hfrac_sim_def): on any number of ranks, with other wells' rates and pressures, schedules, viscosity, permeability,
+ * toughness at tips, lengths of steps and outputs, and with the result they would have without it. A simulation that differs in what the
+ * model was made from is refused (HFRAC_ERR_MODEL), with the first value that differs, the file's and what to do. The file holds about 200
+ * bytes a disc, is replaced as hfrac_state_save_file does it, and is read by the version that wrote it. HFRAC_STOPPED: def->progress stopped
+ * it, and there is no file. Unstable since 0.2. */
+HFRAC_UNSTABLE_API int32_t hfrac_pack(const hfrac_sim_def *def, const char *path);
+
 /** Opens a step: remembers the state. Stable since 0.1. */
 HFRAC_API int32_t hfrac_step_prepare(hfrac_sim *sim);
 /** Takes the open step, `duration` [s] of fluid time long, from where it was opened; wells and far field as they are set

@@ -59,6 +59,19 @@ class Definition(unittest.TestCase):
         self.assertLess(fine, uniform.disc_radii[0])
         self.assertAlmostEqual(coarsest / fine, 4.0)
 
+    def test_a_packed_model(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "rock.model")
+            small = {"packing_disc_count": 300, "packing_residual": 1e-3}
+            hfrac.Definition(**small).pack(path)
+            begun = hfrac.Definition(packing_file=path, **small)
+            self.assertEqual(begun.get("packing.file"), path)
+            with hfrac.Simulation(begun) as one, hfrac.Simulation(hfrac.Definition(**small)) as other:
+                self.assertEqual(one.state_hash, other.state_hash)
+            begun.set("stress.sigma_hmin", 26e6)
+            with self.assertRaisesRegex(hfrac.ModelError, "stress.sigma_hmin = 2.6e7 Pa, but"):
+                begun.check()
+
     def test_wells(self):
         definition = hfrac.Definition(
             model_width=80, wells=[{"radius": 5, "pressure": 40e6}, {"x": 10, "y": 20, "radius": 2, "control": "rate"}]

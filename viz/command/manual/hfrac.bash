@@ -3,7 +3,7 @@ _hfrac() {
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} options='' first='' values='' files=''
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
-    mapfile -t COMPREPLY < <(compgen -W 'new run resume check export info catalogue analyse dfn sweep match options view lab calibrate render plot report --help --version' -- "$word")
+    mapfile -t COMPREPLY < <(compgen -W 'new pack run resume check export info catalogue analyse dfn sweep match options view lab calibrate render plot report --help --version' -- "$word")
     return
   fi
   case ${COMP_WORDS[1]} in
@@ -12,6 +12,12 @@ _hfrac() {
       first='fracture minifrac record record-study hour crossing stress-shadow cold-water paper smoke'
       case $before in
         -o|--output) files=yes ;;
+      esac
+      ;;
+    pack)
+      options='--help --output --discs --bonds --seed --workers --quiet'
+      case $before in
+        -o|--output|--discs|--bonds|--seed|--workers) files=yes ;;
       esac
       ;;
     run)

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Models packed before, in files.
+#pragma once
+
+#include <optional>
+
+#include "core/ranks.hpp"
+#include "step/packed_model.hpp"
+
+namespace hfrac::capi {
+
+// Of the file that the definition names, if it does. Throws Error(file) if it cannot be read or is no such file, Error(model) if a host gives
+// discs, too.
+std::optional<PackedModel> packed_model_of(const CaseDefinition& definition, bool discs_given);
+
+// The same on all ranks, each of which reads the file: refused on all if one cannot, or if they read different ones.
+std::optional<PackedModel> packed_model_of(const CaseDefinition& definition, bool discs_given,
+                                           const Ranks& ranks);
+
+}  // namespace hfrac::capi
