@@ -109,9 +109,11 @@ Device::~Device() {
 
 void Device::check(std::int32_t status, const char* what) const {
   if (status == 0) return;
-  throw Error(ErrorKind::device,
-              "the device (" + name_ + ") failed at " + what + ": " + words(*driver_, status) +
-                  "; the state before the step stands. Set run.device to \"cpu\" to go on.");
+  throw Error(
+      ErrorKind::device,
+      "the device (" + name_ + ") failed at " + what + ": " + words(*driver_, status) +
+          "; the state before the step stands if the device can still be read, else the last one saved. "
+          "Set run.device to \"cpu\" to go on.");
 }
 
 void* Device::allocate(std::size_t bytes) const {
