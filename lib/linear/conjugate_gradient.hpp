@@ -43,8 +43,8 @@ class ConjugateGradient {
   ConjugateGradient(const ConjugateGradient&) = delete;
   ConjugateGradient& operator=(const ConjugateGradient&) = delete;
 
-  // `lower` is the lower triangle of a symmetric positive definite matrix, each column beginning with its diagonal; of one pattern, whenever
-  // one comes. False if an entry of the diagonal is not positive or not finite.
+  // `lower` is the lower triangle of a symmetric positive definite matrix, each column beginning with its diagonal. False if an entry of
+  // the diagonal is not positive or not finite.
   [[nodiscard]] bool prepare(const SparseMatrix& lower) { return multigrid_.prepare(lower); }
 
   // Improves x until the residual, scaled by the diagonal, is below `tolerance` of the right-hand side's. Returns the iterations it

@@ -147,6 +147,21 @@ void SymmetricRows::assign(const SparseMatrix& lower) {
   }
 }
 
+bool Multigrid::Level::fits(const SymmetricRows& a) const {
+  if (order.size() != a.diagonal.size() || from.size() != a.column.size()) return false;
+  for (std::size_t p = 0; p < order.size(); ++p) {
+    const auto i = static_cast<std::size_t>(order[p]);
+    if (start[p + 1] - start[p] != a.start[i + 1] - a.start[i]) return false;
+    for (auto k = static_cast<std::size_t>(start[p]); k < static_cast<std::size_t>(start[p + 1]); ++k) {
+      const auto at = from[k];
+      if (at < a.start[i] || at >= a.start[i + 1] ||
+          place[static_cast<std::size_t>(a.column[static_cast<std::size_t>(at)])] != column[k])
+        return false;
+    }
+  }
+  return true;
+}
+
 // Rows of a group by colours, and each row's entries by what the smoother knows of them.
 void Multigrid::Level::take_pattern(const SymmetricRows& a) {
   const auto rows = static_cast<std::int32_t>(a.count());
@@ -211,7 +226,6 @@ void Multigrid::Level::take_pattern(const SymmetricRows& a) {
     outer.push_back(put_if([&](std::int32_t q) { return q > p && q < end; }));
     start.push_back(put_if([&](std::int32_t q) { return q < first || q >= end; }));
   }
-  ++pattern;
 }
 
 void Multigrid::Level::take_values(const SymmetricRows& a) {
@@ -266,8 +280,10 @@ bool Multigrid::prepare(const SparseMatrix& lower) {
   for (std::int32_t count = 0;;) {
     if (levels_.size() == depth) levels_.emplace_back();
     Level& level = levels_[depth];
-    if (depth > 0 || level.order.size() != rows_.diagonal.size() || level.from.size() != rows_.value.size())
+    if (depth > 0 || !level.fits(rows_)) {
       level.take_pattern(rows_);
+      level.pattern = ++patterns_;
+    }
     level.take_values(rows_);
     if (depth > 0) {  // the finer one's rows now know where theirs stand
       Level& finer = levels_[depth - 1];

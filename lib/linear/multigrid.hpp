@@ -72,16 +72,16 @@ class Multigrid {
     RowsByPart members;
     std::vector<double> inverse;
     std::vector<double> right, before, after, rest, more;
-    std::int64_t pattern = 0;  // another number whenever another pattern came
+    std::int64_t pattern = 0;  // another number for every pattern that came to any level
 
     [[nodiscard]] std::int64_t rows() const { return static_cast<std::int64_t>(diagonal.size()); }
+    [[nodiscard]] bool fits(const SymmetricRows& rows) const;  // of the pattern that came last
     void take_pattern(const SymmetricRows& rows);
     void take_values(const SymmetricRows& rows);
     [[nodiscard]] LevelArrays arrays();
   };
 
-  // False if an entry of the diagonal is not positive or not finite. All matrices given to one object that have as many rows and
-  // entries have one pattern.
+  // False if an entry of the diagonal is not positive or not finite. Quicker where the pattern is that of the matrix before.
   [[nodiscard]] bool prepare(const SparseMatrix& lower);
   [[nodiscard]] std::int64_t rows() const { return levels_[0].rows(); }
   [[nodiscard]] std::int64_t groups() const { return (rows() + row_group - 1) / row_group; }
@@ -107,6 +107,7 @@ class Multigrid {
   void invert_coarsest();
 
   std::deque<Level> levels_;
+  std::int64_t patterns_ = 0;        // so far
   std::vector<LevelArrays> arrays_;  // of those in use
   SymmetricRows rows_, merged_;
   std::vector<std::int32_t> pair_, pair_of_pairs_, place_;

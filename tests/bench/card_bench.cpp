@@ -16,6 +16,7 @@
 #include <cstring>
 
 #include "core/error.hpp"
+#include "hole_case.hpp"
 #include "options/choices.hpp"
 #include "step/simulation.hpp"
 
@@ -32,19 +33,10 @@ double seconds_of(const Work& work) {
 }
 
 void measure(std::int64_t count, bool on_card, int workers, int steps) {
-  CaseDefinition definition;
+  CaseDefinition definition = bench::hole_case(count, workers);
   Options& o = definition.options;
-  o.stress_convention = static_cast<std::int64_t>(StressConvention::effective);
-  o.boundary_kind = static_cast<std::int64_t>(BoundaryKind::walls);
-  o.stepping_mode = static_cast<std::int64_t>(SteppingMode::dynamic);
-  o.stepping_flow_step = 1e-3;
-  o.packing_disc_count = count;
-  o.packing_method = static_cast<std::int64_t>(PackingMethod::tiled);
-  o.stress_sigma_Hmax = o.stress_sigma_hmin = 0.0;
   o.flow_solver = static_cast<std::int64_t>(FlowMatrixSolver::iterative);
-  o.run_workers = workers;
   o.run_device = static_cast<std::int64_t>(on_card ? RunDevice::gpu : RunDevice::cpu);
-  definition.wells.push_back({50.0, 50.0, 8.5, 45e6, 0.0, 0.0, WellControl::pressure});
   double built = 0.0;
   std::optional<Simulation> sim;
   built = seconds_of([&] { sim.emplace(definition, std::span<const double>{}, Progress{}); });

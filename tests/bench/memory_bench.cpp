@@ -20,6 +20,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "hole_case.hpp"
 #include "options/choices.hpp"
 #include "step/simulation.hpp"
 
@@ -54,18 +55,8 @@ double peak_bytes() {
 
 void measure(std::int64_t count, bool coupled, int steps, int workers) {
   const double empty = peak_bytes();
-  CaseDefinition definition;
-  Options& o = definition.options;
-  o.stress_convention = static_cast<std::int64_t>(StressConvention::effective);
-  o.boundary_kind = static_cast<std::int64_t>(BoundaryKind::walls);
-  o.stepping_mode = static_cast<std::int64_t>(SteppingMode::dynamic);
-  o.stepping_flow_step = 1e-3;
-  o.packing_disc_count = count;
-  o.packing_method = static_cast<std::int64_t>(PackingMethod::tiled);
-  o.stress_sigma_Hmax = o.stress_sigma_hmin = 0.0;
-  o.run_workers = workers;
-  if (!coupled) o.flow_scheme = static_cast<std::int64_t>(FlowScheme::off);
-  definition.wells.push_back({50.0, 50.0, 8.5, 45e6, 0.0, 0.0, WellControl::pressure});
+  CaseDefinition definition = bench::hole_case(count, workers);
+  if (!coupled) definition.options.flow_scheme = static_cast<std::int64_t>(FlowScheme::off);
   const double start = now(), cpu_start = processor_seconds();
   Simulation s(definition, {}, {});
   const double built = now() - start, cpu_built = processor_seconds() - cpu_start;

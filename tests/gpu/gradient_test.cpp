@@ -7,37 +7,14 @@
 #include <string>
 
 #include "core/device.hpp"
-#include "core/random.hpp"
 #include "emulated.hpp"
 #include "linear/conjugate_gradient.hpp"
+#include "pore_grid.hpp"
 
 namespace {
 using namespace hfrac;
 
 constexpr PassRules rules{1e-6, 1e-11, 20, 2000};
-
-// Pores on a square grid with a crack along half of the middle row, as in the unit tests of ConjugateGradient.
-SparseMatrix grid(int side, double storage, double crack) {
-  Random random(4);
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int k = 0; k < side * side; ++k) entries.emplace_back(k, k, storage + (k % side == 0 ? 1.0 : 0.0));
-  const auto join = [&](int k, int other, double c) {
-    entries.emplace_back(k, k, c);
-    entries.emplace_back(other, other, c);
-    entries.emplace_back(other, k, -c);
-  };
-  for (int y = 0; y < side; ++y) {
-    for (int x = 0; x < side; ++x) {
-      const int k = y * side + x;
-      const bool cracked = y == side / 2 && x > side / 4 && x < 3 * side / 4;
-      if (x + 1 < side) join(k, k + 1, cracked ? crack : 0.5 + random.uniform());
-      if (y + 1 < side) join(k, k + side, 0.5 + random.uniform());
-    }
-  }
-  SparseMatrix lower(side * side, side * side);
-  lower.setFromTriplets(entries.begin(), entries.end());
-  return lower;
-}
 
 class GradientOnADevice : public testing::Test {
  protected:

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -47,6 +48,18 @@ GivenParts::GivenParts(const std::filesystem::path& disc_file, const std::filesy
   } catch (const output::DiscFileError& error) {
     throw BadInput(error.what());
   }
+}
+
+void add_given_parts(CLI::App& command, std::filesystem::path& disc_file, std::filesystem::path& bond_file) {
+  command.add_option("--discs", disc_file, "Own discs instead of a packing: CSV with x, y, radius, or VTU")
+      ->type_name("FILE");
+  command
+      .add_option(
+          "--bonds", bond_file,
+          "Which of the own discs are bonded: CSV with disc_0, disc_1, counted from 0; without, all that "
+          "are near")
+      ->needs("--discs")
+      ->type_name("FILE");
 }
 
 GivenParts::GivenParts(const std::filesystem::path& run_folder) {

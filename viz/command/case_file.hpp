@@ -10,6 +10,10 @@
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace hfrac::command {
 
 /** The user's own discs and bonds (output/disc_file.hpp); empty: a packing, all that are near. */
@@ -23,6 +27,9 @@ struct GivenParts {
   /** Those that a run folder keeps. */
   explicit GivenParts(const std::filesystem::path& run_folder);
 };
+
+/** The options --discs and --bonds. */
+void add_given_parts(CLI::App& command, std::filesystem::path& disc_file, std::filesystem::path& bond_file);
 
 /** Once the model is built it has its own copy: takes the user's discs and bonds out of `definition`. */
 void forget_given(hfrac_sim_def& definition);

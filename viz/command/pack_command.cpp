@@ -83,17 +83,7 @@ void add_pack(CLI::App& program, Action& action) {
   command->add_option("-o,--output", request->model_file, "Model file to write, for packing.file of cases")
       ->required()
       ->type_name("MODEL");
-  command
-      ->add_option("--discs", request->disc_file,
-                   "Own discs instead of a packing: CSV with x, y, radius, or VTU")
-      ->type_name("FILE");
-  command
-      ->add_option(
-          "--bonds", request->bond_file,
-          "Which of the own discs are bonded: CSV with disc_0, disc_1, counted from 0; without, all that "
-          "are near")
-      ->needs("--discs")
-      ->type_name("FILE");
+  add_given_parts(*command, request->disc_file, request->bond_file);
   command->add_option("--seed", request->seed, "Seed of the packing, in place of the case's model.seed")
       ->check(count_number());
   command->add_option("--workers", request->workers, "Worker threads; results do not depend on it")

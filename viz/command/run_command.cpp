@@ -124,17 +124,7 @@ void add_run(CLI::App& program, Action& action) {
   command->add_option("-o,--output", request->folder, "Run folder to write; made if it is not there")
       ->required()
       ->type_name("DIR");
-  command
-      ->add_option("--discs", request->disc_file,
-                   "Own discs instead of a packing: CSV with x, y, radius, or VTU")
-      ->type_name("FILE");
-  command
-      ->add_option(
-          "--bonds", request->bond_file,
-          "Which of the own discs are bonded: CSV with disc_0, disc_1, counted from 0; without, all that "
-          "are near")
-      ->needs("--discs")
-      ->type_name("FILE");
+  add_given_parts(*command, request->disc_file, request->bond_file);
   command
       ->add_option("--grid", request->grid,
                    "Cells of a reservoir simulator, for cells.csv and Eclipse include files: NX NY DX DY [X0 "
