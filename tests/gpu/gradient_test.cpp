@@ -46,6 +46,21 @@ TEST_F(GradientOnADevice, HasTheBitsOfWorkers) {
   }
 }
 
+// Matrices of many levels, of one, and of other places by turns: nothing of one stays for the next.
+TEST_F(GradientOnADevice, HasTheBitsOfWorkersWhateverCameBefore) {
+  ConjugateGradient there(nullptr, device_.get());
+  const auto deep = grid(150, 1e-3, 1e6), other = with_a_shortcut(deep), shallow = grid(150, 1e3, 1e2);
+  for (const auto* lower : {&deep, &shallow, &other, &shallow, &deep}) {
+    ConjugateGradient here;
+    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(lower->cols()), x = rhs, y = rhs;
+    rhs[lower->cols() / 2] = 1.0;
+    ASSERT_TRUE(here.prepare(*lower) && there.prepare(*lower));
+    ASSERT_TRUE(here.settle(rhs, x, rules));
+    ASSERT_TRUE(there.settle(rhs, y, rules));
+    EXPECT_TRUE((x.array() == y.array()).all());
+  }
+}
+
 TEST_F(GradientOnADevice, SaysSoWhereIterationsOrPassesAreNotEnough) {
   const auto lower = grid(60, 0.0, 1e4);
   for (const PassRules& few : {PassRules{1e-6, 1e-11, 20, 5}, PassRules{1e-1, 1e-11, 2, 2000}}) {

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""From a record to percentiles by the commands of docs/studies.md, and no others: the first day of Basel's record and three runs, or, with
+"""From a record to percentiles by the commands of docs/studies.md, and no others: the first day of Basel's record and four runs, or, with
 HFRAC_WHOLE_RECORD=1 (labelled long), all of it and the study as `hfrac new` writes it, which is to take no more than 20 minutes of two processors."""
 import csv
 import os

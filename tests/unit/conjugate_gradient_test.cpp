@@ -47,6 +47,20 @@ TEST(ConjugateGradient, AgreesWithTheFactorWhateverIsStoredAndHoweverWellACrackC
   }
 }
 
+// As many rows and entries, elsewhere: two pores joined over the model instead of side by side.
+TEST(ConjugateGradient, NoticesAMatrixOfAnotherPattern) {
+  const auto side_by_side = grid(30, 0.1, 1e4), across = with_a_shortcut(side_by_side);
+  ASSERT_EQ(across.nonZeros(), side_by_side.nonZeros());
+  ConjugateGradient solver, fresh;
+  ASSERT_TRUE(solver.prepare(side_by_side) && solver.prepare(across) && fresh.prepare(across));
+  Eigen::VectorXd rhs = from_the_middle(across), x = Eigen::VectorXd::Zero(across.cols()), y = x;
+  ASSERT_GT(solver.solve(rhs, x, 1e-12, 1000), 0);
+  ASSERT_GT(fresh.solve(rhs, y, 1e-12, 1000), 0);
+  EXPECT_TRUE((x.array() == y.array()).all());
+  const Eigen::VectorXd exact = SymmetricFactor(across).solve(rhs);
+  EXPECT_LE((x - exact).cwiseAbs().maxCoeff(), 1e-6 * exact.cwiseAbs().maxCoeff());
+}
+
 TEST(ConjugateGradient, NeedsHardlyMoreIterationsForAModelSixteenTimesAsLarge) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     Eigen::VectorXd x;

@@ -36,4 +36,22 @@ inline SparseMatrix grid(int side, double storage, double crack, std::uint64_t s
   return lower;
 }
 
+// The same without the first pipe, and with one from the first pore to the last.
+inline SparseMatrix with_a_shortcut(const SparseMatrix& lower) {
+  std::vector<Eigen::Triplet<double>> entries;
+  bool taken = false;
+  for (Eigen::Index k = 0; k < lower.outerSize(); ++k) {
+    for (SparseMatrix::InnerIterator entry(lower, k); entry; ++entry) {
+      const bool first_pipe = !taken && entry.row() != entry.col();
+      taken = taken || first_pipe;
+      const auto row = first_pipe ? lower.rows() - 1 : entry.row();
+      entries.emplace_back(row, entry.col(), entry.value());
+      if (first_pipe) entries.emplace_back(row, row, -entry.value());
+    }
+  }
+  SparseMatrix other(lower.rows(), lower.cols());
+  other.setFromTriplets(entries.begin(), entries.end());
+  return other;
+}
+
 }  // namespace hfrac

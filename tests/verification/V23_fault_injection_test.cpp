@@ -116,6 +116,25 @@ void print_scatter(const Simulation& sim, double window) {
       100.0 * deviation([](const Piece& p) { return p.shear; }));
 }
 
+// The piece of the joint that slid farthest, and by how many bonds its two discs hang on the rock on their own side.
+void print_farthest(const Simulation& sim, const verification::DrivenJoint& driven) {
+  const Assembly& a = sim.assembly();
+  std::size_t farthest = 0;
+  for (std::size_t k = 0; k < driven.contacts().size(); ++k)
+    if (driven.slip(k) > driven.slip(farthest)) farthest = k;
+  const SmoothContact& c = driven.contacts()[farthest];
+  int bonds[2] = {};
+  for (std::int64_t e = 0; e < a.bond_count(); ++e) {
+    if (a.smooth.of(e) != nullptr) continue;
+    for (int side = 0; side < 2; ++side) {
+      const auto disc = side == 0 ? a.first[c.bond] : a.second[c.bond];
+      bonds[side] += a.first[e] == disc || a.second[e] == disc ? 1 : 0;
+    }
+  }
+  std::printf("  farthest slide %.3f mm, at %.2f m over %.2f m, discs on %d and %d bonds\n",
+              1e3 * driven.slip(farthest), driven.at(farthest), c.area, bonds[0], bonds[1]);
+}
+
 struct Ratios {
   double pressure, slip, length;  // rms over dp; over the formula's
 };
@@ -166,6 +185,7 @@ std::vector<Ratios> drive(std::int64_t discs, std::int64_t seed, double excess,
         "%.3f\n",
         static_cast<long long>(discs), static_cast<long long>(seed), excess, half_length,
         half_length / sim.assembly().mean_radius, r.pressure, r.slip, r.length);
+    print_farthest(sim, driven);
     std::fflush(stdout);
     result.push_back(r);
   }

@@ -9,11 +9,6 @@ import sys
 GOOD, FAILED, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
 
 
-def place_of(sentence: str) -> str:
-    """The heading of docs/studies.md that a refusal belongs to."""
-    return "matching-a-record" if "match" in sentence.partition(".toml: ")[2].split(" ")[0] else "the-study-file"
-
-
 def main() -> int:
     if sys.version_info < (3, 11):
         print(f"hfrac: studies need Python 3.11 or newer, and this is {sys.version.split()[0]} ({sys.executable})", file=sys.stderr)
@@ -31,7 +26,7 @@ def main() -> int:
     try:
         return carry_out(sys.argv[1:])
     except StudyError as error:
-        print(f"hfrac: {error} (docs/studies.md#{place_of(str(error))})", file=sys.stderr)
+        print(f"hfrac: {error} (docs/studies.md#{error.heading})", file=sys.stderr)
         return BAD_INPUT
     except HfracError as error:
         print(f"hfrac: {error}", file=sys.stderr)

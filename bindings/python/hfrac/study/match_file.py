@@ -29,6 +29,12 @@ from .study_file import Reader, Study, StudyError
 LEAST_PACKINGS = 4
 
 
+class MatchError(StudyError):
+    """Its [match] is."""
+
+    heading = "matching-a-record"
+
+
 class Data(NamedTuple):
     """A record, at the times it is compared at."""
 
@@ -48,11 +54,11 @@ class Match(NamedTuple):
 
 
 def read_match(study: Study) -> Match:
-    """The study's [match]. Raises StudyError."""
+    """The study's [match]. Raises MatchError."""
     try:
         return _match(study)
     except StudyError as error:
-        raise StudyError(f"{study.path}: {error}") from error
+        raise MatchError(f"{study.path}: {error}") from error
 
 
 def _match(study: Study) -> Match:

@@ -24,7 +24,9 @@ TAKES = ("last", "first", "largest", "smallest", "mean", "at")
 
 
 class StudyError(ValueError):
-    """The study file, or what it asks for, is wrong; the text names the key."""
+    """The study file, or what it asks for, is wrong; the text names the key. ``heading``: what to read of docs/studies.md."""
+
+    heading = "the-study-file"
 
 
 class Quantity(NamedTuple):
