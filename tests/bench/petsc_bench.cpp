@@ -246,7 +246,7 @@ int main(int count, char** arguments) {
                             : tangent(outside, ranks, discs, by == "petsc");
   } catch (const Error& error) {
     std::fprintf(stderr, "bench_petsc: %s\n", error.what());
-    ranks.fail();
+    ranks.fail(error.what());
   }
   hfrac_mpi_end(status);
   return status;

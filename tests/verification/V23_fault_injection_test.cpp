@@ -126,9 +126,9 @@ void print_farthest(const Simulation& sim, const verification::DrivenJoint& driv
   int bonds[2] = {};
   for (std::int64_t e = 0; e < a.bond_count(); ++e) {
     if (a.smooth.of(e) != nullptr) continue;
-    for (int side = 0; side < 2; ++side) {
-      const auto disc = side == 0 ? a.first[c.bond] : a.second[c.bond];
-      bonds[side] += a.first[e] == disc || a.second[e] == disc ? 1 : 0;
+    for (int k = 0; k < 2; ++k) {
+      const auto disc = k == 0 ? a.first[c.bond] : a.second[c.bond];
+      bonds[k] += a.first[e] == disc || a.second[e] == disc ? 1 : 0;
     }
   }
   std::printf("  farthest slide %.3f mm, at %.2f m over %.2f m, discs on %d and %d bonds\n",
