@@ -131,6 +131,7 @@ struct Assembly {
     return joint < 0 ? nullptr : &smooth.law_of_joint(joint);
   }
   [[nodiscard]] Vec2 joint_normal(std::int64_t bond) const {
+    if (const SmoothContact* contact = smooth.of(bond)) return contact->normal;
     const Vec2 normal = joints.normal[static_cast<std::size_t>(joints.joint_of(bond))];
     return dot(normal, {dx(bond), dy(bond)}) > 0.0 ? normal : -1.0 * normal;
   }

@@ -83,7 +83,8 @@ struct SmoothJoints {
     std::int64_t bond;
     std::int32_t contact;
   };
-  // A disc that a line cut off from the rock on its own side and that was left to the other side (solid/discs_held.hpp).
+  // A disc that a line cut off from the rock on its own side, all but one bond at most, and that was left to the other side
+  // (solid/discs_held.hpp).
   struct Moved {
     std::int32_t disc, line;
   };
@@ -91,6 +92,7 @@ struct SmoothJoints {
   std::vector<Moved> moved;          // ascending by disc
   std::vector<std::int64_t> shared;  // ascending: bonds that two joints cross
   bool held = false;                 // contacts of joints that conduct do not slip (initial equilibration)
+  [[nodiscard]] std::int32_t moved_over(std::int32_t disc) const;  // line, or -1
   // Whether a joint lies between two places.
   [[nodiscard]] bool separate(Vec2 p, Vec2 q) const;
   // Whether one lies between disc i at p and disc j at q: what was left to the other side of a joint is on that side.
@@ -98,7 +100,6 @@ struct SmoothJoints {
 
  private:
   [[nodiscard]] bool any_between(Vec2 p, Vec2 q, std::int32_t but) const;
-  [[nodiscard]] std::int32_t moved_over(std::int32_t disc) const;  // line, or -1
   // Places along the lines, no farther apart than `pace`, and the line of each.
   std::optional<CellGrid> places_;
   std::vector<std::int32_t> line_at_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solid/discs_held.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include "options/choices.hpp"
@@ -52,6 +53,8 @@ class Pieces {
 
 HeldDiscs keep_discs_held(const Assembly& a, const std::vector<JointOptions>& joints,
                           std::vector<std::int32_t>& joint_of) {
+  HeldDiscs held;
+  held.moved = move_discs_on_one_bond(a, joints, joint_of);
   const auto cut_by = [&](std::int64_t e) {
     const auto k = joint_of[static_cast<std::size_t>(e)];
     return k >= 0 && is_smooth(JointState{joints[static_cast<std::size_t>(k)].state}) ? k : -1;
@@ -78,12 +81,13 @@ HeldDiscs keep_discs_held(const Assembly& a, const std::vector<JointOptions>& jo
     return (disc.several && disc.bonds < fewest_held) ||
            (flake.bonds < fewest_held && pieces.size(pieces.of(i)) <= Fragments::largest_flake);
   };
-  HeldDiscs held;
   for (std::int32_t i = 0; i < a.disc_count(); ++i) {
     const auto piece = pieces.of(i);
     if (flakes[piece].joint >= 0 && !flakes[piece].several && pieces.size(piece) <= Fragments::largest_flake)
       held.moved.push_back({i, flakes[piece].joint});
   }
+  std::sort(held.moved.begin(), held.moved.end(),
+            [](const MovedDisc& p, const MovedDisc& q) { return p.disc < q.disc; });
   for (std::int64_t e = 0; e < a.bond_count(); ++e) {
     if (cut_by(e) < 0 || (!loose(a.first[e]) && !loose(a.second[e]))) continue;
     held.kept.push_back({e, cut_by(e)});

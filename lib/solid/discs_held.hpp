@@ -4,7 +4,8 @@
 // Where joints meet, a disc that they cut off on all sides but one has nothing that keeps it from turning: contacts that look along a
 // joint's normal bear it off its middle. And a disc that joints cut off, or a few that are bonded to each other only, are too small a piece of
 // rock: those that a single joint cuts off have no neighbours on their side of it, and float away as it opens until they lie on other discs.
-// They are left to the other side, so where the joint slides the discs they come to on their own side are across it.
+// They are left to the other side, so where the joint slides the discs they come to on their own side are across it. So are, before that, those
+// that a joint leaves with a single bond (solid/discs_on_one_bond.hpp).
 #pragma once
 
 #include <cstdint>
@@ -12,6 +13,7 @@
 
 #include "model/assembly.hpp"
 #include "options/options.hpp"
+#include "solid/discs_on_one_bond.hpp"
 
 namespace hfrac {
 
@@ -22,10 +24,7 @@ struct KeptBond {
 
 struct HeldDiscs {
   std::vector<KeptBond> kept;
-  struct Moved {
-    std::int32_t disc, joint;
-  };
-  std::vector<Moved> moved;  // that one joint cut off; ascending
+  std::vector<MovedDisc> moved;  // ascending by disc
 };
 
 // `joint_of`: the joint that crosses each bond, or -1, as those bonds are from here on.

@@ -16,7 +16,8 @@ Vec2 turned(Vec2 v) {
   return {-v.y, v.x};
 }
 
-// A bond and where it meets a joint; the discs on the joint's left and right, and their feet on it. All along the joint [m].
+// A bond and where it meets a joint, or if one of its discs moved to the other side the foot of its middle; the discs on the joint's left and
+// right, and their feet on it. All along the joint [m].
 struct Crossing {
   std::int64_t bond;
   double at;
@@ -27,8 +28,13 @@ Crossing crossing_of(const Assembly& a, std::int64_t e, Vec2 from, Vec2 along) {
   Crossing c{};
   const Vec2 p{a.x[a.first[e]], a.y[a.first[e]]}, bond{a.dx(e), a.dy(e)};
   c.bond = e;
-  c.at = dot(p + (cross(from - p, along) / cross(bond, along)) * bond - from, along);
-  const bool first_left = cross(along, p - from) > 0.0;
+  bool first_left = cross(along, p - from) > 0.0;
+  if (first_left == (cross(along, p + bond - from) > 0.0)) {
+    c.at = dot(a.contact_point(e) - from, along);
+    if (a.smooth.moved_over(a.first[e]) >= 0) first_left = !first_left;
+  } else {
+    c.at = dot(p + (cross(from - p, along) / cross(bond, along)) * bond - from, along);
+  }
   c.disc[0] = first_left ? a.first[e] : a.second[e];
   c.disc[1] = first_left ? a.second[e] : a.first[e];
   for (int side = 0; side < 2; ++side)
@@ -38,6 +44,7 @@ Crossing crossing_of(const Assembly& a, std::int64_t e, Vec2 from, Vec2 along) {
 
 struct Piece {
   std::int64_t bond;
+  bool first_left;
   double begin, end;
 };
 // Shares the joint out. Going along it, from one contact to the next the disc on one side changes, or on both: there ends the
@@ -84,7 +91,7 @@ std::vector<Piece> pieces_of(const Assembly& a, std::vector<Crossing>& met, doub
     const double stop = std::clamp(std::min(rim(met[last], 0, 1.0), rim(met[last], 1, 1.0)), begin, length);
     for (std::size_t m = first; m <= last; ++m) {
       const double end = m < last ? std::clamp(ends[m - first], begin, stop) : stop;
-      pieces.push_back({met[m].bond, begin, end});
+      pieces.push_back({met[m].bond, met[m].disc[0] == a.first[met[m].bond], begin, end});
       begin = end;
     }
     first = last + 1;
@@ -170,7 +177,7 @@ void begin_smooth_joints(Assembly& a, const std::vector<JointOptions>& joints,
       SmoothContact c{};
       c.bond = static_cast<std::int32_t>(e);
       c.joint = static_cast<std::int32_t>(k);
-      c.normal = dot(turned(along), {a.dx(e), a.dy(e)}) > 0.0 ? turned(along) : -1.0 * turned(along);
+      c.normal = piece.first_left ? -1.0 * turned(along) : turned(along);
       const Vec2 first_arm = place - Vec2{a.x[i], a.y[i]}, second_arm = place - Vec2{a.x[j], a.y[j]};
       c.opens_by_first = -dot(c.normal, turned(first_arm));
       c.opens_by_second = dot(c.normal, turned(second_arm));

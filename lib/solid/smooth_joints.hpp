@@ -11,7 +11,7 @@
 //             sigma_n, mu and the dilation D by the joint's law (model/joint_law.hpp); as given by no more than the joint's line:
 //             N = k_n A max(0, -U_n), a constant mu, no dilation
 //   forces    on i: F_n n + F_s t, on j the opposite; moments r x force
-// There is one contact per bond that the joint crosses. A is its piece of the joint and it lies in the middle of that; pieces add up
+// There is one contact per bond that the joint crosses, or that it was led across (discs_on_one_bond.hpp). A is its piece of the joint and it lies in the middle of that; pieces add up
 // to the joint, so k_n, k_s, T and c are per area, free of disc size, and they are cut where the faces of the discs end, so that
 // pressure on the joint hardly turns the discs (where the lines of the two centres meet the joint it would break their bonds).
 // Both discs see the joint as it was at bonding: planes do not turn with the rock, and the pairs across it stay the ones of the
@@ -42,7 +42,7 @@ struct SmoothResponse {
   double shear_limit = 0.0;                  // N, what friction bears; 0 where the contact holds or is open
 };
 
-// `joint_of`: the joint each bond belongs to, -1 of none. Fills assembly.smooth, if any is smooth.
+// `joint_of`: the joint each bond belongs to, -1 of none. Fills assembly.smooth, if any is smooth; what moved is there before.
 void begin_smooth_joints(Assembly& assembly, const std::vector<JointOptions>& joints,
                          const std::vector<std::int32_t>& joint_of, const Options& options);
 

@@ -53,8 +53,9 @@ struct Block {
   // Pressed together by `press` and moved by `slide` along the joint [m].
   void move(double press, double slide) {
     const Vec2 by = slide * along - press * normal;
-    for (std::int64_t i = 0; i < a.disc_count(); ++i) {
-      const bool left = cross(along, Vec2{a.x[i] - joint.x1, a.y[i] - joint.y1}) > 0.0;
+    for (std::int32_t i = 0; i < a.disc_count(); ++i) {
+      const bool above = cross(along, Vec2{a.x[i] - joint.x1, a.y[i] - joint.y1}) > 0.0;
+      const bool left = above != (a.smooth.moved_over(i) >= 0);
       a.ux[i] = left ? by.x : 0.0;
       a.uy[i] = left ? by.y : 0.0;
     }

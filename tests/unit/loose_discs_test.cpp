@@ -46,7 +46,7 @@ class LooseDiscs : public testing::Test {
   Assembly& a_;
   std::int32_t disc_ = 0;
   std::vector<std::int32_t> joint_of_;
-  std::vector<HeldDiscs::Moved> moved_;
+  std::vector<MovedDisc> moved_;
 };
 
 TEST_F(LooseDiscs, OneThatASingleJointCutsOffKeepsTwoBonds) {
