@@ -16,18 +16,20 @@ struct Beside {
   int held = 0, crossed = 0;  // bonds
   std::int32_t joint = -1;    // that crosses them
   bool several = false, moved = false;
+  bool met = false;  // the joint's line crosses bonds of its own
 
   void cut(std::int32_t by) {
     several = several || (joint >= 0 && joint != by);
     joint = by;
+    met = true;
   }
   [[nodiscard]] bool on_one_bond() const {
-    return held == 1 && crossed >= fewest_crossed && !several && !moved;
+    return met && held == 1 && crossed >= fewest_crossed && !several && !moved;
   }
   // Whether it is held without one of its bonds, or can follow.
   [[nodiscard]] bool can_lose_one(std::int32_t to) const {
     if (several || moved || (joint >= 0 && joint != to)) return false;
-    return held > 2 || (held == 2 && crossed >= fewest_crossed - 1);
+    return held > 2 || (met && held == 2 && crossed >= fewest_crossed - 1);
   }
 };
 
@@ -43,7 +45,7 @@ class Mover {
       }
     for (std::int64_t e = 0; e < a.bond_count(); ++e)
       for (const auto i : {a.first[e], a.second[e]})
-        if (discs_[static_cast<std::size_t>(i)].joint >= 0) bonds_.emplace_back(i, e);
+        if (discs_[static_cast<std::size_t>(i)].met) bonds_.emplace_back(i, e);
     std::sort(bonds_.begin(), bonds_.end());
     find_ends();
   }
