@@ -51,16 +51,8 @@ class Mover {
   }
 
   std::vector<MovedDisc> move_all() {
-    std::vector<std::int32_t> waiting;
-    for (std::int32_t i = 0; i < a_.disc_count(); ++i) {
-      waiting.push_back(i);
-      while (!waiting.empty()) {
-        const auto disc = waiting.back();
-        waiting.pop_back();
-        const auto next = move(disc);
-        if (next >= 0) waiting.push_back(next);
-      }
-    }
+    for (std::int32_t i = 0; i < a_.disc_count(); ++i)
+      for (auto disc = i; disc >= 0;) disc = move(disc);
     std::sort(moved_.begin(), moved_.end(),
               [](const MovedDisc& p, const MovedDisc& q) { return p.disc < q.disc; });
     return std::move(moved_);
@@ -89,6 +81,7 @@ class Mover {
       if (ends.last < 0 || place(k, e) > place(k, ends.last)) ends.last = e;
     }
   }
+
   // Led around a disc at its end a joint would be shorter.
   [[nodiscard]] bool ends_at(std::int32_t joint, const std::vector<std::int64_t>& around) const {
     const Ends& ends = ends_[static_cast<std::size_t>(joint)];

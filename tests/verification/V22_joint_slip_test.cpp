@@ -57,31 +57,21 @@ Slip slip_along(hfrac::Definition def, double c, double off) {
       joint_def(x - c * t, y - c * t, x + c * t, y + c * t, 1.0, 1.0, 0.0, HFRAC_JOINT_SMOOTH_BROKEN);
   Simulation sim(def);
   sim.step(1);  // set-up moves the rock to rest; what it left of the slip is settled by the solver
-  const auto place = sim.values(HFRAC_DISC_POSITION), before = sim.values(HFRAC_DISC_DISPLACEMENT),
-             turned = sim.values(HFRAC_DISC_ROTATION);
-  const auto discs = sim.indices(HFRAC_BOND_DISCS);
+  const auto before = sim.values(HFRAC_JOINT_TOTAL_SLIP);
   sim.set_far_field(around + more, around);
   sim.step(1);
-  const auto moves = moved(before, sim.values(HFRAC_DISC_DISPLACEMENT)),
-             turns = moved(turned, sim.values(HFRAC_DISC_ROTATION));
-  const auto along = [&](std::size_t i) { return t * (place[2 * i] - x + place[2 * i + 1] - y); };
-  const auto across = [&](std::size_t i) { return t * (place[2 * i + 1] - y - place[2 * i] + x); };
-  // Motion along the joint of a disc's face on it: that of its centre, and what its rotation adds.
-  const auto face = [&](std::size_t i) {
-    return t * (moves[2 * i] + moves[2 * i + 1]) + turns[i] * across(i);
-  };
+  const auto slip = moved(before, sim.values(HFRAC_JOINT_TOTAL_SLIP)), begin = sim.values(HFRAC_JOINT_BEGIN),
+             end = sim.values(HFRAC_JOINT_END);
   std::vector<std::pair<double, double>> found;
-  for (std::size_t e = 0; e < discs.size(); e += 2) {
-    const auto i = static_cast<std::size_t>(discs[e]), j = static_cast<std::size_t>(discs[e + 1]);
-    if ((across(i) > 0.0) == (across(j) > 0.0)) continue;
-    const double at = along(i) + across(i) / (across(i) - across(j)) * (along(j) - along(i));
-    if (std::abs(at) < c) found.emplace_back(at, std::abs(face(j) - face(i)));
+  for (std::size_t k = 0; k < slip.size(); ++k) {
+    const double at_x = 0.5 * (begin[2 * k] + end[2 * k]), at_y = 0.5 * (begin[2 * k + 1] + end[2 * k + 1]);
+    found.emplace_back(t * (at_x - x + at_y - y), std::abs(slip[k]));
   }
   std::sort(found.begin(), found.end());
   Slip result;
-  for (const auto& [at, slip] : found) {
+  for (const auto& [at, slid] : found) {
     result.at.push_back(at);
-    result.slip.push_back(slip);
+    result.slip.push_back(slid);
   }
   return result;
 }
