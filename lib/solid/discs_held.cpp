@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "options/choices.hpp"
 #include "solid/fragments.hpp"
@@ -54,7 +55,9 @@ class Pieces {
 HeldDiscs keep_discs_held(const Assembly& a, const std::vector<JointOptions>& joints,
                           std::vector<std::int32_t>& joint_of) {
   HeldDiscs held;
-  held.moved = move_discs_on_one_bond(a, joints, joint_of);
+  DiscsOnOneBond on_one_bond = move_discs_on_one_bond(a, joints, joint_of);
+  held.moved = std::move(on_one_bond.moved);
+  held.idle = std::move(on_one_bond.idle);
   const auto cut_by = [&](std::int64_t e) {
     const auto k = joint_of[static_cast<std::size_t>(e)];
     return k >= 0 && is_smooth(JointState{joints[static_cast<std::size_t>(k)].state}) ? k : -1;

@@ -25,6 +25,8 @@ struct KeptBond {
 struct HeldDiscs {
   std::vector<KeptBond> kept;
   std::vector<MovedDisc> moved;  // ascending by disc
+  std::vector<std::int64_t>
+      idle;  // bonds that joints cross and whose contacts bear next to nothing; ascending
 };
 
 // `joint_of`: the joint that crosses each bond, or -1, as those bonds are from here on.

@@ -50,12 +50,21 @@ class Mover {
     find_ends();
   }
 
-  std::vector<MovedDisc> move_all() {
+  DiscsOnOneBond move_all() {
+    DiscsOnOneBond found;
     for (std::int32_t i = 0; i < a_.disc_count(); ++i)
       for (auto disc = i; disc >= 0;) disc = move(disc);
     std::sort(moved_.begin(), moved_.end(),
               [](const MovedDisc& p, const MovedDisc& q) { return p.disc < q.disc; });
-    return std::move(moved_);
+    found.moved = std::move(moved_);
+    for (std::int32_t i = 0; i < a_.disc_count(); ++i) {
+      const Beside& disc = discs_[static_cast<std::size_t>(i)];
+      if (!disc.met || disc.held != 1 || disc.crossed != 1 || disc.several) continue;
+      for (const auto e : bonds_of(i))
+        if (cut(e)) found.idle.push_back(e);
+    }
+    std::sort(found.idle.begin(), found.idle.end());
+    return found;
   }
 
  private:
@@ -169,8 +178,8 @@ class Mover {
 
 }  // namespace
 
-std::vector<MovedDisc> move_discs_on_one_bond(const Assembly& a, const std::vector<JointOptions>& joints,
-                                              std::vector<std::int32_t>& joint_of) {
+DiscsOnOneBond move_discs_on_one_bond(const Assembly& a, const std::vector<JointOptions>& joints,
+                                      std::vector<std::int32_t>& joint_of) {
   return Mover(a, joints, joint_of).move_all();
 }
 

@@ -8,6 +8,8 @@
 //
 // The next disc on its own side may be left with one bond by that, and follows; or, if it cannot, the first one stays. It stays, too, at a joint's
 // ends, which would be shorter, and where joints meet: led around a disc there, a joint would miss the other one's end.
+//
+// A disc with one bond on either side is as loose whichever side it belongs to. Its contact is idle: the contacts beside it share its piece.
 #pragma once
 
 #include <cstdint>
@@ -22,9 +24,13 @@ struct MovedDisc {
   std::int32_t disc, joint;  // that cut it off from its own side
 };
 
-// `joint_of`: the joint that crosses each bond, or -1, as those bonds are from here on. Returns what moved, ascending by disc.
-std::vector<MovedDisc> move_discs_on_one_bond(const Assembly& assembly,
-                                              const std::vector<JointOptions>& joints,
-                                              std::vector<std::int32_t>& joint_of);
+struct DiscsOnOneBond {
+  std::vector<MovedDisc> moved;    // ascending by disc
+  std::vector<std::int64_t> idle;  // bonds whose contacts are; ascending
+};
+
+// `joint_of`: the joint that crosses each bond, or -1, as those bonds are from here on.
+DiscsOnOneBond move_discs_on_one_bond(const Assembly& assembly, const std::vector<JointOptions>& joints,
+                                      std::vector<std::int32_t>& joint_of);
 
 }  // namespace hfrac

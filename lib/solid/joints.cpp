@@ -107,7 +107,7 @@ std::int64_t apply_joints(Assembly& a, const std::vector<JointOptions>& joints, 
     line_of.push_back((line_of.empty() ? -1 : line_of.back()) + (is_smooth(JointState{joint.state}) ? 1 : 0));
   for (const auto& [disc, joint] : held.moved)
     a.smooth.moved.push_back({disc, line_of[static_cast<std::size_t>(joint)]});
-  begin_smooth_joints(a, joints, joint_of, o);
+  begin_smooth_joints(a, joints, joint_of, held.idle, o);
   bridge_flow(a, held.kept);
   combine_factors(a, o);
   return left_out;

@@ -47,17 +47,40 @@ struct Piece {
   bool first_left;
   double begin, end;
 };
+Piece piece_of(const Assembly& a, const Crossing& c, double begin, double end) {
+  return {c.bond, c.disc[0] == a.first[c.bond], begin, end};
+}
+
+// Takes idle contacts between two others out of `met`, and gives them pieces of no length.
+std::vector<Piece> take_idle(const Assembly& a, std::vector<Crossing>& met,
+                             const std::vector<std::int64_t>& idle) {
+  std::vector<Piece> pieces;
+  std::vector<Crossing> left;
+  for (std::size_t m = 0; m < met.size(); ++m) {
+    const bool out = std::binary_search(idle.begin(), idle.end(), met[m].bond) && !left.empty() &&
+                     m + 1 < met.size() &&
+                     met[m + 1].at - left.back().at <= widest_gap * a.mean_radius_of(met[m].bond);
+    if (out)
+      pieces.push_back(piece_of(a, met[m], met[m].at, met[m].at));
+    else
+      left.push_back(met[m]);
+  }
+  met = std::move(left);
+  return pieces;
+}
+
 // Shares the joint out. Going along it, from one contact to the next the disc on one side changes, or on both: there ends the
 // first disc's face, between its foot and the next one's as their radii are. Faces that would begin before they end are
 // cut at their mean. At its ends the joint reaches as far as both discs' faces. So each disc is pressed about evenly around its foot, whatever way its contacts look.
-std::vector<Piece> pieces_of(const Assembly& a, std::vector<Crossing>& met, double length) {
+std::vector<Piece> pieces_of(const Assembly& a, std::vector<Crossing>& met, double length,
+                             const std::vector<std::int64_t>& idle) {
   std::sort(met.begin(), met.end(), [](const Crossing& p, const Crossing& q) {
     return p.at != q.at ? p.at < q.at : p.bond < q.bond;
   });
+  std::vector<Piece> pieces = take_idle(a, met, idle);
   const auto rim = [&](const Crossing& c, int side, double way) {
     return c.foot[side] + way * a.radius[c.disc[side]];
   };
-  std::vector<Piece> pieces;
   for (std::size_t first = 0; first < met.size();) {
     std::size_t last = first;
     while (last + 1 < met.size() &&
@@ -91,7 +114,7 @@ std::vector<Piece> pieces_of(const Assembly& a, std::vector<Crossing>& met, doub
     const double stop = std::clamp(std::min(rim(met[last], 0, 1.0), rim(met[last], 1, 1.0)), begin, length);
     for (std::size_t m = first; m <= last; ++m) {
       const double end = m < last ? std::clamp(ends[m - first], begin, stop) : stop;
-      pieces.push_back({met[m].bond, met[m].disc[0] == a.first[met[m].bond], begin, end});
+      pieces.push_back(piece_of(a, met[m], begin, end));
       begin = end;
     }
     first = last + 1;
@@ -142,7 +165,8 @@ Motion motion_of(const Assembly& a, const SmoothContact& c) {
 }  // namespace
 
 void begin_smooth_joints(Assembly& a, const std::vector<JointOptions>& joints,
-                         const std::vector<std::int32_t>& joint_of, const Options& o) {
+                         const std::vector<std::int32_t>& joint_of, const std::vector<std::int64_t>& idle,
+                         const Options& o) {
   SmoothJoints& smooth = a.smooth;
   const double diameter = 2.0 * a.mean_radius;
   smooth.normal_stiffness = o.smooth_joint_normal_stiffness > 0.0 ? o.smooth_joint_normal_stiffness
@@ -170,7 +194,7 @@ void begin_smooth_joints(Assembly& a, const std::vector<JointOptions>& joints,
     const Vec2 along = (1.0 / length) * (to - from);
     std::vector<Crossing> met;
     for (const auto e : crossed[k]) met.push_back(crossing_of(a, e, from, along));
-    for (const auto& piece : pieces_of(a, met, length)) {
+    for (const auto& piece : pieces_of(a, met, length, idle)) {
       const std::int64_t e = piece.bond;
       const auto i = a.first[e], j = a.second[e];
       const Vec2 place = from + 0.5 * (piece.begin + piece.end) * along;

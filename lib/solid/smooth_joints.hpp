@@ -42,9 +42,11 @@ struct SmoothResponse {
   double shear_limit = 0.0;                  // N, what friction bears; 0 where the contact holds or is open
 };
 
-// `joint_of`: the joint each bond belongs to, -1 of none. Fills assembly.smooth, if any is smooth; what moved is there before.
+// `joint_of`: the joint each bond belongs to, -1 of none. `idle`: bonds whose contacts get next to no piece of it, if others are near, ascending.
+// Fills assembly.smooth, if any is smooth; what moved is there before.
 void begin_smooth_joints(Assembly& assembly, const std::vector<JointOptions>& joints,
-                         const std::vector<std::int32_t>& joint_of, const Options& options);
+                         const std::vector<std::int32_t>& joint_of, const std::vector<std::int64_t>& idle,
+                         const Options& options);
 
 // What a contact of a joint bears: the part that its faces do, so the effective stress. Compression positive; shear as the slide.
 struct JointStress {
