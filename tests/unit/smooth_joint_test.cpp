@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -102,20 +101,38 @@ TEST(SmoothJoint, IsLedAroundDiscsOnOneBond) {
       EXPECT_GE(held[static_cast<std::size_t>(disc)], 2) << seed;
       EXPECT_EQ(line, 0);
     }
-    std::vector<std::pair<double, double>> pieces;
+    struct Piece {
+      double begin, end;
+    };
+    std::vector<Piece> pieces;
+    std::vector<double> on_one_bond;  // where contacts of discs with one bond on either side lie
     for (const auto& c : a.smooth.contacts) {
-      const auto i = a.first[c.bond];
+      const auto i = static_cast<std::size_t>(a.first[c.bond]),
+                 j = static_cast<std::size_t>(a.second[c.bond]);
       const double at = dot(Vec2{a.x[i], a.y[i]} + c.first_arm(), cut.along());
-      const bool is_idle = c.area < 0.0101 * a.mean_radius;
-      idle += is_idle ? 1 : 0;
-      if (is_idle) continue;
-      pieces.emplace_back(at - 0.5 * c.area, at + 0.5 * c.area);
+      const auto loose = [&](std::size_t d) { return held[d] == 1 && crossed[d] == 1; };
+      if (c.area < 0.0101 * a.mean_radius) {
+        idle += loose(i) || loose(j) ? 1 : 0;
+        continue;
+      }
+      if (loose(i) || loose(j)) on_one_bond.push_back(at);
+      pieces.push_back({at - 0.5 * c.area, at + 0.5 * c.area});
     }
-    std::sort(pieces.begin(), pieces.end());
+    std::sort(pieces.begin(), pieces.end(), [](const Piece& p, const Piece& q) { return p.begin < q.begin; });
+    const auto is_void = [&](double gap) { return gap > a.mean_radius; };
     for (std::size_t k = 1; k < pieces.size(); ++k) {
-      const double gap = pieces[k].first - pieces[k - 1].second;  // none, or a void of the packing
-      EXPECT_TRUE(std::abs(gap) < 0.02 * a.mean_radius || gap > a.mean_radius) << seed << ": " << gap;
+      const double gap = pieces[k].begin - pieces[k - 1].end;
+      EXPECT_TRUE(std::abs(gap) < 0.02 * a.mean_radius || is_void(gap)) << seed << ": " << gap;
     }
+    // Only at its ends, or those of its parts, does such a contact bear.
+    for (const double at : on_one_bond)
+      for (std::size_t k = 1; k + 1 < pieces.size(); ++k)
+        if (pieces[k].begin < at && at < pieces[k].end) {
+          EXPECT_TRUE(pieces[k + 1].end - pieces[k - 1].begin > 4.0 * a.mean_radius ||
+                      is_void(pieces[k].begin - pieces[k - 1].end) ||
+                      is_void(pieces[k + 1].begin - pieces[k].end))
+              << seed << ", " << at;
+        }
     for (const Vec2 by : {opens, slides}) {
       cut.move(by);
       for (const auto& contact : a.smooth.contacts) {
@@ -131,7 +148,6 @@ TEST(SmoothJoint, IsLedAroundDiscsOnOneBond) {
   EXPECT_GT(idle, 0) << "nor this";
 }
 
-// The whole point: one half slides over the other without being lifted, and bears its coefficient of friction.
 // As where a well took all the discs along it, or another joint all of its bonds.
 TEST(SmoothJoint, ThatCrossesNoBondStillLiesBetweenDiscs) {
   const Options o = dry_options(500);
@@ -145,6 +161,7 @@ TEST(SmoothJoint, ThatCrossesNoBondStillLiesBetweenDiscs) {
   EXPECT_FALSE(a.smooth.separate({10.0, 9.0}, {10.0, 11.0}));
 }
 
+// The whole point: one half slides over the other without being lifted, and bears its coefficient of friction.
 TEST(SmoothJoint, SlidesWithoutDilationAtItsCoefficientOfFriction) {
   for (const double degrees : {0.0, 30.0, 60.0}) {
     Cut cut(degrees, JointState::smooth_broken, 0.5);

@@ -73,13 +73,9 @@ class DrivenJoint {
   DrivenJoint(hfrac::Simulation& sim, double middle, double over) : sim_(sim), middle_(middle) {
     sim.step();  // what set-up left of the slip
     for (const auto& c : contacts()) before_.push_back(sim.assembly().slip[c.bond]);
-    // Idle ones (solid/discs_on_one_bond.hpp) do not tell where their pores are.
-    const double idle = 0.011 * sim.assembly().mean_radius;
-    const auto nearest =
-        std::min_element(contacts().begin(), contacts().end(), [&](const auto& p, const auto& q) {
-          if ((p.area < idle) != (q.area < idle)) return q.area < idle;
-          return std::abs(along(p)) < std::abs(along(q));
-        });
+    const auto nearest = std::min_element(
+        contacts().begin(), contacts().end(),
+        [&](const auto& p, const auto& q) { return std::abs(along(p)) < std::abs(along(q)); });
     source_ = along(*nearest) - 0.5 * nearest->area;  // in one pore, so at the beginning of that contact
     Network& n = sim.engine().model.network;
     const auto left = n.left[nearest->bond], right = n.right[nearest->bond];
