@@ -617,8 +617,7 @@ module hfrac_c
     real(c_double) :: boundary_flow_distance = 0.0_c_double
     !> 0: given, 1: water. given: fluid.viscosity, fluid.bulk_modulus and thermal.fluid_density. water: all three
     !> are those of water (IAPWS R12-08 and R7-97) at thermal.rock_temperature and fluid.formation_pressure; with
-    !> thermal.mode other than off every pore's viscosity follows its temperature and pressure, step by step.
-    !> Default 0.
+    !> thermal.mode other than off all three follow every pore's temperature, step by step. Default 0.
     integer(c_int64_t) :: fluid_kind = 0_c_int64_t
     !> 0: round, 1: flat. round: a contact bears no moment. flat: one as wide as the bond, which opens from one edge
     !> and hinders rolling (flat joint without bond, Potyondy 2012); with fracture.law = bond. Default 0.

@@ -80,10 +80,11 @@ double saturation_pressure(double kelvin) {
   return 1e6 * root * root * root * root;
 }
 
-double water_viscosity_at(double kelvin, double pressure) {
+double water_kinematic_viscosity_at(double kelvin, double pressure) {
   const double t = std::clamp(kelvin, coldest_water, hottest_water),
                p = std::clamp(pressure, saturation_pressure(t), highest_water_pressure);
-  return water_viscosity(t, water_density(t, p));
+  const double density = water_density(t, p);
+  return water_viscosity(t, density) / density;
 }
 
 }  // namespace hfrac

@@ -15,7 +15,7 @@ double water_bulk_modulus(double kelvin, double pressure);
 double water_viscosity(double kelvin, double density);  // Pa s
 // Of region 1 and region 4, IF97 equation 30: below it water boils [Pa].
 double saturation_pressure(double kelvin);
-// The viscosity at a pressure [Pa]; beyond the region's bounds, that at the bound.
-double water_viscosity_at(double kelvin, double pressure);
+// Viscosity over density [m2/s] at a pressure [Pa]; beyond the region's bounds, that at the bound.
+double water_kinematic_viscosity_at(double kelvin, double pressure);
 
 }  // namespace hfrac

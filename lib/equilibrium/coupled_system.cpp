@@ -428,7 +428,7 @@ double CoupledSystem::evaluate_domain(std::int64_t d) {
     }
   }
   const double change = volume_change(d);
-  const double full = n.reference_pressure + n.stiffness[d] * (n.content[d] - change);
+  const double full = n.reference_pressure + n.stiffness[d] * (n.content[d] + n.growth_of(d) - change);
   // The fluid fills the domain, or its pressure is at the floor: whichever is farther from fulfilled. Both in one scale, or the residual
   // would jump, and one no stiffer than the rock, or the little that a joint's pore stores would decide.
   const double filled = (n.pressure[d] - full) / n.stiffness[d],

@@ -24,7 +24,8 @@ constexpr double wellbore_tolerance = 1e-9, wellbore_settled = 0.2;
 
 // Pressure from content without the floor of cavitation.
 double full_pressure(const Network& n, std::size_t d) {
-  return n.reference_pressure + n.stiffness[d] * (n.content[d] - n.volume_change[d]);
+  return n.reference_pressure +
+         n.stiffness[d] * (n.content[d] + n.growth_of(static_cast<std::int64_t>(d)) - n.volume_change[d]);
 }
 
 // What the pressure that a host set beyond a pipe of the outer boundary adds to its flow, left to right.

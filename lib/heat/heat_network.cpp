@@ -30,13 +30,6 @@ Vec2 centre_of(const Assembly& a, std::int32_t disc) {
   return {a.x[disc], a.y[disc]};
 }
 
-// Angle of the disc's sector at a corner of a domain.
-double sector(const Assembly& a, const Network& n, std::int64_t d, std::int32_t k) {
-  const auto [disc, before, after] = n.corner(d, k);
-  const Vec2 centre = centre_of(a, disc);
-  return angle_between(centre_of(a, after) - centre, centre_of(a, before) - centre);
-}
-
 double polygon_area(const Assembly& a, const Network& n, std::int64_t d) {
   double twice = 0.0;
   for (auto k = n.corner_start[static_cast<std::size_t>(d)];
@@ -135,6 +128,12 @@ class Conductivity {
 
 }  // namespace
 
+double sector_angle(const Assembly& a, const Network& n, std::int64_t d, std::int32_t k) {
+  const auto [disc, before, after] = n.corner(d, k);
+  const Vec2 centre = centre_of(a, disc);
+  return angle_between(centre_of(a, after) - centre, centre_of(a, before) - centre);
+}
+
 HeatNetwork build_heat_network(const Assembly& a, const Network& n, const Options& o) {
   HeatNetwork h;
   for (std::int64_t i = 0; i < a.disc_count(); ++i) h.capacity.push_back(a.mass(i) * o.thermal_specific_heat);
@@ -145,7 +144,7 @@ HeatNetwork build_heat_network(const Assembly& a, const Network& n, const Option
     for (std::int64_t d = 1; d < n.domain_count(); ++d) {
       for (auto k = n.corner_start[static_cast<std::size_t>(d)];
            k < n.corner_start[static_cast<std::size_t>(d) + 1]; ++k)
-        h.face[static_cast<std::size_t>(k)] = 4.0 * sector(a, n, d, k);
+        h.face[static_cast<std::size_t>(k)] = 4.0 * sector_angle(a, n, d, k);
     }
   }
   const double bare = Conductivity(a, n, h).measure();

@@ -27,6 +27,9 @@ struct HeatNetwork {
   double factor = 0.0;     // W/(m K), f
 };
 
+// Angle of the disc's sector at corner k of a domain.
+double sector_angle(const Assembly& assembly, const Network& network, std::int64_t domain, std::int32_t k);
+
 HeatNetwork build_heat_network(const Assembly& assembly, const Network& network, const Options& options);
 
 }  // namespace hfrac

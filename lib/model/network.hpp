@@ -3,7 +3,7 @@
 //
 // What a domain stores is its content zeta: fluid taken in since the start, as a volume at reference pressure. The
 // pressure follows from content and the pore's change of volume,
-//     p = max(floor, p_ref + K_f (zeta - dV) / V)                                       (eq. 8 in total form)
+//     p = max(floor, p_ref + K_f (zeta + growth - dV) / V)                              (eq. 8 in total form; growth by temperature, if any)
 // so mass is never lost to linearisation. dV = sum of w.u over the discs around the domain, with the very weights
 // w = s1 n1 + s2 n2 by which the pressure pushes the discs (eq. 10): what the fluid loses the discs get, exactly. The
 // weights are taken at bonding (small rotations).
@@ -71,7 +71,11 @@ struct Network {
   Array<double>
       facet_worked;  // Pa, per domain: pressure up to which the work on facets is counted; explicit motion only
   double facet_pushed = 0.0;  // J/m, potential of the locked-in pushes where they began
+  // with fluid.kind water and temperature (heat/water_in_pores.hpp), else empty
+  Array<double> growth;  // m2, per domain: by which temperature made its fluid grow more than its void
   // These follow from the state:
+  Array<double> storing_at_start;  // m2, per domain: storing at thermal.rock_temperature
+  double stiffest_water = 1.0;  // bulk modulus of water at its stiffest over that at thermal.rock_temperature
   Array<double> facet_opening;  // m, per pipe: across the fracture
   Array<double> facet_way;      // m, per pipe: that a facet's fluid flows; 0: no facet
   Array<double> facet_least;    // m, per pipe: that a facet's aperture has at least
@@ -91,6 +95,11 @@ struct Network {
   [[nodiscard]] double flow_of(std::size_t pipe) const { return flow.empty() ? 0.0 : flow[pipe]; }
   [[nodiscard]] double conductance_of(std::size_t pipe) const {
     return conductance.empty() ? 0.0 : conductance[pipe];
+  }
+  [[nodiscard]] double growth_of(std::int64_t domain) const { return growth.empty() ? 0.0 : growth[domain]; }
+  // What stores in it when it stores least [m2].
+  [[nodiscard]] double least_storing(std::int64_t domain) const {
+    return growth.empty() ? storing[domain] : storing_at_start[domain] / stiffest_water;
   }
   [[nodiscard]] PipeAtRest pipe_at_rest(std::size_t pipe) const {
     if (pipe_sizes.empty()) return zero_stress_aperture;
@@ -137,7 +146,8 @@ Network build_network(Faces faces, const Assembly& assembly, const std::vector<s
 
 // Content at which a domain has pressure p, given its volume change now.
 inline double content_at(const Network& n, std::int64_t domain, double bulk_modulus, double p) {
-  return n.volume_change[domain] + (p - n.reference_pressure) * n.storing[domain] / bulk_modulus;
+  return n.volume_change[domain] - n.growth_of(domain) +
+         (p - n.reference_pressure) * n.storing[domain] / bulk_modulus;
 }
 
 // Share of a domain's volume that fluid fills; 1 where the pressure is imposed. A pore at the floor may hold less than would fill it.

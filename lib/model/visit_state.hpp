@@ -41,6 +41,10 @@ void visit_state(Archive& archive, Self& s, bool wet) {
     archive.value(s.accounts.energies.held);
   }
   if (!n.viscosity_share.empty()) archive.array(n.viscosity_share);  // likewise
+  if (!n.growth.empty()) {
+    archive.array(n.growth);
+    archive.array(n.storing);
+  }
   const bool two_fluids = !n.second_content.empty();
   if (two_fluids) {
     archive.array(n.second_content);

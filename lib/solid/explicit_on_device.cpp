@@ -21,6 +21,7 @@ bool ExplicitSolver::runs_on_device() const {
 void ExplicitSolver::begin_on_device() {
   arrays_.stiffness = network_.stiffness.data();
   arrays_.undrained = undrained_ ? 1 : 0;
+  take_contents();
   if (away_) {  // only the fluid has moved since
     device_cycles_->go_on();
     return;
@@ -102,6 +103,7 @@ void ExplicitSolver::bring_home() const {
 }
 
 void ExplicitSolver::evaluate_on_device() {
+  take_contents();
   device_cycles_->evaluate();
   device_cycles_->get_moved();
   arrays_.undrained = 1;

@@ -102,7 +102,11 @@ void ExplicitSolver::bind_arrays() {
   k.domain_corner_turn = n.corner_turn.empty() ? nullptr : n.corner_turn.data();
   k.pressure = n.pressure.data();
   k.volume_change = n.volume_change.data();
-  k.content = n.content.data();
+  if (FlowScheme{options_.flow_scheme} != FlowScheme::off &&
+      FluidKind{options_.fluid_kind} == FluidKind::water &&
+      ThermalMode{options_.thermal_mode} != ThermalMode::off)
+    filled_.resize(n.content.size());
+  k.content = filled_.empty() ? n.content.data() : filled_.data();
   k.tiles = plan_.tiles.data();
   k.pairs = plan_.pairs.data();
   k.pair_count = static_cast<std::int64_t>(plan_.pairs.size());
@@ -377,6 +381,11 @@ ExplicitSolver::Outcome ExplicitSolver::run_for(double duration, CrackLog& log,
   return outcome;
 }
 
+void ExplicitSolver::take_contents() {
+  for (std::int64_t d = 0; d < static_cast<std::int64_t>(filled_.size()); ++d)
+    filled_[d] = network_.content[d] + network_.growth_of(d);
+}
+
 void ExplicitSolver::evaluate() {
   if (away_) {
     evaluate_on_device();
@@ -386,6 +395,7 @@ void ExplicitSolver::evaluate() {
   if (facets_.active()) facets_.begin_cycles();
   arrays_.stiffness = facets_.active() ? facets_.stiffness() : network_.stiffness.data();
   arrays_.undrained = 1;  // volumes are looked at
+  take_contents();
   begin_smooth_joints();
   mark_left_alone();
   for (std::size_t k = 0; !smooth_forces_.empty() && k < smooth_forces_.size(); ++k) {

@@ -161,6 +161,7 @@ class ExplicitSolver {
   };
   void batch(std::int64_t cycles, std::vector<Found>& found);
   void begin_on_device();
+  void take_contents();
   void batch_on_device(std::int64_t cycles, std::vector<Found>& found);
   void fetch_state();
   void evaluate_on_device();
@@ -238,6 +239,7 @@ class ExplicitSolver {
   std::atomic<bool> no_memory_{false};  // in the batch at hand
   KernelArrays arrays_{};
   Array<double> inverse_mass_, inverse_inertia_;
+  Array<double> filled_;  // m2, per domain: content and growth, of water that feels temperature; else empty
   std::vector<Array<double>> scratch_;                            // one per worker
   TemporalBlocking blocking_;                                     // empty where the caches hold the model
   std::vector<std::atomic<std::int32_t>> tile_done_, part_done_;  // cycles of the batch

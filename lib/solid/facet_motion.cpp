@@ -169,8 +169,8 @@ double FacetMotion::volume_change(const Pore& pore) const {
 // One step of Newton's method on a pore's own pressure. Returns by how much it changed [Pa].
 double FacetMotion::correct(Pore& pore) {
   const double storing = 1.0 / network_.stiffness[pore.domain];
-  double lacking =
-      network_.content[pore.domain] - (pore.pressure - network_.reference_pressure) * storing - pore.fixed;
+  double lacking = network_.content[pore.domain] + network_.growth_of(pore.domain) -
+                   (pore.pressure - network_.reference_pressure) * storing - pore.fixed;
   double slope = storing;
   for (auto k = pore.first; k < pore.last; ++k) {
     const Side& side = sides_[static_cast<std::size_t>(k)];
@@ -202,8 +202,10 @@ void FacetMotion::answer(bool undrained) {
       change += n.corner_weight[2 * k] * a.ux[i] + n.corner_weight[2 * k + 1] * a.uy[i];
       if (!n.corner_turn.empty()) change += n.corner_turn[k] * a.rotation[i];
     }
-    hole.pressure = std::max(n.floor_pressure, n.reference_pressure + n.stiffness[hole.domain] *
-                                                                          (n.content[hole.domain] - change));
+    hole.pressure =
+        std::max(n.floor_pressure,
+                 n.reference_pressure +
+                     n.stiffness[hole.domain] * (n.content[hole.domain] + n.growth_of(hole.domain) - change));
   }
   measure();
   if (undrained) settle_pressures();

@@ -57,7 +57,7 @@ void stiffness_rows(const Assembly& a, const Network& n, const Options& o, const
       weight += std::abs(corner_weight[2 * k]) + std::abs(corner_weight[2 * k + 1]);
       if (!n.corner_turn.empty()) weight += std::abs(n.corner_turn[k]) / a.radius[n.corner_disc[k]];
     }
-    const double per_weight = weight * o.fluid_bulk_modulus / n.storing[d];
+    const double per_weight = weight * o.fluid_bulk_modulus / n.least_storing(d);
     for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
       row_x[n.corner_disc[k]] += std::abs(corner_weight[2 * k]) * per_weight;
       row_y[n.corner_disc[k]] += std::abs(corner_weight[2 * k + 1]) * per_weight;

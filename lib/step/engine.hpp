@@ -15,6 +15,7 @@
 #include "flow/second_fluid.hpp"
 #include "frac/facets.hpp"
 #include "heat/heat.hpp"
+#include "heat/water_in_pores.hpp"
 #include "model/model.hpp"
 #include "options/options.hpp"
 #include "solid/boundary.hpp"
@@ -38,7 +39,8 @@ struct Engine {
   const Options& options;
   Model& model;
   std::unique_ptr<Workers, Workers::Release> workers;
-  std::unique_ptr<Heat> heat;  // none with thermal.mode = "off"
+  std::unique_ptr<Heat> heat;           // none with thermal.mode = "off"
+  std::unique_ptr<WaterInPores> water;  // with fluid.kind = "water" and temperature
   std::unique_ptr<Boundary> boundary;
   std::unique_ptr<Device> device;  // of the explicit solver's cycles; none: the processor
   std::unique_ptr<ExplicitSolver> mechanics;

@@ -295,8 +295,11 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
       e.second_fluid = std::make_unique<SecondFluid>(n);
       e.inlets.reserve(m.wells.size());
     }
-    if (e.second_fluid || (e.heat && FluidKind{o.fluid_kind} == FluidKind::water))
-      n.viscosity_share.assign(n.left.size(), 1.0);
+    if (e.heat && FluidKind{o.fluid_kind} == FluidKind::water) {
+      e.water = std::make_unique<WaterInPores>(m.assembly, n, o);
+      e.mechanics->refresh_stiffness();  // for water at its stiffest
+    }
+    if (e.second_fluid || e.water) n.viscosity_share.assign(n.left.size(), 1.0);
     e.flow = std::make_unique<FlowSolver>(n, o, &m.wellbores, e.mechanics->shared_tiles().ranks(),
                                           e.workers.get(), e.device.get());
     e.mechanics->set_undrained(true);

@@ -69,7 +69,7 @@ void impose_well_pressure(Engine& e, const Well& well, double pressure) {
   e.well_jumped = e.well_jumped || n.pressure[well.place.domain] != before;
 }
 
-// In every pipe, the mean of the pores at its ends; until the end of the next step or increment it is fixed, and the tangent exact.
+// In every pipe, the mean of the pores at its ends, of water kinematic and over the formation's, since flows are volumes at the formation's density; until the end of the next step or increment it is fixed, and the tangent exact.
 void update_viscosity(Engine& e) {
   Network& n = e.model.network;
   if (n.viscosity_share.empty()) return;
@@ -80,8 +80,9 @@ void update_viscosity(Engine& e) {
   const bool water = e.heat && FluidKind{o.fluid_kind} == FluidKind::water;
   for (std::size_t d = 0; d < share.size(); ++d) {
     const double second = n.second_share_of(d);
-    const double first =
-        water ? water_viscosity_at(e.model.heat->fluid[d], n.pressure[d] + datum) / o.fluid_viscosity : 1.0;
+    const double first = water ? water_kinematic_viscosity_at(e.model.heat->fluid[d], n.pressure[d] + datum) *
+                                     o.thermal_fluid_density / o.fluid_viscosity
+                               : 1.0;
     share[d] = first + second * (o.fluid_second_viscosity / o.fluid_viscosity - first);
   }
   const bool two = e.second_fluid != nullptr;  // then a pipe to the outside holds what the pore inside does
@@ -90,6 +91,17 @@ void update_viscosity(Engine& e) {
     n.viscosity_share[p] = 0.5 * (share[static_cast<std::size_t>(two && l == 0 ? r : l)] +
                                   share[static_cast<std::size_t>(two && r == 0 ? l : r)]);
   }
+}
+
+void feel_in_rock(Engine& e) {
+  HeatState& state = *e.model.heat;
+  e.mechanics->bring_home();
+  const ElasticEnergy before = elastic_energy(e);
+  state.felt = state.disc;
+  feel_heat_again(e);
+  const ElasticEnergy after = elastic_energy(e);
+  state.thermal_work += after.bonds + after.contacts - before.bonds - before.contacts;
+  if (!e.heat->table.empty()) e.mechanics->refresh_stiffness();
 }
 
 }  // namespace
@@ -146,15 +158,9 @@ void move_heat(Engine& e, double duration) {
 }
 
 void feel_heat(Engine& e) {
-  if (!e.heat || e.model.heat->felt == e.model.heat->disc) return;
-  HeatState& state = *e.model.heat;
-  e.mechanics->bring_home();
-  const ElasticEnergy before = elastic_energy(e);
-  state.felt = state.disc;
-  feel_heat_again(e);
-  const ElasticEnergy after = elastic_energy(e);
-  state.thermal_work += after.bonds + after.contacts - before.bonds - before.contacts;
-  if (!e.heat->table.empty()) e.mechanics->refresh_stiffness();
+  if (!e.heat) return;
+  if (e.model.heat->felt != e.model.heat->disc) feel_in_rock(e);
+  if (e.water) e.water->feel(e.model.assembly, e.model.network, *e.model.heat);
 }
 
 void feel_heat_again(Engine& e) {

@@ -509,8 +509,8 @@ typedef struct hfrac_sim_def {
 
   /** 0: given, 1: water. given: fluid.viscosity, fluid.bulk_modulus and thermal.fluid_density. water: all
    * three are those of water (IAPWS R12-08 and R7-97) at thermal.rock_temperature and
-   * fluid.formation_pressure; with thermal.mode other than off every pore's viscosity follows its
-   * temperature and pressure, step by step. Default 0. */
+   * fluid.formation_pressure; with thermal.mode other than off all three follow every pore's temperature,
+   * step by step. Default 0. */
   int64_t fluid_kind;
 
   /** 0: round, 1: flat. round: a contact bears no moment. flat: one as wide as the bond, which opens from
