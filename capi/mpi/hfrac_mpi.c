@@ -11,8 +11,10 @@
 #include <sched.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 enum { tag_message = 1, tag_failed = 2, longest_reason = 512 };
+static const double longest_spin = 2e-4; /* s */
 
 /* Of one communicator. */
 typedef struct Talk {
@@ -34,15 +36,28 @@ static int has_failed(Talk* talk) {
   return talk->failed;
 }
 
+/* Gives the core to others. A rank that has waited longer than ranks on cores of their own do waits for one that has no core, or shares it:
+ * there sched_yield does little beside a busy program, and a sleeper is woken at once when its turn comes. */
+static void let_others(double since) {
+  const struct timespec nap = {0, 20000};
+  if (MPI_Wtime() - since > longest_spin) {
+    nanosleep(&nap, NULL);
+  } else {
+    sched_yield();
+  }
+}
+
 /* Until all requests are done; nonzero once a rank has failed. */
 static int wait_for(Talk* talk, MPI_Request* requests, int count) {
+  double since = 0.0;
   for (int turn = 1;; ++turn) {
     int done = 0;
     if (MPI_Testall(count, requests, &done, MPI_STATUSES_IGNORE) != MPI_SUCCESS) return talk->failed = 1;
     if (done) return 0;
     if (turn % 64 == 0) {
       if (has_failed(talk)) return 1;
-      sched_yield(); /* more ranks than cores */
+      if (turn == 64) since = MPI_Wtime();
+      let_others(since);
     }
   }
 }

@@ -13,8 +13,8 @@
 //            slip is long at first); quasi-static solver. alpha = w^2 K_f / (12 eta). E' is measured on the packing without the joint.
 //            The same in a plate of 100 m, whose edges make the slip longer and larger: over those of a plate of elements (slipping_plate.hpp), too.
 // Measured   pressure: rms over 2 a. Slip: mean over |x| < a / 2. Length: root of the second moment of the slip. Over those of the formula.
-// Tolerance  Pressure 3 % of dp. Slip and length 10 % where a is 40 R and more, or 16 R with T = 0.9; means of three packings, nine for T = 0.1, where
-//            single ones scatter most. In a plate, 40 R, 15 %.
+// Tolerance  Pressure 3 % of dp. Slip and length 10 % where a is 20 m (40 R of 10 000 discs, 80 R of 40 000), or 16 R with T = 0.9; means of three
+//            packings, nine for T = 0.1, where single ones scatter most. In a plate, 40 R, 15 %.
 // Page       docs/verification/V23.md
 #include <algorithm>
 #include <cmath>
