@@ -72,6 +72,15 @@ const std::vector<Named> models = {
        o.thermal_expansion = 1e-5;
        o.thermal_fluid_temperature = o.thermal_rock_temperature - 100.0;
      }},
+    {"heat_that_water_feels",
+     [](CaseDefinition& d) {
+       Options& o = d.options;
+       o.fluid_kind = choice(FluidKind::water);
+       o.bond_tensile_strength = o.bond_shear_strength = 1e12;  // or it breaks in every step
+       o.thermal_mode = choice(ThermalMode::transport);
+       o.thermal_expansion = 1e-5;
+       o.thermal_fluid_temperature = o.thermal_rock_temperature - 100.0;
+     }},
 };
 
 CaseDefinition definition_of(const Named& model, RunDevice device) {
