@@ -125,6 +125,7 @@ TEST(Water, HeatedInTightRockRaisesItsPressure) {
       definition.wells.clear();
       Options& o = definition.options;
       make_linear(o);
+      o.packing_disc_count = 200;
       o.contact_normal_stiffness = o.bond_normal_stiffness = 16e13;
       o.contact_shear_stiffness = o.bond_shear_stiffness = 5.6e13;
       o.solver_kind = choice(solver);
