@@ -39,7 +39,8 @@ WaterInPores::State WaterInPores::at(double kelvin) const {
 
 void WaterInPores::feel(const Assembly& a, Network& n, const HeatState& heat) const {
   for (std::int64_t d = 1; d < n.domain_count(); ++d) {
-    if (!n.is_own(static_cast<std::size_t>(d))) continue;
+    if (!n.is_own(static_cast<std::size_t>(d)))
+      continue;  // a pore that a well feeds by now keeps what it had grown by
     const State water = at(heat.fluid[d]);
     const bool joint = !n.joint_pore.empty() && n.joint_pore[static_cast<std::size_t>(d)] != 0;
     const double fluid =
