@@ -178,7 +178,6 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
   if (facets_.active()) facets_.begin_cycles();
   arrays_.stiffness = facets_.active() ? facets_.stiffness() : network_.stiffness.data();
   arrays_.undrained = undrained_ ? 1 : 0;
-  take_contents();
   begin_smooth_joints();
   mark_left_alone();
   if (may_block()) {

@@ -21,7 +21,6 @@ bool ExplicitSolver::runs_on_device() const {
 void ExplicitSolver::begin_on_device() {
   arrays_.stiffness = network_.stiffness.data();
   arrays_.undrained = undrained_ ? 1 : 0;
-  take_contents();
   if (away_) {  // only the fluid has moved since
     device_cycles_->go_on();
     return;

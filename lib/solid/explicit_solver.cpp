@@ -314,6 +314,7 @@ ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, C
   Outcome outcome;
   std::vector<Found> found(static_cast<std::size_t>(workers_.count()));
   const Ranks& ranks = shared_.ranks();
+  take_contents();  // which cycles leave as they are
   // The pressure outside is imposed: its push is the same in all cycles, and its work follows from its change of volume since the last
   // look.
   if (arrays_.with_pressure != 0) {

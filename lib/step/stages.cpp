@@ -69,7 +69,8 @@ void impose_well_pressure(Engine& e, const Well& well, double pressure) {
   e.well_jumped = e.well_jumped || n.pressure[well.place.domain] != before;
 }
 
-// In every pipe, the mean of the pores at its ends, of water kinematic and over the formation's, since flows are volumes at the formation's density; until the end of the next step or increment it is fixed, and the tangent exact.
+// In every pipe, the mean of the pores at its ends; until the end of the next step or increment it is fixed, and the tangent exact. Of water it is
+// the kinematic one over the formation's, since flows are volumes at the formation's density.
 void update_viscosity(Engine& e) {
   Network& n = e.model.network;
   if (n.viscosity_share.empty()) return;
@@ -77,7 +78,7 @@ void update_viscosity(Engine& e) {
   const double datum = o.fluid_formation_pressure - n.reference_pressure;
   auto& share = e.pore_viscosity;
   share.resize(n.kind.size());
-  const bool water = e.heat && FluidKind{o.fluid_kind} == FluidKind::water;
+  const bool water = e.water != nullptr;
   for (std::size_t d = 0; d < share.size(); ++d) {
     const double second = n.second_share_of(d);
     const double first = water ? water_kinematic_viscosity_at(e.model.heat->fluid[d], n.pressure[d] + datum) *

@@ -109,8 +109,8 @@ def draw(seed, number):
         drive = r.choice((("pressure", base + r.choice((-base / 4, 5e6, 20e6))),
                           ("rate", r.choice((-0.01, 0.01, 0.1)) / o["stepping_flow_step"])))
         deeds[k] = (*deeds[k][:2], (place, drive))
-    # Likewise: warm water is liquid from 9 MPa on.
-    if "thermal_mode" in o and o["fluid_formation_pressure"] == 25e6 and "fluid_consistency" not in o and r.random() < 0.5:
+    # Water of 250 degrees C, as the rock is, is liquid from 4 MPa on.
+    if "thermal_mode" in o and o["fluid_formation_pressure"] >= 5e6 and "fluid_consistency" not in o:
         o["fluid_kind"] = "water"
     return {**o, "wells": wells, "joints": joints}, deeds
 
