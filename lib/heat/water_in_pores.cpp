@@ -12,9 +12,9 @@ namespace hfrac {
 WaterInPores::WaterInPores(const Assembly& a, Network& n, const Options& o)
     : modulus_at_start_(o.fluid_bulk_modulus) {
   double stiffest = modulus_at_start_;
-  constexpr int kelvins = static_cast<int>(hottest_water - coldest_water + 0.5);
-  for (int k = 0; k <= kelvins; ++k) {
-    const double t = std::min(coldest_water + k, hottest_water),
+  const auto kelvins = std::lround(hottest_water - coldest_water);
+  for (long k = 0; k <= kelvins; ++k) {
+    const double t = std::min(coldest_water + static_cast<double>(k), hottest_water),
                  p = std::clamp(o.fluid_formation_pressure, saturation_pressure(t), highest_water_pressure);
     table_.push_back({o.thermal_fluid_density / water_density(t, p), water_bulk_modulus(t, p)});
     stiffest = std::max(stiffest, table_.back().modulus);
