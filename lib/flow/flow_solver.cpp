@@ -164,7 +164,7 @@ bool FlowSolver::settle_outside(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) 
     outside_->solve(residual_.data(), change_.data(), pass_rules.pass_tolerance);
     p += change_;
     const double change = change_.cwiseAbs().maxCoeff();
-    if (pass_rules.are_there(change, before, p.maxCoeff() - p.minCoeff())) return true;
+    if (pass_rules.are_there(change, before, p.minCoeff(), p.maxCoeff())) return true;
     before = change;
   }
   return false;

@@ -136,10 +136,10 @@ bool ConjugateGradient::settle_here(const PassRules& rules) {
       SerialBlock block;
       Multigrid::each_group(member, level.rows, [&](std::int64_t g) { end_pass(block, arrays_, level, g); });
     });
-    const double change = *std::max_element(sums_.begin(), sums_.end()),
-                 difference = *std::max_element(highest_.begin(), highest_.end()) -
-                              *std::min_element(lowest_.begin(), lowest_.end());
-    if (rules.are_there(change, before, difference)) return true;
+    const double change = *std::max_element(sums_.begin(), sums_.end());
+    if (rules.are_there(change, before, *std::min_element(lowest_.begin(), lowest_.end()),
+                        *std::max_element(highest_.begin(), highest_.end())))
+      return true;
     before = change;
   }
   return false;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -23,15 +24,17 @@ class DeviceConjugateGradient;
 void symmetric_product(const SparseMatrix& lower, const Eigen::VectorXd& x, Eigen::VectorXd& y);
 
 // When a solution in passes is good enough: each solves for what is left to `pass_tolerance` of it, until no value changes by more than
-// `settled` times the largest difference of values.
+// `settled` times the largest difference of values. Where all values are nearly alike that is less than their rounding: once a pass no
+// longer halves the change, `settled` times the largest value will do.
 struct PassRules {
   double pass_tolerance, settled;
   int most_passes, most_iterations;  // passes; iterations of a pass
-  // Whether values that changed by `change`, and in the pass before by `before` (0: there was none), are there. The next pass would change
-  // them less, by as much as this one did.
-  [[nodiscard]] bool are_there(double change, double before, double difference) const {
+  // Whether values between `lowest` and `highest` that changed by `change`, and in the pass before by `before` (0: there was none), are there.
+  // The next pass would change them less, by as much as this one did.
+  [[nodiscard]] bool are_there(double change, double before, double lowest, double highest) const {
+    const bool halved = !(before > 0.0) || change <= 0.5 * before;
     const double next = before > 0.0 ? change * std::min(1.0, change / before) : change;
-    return next <= settled * difference;
+    return next <= settled * (halved ? highest - lowest : std::max({highest - lowest, highest, -lowest}));
   }
 };
 

@@ -180,7 +180,7 @@ bool DeviceConjugateGradient::settle(const Multigrid& multigrid, const std::vect
     launch(device_end_pass, groups);
     launch(device_take_extremes, 1);
     state_.get(&reached_, sizeof reached_);
-    settled = rules.are_there(reached_.change, before, reached_.highest - reached_.lowest);
+    settled = rules.are_there(reached_.change, before, reached_.lowest, reached_.highest);
     before = reached_.change;
   }
   device_.download(x.data(), task_.c.x, x.size() * sizeof(double));

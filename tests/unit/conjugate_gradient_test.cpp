@@ -47,6 +47,23 @@ TEST(ConjugateGradient, AgreesWithTheFactorWhateverIsStoredAndHoweverWellACrackC
   }
 }
 
+// Rock at rest under one pressure [Pa]: differences are rounding, and so are changes.
+TEST(ConjugateGradient, SettlesWhereAllPressuresAreAlike) {
+  constexpr PassRules rules{1e-6, 1e-11, 20, 20000};
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+    for (const double storage : {1e2, 1.0, 1e-3}) {
+      const auto lower = grid(90, storage, 1e4, seed);
+      const Eigen::VectorXd alike = Eigen::VectorXd::Constant(lower.cols(), 25e6),
+                            rhs = lower.selfadjointView<Eigen::Lower>() * alike;
+      Eigen::VectorXd x = alike;
+      ConjugateGradient solver;
+      ASSERT_TRUE(solver.prepare(lower));
+      EXPECT_TRUE(solver.settle(rhs, x, rules)) << storage << ' ' << seed;
+      EXPECT_LE((x - alike).cwiseAbs().maxCoeff(), 1e-11 * 25e6) << storage << ' ' << seed;
+    }
+  }
+}
+
 // As many rows and entries, elsewhere: two pores joined over the model instead of side by side.
 TEST(ConjugateGradient, NoticesAMatrixOfAnotherPattern) {
   const auto side_by_side = grid(30, 0.1, 1e4), across = with_a_shortcut(side_by_side);
