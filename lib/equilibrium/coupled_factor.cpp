@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "equilibrium/coupled_factor.hpp"
+#include "core/give_back.hpp"
 
 namespace hfrac {
 
@@ -31,6 +32,7 @@ void CoupledFactor::compute(const CoupledSystem& system) {
     fine_.clear();
     coarse_.factorise(tree_, values_, workers_);
   }
+  give_back(values_);
   ready_ = true;
 }
 
@@ -46,7 +48,7 @@ void CoupledFactor::compute_outside(const CoupledSystem& system) {
   }
   entries_ = 0;
   outside_->prepare(row, column, values_);
-  values_ = {};  // the factor, made with the first solve, wants the room
+  give_back(values_);  // the factor, made with the first solve, wants the room
   entries_ = all;
   doubled_ = ready_ = true;
 }

@@ -124,8 +124,7 @@ void CoupledSystem::each_entry(const Emit& emit) const {
 }
 
 void CoupledSystem::entries(std::vector<double>& values) const {
-  values.clear();
-  each_entry([&](std::int32_t, std::int32_t, double value) { values.push_back(value); });
+  entries(values, 0, size());
 }
 
 std::vector<std::int32_t> CoupledSystem::entries_of_rows() const {
@@ -135,11 +134,16 @@ std::vector<std::int32_t> CoupledSystem::entries_of_rows() const {
 }
 
 std::size_t CoupledSystem::entries(std::vector<double>& values, std::int64_t first, std::int64_t end) const {
-  values.clear();
-  std::size_t all = 0;
-  each_entry([&](std::int32_t row, std::int32_t, double value) {
+  std::size_t all = 0, wanted = 0;
+  const auto is_wanted = [&](std::int32_t row) { return row >= first && row < end; };
+  each_entry([&](std::int32_t row, std::int32_t, double) {
     ++all;
-    if (row >= first && row < end) values.push_back(value);
+    wanted += is_wanted(row) ? 1 : 0;
+  });
+  values.clear();
+  values.reserve(wanted);
+  each_entry([&](std::int32_t row, std::int32_t, double value) {
+    if (is_wanted(row)) values.push_back(value);
   });
   return all;
 }

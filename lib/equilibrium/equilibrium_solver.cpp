@@ -149,17 +149,20 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
                             : iteration == 0             ? first_tolerance
                                                          : later_tolerance;
     const double linear_tolerance = std::clamp(0.3 * tolerance / worst, tightest, loosest_tolerance);
-    if (!factor_.ready() || krylov_rate_ > renew_rate) {
+    const auto renew = [&] {
+      krylov_.forget();
       factor_.compute(system_);
       ++outcome.factors;
+    };
+    if (!factor_.ready() || krylov_rate_ > renew_rate) {
+      renew();
       fresh = true;
     }
     auto linear = krylov_.solve(product, precondition, right, linear_tolerance, most_krylov, step);
     outcome.krylov += linear.iterations;
     if ((!linear.converged && !fresh) ||
         (fresh && linear.iterations > most_iterations_of_fresh && factor_.refine())) {
-      factor_.compute(system_);
-      ++outcome.factors;
+      renew();
       linear = krylov_.solve(product, precondition, right, linear_tolerance, most_krylov, step);
       outcome.krylov += linear.iterations;
     }

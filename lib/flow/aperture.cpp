@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/give_back.hpp"
 #include "flow/fluid_law.hpp"
 #include "linear/conjugate_gradient.hpp"
 #include "linear/sparse.hpp"
@@ -78,7 +79,7 @@ double band_permeability(const Network& n, const Assembly& a, double low, double
   for (std::int32_t d = 0; d < count; ++d) entries.emplace_back(d, d, 1e-14 * typical);
   SparseMatrix matrix(count, count);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  entries = {};
+  give_back(entries);
   Eigen::VectorXd p = Eigen::VectorXd::Zero(count);
   if (count <= largest_to_factorise) {
     const SymmetricFactor solver(matrix);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "core/give_back.hpp"
 #include "options/choices.hpp"
 
 namespace hfrac {
@@ -154,7 +155,8 @@ bool FlowSolver::settle_outside(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) 
   value_.clear();
   for (const auto a : entry_) value_.push_back(matrix_.valuePtr()[a]);
   outside_->prepare(row_, column_, value_);
-  row_ = column_ = {};
+  give_back(row_);
+  give_back(column_);
   change_.resize(p.size());
   double before = 0.0;
   for (int pass = 0; pass < pass_rules.most_passes; ++pass) {

@@ -28,6 +28,11 @@ class Krylov {
   // Solves A x = right to |A x - right| <= tolerance |right|, from x = 0; `product` gives A x, `precondition` about A^-1 x.
   Outcome solve(const Apply& product, const Apply& precondition, const Vector& right, double tolerance,
                 int most, Vector& x);
+  // Gives the memory of its vectors back, two an iteration of the longest solve so far: while a factor is made there is other use for it.
+  void forget() {
+    basis_.clear();
+    directions_.clear();
+  }
 
  private:
   // Takes from `next` what it has along basis[0] to basis[k], noting how much in column[0..k], and its length then in

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "linear/multifrontal.hpp"
+#include "core/give_back.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -47,7 +48,7 @@ template <class Real>
 void Multifrontal<Real>::prepare(const FrontTree& tree, const Workers& workers) {
   const auto fit = [](auto& array, std::int64_t size) {
     if (array.size() != static_cast<std::size_t>(size)) {
-      array = {};
+      give_back(array);
       array.resize(static_cast<std::size_t>(size));
     }
   };

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/give_back.hpp"
 #include "flow/aperture.hpp"
 #include "frac/joint_stress.hpp"
 #include "frac/path.hpp"
@@ -283,7 +284,7 @@ double begin_run(Engine& e, const std::vector<WellOptions>& wells, SetupReport& 
     calibrate_aperture(n, m.assembly, o, wells, pressure);
     report.permeability = measure_permeability(n, m.assembly, wells, o.fluid_viscosity, pressure);
     put_rock_beyond_pipes(e, report.permeability);
-    pressure = {};
+    give_back(pressure);
     const double uniform = uniform_gradient_permeability(m.assembly, n, o.fluid_viscosity);
     if (uniform > 0.0 && report.permeability > 0.0) oda_matrix = report.permeability / uniform;
     if (!joints.empty()) {

@@ -95,6 +95,11 @@ BENCHMARK(dry_step)
     ->Args({100000, 1})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
-BENCHMARK(coupled_step)->Args({10000, 1})->Args({10000, 2})->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(coupled_step)
+    ->Args({10000, 1})
+    ->Args({10000, 2})
+    ->Args({100000, 1})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(flow_solve)->Arg(10000)->Unit(benchmark::kMillisecond);
 BENCHMARK_MAIN();

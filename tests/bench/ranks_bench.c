@@ -39,6 +39,9 @@ int main(int count, char** arguments) {
   require(hfrac_sim_def_set_i64(&def, "run.workers", atoll(arguments[3])), NULL);
   require(hfrac_sim_def_set_str(&def, "packing.method", "tiled"), NULL);
   require(hfrac_sim_def_set_str(&def, "stepping.mode", "dynamic"), NULL);
+  /* Steps are long here, and contacts around what breaks are searched for once a step. */
+  require(hfrac_sim_def_set_f64(&def, "bond.tensile_strength", 1e12), NULL);
+  require(hfrac_sim_def_set_f64(&def, "bond.shear_strength", 1e12), NULL);
   require(hfrac_sim_def_set_str(&def, "flow.scheme", dry ? "off" : "implicit"), NULL);
   require(hfrac_sim_create_mpi(&def, (int32_t)MPI_Comm_c2f(MPI_COMM_WORLD), &sim), NULL);
   require(hfrac_sim_get_state(sim, &state), sim);
