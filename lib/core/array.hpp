@@ -11,7 +11,7 @@
 
 namespace hfrac {
 
-// Asks for pages of 2 MB under arrays that fill several: fewer address translations where a step streams through all of them
+// Asks for pages of 2 MB under large arrays: fewer address translations where a step streams through all of them
 // (docs/performance.md). A hint; nothing happens where the system knows no such pages.
 void advise_large_pages(void* array, std::size_t bytes) noexcept;
 
