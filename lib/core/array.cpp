@@ -16,8 +16,7 @@ namespace hfrac {
 
 void advise_large_pages([[maybe_unused]] void* array, [[maybe_unused]] std::size_t bytes) noexcept {
 #ifdef __linux__
-  constexpr std::size_t worthwhile = std::size_t{128}
-                                     << 10;  // those of a heap lie side by side, and share a page
+  constexpr std::size_t worthwhile = 128U * 1024;  // a heap's arrays lie side by side and share pages
   if (bytes < worthwhile) return;
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(array) % page) % page;

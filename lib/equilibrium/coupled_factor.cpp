@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "equilibrium/coupled_factor.hpp"
+
 #include "core/give_back.hpp"
 
 namespace hfrac {
@@ -13,7 +14,7 @@ constexpr double most_single = 1e5;  // entry, of bonds' about 1, up to which si
 void CoupledFactor::compute(const CoupledSystem& system) {
   ready_ = false;  // until all of it is there: memory may run out on the way
   if (outside_) return compute_outside(system);
-  system.entries(values_);
+  system.entries(values_, 0, system.size());
   if (values_.size() != entries_) {
     entries_ = 0;
     const auto s = system.structure();

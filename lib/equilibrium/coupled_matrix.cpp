@@ -123,10 +123,6 @@ void CoupledSystem::each_entry(const Emit& emit) const {
   }
 }
 
-void CoupledSystem::entries(std::vector<double>& values) const {
-  entries(values, 0, size());
-}
-
 std::vector<std::int32_t> CoupledSystem::entries_of_rows() const {
   std::vector<std::int32_t> count(static_cast<std::size_t>(size()), 0);
   each_entry([&](std::int32_t row, std::int32_t, double) { ++count[static_cast<std::size_t>(row)]; });

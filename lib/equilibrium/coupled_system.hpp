@@ -68,7 +68,6 @@ class CoupledSystem {
   void limit(Vector& x, double longest) const;
 
   // The tangent as a list of entries, places always the same while the same discs are near; and what they make of a pattern.
-  void entries(std::vector<double>& values) const;
   // How many each row has; those of the rows from `first` up to `end`, returning how many there are in all rows; and where they belong.
   [[nodiscard]] std::vector<std::int32_t> entries_of_rows() const;
   std::size_t entries(std::vector<double>& values, std::int64_t first, std::int64_t end) const;

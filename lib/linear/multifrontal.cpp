@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "linear/multifrontal.hpp"
-#include "core/give_back.hpp"
 
 #include <algorithm>
 #include <cstring>
 #include <type_traits>
+
+#include "core/give_back.hpp"
 
 namespace hfrac {
 namespace {

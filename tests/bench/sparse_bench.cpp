@@ -209,7 +209,7 @@ System tangent(std::int64_t discs, int steps) {
   system.evaluate();
   System s;
   s.structure = system.structure();
-  system.entries(s.values);
+  system.entries(s.values, 0, system.size());
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t k = 0; k < s.values.size(); ++k)
     entries.emplace_back(s.structure.places[k].row, s.structure.places[k].column, s.values[k]);

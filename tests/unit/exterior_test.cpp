@@ -349,12 +349,12 @@ TEST(InfiniteRock, ItsTangentIsTheChangeOfTheResidual) {
   EXPECT_LT((change - y).cwiseAbs().maxCoeff(), 1e-4 * y.cwiseAbs().maxCoeff());
   // And the list of its entries is the same matrix.
   std::vector<double> values;
-  system.entries(values);
+  system.entries(values, 0, system.size());
   const auto places = system.structure().places;
   CoupledSystem::Vector by_entries = CoupledSystem::Vector::Zero(x.size());
   system.move(x, -1.0);
   system.evaluate();
-  system.entries(values);
+  system.entries(values, 0, system.size());
   system.product(x, y);
   for (std::size_t k = 0; k < values.size(); ++k)
     by_entries[places[k].row] += values[k] * x[places[k].column];
