@@ -47,8 +47,9 @@ class Detail : public VizTest {
     EXPECT_NEAR(mean, blue, 4);
     EXPECT_LT(std::sqrt(std::max(0.0, squares / count - mean * mean)), 20);  // little pattern
     EXPECT_TRUE(picture.at(view.x(run.well_x()), view.y(run.well_y())).is_red());
-    EXPECT_TRUE(
-        picture.at(view.x(run.well_x() + 2.5), view.y(run.well_y())).is_dark());  // the crack is still there
+    // The crack is still there: of the bonds of one pixel every fifth is drawn in shear's colour, over the others.
+    const Pixel crack = picture.at(view.x(run.well_x() + 2.5), view.y(run.well_y()));
+    EXPECT_TRUE(crack.is_dark() || crack.is_magenta());
   }
 
   hfrac_viz_view_options views;
