@@ -53,6 +53,20 @@ class Ranks {
   // Of linear equations, by all ranks together; none: each has the library's own only.
   [[nodiscard]] const OutsideSolver* solver() const { return exchange_.solver; }
 
+  // The part of n items, in multiples of `grain`, that belongs to a rank.
+  struct Part {
+    std::int64_t first, end;
+  };
+  [[nodiscard]] Part part(int rank, std::int64_t n, std::int64_t grain) const {
+    const std::int64_t pieces = (n + grain - 1) / grain;
+    const auto begin_of = [&](std::int64_t r) { return std::min(n, pieces * r / size() * grain); };
+    return {begin_of(rank), begin_of(rank + 1)};
+  }
+  // Whose part item i is.
+  [[nodiscard]] std::int32_t owner(std::int64_t i, std::int64_t n, std::int64_t grain) const {
+    return static_cast<std::int32_t>(((i / grain + 1) * size() - 1) / ((n + grain - 1) / grain));
+  }
+
   // All of these are called by all ranks, in the same order. Throw Error(exchange) where the others no longer answer.
   void sum(std::span<std::int64_t> values) const {
     if (!alone())

@@ -43,7 +43,7 @@ EquilibriumSolver::EquilibriumSolver(Model& model, Facets& facets, Boundary& bou
               facets, &model.wellbores),
       factor_(workers, FactorOf{options.solver_factor} == FactorOf::petsc ? &mechanics.shared_tiles().ranks()
                                                                           : nullptr),
-      krylov_(workers) {}
+      krylov_(workers, mechanics.shared_tiles().ranks()) {}
 
 void EquilibriumSolver::begin_step() {
   factor_.forget();

@@ -43,7 +43,7 @@ FlowSolver::FlowSolver(const Network& n, const Options& options, std::vector<Wel
     : explicit_(FlowScheme{options.flow_scheme} == FlowScheme::explicit_scheme),
       law_(options),
       wellbores_(wellbores != nullptr && !wellbores->empty() ? wellbores : nullptr),
-      conjugate_gradient_(workers, device) {
+      conjugate_gradient_(workers, device, ranks) {
   const auto domains = static_cast<Eigen::Index>(n.domain_count());
   cavitated_.assign(static_cast<std::size_t>(domains), 0);
   const FlowMatrixSolver wanted{options.flow_solver};

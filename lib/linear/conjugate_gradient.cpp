@@ -31,7 +31,10 @@ void symmetric_product(const SparseMatrix& lower, const Eigen::VectorXd& x, Eige
   }
 }
 
-ConjugateGradient::ConjugateGradient(Workers* workers, const Device* device) : workers_(workers) {
+ConjugateGradient::ConjugateGradient(Workers* workers, const Device* device, const Ranks& ranks)
+    : team_(workers != nullptr ? *workers : alone_, ranks),
+      has_workers_(workers != nullptr),
+      multigrid_(device != nullptr ? Ranks{} : ranks) {
   if (device != nullptr) on_device_ = std::make_unique<DeviceConjugateGradient>(*device);
 }
 
@@ -39,8 +42,7 @@ ConjugateGradient::~ConjugateGradient() = default;
 
 template <class Task>
 void ConjugateGradient::share(const Task& task) {
-  const bool shared = workers_ != nullptr && multigrid_.rows() >= rows_worth_sharing;
-  (shared ? *workers_ : alone_).share(shared, task);
+  team_.share(has_workers_ && multigrid_.rows() >= rows_worth_sharing, multigrid_.is_over_ranks(), task);
 }
 
 // Vectors from the order of the matrix's rows to that of the finest level, and back.
@@ -58,16 +60,30 @@ void ConjugateGradient::take(const Eigen::VectorXd& rhs, const Eigen::VectorXd& 
              z_.data(),           sums_.data(), others_.data(), highest_.data(), lowest_.data(), nullptr};
 }
 
-void ConjugateGradient::give(Eigen::VectorXd& x) const {
+void ConjugateGradient::give(Eigen::VectorXd& x) {
+  share([&](const RankTeam::Member& member) { member.gather(x_.data(), multigrid_.rows(), row_group); });
   const auto& order = multigrid_.level(0).order;
   for (std::size_t i = 0; i < order.size(); ++i) x[order[i]] = x_[i];
 }
 
 void ConjugateGradient::begin() {
   const LevelArrays& level = multigrid_.arrays()[0];
-  share([&](const Workers::Member& member) {
+  share([&](const RankTeam::Member& member) {
     SerialBlock block;
+    member.exchange(multigrid_.halo(), arrays_.x);
     Multigrid::each_group(member, level.rows, [&](std::int64_t g) { begin_pass(block, arrays_, level, g); });
+    member.gather(arrays_.sums, arrays_.groups, 1);
+  });
+}
+
+// x + d, and all ranks know how far values went.
+void ConjugateGradient::end() {
+  const LevelArrays& level = multigrid_.arrays()[0];
+  share([&](const RankTeam::Member& member) {
+    SerialBlock block;
+    Multigrid::each_group(member, level.rows, [&](std::int64_t g) { end_pass(block, arrays_, level, g); });
+    for (double* per_group : {arrays_.sums, arrays_.highest, arrays_.lowest})
+      member.gather(per_group, arrays_.groups, 1);
   });
 }
 
@@ -80,7 +96,7 @@ int ConjugateGradient::solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, dou
   const double target = tolerance * std::sqrt(total_of_groups(block, arrays_.sums, arrays_.groups));
   begin();
   const int iterations = iterate(target, most);
-  for (std::size_t i = 0; i < x_.size(); ++i) x_[i] += d_[i];
+  end();
   give(x);
   return iterations;
 }
@@ -93,23 +109,24 @@ int ConjugateGradient::iterate(double target, int most) {
   SerialBlock mine;
   for (int iteration = 0; iteration <= most; ++iteration) {
     if (std::sqrt(total_of_groups(mine, c.sums, c.groups)) <= target) return iteration;
-    share([&](const Workers::Member& member) {
+    share([&](const RankTeam::Member& member) {
       SerialBlock block;
       const auto each = [&](const auto& visit) { Multigrid::each_group(member, level.rows, visit); };
       multigrid_.precondition(member, c.r, c.z);
       each([&](std::int64_t g) { multiply_residuals(block, c, level, g); });
-      member.barrier();
+      member.gather(c.sums, c.groups, 1);
       const double along = total_of_groups(block, c.sums, c.groups), kept = along / product;
       each([&](std::int64_t g) { turn_direction(block, c, level, kept, g); });
-      member.barrier();
+      member.exchange(multigrid_.halo(), c.p);
       each([&](std::int64_t g) { multiply_direction(block, c, level, g); });
-      member.barrier();
+      member.gather(c.others, c.groups, 1);
       const double step = along / total_of_groups(block, c.others, c.groups);
       each([&](std::int64_t g) { go_along(block, c, level, step, g); });
-      if (member.number == 0) {  // the others have read the product before two barriers
+      if (member.is_first()) {  // the others have read the product before two barriers
         product = along;
         far = step;
       }
+      member.gather(c.sums, c.groups, 1);
     });
     if (!std::isfinite(far)) return -1;
   }
@@ -124,7 +141,6 @@ bool ConjugateGradient::settle(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, c
 }
 
 bool ConjugateGradient::settle_here(const PassRules& rules) {
-  const LevelArrays& level = multigrid_.arrays()[0];
   SerialBlock mine;
   double before = 0.0;
   for (int pass = 0; pass < rules.most_passes; ++pass) {
@@ -132,10 +148,7 @@ bool ConjugateGradient::settle_here(const PassRules& rules) {
     const double length = std::sqrt(total_of_groups(mine, arrays_.sums, arrays_.groups));
     if (!(length > 0.0)) return true;
     if (iterate(rules.pass_tolerance * length, rules.most_iterations) < 0) return false;
-    share([&](const Workers::Member& member) {
-      SerialBlock block;
-      Multigrid::each_group(member, level.rows, [&](std::int64_t g) { end_pass(block, arrays_, level, g); });
-    });
+    end();
     const double change = *std::max_element(sums_.begin(), sums_.end());
     if (rules.are_there(change, before, *std::min_element(lowest_.begin(), lowest_.end()),
                         *std::max_element(highest_.begin(), highest_.end())))

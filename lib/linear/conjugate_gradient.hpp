@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Conjugate gradients, preconditioned by multigrid, for the flow matrix of models too large to factorise.
 //
-// Workers share the vectors by groups of rows of fixed length, or a card does all of it (device_conjugate_gradient.hpp); a sum over a group
-// is made in one way, and so is the sum over groups (conjugate_kernels.hpp). So the bits depend neither on who does it nor on how many do,
-// and, as every rank solves for itself, nor on ranks.
+// Ranks and their workers share the vectors by groups of rows of fixed length, or a card of each rank does all of it
+// (device_conjugate_gradient.hpp); a sum over a group is made in one way, and so is the sum over groups, which all ranks know
+// (conjugate_kernels.hpp). So the bits depend neither on who does it nor on how many do.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/workers.hpp"
+#include "core/rank_team.hpp"
 #include "linear/multigrid.hpp"
 #include "linear/sparse.hpp"
 
@@ -40,8 +40,9 @@ struct PassRules {
 
 class ConjugateGradient {
  public:
-  // Without workers on the calling thread alone. With a device, `settle` is its.
-  explicit ConjugateGradient(Workers* workers = nullptr, const Device* device = nullptr);
+  // Without workers on the calling thread alone. Of several ranks, all do the same; with a device, `settle` is its, on each rank.
+  explicit ConjugateGradient(Workers* workers = nullptr, const Device* device = nullptr,
+                             const Ranks& ranks = {});
   ~ConjugateGradient();
   ConjugateGradient(const ConjugateGradient&) = delete;
   ConjugateGradient& operator=(const ConjugateGradient&) = delete;
@@ -58,15 +59,17 @@ class ConjugateGradient {
 
  private:
   void take(const Eigen::VectorXd& rhs, const Eigen::VectorXd& x);
-  void give(Eigen::VectorXd& x) const;
+  void give(Eigen::VectorXd& x);
   void begin();
+  void end();
   int iterate(double target, int most);
   bool settle_here(const PassRules& rules);
   template <class Task>
   void share(const Task& task);
 
-  Workers* workers_;
   Workers alone_{1};
+  RankTeam team_;
+  bool has_workers_;
   Multigrid multigrid_;
   std::unique_ptr<DeviceConjugateGradient> on_device_;
   // In the order of the finest level's rows, and of its groups.

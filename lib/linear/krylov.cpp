@@ -14,18 +14,19 @@ constexpr std::size_t chunks_worth_sharing = 4;
 }  // namespace
 
 void Krylov::orthogonalise(int k, double* column) {
-  const auto size = next_.size(), chunks = static_cast<Eigen::Index>(sums_[0].size());
-  workers_.share(sums_[0].size() >= chunks_worth_sharing, [&](const Workers::Member& member) {
+  const auto size = next_.size();
+  const auto chunks = static_cast<Eigen::Index>(sums_[0].size());
+  team_.share(sums_[0].size() >= chunks_worth_sharing, true, [&](const RankTeam::Member& member) {
     const auto mine_are = member.part(chunks, 1);
     const auto each_chunk = [&](const auto& visit) {
       for (auto c = mine_are.first; c < mine_are.last; ++c)
         visit(c, next_.segment(c * chunk, std::min(chunk, size - c * chunk)));
     };
     const auto part = [&](const Vector& of, Eigen::Index c) {
-      return of.segment(c * chunk, std::min(chunk, size - c * chunk));
+      return of.segment(c * chunk - first_, std::min(chunk, size - c * chunk));
     };
     const auto sum = [&](int turn) {
-      member.barrier();
+      member.gather(sums_[turn].data(), chunks, 1);
       double all = 0.0;
       for (const double s : sums_[turn]) all += s;
       return all;
@@ -35,7 +36,7 @@ void Krylov::orthogonalise(int k, double* column) {
     });
     for (int i = 0; i <= k; ++i) {
       const double along = sum(i % 2);
-      if (member.number == 0) column[i] = along;
+      if (member.is_first()) column[i] = along;
       const Vector &taken = basis_[static_cast<std::size_t>(i)],
                    &then = basis_[static_cast<std::size_t>(i) + 1];
       each_chunk([&](Eigen::Index c, auto mine) {
@@ -45,10 +46,18 @@ void Krylov::orthogonalise(int k, double* column) {
       });
     }
     const double length = std::sqrt(sum((k + 1) % 2));
-    if (member.number == 0) column[k + 1] = length;
+    if (member.is_first()) column[k + 1] = length;
     Vector& made = basis_[static_cast<std::size_t>(k) + 1];
-    each_chunk([&](Eigen::Index c, auto mine) { made.segment(c * chunk, mine.size()) = mine / length; });
+    each_chunk([&](Eigen::Index c, auto mine) {
+      made.segment(c * chunk - first_, mine.size()) = last_.segment(c * chunk, mine.size()) = mine / length;
+    });
+    member.gather(last_.data(), size, chunk);
   });
+}
+
+void Krylov::gather(Vector& whole) {
+  team_.share(false, true,
+              [&](const RankTeam::Member& member) { member.gather(whole.data(), whole.size(), chunk); });
 }
 
 Krylov::Outcome Krylov::solve(const Apply& product, const Apply& precondition, const Vector& right,
@@ -60,22 +69,26 @@ Krylov::Outcome Krylov::solve(const Apply& product, const Apply& precondition, c
     outcome.converged = size == 0.0;
     return outcome;
   }
-  const auto vector = [&](std::vector<Vector>& set, int k) -> Vector& {
+  const auto mine = team_.ranks().part(team_.ranks().rank(), right.size(), chunk);
+  first_ = mine.first;
+  count_ = mine.end - mine.first;
+  const auto part = [&](std::vector<Vector>& set, int k) -> Vector& {
     if (set.size() <= static_cast<std::size_t>(k)) set.emplace_back();
-    set[static_cast<std::size_t>(k)].resize(right.size());
+    set[static_cast<std::size_t>(k)].resize(count_);
     return set[static_cast<std::size_t>(k)];
   };
   for (auto& sums : sums_) sums.resize(static_cast<std::size_t>((right.size() + chunk - 1) / chunk));
-  vector(basis_, 0) = right / size;
+  last_ = right / size;
+  part(basis_, 0) = part_of(last_);
   Eigen::MatrixXd h = Eigen::MatrixXd::Zero(most + 1, most);
   Vector cosine(most), sine(most), g = Vector::Zero(most + 1);
   g[0] = size;
   int k = 0;
   for (; k < most; ++k) {
-    vector(basis_, k + 1);
-    Vector& direction = vector(directions_, k);
-    precondition(basis_[static_cast<std::size_t>(k)], direction);
-    product(direction, next_);
+    part(basis_, k + 1);
+    precondition(last_, direction_);
+    part(directions_, k) = part_of(direction_);
+    product(direction_, next_);
     orthogonalise(k, h.col(k).data());
     for (int i = 0; i < k; ++i) {
       const double upper = cosine[i] * h(i, k) + sine[i] * h(i + 1, k);
@@ -98,7 +111,8 @@ Krylov::Outcome Krylov::solve(const Apply& product, const Apply& precondition, c
     }
   }
   const Vector y = h.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(g.head(k));
-  for (int i = 0; i < k; ++i) x += y[i] * directions_[static_cast<std::size_t>(i)];
+  for (int i = 0; i < k; ++i) part_of(x) += y[i] * directions_[static_cast<std::size_t>(i)];
+  gather(x);
   return outcome;
 }
 

@@ -2,15 +2,17 @@
 // GMRES (Saad and Schultz 1986) for a matrix known by its products, preconditioned from the right by a factor of it or of one like
 // it, so that the residual watched is the true one. Modified Gram-Schmidt, Givens rotations.
 //
-// Workers share the vectors by chunks of fixed length. A dot product is the sum over chunks in order, whoever made them, so
-// results do not depend on the number of workers; taking away one direction and the product with the next go in one pass.
+// Ranks and their workers share the vectors by chunks of fixed length; what a rank keeps of the directions is its own chunks alone. A dot
+// product is the sum over chunks in order, whoever made them, so results do not depend on the number of either; taking away one direction
+// and the product with the next go in one pass. Products and preconditioners take whole vectors, on all ranks.
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <functional>
 #include <vector>
 
-#include "core/workers.hpp"
+#include "core/rank_team.hpp"
 
 namespace hfrac {
 
@@ -19,7 +21,7 @@ class Krylov {
   using Vector = Eigen::VectorXd;
   using Apply = std::function<void(const Vector& to, Vector& result)>;
 
-  explicit Krylov(Workers& workers) : workers_(workers) {}
+  explicit Krylov(Workers& workers, const Ranks& ranks = {}) : team_(workers, ranks) {}
 
   struct Outcome {
     int iterations = 0;
@@ -36,12 +38,16 @@ class Krylov {
 
  private:
   // Takes from `next` what it has along basis[0] to basis[k], noting how much in column[0..k], and its length then in
-  // column[k + 1]; that over its length becomes basis[k + 1].
+  // column[k + 1]; that over its length becomes basis[k + 1], whole in `last`.
   void orthogonalise(int k, double* column);
+  // All of a vector of which each rank has its part.
+  void gather(Vector& whole);
+  [[nodiscard]] auto part_of(Vector& whole) const { return whole.segment(first_, count_); }
 
-  Workers& workers_;
-  std::vector<Vector> basis_, directions_;
-  Vector next_;
+  RankTeam team_;
+  Eigen::Index first_ = 0, count_ = 0;      // this rank's part of a vector
+  std::vector<Vector> basis_, directions_;  // of them that part
+  Vector next_, last_, direction_;
   std::vector<double> sums_[2];  // of chunks, in turns
 };
 

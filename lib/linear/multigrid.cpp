@@ -19,6 +19,9 @@ constexpr double strong = 0.25;
 // Nor does an entry between merged rows below this share of what joins the weaker of them: Gauss-Seidel on the finer level would hardly
 // bring such two together.
 constexpr double weak = 0.25;
+// Groups of a level that a rank gets on the mean where ranks share it.
+constexpr std::int64_t groups_of_a_rank = 4;
+
 // Joins each row with the one that it is most strongly joined to among those still alone; who finds none alone joins that one's
 // pair. With `leave_dominant` rows that hardly depend on others get -1. Returns how many pairs there are.
 std::int32_t join_in_pairs(const SymmetricRows& a, bool leave_dominant, std::vector<std::int32_t>& pair) {
@@ -307,6 +310,7 @@ bool Multigrid::prepare(const SparseMatrix& lower) {
   if (levels_.back().rows() <= largest_coarsest) invert_coarsest();
   arrays_.clear();
   for (auto& level : levels_) arrays_.push_back(level.arrays());
+  share_out();
   return true;
 }
 
@@ -329,32 +333,108 @@ void Multigrid::invert_coarsest() {
       0.5 * (inverse + inverse.transpose());
 }
 
-// Levels of many rows are solved for twice, which their workers share; those of few by one.
-void Multigrid::cycle(const Workers::Member& member, std::size_t at, const double* r, double* z) const {
+// With few groups to a rank a level is done sooner than told of.
+void Multigrid::share_out() {
+  halos_.clear();
+  if (ranks_.alone()) return;
+  const auto is_shared = [&](std::size_t at) {
+    return at < arrays_.size() && arrays_[at].rows >= groups_of_a_rank * row_group * ranks_.size();
+  };
+  for (std::size_t at = 0; is_shared(at); ++at) halos_.push_back(find_halo(at, is_shared(at + 1)));
+}
+
+// Rows of the level that ranks need of each other: all that have to do with rows they own, of it, of the coarser level (take_to_coarser)
+// and of the finer one (smooth_back). Both ends of a message find the same list, each from its own rows.
+Halo Multigrid::find_halo(std::size_t at, bool coarser_is_shared) const {
+  const int here = ranks_.rank();
+  std::vector<Halo::Row> send, receive;
+  const auto tell = [&](std::vector<Halo::Row>& list, std::int32_t rank, std::int64_t row) {
+    if (rank != here) list.push_back({rank, static_cast<std::int32_t>(row)});
+  };
+  // Calls visit(j) for row i and those it is joined to.
+  const auto each_of_star = [](const LevelArrays& l, std::int64_t i, const auto& visit) {
+    visit(i);
+    for (auto k = l.start[i]; k < l.start[i + 1]; ++k) visit(l.column[k]);
+  };
+  const auto owner_of_rows = [&](std::int64_t rows, std::int64_t grain) {
+    const auto mine = ranks_.part(here, rows, grain);
+    return [=, this](std::int64_t i) {
+      return i >= mine.first && i < mine.end ? here : ranks_.owner(i, rows, grain);
+    };
+  };
+  const LevelArrays& level = arrays_[at];
+  const auto owner = owner_of_rows(level.rows, row_group);
+  const auto mine = ranks_.part(here, level.rows, row_group);
+  for (auto i = mine.first; i < mine.end; ++i) {
+    each_of_star(level, i, [&](std::int64_t j) {
+      tell(send, owner(j), i);
+      tell(receive, owner(j), j);
+    });
+  }
+  // What a finer row asks of row c of a coarser level: that those who have c know the rows around, or the other way round.
+  const auto each_pair = [&](const LevelArrays& fine, const LevelArrays& coarse, std::int64_t coarse_grain,
+                             const auto& of_fine, const auto& of_coarse) {
+    const auto rows = ranks_.part(here, fine.rows, row_group);
+    for (auto i = rows.first; i < rows.end; ++i) {
+      each_of_star(fine, i, [&](std::int64_t j) {
+        if (fine.aggregate[j] >= 0) of_fine(i, fine.aggregate[j]);
+      });
+    }
+    const auto merged = ranks_.part(here, coarse.rows, coarse_grain);
+    for (auto c = merged.first; c < merged.end; ++c) {
+      for (auto m = fine.first[c]; m < fine.first[c + 1]; ++m)
+        each_of_star(fine, fine.member[m], [&](std::int64_t j) { of_coarse(c, j); });
+    }
+  };
+  if (at + 1 < arrays_.size()) {
+    const LevelArrays& coarse = arrays_[at + 1];
+    const std::int64_t coarse_grain = grain(coarser_is_shared);
+    const auto coarse_owner = owner_of_rows(coarse.rows, coarse_grain);
+    each_pair(
+        level, coarse, coarse_grain, [&](std::int64_t i, std::int64_t c) { tell(send, coarse_owner(c), i); },
+        [&](std::int64_t, std::int64_t j) { tell(receive, owner(j), j); });
+  }
+  if (at > 0) {
+    const LevelArrays& fine = arrays_[at - 1];
+    const auto fine_owner = owner_of_rows(fine.rows, row_group);
+    each_pair(
+        fine, level, row_group, [&](std::int64_t, std::int64_t c) { tell(receive, owner(c), c); },
+        [&](std::int64_t c, std::int64_t j) { tell(send, fine_owner(j), c); });
+  }
+  return {std::move(send), std::move(receive)};
+}
+
+// Levels of many rows are solved for twice, which workers and ranks share; those of few by one of each rank.
+void Multigrid::cycle(const RankTeam::Member& team, std::size_t at, const double* r, double* z) {
   const LevelArrays& level = arrays_[at];
   SerialBlock block;
   if (level.rows <= few_rows) {
-    if (member.number == 0)
+    if (team.is_first())
       visit_few(block, arrays_.data(), static_cast<std::int64_t>(at),
                 static_cast<std::int64_t>(arrays_.size()), r, z);
     return;
   }
+  const auto member = team.among(is_over_ranks(at)), below = team.among(is_over_ranks(at + 1));
   const auto each = [&](const auto& visit) { each_group(member, level.rows, visit); };
   each([&](std::int64_t group) { smooth_from_nothing(block, level, r, group); });
-  member.barrier();
+  member.exchange(halo(at), level.before);
   const LevelArrays* coarse = at + 1 < arrays_.size() ? &arrays_[at + 1] : nullptr;
   if (coarse != nullptr) {
-    const auto mine = member.part(coarse->rows, row_group / 4);
+    const std::int64_t parts = grain(below.is_over_ranks());
+    const auto mine = member.part(coarse->rows, parts, row_group / 4);
     take_to_coarser(block, level, *coarse, mine.first, mine.last);
-    member.barrier();
-    cycle(member, at + 1, coarse->right, coarse->after);
-    member.barrier();
+    if (below.is_over_ranks())
+      below.barrier();
+    else
+      member.gather(coarse->right, coarse->rows, parts);
+    cycle(team, at + 1, coarse->right, coarse->after);
+    below.exchange(halo(at + 1), coarse->after);
     if (coarse->rows > few_rows) {
-      const auto each_coarse = [&](const auto& visit) { each_group(member, coarse->rows, visit); };
+      const auto each_coarse = [&](const auto& visit) { each_group(below, coarse->rows, visit); };
       each_coarse([&](std::int64_t group) { find_rest_of_group(block, *coarse, group); });
-      cycle(member, at + 1, coarse->rest, coarse->more);
+      cycle(team, at + 1, coarse->rest, coarse->more);
       each_coarse([&](std::int64_t group) { add_more(block, *coarse, group); });
-      member.barrier();
+      below.exchange(halo(at + 1), coarse->after);
     }
   }
   each([&](std::int64_t group) {

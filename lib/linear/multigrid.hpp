@@ -13,8 +13,9 @@
 // what it has in other groups (the l1 smoothers of Baker, Falgout, Kolev and Yang 2011, SIAM J. Sci. Comput. 33, 2864-2887, take all
 // of it): M + M^T - A is then no less than the diagonal, which is all that is needed. Within a group rows go by colours: a row gets
 // the first colour that none of its neighbours before it has, and rows of one colour, which do not depend on each other, stand in a row.
-// So a worker sweeps along memory and a card does a colour at once (multigrid_kernels.hpp). Workers share groups and rows, and no sum
-// depends on who makes it: the same bits on any number of them, and on a card.
+// So a worker sweeps along memory and a card does a colour at once (multigrid_kernels.hpp). Ranks and their workers share groups and rows, and
+// no sum depends on who makes it: the same bits on any number of them, and on a card. Every rank has the whole matrix and makes all levels of
+// it; those of many groups are visited by all together, the others by each for itself.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +24,7 @@
 #include <span>
 #include <vector>
 
-#include "core/workers.hpp"
+#include "core/rank_team.hpp"
 #include "linear/multigrid_arrays.hpp"
 #include "linear/sparse.hpp"
 
@@ -60,6 +61,8 @@ class RowsByPart {
 
 class Multigrid {
  public:
+  explicit Multigrid(const Ranks& ranks = {}) : ranks_(ranks) {}
+
   // A matrix and what the next coarser one is made of. Rows stand by groups and, within a group, by colours.
   struct Level {
     std::vector<std::int32_t> order,
@@ -89,22 +92,31 @@ class Multigrid {
   [[nodiscard]] std::span<const LevelArrays> arrays() const { return arrays_; }
   [[nodiscard]] const Level& level(std::size_t at) const { return levels_[at]; }
 
+  // Whether ranks share a level, and what of its rows they tell each other then; null: each has all of it.
+  [[nodiscard]] bool is_over_ranks(std::size_t level = 0) const { return level < halos_.size(); }
+  [[nodiscard]] Halo* halo(std::size_t level = 0) { return is_over_ranks(level) ? &halos_[level] : nullptr; }
+
   // z = M^-1 r, both in the order of the finest level's rows; by all members of a team together, who meet at a barrier before they read
-  // what others made.
-  void precondition(const Workers::Member& member, const double* r, double* z) const {
-    cycle(member, 0, r, z);
-  }
+  // what others made. Over ranks each has its own groups of both.
+  void precondition(const RankTeam::Member& member, const double* r, double* z) { cycle(member, 0, r, z); }
 
   // Calls visit(group) for each group of a member.
   template <class Visit>
-  static void each_group(const Workers::Member& member, std::int64_t rows, const Visit& visit) {
+  static void each_group(const RankTeam::Member& member, std::int64_t rows, const Visit& visit) {
     const auto mine = member.part((rows + row_group - 1) / row_group, 1);
     for (auto group = mine.first; group < mine.last; ++group) visit(group);
   }
 
  private:
-  void cycle(const Workers::Member& member, std::size_t level, const double* r, double* z) const;
+  void cycle(const RankTeam::Member& member, std::size_t level, const double* r, double* z);
   void invert_coarsest();
+  // Of rows of a level, that ranks get multiples of.
+  [[nodiscard]] static std::int64_t grain(bool over_ranks) { return over_ranks ? row_group : row_group / 4; }
+  void share_out();
+  [[nodiscard]] Halo find_halo(std::size_t level, bool coarser_is_shared) const;
+
+  Ranks ranks_;
+  std::vector<Halo> halos_;  // of the levels that ranks share
 
   std::deque<Level> levels_;
   std::int64_t patterns_ = 0;        // so far

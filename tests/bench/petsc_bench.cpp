@@ -208,8 +208,9 @@ int tangent(Outside& outside, const Ranks& ranks, std::int64_t discs, bool petsc
   factor.solve(right, x);
   const double again = now();
   const auto outcome =
-      Krylov(workers).solve([&](const auto& in, auto& out) { system.product(in, out); },
-                            [&](const auto& in, auto& out) { factor.solve(in, out); }, right, 1e-3, 40, x);
+      Krylov(workers, ranks)
+          .solve([&](const auto& in, auto& out) { system.product(in, out); },
+                 [&](const auto& in, auto& out) { factor.solve(in, out); }, right, 1e-3, 40, x);
   std::vector<std::int64_t> figures;
   for (const double figure : {before, memory("VmHWM") - before, memory("VmRSS") - before})
     figures.push_back(std::llround(figure));

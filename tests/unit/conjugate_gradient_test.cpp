@@ -186,8 +186,10 @@ TEST(Multigrid, IsSymmetricAndPositive) {
       a[i] = random.uniform() - 0.5;
       b[i] = random.uniform() - 0.5;
     }
-    multigrid.precondition({team, 0, 1}, a.data(), to_a.data());
-    multigrid.precondition({team, 0, 1}, b.data(), to_b.data());
+    RankTeam(team).share(false, false, [&](const RankTeam::Member& member) {
+      multigrid.precondition(member, a.data(), to_a.data());
+      multigrid.precondition(member, b.data(), to_b.data());
+    });
     double ab = 0.0, ba = 0.0, aa = 0.0, bb = 0.0;
     for (std::size_t i = 0; i < rows; ++i) {
       ab += a[i] * to_b[i];
