@@ -28,8 +28,11 @@ void CoupledSystem::each_entry(const Emit& emit) const {
   const auto& a = assembly_;
   const auto& n = network_;
   const auto at = [&](std::int64_t domain) { return static_cast<std::int32_t>(pressure_at(domain)); };
-  for (std::size_t e = 0; e < bonds_.size(); ++e)
-    emit_pair(bonds_[e].tangent, a.first[e], a.second[e], force_scale_, length_scale_, emit);
+  for (std::size_t e = 0; e < changes_.size(); ++e) {
+    with_tangent(e, [&](const double* tangent) {
+      emit_pair(tangent, a.first[e], a.second[e], force_scale_, length_scale_, emit);
+    });
+  }
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     const auto& pair = non_bonded_.pairs()[k];
     emit_pair(pairs_[k].tangent, pair.first, pair.second, force_scale_, length_scale_, emit);
@@ -94,7 +97,7 @@ void CoupledSystem::each_entry(const Emit& emit) const {
   each_cluster_pair([&](std::int32_t row, std::int32_t column, double by) {
     emit(at(row), at(column), at_floor_[static_cast<std::size_t>(row)] == 0 ? by : 0.0);
   });
-  for (std::size_t e = 0; e < bonds_.size(); ++e) {
+  for (std::size_t e = 0; e < changes_.size(); ++e) {
     const auto l = n.left[e], r = n.right[e];
     if (l == r) continue;
     const double on_l = at_floor_[static_cast<std::size_t>(l)] == 0 ? 1.0 : 0.0,
@@ -105,7 +108,7 @@ void CoupledSystem::each_entry(const Emit& emit) const {
     emit(at(l), at(r), on_l * c);
     emit(at(r), at(l), on_r * c);
     const Vec2 way = (aperture_change_[e] / length_scale_) * opening_way_[e].along +
-                     (squeeze_change_[e] / length_scale_) * bonds_[e].direction;
+                     (squeeze_change_[e] / length_scale_) * opening_way_[e].direction;
     const double x = way.x, y = way.y;
     for (const auto& [disc, sign] : {std::pair{a.first[e], -1.0}, std::pair{a.second[e], 1.0}}) {
       emit(at(l), 3 * disc, -on_l * sign * x);

@@ -31,11 +31,11 @@ void CoupledSystem::list_neighbours() {
     }
     return ends;
   };
-  invert(both(assembly_.first, assembly_.second, bonds_.size()), discs_, bond_start_, bond_of_);
-  changes_.resize(bonds_.size());
+  const std::size_t bonds = changes_.size();
+  invert(both(assembly_.first, assembly_.second, bonds), discs_, bond_start_, bond_of_);
   corner_start_.assign(static_cast<std::size_t>(discs_) + 1, 0);
   if (!wet_) return;
-  invert(both(network_.left, network_.right, bonds_.size()), domains_, pipe_start_, pipe_of_);
+  invert(both(network_.left, network_.right, bonds), domains_, pipe_start_, pipe_of_);
   const auto& discs = network_.corner_disc;
   invert({discs.begin(), discs.end()}, discs_, corner_start_, corner_of_);
   corner_domain_.resize(corner_of_.size());
@@ -64,14 +64,16 @@ void CoupledSystem::products_of_bonds(const Vector& x, Workers::Range bonds) con
   for (auto k = bonds.first; k < bonds.last; ++k) {
     const auto e = static_cast<std::size_t>(k);
     Change& change = changes_[e];
-    pair_product(bonds_[e].tangent, assembly_.first[e], assembly_.second[e], x, change.force);
+    with_tangent(e, [&](const double* tangent) {
+      pair_product(tangent, assembly_.first[e], assembly_.second[e], x, change.force);
+    });
     if (!flows) continue;
     change.moved = 0.0;
     if (n.conductance[e] == 0.0) continue;
     double opened = aperture_change_[e] == 0.0 ? 0.0 : aperture_change_[e] * opens(e, x);
     if (squeeze_change_[e] != 0.0) {
       const auto i = assembly_.first[e], j = assembly_.second[e];
-      const Vec2 way = bonds_[e].direction;
+      const Vec2 way = opening_way_[e].direction;
       opened += squeeze_change_[e] * (way.x * (x[3 * j] - x[3 * i]) + way.y * (x[3 * j + 1] - x[3 * i + 1]));
     }
     change.moved =
@@ -197,7 +199,7 @@ void CoupledSystem::products_of_exterior(const Vector& x, Vector& y) const {
 }
 
 void CoupledSystem::product(const Vector& x, Vector& y) const {
-  const auto bonds = static_cast<std::int64_t>(bonds_.size());
+  const auto bonds = static_cast<std::int64_t>(changes_.size());
   y.resize(x.size());
   workers_.share(worth_sharing(), [&](const Workers::Member& member) {
     products_of_bonds(x, member.part(bonds, grain));
@@ -226,7 +228,7 @@ void CoupledSystem::products_of_facets(const Vector& x, Vector& y) const {
           y[pressure_at(domain)] -= length * more;
       continue;
     }
-    const double shear = bonds_[static_cast<std::size_t>(f.bond)].by_push * push / length_scale_;
+    const double shear = by_push_[k] * push / length_scale_;
     if (shear == 0.0) continue;
     const auto i = assembly_.first[f.bond], j = assembly_.second[f.bond];
     const double arm_i = assembly_.arm(f.bond), arm_j = assembly_.length(f.bond) - arm_i;

@@ -33,15 +33,18 @@ CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& bou
       force_scale_(options.contact_normal_stiffness),
       length_scale_(assembly.mean_radius),
       pressure_scale_(force_scale_ / length_scale_),
-      bonds_(static_cast<std::size_t>(assembly.bond_count())),
-      aperture_change_(static_cast<std::size_t>(assembly.bond_count()), 0.0),
-      squeeze_change_(static_cast<std::size_t>(assembly.bond_count()), 0.0),
-      slope_(static_cast<std::size_t>(assembly.bond_count()), 0.0),
+      keeps_tangents_(FactorOf{options.solver_factor} != FactorOf::petsc),
       turns_open_(network.planes.kept() || !assembly.smooth.empty()),
       law_(options),
-      opening_(static_cast<std::size_t>(assembly.bond_count()), 0.0),
-      opening_way_(static_cast<std::size_t>(assembly.bond_count())),
       at_floor_(static_cast<std::size_t>(domains_), 0) {
+  const auto bonds = static_cast<std::size_t>(assembly.bond_count());
+  changes_.resize(bonds);
+  if (keeps_tangents_) tangents_.resize(bonds);
+  if (wet_) {
+    for (auto* per_pipe : {&aperture_change_, &squeeze_change_, &slope_, &opening_})
+      per_pipe->assign(bonds, 0.0);
+    opening_way_.resize(bonds);
+  }
   residual_.setZero(traction_at(tractions_));
   list_neighbours();
   if (boundary.walled() || tractions_ > 0) return;
@@ -61,7 +64,7 @@ void CoupledSystem::begin(double duration, const std::vector<double>& source) {
   for (std::size_t w = 0; w < wellbore_flow_.size(); ++w)
     wellbore_flow_[w].begin((*wellbores_)[w], duration, network_.floor_pressure);
   content_start_.assign(network_.content.begin(), network_.content.end());
-  outer_drop_.assign(bonds_.size(), 0.0);
+  outer_drop_.assign(network_.outer_pipe.empty() ? 0 : changes_.size(), 0.0);
   for (std::size_t k = 0; k < network_.outer_pipe.size(); ++k) {
     const auto e = static_cast<std::size_t>(network_.outer_pipe[k]);
     outer_drop_[e] = network_.left[e] == 0 ? network_.outer_excess[k] : -network_.outer_excess[k];
@@ -164,30 +167,39 @@ void CoupledSystem::evaluate() {
   }
 }
 
+BondResponse CoupledSystem::answer_of(std::size_t e) const {
+  const auto bond = static_cast<std::int64_t>(e);
+  if (const auto facet = facets_.of(bond); facet >= 0)
+    return respond(assembly_, options_, network_, facets_, facets_.all()[static_cast<std::size_t>(facet)]);
+  BondResponse answer = respond(assembly_, options_, bond);
+  if (facets_.active()) {
+    const Vec2 locked = facets_.locked_of(bond);
+    answer.force[0] += locked.x;
+    answer.force[1] += locked.y;
+  }
+  return answer;
+}
+
 // Bonds answer one by one, then discs add up what pulls and pushes them.
 void CoupledSystem::answer_all() {
-  const auto bonds = static_cast<std::int64_t>(bonds_.size());
+  const auto bonds = static_cast<std::int64_t>(changes_.size());
   const bool flows = wet_ && duration_ > 0.0;
+  holds_.resize(changes_.size());
+  by_push_.resize(facets_.all().size());
   bond_forces_.resize(static_cast<std::size_t>((bonds + grain - 1) / grain));
   workers_.share(worth_sharing(), [&](const Workers::Member& member) {
     const auto mine = member.part(bonds, grain);
     for (auto begin = mine.first; begin < mine.last; begin += grain) {
       double force = 0.0;
-      for (auto e = begin; e < std::min(begin + grain, mine.last); ++e) {
-        auto& bond = bonds_[static_cast<std::size_t>(e)];
-        const auto facet = facets_.of(e);
-        if (facet >= 0) {
-          bond =
-              respond(assembly_, options_, network_, facets_, facets_.all()[static_cast<std::size_t>(facet)]);
-        } else {
-          bond = respond(assembly_, options_, e);
-          if (facets_.active()) {
-            const Vec2 locked = facets_.locked_of(e);
-            bond.force[0] += locked.x;
-            bond.force[1] += locked.y;
-          }
-        }
-        if (flows) evaluate_pipe(static_cast<std::size_t>(e));
+      for (auto k = begin; k < std::min(begin + grain, mine.last); ++k) {
+        const auto e = static_cast<std::size_t>(k);
+        const BondResponse bond = answer_of(e);
+        std::copy_n(bond.force, 4, changes_[e].force);
+        if (keeps_tangents_) std::copy_n(bond.tangent, 16, tangents_[e].data());
+        if (const auto facet = facets_.of(k); facet >= 0)
+          by_push_[static_cast<std::size_t>(facet)] = bond.by_push;
+        holds_[e] = assembly_.intact[e] > 0.0 || bond.gap < 0.0 ? 1 : 0;
+        if (flows) evaluate_pipe(e, bond);
         force += std::abs(bond.force[0]) + std::abs(bond.force[1]);
       }
       bond_forces_[static_cast<std::size_t>(begin / grain)] = force;
@@ -207,7 +219,7 @@ void CoupledSystem::add_up_on_discs(Workers::Range discs) {
     double turn = 0.0;
     for (auto k = bond_start_[at]; k < bond_start_[at + 1]; ++k) {
       const auto end = bond_of_[static_cast<std::size_t>(k)];
-      const double* f = bonds_[static_cast<std::size_t>(end / 2)].force;
+      const double* f = changes_[static_cast<std::size_t>(end / 2)].force;
       const double way = end % 2 == 0 ? 1.0 : -1.0;
       force = force + way * Vec2{f[0], f[1]};
       turn -= f[2 + end % 2];
@@ -264,9 +276,7 @@ void CoupledSystem::evaluate_walls() {
 // something touches them.
 void CoupledSystem::find_fragments() {
   const auto& a = assembly_;
-  holds_.clear();
-  for (std::size_t e = 0; e < bonds_.size(); ++e)
-    holds_.push_back(a.intact[e] > 0.0 || bonds_[e].gap < 0.0 ? 1 : 0);
+  const std::size_t bonds = changes_.size();
   for (const auto& pair : pairs_) holds_.push_back(pair.gap < 0.0 ? 1 : 0);
   if (holds_ == held_before_) return;
   held_before_ = holds_;
@@ -285,11 +295,11 @@ void CoupledSystem::find_fragments() {
     const auto p = root(i), q = root(j);
     piece[static_cast<std::size_t>(std::max(p, q))] = std::min(p, q);
   };
-  for (std::size_t e = 0; e < bonds_.size(); ++e) {
+  for (std::size_t e = 0; e < bonds; ++e) {
     if (holds_[e] != 0) join(a.first[e], a.second[e]);
   }
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    if (holds_[bonds_.size() + k] != 0) join(non_bonded_.pairs()[k].first, non_bonded_.pairs()[k].second);
+    if (holds_[bonds + k] != 0) join(non_bonded_.pairs()[k].first, non_bonded_.pairs()[k].second);
   }
   std::vector<std::int32_t> members(piece.size(), 0);
   for (std::int32_t i = 0; i < discs_; ++i) ++members[static_cast<std::size_t>(root(i))];
@@ -306,7 +316,7 @@ void CoupledSystem::find_fragments() {
 }
 
 // Aperture of the displacements at hand, and what a change of gap does to the flow.
-void CoupledSystem::evaluate_pipe(std::size_t e) {
+void CoupledSystem::evaluate_pipe(std::size_t e, const BondResponse& bond) {
   auto& n = network_;
   const auto l = n.left[e], r = n.right[e];
   aperture_change_[e] = squeeze_change_[e] = slope_[e] = 0.0;
@@ -325,22 +335,24 @@ void CoupledSystem::evaluate_pipe(std::size_t e) {
   if (flowing != nullptr) {
     opening_[e] = smooth_opening(assembly_, *flowing);
     w = joint_aperture_response(options_, assembly_.smooth.law_of(*flowing), opening_[e]);
-    opening_way_[e] = {flowing->normal, flowing->opens_by_first, flowing->opens_by_second};
+    opening_way_[e] = {flowing->normal, flowing->opens_by_first, flowing->opens_by_second, bond.direction};
     if (flowing->bond != static_cast<std::int64_t>(e)) w.by_opening = 0.0;  // of other discs
   } else if (plane != nullptr && joint <= 0.0) {
     opening_[e] = CrackPlanes::opening(*plane, assembly_, e);
-    opening_way_[e] = {plane->normal, plane->by_first, plane->by_second};
-    w = crack_aperture_response(options_, n.pipe_at_rest(e), opening_[e], bonds_[e].normal,
-                                bonds_[e].normal_stiffness);
+    opening_way_[e] = {plane->normal, plane->by_first, plane->by_second, bond.direction};
+    w = crack_aperture_response(options_, n.pipe_at_rest(e), opening_[e], bond.normal, bond.normal_stiffness);
   } else {
-    opening_[e] = joint > 0.0 ? joint : bonds_[e].gap;
-    opening_way_[e] = {
-        joint > 0.0 ? assembly_.joint_normal(static_cast<std::int64_t>(e)) : bonds_[e].direction, 0.0, 0.0};
-    if (const SmoothContact* smooth = assembly_.smooth.of(static_cast<std::int64_t>(e)))
-      opening_way_[e] = {opening_way_[e].along, smooth->opens_by_first, smooth->opens_by_second};
+    opening_[e] = joint > 0.0 ? joint : bond.gap;
+    OpeningWay& way = opening_way_[e];
+    way = {joint > 0.0 ? assembly_.joint_normal(static_cast<std::int64_t>(e)) : bond.direction, 0.0, 0.0,
+           bond.direction};
+    if (const SmoothContact* smooth = assembly_.smooth.of(static_cast<std::int64_t>(e))) {
+      way.by_first = smooth->opens_by_first;
+      way.by_second = smooth->opens_by_second;
+    }
     const auto of_gap =
-        aperture_response(options_, n.pipe_at_rest(e), opening_[e], joint > 0.0 ? 0.0 : bonds_[e].normal,
-                          bonds_[e].normal_stiffness, assembly_.intact[e] > 0.0);
+        aperture_response(options_, n.pipe_at_rest(e), opening_[e], joint > 0.0 ? 0.0 : bond.normal,
+                          bond.normal_stiffness, assembly_.intact[e] > 0.0);
     w = {of_gap.aperture, 0.0, of_gap.by_gap};
   }
   n.aperture[e] = w.aperture;
@@ -450,7 +462,7 @@ void CoupledSystem::measure() {
   }
   // Below a strain of 1e-12 everywhere there is nothing to balance.
   const double least = 1e-12 * force_scale_ * length_scale_;
-  const double mean = contact_force_ / static_cast<double>(std::max<std::size_t>(1, bonds_.size()));
+  const double mean = contact_force_ / static_cast<double>(std::max<std::size_t>(1, changes_.size()));
   force_ratio_ = unbalanced / static_cast<double>(discs_) / std::max(mean, least);
   for (std::size_t w = 0; w < servo_walls_; ++w)
     force_ratio_ = std::max(
@@ -498,7 +510,7 @@ void CoupledSystem::limit(Vector& x, double longest) const {
 double CoupledSystem::share_for_apertures(const Vector& x, double growth) const {
   if (!wet_ || duration_ <= 0.0) return 1.0;
   double share = 1.0;
-  for (std::size_t e = 0; e < bonds_.size(); ++e) {
+  for (std::size_t e = 0; e < changes_.size(); ++e) {
     if (assembly_.intact[e] > 0.0 || network_.conductance[e] == 0.0) continue;
     const double aperture = network_.aperture[e];
     if (aperture >= options_.flow_aperture_limit) continue;
@@ -529,7 +541,7 @@ void CoupledSystem::evaluate_facet_pipe(std::size_t e, std::size_t facet) {
   auto& n = network_;
   const Facet& f = facets_.all()[facet];
   opening_[e] = facets_.jump(assembly_, f, f.normal);
-  opening_way_[e] = {f.normal, 0.0, 0.0};
+  opening_way_[e] = {f.normal, 0.0, 0.0, {}};
   auto w = aperture_response(options_, n.pipe_at_rest(e), opening_[e], 0.0, 0.0, false);
   if (w.aperture < n.facet_least[e]) w = {n.facet_least[e], 0.0};
   n.aperture[e] = w.aperture;
@@ -576,7 +588,7 @@ double CoupledSystem::hold_apertures(double share) {
 
 void CoupledSystem::keep_flow() {
   if (!wet_) return;
-  for (std::size_t e = 0; e < bonds_.size(); ++e) {
+  for (std::size_t e = 0; e < changes_.size(); ++e) {
     network_.flow[e] = network_.conductance[e] * drop(e);
   }
 }

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "core/workers.hpp"
@@ -146,21 +147,31 @@ class CoupledSystem {
   void each_entry(const Emit& emit) const;
   // Pressure that drives flow from left to right [Pa], with what a host set beyond the outer boundary.
   [[nodiscard]] double drop(std::size_t pipe) const {
-    return network_.pressure[network_.left[pipe]] - network_.pressure[network_.right[pipe]] +
-           outer_drop_[pipe];
+    const double own = network_.pressure[network_.left[pipe]] - network_.pressure[network_.right[pipe]];
+    return outer_drop_.empty() ? own : own + outer_drop_[pipe];
   }
   [[nodiscard]] double opens(std::size_t bond, const Vector& x) const;
   void evaluate_walls();
   void open_facets();
   void add_faces_of_joints();
   void evaluate_facet_pipe(std::size_t e, std::size_t facet);
+  // What a bond answers, as it stands.
+  [[nodiscard]] BondResponse answer_of(std::size_t e) const;
+  // Calls visit(tangent) of a bond at the last evaluation.
+  template <class Visit>
+  void with_tangent(std::size_t e, const Visit& visit) const {
+    if (keeps_tangents_)
+      visit(tangents_[e].data());
+    else
+      visit(answer_of(e).tangent);
+  }
   static constexpr std::int64_t grain = 64;  // discs, bonds or domains
   [[nodiscard]] bool worth_sharing() const { return discs_ >= 2048; }
   void answer_all();
   void add_up_on_discs(Workers::Range discs);
   void evaluate_few();
   void find_fragments();
-  void evaluate_pipe(std::size_t e);
+  void evaluate_pipe(std::size_t e, const BondResponse& bond);
   void evaluate_wellbores();
   // visit(domain, other domain, d(rate into the first) dt / d(pressure of the second), scaled as entries of the tangent are).
   template <class Visit>
@@ -190,11 +201,15 @@ class CoupledSystem {
   double force_scale_, length_scale_, pressure_scale_;
   double duration_ = 0.0;
   std::vector<double> source_, content_start_;
-  std::vector<double> outer_drop_;  // per pipe: Pa
+  std::vector<double> outer_drop_;  // per pipe: Pa; none: 0 everywhere
   std::vector<PairStart> pair_start_;
   std::vector<Pin> pins_;
   // at the last evaluation
-  std::vector<BondResponse> bonds_, pairs_;
+  std::vector<BondResponse> pairs_;
+  // Of bonds. 128 bytes each: where memory is short they answer anew for every product.
+  bool keeps_tangents_;
+  std::vector<std::array<double, 16>> tangents_;
+  std::vector<double> by_push_;          // of a facet that slides: shear force by the fluid's push across it
   std::vector<double> aperture_change_;  // per pipe: d(flow) / d(gap) dt
   std::vector<double> squeeze_change_;   // likewise d(gap of the discs), where the opening is not the gap
   std::vector<double> slope_;  // per pipe: d(flow) / d(pressure drop), the conductance unless the fluid thins
@@ -205,6 +220,7 @@ class CoupledSystem {
   struct OpeningWay {
     Vec2 along;                  // unit vector along which it is measured
     double by_first, by_second;  // m: its change by a disc's rotation
+    Vec2 direction;              // from first to second disc
   };
   std::vector<OpeningWay> opening_way_;
   std::vector<std::int32_t> piece_;
@@ -216,7 +232,7 @@ class CoupledSystem {
   std::vector<std::int32_t> bond_start_, bond_of_, corner_start_, corner_of_, corner_domain_, pipe_start_,
       pipe_of_;
   struct Change {
-    double force[4];  // of a bond
+    double force[4];  // of a bond, or what a displacement adds to it
     double moved;     // through its pipe
   };
   mutable std::vector<Change> changes_;
