@@ -3,7 +3,7 @@
 //
 // Both schemes move content along pipes, so what one domain loses the next one gains to the last bit but rounding:
 //   implicit  backward Euler on all domains at once (sparse Cholesky, the pattern analysed once; conjugate gradients for
-//             more than some 60 000 domains, where factors outgrow memory; or a solver from outside). Cavitation makes it
+//             more than some 60 000 domains, where factors outgrow memory, by all ranks together; or a solver from outside). Cavitation makes it
 //             a complementarity problem: p >= floor, a domain at the floor first fills its void. A primal-dual active
 //             set finds it in a few rounds. A fluid that thins is followed by solving again at the conductances of the
 //             pressure drops found (Picard), until they agree.

@@ -3,9 +3,9 @@
  * One simulation on several ranks: processes of a parallel program, or threads of one, that share the work of its cycles.
  *
  * Every rank creates the simulation from the same definition, holds all of it, and gets the same results, to the last bit those of
- * a single one, whatever the number of ranks and of run.workers. What is shared is the explicit motion (rest, real time); flow,
- * heat, fractures and the quasi-static solver every rank does for itself, unless ranks have a linear solver in common
- * (linear_solver.h). So a model needs the memory of one on each rank.
+ * a single one, whatever the number of ranks and of run.workers. What is shared is the explicit motion (rest, real time), the flow
+ * step of large models (conjugate gradients) and the vectors of the quasi-static solver's GMRES; heat, fractures and the rest every
+ * rank does for itself, unless ranks have a linear solver in common (linear_solver.h). So a model needs the memory of one on each rank.
  * State images are those of a single simulation: any number of ranks goes on from what any other wrote.
  *
  * Calls that change the simulation are collective: all ranks make them, in the same order and with the same arguments. Calls that
