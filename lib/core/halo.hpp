@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -15,7 +14,10 @@ class Halo {
  public:
   struct Row {
     std::int32_t rank, row;
-    auto operator<=>(const Row&) const = default;
+    friend bool operator==(const Row& a, const Row& b) { return a.rank == b.rank && a.row == b.row; }
+    friend bool operator<(const Row& a, const Row& b) {
+      return a.rank != b.rank ? a.rank < b.rank : a.row < b.row;
+    }
   };
   // Own rows that a rank wants, and rows that are wanted of a rank: in any order, also several times. What one sends the other receives.
   Halo(std::vector<Row> send, std::vector<Row> receive)

@@ -47,6 +47,7 @@ class RankTeam {
     void gather(T* all, std::int64_t n, std::int64_t grain) const {
       talk([&](const Ranks& ranks) {
         std::vector<std::int64_t> begin;
+        begin.reserve(static_cast<std::size_t>(ranks.size()) + 1);
         for (int rank = 0; rank < ranks.size(); ++rank) begin.push_back(ranks.part(rank, n, grain).first);
         begin.push_back(n);
         ranks.gather(all, std::move(begin));
