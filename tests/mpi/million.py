@@ -12,34 +12,7 @@ import sys
 import tempfile
 import time
 
-from over_ranks import ENVIRONMENT, HFRAC, over
-
-CASE = """
-title = "a large quasi-static model"
-[model]
-width = {width}
-height = {width}
-[packing]
-method = "tiled"
-disc_count = {discs}
-[stress]
-convention = "effective"
-sigma_Hmax = 0.0
-sigma_hmin = 0.0
-[boundary]
-kind = "walls"
-[solver]
-kind = "quasi-static"
-factor = "petsc"
-[stepping]
-mode = "coupled"
-flow_step = 0.02
-steps = 1
-[[well]]
-radius = 8.5
-pressure = 5e6
-"""
-
+from over_ranks import COUPLED, ENVIRONMENT, HFRAC, over
 
 def children(process):
     """Processes below one, by /proc."""
@@ -75,7 +48,8 @@ def main():
     options = arguments.parse_args()
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        (folder / "case.toml").write_text(CASE.format(discs=options.discs, width=options.discs ** 0.5))
+        (folder / "case.toml").write_text(COUPLED.format(width=options.discs ** 0.5, seed=3, method="tiled", discs=options.discs, factor="petsc",
+                                                         tolerance="1e-6", flow_step=0.02, steps=1, radius=8.5, pressure="5e6"))
         (folder / "factor").mkdir()
         environment = dict(ENVIRONMENT, PETSC_OPTIONS="-hfrac_tangent_mat_mumps_icntl_22 1", MUMPS_OOC_TMPDIR=str(folder / "factor"))
         begin, most, on_disk = time.monotonic(), 0, 0

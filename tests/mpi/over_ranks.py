@@ -25,6 +25,36 @@ checkpoint_steps = 2
 radius = 10.0
 pressure = 65e6
 """
+# The paper's block with effective stresses, flow and equilibrium solved together.
+COUPLED = """
+title = "coupled, {seed}"
+[model]
+width = {width}
+height = {width}
+seed = {seed}
+[packing]
+method = "{method}"
+disc_count = {discs}
+[stress]
+convention = "effective"
+sigma_Hmax = 0.0
+sigma_hmin = 0.0
+[boundary]
+kind = "walls"
+[solver]
+kind = "quasi-static"
+factor = "{factor}"
+tolerance = {tolerance}
+[stepping]
+mode = "coupled"
+flow_step = {flow_step}
+steps = {steps}
+[output]
+every = {steps}
+[[well]]
+radius = {radius}
+pressure = {pressure}
+"""
 # Open MPI asks root twice, and keeps more ranks than cores from spinning; MPICH knows none of it.
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1",
                    OMPI_MCA_mpi_yield_when_idle="1", OMPI_MCA_btl="self,vader", OMPI_MCA_plm="isolated")

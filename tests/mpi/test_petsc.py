@@ -5,34 +5,8 @@ import os
 import sys
 import unittest
 
-from over_ranks import HFRAC, OverRanks, over, run
+from over_ranks import COUPLED, HFRAC, OverRanks, over, run
 
-COUPLED = """
-title = "coupled, {seed}"
-[model]
-seed = {seed}
-[packing]
-disc_count = 1000
-[stress]
-convention = "effective"
-sigma_Hmax = 0.0
-sigma_hmin = 0.0
-[boundary]
-kind = "walls"
-[solver]
-kind = "quasi-static"
-factor = "{factor}"
-tolerance = {tolerance}
-[stepping]
-mode = "coupled"
-flow_step = 0.05
-steps = 3
-[output]
-every = 3
-[[well]]
-radius = 9.0
-pressure = {pressure}
-"""
 HEAD = """
 import ctypes, sys
 from mpi4py import MPI
@@ -141,7 +115,8 @@ class Petsc(OverRanks):
 
     def cracks(self, name, ranks, seed, pressure, factor, tolerance="1e-9"):
         case = self.folder / f"{name}.toml"
-        case.write_text(COUPLED.format(seed=seed, factor=factor, pressure=pressure, tolerance=tolerance))
+        case.write_text(COUPLED.format(width=100.0, seed=seed, method="relaxed", discs=1000, factor=factor, tolerance=tolerance, flow_step=0.05,
+                                       steps=3, radius=9.0, pressure=pressure))
         command = [HFRAC, "run", case, "-o", self.folder / name, "-q", "--workers", 1]
         done = run(over(ranks, *command) if ranks else list(map(str, command)))
         self.assertEqual(done.returncode, 0, done.stderr)
