@@ -9,6 +9,7 @@
 #include "flow/fluid_law.hpp"
 #include "linear/conjugate_gradient.hpp"
 #include "linear/sparse.hpp"
+#include "linear/symmetric_factor.hpp"
 #include "model/joint_pores.hpp"
 #include "options/choices.hpp"
 #include "solid/smooth_joints.hpp"
@@ -83,7 +84,7 @@ double band_permeability(const Network& n, const Assembly& a, double low, double
   Eigen::VectorXd p = Eigen::VectorXd::Zero(count);
   if (count <= largest_to_factorise) {
     const SymmetricFactor solver(matrix);
-    if (solver.info() != Eigen::Success) return 0.0;
+    if (!solver.succeeded()) return 0.0;
     p = solver.solve(rhs);
   } else {
     const auto span = std::max(high - low, 1e-300);

@@ -98,7 +98,7 @@ FlowSolver::FlowSolver(const Network& n, const Options& options, std::vector<Wel
     for (auto at = begin, last = std::unique(begin, end); at != last; ++at) matrix_.insert(*at, d) = 1.0;
   }
   matrix_.makeCompressed();
-  if (!iterative_) factor_.analyzePattern(matrix_);
+  if (!iterative_) factor_.analyse(matrix_);
   const auto place = [&](std::int32_t row, std::int32_t column) {
     const auto* begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column];
     const auto* end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column + 1];
@@ -175,8 +175,7 @@ bool FlowSolver::settle_outside(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) 
 void FlowSolver::solve_pressures(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
   bool prepared = true;
   if (!iterative_) {
-    factor_.factorize(matrix_);
-    prepared = factor_.info() == Eigen::Success;
+    prepared = factor_.factorise(matrix_);
   } else if (!outside_) {
     prepared = conjugate_gradient_.prepare(matrix_);
   }

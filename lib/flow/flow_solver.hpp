@@ -21,6 +21,7 @@
 #include "linear/conjugate_gradient.hpp"
 #include "linear/outside_matrix.hpp"
 #include "linear/sparse.hpp"
+#include "linear/symmetric_factor.hpp"
 #include "model/network.hpp"
 
 namespace hfrac {

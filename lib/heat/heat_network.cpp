@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "linear/conjugate_gradient.hpp"
+#include "linear/symmetric_factor.hpp"
 #include "options/choices.hpp"
 
 namespace hfrac {
@@ -103,7 +104,7 @@ class Conductivity {
     matrix.setFromTriplets(entries.begin(), entries.end());
     if (count_ <= largest_to_factorise) {
       const SymmetricFactor factor(matrix);
-      if (factor.info() == Eigen::Success) t = factor.solve(rhs);
+      if (factor.succeeded()) t = factor.solve(rhs);
     } else {
       ConjugateGradient solver;
       if (!solver.prepare(matrix) || solver.solve(rhs, t, 1e-8, 20000) < 0) t.setConstant(NAN);

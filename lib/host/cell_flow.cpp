@@ -8,6 +8,7 @@
 
 #include "host/cell_report.hpp"
 #include "linear/sparse.hpp"
+#include "linear/symmetric_factor.hpp"
 
 namespace hfrac {
 namespace {
@@ -48,7 +49,7 @@ void flow_energy(const std::vector<CellPipe>& pipes, std::int32_t unknowns, doub
     SparseMatrix matrix(unknowns, unknowns);
     matrix.setFromTriplets(entries.begin(), entries.end());
     const SymmetricFactor solver(matrix);
-    if (solver.info() != Eigen::Success) return;
+    if (!solver.succeeded()) return;
     p = solver.solve(rhs);
   }
   for (const auto& pipe : pipes) {

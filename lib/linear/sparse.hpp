@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The sparse solvers taken from Eigen, named by what they are for. Only MPL2 parts of Eigen (EIGEN_MPL2_ONLY).
 //
-//   SymmetricFactor   L D L^T of a symmetric matrix (lower triangle given): flow, heat at rest, flow through a cell
 //   GeneralFactor     L U with column ordering: the poroelastic continuum
 //   OrderedFactor     L U of a matrix of symmetric pattern: heat, where iteration fails
 //   BiconjugateGradients  stabilised (van der Vorst 1992), preconditioned by the diagonal: heat
-// Our own stand beside: ConjugateGradient (large flow matrices), Multifrontal and Krylov (equilibrium).
+// Our own stand beside: SymmetricFactor (flow, heat at rest, flow through a cell), ConjugateGradient (large flow matrices), Multifrontal
+// and Krylov (equilibrium).
 #pragma once
 
 #include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 #include <cstdint>
@@ -17,7 +16,6 @@
 namespace hfrac {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
-using SymmetricFactor = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower>;
 using GeneralFactor = Eigen::SparseLU<SparseMatrix>;
 using OrderedFactor = Eigen::SparseLU<SparseMatrix, Eigen::AMDOrdering<int>>;
 using BiconjugateGradients = Eigen::BiCGSTAB<SparseMatrix, Eigen::DiagonalPreconditioner<double>>;

@@ -74,12 +74,12 @@ void measure(std::int64_t count, bool coupled, int steps, int workers) {
   const double cycles = std::ceil(1e-3 / s.engine().mechanics->step()),
                rate = static_cast<double>(s.assembly().bond_count()) * cycles / std::max(1e-9, stepped);
   std::printf(
-      "hfrac-memory %lld %s %.0f %.4g | set-up %.1f s (processor %.1f s), step of %.0f cycles %.2f s "
-      "(processor %.2f s), %lld bonds, %lld domains, %zu cracks, peak %.0f MB, in use %.0f "
+      "hfrac-memory %lld %s %.0f %.4g | set-up %.1f s (processor %.1f s), step of %.0f cycles %.2f ms "
+      "(processor %.2f ms), %lld bonds, %lld domains, %zu cracks, peak %.0f MB, in use %.0f "
       "and %.0f B a disc\n",
       static_cast<long long>(s.assembly().disc_count()), coupled ? "coupled" : "dry",
-      bytes / static_cast<double>(s.assembly().disc_count()), rate, built, cpu_built, cycles, stepped,
-      cpu_stepped, static_cast<long long>(s.assembly().bond_count()),
+      bytes / static_cast<double>(s.assembly().disc_count()), rate, built, cpu_built, cycles, 1e3 * stepped,
+      1e3 * cpu_stepped, static_cast<long long>(s.assembly().bond_count()),
       static_cast<long long>(s.network().domain_count()), s.cracks().size(), bytes / 1e6,
       resident / static_cast<double>(s.assembly().disc_count()),
       stepped_in / static_cast<double>(s.assembly().disc_count()));

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """A quasi-static step of a large coupled model over ranks, whose factor MUMPS writes to disk: the memory of all processes together, which is
-sampled twice a second, and the balance at its end. A hole under 5 MPa in tiled rock, so that nothing breaks.
+sampled every few seconds (counting the pages of 15 GB takes a core some tenths), and the balance at its end. A hole under 5 MPa in tiled
+rock, so that nothing breaks.
 
   million.py [--discs N] [--ranks N] [--gigabytes N]      exits with 1 if they took more, or found no equilibrium
 """
@@ -58,7 +59,7 @@ def main():
             while running.poll() is None:
                 most = max(most, memory_of(children(running.pid)))
                 on_disk = max(on_disk, sum(path.stat().st_size for path in (folder / "factor").glob("mumps*")))
-                time.sleep(0.5)
+                time.sleep(3.0)
         if running.returncode != 0:
             sys.exit(f"million: hfrac ended with {running.returncode}")
         with open(folder / "run" / "history.csv", encoding="utf-8") as file:

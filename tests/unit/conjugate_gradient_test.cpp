@@ -10,6 +10,7 @@
 
 #include "core/random.hpp"
 #include "linear/conjugate_gradient.hpp"
+#include "linear/symmetric_factor.hpp"
 #include "pore_grid.hpp"
 
 namespace conjugate_gradient_test {
