@@ -203,24 +203,40 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
       lost = true;
     }
   };
+  const auto refill_parts = [&] {
+    parts_left_.refill(workers_, shared_.inner_count());
+    outer_parts_left_.refill(workers_, shared_.part_count() - shared_.inner_count());
+  };
   std::int64_t done = 0;
+  bool under_way = false;  // other ranks' discs, from the end of a cycle to where the next one needs them
   const std::function<void(int)> task = [&](int worker) {
     const auto w = static_cast<std::size_t>(worker);
     double* scratch = scratch_[w].data();
+    const auto take_part = [&](std::int64_t item, std::int64_t now) {
+      const auto part = shared_.part(item);
+      if (arrays_.with_pressure != 0) kernels_.cross_domains(arrays_, part);
+      take_pairs(part, now, shared_.is_own(item) ? found[w] : dropped_[w]);
+      const CrossPart& p = plan_.cross_parts[static_cast<std::size_t>(part)];
+      for (auto pair = p.first_pair; fragments_.kept() && pair < p.last_pair; ++pair) {
+        if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + pair)].flagged != 0) flagged = now;
+      }
+    };
     for (std::int64_t cycle = done; cycle < cycles; ++cycle) {
       const std::int64_t now = total_cycles_ + cycle;
       // Whether a bond stays depends on others of its discs, maybe another worker's: then one worker breaks them all, in order.
-      watched([&] {
-        parts_left_.take(worker, [&](std::int64_t item) {
-          const auto part = shared_.part(item);
-          if (arrays_.with_pressure != 0) kernels_.cross_domains(arrays_, part);
-          take_pairs(part, now, shared_.is_own(item) ? found[w] : dropped_[w]);
-          const CrossPart& p = plan_.cross_parts[static_cast<std::size_t>(part)];
-          for (auto pair = p.first_pair; fragments_.kept() && pair < p.last_pair; ++pair) {
-            if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + pair)].flagged != 0) flagged = now;
-          }
+      watched([&] { parts_left_.take(worker, [&](std::int64_t item) { take_part(item, now); }); });
+      if (!ranks.alone()) {
+        if (worker == 0 && under_way) {
+          under_way = false;
+          watched([&] { shared_.finish_exchange(assembly_); });
+        }
+        workers_.barrier();
+        if (lost) return;
+        watched([&] {
+          outer_parts_left_.take(
+              worker, [&](std::int64_t item) { take_part(shared_.inner_count() + item, now); });
         });
-      });
+      }
       if (worker == 0 && boundary_.reacts()) {
         boundary_.cycle(assembly_, arrays_.step, options_.stepping_safety, arrays_.damping);
       }
@@ -231,7 +247,7 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
         facets_.add_forces();
       }
       workers_.barrier();
-      if (worker == 0) parts_left_.refill(workers_, shared_.part_count());
+      if (worker == 0) refill_parts();
       if (fragments_.kept() && !ranks.alone()) {
         if (worker == 0) {
           watched([&] {
@@ -250,20 +266,25 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
         });
       });
       workers_.barrier();
+      // Where other ranks' discs are needed before the next cycle comes to them.
+      const bool at_once = facets_.active() || cycle + 1 == cycles;
       if (!ranks.alone()) {
         if (worker == 0) {
           watched([&] {
-            shared_.exchange(assembly_);
+            shared_.start_exchange(assembly_);
+            under_way = !at_once;
+            if (!at_once) return;
+            shared_.finish_exchange(assembly_);
             if (facets_.active() && ranks.any(facets_to_come_ == now)) facets_to_come_ = now;
           });
         }
-        workers_.barrier();
+        if (at_once) workers_.barrier();
       }
       if (facets_to_come_ == now) {
         if (worker == 0) watched([&] { break_into_facets(now, found); });
         workers_.barrier();
       }
-      if (lost) return;
+      if (at_once && lost) return;
       if (worker == 0) {
         tiles_left_.refill(workers_, shared_.tile_count());
         done = cycle + 1;
@@ -272,7 +293,7 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
     }
   };
   while (done < cycles && !lost) {
-    parts_left_.refill(workers_, shared_.part_count());
+    refill_parts();
     tiles_left_.refill(workers_, shared_.tile_count());
     workers_.run(task);
   }

@@ -31,6 +31,7 @@ ExplicitSolver::ExplicitSolver(Model& model, Boundary& boundary, const Options& 
       options_(options),
       workers_(workers),
       parts_left_(workers.count()),
+      outer_parts_left_(workers.count()),
       tiles_left_(workers.count()),
       kernels_(kernels()),
       fragments_(assembly_, options),

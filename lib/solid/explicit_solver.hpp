@@ -204,7 +204,8 @@ class ExplicitSolver {
   NonBondedContacts non_bonded_;
   const Options& options_;
   Workers& workers_;
-  Workers::Pass parts_left_, tiles_left_;  // of a cycle: parts across tiles, tiles
+  // Of a cycle: parts across tiles, those that need other ranks' discs, tiles.
+  Workers::Pass parts_left_, outer_parts_left_, tiles_left_;
   const KernelTable& kernels_;
   Fragments fragments_;
   // For the kernels: contacts of smooth joints before each part (SmoothArrays::from), their laws, and the forces of laws they do not know.

@@ -36,6 +36,8 @@ SharedTiles::SharedTiles(const Ranks& ranks, const Assembly& a, const Network& n
   const auto tiles = static_cast<std::int64_t>(plan.tiles.size());
   for (int r = 0; r <= ranks.size(); ++r) begin_.push_back(tiles * r / ranks.size());
   first_shared_ = last_shared_ = tiles + 1;
+  for (auto t = first_tile(); t < last_tile(); ++t) own_part_.push_back(t);
+  inner_ = tile_count();
   if (ranks.alone()) return;
   neighbours_.resize(static_cast<std::size_t>(ranks.size()));
   for (std::size_t r = 0; r < neighbours_.size(); ++r) neighbours_[r].rank = static_cast<std::int32_t>(r);
@@ -83,6 +85,7 @@ void SharedTiles::find_shared(const Assembly& a, const Network& n) {
   const auto tiles = plan_.tiles.size();
   const auto first = static_cast<std::size_t>(first_tile()), last = static_cast<std::size_t>(last_tile());
   std::vector<std::int32_t> domains;
+  std::vector<char> needs_others(tiles, 0);
   for (std::size_t t = 0; t < tiles; ++t) {
     const CrossPart part = plan_.cross_parts[t];
     const bool own_part = t >= first && t < last;
@@ -91,6 +94,7 @@ void SharedTiles::find_shared(const Assembly& a, const Network& n) {
       const auto other = static_cast<std::size_t>(a.second[pair.first_bond] / tile_size);
       const bool own_other = other >= first && other < last;
       if (own_part == own_other) continue;
+      needs_others[t] = 1;
       for (auto e = pair.first_bond; e < pair.last_bond; ++e) {
         discs = {a.first[e], a.second[e]};
         join();
@@ -102,9 +106,15 @@ void SharedTiles::find_shared(const Assembly& a, const Network& n) {
     for (auto q = part.first_domain; q < part.last_domain; ++q) {
       const auto d = plan_.cross_domain[static_cast<std::size_t>(q)];
       discs.assign(n.corner_disc.begin() + n.corner_start[d], n.corner_disc.begin() + n.corner_start[d + 1]);
-      if (join() && !own_part) domains.push_back(static_cast<std::int32_t>(q));
+      if (!join()) continue;
+      needs_others[t] = 1;
+      if (!own_part) domains.push_back(static_cast<std::int32_t>(q));
     }
   }
+  const auto outer = std::stable_partition(own_part_.begin(), own_part_.end(), [&](std::int64_t t) {
+    return needs_others[static_cast<std::size_t>(t)] == 0;
+  });
+  inner_ = outer - own_part_.begin();
   // The shared pores at the end of the list of pores across, where they find the places of their forces as well.
   constexpr std::int64_t together = 64;
   for (std::size_t k = 0; k < domains.size(); ++k) {
@@ -150,14 +160,16 @@ void SharedTiles::lay_messages() {
   sort_out(foreign_);
 }
 
-void SharedTiles::exchange(Assembly& a) {
-  if (ranks_.alone()) return;
+void SharedTiles::start_exchange(const Assembly& a) {
   for (auto& other : neighbours_) {
     double* to = put<3>(other.send, {a.ux.data(), a.uy.data(), a.rotation.data()}, other.out.data());
     put<6>(other.send_everywhere,
            {a.ux.data(), a.uy.data(), a.rotation.data(), a.vx.data(), a.vy.data(), a.spin.data()}, to);
   }
   ranks_.start(messages_);
+}
+
+void SharedTiles::finish_exchange(Assembly& a) {
   ranks_.finish();
   for (auto& other : neighbours_) {
     const double* from =

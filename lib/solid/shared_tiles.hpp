@@ -30,17 +30,19 @@ class SharedTiles {
   [[nodiscard]] std::int64_t first_tile() const { return begin_[static_cast<std::size_t>(ranks_.rank())]; }
   [[nodiscard]] std::int64_t last_tile() const { return begin_[static_cast<std::size_t>(ranks_.rank()) + 1]; }
   [[nodiscard]] std::int64_t tile_count() const { return last_tile() - first_tile(); }
-  // Parts across tiles to do in a cycle: own ones first, then those shared.
+  // Parts across tiles to do in a cycle: first own ones that need no other rank's discs, then the other own ones, then those shared.
+  [[nodiscard]] std::int64_t inner_count() const { return inner_; }
   [[nodiscard]] std::int64_t part_count() const { return tile_count() + last_shared_ - first_shared_; }
   [[nodiscard]] bool is_own(std::int64_t item) const { return item < tile_count(); }
   [[nodiscard]] std::int64_t part(std::int64_t item) const {
-    return is_own(item) ? first_tile() + item : first_shared_ + item - tile_count();
+    return is_own(item) ? own_part_[static_cast<std::size_t>(item)] : first_shared_ + item - tile_count();
   }
 
   // Discs whose motion all ranks need, ascending. The same on all.
   void show_everywhere(std::vector<std::int32_t> discs);
-  // After a cycle: what others moved of the discs that this rank needs.
-  void exchange(Assembly& assembly);
+  // After a cycle: what others moved of the discs that this rank needs. What needs none of them can be done between the two.
+  void start_exchange(const Assembly& assembly);
+  void finish_exchange(Assembly& assembly);
   // Displacements, slips, breakage and pressures of the whole model.
   void gather(Assembly& assembly, Network& network) const;
   // Sums of the parts across tiles.
@@ -76,6 +78,8 @@ class SharedTiles {
   TilePlan& plan_;
   std::vector<std::int64_t> begin_;  // first tile of each rank, and last their number
   std::int64_t first_shared_, last_shared_, shared_bonds_ = 0;
+  std::vector<std::int64_t> own_part_;  // inner ones first
+  std::int64_t inner_;
   std::vector<Neighbour> neighbours_;  // by rank; all but this one's
   std::vector<std::int32_t> everywhere_, foreign_;
   std::vector<Message> messages_;  // those that are not empty

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * bench_ranks DISCS dry|coupled WORKERS, over as many ranks as mpirun starts: real motion of a tiled packing under far-field stress;
- * prints milliseconds a cycle and what a rank receives in one. Beside each other: mpirun -n 1 and -n 2, 1 and 2 workers.
+ * bench_ranks DISCS dry|coupled WORKERS [MICROSECONDS], over as many ranks as mpirun starts: real motion of a tiled packing under far-field
+ * stress; prints milliseconds a cycle and what a rank receives in one. Beside each other: mpirun -n 1 and -n 2, 1 and 2 workers.
+ * MICROSECONDS: messages count as received no sooner than that after they were sent, as over a network that takes so long.
  */
 #define HFRAC_ENABLE_UNSTABLE
 #include <hfrac/hfrac.h>
@@ -19,16 +20,44 @@ static void require(int32_t status, const hfrac_sim* sim) {
   MPI_Abort(MPI_COMM_WORLD, 1);
 }
 
+/* MPI's table with a slow network. */
+static hfrac_exchange fast;
+static double latency, sent;
+
+static int32_t start(void* user, const hfrac_message* messages, int32_t number) {
+  const int32_t status = fast.start(user, messages, number);
+  sent = MPI_Wtime();
+  return status;
+}
+
+static int32_t finish(void* user) {
+  const int32_t status = fast.finish(user);
+  while (MPI_Wtime() - sent < latency) {
+  }
+  return status;
+}
+
+static int32_t create(const hfrac_sim_def* def, hfrac_sim** sim) {
+  require(hfrac_mpi_exchange((int32_t)MPI_Comm_c2f(MPI_COMM_WORLD), &fast), NULL);
+  hfrac_exchange slow = fast;
+  if (latency > 0.0) {
+    slow.start = start;
+    slow.finish = finish;
+  }
+  return hfrac_sim_create_on(def, &slow, sim);
+}
+
 int main(int count, char** arguments) {
   hfrac_sim_def def;
   hfrac_sim* sim = NULL;
   hfrac_sim_state state;
   hfrac_traffic traffic;
   MPI_Init(&count, &arguments);
-  if (count != 4) {
-    fprintf(stderr, "usage: bench_ranks DISCS dry|coupled WORKERS\n");
+  if (count != 4 && count != 5) {
+    fprintf(stderr, "usage: bench_ranks DISCS dry|coupled WORKERS [MICROSECONDS]\n");
     MPI_Abort(MPI_COMM_WORLD, 2);
   }
+  if (count == 5) latency = 1e-6 * atof(arguments[4]);
   const int dry = strcmp(arguments[2], "dry") == 0;
   memset(&state, 0, sizeof state);
   memset(&traffic, 0, sizeof traffic);
@@ -43,7 +72,7 @@ int main(int count, char** arguments) {
   require(hfrac_sim_def_set_f64(&def, "bond.tensile_strength", 1e12), NULL);
   require(hfrac_sim_def_set_f64(&def, "bond.shear_strength", 1e12), NULL);
   require(hfrac_sim_def_set_str(&def, "flow.scheme", dry ? "off" : "implicit"), NULL);
-  require(hfrac_sim_create_mpi(&def, (int32_t)MPI_Comm_c2f(MPI_COMM_WORLD), &sim), NULL);
+  require(create(&def, &sim), NULL);
   require(hfrac_sim_get_state(sim, &state), sim);
   const double step = 400.0 * state.mechanical_step;
   require(hfrac_step_prepare(sim), sim);
