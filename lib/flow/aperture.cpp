@@ -163,11 +163,12 @@ double pipe_aperture(const Options& o, PipeAtRest rest, const BondView& bond, bo
   return aperture_response(o, rest, bond.gap, bond.normal_force(), 0.0, intact).aperture;
 }
 
-void update_apertures(Network& n, const Assembly& a, const Options& o) {
+void update_apertures(Network& n, const Assembly& a, const Options& o, Workers* workers) {
+  constexpr std::int64_t worth_sharing = 4096, grain = 64;  // pipes
   const bool closed = OuterPores{o.flow_outer} == OuterPores::closed;
   const FluidLaw law(o);
   n.planes.refresh(n, a);
-  for (std::size_t e = 0; e < n.left.size(); ++e) {
+  const auto update = [&](std::size_t e) {
     const BondView bond = view_bond(a, o, static_cast<std::int64_t>(e));
     const double joint = joint_opening(a, static_cast<std::int64_t>(e));
     const CrackPlane* plane = n.planes.of(e);
@@ -197,7 +198,16 @@ void update_apertures(Network& n, const Assembly& a, const Options& o) {
                                                n.viscosity_share_of(e)),
                                    n.beyond_of(e))
                    .conductance;
+  };
+  if (workers == nullptr) {
+    for (std::size_t e = 0; e < n.left.size(); ++e) update(e);
+    return;
   }
+  const auto pipes = static_cast<std::int64_t>(n.left.size());
+  workers->share(pipes >= worth_sharing, [&](const Workers::Member& member) {
+    const auto mine = member.part(pipes, grain);
+    for (auto e = mine.first; e < mine.last; ++e) update(static_cast<std::size_t>(e));
+  });
 }
 
 double measure_permeability(const Network& n, const Assembly& a, const std::vector<WellOptions>& wells,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/give_back.hpp"
 #include "linear/device_conjugate_gradient.hpp"
 #include "linear/serial_block.hpp"
 
@@ -64,6 +65,8 @@ void ConjugateGradient::give(Eigen::VectorXd& x) {
   share([&](const RankTeam::Member& member) { member.gather(x_.data(), multigrid_.rows(), row_group); });
   const auto& order = multigrid_.level(0).order;
   for (std::size_t i = 0; i < order.size(); ++i) x[order[i]] = x_[i];
+  // What makes the levels of the next matrix takes their place.
+  for (auto* per_row : {&b_, &x_, &r_, &d_, &p_, &z_}) give_back(*per_row);
 }
 
 void ConjugateGradient::begin() {

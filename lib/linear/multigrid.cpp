@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/give_back.hpp"
 #include "linear/multigrid_kernels.hpp"
 #include "linear/serial_block.hpp"
 
@@ -231,10 +232,13 @@ void Multigrid::Level::take_pattern(const SymmetricRows& a) {
   }
 }
 
-void Multigrid::Level::take_values(const SymmetricRows& a) {
+void Multigrid::Level::take_values(const SymmetricRows& a, bool finest) {
   const auto rows = order.size();
   value.resize(from.size());
-  for (auto* per_row : {&diagonal, &weight, &right, &before, &after, &rest, &more}) per_row->resize(rows);
+  for (auto* per_row : {&diagonal, &weight, &before}) per_row->resize(rows);
+  for (auto* per_row : {&right, &after}) per_row->resize(finest ? 0 : rows);
+  const bool visited_twice = !finest && static_cast<std::int64_t>(rows) > few_rows;
+  for (auto* per_row : {&rest, &more}) per_row->resize(visited_twice ? rows : 0);
   aggregate.assign(rows, -1);
   members = {};
   inverse.clear();
@@ -287,8 +291,9 @@ bool Multigrid::prepare(const SparseMatrix& lower) {
       level.take_pattern(rows_);
       level.pattern = ++patterns_;
     }
-    level.take_values(rows_);
-    if (depth > 0) {  // the finer one's rows now know where theirs stand
+    level.take_values(rows_, depth == 0);
+    if (depth > 0) give_back(level.from);  // its pattern is taken anew each time
+    if (depth > 0) {                       // the finer one's rows now know where theirs stand
       Level& finer = levels_[depth - 1];
       for (std::size_t p = 0; p < finer.order.size(); ++p) {
         const auto pair = pair_[static_cast<std::size_t>(finer.order[p])];
@@ -311,6 +316,9 @@ bool Multigrid::prepare(const SparseMatrix& lower) {
   arrays_.clear();
   for (auto& level : levels_) arrays_.push_back(level.arrays());
   share_out();
+  // Made anew for the next matrix: a solution's vectors take their place meanwhile.
+  for (auto* rows : {&rows_, &merged_}) *rows = SymmetricRows();
+  for (auto* list : {&pair_, &pair_of_pairs_, &place_}) give_back(*list);
   return true;
 }
 

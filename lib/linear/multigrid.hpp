@@ -74,13 +74,13 @@ class Multigrid {
     std::vector<std::int32_t> aggregate;
     RowsByPart members;
     std::vector<double> inverse;
-    std::vector<double> right, before, after, rest, more;
+    std::vector<double> before, right, after, rest, more;  // where the cycle needs them
     std::int64_t pattern = 0;  // another number for every pattern that came to any level
 
     [[nodiscard]] std::int64_t rows() const { return static_cast<std::int64_t>(diagonal.size()); }
     [[nodiscard]] bool fits(const SymmetricRows& rows) const;  // of the pattern that came last
     void take_pattern(const SymmetricRows& rows);
-    void take_values(const SymmetricRows& rows);
+    void take_values(const SymmetricRows& rows, bool finest);
     [[nodiscard]] LevelArrays arrays();
   };
 

@@ -233,8 +233,8 @@ void ExplicitSolver::batch(std::int64_t cycles, std::vector<Found>& found) {
         workers_.barrier();
         if (lost) return;
         watched([&] {
-          outer_parts_left_.take(
-              worker, [&](std::int64_t item) { take_part(shared_.inner_count() + item, now); });
+          outer_parts_left_.take(worker,
+                                 [&](std::int64_t item) { take_part(shared_.inner_count() + item, now); });
         });
       }
       if (worker == 0 && boundary_.reacts()) {
