@@ -292,8 +292,9 @@ bool Multigrid::prepare(const SparseMatrix& lower) {
       level.pattern = ++patterns_;
     }
     level.take_values(rows_, depth == 0);
-    if (depth > 0) give_back(level.from);  // its pattern is taken anew each time
-    if (depth > 0) {                       // the finer one's rows now know where theirs stand
+    if (depth > 0) {
+      give_back(level.from);  // its pattern is taken anew each time
+      // The finer one's rows now know where theirs stand.
       Level& finer = levels_[depth - 1];
       for (std::size_t p = 0; p < finer.order.size(); ++p) {
         const auto pair = pair_[static_cast<std::size_t>(finer.order[p])];

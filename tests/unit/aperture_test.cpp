@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "core/workers.hpp"
 #include "model.hpp"
 
 namespace aperture_test {
@@ -44,6 +47,26 @@ TEST(Aperture, IsCapped) {
   EXPECT_DOUBLE_EQ(pipe_aperture(o, 5e-5, bond, false), o.flow_aperture_limit);
   o.flow_aperture_limit = 0.2;
   EXPECT_DOUBLE_EQ(pipe_aperture(o, 5e-5, bond, false), 0.2);
+}
+
+TEST(Aperture, HasTheSameBitsOnAnyNumberOfWorkers) {
+  Options o = dry_options(2500);
+  o.flow_scheme = choice(FlowScheme::implicit_scheme);
+  TestModel m(o, packed(o));
+  ASSERT_GT(m.network.left.size(), 4096U);  // fewer are not shared
+  m.network.zero_stress_aperture = 4e-5;
+  m.shake(1e-4, 6);
+  for (std::size_t e = 0; e < m.network.left.size(); e += 50) m.assembly.intact[e] = 0;
+  update_apertures(m.network, m.assembly, o);
+  const auto apertures = m.network.aperture, conductances = m.network.conductance;
+  for (const int count : {1, 2, 3}) {
+    Workers workers(count);
+    for (auto* values : {&m.network.aperture, &m.network.conductance})
+      std::fill(values->begin(), values->end(), -1.0);
+    update_apertures(m.network, m.assembly, o, &workers);
+    EXPECT_EQ(m.network.aperture, apertures) << count;
+    EXPECT_EQ(m.network.conductance, conductances) << count;
+  }
 }
 
 TEST(Aperture, SetsTheConductanceOfItsPipe) {
