@@ -10,15 +10,19 @@ namespace hfrac {
 
 enum DeviceKernel : int32_t {
   // cycles of the explicit solver (solid/device_arrays.hpp)
-  device_cross_pairs,  // one block a pair of tiles
-  device_cross_pores,  // a part
-  device_push,         // one block: walls, then non-bonded contacts
-  device_tile_step,    // a tile: forces, then motion unless a bond exceeds its strength
-  device_tile_move,    // a tile: motion by the forces held back
-  device_momenta,      // a tile
-  device_take_out,     // a tile: rigid motion out of it
-  device_look_over,    // a tile: what it moves with, and whether all of it is a number
-  device_clear_sums,   // a block: 256 tiles, pairs or parts
+  device_cross_pairs,        // one block a pair of tiles
+  device_plain_cross_pairs,  // likewise, in plain rock (gpu/device_kernels.hpp)
+  device_large_pores,        // a pore of many corners across tiles
+  device_cross_pores,        // a part
+  device_press_walls,        // a block: 256 discs at walls
+  device_push,               // one block: motion of walls under servo control, then non-bonded contacts
+  device_tile_step,          // a tile: forces, then motion unless a bond exceeds its strength
+  device_plain_tile_step,
+  device_tile_move,   // a tile: motion by the forces held back
+  device_momenta,     // a tile
+  device_take_out,    // a tile: rigid motion out of it
+  device_look_over,   // a tile: what it moves with, and whether all of it is a number
+  device_clear_sums,  // a block: 256 tiles, pairs or parts
   // multigrid (linear/multigrid_kernels.hpp) of a level, one block a group of rows
   device_smooth_forward,
   device_take_to_coarser,  // a block: 256 rows of the coarser level
@@ -41,6 +45,6 @@ enum DeviceKernel : int32_t {
   device_kernel_count
 };
 
-constexpr int64_t device_threads = 256;
+constexpr int64_t device_threads = 256;  // of most
 
 }  // namespace hfrac

@@ -36,6 +36,7 @@ class Workers {
   Workers& operator=(const Workers&) = delete;
 
   [[nodiscard]] int count() const { return count_; }
+  [[nodiscard]] bool forked() const;  // in a child, where there are none of several
   // Of them, how many do the task at hand, or the next one. Changes between tasks only.
   [[nodiscard]] int active() const { return active_; }
 
@@ -114,7 +115,6 @@ class Workers {
   void loop(int worker);
   void end_threads();
 
-  [[nodiscard]] bool forked() const;
   template <class Number>
   std::int64_t wait_while(const std::atomic<Number>& number, Number old, int at_work) const;
   template <class Number>

@@ -42,12 +42,13 @@ enum Status : std::int32_t {
 struct KernelEntry {
   const char* name;
   std::size_t task_bytes;
+  unsigned threads;  // of a block
 };
 constexpr std::int64_t shared_bytes_of(std::int32_t kernel) {
   return kernel < device_smooth_forward ? device_shared_bytes(kernel, most_tile_bonds, 2 * tile_size)
                                         : grid_shared_bytes;
 }
-#define HFRAC_DEVICE_KERNEL(name, Task) KernelEntry{#name, sizeof(Task)},
+#define HFRAC_DEVICE_KERNEL(name, Task, threads, blocks) KernelEntry{#name, sizeof(Task), threads},
 constexpr std::array known_kernels = {
 #include "gpu/device_kernel_list.inc"
 };
@@ -263,16 +264,15 @@ std::int32_t copy(void* opened, void* to, const void* from, std::int64_t bytes) 
 std::int32_t launch(void* opened, std::int32_t kernel, std::int64_t blocks, std::int64_t shared_bytes,
                     const void* task, std::int64_t task_bytes) {
   const Card& card = *static_cast<Card*>(opened);
-  if (kernel < 0 || kernel >= device_kernel_count ||
-      static_cast<std::size_t>(task_bytes) != known_kernels[static_cast<std::size_t>(kernel)].task_bytes)
-    return wrong_task;
+  if (kernel < 0 || kernel >= device_kernel_count) return wrong_task;
+  const KernelEntry& known = known_kernels[static_cast<std::size_t>(kernel)];
+  if (static_cast<std::size_t>(task_bytes) != known.task_bytes) return wrong_task;
   const Current here(card);
   if (here.status() != 0) return here.status();
   std::array<void*, 1> arguments = {const_cast<void*>(task)};  // it is only read
   return loaded().cuda.LaunchKernel(
-      card.kernels[static_cast<std::size_t>(kernel)], static_cast<unsigned>(blocks), 1, 1,
-      static_cast<unsigned>(device_threads), 1, 1, static_cast<unsigned>(shared_bytes), card.stream,
-      arguments.data(), nullptr);
+      card.kernels[static_cast<std::size_t>(kernel)], static_cast<unsigned>(blocks), 1, 1, known.threads, 1,
+      1, static_cast<unsigned>(shared_bytes), card.stream, arguments.data(), nullptr);
 }
 
 void describe(std::int32_t status, char* text, std::int32_t size) {

@@ -12,23 +12,25 @@ extern __attribute__((shared)) double hfrac_shared[];
 namespace {
 
 // The threads of this block share out the items of a loop, and wait for each other at its end.
+template <int64_t threads>
 struct CardBlock {
   static constexpr bool serial = false;
   int64_t number;
   double* shared;
   template <class Item>
   __attribute__((device)) void each(int64_t n, const Item& item) const {
-    for (int64_t k = __nvvm_read_ptx_sreg_tid_x(); k < n; k += hfrac::device_threads) item(k);
+    for (int64_t k = __nvvm_read_ptx_sreg_tid_x(); k < n; k += threads) item(k);
     __syncthreads();
   }
 };
 
 }  // namespace
 
-#define HFRAC_DEVICE_KERNEL(name, Task)                                                              \
-  extern "C" __attribute__((global)) __attribute__((launch_bounds(hfrac::device_threads))) void name( \
+using hfrac::device_threads;
+#define HFRAC_DEVICE_KERNEL(name, Task, threads, blocks)                                              \
+  extern "C" __attribute__((global)) __attribute__((launch_bounds(threads, blocks))) void name(       \
       const hfrac::Task task) {                                                                      \
-    CardBlock block{__nvvm_read_ptx_sreg_ctaid_x(), hfrac_shared};                                   \
+    CardBlock<threads> block{__nvvm_read_ptx_sreg_ctaid_x(), hfrac_shared};                          \
     hfrac::kernels_device::name(block, task);                                                        \
   }
 #include "gpu/device_kernel_list.inc"

@@ -16,6 +16,27 @@ namespace hfrac {
 namespace HFRAC_KERNEL_NAMESPACE {
 namespace {
 
+// Of values[from], values[from + every] ... up to `to`, one after the other; eight are fetched at once.
+inline __attribute__((always_inline)) double sum_of_every(int32_t every, const double* values, int32_t from,
+                                                          int32_t to, double sum) {
+  constexpr int32_t at_once = 8;
+  int32_t k = from;
+  for (; k + (at_once - 1) * every < to; k += at_once * every) {
+    double next[at_once];
+    for (int32_t q = 0; q < at_once; ++q) next[q] = values[k + q * every];
+    for (const double value : next) sum += value;
+  }
+  for (; k < to; k += every) sum += values[k];
+  return sum;
+}
+
+// Has `value` at hand from here on: the compiler would fetch it where it is used, and all threads would wait once more.
+inline __attribute__((always_inline)) void hold([[maybe_unused]] double value) {
+#ifdef __CUDA__
+  asm volatile("" ::"d"(value));
+#endif
+}
+
 struct OneLane {
   using Value = double;
 };
@@ -24,6 +45,8 @@ inline int64_t item_of(const DeviceTask& t, int64_t block) {
   return t.list != nullptr ? t.list[block] : block;
 }
 
+// `plain`: no bond softens, no contact is flat or of a smooth joint. Such rock has kernels of its own, which need half the registers.
+template <bool plain>
 inline __attribute__((always_inline)) BondMotion bond_state(const KernelArrays& a, int64_t e) {
   BondMotion m;
   m.intact = static_cast<double>(a.intact[e]);
@@ -35,16 +58,20 @@ inline __attribute__((always_inline)) BondMotion bond_state(const KernelArrays& 
     m.shear = a.shear_factor[e];
     m.friction = a.bond_friction[e];
   }
-  if (a.softening_start != nullptr) {
+  if (!plain && a.softening_start != nullptr) {
     m.start = a.softening_start[e];
     m.worst = a.softening_worst[e];
   }
   return m;
 }
 
+template <bool plain>
 inline __attribute__((always_inline)) BondAnswer answer_any(const KernelArrays& a, const double* values,
                                                             const BondMotion& m) {
   const BondConstants law(a);
+  if constexpr (plain)
+    return a.tensile_factor != nullptr ? answer_bond<true, false, false>(law, values, m)
+                                       : answer_bond<false, false, false>(law, values, m);
   const bool flat = a.flat != 0;
   if (a.softening_start != nullptr)
     return flat ? answer_bond<true, true, true>(law, values, m)
@@ -90,14 +117,15 @@ inline __attribute__((always_inline)) void answer_in_place(const KernelArrays& a
 }
 
 // Bond e with its motion filled in: what it answers, and its slip and softening kept. `values`: of its geometry.
+template <bool plain>
 inline __attribute__((always_inline)) BondAnswer take_bond(const KernelArrays& a, int64_t e, int64_t part,
                                                            const double* values, const BondMotion& m) {
-  BondAnswer r = answer_any(a, values, m);
-  if (a.softening_start != nullptr) {
+  BondAnswer r = answer_any<plain>(a, values, m);
+  if (!plain && a.softening_start != nullptr) {
     a.softening_start[e] = r.start;
     a.softening_worst[e] = r.worst;
   }
-  if (a.smooth.contacts != nullptr) {
+  if (!plain && a.smooth.contacts != nullptr) {
     const int64_t contact = contact_of(a, e, a.smooth.from[part], a.smooth.from[part + 1]);
     if (contact >= 0) answer_in_place(a, contact, m, r);
   }
@@ -105,34 +133,44 @@ inline __attribute__((always_inline)) BondAnswer take_bond(const KernelArrays& a
   return r;
 }
 
-inline const double* values_of(const KernelArrays& a, int64_t first_block, int64_t behind) {
-  return a.geometry + (first_block + behind / block_bonds) * block_values + behind % block_bonds;
-}
+// A bond's geometry, as the law reads it. Fetched with all else that a bond needs: each wait for memory counts.
+struct BondValues {
+  double at[block_values];
+  __attribute__((always_inline)) BondValues(const KernelArrays& a, int64_t first_block, int64_t behind) {
+    const double* from =
+        a.geometry + (first_block + behind / block_bonds) * block_values + behind % block_bonds;
+    at[block_dx] = from[block_dx];
+    at[block_dy] = from[block_dy];
+    at[block_length] = from[block_length];
+    at[block_arm] = from[block_arm];
+    at[block_radius] = from[block_radius];
+  }
+};
 
-template <class Block>
-void cross_pairs(Block& block, const DeviceTask& t) {
+template <bool plain, class Block>
+inline __attribute__((always_inline)) void answer_pair(Block& block, const DeviceTask& t) {
   if (*t.d.stop < t.stage) return;
   const KernelArrays& a = t.d.a;
   const int64_t pair = item_of(t, block.number);
   const TilePair& p = a.pairs[pair];
   constexpr int64_t at_once = 64;
-  double *force = block.shared, *friction = force + at_once, *lanes = friction + at_once;
-  double* over = lanes + 16;
-  block.each(17, [&](int64_t k) { lanes[k] = 0.0; });
+  double *force = block.shared, *friction = force + at_once, *over = friction + at_once,
+         *lanes = over + at_once;
   for (int64_t begin = p.first_bond; begin < p.last_bond; begin += at_once) {
-    const int64_t n = begin + at_once < p.last_bond ? at_once : p.last_bond - begin;
+    const auto n = static_cast<int32_t>(begin + at_once < p.last_bond ? at_once : p.last_bond - begin);
     block.each(n, [&](int64_t k) {
       const int64_t e = begin + k;
       const int32_t i = a.first[e], j = a.second[e];
-      BondMotion m = bond_state(a, e);
+      const int32_t* place = a.bond_slot + 2 * (e - a.first_cross_bond);
+      const int32_t place_i = place[0], place_j = place[1];
+      const BondValues values(a, p.first_block, e - p.first_bond);
+      BondMotion m = bond_state<plain>(a, e);
       m.dux = a.ux[j] - a.ux[i];
       m.duy = a.uy[j] - a.uy[i];
       m.turn = a.rotation[j] - a.rotation[i];
       m.theta_i = a.rotation[i];
-      const BondAnswer r =
-          take_bond(a, e, a.tile_count + pair, values_of(a, p.first_block, e - p.first_bond), m);
-      const int32_t* place = a.bond_slot + 2 * (e - a.first_cross_bond);
-      BufferedForce &to_i = a.force_buffer[place[0]], &to_j = a.force_buffer[place[1]];
+      const BondAnswer r = take_bond<plain>(a, e, a.tile_count + pair, values.at, m);
+      BufferedForce &to_i = a.force_buffer[place_i], &to_j = a.force_buffer[place_j];
       to_i.fx = r.fx;
       to_i.fy = r.fy;
       to_i.moment = r.moment_i;
@@ -141,19 +179,73 @@ void cross_pairs(Block& block, const DeviceTask& t) {
       to_j.moment = -r.minus_moment_j;
       force[k] = r.force;
       friction[k] = r.friction;
-      if (r.over > 0.0) *over = 1.0;
+      over[k] = r.over;
     });
-    block.each(16, [&](int64_t lane) {
-      const double* values = lane < 8 ? force : friction;
-      for (int64_t k = lane % 8; k < n; k += 8) lanes[lane] += values[k];
+    block.each(18, [&](int64_t lane) {
+      if (lane == 17) {
+        lanes[17] = a.bond_sums[a.tile_count + pair].work;
+        return;
+      }
+      double sum = begin == p.first_bond ? 0.0 : lanes[lane];
+      if (lane == 16)
+        sum = sum_of_every(1, over, 0, n, sum);
+      else
+        sum = sum_of_every(8, lane < 8 ? force : friction, static_cast<int32_t>(lane % 8), n, sum);
+      lanes[lane] = sum;
     });
   }
   block.each(1, [&](int64_t) {
     TileSums& sums = a.bond_sums[a.tile_count + pair];
     sums.force = total_of(lanes);
-    sums.work += total_of(lanes + 8);
-    sums.flagged = *over > 0.0 ? 1 : 0;
+    sums.work = lanes[17] + total_of(lanes + 8);
+    sums.flagged = lanes[16] > 0.0 ? 1 : 0;
     if (sums.flagged != 0) *t.d.stop = t.stage;
+  });
+}
+
+template <class Block>
+void cross_pairs(Block& block, const DeviceTask& t) {
+  answer_pair<false>(block, t);
+}
+
+template <class Block>
+void plain_cross_pairs(Block& block, const DeviceTask& t) {
+  answer_pair<true>(block, t);
+}
+
+// A pore of many corners, around a well: all threads of a block, then one that adds up.
+template <class Block>
+void large_pores(Block& block, const DeviceTask& t) {
+  if (*t.d.stop < t.stage) return;
+  const KernelArrays& a = t.d.a;
+  const int64_t place = t.d.large_pores[block.number], d = a.cross_domain[place];
+  const int32_t first = a.domain_corner_start[d], last = a.domain_corner_start[d + 1];
+  const bool turns = a.domain_corner_turn != nullptr;
+  constexpr int32_t at_once = 1024;
+  double *terms = block.shared, *sum = terms + 2 * at_once;
+  for (int32_t begin = first; begin < last && a.undrained != 0; begin += at_once) {
+    const int32_t n = begin + at_once < last ? at_once : last - begin, each = turns ? 2 : 1;
+    block.each(n, [&](int64_t c) {
+      const int64_t k = begin + c, disc = a.domain_corner_disc[k];
+      terms[each * c] =
+          a.domain_corner_weight[2 * k] * a.ux[disc] + a.domain_corner_weight[2 * k + 1] * a.uy[disc];
+      if (turns) terms[2 * c + 1] = a.domain_corner_turn[k] * a.rotation[disc];
+    });
+    block.each(1, [&](int64_t) { *sum = sum_of_every(1, terms, 0, each * n, begin == first ? 0.0 : *sum); });
+  }
+  block.each(1, [&](int64_t) {
+    double pressure = a.pressure[d];
+    t.d.large_works[place] = a.undrained != 0 ? undrained_pressure(a, d, *sum, pressure) : 0.0;
+    *sum = pressure;
+  });
+  const int32_t* slots = a.corner_slot + a.cross_corner_start[place];
+  block.each(last - first, [&](int64_t c) {
+    if (slots[c] < 0) return;
+    const int64_t k = first + c;
+    BufferedForce& to = a.force_buffer[slots[c]];
+    to.fx = *sum * a.domain_corner_weight[2 * k];
+    to.fy = *sum * a.domain_corner_weight[2 * k + 1];
+    if (turns) to.moment = *sum * a.domain_corner_turn[k];
   });
 }
 
@@ -162,80 +254,112 @@ void cross_pores(Block& block, const DeviceTask& t) {
   if (*t.d.stop < t.stage) return;
   const KernelArrays& a = t.d.a;
   const int64_t part = item_of(t, block.number);
-  const CrossPart& p = a.cross_parts[part];
+  const CrossPart p = a.cross_parts[part];
   const bool turns = a.domain_corner_turn != nullptr;
+  constexpr int32_t at_once = 4;  // corners, fetched before they are used
   double* works = block.shared;
   block.each(p.last_domain - p.first_domain, [&](int64_t q) {
     const int64_t d = a.cross_domain[p.first_domain + q];
     const int32_t first = a.domain_corner_start[d], last = a.domain_corner_start[d + 1];
+    const int32_t* place = a.corner_slot + a.cross_corner_start[p.first_domain + q];
+    if (last - first > most_corners) {
+      works[q] = t.d.large_works[p.first_domain + q];
+      return;
+    }
     double pressure = a.pressure[d];
     works[q] = 0.0;
     if (a.undrained != 0) {
       double change = 0.0;
-      for (int32_t k = first; k < last; ++k) {
-        const int32_t disc = a.domain_corner_disc[k];
-        change += a.domain_corner_weight[2 * k] * a.ux[disc] + a.domain_corner_weight[2 * k + 1] * a.uy[disc];
-        if (turns) change += a.domain_corner_turn[k] * a.rotation[disc];
+      for (int32_t begin = first; begin < last; begin += at_once) {
+        double x[at_once], turn[at_once];
+        for (int32_t c = 0; c < at_once; ++c) {
+          const int32_t k = begin + c < last ? begin + c : begin, disc = a.domain_corner_disc[k];
+          x[c] = a.domain_corner_weight[2 * k] * a.ux[disc] + a.domain_corner_weight[2 * k + 1] * a.uy[disc];
+          turn[c] = turns ? a.domain_corner_turn[k] * a.rotation[disc] : 0.0;
+        }
+        for (int32_t c = 0; c < at_once; ++c) {
+          if (begin + c >= last) continue;
+          change += x[c];
+          if (turns) change += turn[c];
+        }
       }
       works[q] = undrained_pressure(a, d, change, pressure);
     }
-    const int32_t* place = a.corner_slot + a.cross_corner_start[p.first_domain + q];
-    for (int32_t k = first; k < last; ++k) {
-      if (place[k - first] < 0) continue;
-      BufferedForce& to = a.force_buffer[place[k - first]];
-      to.fx = pressure * a.domain_corner_weight[2 * k];
-      to.fy = pressure * a.domain_corner_weight[2 * k + 1];
-      if (turns) to.moment = pressure * a.domain_corner_turn[k];
+    for (int32_t begin = first; begin < last; begin += at_once) {
+      int32_t slot[at_once];
+      double x[at_once], y[at_once], turn[at_once];
+      for (int32_t c = 0; c < at_once; ++c) {
+        const int32_t k = begin + c < last ? begin + c : begin;
+        slot[c] = place[k - first];
+        x[c] = a.domain_corner_weight[2 * k];
+        y[c] = a.domain_corner_weight[2 * k + 1];
+        turn[c] = turns ? a.domain_corner_turn[k] : 0.0;
+      }
+      for (int32_t c = 0; c < at_once; ++c) {
+        if (begin + c >= last || slot[c] < 0) continue;
+        BufferedForce& to = a.force_buffer[slot[c]];
+        to.fx = pressure * x[c];
+        to.fy = pressure * y[c];
+        if (turns) to.moment = pressure * turn[c];
+      }
     }
   });
   block.each(1, [&](int64_t) {
-    double work = 0.0;
-    for (int64_t q = 0; q < p.last_domain - p.first_domain; ++q) work += works[q];
-    a.domain_sums[a.tile_count + part].work += work;
+    a.domain_sums[a.tile_count + part].work +=
+        sum_of_every(1, works, 0, static_cast<int32_t>(p.last_domain - p.first_domain), 0.0);
   });
 }
 
-// Boundary::cycle: what walls do to their discs, and the motion of those under servo control.
+// Boundary::cycle: what walls do to their discs, wall by wall on a disc in a corner, which two press.
 template <class Block>
 void press_walls(Block& block, const DeviceTask& t) {
+  if (*t.d.stop < t.stage) return;
   const DeviceArrays& d = t.d;
   const KernelArrays& a = d.a;
-  block.each(d.wall_disc_count, [&](int64_t k) {
-    d.external_x[d.wall_discs[k].disc] = d.external_y[d.wall_discs[k].disc] = 0.0;
-  });
-  // Wall by wall, since a disc in a corner is pressed by two.
-  for (int w = 0; w < 4; ++w) {
-    const DeviceWall& wall = d.outside->walls[w];
-    block.each(wall.last - wall.first, [&](int64_t q) {
-      const int64_t k = wall.first + q;
-      const int64_t i = d.wall_discs[k].disc;
-      const double closing =
-          wall.displacement - (a.ux[i] * wall.inward_x + a.uy[i] * wall.inward_y) + d.wall_discs[k].growth;
+  block.each(device_threads, [&](int64_t k) {
+    const int64_t at = block.number * device_threads + k;
+    if (at >= d.wall_disc_count) return;
+    const DeviceWallDisc disc = d.wall_discs[at];
+    const double ux = a.ux[disc.disc], uy = a.uy[disc.disc];
+    double fx = 0.0, fy = 0.0;
+    for (int side = 0; side < 2 && disc.wall[side] >= 0; ++side) {
+      const DeviceWall& wall = d.outside->walls[disc.wall[side]];
+      const double closing = wall.displacement - (ux * wall.inward_x + uy * wall.inward_y) + disc.growth;
       const double force = d.wall_stiffness * positive(closing);
-      d.wall_force[k] = force;
-      d.external_x[i] += force * wall.inward_x;
-      d.external_y[i] += force * wall.inward_y;
-    });
-  }
+      d.wall_force[disc.place[side]] = force;
+      fx += force * wall.inward_x;
+      fy += force * wall.inward_y;
+    }
+    d.external_x[disc.disc] = fx;
+    d.external_y[disc.disc] = fy;
+  });
+}
+
+// Likewise: the motion of walls under servo control.
+template <class Block>
+void move_walls(Block& block, const DeviceTask& t) {
+  const DeviceArrays& d = t.d;
   double* push = block.shared;
-  block.each(4, [&](int64_t w) {
-    push[w] = 0.0;
-    for (int64_t k = d.outside->walls[w].first; k < d.outside->walls[w].last; ++k) push[w] += d.wall_force[k];
+  block.each(4 * 32, [&](int64_t k) {
+    if (k % 32 != 0) return;  // each in a warp of its own
+    const DeviceWall& wall = d.outside->walls[k / 32];
+    push[k / 32] =
+        sum_of_every(1, d.wall_force, static_cast<int32_t>(wall.first), static_cast<int32_t>(wall.last), 0.0);
   });
   block.each(1, [&](int64_t) {
     d.outside->imbalance = 0.0;
     for (int w = 0; w < 4; ++w) {
       DeviceWall& wall = d.outside->walls[w];
-      if (d.servo == 0 || wall.first == wall.last) continue;
+      if (wall.first == wall.last) continue;
       const double force = wall.target - push[w];
       const double least = magnitude(wall.target) < wall.floor ? wall.floor : magnitude(wall.target);
       const double share = magnitude(force) / least;
       d.outside->imbalance = d.outside->imbalance < share ? share : d.outside->imbalance;
       const double drag =
-          a.damping * magnitude(force) * (wall.velocity > 0.0 ? 1.0 : (wall.velocity < 0.0 ? -1.0 : 0.0));
-      wall.velocity += a.step * (force - drag) / wall.mass;
-      wall.displacement += a.step * wall.velocity;
-      d.outside->work += wall.target * a.step * wall.velocity;
+          d.a.damping * magnitude(force) * (wall.velocity > 0.0 ? 1.0 : (wall.velocity < 0.0 ? -1.0 : 0.0));
+      wall.velocity += d.a.step * (force - drag) / wall.mass;
+      wall.displacement += d.a.step * wall.velocity;
+      d.outside->work += wall.target * d.a.step * wall.velocity;
     }
   });
 }
@@ -301,163 +425,294 @@ void press_contacts(Block& block, const DeviceTask& t) {
 template <class Block>
 void push(Block& block, const DeviceTask& t) {
   if (*t.d.stop < t.stage) return;
-  if (t.d.walled != 0) press_walls(block, t);
+  if (t.d.walled != 0 && t.d.servo != 0) move_walls(block, t);
   if (t.d.pushed_count > 0) press_contacts(block, t);
 }
 
-// The tile's discs move by `force` (x, y, moment of each); their sums.
-template <class Block, class Force>
-void move_discs(Block& block, const DeviceTask& t, int64_t tile, double* works, double* sizes, double* lanes,
-                const Force& force) {
-  const KernelArrays& a = t.d.a;
-  const int64_t first = a.tiles[tile].first_disc, discs = a.tiles[tile].last_disc - first;
-  block.each(discs, [&](int64_t k) {
-    double f[3];
-    force(k, f);
-    const int64_t i = first + k;
-    sizes[k] = magnitude(f[0]) + magnitude(f[1]);
-    works[k] = move(a.step, a.damping, f[0], a.inverse_mass[i], a.vx[i], a.ux[i]);
-    works[tile_size + k] = move(a.step, a.damping, f[1], a.inverse_mass[i], a.vy[i], a.uy[i]);
-    works[2 * tile_size + k] = move(a.step, a.damping, f[2], a.inverse_inertia[i], a.spin[i], a.rotation[i]);
-  });
-  constexpr int64_t chunk = 64;  // as kernels_body.hpp goes: x, y and rotation of so many discs
-  block.each(16, [&](int64_t lane) {
-    double sum = 0.0;
-    for (int64_t k = lane; lane < 8 && k < discs; k += 8) sum += sizes[k];
-    for (int64_t begin = 0; lane >= 8 && begin < discs; begin += chunk) {
-      const int64_t end = begin + chunk < discs ? begin + chunk : discs;
-      for (int64_t way = 0; way < 3; ++way) {
-        for (int64_t k = begin + lane % 8; k < end; k += 8) sum += works[way * tile_size + k];
-      }
-    }
-    lanes[lane] = sum;
-  });
-  block.each(1, [&](int64_t) {
-    a.disc_sums[tile].force = total_of(lanes);
-    a.disc_sums[tile].work += total_of(lanes + 8);
-  });
+// What a disc moves with, fetched early: each wait for memory counts.
+struct DiscMotion {
+  double inverse_mass, inverse_inertia, vx, vy, spin;
+  __attribute__((always_inline)) DiscMotion(const KernelArrays& a, int64_t i)
+      : inverse_mass(a.inverse_mass[i]),
+        inverse_inertia(a.inverse_inertia[i]),
+        vx(a.vx[i]),
+        vy(a.vy[i]),
+        spin(a.spin[i]) {}
+};
+
+// Disc i moves by the force f (x, y, moment); `at`: where it is. What damping takes comes to works[0], works[tile_size], ...
+inline __attribute__((always_inline)) void move_disc(const KernelArrays& a, int64_t i, DiscMotion m,
+                                                     const double* f, const double* at, double* works) {
+  double ux = at[0], uy = at[1], rotation = at[2];
+  works[0] = move(a.step, a.damping, f[0], m.inverse_mass, m.vx, ux);
+  works[tile_size] = move(a.step, a.damping, f[1], m.inverse_mass, m.vy, uy);
+  works[2 * tile_size] = move(a.step, a.damping, f[2], m.inverse_inertia, m.spin, rotation);
+  a.vx[i] = m.vx;
+  a.vy[i] = m.vy;
+  a.spin[i] = m.spin;
+  a.ux[i] = ux;
+  a.uy[i] = uy;
+  a.rotation[i] = rotation;
 }
 
-template <class Block>
-void tile_step(Block& block, const DeviceTask& t) {
+// Sums by lanes, each kind in a warp of its own: of a kind `lane` adds up every eighth value.
+enum {
+  lanes_of_sizes = 0,
+  lanes_of_damping = 8,
+  lanes_of_forces = 16,
+  lanes_of_friction = 24,
+  sums_so_far = 32
+};
+
+inline double sum_of_damping(const double* works, int32_t lane, int32_t discs) {
+  constexpr int32_t chunk = 64;  // as kernels_body.hpp goes: x, y and rotation of so many discs
+  double sum = 0.0;
+  for (int32_t begin = 0; begin < discs; begin += chunk) {
+    const int32_t end = begin + chunk < discs ? begin + chunk : discs;
+    for (int32_t way = 0; way < 3; ++way)
+      sum = sum_of_every(8, works + way * tile_size, begin + lane, end, sum);
+  }
+  return sum;
+}
+
+// Corners from `from` up to `to` of pore `domain`: by how much its volume has changed. `motion`: of the tile's discs.
+inline __attribute__((always_inline)) double change_of(const KernelArrays& a, int32_t from, int32_t to,
+                                                       int64_t first_disc, const double* motion) {
+  constexpr int32_t at_once = 4;
+  double change = 0.0;
+  for (int32_t begin = from; begin < to; begin += at_once) {
+    int32_t disc[at_once];
+    double x[at_once], y[at_once];
+    for (int32_t q = 0; q < at_once; ++q) {
+      const int32_t c = begin + q < to ? begin + q : from;
+      disc[q] = static_cast<int32_t>(a.domain_corner_disc[c] - first_disc);
+      x[q] = a.domain_corner_weight[2 * c];
+      y[q] = a.domain_corner_weight[2 * c + 1];
+    }
+    for (int32_t q = 0; q < at_once; ++q)
+      if (begin + q < to) change += x[q] * motion[disc[q]] + y[q] * motion[tile_size + disc[q]];
+  }
+  for (int32_t c = from; a.domain_corner_turn != nullptr && c < to; ++c)
+    change += a.domain_corner_turn[c] * motion[2 * tile_size + a.domain_corner_disc[c] - first_disc];
+  return change;
+}
+
+template <bool plain, class Block>
+inline __attribute__((always_inline)) void step_tile(Block& block, const DeviceTask& t) {
   if (*t.d.stop < t.stage) return;
   const DeviceArrays& d = t.d;
   const KernelArrays& a = d.a;
   const int64_t number = item_of(t, block.number);
-  const Tile& tile = a.tiles[number];
-  const int64_t first = tile.first_disc, discs = tile.last_disc - first,
-                bonds = tile.last_bond - tile.first_bond,
-                domains = a.with_pressure != 0 ? tile.last_domain - tile.first_domain : 0;
-  // Displacements, later the works of the discs; sizes of forces; bonds: force and moments, sums; pores: works.
+  const Tile tile = a.tiles[number];
+  const int64_t first = tile.first_disc, first_bond = tile.first_bond, first_domain = tile.first_domain,
+                first_block = tile.first_block;
+  const auto discs = static_cast<int32_t>(tile.last_disc - first),
+             bonds = static_cast<int32_t>(tile.last_bond - first_bond),
+             domains = a.with_pressure != 0 ? static_cast<int32_t>(tile.last_domain - first_domain) : 0;
+  // Displacements, later the works of the discs; sizes of forces; bonds: force, moments, friction; pores: works, pressures.
   double *motion = block.shared, *sizes = motion + 3 * tile_size, *fx = sizes + tile_size, *fy = fx + bonds,
-         *moment_i = fy + bonds, *minus_moment_j = moment_i + bonds, *force = minus_moment_j + bonds,
-         *friction = force + bonds, *works = friction + bonds, *lanes = works + domains, *over = lanes + 16;
+         *moment_i = fy + bonds, *minus_moment_j = moment_i + bonds, *friction = minus_moment_j + bonds,
+         *works = friction + bonds, *pressures = works + domains, *lanes = pressures + domains,
+         *over = lanes + 40, *slid = over + 1;
   block.each(discs, [&](int64_t k) {
-    motion[k] = a.ux[first + k];
-    motion[tile_size + k] = a.uy[first + k];
-    motion[2 * tile_size + k] = a.rotation[first + k];
-    if (k == 0) *over = 0.0;
+    const double ux = a.ux[first + k], uy = a.uy[first + k], rotation = a.rotation[first + k];
+    motion[k] = ux;
+    motion[tile_size + k] = uy;
+    motion[2 * tile_size + k] = rotation;
+    if (k == 0) *over = *slid = 0.0;
   });
-  block.each(bonds + domains, [&](int64_t k) {
+  block.each(bonds + domains, [&](int64_t item) {
+    const auto k = static_cast<int32_t>(item);
     if (k < bonds) {
-      const int64_t e = tile.first_bond + k, i = a.first[e] - first, j = a.second[e] - first;
-      BondMotion m = bond_state(a, e);
+      const int64_t e = first_bond + k;
+      const auto i = static_cast<int32_t>(a.first[e] - first), j = static_cast<int32_t>(a.second[e] - first);
+      const BondValues values(a, first_block, k);
+      BondMotion m = bond_state<plain>(a, e);
       m.dux = motion[j] - motion[i];
       m.duy = motion[tile_size + j] - motion[tile_size + i];
       m.turn = motion[2 * tile_size + j] - motion[2 * tile_size + i];
       m.theta_i = motion[2 * tile_size + i];
-      const BondAnswer r = take_bond(a, e, number, values_of(a, tile.first_block, k), m);
+      const BondAnswer r = take_bond<plain>(a, e, number, values.at, m);
       fx[k] = r.fx;
       fy[k] = r.fy;
       moment_i[k] = r.moment_i;
       minus_moment_j[k] = r.minus_moment_j;
-      force[k] = r.force;
       friction[k] = r.friction;
       if (r.over > 0.0) *over = 1.0;
+      if (r.friction > 0.0) *slid = 1.0;
       return;
     }
-    const int64_t domain = tile.first_domain + k - bonds;
+    const int64_t domain = first_domain + k - bonds;
     works[k - bonds] = 0.0;
-    if (a.undrained == 0) return;
-    const int32_t begin = a.domain_corner_start[domain], end = a.domain_corner_start[domain + 1];
-    double change = 0.0, p = 0.0;
-    for (int32_t c = begin; c < end; ++c) {
-      const int64_t i = a.domain_corner_disc[c] - first;
-      change += a.domain_corner_weight[2 * c] * motion[i] +
-                a.domain_corner_weight[2 * c + 1] * motion[tile_size + i];
+    double p = a.pressure[domain];
+    if (a.undrained != 0) {
+      const double change =
+          change_of(a, a.domain_corner_start[domain], a.domain_corner_start[domain + 1], first, motion);
+      works[k - bonds] = undrained_pressure(a, domain, change, p);
     }
-    for (int32_t c = begin; a.domain_corner_turn != nullptr && c < end; ++c)
-      change += a.domain_corner_turn[c] * motion[2 * tile_size + a.domain_corner_disc[c] - first];
-    works[k - bonds] = undrained_pressure(a, domain, change, p);
+    pressures[k - bonds] = p;
   });
+  const bool moves = *over == 0.0 || t.moves_anyway != 0;
   // What a disc gets, in the order in which a worker adds it.
-  const auto collect = [&](int64_t k, double* f) {
+  block.each(t.looks_only == 0 ? discs : 0, [&](int64_t item) {
+    const auto k = static_cast<int32_t>(item);
     const int64_t i = first + k;
-    f[0] = f[1] = f[2] = 0.0;
+    const DiscMotion disc(a, i);
+    const DeviceBonds bonds_of = d.bonds_of[i];
+    const int32_t first_slot = d.slot_start[i], last_slot = d.slot_start[i + 1],
+                  first_corner = domains > 0 ? d.corner_start[i] : 0,
+                  last_corner = domains > 0 ? d.corner_start[i + 1] : 0;
+    hold(disc.inverse_mass);
+    hold(disc.inverse_inertia);
+    hold(disc.vx);
+    hold(disc.vy);
+    hold(disc.spin);
+    double f[3] = {0.0, 0.0, 0.0};
     if (tile.left_alone == 0) {
       f[0] = a.external_x[i];
       f[1] = a.external_y[i];
       f[2] = a.external_moment[i];
     }
-    for (int32_t m = d.slot_start[i]; m < d.slot_start[i + 1]; ++m) {
-      f[0] += a.force_buffer[m].fx;
-      f[1] += a.force_buffer[m].fy;
-      f[2] += a.force_buffer[m].moment;
+    constexpr int32_t at_once = 4;
+    for (int32_t begin = first_slot; begin < last_slot; begin += at_once) {
+      double x[at_once], y[at_once], moment[at_once];
+      for (int32_t q = 0; q < at_once; ++q) {
+        const BufferedForce& from = a.force_buffer[begin + q < last_slot ? begin + q : begin];
+        x[q] = from.fx;
+        y[q] = from.fy;
+        moment[q] = from.moment;
+      }
+      for (int32_t q = 0; q < at_once; ++q) {
+        if (begin + q >= last_slot) continue;
+        f[0] += x[q];
+        f[1] += y[q];
+        f[2] += moment[q];
+      }
     }
-    for (int32_t m = d.bond_start[i]; m < d.bond_start[i + 1]; ++m) {
-      const int64_t e = d.bond_of[m] / 2;
-      const bool is_first = d.bond_of[m] % 2 == 0;
+    const auto add_bond = [&](int32_t listed) {
+      const int32_t e = listed / 2;
+      const bool is_first = listed % 2 == 0;
       f[0] = is_first ? f[0] + fx[e] : f[0] - fx[e];
       f[1] = is_first ? f[1] + fy[e] : f[1] - fy[e];
       f[2] = is_first ? f[2] + moment_i[e] : f[2] - minus_moment_j[e];
+    };
+    for (int32_t q = 0; q < disc_bonds; ++q) {
+      const auto listed =
+          static_cast<int32_t>((q < 4 ? bonds_of.first : bonds_of.second) >> (16 * (q % 4)) & 0xffff);
+      if (listed != no_bond && listed != more_bonds) add_bond(listed);
     }
-    if (domains == 0) return;
-    for (int32_t m = d.corner_start[i]; m < d.corner_start[i + 1]; ++m) {
-      const int32_t c = d.corner_of[m].corner;
-      const double p = a.pressure[d.corner_of[m].domain];
-      f[0] += p * a.domain_corner_weight[2 * c];
-      f[1] += p * a.domain_corner_weight[2 * c + 1];
-      f[2] += 0.0;  // a worker adds three forces at once
-      if (a.domain_corner_turn == nullptr) continue;
-      f[0] += 0.0;
-      f[1] += 0.0;
-      f[2] += p * a.domain_corner_turn[c];
+    if ((bonds_of.second >> 48) == more_bonds) {
+      for (int32_t m = d.bond_start[i] + disc_bonds - 1; m < d.bond_start[i + 1]; ++m) add_bond(d.bond_of[m]);
     }
-  };
-  const bool waits = *over > 0.0 && t.moves_anyway == 0 && t.looks_only == 0;
-  block.each(17, [&](int64_t lane) {
-    if (lane == 16) {
-      double work = 0.0;
-      for (int64_t k = 0; k < domains; ++k) work += works[k];
-      if (a.with_pressure != 0) a.domain_sums[number].work += work;
+    for (int32_t begin = first_corner; begin < last_corner; begin += at_once) {
+      DeviceCorner corner[at_once];
+      double x[at_once], y[at_once];
+      for (int32_t q = 0; q < at_once; ++q)
+        corner[q] = d.corner_of[begin + q < last_corner ? begin + q : begin];
+      for (int32_t q = 0; q < at_once; ++q) {
+        x[q] = a.domain_corner_weight[2 * corner[q].corner];
+        y[q] = a.domain_corner_weight[2 * corner[q].corner + 1];
+      }
+      for (int32_t q = 0; q < at_once; ++q) {
+        if (begin + q >= last_corner) continue;
+        const double p = pressures[corner[q].domain - first_domain];
+        f[0] += p * x[q];
+        f[1] += p * y[q];
+        f[2] += 0.0;  // a worker adds three forces at once
+        if (a.domain_corner_turn == nullptr) continue;
+        f[0] += 0.0;
+        f[1] += 0.0;
+        f[2] += p * a.domain_corner_turn[corner[q].corner];
+      }
+    }
+    if (!moves) {
+      for (int32_t way = 0; way < 3; ++way) d.held_force[3 * i + way] = f[way];
       return;
     }
-    const double* values = lane < 8 ? force : friction;
+    sizes[k] = magnitude(f[0]) + magnitude(f[1]);
+    const double at[3] = {motion[k], motion[tile_size + k], motion[2 * tile_size + k]};
+    move_disc(a, i, disc, f, at, motion + k);
+  });
+  const bool moved = moves && t.looks_only == 0;
+  block.each(6 * 32, [&](int64_t item) {
+    const auto kind = static_cast<int32_t>(item / 32), lane = static_cast<int32_t>(item % 32);
+    if (lane >= 8) return;
     double sum = 0.0;
-    for (int64_t k = lane % 8; k < bonds; k += 8) sum += values[k];
-    lanes[lane] = sum;
+    switch (kind) {
+      case 0:
+        if (moved && t.wants_forces != 0) sum = sum_of_every(8, sizes, lane, discs, 0.0);
+        lanes[lanes_of_sizes + lane] = sum;
+        break;
+      case 1:
+        if (moved) sum = sum_of_damping(motion, lane, discs);
+        lanes[lanes_of_damping + lane] = sum;
+        break;
+      case 2:
+        for (int32_t e = lane; t.wants_forces != 0 && e < bonds; e += 8) {
+          const bool counts =
+              plain || a.smooth.contacts == nullptr ||
+              contact_of(a, first_bond + e, a.smooth.from[number], a.smooth.from[number + 1]) < 0;
+          sum += counts ? magnitude(fx[e]) + magnitude(fy[e]) : 0.0;
+        }
+        lanes[lanes_of_forces + lane] = sum;
+        break;
+      case 3:
+        if (*slid > 0.0) sum = sum_of_every(8, friction, lane, bonds, 0.0);
+        lanes[lanes_of_friction + lane] = sum;
+        break;
+      case 4:
+        if (lane == 0) lanes[sums_so_far] = a.bond_sums[number].work;
+        if (lane == 1) lanes[sums_so_far + 1] = a.disc_sums[number].work;
+        if (lane == 2 && a.with_pressure != 0) lanes[sums_so_far + 2] = a.domain_sums[number].work;
+        break;
+      default:
+        if (lane == 0) lanes[sums_so_far + 3] = sum_of_every(1, works, 0, domains, 0.0);
+    }
   });
   block.each(1, [&](int64_t) {
-    TileSums& sums = a.bond_sums[number];
-    sums.force = total_of(lanes);
-    sums.work += total_of(lanes + 8);
-    sums.flagged = *over > 0.0 ? 1 : 0;
-    if (waits) *d.stop = t.stage;
+    TileSums &of_bonds = a.bond_sums[number], &of_discs = a.disc_sums[number];
+    if (t.wants_forces != 0) of_bonds.force = total_of(lanes + lanes_of_forces);
+    of_bonds.work = lanes[sums_so_far] + total_of(lanes + lanes_of_friction);
+    of_bonds.flagged = *over > 0.0 ? 1 : 0;
+    if (a.with_pressure != 0) a.domain_sums[number].work = lanes[sums_so_far + 2] + lanes[sums_so_far + 3];
+    if (!moves && t.looks_only == 0) *d.stop = t.stage;
+    if (!moved) return;
+    if (t.wants_forces != 0) of_discs.force = total_of(lanes + lanes_of_sizes);
+    of_discs.work = lanes[sums_so_far + 1] + total_of(lanes + lanes_of_damping);
   });
-  if (t.looks_only != 0) return;
-  if (!waits) {
-    move_discs(block, t, number, motion, sizes, lanes, collect);
-    return;
-  }
-  block.each(discs, [&](int64_t k) { collect(k, d.held_force + 3 * (first + k)); });
+}
+
+template <class Block>
+void tile_step(Block& block, const DeviceTask& t) {
+  step_tile<false>(block, t);
+}
+
+template <class Block>
+void plain_tile_step(Block& block, const DeviceTask& t) {
+  step_tile<true>(block, t);
 }
 
 template <class Block>
 void tile_move(Block& block, const DeviceTask& t) {
-  const int64_t tile = item_of(t, block.number), first = t.d.a.tiles[tile].first_disc;
+  const KernelArrays& a = t.d.a;
+  const int64_t number = item_of(t, block.number), first = a.tiles[number].first_disc;
+  const auto discs = static_cast<int32_t>(a.tiles[number].last_disc - first);
   double *works = block.shared, *sizes = works + 3 * tile_size, *lanes = sizes + tile_size;
-  move_discs(block, t, tile, works, sizes, lanes, [&](int64_t k, double* f) {
-    for (int64_t way = 0; way < 3; ++way) f[way] = t.d.held_force[3 * (first + k) + way];
+  block.each(discs, [&](int64_t k) {
+    const int64_t i = first + k;
+    const double f[3] = {t.d.held_force[3 * i], t.d.held_force[3 * i + 1], t.d.held_force[3 * i + 2]},
+                 at[3] = {a.ux[i], a.uy[i], a.rotation[i]};
+    sizes[k] = magnitude(f[0]) + magnitude(f[1]);
+    move_disc(a, i, DiscMotion(a, i), f, at, works + k);
+  });
+  block.each(16, [&](int64_t k) {
+    const auto lane = static_cast<int32_t>(k % 8);
+    lanes[k] = k < 8 ? sum_of_every(8, sizes, lane, discs, 0.0) : sum_of_damping(works, lane, discs);
+  });
+  block.each(1, [&](int64_t) {
+    TileSums& sums = a.disc_sums[number];
+    if (t.wants_forces != 0) sums.force = total_of(lanes);
+    sums.work += total_of(lanes + 8);
   });
 }
 
@@ -504,13 +759,14 @@ void take_out(Block& block, const DeviceTask& t) {
   });
 }
 
-// The sums that a batch of cycles adds to, from 0.
+// The sums that a batch of cycles adds to, from 0; nothing has stopped it.
 template <class Block>
 void clear_sums(Block& block, const DeviceTask& t) {
   const KernelArrays& a = t.d.a;
   const int64_t tiles = a.tile_count, first = block.number * device_threads;
   block.each(device_threads, [&](int64_t k) {
     const int64_t at = first + k;
+    if (at == 0) *t.d.stop = never_stopped;
     if (at < tiles + a.pair_count) a.bond_sums[at] = {};
     if (at < tiles) a.disc_sums[at] = {};
     if (at < 2 * tiles) a.domain_sums[at] = {};

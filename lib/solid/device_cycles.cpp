@@ -2,7 +2,8 @@
 #include "solid/device_cycles.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cstring>
+#include <map>
 #include <type_traits>
 
 namespace hfrac {
@@ -16,7 +17,8 @@ DeviceCycles::DeviceCycles(const Device& device, const KernelArrays& arrays, con
       boundary_(boundary),
       options_(options),
       item_(device),
-      stop_(device),
+      sums_(device),
+      large_works_(device),
       held_force_(device),
       momenta_(device),
       outside_(device),
@@ -118,12 +120,26 @@ void DeviceCycles::lay_out(const TilePlan& plan) {
   twin(h.corner_slot, static_cast<std::int64_t>(plan.corner_slot.size()), a.corner_slot, once);
   // The pressure outside pushes by what the host has put there.
   twin(h.force_buffer, static_cast<std::int64_t>(plan.force_buffer.size()), a.force_buffer, there);
-  twin(h.bond_sums, h.tile_count + h.pair_count, a.bond_sums, in_batches);
-  twin(h.disc_sums, h.tile_count, a.disc_sums, in_batches);
-  twin(h.domain_sums, 2 * h.tile_count, a.domain_sums, in_batches);
+  // What stopped a batch, and its sums: one after the other, so that they come home at once.
+  const auto of_bonds_count = static_cast<std::size_t>(h.tile_count + h.pair_count),
+             tiles = static_cast<std::size_t>(h.tile_count);
+  came_.resize(sizeof(std::int64_t) + (of_bonds_count + 3 * tiles) * sizeof(TileSums));
+  d.stop = static_cast<std::int64_t*>(sums_.reserve(came_.size()));
+  a.bond_sums = reinterpret_cast<TileSums*>(d.stop + 1);
+  a.disc_sums = a.bond_sums + of_bonds_count;
+  a.domain_sums = a.disc_sums + tiles;
   twin(static_cast<const double*>(assembly_.x.data()), discs, d.x, once);
   twin(static_cast<const double*>(assembly_.y.data()), discs, d.y, once);
   twin(static_cast<const double*>(assembly_.radius.data()), discs, d.radius, once);
+  std::vector<std::int32_t> large;
+  for (std::size_t place = 0; domains > 0 && place < plan.cross_domain.size(); ++place) {
+    const auto* start = h.domain_corner_start + plan.cross_domain[place];
+    if (plan.cross_domain[place] == 0) continue;  // the outside is the host's
+    if (start[1] - start[0] > most_corners) large.push_back(static_cast<std::int32_t>(place));
+  }
+  large_pore_count_ = static_cast<std::int64_t>(large.size());
+  list(large, d.large_pores);
+  d.large_works = static_cast<double*>(large_works_.reserve(plan.cross_domain.size() * sizeof(double)));
   std::vector<double> mass;
   for (std::int64_t i = 0; i < discs; ++i) mass.push_back(assembly_.mass(i));
   list(mass, d.mass);
@@ -135,7 +151,6 @@ void DeviceCycles::lay_out(const TilePlan& plan) {
       static_cast<double*>(looked_.reserve(2 * static_cast<std::size_t>(h.tile_count) * sizeof(double)));
   d.momenta = static_cast<double*>(
       momenta_.reserve(static_cast<std::size_t>(h.tile_count) * sizeof(Boundary::RigidMotion)));
-  d.stop = static_cast<std::int64_t*>(stop_.reserve(sizeof(std::int64_t)));
   for (const auto& tile : plan.tiles) {
     most_bonds_ = std::max(most_bonds_, tile.last_bond - tile.first_bond);
     most_domains_ = std::max(most_domains_, tile.last_domain - tile.first_domain);
@@ -181,7 +196,18 @@ void DeviceCycles::list_forces(const TilePlan& plan) {
   by_disc(each_corner, corner_start, corner_of);
   for (const auto& entry : plan.force_buffer) ++slot_start[static_cast<std::size_t>(entry.disc) + 1];
   for (std::size_t i = 0; i < discs; ++i) slot_start[i + 1] += slot_start[i];
+  std::vector<DeviceBonds> bonds_of(discs);
+  for (std::size_t i = 0; i < discs; ++i) {
+    const auto count = bond_start[i + 1] - bond_start[i];
+    const auto number = [&](std::int32_t q) -> std::uint64_t {
+      if (q == disc_bonds - 1 && count > disc_bonds) return more_bonds;
+      return q < count ? bond_of[static_cast<std::size_t>(bond_start[i] + q)] : no_bond;
+    };
+    for (std::int32_t q = 0; q < disc_bonds; ++q)
+      (q < 4 ? bonds_of[i].first : bonds_of[i].second) |= number(q) << static_cast<unsigned>(16 * (q % 4));
+  }
   DeviceArrays& d = task_.d;
+  list(bonds_of, d.bonds_of);
   list(bond_start, d.bond_start);
   list(bond_of, d.bond_of);
   list(slot_start, d.slot_start);
@@ -204,6 +230,7 @@ void DeviceCycles::begin(std::span<const Pushed> pushed, const ContactPairs& con
   take_numbers();
   for (const auto what : {there, fluid, moved, kept, pores}) put(what);
   put_smooth_joints();
+  plain_ = host_.softening_start == nullptr && host_.flat == 0 && host_.smooth.contacts == nullptr;
   put_walls();
   put_contacts(pushed, contacts);
 }
@@ -241,12 +268,21 @@ void DeviceCycles::put_walls() {
   d.servo = boundary_.walls_move() ? 1 : 0;
   d.wall_stiffness = boundary_.contact_stiffness();
   std::vector<DeviceWallDisc> discs;
+  std::map<std::int32_t, std::size_t> place_of;
+  std::int32_t places = 0;
   for (std::size_t w = 0; w < boundary_.walls().size(); ++w) {
     const Wall& wall = boundary_.walls()[w];
     DeviceWall& to = walls_.walls[w];
-    to.first = static_cast<std::int64_t>(discs.size());
-    for (const auto i : wall.discs) discs.push_back({i, assembly_.thermal.growth_of(i)});
-    to.last = static_cast<std::int64_t>(discs.size());
+    to.first = places;
+    for (const auto i : wall.discs) {
+      const auto [at, is_new] = place_of.try_emplace(i, discs.size());
+      if (is_new) discs.push_back({i, {-1, -1}, {-1, -1}, assembly_.thermal.growth_of(i)});
+      DeviceWallDisc& disc = discs[at->second];
+      const int side = disc.wall[0] < 0 ? 0 : 1;
+      disc.wall[side] = static_cast<std::int32_t>(w);
+      disc.place[side] = places++;
+    }
+    to.last = places;
     to.inward_x = wall.inward.x;
     to.inward_y = wall.inward.y;
     to.target = boundary_.load() * wall.target * wall.length;
@@ -256,7 +292,7 @@ void DeviceCycles::put_walls() {
   wall_discs_.put(discs.data(), discs.size() * sizeof(DeviceWallDisc));
   d.wall_discs = wall_discs_.as<DeviceWallDisc>();
   d.wall_disc_count = static_cast<std::int64_t>(discs.size());
-  d.wall_force = static_cast<double*>(wall_force_.reserve(discs.size() * sizeof(double)));
+  d.wall_force = static_cast<double*>(wall_force_.reserve(static_cast<std::size_t>(places) * sizeof(double)));
   d.outside = static_cast<DeviceOutside*>(outside_.reserve(sizeof(DeviceOutside)));
 }
 
@@ -306,28 +342,54 @@ void DeviceCycles::put_contacts(std::span<const Pushed> pushed, const ContactPai
   d.pushed_count = static_cast<std::int64_t>(discs.size());
 }
 
+// By what changes in a cycle in one block's hands.
+bool DeviceCycles::is_pushed() const {
+  return (task_.d.walled != 0 && task_.d.servo != 0) || task_.d.pushed_count > 0;
+}
+
 void DeviceCycles::begin_batch(double friction) {
   clear_sums();
+  if (task_.d.walled == 0 && !is_pushed()) return;
   for (std::size_t w = 0; w < boundary_.walls().size(); ++w) {
     walls_.walls[w].displacement = boundary_.walls()[w].displacement;
     walls_.walls[w].velocity = boundary_.walls()[w].velocity;
   }
   walls_.work = boundary_.wall_work();
-  walls_.imbalance = boundary_.wall_imbalance();
+  walls_.imbalance = 0.0;
   walls_.friction = friction;
   outside_.put(&walls_, sizeof walls_);
 }
 
 void DeviceCycles::end_batch(double& friction) {
-  get(Travels::in_batches);
-  outside_.get(&walls_, sizeof walls_);
-  friction = walls_.friction;
+  if (!sums_are_home_) get_sums();
+  if (is_pushed()) {
+    outside_.get(&walls_, sizeof walls_);
+    friction = walls_.friction;
+  }
   if (task_.d.walled == 0) return;
   for (std::size_t w = 0; w < boundary_.walls().size(); ++w) {
     boundary_.walls()[w].displacement = walls_.walls[w].displacement;
     boundary_.walls()[w].velocity = walls_.walls[w].velocity;
   }
   boundary_.note_walls(walls_.work, walls_.imbalance);
+}
+
+// Returns the stage that stopped the batch.
+std::int64_t DeviceCycles::get_sums() {
+  sums_.get(came_.data(), came_.size());
+  std::int64_t stop = never_stopped;
+  const std::byte* from = came_.data();
+  const auto take = [&from](auto* to, std::int64_t count) {
+    const auto bytes = static_cast<std::size_t>(count) * sizeof *to;
+    std::memcpy(to, from, bytes);
+    from += bytes;
+  };
+  take(&stop, 1);
+  take(host_.bond_sums, host_.tile_count + host_.pair_count);
+  take(host_.disc_sums, host_.tile_count);
+  take(host_.domain_sums, 2 * host_.tile_count);
+  sums_are_home_ = true;
+  return stop;
 }
 
 void DeviceCycles::launch(DeviceKernel kernel, std::int64_t blocks) {
@@ -337,6 +399,7 @@ void DeviceCycles::launch(DeviceKernel kernel, std::int64_t blocks) {
 
 void DeviceCycles::launch_one(DeviceKernel kernel, std::int64_t item) {
   const auto number = static_cast<std::int32_t>(item);
+  sums_are_home_ = false;
   item_.put(&number, sizeof number);
   task_.list = item_.as<std::int32_t>();
   launch(kernel, 1);
@@ -349,30 +412,32 @@ void DeviceCycles::clear_sums() {
   launch(device_clear_sums, (most + device_threads - 1) / device_threads);
 }
 
+void DeviceCycles::push_by_pores() {
+  launch(device_large_pores, large_pore_count_);
+  launch(device_cross_pores, host_.tile_count);
+}
+
 std::int64_t DeviceCycles::run(std::int64_t stage, std::int64_t last) {
   const KernelArrays& h = host_;
-  constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
-  stop_.put(&never, sizeof never);
+  if (stage > 0) sums_.put(&never_stopped, sizeof never_stopped);
+  const auto wants_forces = [last](std::int64_t of) { return of >= last - 2 ? 1 : 0; };
   for (; stage < last; ++stage) {
     task_.stage = stage;
+    task_.wants_forces = wants_forces(stage);
     if (stage % 2 == 1) {
-      launch(device_tile_step, h.tile_count);
+      launch(plain_ ? device_plain_tile_step : device_tile_step, h.tile_count);
       continue;
     }
     // Pores that keep their pressure push as they did in the first cycle.
-    if (h.with_pressure != 0 && (h.undrained != 0 || stage == 0)) launch(device_cross_pores, h.tile_count);
-    launch(device_cross_pairs, h.pair_count);
-    if (task_.d.walled != 0 || task_.d.pushed_count > 0) launch(device_push, 1);
+    if (h.with_pressure != 0 && (h.undrained != 0 || stage == 0)) push_by_pores();
+    launch(plain_ ? device_plain_cross_pairs : device_cross_pairs, h.pair_count);
+    if (task_.d.walled != 0)
+      launch(device_press_walls, (task_.d.wall_disc_count + device_threads - 1) / device_threads);
+    if (is_pushed()) launch(device_push, 1);
   }
-  std::int64_t stop = never;
-  stop_.get(&stop, sizeof stop);
-  task_.stage = std::min(stop, last);  // of what is done again
+  task_.stage = std::min(get_sums(), last);  // of what is done again
+  task_.wants_forces = wants_forces(task_.stage);
   return task_.stage;
-}
-
-void DeviceCycles::get_flags() {
-  get(host_.bond_sums, static_cast<const TileSums*>(task_.d.a.bond_sums), 0,
-      host_.tile_count + host_.pair_count);
 }
 
 template <class T>
@@ -416,12 +481,12 @@ void DeviceCycles::put_broken(std::int64_t first, std::int64_t last) {
 }
 
 void DeviceCycles::repeat_pair(std::int64_t pair) {
-  launch_one(device_cross_pairs, pair);
+  launch_one(plain_ ? device_plain_cross_pairs : device_cross_pairs, pair);
 }
 
 void DeviceCycles::repeat_tile(std::int64_t tile) {
   task_.moves_anyway = 1;
-  launch_one(device_tile_step, tile);
+  launch_one(plain_ ? device_plain_tile_step : device_tile_step, tile);
   task_.moves_anyway = 0;
 }
 
@@ -443,16 +508,14 @@ void DeviceCycles::take_out(const Boundary::RigidMotion& motion) {
 
 void DeviceCycles::evaluate() {
   clear_sums();
-  constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
-  stop_.put(&never, sizeof never);
   task_.stage = 0;
-  task_.looks_only = 1;
+  task_.looks_only = task_.wants_forces = 1;
   task_.d.a.undrained = 1;  // volumes are looked at
-  if (host_.with_pressure != 0) launch(device_cross_pores, host_.tile_count);
-  launch(device_cross_pairs, host_.pair_count);
-  launch(device_tile_step, host_.tile_count);
+  if (host_.with_pressure != 0) push_by_pores();
+  launch(plain_ ? device_plain_cross_pairs : device_cross_pairs, host_.pair_count);
+  launch(plain_ ? device_plain_tile_step : device_tile_step, host_.tile_count);
   task_.looks_only = 0;
-  get(Travels::in_batches);
+  get_sums();
 }
 
 DeviceCycles::Look DeviceCycles::look_over() {

@@ -6,6 +6,7 @@
 // their strength: it breaks those itself, by the same code as always.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -39,11 +40,10 @@ class DeviceCycles {
   void go_on();
   // A batch of them follows, whose sums begin at 0. `friction` [J/m]: the ledger's, to which non-bonded contacts add.
   void begin_batch(double friction);
-  // Stages from `stage` up to `last`, two a cycle: bonds across tiles, tiles. Returns the first in which a bond exceeds its strength and
-  // after which nothing was done, or `last`.
+  // Stages from `stage` up to `last`, the end of the batch, two a cycle: bonds across tiles, tiles. Returns the first in which a bond exceeds
+  // its strength and after which nothing was done, or `last`. The sums come home; their `flagged` say where that was.
   std::int64_t run(std::int64_t stage, std::int64_t last);
-  // Where that was: the `flagged` of sums come back to the host, and of a tile or a pair of tiles what a look at its bonds needs.
-  void get_flags();
+  // Of a tile or a pair of tiles comes home what a look at its bonds needs.
   void get_tile(std::int64_t tile);
   void get_pair(std::int64_t pair);
   // The host broke bonds from `first` up to `last`.
@@ -78,7 +78,7 @@ class DeviceCycles {
  private:
   // once: never changes. there: the host's own. fluid: the host's own, changed by every flow step. moved: changed by cycles and read by
   // the host after each step. kept: changed by cycles and read when somebody asks. pores: changed by both.
-  enum class Travels { once, there, fluid, moved, kept, pores, in_batches };
+  enum class Travels { once, there, fluid, moved, kept, pores };
   struct Twin {
     void* host;
     std::size_t bytes;
@@ -102,6 +102,9 @@ class DeviceCycles {
   void get(T* host, const T* at, std::int64_t first, std::int64_t last);
   void get_discs(std::int64_t first, std::int64_t last);
   void get_bonds(std::int64_t first, std::int64_t last);
+  [[nodiscard]] bool is_pushed() const;
+  std::int64_t get_sums();
+  void push_by_pores();
   void take_numbers();
   void clear_sums();
   void get_pores();
@@ -115,13 +118,16 @@ class DeviceCycles {
   const Options& options_;
   std::vector<Twin> twins_;
   std::vector<DeviceArray> of_twins_, lists_, copies_;  // copies: of twins that are kept
-  DeviceArray item_, stop_, held_force_, momenta_, outside_, wall_discs_, wall_force_, pairs_, pushed_,
-      pushed_pairs_, pairs_copy_, looked_;
+  DeviceArray item_, sums_, large_works_, held_force_, momenta_, outside_, wall_discs_, wall_force_, pairs_,
+      pushed_, pushed_pairs_, pairs_copy_, looked_;
   DeviceArray smooth_contacts_, smooth_settled_, smooth_law_number_, smooth_laws_, smooth_from_;
   std::vector<DevicePair> contacts_;
   DeviceOutside walls_{};
   DeviceTask task_{};
-  std::int64_t most_bonds_ = 0, most_domains_ = 0, most_cross_domains_ = 0;
+  std::vector<std::byte> came_;  // what stopped a batch, and its sums
+  bool sums_are_home_ = false;
+  bool plain_ = false;  // the rock, see gpu/device_kernels.hpp
+  std::int64_t most_bonds_ = 0, most_domains_ = 0, most_cross_domains_ = 0, large_pore_count_ = 0;
 };
 
 }  // namespace hfrac

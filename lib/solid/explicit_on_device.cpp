@@ -45,7 +45,6 @@ void ExplicitSolver::batch_on_device(std::int64_t cycles, std::vector<Found>& fo
   const std::int64_t end = 2 * cycles;
   for (std::int64_t stage = device.run(0, end); stage < end; stage = device.run(stage + 1, end)) {
     const std::int64_t now = total_cycles_ + stage / 2;
-    device.get_flags();
     for (std::int64_t pair = 0; stage % 2 == 0 && pair < arrays_.pair_count; ++pair) {
       if (bond_sums_[static_cast<std::size_t>(arrays_.tile_count + pair)].flagged == 0) continue;
       device.get_pair(pair);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "core/error.hpp"
 #include "solid/bond_law.hpp"
@@ -76,10 +77,25 @@ ElasticEnergy elastic_energy(const Engine& e) {
   const Assembly& a = e.model.assembly;
   ElasticEnergy energy;
   energy.contacts = e.boundary->walled() ? e.boundary->wall_energy(a) : e.boundary->exterior_energy(a);
-  for (std::int64_t bond = 0; bond < a.bond_count(); ++bond) {
-    const BondView view = view_bond(a, e.options, bond);
-    energy.bonds += view.bond_energy;
-    if (e.facets.of(bond) < 0) energy.contacts += view.contact_energy;
+  // Workers look at bonds, a chunk at a time; added up they are one after the other, in the order of bonds.
+  constexpr std::int64_t chunk = 1 << 15, grain = 64, worth_sharing = 4096;
+  struct OfBond {
+    double bond, contact;
+  };
+  std::vector<OfBond> held(static_cast<std::size_t>(std::min(chunk, a.bond_count())));
+  for (std::int64_t first = 0; first < a.bond_count(); first += chunk) {
+    const auto count = std::min(chunk, a.bond_count() - first);
+    e.workers->share(count >= worth_sharing && !e.workers->forked(), [&](const Workers::Member& member) {
+      const auto mine = member.part(count, grain);
+      for (auto k = mine.first; k < mine.last; ++k) {
+        const BondView view = view_bond(a, e.options, first + k);
+        held[static_cast<std::size_t>(k)] = {view.bond_energy, view.contact_energy};
+      }
+    });
+    for (std::int64_t k = 0; k < count; ++k) {
+      energy.bonds += held[static_cast<std::size_t>(k)].bond;
+      if (e.facets.of(first + k) < 0) energy.contacts += held[static_cast<std::size_t>(k)].contact;
+    }
   }
   energy.contacts += e.facets.energy(a, e.model.network, e.options);
   energy.contacts += e.mechanics->non_bonded_contacts().energy(a);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Coupled stepping on a card or on workers: rock with flow around a well, as bench_memory's, flow by conjugate gradients.
 //
-//     bench_card N gpu|WORKERS [STEPS]
+//     bench_card N gpu|cpu [WORKERS [STEPS]]
 //
 // Prints
 //
 //     coupled N device disc_cycles_per_s flow_step_s step_s | details
 //
 // disc_cycles_per_s: of 400 cycles in real time with pores that answer, nothing else. flow_step_s: of one flow step, matrix and
-// hierarchy (the processor's) included. step_s: of a whole step of a millisecond with all that belongs to it. Each the least of STEPS, 3 unless given.
+// hierarchy (the processor's) included. step_s: of a whole step of a millisecond with all that belongs to it. Each the least of STEPS, 3 unless
+// given. WORKERS, 1 unless given, do what the processor does.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -63,10 +64,10 @@ void measure(std::int64_t count, bool on_card, int workers, int steps) {
 int main(int argc, char** argv) {
   const std::int64_t count = argc > 1 ? std::atoll(argv[1]) : 0;
   const bool on_card = argc > 2 && std::strcmp(argv[2], "gpu") == 0;
-  const int workers = argc > 2 && !on_card ? std::atoi(argv[2]) : 1,
-            steps = argc > 3 ? std::atoi(argv[3]) : 3;
-  if (argc < 3 || count < 1000 || count > 5000000 || workers < 1 || steps < 1) {
-    std::fprintf(stderr, "usage: bench_card N gpu|WORKERS [STEPS]   1 000 to 5 000 000 discs\n");
+  const int workers = argc > 3 ? std::atoi(argv[3]) : 1, steps = argc > 4 ? std::atoi(argv[4]) : 3;
+  if (argc < 3 || (!on_card && std::strcmp(argv[2], "cpu") != 0) || count < 1000 || count > 5000000 ||
+      workers < 1 || steps < 1) {
+    std::fprintf(stderr, "usage: bench_card N gpu|cpu [WORKERS [STEPS]]   1 000 to 5 000 000 discs\n");
     return 2;
   }
   try {

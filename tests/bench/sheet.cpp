@@ -63,6 +63,7 @@ int run(std::int64_t count, int worker_count, ContactMode mode, const Device* de
   Workers workers(worker_count);
   ExplicitSolver solver(sheet.model, boundary, options, workers);
   solver.use_device(device);
+  solver.let_state_stay();  // as a simulation does
   const bool by_processor_time = worker_count == 1 && device == nullptr;
   solver.use_real_masses();
   sheet.stir();

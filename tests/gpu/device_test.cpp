@@ -42,6 +42,27 @@ TEST(Device, SolvesForTheFlowStepsPressures) {
   EXPECT_GT(launches_in(iterative), 10);
 }
 
+// The pore of a well has more corners than one thread does, which golden cases of two tiles and more have across them.
+TEST(Device, DoesPoresOfManyCornersByABlock) {
+  if (emulated::launches("large_pores") < 0) GTEST_SKIP() << "not the emulated driver";
+  hfrac::Definition def = golden::cases().front().def;
+  def.packing_disc_count = 2000;
+  hfrac_sim* sim = nullptr;
+  ASSERT_EQ(hfrac_sim_create(&def, &sim), HFRAC_OK);
+  EXPECT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+  int64_t hash = 0, there = 1;
+  EXPECT_EQ(hfrac_state_hash(sim, &hash), HFRAC_OK);
+  hfrac_sim_destroy(&sim);
+  def.run_device = gpu;
+  ASSERT_EQ(hfrac_sim_create(&def, &sim), HFRAC_OK);
+  const long before = emulated::launches("large_pores");
+  EXPECT_EQ(hfrac_step(sim, 1), HFRAC_OK);
+  EXPECT_GT(emulated::launches("large_pores"), before);
+  EXPECT_EQ(hfrac_state_hash(sim, &there), HFRAC_OK);
+  EXPECT_EQ(there, hash);
+  hfrac_sim_destroy(&sim);
+}
+
 golden::Case small() {
   return golden::cases().front();
 }

@@ -60,6 +60,7 @@ void HostBlock::each(std::int64_t n, const Item& item) const {
 struct Kernel {
   const char* name;
   void (*run)(HostBlock&, const void* task);
+  unsigned threads;
   int most_shared;
   long launches;
 };
@@ -69,8 +70,8 @@ void run_kernel(HostBlock& block, const void* task) {
   kernel(block, *static_cast<const Task*>(task));
 }
 
-#define HFRAC_DEVICE_KERNEL(name, Task) \
-  {#name, run_kernel<Task, kernels_emulated::name<HostBlock>>, 48 * 1024, 0},
+#define HFRAC_DEVICE_KERNEL(name, Task, threads, blocks) \
+  {#name, run_kernel<Task, kernels_emulated::name<HostBlock>>, threads, 48 * 1024, 0},
 Kernel known_kernels[] = {
 #include "gpu/device_kernel_list.inc"
 };
@@ -217,7 +218,7 @@ DRIVER cuLaunchKernel(void* function, unsigned blocks, unsigned, unsigned, unsig
   const std::lock_guard lock(card().mutex);
   Kernel& kernel = *static_cast<Kernel*>(function);
   if (current.empty()) return invalid_context;
-  if (blocks == 0 || threads != device_threads || static_cast<int>(shared_bytes) > kernel.most_shared)
+  if (blocks == 0 || threads != kernel.threads || static_cast<int>(shared_bytes) > kernel.most_shared)
     return invalid_value;
   if (is_to_fail()) return launch_failed;
   ++kernel.launches;
