@@ -199,9 +199,10 @@ void DeviceCycles::list_forces(const TilePlan& plan) {
   std::vector<DeviceBonds> bonds_of(discs);
   for (std::size_t i = 0; i < discs; ++i) {
     const auto count = bond_start[i + 1] - bond_start[i];
+    const auto* first = bond_of.data() + bond_start[i];
     const auto number = [&](std::int32_t q) -> std::uint64_t {
       if (q == disc_bonds - 1 && count > disc_bonds) return more_bonds;
-      return q < count ? bond_of[static_cast<std::size_t>(bond_start[i] + q)] : no_bond;
+      return q < count ? first[q] : no_bond;
     };
     for (std::int32_t q = 0; q < disc_bonds; ++q)
       (q < 4 ? bonds_of[i].first : bonds_of[i].second) |= number(q) << static_cast<unsigned>(16 * (q % 4));
