@@ -45,6 +45,7 @@ void large_pores(Block& block, const DeviceTask& t) {
   });
 }
 
+// Pores that belong to a tile and reach into others; those of many corners are done, and their works are added here.
 template <class Block>
 void cross_pores(Block& block, const DeviceTask& t) {
   if (*t.d.stop < t.stage) return;
@@ -106,7 +107,7 @@ void cross_pores(Block& block, const DeviceTask& t) {
   });
 }
 
-// Corners from `from` up to `to` of pore `domain`: by how much its volume has changed. `motion`: of the tile's discs.
+// By how much a pore's volume has changed, by its corners from `from` up to `to`. `motion`: of the tile's discs.
 inline __attribute__((always_inline)) double change_of(const KernelArrays& a, int32_t from, int32_t to,
                                                        int64_t first_disc, const double* motion) {
   constexpr int32_t at_once = 4;

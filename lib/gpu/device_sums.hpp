@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What kernels of a device have in common: sums in a fixed order, and values that are to be fetched early. On a card a wait for memory costs what a
-// hundred operations do, and all threads of a block wait for the slowest: so what a thread will need it asks for at once.
+// What kernels of a device have in common: sums in a fixed order, and values that are to be fetched early. On a card a wait for
+// memory is long, and all threads of a block wait for the slowest: so what a thread will need it asks for at once.
 #pragma once
 
 #include "solid/device_arrays.hpp"

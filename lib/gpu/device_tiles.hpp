@@ -55,6 +55,56 @@ inline double sum_of_damping(const double* works, int32_t lane, int32_t discs) {
   return sum;
 }
 
+// What a disc gets from bonds of its tile.
+struct TileBonds {
+  double *fx, *fy, *moment_i, *minus_moment_j;
+  __attribute__((always_inline)) void add(int32_t listed, double* f) const {
+    const int32_t e = listed / 2;
+    const bool is_first = listed % 2 == 0;
+    f[0] = is_first ? f[0] + fx[e] : f[0] - fx[e];
+    f[1] = is_first ? f[1] + fy[e] : f[1] - fy[e];
+    f[2] = is_first ? f[2] + moment_i[e] : f[2] - minus_moment_j[e];
+  }
+  __attribute__((always_inline)) void add_all(const DeviceArrays& d, int64_t disc, const DeviceBonds& of,
+                                              double* f) const {
+    for (int32_t q = 0; q < disc_bonds; ++q) {
+      const auto listed = static_cast<int32_t>((q < 4 ? of.first : of.second) >> (16 * (q % 4)) & 0xffff);
+      if (listed != no_bond && listed != more_bonds) add(listed, f);
+    }
+    if ((of.second >> 48) != more_bonds) return;
+    for (int32_t m = d.bond_start[disc] + disc_bonds - 1; m < d.bond_start[disc + 1]; ++m)
+      add(d.bond_of[m], f);
+  }
+};
+
+// What it gets from the tile's pores, at its corners.
+inline __attribute__((always_inline)) void add_pores(const DeviceArrays& d, int32_t first, int32_t last,
+                                                     int64_t first_domain, const double* pressures,
+                                                     double* f) {
+  constexpr int32_t at_once = 4;
+  const KernelArrays& a = d.a;
+  for (int32_t begin = first; begin < last; begin += at_once) {
+    DeviceCorner corner[at_once];
+    double x[at_once], y[at_once];
+    for (int32_t q = 0; q < at_once; ++q) corner[q] = d.corner_of[begin + q < last ? begin + q : begin];
+    for (int32_t q = 0; q < at_once; ++q) {
+      x[q] = a.domain_corner_weight[2 * corner[q].corner];
+      y[q] = a.domain_corner_weight[2 * corner[q].corner + 1];
+    }
+    for (int32_t q = 0; q < at_once; ++q) {
+      if (begin + q >= last) continue;
+      const double p = pressures[corner[q].domain - first_domain];
+      f[0] += p * x[q];
+      f[1] += p * y[q];
+      f[2] += 0.0;  // a worker adds three forces at once
+      if (a.domain_corner_turn == nullptr) continue;
+      f[0] += 0.0;
+      f[1] += 0.0;
+      f[2] += p * a.domain_corner_turn[corner[q].corner];
+    }
+  }
+}
+
 template <bool plain, class Block>
 inline __attribute__((always_inline)) void step_tile(Block& block, const DeviceTask& t) {
   if (*t.d.stop < t.stage) return;
@@ -111,7 +161,7 @@ inline __attribute__((always_inline)) void step_tile(Block& block, const DeviceT
     pressures[k - bonds] = p;
   });
   const bool moves = *over == 0.0 || t.moves_anyway != 0;
-  // What a disc gets, in the order in which a worker adds it.
+  const TileBonds forces{fx, fy, moment_i, minus_moment_j};
   block.each(t.looks_only == 0 ? discs : 0, [&](int64_t item) {
     const auto k = static_cast<int32_t>(item);
     const int64_t i = first + k;
@@ -131,6 +181,7 @@ inline __attribute__((always_inline)) void step_tile(Block& block, const DeviceT
       f[1] = a.external_y[i];
       f[2] = a.external_moment[i];
     }
+    // In the order in which a worker adds it; first what lies across tiles. (In a function of its own this costs registers.)
     constexpr int32_t at_once = 4;
     for (int32_t begin = first_slot; begin < last_slot; begin += at_once) {
       double x[at_once], y[at_once], moment[at_once];
@@ -147,42 +198,8 @@ inline __attribute__((always_inline)) void step_tile(Block& block, const DeviceT
         f[2] += moment[q];
       }
     }
-    const auto add_bond = [&](int32_t listed) {
-      const int32_t e = listed / 2;
-      const bool is_first = listed % 2 == 0;
-      f[0] = is_first ? f[0] + fx[e] : f[0] - fx[e];
-      f[1] = is_first ? f[1] + fy[e] : f[1] - fy[e];
-      f[2] = is_first ? f[2] + moment_i[e] : f[2] - minus_moment_j[e];
-    };
-    for (int32_t q = 0; q < disc_bonds; ++q) {
-      const auto listed =
-          static_cast<int32_t>((q < 4 ? bonds_of.first : bonds_of.second) >> (16 * (q % 4)) & 0xffff);
-      if (listed != no_bond && listed != more_bonds) add_bond(listed);
-    }
-    if ((bonds_of.second >> 48) == more_bonds) {
-      for (int32_t m = d.bond_start[i] + disc_bonds - 1; m < d.bond_start[i + 1]; ++m) add_bond(d.bond_of[m]);
-    }
-    for (int32_t begin = first_corner; begin < last_corner; begin += at_once) {
-      DeviceCorner corner[at_once];
-      double x[at_once], y[at_once];
-      for (int32_t q = 0; q < at_once; ++q)
-        corner[q] = d.corner_of[begin + q < last_corner ? begin + q : begin];
-      for (int32_t q = 0; q < at_once; ++q) {
-        x[q] = a.domain_corner_weight[2 * corner[q].corner];
-        y[q] = a.domain_corner_weight[2 * corner[q].corner + 1];
-      }
-      for (int32_t q = 0; q < at_once; ++q) {
-        if (begin + q >= last_corner) continue;
-        const double p = pressures[corner[q].domain - first_domain];
-        f[0] += p * x[q];
-        f[1] += p * y[q];
-        f[2] += 0.0;  // a worker adds three forces at once
-        if (a.domain_corner_turn == nullptr) continue;
-        f[0] += 0.0;
-        f[1] += 0.0;
-        f[2] += p * a.domain_corner_turn[corner[q].corner];
-      }
-    }
+    forces.add_all(d, i, bonds_of, f);
+    add_pores(d, first_corner, last_corner, first_domain, pressures, f);
     if (!moves) {
       for (int32_t way = 0; way < 3; ++way) d.held_force[3 * i + way] = f[way];
       return;

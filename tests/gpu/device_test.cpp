@@ -42,9 +42,8 @@ TEST(Device, SolvesForTheFlowStepsPressures) {
   EXPECT_GT(launches_in(iterative), 10);
 }
 
-// The pore of a well has more corners than one thread does, which golden cases of two tiles and more have across them.
+// A well's pore has more corners than one thread does, and with 2000 discs it lies across tiles.
 TEST(Device, DoesPoresOfManyCornersByABlock) {
-  if (emulated::launches("large_pores") < 0) GTEST_SKIP() << "not the emulated driver";
   hfrac::Definition def = golden::cases().front().def;
   def.packing_disc_count = 2000;
   hfrac_sim* sim = nullptr;
@@ -57,7 +56,10 @@ TEST(Device, DoesPoresOfManyCornersByABlock) {
   ASSERT_EQ(hfrac_sim_create(&def, &sim), HFRAC_OK);
   const long before = emulated::launches("large_pores");
   EXPECT_EQ(hfrac_step(sim, 1), HFRAC_OK);
-  EXPECT_GT(emulated::launches("large_pores"), before);
+  // A real driver counts nothing.
+  if (before >= 0) {
+    EXPECT_GT(emulated::launches("large_pores"), before);
+  }
   EXPECT_EQ(hfrac_state_hash(sim, &there), HFRAC_OK);
   EXPECT_EQ(there, hash);
   hfrac_sim_destroy(&sim);

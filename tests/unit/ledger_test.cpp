@@ -13,7 +13,7 @@ namespace ledger_test {
 
 using namespace testing_unit;
 
-// Of enough bonds that workers share them; none moves as a facet, and nothing stands at the walls but the discs.
+// Of enough bonds that workers share them.
 CaseDefinition ledger_case(int workers) {
   CaseDefinition definition = cracking_case();
   definition.options.packing_disc_count = 2500;
@@ -23,6 +23,7 @@ CaseDefinition ledger_case(int workers) {
 }
 
 TEST(Ledger, HasTheSameBitsOnAnyNumberOfWorkersAndInAForkedChild) {
+  double contacts = 0.0;  // with one worker, who adds them up as he comes to them
   for (const int workers : {1, 2, 3}) {
     Simulation sim(ledger_case(workers), {}, {});
     sim.step();
@@ -34,6 +35,9 @@ TEST(Ledger, HasTheSameBitsOnAnyNumberOfWorkersAndInAForkedChild) {
     const ElasticEnergy energy = elastic_energy(sim.engine());
     EXPECT_GT(energy.bonds, 0.0);
     EXPECT_EQ(energy.bonds, bonds) << workers;
+    if (workers == 1) contacts = energy.contacts;
+    EXPECT_GT(contacts, 0.0);
+    EXPECT_EQ(energy.contacts, contacts) << workers;
     const ::pid_t child = ::fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
