@@ -29,7 +29,11 @@ def disturbed(command, wait, chance):
     if launcher.poll() is not None or not ranks:
         launcher.wait()
         return None
-    os.kill(chance.choice(ranks), signal.SIGKILL)
+    try:
+        os.kill(chance.choice(ranks), signal.SIGKILL)
+    except ProcessLookupError:  # it was over while its processes were listed
+        launcher.wait()
+        return None
     began = time.monotonic()
     launcher.wait(timeout=30)
     return time.monotonic() - began
