@@ -77,7 +77,7 @@ void begin_pass(Block& block, const ConjugateArrays& c, const LevelArrays& l, in
   const int64_t first = group * row_group;
   block.each(end_of_group(l, group) - first, [&](int64_t at) {
     const int64_t i = first + at;
-    c.r[i] = c.b[i] - product_of_row(l, c.x, i);
+    c.r[i] = unless_negligible(c.b[i] - product_of_row(l, c.x, i));
     c.d[i] = c.p[i] = 0.0;
   });
   keep_sum(block, c.sums, group, squared_length(block, l, c.r, group));
@@ -97,14 +97,15 @@ void turn_direction(Block& block, const ConjugateArrays& c, const LevelArrays& l
                     int64_t group) {
   const int64_t first = group * row_group;
   block.each(end_of_group(l, group) - first,
-             [&](int64_t k) { c.p[first + k] = c.z[first + k] + kept * c.p[first + k]; });
+             [&](int64_t k) { c.p[first + k] = unless_negligible(c.z[first + k] + kept * c.p[first + k]); });
 }
 
 // A p into z, whose job is done, and p A p.
 template <class Block>
 void multiply_direction(Block& block, const ConjugateArrays& c, const LevelArrays& l, int64_t group) {
   const int64_t first = group * row_group, count = end_of_group(l, group) - first;
-  block.each(count, [&](int64_t k) { c.z[first + k] = product_of_row(l, c.p, first + k); });
+  block.each(count,
+             [&](int64_t k) { c.z[first + k] = unless_negligible(product_of_row(l, c.p, first + k)); });
   keep_sum(block, c.others, group,
            sum_of(block, count, [&](int64_t k) { return c.p[first + k] * c.z[first + k]; }));
 }
@@ -113,8 +114,8 @@ template <class Block>
 void go_along(Block& block, const ConjugateArrays& c, const LevelArrays& l, double step, int64_t group) {
   const int64_t first = group * row_group;
   block.each(end_of_group(l, group) - first, [&](int64_t k) {
-    c.d[first + k] += step * c.p[first + k];
-    c.r[first + k] -= step * c.z[first + k];
+    c.d[first + k] = unless_negligible(c.d[first + k] + step * c.p[first + k]);
+    c.r[first + k] = unless_negligible(c.r[first + k] - step * c.z[first + k]);
   });
   keep_sum(block, c.sums, group, squared_length(block, l, c.r, group));
 }
@@ -123,7 +124,7 @@ void go_along(Block& block, const ConjugateArrays& c, const LevelArrays& l, doub
 template <class Block>
 void end_pass(Block& block, const ConjugateArrays& c, const LevelArrays& l, int64_t group) {
   const int64_t first = group * row_group, count = end_of_group(l, group) - first;
-  block.each(count, [&](int64_t k) { c.x[first + k] += c.d[first + k]; });
+  block.each(count, [&](int64_t k) { c.x[first + k] = unless_negligible(c.x[first + k] + c.d[first + k]); });
   block.each(3, [&](int64_t which) {
     const double* of = which == 0 ? c.d : c.x;
     double most = which == 0 ? 0.0 : of[first];

@@ -7,6 +7,7 @@
 // does it gets the same bits.
 #pragma once
 
+#include "core/negligible.hpp"
 #include "linear/multigrid_arrays.hpp"
 
 namespace hfrac {
@@ -36,7 +37,7 @@ void smooth_from_nothing(Block& block, const LevelArrays& l, const double* b, in
       const int64_t i = first + at;
       double sum = b[i];
       for (int32_t k = l.start[i]; k < l.upper[i]; ++k) sum -= l.value[k] * l.before[l.column[k]];
-      l.before[i] = sum / l.weight[i];
+      l.before[i] = unless_negligible(sum / l.weight[i]);
     });
   }
 }
@@ -54,7 +55,7 @@ void take_to_coarser(Block& block, const LevelArrays& l, const LevelArrays& coar
       for (int32_t k = l.upper[i]; k < l.start[i + 1]; ++k) sum -= l.value[k] * l.before[l.column[k]];
       all += sum;
     }
-    coarse.right[first + at] = all;
+    coarse.right[first + at] = unless_negligible(all);
   });
 }
 
@@ -78,7 +79,7 @@ void smooth_back(Block& block, const LevelArrays& l, const double* b, const doub
       for (int32_t k = l.start[i]; k < l.outer[i]; ++k) sum -= l.value[k] * z[l.column[k]];
       for (int32_t k = l.outer[i]; k < l.start[i + 1]; ++k)
         sum -= l.value[k] * corrected(l, coarse, l.column[k]);
-      z[i] += sum / l.weight[i];
+      z[i] = unless_negligible(z[i] + sum / l.weight[i]);
     });
   }
 }
@@ -89,7 +90,7 @@ void find_rest_of_group(Block& block, const LevelArrays& l, int64_t group) {
   const int64_t first = group * row_group;
   block.each(end_of_group(l, group) - first, [&](int64_t at) {
     const int64_t i = first + at;
-    l.rest[i] = l.right[i] - product_of_row(l, l.after, i);
+    l.rest[i] = unless_negligible(l.right[i] - product_of_row(l, l.after, i));
   });
 }
 

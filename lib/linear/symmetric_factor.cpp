@@ -142,6 +142,7 @@ inline double SymmetricFactor::take_piece(const Piece& piece, std::int32_t k, do
   double* row = row_.data();
   double* x = row + piece.first;
   const std::int32_t* rows = below_.data() + block.below;
+  for (std::int64_t c = 0; c < columns; ++c) x[c] = unless_negligible(x[c]);
   if (columns < 2 || columns * (columns + below) < worth_kernels) {
     for (std::int64_t c = 0; c < columns; ++c) {
       const double* column = corner + c * ld;
@@ -166,7 +167,7 @@ inline double SymmetricFactor::take_piece(const Piece& piece, std::int32_t k, do
   double* to = corner + (inside ? own : low + below);
   const double* diagonal = pivot_.data() + piece.first;
   for (std::int64_t c = 0; c < columns; ++c) {
-    const double value = x[c], l = value / diagonal[c];
+    const double value = x[c], l = unless_negligible(value / diagonal[c]);
     x[c] = 0.0;
     pivot -= l * value;
     to[c * ld] = l;
@@ -199,7 +200,7 @@ void SymmetricFactor::forward(double* x) const {
     const std::int32_t* rows = below_.data() + block.below;
     for (std::int32_t c = 0; c < own; ++c) {
       const double* column = value_.data() + block.value + std::int64_t{c} * block.rows;
-      const double factor = x[block.first + c];
+      const double factor = x[block.first + c] = unless_negligible(x[block.first + c]);
       if (factor == 0.0) continue;
       for (auto r = c + 1; r < own; ++r) x[block.first + r] -= factor * column[r];
       for (auto r = own; r < block.rows; ++r) x[rows[r - own]] -= factor * column[r];
@@ -216,7 +217,7 @@ void SymmetricFactor::backward(double* x) const {
       double sum = x[block->first + c];
       for (auto r = c + 1; r < own; ++r) sum -= column[r] * x[block->first + r];
       for (auto r = own; r < block->rows; ++r) sum -= column[r] * x[rows[r - own]];
-      x[block->first + c] = sum;
+      x[block->first + c] = unless_negligible(sum);
     }
   }
 }

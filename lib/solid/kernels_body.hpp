@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The body of the kernels, included once per instruction set with HFRAC_KERNEL_NAMESPACE set. See kernels.hpp.
 #include "solid/kernels_chunk.hpp"
+#include "solid/kernels_pores.hpp"
 #include "solid/kernels_smooth.hpp"
 
 namespace hfrac {
@@ -118,37 +119,6 @@ void keep_slip(const KernelArrays& a, int64_t e, int64_t n, const Chunk& c) {
   if (a.softening_start != nullptr) keep_softening(a, e, n, c);
 }
 
-// turns: whether turning discs change volumes, too (domain_corner_turn is there). Asked once a tile, not once a domain.
-template <bool turns>
-double tile_domains(const KernelArrays& a, const Tile& t, const Quad* motion, Quad* force) {
-  double work = 0.0;
-  for (int64_t d = t.first_domain; d < t.last_domain; ++d) {
-    const int32_t begin = a.domain_corner_start[d], end = a.domain_corner_start[d + 1];
-    double p = a.pressure[d];
-    if (a.undrained != 0) {
-      double change = 0.0;
-      for (int32_t k = begin; k < end; ++k) {
-        const Quad& u = motion[a.domain_corner_disc[k] - t.first_disc];
-        change += a.domain_corner_weight[2 * k] * u[0] + a.domain_corner_weight[2 * k + 1] * u[1];
-      }
-      if constexpr (turns) {
-        for (int32_t k = begin; k < end; ++k)
-          change += a.domain_corner_turn[k] * motion[a.domain_corner_disc[k] - t.first_disc][2];
-      }
-      work += undrained_pressure(a, d, change, p);
-    }
-    for (int32_t k = begin; k < end; ++k) {
-      const Quad push = {p * a.domain_corner_weight[2 * k], p * a.domain_corner_weight[2 * k + 1], 0.0, 0.0};
-      force[a.domain_corner_disc[k] - t.first_disc] += push;
-    }
-    if constexpr (turns) {
-      for (int32_t k = begin; k < end; ++k)
-        force[a.domain_corner_disc[k] - t.first_disc] += Quad{0.0, 0.0, p * a.domain_corner_turn[k], 0.0};
-    }
-  }
-  return work;
-}
-
 // Asks for what else the chunk of bonds from e on will read.
 inline void fetch_bonds(const KernelArrays& a, int64_t e) {
   constexpr int64_t line = 8;
@@ -238,34 +208,6 @@ void cross_bonds(const KernelArrays& a, int64_t pair) {
     }
   }
   sums.put(a.bond_sums[a.tile_count + pair]);
-}
-
-template <bool turns>
-void cross_domains_with(const KernelArrays& a, int64_t part) {
-  double work = 0.0;
-  for (int64_t q = a.cross_parts[part].first_domain; q < a.cross_parts[part].last_domain; ++q) {
-    const int64_t d = a.cross_domain[q];
-    const int32_t first = a.domain_corner_start[d], last = a.domain_corner_start[d + 1];
-    double p = a.pressure[d];
-    if (a.undrained != 0) {
-      double change = 0.0;
-      for (int32_t k = first; k < last; ++k) {
-        const int32_t disc = a.domain_corner_disc[k];
-        change += a.domain_corner_weight[2 * k] * a.ux[disc] + a.domain_corner_weight[2 * k + 1] * a.uy[disc];
-        if constexpr (turns) change += a.domain_corner_turn[k] * a.rotation[disc];
-      }
-      work += undrained_pressure(a, d, change, p);
-    }
-    const int32_t* place = a.corner_slot + a.cross_corner_start[q];
-    for (int32_t k = first; k < last; ++k) {
-      if (place[k - first] < 0) continue;
-      BufferedForce& to = a.force_buffer[place[k - first]];
-      to.fx = p * a.domain_corner_weight[2 * k];
-      to.fy = p * a.domain_corner_weight[2 * k + 1];
-      if constexpr (turns) to.moment = p * a.domain_corner_turn[k];
-    }
-  }
-  a.domain_sums[a.tile_count + part].work += work;
 }
 
 void cross_domains(const KernelArrays& a, int64_t part) {

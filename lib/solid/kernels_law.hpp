@@ -17,6 +17,7 @@
 //   softening      tension, F_s and M of the bond times 1 - D from there on, and breakage at D = 1 (softening.hpp)
 #pragma once
 
+#include "core/negligible.hpp"
 #include "solid/kernels.hpp"
 
 namespace hfrac {
@@ -240,14 +241,18 @@ inline __attribute__((always_inline)) ContactAnswer<Lanes> answer_contact(const 
   return r;
 }
 
-// Pressure p of a domain whose volume has changed by `change` since bonding; returns the work it did on the way.
+// Of a pore whose volume has changed by `change` since bonding (eq. 8 in total form); stiffness 0: it keeps its pressure.
+inline __attribute__((always_inline)) double pore_pressure(double reference, double floor, double stiffness,
+                                                           double content, double change, double before) {
+  const double full = reference + stiffness * (content - change);
+  const double p = full > floor ? full : floor;  // cavitation
+  return stiffness > 0.0 ? p : before;
+}
+
+// Pressure p of such a domain; returns the work it did on the way.
 inline double undrained_pressure(const KernelArrays& a, int64_t d, double change, double& p) {
   const double before = a.pressure[d];
-  p = before;
-  if (a.stiffness[d] > 0.0) {
-    p = a.reference_pressure + a.stiffness[d] * (a.content[d] - change);
-    p = p > a.floor_pressure ? p : a.floor_pressure;  // cavitation
-  }
+  p = pore_pressure(a.reference_pressure, a.floor_pressure, a.stiffness[d], a.content[d], change, before);
   const double work = 0.5 * (before + p) * (change - a.volume_change[d]);
   a.pressure[d] = p;
   a.volume_change[d] = change;
@@ -260,7 +265,7 @@ inline __attribute__((always_inline)) double move(double step, double damping, d
                                                   double& displacement) {
   const double v = velocity, against = v > 0.0 ? 1.0 : (v < 0.0 ? -1.0 : 0.0);
   const double drag = damping * magnitude(force) * against;
-  const double after = v + step * (force - drag) * inverse_mass;
+  const double after = unless_negligible(v + step * (force - drag) * inverse_mass);
   velocity = after;
   displacement += step * after;
   return 0.5 * step * drag * (v + after);
