@@ -650,6 +650,9 @@ module hfrac_c
     !> discs: the discs alone, which are brought to rest anew, so that stresses, rock and wells may be others than
     !> those of the file. Default 0.
     integer(c_int64_t) :: packing_reuse = 0_c_int64_t
+    !> Files that a snapshot's discs, bonds and flow are each cut into, with a PVTU file that lists them; the
+    !> processes of a run share the writing. 1: one VTU file each. Default 1.
+    integer(c_int64_t) :: output_pieces = 0_c_int64_t
   end type hfrac_sim_def
 
   !> What the table says of one option. Texts point into the library and live as long as it is loaded.

@@ -11,6 +11,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkXMLPUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
@@ -48,11 +49,18 @@ std::vector<Entry> entries(const std::string& series) {
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> read(const std::filesystem::path& file) {
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  EXPECT_EQ(reader->GetErrorCode(), 0UL) << file;
-  return reader->GetOutput();
+  const auto output_of = [&](auto& reader) -> vtkSmartPointer<vtkUnstructuredGrid> {
+    reader->SetFileName(file.c_str());
+    reader->Update();
+    EXPECT_EQ(reader->GetErrorCode(), 0UL) << file;
+    return reader->GetOutput();
+  };
+  if (file.extension() == ".vtu") {
+    const vtkNew<vtkXMLUnstructuredGridReader> reader;
+    return output_of(reader);
+  }
+  const vtkNew<vtkXMLPUnstructuredGridReader> reader;  // of a list of pieces
+  return output_of(reader);
 }
 
 /** An array of a series: where it is and how wide. */

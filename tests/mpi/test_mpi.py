@@ -20,9 +20,9 @@ class Mpi(OverRanks):
 
     def same(self, one, other):
         """All of a run's results, but for what tells of time and place."""
-        names = sorted(p.name for p in one.iterdir() if p.suffix in (".csv", ".vtu", ".pvd"))
+        names = sorted(p.name for p in one.iterdir() if p.suffix in (".csv", ".vtu", ".pvtu", ".pvd"))
         self.assertIn("cracks.csv", names)
-        self.assertEqual(names, sorted(p.name for p in other.iterdir() if p.suffix in (".csv", ".vtu", ".pvd")))
+        self.assertEqual(names, sorted(p.name for p in other.iterdir() if p.suffix in (".csv", ".vtu", ".pvtu", ".pvd")))
         for name in names:
             self.assertEqual((one / name).read_bytes(), (other / name).read_bytes(), f"{name} in {other.name}")
 
@@ -35,6 +35,32 @@ class Mpi(OverRanks):
             self.same(alone, self.folder / f"on-{ranks}")
             # One of them speaks.
             self.assertEqual(done.stderr.count("will write"), 1, done.stderr)
+
+    def test_processes_write_pieces_side_by_side_and_any_number_goes_on(self):
+        text = self.case.read_text()
+        for pieces in (2, 5):
+            case = self.folder / f"pieces-{pieces}.toml"
+            case.write_text(text.replace("[output]", f"[output]\npieces = {pieces}"))
+            alone = self.folder / f"alone-{pieces}"
+            done = run([HFRAC, "run", case, "-o", alone, "-q"])
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertTrue((alone / f"flow_00006_{pieces - 1:04}.vtu").is_file())
+            folder = self.folder / f"cut-{pieces}"
+            done = run(over(3, HFRAC, "run", case, "-o", folder, "-q", "--steps", 3))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            done = run(over(2, HFRAC, "resume", folder, "-q", "--steps", 6))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.same(alone, folder)
+
+    def test_a_piece_that_one_cannot_write_ends_all(self):
+        case, folder = self.folder / "pieces.toml", self.folder / "full"
+        case.write_text(self.case.read_text().replace("[output]", "[output]\npieces = 2"))
+        (folder / "bonds_00002_0001.vtu" / "in the way").mkdir(parents=True)  # the second one's to write
+        done = run(over(2, HFRAC, "run", case, "-o", folder, "-q"))
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("could not write its pieces", done.stderr)
+        self.assertIn("discs_00000.pvtu", (folder / "discs.pvd").read_text())
+        self.assertNotIn("discs_00002", (folder / "discs.pvd").read_text())
 
     def test_a_killed_process_ends_all_and_the_run_goes_on_on_another_number(self):
         alone = self.alone()

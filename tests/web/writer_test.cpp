@@ -10,12 +10,14 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkXMLPUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
+#include "run/files.hpp"
 #include "run/vtu_writer.hpp"
 #include "web/server/grid.hpp"
 #include "web/server/guards.hpp"
@@ -132,6 +134,74 @@ TEST_P(Writer, IsReadByUs) {
     }
   }
   EXPECT_EQ(found, written.cell_data.size());
+}
+
+// Pieces of a grid, a list of them, and all of it in one file: the same cells in the same places, to VTK and to us.
+TEST(Pieces, OfAListAreOneGrid) {
+  const fs::path folder = fs::temp_directory_path() / ("hfrac-pieces-" + hfrac::web::random_key());
+  fs::create_directory(folder);
+  // Squares that share corners, each with its number.
+  constexpr int32_t across = 5;
+  const auto squares = [](Part part) {
+    VtuGrid grid;
+    grid.cell_type = CellType::polygon;
+    for (int32_t j = 0; j <= across; ++j)
+      for (int32_t i = 0; i <= across; ++i) grid.positions.insert(grid.positions.end(), {1.0 * i, 0.5 * j});
+    std::vector<int32_t> number;
+    const auto range = part.of(static_cast<size_t>(across) * across);
+    for (int32_t c = range.first; c < range.last; ++c) {
+      const int32_t corner = c / across * (across + 1) + c % across;
+      grid.connectivity.insert(grid.connectivity.end(),
+                               {corner, corner + 1, corner + across + 2, corner + across + 1});
+      number.push_back(c);
+    }
+    grid.offsets = even_offsets(number.size(), 4);
+    grid.cell_data.push_back(whole("number", number));
+    keep_used_points(grid);
+    return grid;
+  };
+  const auto corners_of = [](const hfrac::web::Grid& grid) {
+    std::vector<float> corners;
+    std::vector<float> place;
+    std::vector<int32_t> corner;
+    for (const auto& array : grid.arrays) {
+      if (array.name == "position") place = std::get<std::vector<float>>(array.values);
+      if (array.name == "corner") corner = std::get<std::vector<int32_t>>(array.values);
+    }
+    for (const auto c : corner) {
+      corners.push_back(place.at(static_cast<size_t>(2 * c)));
+      corners.push_back(place.at(static_cast<size_t>(2 * c + 1)));
+    }
+    return corners;
+  };
+  const Moment moment{0.25, 3, {}};
+  const auto put = [&](const std::string& name, const std::string& text) {
+    std::ofstream(folder / name, std::ios::binary) << text;
+  };
+  put("one.vtu", encode(squares({}), moment, Compression::zlib));
+  const auto one = hfrac::web::read_grid(folder / "one.vtu");
+  for (const int64_t count : {2, 3, 25, 40}) {  // of 40 pieces some are empty
+    std::vector<std::string> files;
+    for (int64_t k = 0; k < count; ++k) {
+      files.push_back("piece_" + std::to_string(k) + ".vtu");
+      put(files.back(), encode(squares({k, count}), moment, Compression::zlib));
+    }
+    put("list.pvtu", encode_list(squares({0, count}), files, Compression::zlib));
+    const auto read = hfrac::web::read_grid(folder / "list.pvtu");
+    EXPECT_EQ(read->time, 0.25);
+    ASSERT_EQ(read->cells, one->cells) << count;
+    EXPECT_EQ(corners_of(*read), corners_of(*one)) << count;
+    const vtkNew<vtkXMLPUnstructuredGridReader> reader;
+    reader->SetFileName((folder / "list.pvtu").c_str());
+    reader->Update();
+    auto* by_vtk = reader->GetOutput();
+    ASSERT_EQ(by_vtk->GetNumberOfCells(), one->cells) << count;
+    for (vtkIdType c = 0; c < by_vtk->GetNumberOfCells(); ++c)
+      EXPECT_EQ(by_vtk->GetCellData()->GetArray("number")->GetComponent(c, 0), static_cast<double>(c));
+  }
+  fs::remove(folder / "piece_17.vtu");
+  EXPECT_THROW(hfrac::web::read_grid(folder / "list.pvtu"), ReadError);
+  fs::remove_all(folder);
 }
 
 // One block of an array is 2^17 bytes: none, one, one exactly full, several.

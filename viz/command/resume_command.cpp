@@ -86,7 +86,7 @@ ExitCode go_on(const ResumeRequest& request, const Team& team) {
   const GivenParts given(folder);
   auto definition = load_case((folder / "case.toml").string(), request.workers, given);
   catch_interrupts();
-  if (team.follows()) return follow(std::move(definition), terms.steps, team);
+  if (team.follows()) return follow(std::move(definition), folder, terms.steps, team);
   const output::FolderClaim claim(folder);
   std::vector<std::string> damaged;
   const auto checkpoint = output::CheckpointFolder(folder).newest(damaged);
@@ -99,7 +99,7 @@ ExitCode go_on(const ResumeRequest& request, const Team& team) {
   }
 
   ProgressLine line(request.quiet);
-  output::RunFolder run(folder, terms);
+  output::RunFolder run(folder, terms, team.writers());
   Warnings warnings(run, line, request.quiet);
   for (const auto& text : unlikely_values(definition)) warnings.add(text);
   const auto sim = build_model(definition, (folder / "case.toml").string(), team, line, warnings);

@@ -68,7 +68,7 @@ ExitCode carry_out(const RunRequest& request, const Team& team) {
   if (request.checkpoint_every >= 0.0) definition.output_checkpoint_every = request.checkpoint_every;
   if (request.checkpoint_steps >= 0) definition.output_checkpoint_steps = request.checkpoint_steps;
   catch_interrupts();
-  if (team.follows()) return follow(std::move(definition), request.steps, team);
+  if (team.follows()) return follow(std::move(definition), request.folder, request.steps, team);
   refuse_earlier_run(request);
   const auto size = size_of_run(definition, request.steps);
   if (!request.no_space_check) require_room(size, request.folder);
@@ -76,7 +76,7 @@ ExitCode carry_out(const RunRequest& request, const Team& team) {
 
   ProgressLine line(request.quiet);
   const output::RunTerms terms{request.steps, request.grid, request.movie};
-  output::RunFolder folder(request.folder, terms);
+  output::RunFolder folder(request.folder, terms, team.writers());
   Warnings warnings(folder, line, request.quiet);
   for (const auto& text : unlikely_values(definition)) warnings.add(text);
   if (!request.quiet)

@@ -155,10 +155,10 @@ void save_checkpoint(hfrac_sim* sim, output::RunFolder& folder, ProgressLine& li
   }
 }
 
-/** Steps `sim` to the end of the run and writes into `folder` on the way, if there is one, checkpoints as the definition says
- * included. `steps` >= 0 replaces the case's length. */
-EndOfRun take_steps(hfrac_sim* sim, output::RunFolder* folder, const hfrac_sim_def& definition, int64_t steps,
-                    const Team& team, ProgressLine& line) {
+/** Steps `sim` to the end of the run and writes into `folder` on the way, checkpoints as the definition says included; without one, `pieces` of
+ * snapshots. `steps` >= 0 replaces the case's length. */
+EndOfRun take_steps(hfrac_sim* sim, output::RunFolder* folder, output::PieceFiles* pieces,
+                    const hfrac_sim_def& definition, int64_t steps, const Team& team, ProgressLine& line) {
   const auto limits = limits_of(definition, steps);
   auto state = output::state_of(sim);
   StepReport report(line, limits, state);
@@ -180,9 +180,13 @@ EndOfRun take_steps(hfrac_sim* sim, output::RunFolder* folder, const hfrac_sim_d
     output::require(status, sim);
     state = output::state_of(sim);
     if (state.step == before) return {"interrupted", true};
-    if (folder == nullptr) continue;
+    const bool shown = state.step / definition.output_every != before / definition.output_every;
+    if (folder == nullptr) {
+      if (shown) pieces->follow(sim);
+      continue;
+    }
     folder->record_step(sim);
-    if (state.step / definition.output_every != before / definition.output_every) folder->snapshot(sim);
+    if (shown) folder->snapshot(sim);
     if (checkpoint.due(state.step)) save_checkpoint(sim, *folder, line);
     report.after_step(sim);
   }
@@ -225,7 +229,7 @@ ExitCode take_steps_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfra
   std::optional<MovieThread> movie;
   if (terms.movie) movie.emplace(folder.path());
 #endif
-  const auto why = take_steps(sim, &folder, definition, terms.steps, team, line);
+  const auto why = take_steps(sim, &folder, nullptr, definition, terms.steps, team, line);
   // Before the snapshot of the interruption, which an uninterrupted run would not have.
   if (why.interrupted) save_checkpoint(sim, folder, line);
   folder.finish(sim, why.text);
@@ -296,13 +300,15 @@ ExitCode run_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_d
   }
 }
 
-void restore(hfrac_sim* sim, const std::string& image, const Team& team) {
+bool restore(hfrac_sim* sim, const std::string& image, const Team& team) {
   const auto all = team.share(image);
   if (!all.empty())
     output::require(hfrac_state_restore(sim, all.data(), static_cast<int64_t>(all.size())), sim);
+  return !all.empty();
 }
 
-ExitCode follow(Definition definition, int64_t steps, const Team& team) {
+// The same snapshots in the same order as the first one, of which RunFolder has the hand.
+ExitCode follow(Definition definition, const std::filesystem::path& folder, int64_t steps, const Team& team) {
   ProgressLine line(true);
   definition.log = nullptr;  // the first one's to tell
   definition.progress = show_setup;
@@ -313,8 +319,11 @@ ExitCode follow(Definition definition, int64_t steps, const Team& team) {
   if (status == HFRAC_STOPPED) return kInterrupted;
   if (status != HFRAC_OK) return kRunFailed;
   try {
-    restore(sim, {}, team);
-    return take_steps(sim, nullptr, definition, steps, team, line).interrupted ? kInterrupted : kGood;
+    output::PieceFiles pieces(folder, team.writers());
+    if (!restore(sim, {}, team)) pieces.follow(sim);
+    const auto why = take_steps(sim, nullptr, &pieces, definition, steps, team, line);
+    pieces.follow(sim);
+    return why.interrupted ? kInterrupted : kGood;
   } catch (const std::runtime_error&) {
     return kRunFailed;  // as the first one says
   }

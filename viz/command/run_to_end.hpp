@@ -6,6 +6,7 @@
 #include <hfrac/hfrac.h>
 #include <hfrac/definition.hpp>
 
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -34,10 +35,11 @@ ExitCode run_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_d
                     const output::RunTerms& terms, const Team& team, ProgressLine& line,
                     const std::function<void()>& begin);
 
-/** What a process that follows does of all that: builds, takes up the state that the first one shares, steps. */
-ExitCode follow(Definition definition, int64_t steps, const Team& team);
+/** What a process that follows does of all that: builds, takes up the state that the first one shares, steps, writes its pieces of snapshots
+ * into `folder`. */
+ExitCode follow(Definition definition, const std::filesystem::path& folder, int64_t steps, const Team& team);
 
-/** Into a simulation that was just built, on all processes; empty: nothing. */
-void restore(hfrac_sim* sim, const std::string& image, const Team& team);
+/** Into a simulation that was just built, on all processes; empty: nothing. Returns whether the first one had an image. */
+bool restore(hfrac_sim* sim, const std::string& image, const Team& team);
 
 }  // namespace hfrac::command

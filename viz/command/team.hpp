@@ -11,6 +11,8 @@
 
 #include <string>
 
+#include "output/piece_files.hpp"
+
 namespace hfrac::command {
 
 /** As the launcher says; 1 without one. */
@@ -31,6 +33,8 @@ class Team {
   int32_t create(const hfrac_sim_def& definition, hfrac_sim** sim) const;
   /** What the first process has, on all. */
   [[nodiscard]] std::string share(std::string bytes) const;
+  /** For files that all of them write. */
+  [[nodiscard]] output::Writers writers() const;
   /** All have come to the end. */
   void done();
 

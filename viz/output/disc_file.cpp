@@ -121,7 +121,7 @@ std::vector<double> read_vtu(const std::filesystem::path& file) {
 }  // namespace
 
 std::vector<double> read_discs(const std::filesystem::path& file) {
-  return file.extension() == ".vtu" ? read_vtu(file) : read_csv(file);
+  return file.extension() == ".vtu" || file.extension() == ".pvtu" ? read_vtu(file) : read_csv(file);
 }
 
 std::vector<int64_t> read_bonds(const std::filesystem::path& file) {

@@ -14,9 +14,10 @@
 
 namespace hfrac::output {
 
-RunFolder::RunFolder(std::filesystem::path folder, RunTerms terms)
+RunFolder::RunFolder(std::filesystem::path folder, RunTerms terms, Writers writers)
     : folder_(std::move(folder)),
       start_(std::chrono::steady_clock::now()),
+      pieces_(folder_, std::move(writers)),
       discs_(folder_, "discs"),
       bonds_(folder_, "bonds"),
       cracks_(folder_, "cracks"),
@@ -26,7 +27,12 @@ RunFolder::RunFolder(std::filesystem::path folder, RunTerms terms)
   course_.terms = std::move(terms);
 }
 
+void RunFolder::take_pieces(hfrac_sim* sim) {
+  for (auto* series : {&discs_, &bonds_, &flow_}) series->in_pieces(definition_of(sim).output_pieces);
+}
+
 void RunFolder::open(hfrac_sim* sim) {
+  take_pieces(sim);
   write_whole(folder_ / "case.toml", case_text(definition_of(sim)));
   write_whole(folder_ / "history.csv", history_header(sim) + history_row(sim));
   snapshot(sim);
@@ -34,6 +40,7 @@ void RunFolder::open(hfrac_sim* sim) {
 }
 
 void RunFolder::go_on_from(hfrac_sim* sim, const Checkpoint& checkpoint) {
+  take_pieces(sim);
   snapshots_ = checkpoint.snapshots;
   std::vector<int64_t> steps;
   for (const auto& entry : snapshots_) steps.push_back(entry.step);
@@ -114,6 +121,7 @@ void RunFolder::finish(hfrac_sim* sim, const std::string& why_ended) {
 
 void RunFolder::finish_failed(hfrac_sim* sim, const std::string& why) noexcept {
   if (!begun_) return;
+  pieces_.go_alone();
   try {
     finish(sim, "failed: " + why);
   } catch (...) {
@@ -132,12 +140,21 @@ void RunFolder::note_failure(hfrac_sim* sim, const std::string& why) noexcept {
 
 void RunFolder::write_series(const SnapshotFrame& frame) {
   const int64_t step = frame.state.step;
-  if (!snapshots_.empty() && step == snapshots_.back().step) return;
+  const bool due = snapshots_.empty() || step != snapshots_.back().step;
   const SnapshotEntry entry{step, frame.state.time};
   const auto packing = static_cast<Compression>(definition_of(frame.sim).output_compression);
-  discs_.add(entry, encode(disc_grid(frame), frame.moment, packing));
-  bonds_.add(entry, encode(bond_grid(frame), frame.moment, packing));
-  flow_.add(entry, encode(flow_grid(frame), frame.moment, packing));
+  if (definition_of(frame.sim).output_pieces > 1) {
+    const auto lists = pieces_.write(frame, due);
+    if (!due) return;
+    discs_.add(entry, lists.discs);
+    bonds_.add(entry, lists.bonds);
+    flow_.add(entry, lists.flow);
+  } else {
+    if (!due) return;
+    discs_.add(entry, encode(disc_grid(frame), frame.moment, packing));
+    bonds_.add(entry, encode(bond_grid(frame), frame.moment, packing));
+    flow_.add(entry, encode(flow_grid(frame), frame.moment, packing));
+  }
   fractures_.add(entry, encode(fracture_grid(frame), frame.moment, packing));
   if (frame.jointed) joints_.add(entry, encode(joint_grid(frame), frame.moment, packing));
   cracks_.add(entry, encode(crack_grid(frame), frame.moment, packing));

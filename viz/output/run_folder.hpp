@@ -3,7 +3,8 @@
 // killed.
 //
 //   case.toml        the definition with every option filled in; `hfrac run` on it gives the same run
-//   discs, bonds, cracks, flow, fractures, joints (of smooth ones, if any): one NAME_STEP.vtu per snapshot and NAME.pvd, the series for ParaView
+//   discs, bonds, cracks, flow, fractures, joints (of smooth ones, if any): one NAME_STEP.vtu per snapshot and NAME.pvd, the series for ParaView;
+//                    discs, bonds and flow in pieces if the case says so (piece_files.hpp)
 //   history.csv      one line per step          cracks.csv      the crack log at the last snapshot
 //   slips.csv        what smooth joints slipped until then, if they did
 //   fractures.csv    the fractures at the end   events.csv      seismic events of the whole run
@@ -18,6 +19,7 @@
 #include <vector>
 
 #include "output/checkpoint.hpp"
+#include "output/piece_files.hpp"
 #include "output/summary.hpp"
 #include "run/series.hpp"
 
@@ -25,8 +27,9 @@ namespace hfrac::output {
 
 class RunFolder {
  public:
-  /** Starts the clock; touches nothing. */
-  explicit RunFolder(std::filesystem::path folder, RunTerms terms = {});
+  /** Starts the clock; touches nothing. Of several processes the first has the folder, the others help by PieceFiles::follow: at the start, with
+   * every snapshot, and when the run finishes. */
+  explicit RunFolder(std::filesystem::path folder, RunTerms terms = {}, Writers writers = {});
 
   /** Writes the case, the head of the history and the snapshot at the start. */
   void open(hfrac_sim* sim);
@@ -61,6 +64,7 @@ class RunFolder {
 
  private:
   void write_series(const SnapshotFrame& frame);
+  void take_pieces(hfrac_sim* sim);
   void write_logs(const SnapshotFrame& frame);
   void write_summary(const SnapshotFrame& frame);
   double wall_seconds() const;
@@ -68,6 +72,7 @@ class RunFolder {
 
   std::filesystem::path folder_;
   std::chrono::steady_clock::time_point start_;
+  PieceFiles pieces_;
   SeriesWriter discs_, bonds_, cracks_, flow_, fractures_, joints_;
   RunCourse course_;
   std::vector<SnapshotEntry> snapshots_;

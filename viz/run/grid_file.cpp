@@ -27,41 +27,70 @@ std::string information(const XmlElement& array, std::string_view name) {
   return {};
 }
 
+/** Beside the list, and nowhere else. */
+bool is_plain_name(const std::string& file) {
+  return !file.empty() && file != "." && file != ".." && file.find_first_of("/\\") == std::string::npos;
+}
+
 }  // namespace
 
-GridFile::GridFile(const SeriesFile& file)
-    : path_(file.path),
-      time_(file.time),
-      root_(file.content != nullptr ? parse_xml(*file.content, file.path)
-                                    : parse_xml(read_whole(file.path), file.path)) {
-  grid_ = root_->child("UnstructuredGrid");
-  if (grid_ == nullptr) damaged("it holds no UnstructuredGrid");
-  if (root_->attribute("byte_order") == "BigEndian")
+GridFile::GridFile(const SeriesFile& file) : path_(file.path), time_(file.time) {
+  auto root = parse_xml(file.content != nullptr ? *file.content : read_whole(file.path), file.path);
+  if (const XmlElement* list = root->child("PUnstructuredGrid")) {
+    take_listed(*list);
+  } else {
+    take(std::move(root));
+  }
+  grid_ = roots_.front()->child("UnstructuredGrid");
+  for (const Piece& piece : pieces_) {
+    point_count_ += piece.points;
+    cell_count_ += piece.cells;
+  }
+}
+
+void GridFile::take_listed(const XmlElement& list) {
+  for (const auto& entry : list.children) {
+    if (entry->name != "Piece") continue;
+    const std::string file = entry->attribute("Source");
+    if (!is_plain_name(file)) damaged("it lists a piece '" + file + "' that is no file beside it");
+    const auto path = path_.parent_path() / file;
+    take(parse_xml(read_whole(path), path));
+  }
+  if (roots_.empty()) damaged("it lists no Piece");
+}
+
+void GridFile::take(std::unique_ptr<XmlElement> root) {
+  const XmlElement* grid = root->child("UnstructuredGrid");
+  if (grid == nullptr) damaged("it holds no UnstructuredGrid");
+  if (root->attribute("byte_order") == "BigEndian")
     damaged("its numbers are big-endian, which is not supported");
-  coding_.wide_headers = root_->attribute("header_type") == "UInt64";
-  const std::string compressor = root_->attribute("compressor");
+  ArrayCoding coding;
+  coding.wide_headers = root->attribute("header_type") == "UInt64";
+  const std::string compressor = root->attribute("compressor");
   const auto compression = compression_named(compressor);
   if (!compression) damaged("its compressor " + compressor + " is unknown");
-  coding_.compression = *compression;
-  piece_ = grid_->child("Piece");
-  if (piece_ == nullptr) damaged("it holds no Piece");
-  const auto is_piece = [](const auto& element) { return element->name == "Piece"; };
-  if (std::count_if(grid_->children.begin(), grid_->children.end(), is_piece) > 1)
-    damaged("it is in several pieces; save it as one");
-  point_count_ = count_attribute(*piece_, "NumberOfPoints");
-  cell_count_ = count_attribute(*piece_, "NumberOfCells");
+  coding.compression = *compression;
+  const std::size_t before = pieces_.size();
+  for (const auto& element : grid->children) {
+    if (element->name == "Piece")
+      pieces_.push_back({element.get(), coding, count_attribute(*element, "NumberOfPoints"),
+                         count_attribute(*element, "NumberOfCells")});
+  }
+  if (pieces_.size() == before) damaged("it holds no Piece");
+  roots_.push_back(std::move(root));
 }
 
 void GridFile::damaged(const std::string& what) const {
   fail_reading(path_.string() + " cannot be read: " + what);
 }
 
-const XmlElement* GridFile::section_named(std::string_view section) const {
-  return section == "FieldData" ? grid_->child(section) : piece_->child(section);
+const XmlElement* GridFile::section_named(const Piece& piece, std::string_view section) const {
+  return section == "FieldData" ? grid_->child(section) : piece.element->child(section);
 }
 
-const XmlElement* GridFile::find_array(std::string_view section, std::string_view name) const {
-  const XmlElement* arrays = section_named(section);
+const XmlElement* GridFile::find_array(const Piece& piece, std::string_view section,
+                                       std::string_view name) const {
+  const XmlElement* arrays = section_named(piece, section);
   if (arrays == nullptr) return nullptr;
   for (const auto& array : arrays->children) {
     if (array->name == "DataArray" && array->attribute("Name") == name) return array.get();
@@ -69,35 +98,51 @@ const XmlElement* GridFile::find_array(std::string_view section, std::string_vie
   return nullptr;
 }
 
-std::vector<double> GridFile::decode(const XmlElement& array, const std::string& name) const {
+bool GridFile::has_cell_array(const char* name) const {
+  return find_array(pieces_.front(), "CellData", name) != nullptr;
+}
+
+std::vector<double> GridFile::decode(const XmlElement& array, const std::string& name,
+                                     const ArrayCoding& coding) const {
   try {
-    return decode_array(array.text, array.attribute("type"), array.attribute("format"), coding_);
+    return decode_array(array.text, array.attribute("type"), array.attribute("format"), coding);
   } catch (const ArrayDamage& damage) {
     this->damaged("array " + name + ": " + damage.what());
   }
 }
 
-std::vector<double> GridFile::scalars(std::string_view section, const std::string& name,
-                                      std::size_t count) const {
-  if (count == 0) return {};
-  const XmlElement* array = find_array(section, name);
+void GridFile::append_values(const Piece& piece, std::string_view section, const std::string& name,
+                             std::size_t components, std::vector<double>& values) const {
+  const std::size_t count = (section == "PointData" ? piece.points : piece.cells) * components;
+  if (count == 0) return;
+  const XmlElement* array = find_array(piece, section, name);
   if (array == nullptr) damaged("array " + name + " is missing");
-  std::vector<double> values = decode(*array, name);
-  if (values.size() != count) damaged("array " + name + " has the wrong length");
+  std::vector<double> more = decode(*array, name, piece.coding);
+  if (more.size() != count) damaged("array " + name + " has the wrong length");
+  if (values.empty())
+    values = std::move(more);
+  else
+    values.insert(values.end(), more.begin(), more.end());
+}
+
+std::vector<double> GridFile::scalars(std::string_view section, const std::string& name,
+                                      std::size_t components) const {
+  std::vector<double> values;
+  for (const Piece& piece : pieces_) append_values(piece, section, name, components, values);
   return values;
 }
 
 std::vector<double> GridFile::point_array(const char* name) const {
-  return scalars("PointData", name, point_count_);
+  return scalars("PointData", name);
 }
 
 std::vector<double> GridFile::cell_array(const char* name) const {
-  return scalars("CellData", name, cell_count_);
+  return scalars("CellData", name);
 }
 
 std::vector<ArrayHead> GridFile::arrays(std::string_view section) const {
   std::vector<ArrayHead> heads;
-  const XmlElement* data = section_named(section);
+  const XmlElement* data = section_named(pieces_.front(), section);
   if (data == nullptr) return heads;
   for (const auto& array : data->children) {
     ArrayHead head{
@@ -114,37 +159,40 @@ std::vector<ArrayHead> GridFile::arrays(std::string_view section) const {
 
 std::vector<double> GridFile::values(std::string_view section, const std::string& name) const {
   if (section == "FieldData") {
-    const XmlElement* array = find_array(section, name);
-    return array != nullptr ? decode(*array, name) : std::vector<double>();
+    const XmlElement* array = find_array(pieces_.front(), section, name);
+    return array != nullptr ? decode(*array, name, pieces_.front().coding) : std::vector<double>();
   }
   const auto heads = arrays(section);
   const auto head =
       std::find_if(heads.begin(), heads.end(), [&](const auto& one) { return one.name == name; });
   if (head == heads.end()) damaged("array " + name + " is missing");
-  return scalars(section, name, (section == "PointData" ? point_count_ : cell_count_) * head->components);
+  return scalars(section, name, head->components);
 }
 
 bool GridFile::of_vertices() const {
   constexpr double vertex = 1;  // VTK's number
   if (cell_count_ == 0) return false;
-  const auto types = scalars("Cells", "types", cell_count_);
+  const auto types = scalars("Cells", "types");
   return std::all_of(types.begin(), types.end(), [](double type) { return type == vertex; });
 }
 
 std::vector<Point> GridFile::points() const {
-  if (point_count_ == 0) return {};
-  const XmlElement* section = piece_->child("Points");
-  const XmlElement* array = section != nullptr ? section->child("DataArray") : nullptr;
-  if (array == nullptr) damaged("the points are missing");
-  const std::vector<double> values = decode(*array, "Points");
-  if (values.size() != 3 * point_count_) damaged("array Points has the wrong length");
-  std::vector<Point> points(point_count_);
-  for (std::size_t i = 0; i < point_count_; ++i) {
-    points[i] = {values[3 * i], values[3 * i + 1]};
-    // Beyond single precision nothing can be drawn.
-    constexpr double farthest = 1e30;
-    if (!(std::fabs(points[i].x) < farthest) || !(std::fabs(points[i].y) < farthest)) {
-      damaged("a coordinate is not finite");
+  std::vector<Point> points;
+  for (const Piece& piece : pieces_) {
+    if (piece.points == 0) continue;
+    const XmlElement* section = piece.element->child("Points");
+    const XmlElement* array = section != nullptr ? section->child("DataArray") : nullptr;
+    if (array == nullptr) damaged("the points are missing");
+    const std::vector<double> values = decode(*array, "Points", piece.coding);
+    if (values.size() != 3 * piece.points) damaged("array Points has the wrong length");
+    points.reserve(points.size() + piece.points);
+    for (std::size_t i = 0; i < piece.points; ++i) {
+      const Point point{values[3 * i], values[3 * i + 1]};
+      // Beyond single precision nothing can be drawn.
+      constexpr double farthest = 1e30;
+      if (!(std::fabs(point.x) < farthest) || !(std::fabs(point.y) < farthest))
+        damaged("a coordinate is not finite");
+      points.push_back(point);
     }
   }
   return points;
@@ -153,22 +201,33 @@ std::vector<Point> GridFile::points() const {
 GridFile::Cells GridFile::cells() const {
   Cells cells;
   cells.first.push_back(0);
-  if (cell_count_ == 0) return cells;
-  const XmlElement* connectivity = find_array("Cells", "connectivity");
-  if (connectivity == nullptr) damaged("array connectivity is missing");
-  const std::vector<double> corners = decode(*connectivity, "connectivity");
-  cells.corners.reserve(corners.size());
-  for (const double corner : corners) {
-    if (!(corner >= 0) || corner >= static_cast<double>(point_count_)) {
-      damaged("a cell refers to a point that is not there");
+  std::size_t points_before = 0;
+  for (const Piece& piece : pieces_) {
+    if (piece.cells == 0) {
+      points_before += piece.points;
+      continue;
     }
-    cells.corners.push_back(static_cast<std::uint32_t>(corner));
-  }
-  cells.first.reserve(cell_count_ + 1);
-  for (const double end : scalars("Cells", "offsets", cell_count_)) {
-    if (!(end >= cells.first.back()) || end > static_cast<double>(corners.size()))
-      damaged("cells are out of order");
-    cells.first.push_back(static_cast<std::uint32_t>(end));
+    const XmlElement* connectivity = find_array(piece, "Cells", "connectivity");
+    if (connectivity == nullptr) damaged("array connectivity is missing");
+    const std::vector<double> corners = decode(*connectivity, "connectivity", piece.coding);
+    const std::size_t corners_before = cells.corners.size();
+    cells.corners.reserve(corners_before + corners.size());
+    for (const double corner : corners) {
+      if (!(corner >= 0) || corner >= static_cast<double>(piece.points)) {
+        damaged("a cell refers to a point that is not there");
+      }
+      cells.corners.push_back(static_cast<std::uint32_t>(points_before + static_cast<std::size_t>(corner)));
+    }
+    std::vector<double> ends;
+    append_values(piece, "Cells", "offsets", 1, ends);
+    cells.first.reserve(cells.first.size() + ends.size());
+    double last = 0.0;
+    for (const double end : ends) {
+      if (!(end >= last) || end > static_cast<double>(corners.size())) damaged("cells are out of order");
+      cells.first.push_back(static_cast<std::uint32_t>(corners_before + static_cast<std::size_t>(end)));
+      last = end;
+    }
+    points_before += piece.points;
   }
   return cells;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One VTU file in memory, checked for damage. Only arrays that are asked for are decoded.
+// One VTU file in memory, or the pieces that a PVTU file lists as if they were one, checked for damage. Only arrays that are asked for are
+// decoded.
 #pragma once
 
 #include <cstdint>
@@ -42,7 +43,7 @@ class GridFile {
   // As many values as there are points or cells.
   std::vector<double> point_array(const char* name) const;
   std::vector<double> cell_array(const char* name) const;
-  bool has_cell_array(const char* name) const { return find_array("CellData", name) != nullptr; }
+  bool has_cell_array(const char* name) const;
   /** Of the arrays of "PointData", "CellData" or "FieldData". */
   std::vector<ArrayHead> arrays(std::string_view section) const;
   /** All values of one of them; of a point or cell array, as many as there are points or cells. */
@@ -65,17 +66,29 @@ class GridFile {
   [[noreturn]] void damaged(const std::string& what) const;
 
  private:
-  const XmlElement* section_named(std::string_view section) const;
-  const XmlElement* find_array(std::string_view section, std::string_view name) const;
-  std::vector<double> decode(const XmlElement& array, const std::string& name) const;
-  std::vector<double> scalars(std::string_view section, const std::string& name, std::size_t count) const;
+  struct Piece {
+    const XmlElement* element;
+    ArrayCoding coding;
+    std::size_t points, cells;
+  };
+  // Takes the pieces of a file of its own, or of one that a list names.
+  void take(std::unique_ptr<XmlElement> root);
+  void take_listed(const XmlElement& list);
+  const XmlElement* section_named(const Piece& piece, std::string_view section) const;
+  const XmlElement* find_array(const Piece& piece, std::string_view section, std::string_view name) const;
+  std::vector<double> decode(const XmlElement& array, const std::string& name,
+                             const ArrayCoding& coding) const;
+  // Of the piece's points or cells, `components` values each.
+  void append_values(const Piece& piece, std::string_view section, const std::string& name,
+                     std::size_t components, std::vector<double>& values) const;
+  std::vector<double> scalars(std::string_view section, const std::string& name,
+                              std::size_t components = 1) const;
 
   std::filesystem::path path_;
   double time_;
-  std::unique_ptr<XmlElement> root_;
-  const XmlElement* grid_ = nullptr;
-  const XmlElement* piece_ = nullptr;
-  ArrayCoding coding_;
+  std::vector<std::unique_ptr<XmlElement>> roots_;
+  const XmlElement* grid_ = nullptr;  // of the first file
+  std::vector<Piece> pieces_;
   std::size_t point_count_ = 0;
   std::size_t cell_count_ = 0;
 };

@@ -31,7 +31,7 @@ void collect(const fs::path& folder, const std::regex& name, std::vector<fs::pat
 
 std::vector<fs::path> files_of_a_run(const fs::path& folder) {
   static const std::string data =
-      R"((discs|bonds|cracks|flow|fractures|joints)(_[0-9]{5,}\.vtu|\.pvd)|)"
+      R"((discs|bonds|cracks|flow|fractures|joints)(_[0-9]{5,}(_[0-9]{4,}\.vtu|\.p?vtu)|\.pvd)|)"
       R"((history|record|cracks|slips|fractures|fracture_lines|events|cells|given_discs|given_bonds)\.csv|(permeability|multipliers)\.grdecl|)"
       R"(summary\.json|case\.toml|state\.hfrac|hfrac_probe|report\.html|paraview_state\.py)";
   static const std::string pictures =
@@ -54,7 +54,8 @@ void remove_files_of_a_run(const fs::path& folder) {
 }
 
 void remove_later_files(const fs::path& folder, const std::vector<int64_t>& kept) {
-  static const std::regex snapshot(R"((?:discs|bonds|cracks|flow|fractures|joints)_([0-9]{5,})\.vtu)"),
+  static const std::regex snapshot(
+      R"((?:discs|bonds|cracks|flow|fractures|joints)_([0-9]{5,})(?:_[0-9]{4,}\.vtu|\.p?vtu))"),
       of_the_end(
           R"((slips|fractures|fracture_lines|cells)\.csv|(permeability|multipliers)\.grdecl|\..*\.tmp)");
   for (const auto& file : files_of_a_run(folder)) {

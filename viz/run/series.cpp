@@ -54,8 +54,8 @@ Series read_series(const std::filesystem::path& folder, std::string_view name) {
 SeriesWriter::SeriesWriter(std::filesystem::path folder, std::string name)
     : folder_(std::move(folder)), name_(std::move(name)) {}
 
-void SeriesWriter::add(const SnapshotEntry& entry, const std::string& vtu) {
-  write_whole(folder_ / file_of(entry.step), vtu);
+void SeriesWriter::add(const SnapshotEntry& entry, const std::string& text) {
+  write_whole(folder_ / file_of(entry.step), text);
   entries_.push_back(entry);
   try {
     write_list();
@@ -67,16 +67,24 @@ void SeriesWriter::add(const SnapshotEntry& entry, const std::string& vtu) {
 
 void SeriesWriter::go_on_from(const std::vector<SnapshotEntry>& entries) {
   for (const auto& entry : entries) {
-    const auto path = folder_ / file_of(entry.step);
-    if (!is_file(path))
-      fail_reading(fmt::format("'{}' is missing, so the run cannot go on where it was", path.string()));
+    std::vector<std::string> files{file_of(entry.step)};
+    for (int64_t k = 0; pieces_ > 1 && k < pieces_; ++k) files.push_back(piece_name(name_, entry.step, k));
+    for (const auto& file : files) {
+      if (!is_file(folder_ / file))
+        fail_reading(
+            fmt::format("'{}' is missing, so the run cannot go on where it was", (folder_ / file).string()));
+    }
   }
   entries_ = entries;
   write_list();
 }
 
 std::string SeriesWriter::file_of(int64_t step) const {
-  return fmt::format("{}_{:05}.vtu", name_, step);
+  return fmt::format("{}_{:05}.{}", name_, step, pieces_ > 1 ? "pvtu" : "vtu");
+}
+
+std::string piece_name(std::string_view series, int64_t step, int64_t piece) {
+  return fmt::format("{}_{:05}_{:04}.vtu", series, step, piece);
 }
 
 void SeriesWriter::write_list() const {

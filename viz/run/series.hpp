@@ -38,14 +38,20 @@ struct SnapshotEntry {
   double time = 0.0;  ///< [s] model time
 };
 
+/** The file of a snapshot's piece, NAME_STEP_PIECE.vtu. */
+std::string piece_name(std::string_view series, int64_t step, int64_t piece);
+
 /** Writes one series while a run goes on. */
 class SeriesWriter {
  public:
   SeriesWriter(std::filesystem::path folder, std::string name);
 
+  /** From now on its members are lists of so many pieces, NAME_STEP.pvtu; 1: files of their own. */
+  void in_pieces(int64_t count) { pieces_ = count; }
+
   /** Writes one more member of the series, then the list. The list is replaced as a whole and never names a file that is
    * not there, so ParaView may read it while the run goes on. Throws WriteError. */
-  void add(const SnapshotEntry& entry, const std::string& vtu);
+  void add(const SnapshotEntry& entry, const std::string& text);
 
   /** Goes on behind `entries`: replaces the list by theirs. Throws FileError if a file of theirs is not there. */
   void go_on_from(const std::vector<SnapshotEntry>& entries);
@@ -56,6 +62,7 @@ class SeriesWriter {
 
   std::filesystem::path folder_;
   std::string name_;
+  int64_t pieces_ = 1;
   std::vector<SnapshotEntry> entries_;
 };
 

@@ -12,10 +12,13 @@ namespace {
 
 constexpr int32_t outer_domain = 2;  ///< value of the field domain.kind
 
-std::vector<int32_t> counted_up(size_t count) {
-  std::vector<int32_t> numbers(count);
-  std::iota(numbers.begin(), numbers.end(), 0);
+std::vector<int32_t> counted_up(Part::Range range) {
+  std::vector<int32_t> numbers(static_cast<size_t>(range.last - range.first));
+  std::iota(numbers.begin(), numbers.end(), range.first);
   return numbers;
+}
+std::vector<int32_t> counted_up(size_t count) {
+  return counted_up({0, static_cast<int32_t>(count)});
 }
 
 /** The values of `all` that belong to the items in `chosen`, `components` values each. */
@@ -108,27 +111,33 @@ SnapshotFrame::SnapshotFrame(hfrac_sim* simulation)
       jointed(!integers(simulation, HFRAC_JOINT_BOND).empty()),
       moment(moment_of(*this)) {}
 
-VtuGrid disc_grid(const SnapshotFrame& frame) {
-  const size_t count = frame.positions.size() / 2;
+VtuGrid disc_grid(const SnapshotFrame& frame, Part part) {
+  const auto chosen = counted_up(part.of(frame.positions.size() / 2));
   VtuGrid grid;
-  grid.positions = frame.positions;
-  grid.offsets = even_offsets(count, 1);
-  grid.connectivity = counted_up(count);
-  add_fields(grid.point_data, frame, Location::disc);
-  grid.point_data.push_back(whole("disc_id", counted_up(count)));
+  grid.positions = part.whole() ? frame.positions : pick(frame.positions, chosen, 2);
+  grid.offsets = even_offsets(chosen.size(), 1);
+  grid.connectivity = counted_up(chosen.size());
+  add_fields(grid.point_data, frame, Location::disc, part.whole() ? nullptr : &chosen);
+  grid.point_data.push_back(whole("disc_id", chosen));
   return grid;
 }
 
-VtuGrid bond_grid(const SnapshotFrame& frame) {
+VtuGrid bond_grid(const SnapshotFrame& frame, Part part) {
   VtuGrid grid;
   grid.positions = frame.positions;
   grid.cell_type = CellType::line;
   grid.connectivity = integers(frame.sim, HFRAC_BOND_DISCS);
-  const size_t count = grid.connectivity.size() / 2;
-  grid.offsets = even_offsets(count, 2);
-  add_fields(grid.cell_data, frame, Location::bond);
-  add_fields(grid.cell_data, frame, Location::pipe);  // the pipe that crosses a bond has the bond's index
-  grid.cell_data.push_back(whole("bond_id", counted_up(count)));
+  const auto chosen = counted_up(part.of(grid.connectivity.size() / 2));
+  if (!part.whole()) {
+    grid.connectivity = pick(grid.connectivity, chosen, 2);
+    keep_used_points(grid);
+  }
+  grid.offsets = even_offsets(chosen.size(), 2);
+  const auto* of_part = part.whole() ? nullptr : &chosen;
+  add_fields(grid.cell_data, frame, Location::bond, of_part);
+  add_fields(grid.cell_data, frame, Location::pipe,
+             of_part);  // the pipe that crosses a bond has the bond's index
+  grid.cell_data.push_back(whole("bond_id", chosen));
   return grid;
 }
 
@@ -194,23 +203,27 @@ VtuGrid joint_grid(const SnapshotFrame& frame) {
   return grid;
 }
 
-VtuGrid flow_grid(const SnapshotFrame& frame) {
+VtuGrid flow_grid(const SnapshotFrame& frame, Part part) {
   const auto kind = integers(frame.sim, HFRAC_DOMAIN_KIND);
   const auto first = integers(frame.sim, HFRAC_DOMAIN_OFFSET);
   const auto corners = integers(frame.sim, HFRAC_DOMAIN_CORNERS);
   std::vector<int32_t> inside;
+  for (size_t i = 0; i < kind.size(); ++i)
+    if (kind[i] != outer_domain) inside.push_back(static_cast<int32_t>(i));
+  const auto range = part.of(inside.size());
+  inside = {inside.begin() + range.first, inside.begin() + range.last};
   VtuGrid grid;
   grid.positions = frame.positions;
   grid.cell_type = CellType::polygon;
   grid.offsets = {0};
-  for (size_t i = 0; i < kind.size(); ++i) {
-    if (kind[i] == outer_domain) continue;
+  for (const int32_t domain : inside) {
+    const auto i = static_cast<size_t>(domain);
     const auto begin = corners.begin() + first.at(i);
     const auto end = i + 1 < kind.size() ? corners.begin() + first.at(i + 1) : corners.end();
-    inside.push_back(static_cast<int32_t>(i));
     grid.connectivity.insert(grid.connectivity.end(), begin, end);
     grid.offsets.push_back(static_cast<int32_t>(grid.connectivity.size()));
   }
+  if (!part.whole()) keep_used_points(grid);
   add_fields(grid.cell_data, frame, Location::domain, &inside);
   grid.cell_data.push_back(whole("domain_id", inside));
   return grid;

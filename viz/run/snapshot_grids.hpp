@@ -26,10 +26,10 @@ struct SnapshotFrame {
   Moment moment;
 };
 
-/** Discs as points; scale glyphs by radius_m to see the packing. */
-VtuGrid disc_grid(const SnapshotFrame& frame);
+/** Discs as points; scale glyphs by radius_m to see the packing. This and the next but one may be had in parts. */
+VtuGrid disc_grid(const SnapshotFrame& frame, Part part = {});
 /** A line from centre to centre per bonded contact, whole or broken, with the pipe that crosses it. */
-VtuGrid bond_grid(const SnapshotFrame& frame);
+VtuGrid bond_grid(const SnapshotFrame& frame, Part part = {});
 /** A line per broken bond, drawn where the rock parts: across the contact, not along the bond. */
 VtuGrid crack_grid(const SnapshotFrame& frame);
 /** Each fracture of two cracks or more as one line from tip to tip, with what the fluid does along it at its points. */
@@ -37,6 +37,6 @@ VtuGrid fracture_grid(const SnapshotFrame& frame);
 /** A line per contact of a smooth joint: its piece of the joint as it lies now. Empty without smooth joints. */
 VtuGrid joint_grid(const SnapshotFrame& frame);
 /** Each fluid domain as the polygon of the disc centres around it; the outside has no polygon. */
-VtuGrid flow_grid(const SnapshotFrame& frame);
+VtuGrid flow_grid(const SnapshotFrame& frame, Part part = {});
 
 }  // namespace hfrac::run

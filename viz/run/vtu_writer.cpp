@@ -42,27 +42,58 @@ class Text {
     line(fmt::format("</{}>", name));
   }
 
-  std::string finish() {
-    line("</UnstructuredGrid>");
+  /** Begins a file of a kind of grid. */
+  void begin(const char* kind, const char* more) {
+    const auto compressor = compressor_name(compression_);
+    line("<?xml version=\"1.0\"?>");
+    line(fmt::format(R"(<VTKFile type="{}" version="0.1" byte_order="LittleEndian" header_type="UInt32"{}>)",
+                     kind, compressor.empty() ? "" : fmt::format(" compressor=\"{}\"", compressor)));
+    line(fmt::format("<{}{}>", kind, more));
+  }
+
+  /** The section `name` of a list of pieces: which arrays they have. */
+  void listed(const char* name, const std::vector<VtuArray>& arrays) {
+    line(fmt::format("<{}>", name));
+    for (const auto& one : arrays) {
+      std::visit([&]<class Value>(const std::vector<Value>&) { head("PDataArray", kTypeName<Value>, one); },
+                 one.values);
+      line(">");
+      unit(one);
+      line("</PDataArray>");
+    }
+    line(fmt::format("</{}>", name));
+  }
+
+  std::string finish(const char* kind) {
+    line(fmt::format("</{}>", kind));
     line("</VTKFile>");
     return std::move(text_);
   }
 
  private:
-  template <class Value>
-  void array(const VtuArray& array, const std::vector<Value>& values, const char* extra) {
-    text_ += fmt::format("<DataArray type=\"{}\" Name=\"{}\"{}", kTypeName<Value>, array.name, extra);
+  /** An element's beginning: what an array holds, but not its values. */
+  void head(const char* element, const char* type, const VtuArray& array, const char* extra = "") {
+    text_ += fmt::format("<{} type=\"{}\" Name=\"{}\"{}", element, type, array.name, extra);
     if (!array.components.empty())
       text_ += fmt::format(" NumberOfComponents=\"{}\"", array.components.size());
     for (size_t i = 0; i < array.components.size(); ++i)
       text_ += fmt::format(" ComponentName{}=\"{}\"", i, array.components[i]);
+  }
+
+  template <class Value>
+  void array(const VtuArray& array, const std::vector<Value>& values, const char* extra) {
+    head("DataArray", kTypeName<Value>, array, extra);
     line(" format=\"binary\">");
     append_coded(text_, std::as_bytes(std::span(values)), compression_);
     text_ += '\n';
+    unit(array);
+    line("</DataArray>");
+  }
+
+  void unit(const VtuArray& array) {
     if (!array.unit.empty())
       line(fmt::format("<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{}</InformationKey>",
                        array.unit));
-    line("</DataArray>");
   }
 
   Compression compression_;
@@ -123,13 +154,8 @@ std::vector<double> in_space(const std::vector<double>& plane) {
 
 std::string encode(const VtuGrid& grid, const Moment& moment, Compression compression) {
   const size_t cells = grid.offsets.empty() ? 0 : grid.offsets.size() - 1;
-  const auto compressor = compressor_name(compression);
   Text text(compression);
-  text.line("<?xml version=\"1.0\"?>");
-  text.line(fmt::format(
-      R"(<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian" header_type="UInt32"{}>)",
-      compressor.empty() ? "" : fmt::format(" compressor=\"{}\"", compressor)));
-  text.line("<UnstructuredGrid>");
+  text.begin("UnstructuredGrid", "");
   add_moment(text, moment);
   text.line(
       fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">", grid.positions.size() / 2, cells));
@@ -138,7 +164,32 @@ std::string encode(const VtuGrid& grid, const Moment& moment, Compression compre
   text.section("Points", {{"Points", "", {"x", "y", "z"}, in_space(grid.positions)}});
   add_cells(text, grid, cells);
   text.line("</Piece>");
-  return text.finish();
+  return text.finish("UnstructuredGrid");
+}
+
+std::string encode_list(const VtuGrid& piece, const std::vector<std::string>& files,
+                        Compression compression) {
+  Text text(compression);
+  text.begin("PUnstructuredGrid", " GhostLevel=\"0\"");
+  text.listed("PPointData", piece.point_data);
+  text.listed("PCellData", piece.cell_data);
+  text.listed("PPoints", {{"Points", "", {"x", "y", "z"}, std::vector<double>()}});
+  for (const auto& file : files) text.line(fmt::format("<Piece Source=\"{}\"/>", file));
+  return text.finish("PUnstructuredGrid");
+}
+
+void keep_used_points(VtuGrid& grid) {
+  std::vector<int32_t> place(grid.positions.size() / 2, -1);
+  for (const int32_t point : grid.connectivity) place[static_cast<size_t>(point)] = 0;
+  std::vector<double> positions;
+  int32_t used = 0;
+  for (size_t i = 0; i < place.size(); ++i) {
+    if (place[i] < 0) continue;
+    place[i] = used++;
+    positions.insert(positions.end(), {grid.positions[2 * i], grid.positions[2 * i + 1]});
+  }
+  for (int32_t& point : grid.connectivity) point = place[static_cast<size_t>(point)];
+  grid.positions = std::move(positions);
 }
 
 }  // namespace hfrac::run

@@ -56,4 +56,24 @@ struct Moment {
 /** The file's text, with the moment in its field data. */
 std::string encode(const VtuGrid& grid, const Moment& moment, Compression compression);
 
+/** The text of a PVTU file: the list of `files`, pieces of one grid, beside it. `piece` is one of them, maybe an empty one, for the names
+ * and kinds of its arrays. */
+std::string encode_list(const VtuGrid& piece, const std::vector<std::string>& files, Compression compression);
+
+/** Part `index` of `count` of a grid's cells, each as large as the others but for one cell. */
+struct Part {
+  int64_t index = 0, count = 1;
+  bool whole() const { return count == 1; }
+  struct Range {
+    int32_t first, last;
+  };
+  Range of(size_t cells) const {
+    const auto n = static_cast<int64_t>(cells);
+    return {static_cast<int32_t>(n * index / count), static_cast<int32_t>(n * (index + 1) / count)};
+  }
+};
+
+/** Leaves the points out that no cell uses; the others stay in their order. */
+void keep_used_points(VtuGrid& grid);
+
 }  // namespace hfrac::run

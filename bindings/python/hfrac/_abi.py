@@ -440,7 +440,7 @@ class hfrac_sim_def(ctypes.Structure):
         ("fluid_kind", ctypes.c_int64), ("contact_shape", ctypes.c_int64), ("bond_open_share", ctypes.c_double),
         ("bond_fracture_energy", ctypes.c_double), ("fluid_second_viscosity", ctypes.c_double),
         ("fluid_second_density", ctypes.c_double), ("solver_factor", ctypes.c_int64), ("run_device", ctypes.c_int64),
-        ("packing_file", ctypes.c_char * 1024), ("packing_reuse", ctypes.c_int64),
+        ("packing_file", ctypes.c_char * 1024), ("packing_reuse", ctypes.c_int64), ("output_pieces", ctypes.c_int64),
     ]
 
 

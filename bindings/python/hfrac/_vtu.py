@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reading the snapshots of a run folder: VTU files with arrays in base64, packed by zlib or not at all.
+"""Reading the snapshots of a run folder: VTU files with arrays in base64, packed by zlib or not at all, and PVTU files, which list such
+files as pieces of one grid.
 
 Sizes before the data are 32 bits wide: number of blocks, size of a block, size of the last one, packed size of each; without
 packing the number of bytes (the VTK file formats' XML chapter).
@@ -40,6 +41,23 @@ def _bytes(text: str, packed: bool) -> bytes:
     return b"".join(parts)
 
 
+def _one_grid(pieces: List[Dict[str, Dict[str, Tuple[Any, str]]]]) -> Dict[str, Dict[str, Tuple[Any, str]]]:
+    """Pieces one after the other; cells count points and corners from the first piece on."""
+    import numpy
+
+    whole: Dict[str, Dict[str, Tuple[Any, str]]] = {"FieldData": pieces[0]["FieldData"]}
+    for section in ("Points", "PointData", "CellData", "Cells"):
+        whole[section] = {}
+        for name, (_, unit) in pieces[0][section].items():
+            parts, before = [], 0
+            for piece in pieces:
+                shift = before if name in ("connectivity", "offsets") and section == "Cells" else 0
+                parts.append(piece[section][name][0] + shift if shift else piece[section][name][0])
+                before += len(next(iter(piece["Points"].values()))[0]) if name == "connectivity" else len(piece["Cells"]["connectivity"][0])
+            whole[section][name] = (numpy.concatenate(parts), unit)
+    return whole
+
+
 def arrays(path: pathlib.Path) -> Dict[str, Dict[str, Tuple[Any, str]]]:
     """By section (Points, PointData, CellData, FieldData, Cells) and name: the array and its unit."""
     import numpy
@@ -48,6 +66,9 @@ def arrays(path: pathlib.Path) -> Dict[str, Dict[str, Tuple[Any, str]]]:
         root = xml.parse(path).getroot()
     except (OSError, xml.ParseError) as error:
         raise FileError(f"'{path}' cannot be read: {error}") from error
+    listed = [piece.attrib["Source"] for piece in root.iterfind("PUnstructuredGrid/Piece")]
+    if listed:
+        return _one_grid([arrays(path.parent / pathlib.Path(file).name) for file in listed])
     packer = root.attrib.get("compressor", "")
     if packer not in ("", "vtkZLibDataCompressor"):
         raise FileError(f"'{path}' is packed by {packer}; Python reads zlib and none: run with output.compression = \"zlib\"")

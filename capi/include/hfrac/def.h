@@ -551,6 +551,10 @@ typedef struct hfrac_sim_def {
    * field. discs: the discs alone, which are brought to rest anew, so that stresses, rock and wells may be
    * others than those of the file. Default 0. */
   int64_t packing_reuse;
+
+  /** Files that a snapshot's discs, bonds and flow are each cut into, with a PVTU file that lists them; the
+   * processes of a run share the writing. 1: one VTU file each. Default 1. */
+  int64_t output_pieces;
 } hfrac_sim_def;
 
 /** Defaults into `def`; `struct_size` is sizeof(hfrac_sim_def) in the caller. Stable since 0.1. */

@@ -39,9 +39,9 @@ bool is_loopback_number(std::string_view host) {
 
 /** The kinds of files that a run and what is drawn of it consist of. */
 bool is_known_kind(const fs::path& file) {
-  static constexpr std::array<std::string_view, 13> kinds = {".vtu", ".pvd",  ".csv", ".json", ".toml",
-                                                             ".png", ".svg",  ".pdf", ".mp4",  ".webp",
-                                                             ".gif", ".html", ".py"};
+  static constexpr std::array<std::string_view, 14> kinds = {".vtu",  ".pvtu", ".pvd",  ".csv", ".json",
+                                                             ".toml", ".png",  ".svg",  ".pdf", ".mp4",
+                                                             ".webp", ".gif",  ".html", ".py"};
   const std::string kind = file.extension().string();
   return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }

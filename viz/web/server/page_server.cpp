@@ -176,7 +176,8 @@ struct PageServer::Parts {
 
   std::shared_ptr<const Grid> grid_of(const Request& request) {
     const auto file = file_inside(folder, request.get_param_value("file"));
-    if (!file || file->extension() != ".vtu") throw GridError("there is no such VTU file in the run");
+    if (!file || (file->extension() != ".vtu" && file->extension() != ".pvtu"))
+      throw GridError("there is no such VTU file in the run");
     return cache.get(*file);
   }
 

@@ -24,7 +24,7 @@ from .study_file import StudyError
 _libc = ctypes.CDLL(None)
 PR_SET_PDEATHSIG = 1
 STOPPED = (130, -signal.SIGINT, -signal.SIGTERM, -signal.SIGHUP)
-FIELD_FILES = ("*.vtu", "*.pvd", "state.hfrac", "paraview_state.py")
+FIELD_FILES = ("*.vtu", "*.pvtu", "*.pvd", "state.hfrac", "paraview_state.py")
 
 
 class Result(NamedTuple):
