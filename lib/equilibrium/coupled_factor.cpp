@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "equilibrium/coupled_factor.hpp"
 
+#include "core/array.hpp"
 #include "core/give_back.hpp"
 
 namespace hfrac {
@@ -14,26 +15,31 @@ constexpr double most_single = 1e5;  // entry, of bonds' about 1, up to which si
 void CoupledFactor::compute(const CoupledSystem& system) {
   ready_ = false;  // until all of it is there: memory may run out on the way
   if (outside_) return compute_outside(system);
-  system.entries(values_, 0, system.size());
-  if (values_.size() != entries_) {
+  if (const std::size_t all = system.entry_count(); all != entries_) {
     entries_ = 0;
-    const auto s = system.structure();
-    tree_.analyse(s.node_start, s.position, s.graph, s.late, s.places);
-    entries_ = values_.size();
+    {
+      const auto s = system.structure();
+      tree_.analyse(s.node_start, s.position, s.graph, s.late, s.each_place, ranks_.rank(), ranks_.size());
+    }
+    return_unused_pages();  // the factor wants the room
+    entries_ = all;
   }
-  const double largest =
-      Eigen::Map<const Eigen::ArrayXd>(values_.data(), static_cast<Eigen::Index>(values_.size()))
-          .abs()
-          .maxCoeff();
-  doubled_ = exact_ || !(largest < most_single);
+  if (!exact_) {
+    const double largest = system.entries(single_, tree_.wanted);
+    doubled_ = sharing().any(!(largest < most_single));
+  }
+  doubled_ = doubled_ || exact_;
   if (doubled_) {
+    give_back(single_);
     coarse_.clear();
-    fine_.factorise(tree_, values_, workers_);
+    system.entries(values_, tree_.wanted);
+    fine_.factorise(tree_, values_, workers_, sharing());
+    give_back(values_);
   } else {
     fine_.clear();
-    coarse_.factorise(tree_, values_, workers_);
+    coarse_.factorise(tree_, single_, workers_, sharing());
+    give_back(single_);
   }
-  give_back(values_);
   ready_ = true;
 }
 
@@ -67,9 +73,9 @@ void CoupledFactor::solve(const Vector& right, Vector& x) {
   }
   x = right;
   if (doubled_)
-    fine_.solve(tree_, x.data(), workers_);
+    fine_.solve(tree_, x.data(), workers_, sharing());
   else
-    coarse_.solve(tree_, x.data(), workers_);
+    coarse_.solve(tree_, x.data(), workers_, sharing());
 }
 
 }  // namespace hfrac

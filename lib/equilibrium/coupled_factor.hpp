@@ -6,7 +6,8 @@
 // what a fracture stores drowns in the rounding of what passes through it, and where pieces of rock hang on a thread, so does
 // what holds them. The first shows in the entries, the second in iterations with a fresh factor.
 //
-// Or it is a solver's from outside, of double precision and shared by all ranks.
+// Ranks share it, each with its part (front_tree.hpp), with the same bits on any number of them. Or it is a solver's from outside, of double
+// precision and shared, too.
 #pragma once
 
 #include <optional>
@@ -24,9 +25,10 @@ class CoupledFactor {
  public:
   using Vector = CoupledSystem::Vector;
 
-  // Our own; or, given ranks, that of their solver.
-  explicit CoupledFactor(Workers& workers, const Ranks* outside = nullptr) : workers_(workers) {
-    if (outside != nullptr) outside_.emplace(*outside, OutsideMatrix::Kind::tangent);
+  // Our own; or that of the ranks' solver.
+  explicit CoupledFactor(Workers& workers, const Ranks& ranks = {}, bool from_outside = false)
+      : workers_(workers), ranks_(ranks) {
+    if (from_outside) outside_.emplace(ranks, OutsideMatrix::Kind::tangent);
   }
 
   // Of the tangent at the last evaluation.
@@ -43,11 +45,16 @@ class CoupledFactor {
  private:
   void compute_outside(const CoupledSystem& system);
 
+  // Of a small factor each rank makes all.
+  [[nodiscard]] Ranks sharing() const { return tree_.worth_sharing() ? ranks_ : Ranks{}; }
+
   Workers& workers_;
+  Ranks ranks_;
   std::optional<OutsideMatrix> outside_;
   FrontTree tree_;
   Multifrontal<float> coarse_;
   Multifrontal<double> fine_;
+  std::vector<float> single_;  // entries, while a factor is made of them
   std::vector<double> values_;
   std::size_t entries_ = 0;  // of the pattern analysed
   bool ready_ = false;

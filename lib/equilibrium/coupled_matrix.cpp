@@ -2,6 +2,7 @@
 // The tangent of coupled_system.hpp as a sparse matrix for a factor: which unknowns go together, and the list of entries. The list
 // has the same places from call to call, zeros included, as long as the same pairs of discs are near.
 #include <algorithm>
+#include <cmath>
 
 #include "equilibrium/coupled_system.hpp"
 
@@ -126,6 +127,32 @@ void CoupledSystem::each_entry(const Emit& emit) const {
   }
 }
 
+std::size_t CoupledSystem::entry_count() const {
+  std::size_t all = 0;
+  each_entry([&](std::int32_t, std::int32_t, double) { ++all; });
+  return all;
+}
+
+template <class Real>
+double CoupledSystem::entries(std::vector<Real>& values, const std::vector<std::int32_t>& wanted) const {
+  const std::size_t count = wanted.empty() ? entry_count() : wanted.size();
+  values.clear();
+  values.reserve(count);
+  double largest = 0.0;
+  std::int32_t number = 0;
+  each_entry([&](std::int32_t, std::int32_t, double value) {
+    if (values.size() < count && (wanted.empty() || wanted[values.size()] == number)) {
+      values.push_back(static_cast<Real>(value));
+      if (const double size = std::abs(value); size > largest) largest = size;
+    }
+    ++number;
+  });
+  return largest;
+}
+
+template double CoupledSystem::entries(std::vector<float>&, const std::vector<std::int32_t>&) const;
+template double CoupledSystem::entries(std::vector<double>&, const std::vector<std::int32_t>&) const;
+
 std::vector<std::int32_t> CoupledSystem::entries_of_rows() const {
   std::vector<std::int32_t> count(static_cast<std::size_t>(size()), 0);
   each_entry([&](std::int32_t row, std::int32_t, double) { ++count[static_cast<std::size_t>(row)]; });
@@ -178,19 +205,24 @@ CoupledSystem::Structure CoupledSystem::structure() const {
     s.position.push_back(boundary_.exterior()->points()[static_cast<std::size_t>(k / 2)]);
     s.late[static_cast<std::size_t>(nodes - tractions_ + k)] = 1;
   }
-  each_entry([&](std::int32_t row, std::int32_t column, double) { s.places.push_back({row, column}); });
+  s.each_place = [this](const auto& visit) {
+    each_entry([&](std::int32_t row, std::int32_t column, double) { visit({row, column}); });
+  };
   const auto node_of = [&](std::int32_t unknown) {
     return unknown < 3 * discs ? unknown / 3 : unknown - 2 * discs;
   };
   // Neighbours node by node, most of them several times over, which a list of those seen last by which node tells.
   std::vector<std::int64_t> begin(static_cast<std::size_t>(nodes) + 1, 0);
   const auto each_edge = [&](const auto& visit) {
-    for (const auto& place : s.places) {
-      const auto p = node_of(place.row), q = node_of(place.column);
-      if (p == q) continue;
+    std::int32_t last_p = -1, last_q = -1;  // entries of the same two nodes often follow each other
+    each_entry([&](std::int32_t row, std::int32_t column, double) {
+      const auto p = node_of(row), q = node_of(column);
+      if (p == q || (p == last_p && q == last_q)) return;
       visit(p, q);
       visit(q, p);
-    }
+      last_p = p;
+      last_q = q;
+    });
   };
   each_edge([&](std::int32_t p, std::int32_t) { ++begin[static_cast<std::size_t>(p) + 1]; });
   for (std::size_t k = 1; k < begin.size(); ++k) begin[k] += begin[k - 1];

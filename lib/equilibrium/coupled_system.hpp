@@ -69,8 +69,12 @@ class CoupledSystem {
   void limit(Vector& x, double longest) const;
 
   // The tangent as a list of entries, places always the same while the same discs are near; and what they make of a pattern.
-  // How many each row has; those of the rows from `first` up to `end`, returning how many there are in all rows; and where they belong.
+  // How many there are; how many each row has; those with the numbers `wanted`, ascending (none: all), returning the largest size among them;
+  // those of the rows from `first` up to `end`, returning how many there are in all rows; and where they belong.
+  [[nodiscard]] std::size_t entry_count() const;
   [[nodiscard]] std::vector<std::int32_t> entries_of_rows() const;
+  template <class Real>
+  double entries(std::vector<Real>& values, const std::vector<std::int32_t>& wanted) const;
   std::size_t entries(std::vector<double>& values, std::int64_t first, std::int64_t end) const;
   void places(std::vector<std::int32_t>& row, std::vector<std::int32_t>& column, std::int64_t first,
               std::int64_t end) const;
@@ -79,7 +83,7 @@ class CoupledSystem {
     std::vector<Vec2> position;
     Adjacency graph;
     std::vector<char> late;  // nodes to eliminate last
-    std::vector<MatrixPlace> places;
+    FrontTree::EachPlace each_place;
   };
   [[nodiscard]] Structure structure() const;
   [[nodiscard]] Eigen::Index size() const { return residual_.size(); }

@@ -41,8 +41,7 @@ EquilibriumSolver::EquilibriumSolver(Model& model, Facets& facets, Boundary& bou
       facets_(facets),
       system_(model.assembly, model.network, boundary, mechanics.non_bonded_contacts(), options, workers,
               facets, &model.wellbores),
-      factor_(workers, FactorOf{options.solver_factor} == FactorOf::petsc ? &mechanics.shared_tiles().ranks()
-                                                                          : nullptr),
+      factor_(workers, mechanics.shared_tiles().ranks(), FactorOf{options.solver_factor} == FactorOf::petsc),
       krylov_(workers, mechanics.shared_tiles().ranks()) {}
 
 void EquilibriumSolver::begin_step() {

@@ -2,16 +2,52 @@
 #include "linear/front_tree.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 
 namespace hfrac {
 namespace {
 
-constexpr double worth_sharing = 2e7;  // operations: a factor of less is made by one worker sooner
+constexpr double fewest_to_share = 2e7;  // operations: a factor of less is made by one worker sooner
 constexpr double share_of_subtree = 1.0 / 24.0;
 
 std::size_t at(std::int64_t k) {
   return static_cast<std::size_t>(k);
 }
+
+// Room in an array for parts that come and go: the first gap that is large enough, or at its end.
+class Room {
+ public:
+  std::int64_t take(std::int64_t size) {
+    for (auto gap = gaps_.begin(); gap != gaps_.end(); ++gap) {
+      if (gap->second < size) continue;
+      const auto [place, length] = *gap;
+      gaps_.erase(gap);
+      if (length > size) gaps_[place + size] = length - size;
+      return place;
+    }
+    size_ += size;
+    return size_ - size;
+  }
+  void give_back(std::int64_t place, std::int64_t size) {
+    if (size == 0) return;
+    const auto gap = gaps_.emplace(place, size).first;
+    if (const auto next = std::next(gap); next != gaps_.end() && gap->first + gap->second == next->first) {
+      gap->second += next->second;
+      gaps_.erase(next);
+    }
+    if (gap == gaps_.begin()) return;
+    const auto before = std::prev(gap);
+    if (before->first + before->second != gap->first) return;
+    before->second += gap->second;
+    gaps_.erase(gap);
+  }
+  [[nodiscard]] std::int64_t size() const { return size_; }
+
+ private:
+  std::map<std::int64_t, std::int64_t> gaps_;  // place, length
+  std::int64_t size_ = 0;
+};
 
 // Boundary of every part, as nodes in order of elimination: later neighbours of its own, and its children's boundaries.
 std::vector<std::vector<std::int32_t>> boundaries(const Dissection& cuts, const Adjacency& graph,
@@ -43,8 +79,8 @@ std::vector<std::vector<std::int32_t>> boundaries(const Dissection& cuts, const 
 }  // namespace
 
 void FrontTree::analyse(const std::vector<std::int32_t>& node_start, const std::vector<Vec2>& position,
-                        const Adjacency& graph, const std::vector<char>& late,
-                        const std::vector<MatrixPlace>& places) {
+                        const Adjacency& graph, const std::vector<char>& late, const EachPlace& each_place,
+                        int rank, int ranks) {
   std::vector<std::int32_t> weight;
   for (std::size_t k = 0; k < position.size(); ++k) weight.push_back(node_start[k + 1] - node_start[k]);
   const Dissection cuts = dissect(position, graph, weight, late);
@@ -104,39 +140,110 @@ void FrontTree::analyse(const std::vector<std::int32_t>& node_start, const std::
       turn_of[at(u)] = turn[node];
     }
   }
-  share_entries(places, front_of, turn_of);
   cut(work);
-  place_leftovers();
+  if (ranks > 1 && worth_sharing()) {
+    share_out(rank, ranks);
+  } else {
+    rank = 0;
+  }
+  share_entries(each_place, front_of, turn_of, rank);
+  place_leftovers(rank);
+}
+
+// The largest first, each to the rank that has least so far.
+void FrontTree::find_owners(int ranks) {
+  struct Item {
+    std::int32_t first, last;
+    std::int64_t numbers;
+  };
+  std::vector<Item> items;
+  const auto add = [&](std::int32_t first, std::int32_t last) {
+    Item item{first, last, 0};
+    for (auto f = first; f < last; ++f) {
+      const std::int64_t m = fronts[at(f)].size, p = fronts[at(f)].pivots;
+      item.numbers += m * p + p * (m - p);
+    }
+    items.push_back(item);
+  };
+  for (const auto& subtree : subtrees) add(subtree.first, subtree.last);
+  for (const auto f : top) add(f, f + 1);
+  std::stable_sort(items.begin(), items.end(),
+                   [](const Item& a, const Item& b) { return a.numbers > b.numbers; });
+  std::vector<std::int64_t> load(at(ranks), 0);
+  for (const auto& item : items) {
+    const auto least = std::min_element(load.begin(), load.end());
+    *least += item.numbers;
+    for (auto f = item.first; f < item.last; ++f)
+      fronts[at(f)].owner = static_cast<std::int32_t>(least - load.begin());
+  }
+}
+
+void FrontTree::share_out(int rank, int ranks) {
+  find_owners(ranks);
+  columns = rows = swaps = carried = 0;
+  solved.assign(at(ranks) + 1, 0);
+  for (auto& front : fronts) {
+    const std::int64_t m = front.size, p = front.pivots;
+    solved[at(front.owner) + 1] += p;
+    front.columns = columns;
+    front.rows = rows;
+    front.swaps = swaps;
+    front.carried = carried;
+    const bool handed_up = front.parent >= 0 && fronts[at(front.parent)].owner == rank;
+    if (front.owner == rank || handed_up) carried += m - p + dense_slack;
+    if (front.owner != rank) continue;
+    columns += m * p;
+    rows += p * (m - p);
+    swaps += p;
+  }
+  for (std::size_t r = 0; r < at(ranks); ++r) solved[r + 1] += solved[r];
+  subtrees.erase(
+      std::remove_if(subtrees.begin(), subtrees.end(),
+                     [&](const Subtree& subtree) { return fronts[at(subtree.first)].owner != rank; }),
+      subtrees.end());
 }
 
 // Every entry belongs to the front that eliminates the earlier of its two unknowns.
-void FrontTree::share_entries(const std::vector<MatrixPlace>& places,
-                              const std::vector<std::int32_t>& front_of,
-                              const std::vector<std::int32_t>& turn_of) {
+void FrontTree::share_entries(const EachPlace& each_place, const std::vector<std::int32_t>& front_of,
+                              const std::vector<std::int32_t>& turn_of, int rank) {
   std::vector<std::int64_t> count(fronts.size() + 1, 0);
-  const auto owner = [&](const MatrixPlace& place) {
-    const auto r = at(place.row), c = at(place.column);
-    return at(turn_of[r] < turn_of[c] ? front_of[r] : front_of[c]);
+  const auto each_own = [&](const auto& visit) {
+    std::int32_t number = 0;
+    each_place([&](MatrixPlace place) {
+      const auto r = at(place.row), c = at(place.column);
+      const auto f = at(turn_of[r] < turn_of[c] ? front_of[r] : front_of[c]);
+      if (fronts[f].owner == rank) visit(f, place, number);
+      ++number;
+    });
   };
-  for (const auto& place : places) ++count[owner(place) + 1];
-  for (std::size_t f = 0; f < fronts.size(); ++f) count[f + 1] += count[f];
-  entry.resize(places.size());
-  entry_row.resize(places.size());
-  entry_column.resize(places.size());
-  auto cursor = count;
-  for (std::size_t k = 0; k < places.size(); ++k)
-    entry[at(cursor[owner(places[k])]++)] = static_cast<std::int32_t>(k);
-  std::vector<std::int32_t> local(at(unknown_count), -1);
+  each_own([&](std::size_t f, MatrixPlace, std::int32_t) { ++count[f + 1]; });
   for (std::size_t f = 0; f < fronts.size(); ++f) {
-    Front& front = fronts[f];
-    front.first_entry = count[f];
-    front.last_entry = count[f + 1];
+    count[f + 1] += count[f];
+    fronts[f].first_entry = count[f];
+    fronts[f].last_entry = count[f + 1];
+  }
+  const auto own = at(count.back());
+  entry.resize(own);
+  entry_place.resize(own);
+  const bool alone = solved.empty();
+  if (!alone) wanted.reserve(own);
+  // Where an unknown stands in the front at hand: entries come in no order of fronts, so first by front, then front by front.
+  std::vector<MatrixPlace> by_front(own);
+  std::int32_t so_far = 0;
+  each_own([&](std::size_t f, MatrixPlace place, std::int32_t number) {
+    const auto k = at(count[f]++);
+    entry[k] = so_far++;
+    by_front[k] = place;
+    if (!alone) wanted.push_back(number);
+  });
+  std::vector<std::int32_t> local(at(unknown_count), -1);
+  for (const Front& front : fronts) {
+    if (front.owner != rank) continue;
     for (std::int32_t k = 0; k < front.size; ++k) local[at(unknowns[at(front.unknowns + k)])] = k;
-    for (auto k = front.first_entry; k < front.last_entry; ++k) {
-      const auto& place = places[at(entry[at(k)])];
-      entry_row[at(k)] = local[at(place.row)];
-      entry_column[at(k)] = local[at(place.column)];
-    }
+    const std::int64_t ld = height(front.size);
+    for (auto k = at(front.first_entry); k < at(front.last_entry); ++k)
+      entry_place[k] =
+          static_cast<std::uint32_t>(local[at(by_front[k].row)] + ld * local[at(by_front[k].column)]);
   }
 }
 
@@ -152,7 +259,7 @@ void FrontTree::cut(const std::vector<double>& work) {
       first[at(f)] = std::min(first[at(f)], first[at(child)]);
     }
   }
-  const double most = operations < worth_sharing ? operations : share_of_subtree * operations;
+  const double most = operations < fewest_to_share ? operations : share_of_subtree * operations;
   for (std::int32_t f = 0; f < count; ++f) {
     const auto parent = fronts[at(f)].parent;
     if (below[at(f)] > most)
@@ -165,32 +272,46 @@ void FrontTree::cut(const std::vector<double>& work) {
   });
 }
 
-// Within a subtree what fronts leave over is stacked, and a front's children are the last ones on the stack.
-void FrontTree::place_leftovers() {
-  const auto keep = [this](Front& front) {
+// Within a subtree what fronts leave over is stacked, and a front's children are the last ones on the stack. Above, it is kept until the
+// parent has taken it: what the parent leaves over then may stand in its place.
+void FrontTree::place_leftovers(int rank) {
+  stacked = largest_above = largest_below = 0;
+  Room room;
+  const auto left_over = [](const Front& front) {
     const std::int64_t b = front.size - front.pivots;
-    front.kept = true;
-    front.leftover = kept;
-    kept += b * b;
+    return b * b;
   };
-  for (const auto f : top) keep(fronts[at(f)]);
+  const auto keep = [&](Front& front) {
+    front.kept = true;
+    front.leftover = room.take(left_over(front));
+  };
+  for (const auto& subtree : subtrees) keep(fronts[at(subtree.last - 1)]);
+  for (const auto f : top) {
+    Front& front = fronts[at(f)];
+    const bool own = front.owner == rank;
+    for (const auto number : front.child) {
+      if (number < 0 || !own || fronts[at(number)].owner == rank) continue;
+      keep(fronts[at(number)]);  // another rank's, which hands it over
+    }
+    for (const auto number : front.child) {
+      if (number < 0 || !(own || fronts[at(number)].owner == rank)) continue;
+      room.give_back(fronts[at(number)].leftover, left_over(fronts[at(number)]));
+    }
+    if (!own) continue;
+    largest_above = std::max<std::int64_t>(largest_above, front.size);
+    keep(front);
+  }
+  kept = room.size();
   for (const auto& subtree : subtrees) {
     std::int64_t height = 0;
     for (auto f = subtree.first; f < subtree.last; ++f) {
       Front& front = fronts[at(f)];
-      const std::int64_t b = front.size - front.pivots;
       largest_below = std::max<std::int64_t>(largest_below, front.size);
-      if (f + 1 == subtree.last) {
-        keep(front);
-        continue;
-      }
-      for (const auto child : front.child) {
-        if (child < 0) continue;
-        const std::int64_t n = fronts[at(child)].size - fronts[at(child)].pivots;
-        height -= n * n;
-      }
+      if (f + 1 == subtree.last) continue;
+      for (const auto child : front.child)
+        if (child >= 0) height -= left_over(fronts[at(child)]);
       front.leftover = height;
-      height += b * b;
+      height += left_over(front);
       stacked = std::max(stacked, height);
     }
   }

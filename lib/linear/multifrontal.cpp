@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 #include "core/give_back.hpp"
 
@@ -57,7 +58,7 @@ void Multifrontal<Real>::prepare(const FrontTree& tree, const Workers& workers) 
   fit(columns_, tree.columns + dense_slack);
   fit(rows_, tree.rows + dense_slack);
   fit(kept_, tree.kept);
-  fit(top_, tree.top.empty() ? 0 : FrontTree::height(tree.largest) * tree.largest);
+  fit(top_, FrontTree::height(tree.largest_above) * tree.largest_above);
   fit(carried_, tree.carried);
   fit(solution_, tree.unknown_count);
   fit(swaps_, tree.swaps);
@@ -72,17 +73,15 @@ void Multifrontal<Real>::prepare(const FrontTree& tree, const Workers& workers) 
 
 // Columns [first, last) of a front.
 template <class Real>
-void Multifrontal<Real>::assemble(const FrontTree& tree, const Front& front,
-                                  const std::vector<double>& values, Real* w, Bench& bench,
-                                  std::int64_t first, std::int64_t last) {
+void Multifrontal<Real>::assemble(const FrontTree& tree, const Front& front, const std::vector<Real>& values,
+                                  Real* w, Bench& bench, std::int64_t first, std::int64_t last) {
   const std::int64_t ld = FrontTree::height(front.size);
   std::fill(w + first * ld, w + last * ld, Real(0));
   for (auto k = front.first_entry; k < front.last_entry; ++k) {
     const auto at = static_cast<std::size_t>(k);
-    const auto column = tree.entry_column[at];
-    if (column < first || column >= last) continue;
-    w[tree.entry_row[at] + ld * column] +=
-        static_cast<Real>(values[static_cast<std::size_t>(tree.entry[at])]);
+    const std::int64_t place = tree.entry_place[at];
+    if (place < first * ld || place >= last * ld) continue;
+    w[place] += values[static_cast<std::size_t>(tree.entry[at])];
   }
   for (const auto number : front.child) {
     if (number < 0) continue;
@@ -113,7 +112,7 @@ void Multifrontal<Real>::store(const Front& front, const Real* w, Real* left, st
 
 template <class Real>
 void Multifrontal<Real>::factorise_below(const FrontTree& tree, const Front& front,
-                                         const std::vector<double>& values, Bench& bench) {
+                                         const std::vector<Real>& values, Bench& bench) {
   const std::int64_t m = front.size;
   Real* w = bench.front.data();
   assemble(tree, front, values, w, bench, 0, m);
@@ -123,7 +122,7 @@ void Multifrontal<Real>::factorise_below(const FrontTree& tree, const Front& fro
 
 template <class Real>
 void Multifrontal<Real>::factorise_top(const FrontTree& tree, const Front& front,
-                                       const std::vector<double>& values, Workers& workers, int worker) {
+                                       const std::vector<Real>& values, Workers& workers, int worker) {
   const std::int64_t m = front.size, p = front.pivots, ld = FrontTree::height(m);
   Bench& bench = benches_[static_cast<std::size_t>(worker)];
   Real* w = top_.data();
@@ -143,10 +142,78 @@ void Multifrontal<Real>::factorise_top(const FrontTree& tree, const Front& front
 }
 
 template <class Real>
-void Multifrontal<Real>::factorise(const FrontTree& tree, const std::vector<double>& values,
-                                   Workers& workers) {
+template <class Words>
+void Multifrontal<Real>::talk(Workers& workers, int worker, const Ranks& ranks, const Words& words) {
+  if (ranks.alone()) return;
+  if (worker == 0 && !failure_) {
+    try {
+      words();
+    } catch (...) {
+      failure_ = std::current_exception();
+    }
+  }
+  workers.barrier();
+}
+
+// From the owners of a front's children to its own; place(child): where it stands, on both, and how many numbers.
+template <class Real>
+template <class Place>
+void Multifrontal<Real>::hand_up(const FrontTree& tree, const Front& front, const Ranks& ranks,
+                                 const Place& place) {
+  for (const auto number : front.child) {
+    if (number < 0) continue;
+    const Front& child = tree.fronts[static_cast<std::size_t>(number)];
+    const bool sends = child.owner == ranks.rank(), receives = front.owner == ranks.rank();
+    if (sends == receives) continue;
+    const auto [at, count] = place(child);
+    const auto bytes = count * static_cast<std::int64_t>(sizeof(Real));
+    if (bytes == 0) continue;
+    const Message message = sends ? Message{front.owner, 0, bytes, 0, at, nullptr}
+                                  : Message{child.owner, 0, 0, bytes, nullptr, at};
+    ranks.start({&message, 1});
+    ranks.finish();
+  }
+}
+
+// The unknowns of a front, to all.
+template <class Real>
+void Multifrontal<Real>::tell_solved(const FrontTree& tree, const Front& front, const Ranks& ranks) {
+  const std::int32_t* unknown = tree.unknowns.data() + front.unknowns;
+  Real* values = benches_[0].pivots.data();
+  for (std::int32_t k = 0; front.owner == ranks.rank() && k < front.pivots; ++k)
+    values[k] = solution_[static_cast<std::size_t>(unknown[k])];
+  std::vector<std::int64_t> begin(static_cast<std::size_t>(ranks.size()) + 1, 0);
+  std::fill(begin.begin() + front.owner + 1, begin.end(), front.pivots);
+  ranks.gather(values, std::move(begin));
+  for (std::int32_t k = 0; k < front.pivots; ++k) solution_[static_cast<std::size_t>(unknown[k])] = values[k];
+}
+
+template <class Real>
+void Multifrontal<Real>::tell_all_solved(const FrontTree& tree, const Ranks& ranks) {
+  std::vector<Real> values(static_cast<std::size_t>(tree.unknown_count));
+  const auto each = [&](const auto& visit) {
+    auto at = tree.solved;
+    for (const Front& front : tree.fronts) {
+      const std::int32_t* unknown = tree.unknowns.data() + front.unknowns;
+      auto& place = at[static_cast<std::size_t>(front.owner)];
+      for (std::int32_t k = 0; k < front.pivots; ++k, ++place)
+        visit(front, values[static_cast<std::size_t>(place)],
+              solution_[static_cast<std::size_t>(unknown[k])]);
+    }
+  };
+  each([&](const Front& front, Real& value, const Real& solved) {
+    if (front.owner == ranks.rank()) value = solved;
+  });
+  ranks.gather(values.data(), tree.solved);
+  each([](const Front&, const Real& value, Real& solved) { solved = value; });
+}
+
+template <class Real>
+void Multifrontal<Real>::factorise(const FrontTree& tree, const std::vector<Real>& values, Workers& workers,
+                                   const Ranks& ranks) {
   prepare(tree, workers);
   next_ = 0;
+  failure_ = nullptr;
   const auto task = [&](int worker) {
     Bench& bench = benches_[static_cast<std::size_t>(worker)];
     each_subtree(tree, next_, [&](const auto& subtree) {
@@ -155,13 +222,22 @@ void Multifrontal<Real>::factorise(const FrontTree& tree, const std::vector<doub
     });
     if (tree.top.empty()) return;
     workers.barrier();
-    for (const auto f : tree.top)
-      factorise_top(tree, tree.fronts[static_cast<std::size_t>(f)], values, workers, worker);
+    for (const auto f : tree.top) {
+      const Front& front = tree.fronts[static_cast<std::size_t>(f)];
+      talk(workers, worker, ranks, [&] {
+        hand_up(tree, front, ranks, [&](const Front& child) {
+          const std::int64_t b = child.size - child.pivots;
+          return std::pair(leftover(child, bench), b * b);
+        });
+      });
+      if (front.owner == ranks.rank()) factorise_top(tree, front, values, workers, worker);
+    }
   };
   if (tree.top.empty())
     task(0);
   else
     workers.run(task, false);
+  if (failure_) std::rethrow_exception(failure_);
 }
 
 // Right side of a front: its own, and what its children handed up.
@@ -245,8 +321,9 @@ void Multifrontal<Real>::backward_top(const FrontTree& tree, const Front& front,
 }
 
 template <class Real>
-void Multifrontal<Real>::solve(const FrontTree& tree, double* x, Workers& workers) {
+void Multifrontal<Real>::solve(const FrontTree& tree, double* x, Workers& workers, const Ranks& ranks) {
   next_ = 0;
+  failure_ = nullptr;
   std::atomic<std::int32_t> back{0};
   const auto task = [&](int worker) {
     Bench& bench = benches_[static_cast<std::size_t>(worker)];
@@ -256,10 +333,21 @@ void Multifrontal<Real>::solve(const FrontTree& tree, double* x, Workers& worker
     });
     if (!tree.top.empty()) {
       workers.barrier();
-      for (const auto f : tree.top)
-        forward_top(tree, tree.fronts[static_cast<std::size_t>(f)], x, workers, worker);
-      for (auto f = tree.top.rbegin(); f != tree.top.rend(); ++f)
-        backward_top(tree, tree.fronts[static_cast<std::size_t>(*f)], workers, worker);
+      for (const auto f : tree.top) {
+        const Front& front = tree.fronts[static_cast<std::size_t>(f)];
+        talk(workers, worker, ranks, [&] {
+          hand_up(tree, front, ranks, [&](const Front& child) {
+            return std::pair(carried_.data() + child.carried,
+                             static_cast<std::int64_t>(child.size - child.pivots));
+          });
+        });
+        if (front.owner == ranks.rank()) forward_top(tree, front, x, workers, worker);
+      }
+      for (auto f = tree.top.rbegin(); f != tree.top.rend(); ++f) {
+        const Front& front = tree.fronts[static_cast<std::size_t>(*f)];
+        if (front.owner == ranks.rank()) backward_top(tree, front, workers, worker);
+        talk(workers, worker, ranks, [&] { tell_solved(tree, front, ranks); });
+      }
       workers.barrier();
     }
     each_subtree(tree, back, [&](const auto& subtree) {
@@ -271,6 +359,8 @@ void Multifrontal<Real>::solve(const FrontTree& tree, double* x, Workers& worker
     task(0);
   else
     workers.run(task, false);
+  if (failure_) std::rethrow_exception(failure_);
+  if (!ranks.alone()) tell_all_solved(tree, ranks);
   for (std::size_t k = 0; k < solution_.size(); ++k) x[k] = static_cast<double>(solution_[k]);
 }
 

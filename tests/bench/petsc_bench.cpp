@@ -194,7 +194,7 @@ int tangent(Outside& outside, const Ranks& ranks, std::int64_t discs, bool petsc
                        facets);
   system.begin(0.0, {});
   system.evaluate();
-  CoupledFactor factor(workers, petsc ? &ranks : nullptr);
+  CoupledFactor factor(workers, ranks, petsc);
   Random random(3);
   CoupledSystem::Vector right(system.size()), x;
   for (Eigen::Index k = 0; k < right.size(); ++k) right[k] = random.uniform() - 0.5;

@@ -63,11 +63,12 @@ std::vector<std::int32_t> ours(const System& s, const char* name) {
   Workers one(1);
   Multifrontal<Real> factor;
   const auto& t = s.structure;
+  const std::vector<Real> values(s.values.begin(), s.values.end());
   const double first = seconds([&] {
-    tree.analyse(t.node_start, t.position, t.graph, t.late, t.places);
-    factor.factorise(tree, s.values, one);
+    tree.analyse(t.node_start, t.position, t.graph, t.late, t.each_place);
+    factor.factorise(tree, values, one);
   });
-  const double again = seconds([&] { factor.factorise(tree, s.values, one); });
+  const double again = seconds([&] { factor.factorise(tree, values, one); });
   Vector x = s.right;
   const double solve = seconds([&] { factor.solve(tree, x.data(), one); });
   row(name, first, again, solve, static_cast<double>(tree.columns + tree.rows) * sizeof(Real), s, x);
@@ -209,10 +210,15 @@ System tangent(std::int64_t discs, int steps) {
   system.evaluate();
   System s;
   s.structure = system.structure();
+  std::vector<MatrixPlace> places;
+  s.structure.each_place([&](MatrixPlace place) { places.push_back(place); });
+  s.structure.each_place = [places](const auto& visit) {  // the system goes
+    for (const auto& place : places) visit(place);
+  };
   system.entries(s.values, 0, system.size());
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t k = 0; k < s.values.size(); ++k)
-    entries.emplace_back(s.structure.places[k].row, s.structure.places[k].column, s.values[k]);
+    entries.emplace_back(places[k].row, places[k].column, s.values[k]);
   s.matrix.resize(system.size(), system.size());
   s.matrix.setFromTriplets(entries.begin(), entries.end());
   Random random(11);

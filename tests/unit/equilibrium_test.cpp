@@ -8,6 +8,7 @@
 #include "equilibrium/coupled_factor.hpp"
 #include "equilibrium/coupled_system.hpp"
 #include "flow/aperture.hpp"
+#include "grid_matrix.hpp"
 #include "linear/dense_kernels.hpp"
 #include "linear/dissection.hpp"
 #include "linear/krylov.hpp"
@@ -20,6 +21,7 @@
 namespace equilibrium_test {
 
 using namespace testing_unit;
+using grid_matrix::GridMatrix;
 
 // Two discs of unlike size, some way apart and turned.
 struct Pair {
@@ -196,53 +198,15 @@ TEST(Dissection, SeparatesAndOrdersEveryNodeOnce) {
   }
 }
 
-// Three unknowns a node on a grid, unsymmetric, with a diagonal that asks for exchanges.
-struct GridMatrix {
-  std::vector<Vec2> position;
-  Adjacency graph;
-  std::vector<std::int32_t> node_start{0};
-  std::vector<MatrixPlace> places;
-  std::vector<double> values, right;
-  explicit GridMatrix(std::int32_t side);
-};
-
-GridMatrix::GridMatrix(std::int32_t side) {
-  Random random(3);
-  graph.start.push_back(0);
-  for (std::int32_t y = 0; y < side; ++y) {
-    for (std::int32_t x = 0; x < side; ++x) {
-      const std::int32_t node = y * side + x;
-      position.push_back({static_cast<double>(x), static_cast<double>(y)});
-      node_start.push_back(3 * (node + 1));
-      for (const auto& [dx, dy] :
-           {std::pair{0, -1}, std::pair{-1, 0}, std::pair{0, 0}, std::pair{1, 0}, std::pair{0, 1}}) {
-        if (x + dx < 0 || x + dx >= side || y + dy < 0 || y + dy >= side) continue;
-        const std::int32_t other = (y + dy) * side + x + dx;
-        if (other != node) graph.neighbour.push_back(other);
-        for (std::int32_t r = 0; r < 3; ++r) {
-          for (std::int32_t c = 0; c < 3; ++c) {
-            places.push_back({3 * node + r, 3 * other + c});
-            const double big = other == node && r == (c + 1) % 3 ? 8.0 : 0.0;  // beside the diagonal
-            values.push_back(big + random.uniform() - 0.5);
-          }
-        }
-      }
-      graph.start.push_back(static_cast<std::int32_t>(graph.neighbour.size()));
-    }
-  }
-  right.resize(static_cast<std::size_t>(3 * side * side));
-  for (auto& value : right) value = random.uniform() - 0.5;
-}
-
 template <class Real>
 std::vector<double> solution(const GridMatrix& m, int workers, double& error) {
   std::vector<char> late(m.position.size(), 0);
   late[17] = 1;
   FrontTree tree;
-  tree.analyse(m.node_start, m.position, m.graph, late, m.places);
+  tree.analyse(m.node_start, m.position, m.graph, late, m.each_place());
   Workers team(workers);
   Multifrontal<Real> factor;
-  factor.factorise(tree, m.values, team);
+  factor.factorise(tree, std::vector<Real>(m.values.begin(), m.values.end()), team);
   std::vector<double> x = m.right, back(m.right.size(), 0.0);
   factor.solve(tree, x.data(), team);
   for (std::size_t k = 0; k < m.places.size(); ++k)

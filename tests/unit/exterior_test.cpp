@@ -350,7 +350,8 @@ TEST(InfiniteRock, ItsTangentIsTheChangeOfTheResidual) {
   // And the list of its entries is the same matrix.
   std::vector<double> values;
   system.entries(values, 0, system.size());
-  const auto places = system.structure().places;
+  std::vector<MatrixPlace> places;
+  system.structure().each_place([&](MatrixPlace place) { places.push_back(place); });
   CoupledSystem::Vector by_entries = CoupledSystem::Vector::Zero(x.size());
   system.move(x, -1.0);
   system.evaluate();
