@@ -634,8 +634,8 @@ module hfrac_c
     real(c_double) :: fluid_second_viscosity = 0.0_c_double
     !> [kg/m3] Density of the second fluid in wellbore and perforations. 0: that of the first. Default 0.0.
     real(c_double) :: fluid_second_density = 0.0_c_double
-    !> 0: own, 1: petsc. quasi-static: whose factor of the tangent preconditions. own: hfrac's, whole on every rank.
-    !> petsc: MUMPS's through PETSc, shared by all ranks. Default 0.
+    !> 0: own, 1: petsc. quasi-static: whose factor of the tangent preconditions. own: hfrac's, shared by ranks with
+    !> the bits of one. petsc: MUMPS's through PETSc, shared, too. Default 0.
     integer(c_int64_t) :: solver_factor = 0_c_int64_t
     !> 0: cpu, 1: gpu, 2: auto. What runs the cycles of the explicit solver; results do not depend on it. cpu: the
     !> processor. gpu: a card, by libhfrac_gpu; refused where there is none or the case has what cards do not run

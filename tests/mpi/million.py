@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""A quasi-static step of a large coupled model over ranks, whose factor MUMPS writes to disk: the memory of all processes together, which is
-sampled every few seconds (counting the pages of 15 GB takes a core some tenths), and the balance at its end. A hole under 5 MPa in tiled
-rock, so that nothing breaks.
+"""A quasi-static step of a large coupled model over ranks, with hfrac's own factor, or MUMPS's, which is written to disk: the memory of all
+processes together, which is sampled every few seconds (counting the pages of 15 GB takes a core some tenths), and the balance at its end. A hole
+under 5 MPa in tiled rock, so that nothing breaks.
 
-  million.py [--discs N] [--ranks N] [--gigabytes N]      exits with 1 if they took more, or found no equilibrium
+  million.py [--discs N] [--ranks N] [--workers N] [--factor own|petsc] [--gigabytes N]      exits with 1 if they took more, or found no
+                                                                                              equilibrium
 """
 import argparse
 import csv
@@ -45,16 +46,18 @@ def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("--discs", type=int, default=1_000_000)
     arguments.add_argument("--ranks", type=int, default=4)
+    arguments.add_argument("--workers", type=int, default=1)
+    arguments.add_argument("--factor", choices=("own", "petsc"), default="petsc")
     arguments.add_argument("--gigabytes", type=float, default=16.0)
     options = arguments.parse_args()
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        (folder / "case.toml").write_text(COUPLED.format(width=options.discs ** 0.5, seed=3, method="tiled", discs=options.discs, factor="petsc",
+        (folder / "case.toml").write_text(COUPLED.format(width=options.discs ** 0.5, seed=3, method="tiled", discs=options.discs, factor=options.factor,
                                                          tolerance="1e-6", flow_step=0.02, steps=1, radius=8.5, pressure="5e6"))
         (folder / "factor").mkdir()
         environment = dict(ENVIRONMENT, PETSC_OPTIONS="-hfrac_tangent_mat_mumps_icntl_22 1", MUMPS_OOC_TMPDIR=str(folder / "factor"))
         begin, most, on_disk = time.monotonic(), 0, 0
-        with subprocess.Popen(over(options.ranks, HFRAC, "run", folder / "case.toml", "-o", folder / "run", "-q", "--workers", 1),
+        with subprocess.Popen(over(options.ranks, HFRAC, "run", folder / "case.toml", "-o", folder / "run", "-q", "--workers", options.workers),
                               env=environment) as running:
             while running.poll() is None:
                 most = max(most, memory_of(children(running.pid)))
@@ -64,7 +67,7 @@ def main():
             sys.exit(f"million: hfrac ended with {running.returncode}")
         with open(folder / "run" / "history.csv", encoding="utf-8") as file:
             last = list(csv.DictReader(file))[-1]
-    print(f"{options.discs} discs, {options.ranks} ranks: {1e-9 * most:.2f} GB in all, {1e-9 * on_disk:.2f} GB on disk, "
+    print(f"{options.discs} discs, {options.ranks} ranks, {options.factor} factor: {1e-9 * most:.2f} GB in all, {1e-9 * on_disk:.2f} GB on disk, "
           f"{time.monotonic() - begin:.0f} s, {last['newton_iterations']} Newton iterations, force ratio {last['force_ratio']}, "
           f"fluid error {float(last['fluid_error_m2']) / float(last['injected_volume_m2']):.1e} of the injected")
     if last["at_rest"] != "1":

@@ -118,6 +118,16 @@ class Mpi(OverRanks):
         self.assertEqual(len(hashes), 8)
         self.assertEqual(len(set(hashes)), 1, done.stdout)
 
+    def test_ranks_of_a_machine_have_one_model(self):
+        alone = re.search(r"fracture of ([\d.]+) m", run([os.environ["HFRAC_FIRST"], self.case]).stdout).group(1)
+        done = run(over(3, os.environ["HFRAC_ONE_MODEL"], self.case))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(sorted(done.stdout.splitlines()), [f"rank {rank}, of 3 on its machine: fracture of {alone} m" for rank in range(3)])
+        (self.folder / "bad.toml").write_text("[packing]\ndisc_count = -1\n")
+        done = run(over(2, os.environ["HFRAC_ONE_MODEL"], self.folder / "bad.toml"))
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("disc_count", done.stderr)
+
     def test_the_others_are_told_which_process_gave_up_and_why(self):
         done = run(over(3, os.environ["HFRAC_MPI_PROGRAM"], "fail"))
         self.assertEqual(done.stdout.splitlines(), ["2: no room"] * 2, done.stderr)

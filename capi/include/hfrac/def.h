@@ -533,8 +533,8 @@ typedef struct hfrac_sim_def {
   /** [kg/m3] Density of the second fluid in wellbore and perforations. 0: that of the first. Default 0.0. */
   double fluid_second_density;
 
-  /** 0: own, 1: petsc. quasi-static: whose factor of the tangent preconditions. own: hfrac's, whole on
-   * every rank. petsc: MUMPS's through PETSc, shared by all ranks. Default 0. */
+  /** 0: own, 1: petsc. quasi-static: whose factor of the tangent preconditions. own: hfrac's, shared by
+   * ranks with the bits of one. petsc: MUMPS's through PETSc, shared, too. Default 0. */
   int64_t solver_factor;
 
   /** 0: cpu, 1: gpu, 2: auto. What runs the cycles of the explicit solver; results do not depend on it.

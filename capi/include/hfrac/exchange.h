@@ -4,8 +4,8 @@
  *
  * Every rank creates the simulation from the same definition, holds all of it, and gets the same results, to the last bit those of
  * a single one, whatever the number of ranks and of run.workers. What is shared is the explicit motion (rest, real time), the flow
- * step of large models (conjugate gradients) and the vectors of the quasi-static solver's GMRES; heat, fractures and the rest every
- * rank does for itself, unless ranks have a linear solver in common (linear_solver.h). So a model needs the memory of one on each rank.
+ * step of large models (conjugate gradients), the quasi-static solver's factor and the vectors of its GMRES; heat, fractures and the rest
+ * every rank does for itself. So a model needs the memory of one on each rank, but for that factor, which is the largest part.
  * State images are those of a single simulation: any number of ranks goes on from what any other wrote.
  *
  * Calls that change the simulation are collective: all ranks make them, in the same order and with the same arguments. Calls that
