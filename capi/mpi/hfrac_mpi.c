@@ -3,6 +3,7 @@
  * What hfrac/exchange.h asks of a transport, by MPI. Nobody waits in MPI itself: every wait looks whether it is over and whether some
  * rank has failed, which that rank says by a message to all others with the reason in it. Nothing here ends the process: errors of MPI are returned.
  */
+#define _GNU_SOURCE /* sched_setaffinity */
 #define HFRAC_ENABLE_UNSTABLE
 #include "hfrac/mpi.h"
 
@@ -243,9 +244,52 @@ int32_t hfrac_mpi_begin(hfrac_exchange* exchange) {
   return table_of(MPI_COMM_WORLD, exchange);
 }
 
+/* Of hfrac_mpi_begin_on_machines: the processes of this machine, and of the first of each. */
+static MPI_Comm here = MPI_COMM_NULL, firsts = MPI_COMM_NULL;
+
+/* The workers of the first may run where any of a machine's processes may. */
+static void take_cores_of_all(int first) {
+  cpu_set_t cores;
+  if (sched_getaffinity(0, sizeof cores, &cores) != 0) CPU_ZERO(&cores);
+  MPI_Allreduce(MPI_IN_PLACE, &cores, (int)sizeof cores, MPI_BYTE, MPI_BOR, here);
+  if (first && CPU_COUNT(&cores) > 0) sched_setaffinity(0, sizeof cores, &cores);
+}
+
+int32_t hfrac_mpi_begin_on_machines(hfrac_exchange* exchange, int32_t* processes_here) {
+  if (exchange == NULL || processes_here == NULL) return HFRAC_ERR_ARGUMENT;
+  if (!is_running() && MPI_Init(NULL, NULL) != MPI_SUCCESS) return HFRAC_ERR_EXCHANGE;
+  int rank = 0, place = 0, count = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  if (MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, rank, MPI_INFO_NULL, &here) != MPI_SUCCESS ||
+      MPI_Comm_rank(here, &place) != MPI_SUCCESS || MPI_Comm_size(here, &count) != MPI_SUCCESS ||
+      MPI_Comm_split(MPI_COMM_WORLD, place == 0 ? 0 : MPI_UNDEFINED, rank, &firsts) != MPI_SUCCESS)
+    return HFRAC_ERR_EXCHANGE;
+  take_cores_of_all(place == 0);
+  *processes_here = place == 0 ? count : 0;
+  return place == 0 ? table_of(firsts, exchange) : HFRAC_OK;
+}
+
+/* What the first of this machine came to: from it, to the others, who sleep until they know. */
+static int32_t end_of_the_first(int32_t failed) {
+  const struct timespec nap = {0, 2000000};
+  MPI_Request request;
+  int known = 0;
+  if (MPI_Ibcast(&failed, 1, MPI_INT32_T, 0, here, &request) != MPI_SUCCESS) return 1;
+  while (MPI_Test(&request, &known, MPI_STATUS_IGNORE) == MPI_SUCCESS) {
+    if (known) return failed;
+    nanosleep(&nap, NULL);
+  }
+  return 1;
+}
+
 int32_t hfrac_mpi_end(int32_t failed) {
   if (!is_running()) return HFRAC_OK;
-  Talk* talk = talk_of(MPI_COMM_WORLD);
+  if (here != MPI_COMM_NULL) failed = end_of_the_first(failed);
+  if (here != MPI_COMM_NULL && firsts == MPI_COMM_NULL) {
+    if (failed) return HFRAC_ERR_EXCHANGE;
+    return MPI_Finalize() == MPI_SUCCESS ? HFRAC_OK : HFRAC_ERR_EXCHANGE;
+  }
+  Talk* talk = talk_of(firsts != MPI_COMM_NULL ? firsts : MPI_COMM_WORLD);
   if (talk != NULL && failed && !talk->failed) fail(talk);
   /* The launcher ends those that wait for a rank that is gone; a process that has failed waits for nobody. */
   if (talk != NULL && has_failed(talk)) return HFRAC_ERR_EXCHANGE;

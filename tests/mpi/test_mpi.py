@@ -118,6 +118,23 @@ class Mpi(OverRanks):
         self.assertEqual(len(hashes), 8)
         self.assertEqual(len(set(hashes)), 1, done.stdout)
 
+    def test_the_command_takes_one_model_for_a_machine(self):
+        alone, folder = self.alone(), self.folder / "one-model"
+        done = run(over(3, HFRAC, "run", self.case, "-o", folder, "--one-model", "--steps", 3))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr.count("will write"), 1, done.stderr)
+        done = run(over(2, HFRAC, "resume", folder, "--one-model", "-q", "--steps", 6))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.same(alone, folder)
+        done = run(over(2, HFRAC, "run", self.case, "-o", folder, "--one-model"))
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("already holds", done.stderr)
+        petsc = self.folder / "petsc.toml"
+        petsc.write_text(self.case.read_text() + "[flow]\nsolver = \"petsc\"\n")
+        done = run(over(2, HFRAC, "run", petsc, "-o", self.folder / "none", "--one-model"))
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("--one-model", done.stderr)
+
     def test_ranks_of_a_machine_have_one_model(self):
         alone = re.search(r"fracture of ([\d.]+) m", run([os.environ["HFRAC_FIRST"], self.case]).stdout).group(1)
         done = run(over(3, os.environ["HFRAC_ONE_MODEL"], self.case))

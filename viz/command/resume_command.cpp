@@ -30,6 +30,7 @@ struct ResumeRequest {
   int64_t steps = -1;   ///< steps in all; -1: as the run was asked for
   int64_t workers = 0;  ///< 0: as the run was asked for
   bool quiet = false;
+  bool one_model = false;  ///< for all processes of a machine
 };
 
 nlohmann::ordered_json summary_in(const fs::path& folder) {
@@ -85,6 +86,7 @@ ExitCode go_on(const ResumeRequest& request, const Team& team) {
 
   const GivenParts given(folder);
   auto definition = load_case((folder / "case.toml").string(), request.workers, given);
+  if (request.one_model) definition.run_workers = team.workers(definition.run_workers);
   catch_interrupts();
   if (team.follows()) return follow(std::move(definition), folder, terms.steps, team);
   const output::FolderClaim claim(folder);
@@ -137,10 +139,12 @@ void add_resume(CLI::App& program, Action& action) {
       ->check(count_number());
   command->add_option("--workers", request->workers, "Worker threads; results do not depend on it")
       ->check(CLI::Range(1, 256));
+  add_one_model(*command, request->one_model);
   command->add_flag("-q,--quiet", request->quiet, "Print nothing unless something goes wrong");
   command->callback([request, &action] {
     action = [request] {
-      Team team;
+      Team team(request->one_model);
+      if (team.rests()) return team.rest();
       const auto code = go_on(*request, team);
       if (code == kGood || code == kInterrupted) team.done();
       return code;

@@ -46,6 +46,7 @@ struct RunRequest {
   bool quiet = false;
   bool movie = false;  ///< draw it while the run goes on
   bool no_space_check = false;
+  bool one_model = false;  ///< for all processes of a machine
 };
 
 /** Runs it. Failures that leave something readable are told here; others are thrown. */
@@ -65,6 +66,7 @@ ExitCode carry_out(const RunRequest& request, const Team& team) {
   GivenParts given(request.disc_file, request.bond_file);
   std::vector<std::string> notes;
   auto definition = load_case(request.case_file, request.workers, given, &notes);
+  if (request.one_model) definition.run_workers = team.workers(definition.run_workers);
   if (request.checkpoint_every >= 0.0) definition.output_checkpoint_every = request.checkpoint_every;
   if (request.checkpoint_steps >= 0) definition.output_checkpoint_steps = request.checkpoint_steps;
   catch_interrupts();
@@ -107,7 +109,8 @@ ExitCode carry_out(const RunRequest& request, const Team& team) {
 }
 
 ExitCode run(const RunRequest& request) {
-  Team team;
+  Team team(request.one_model);
+  if (team.rests()) return team.rest();
   const auto code = carry_out(request, team);
   if (code == kGood || code == kInterrupted) team.done();
   if (!request.quiet && !team.follows() && std::filesystem::exists(request.folder / "summary.json"))
@@ -148,6 +151,7 @@ void add_run(CLI::App& program, Action& action) {
       ->type_name("STEPS");
   command->add_flag("--no-space-check", request->no_space_check,
                     "Begin even if the disk has no room for all that the case asks for");
+  add_one_model(*command, request->one_model);
   command->add_flag("--overwrite", request->overwrite, "Remove the files of an earlier run in DIR first");
 #ifdef HFRAC_WITH_RENDERER
   command->add_flag("--movie", request->movie, "Draw DIR/pictures/movie.mp4 while the run goes on");

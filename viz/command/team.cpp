@@ -3,6 +3,7 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cstdlib>
 #include <stdexcept>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "command/exit_code.hpp"
+#include "command/interrupt.hpp"
 #include "run/engine_call.hpp"
 
 namespace hfrac::command {
@@ -22,6 +24,12 @@ int processes_started() {
     if (value != nullptr) return std::atoi(value);
   }
   return 1;
+}
+
+void add_one_model(CLI::App& command, bool& one_model) {
+  command.add_flag("--one-model", one_model,
+                   "Under mpirun: one model for all processes of a machine, with a worker for each; it takes "
+                   "the memory of one process");
 }
 
 namespace {
@@ -54,12 +62,22 @@ bool asks_for_petsc(const hfrac_sim_def& definition) {
 
 }  // namespace
 
-Team::Team() {
+Team::Team(bool one_model) {
   run::require(hfrac_exchange_init(&exchange_, sizeof exchange_), nullptr);
   const int processes = processes_started();
   if (processes <= 1) return;
-  load(kMpiLibrary, fmt::format("a run of {} processes started together", processes), "MPI (libopenmpi-dev)");
-  if (join(exchange_) != HFRAC_OK)
+  void* library = load(kMpiLibrary, fmt::format("a run of {} processes started together", processes),
+                       "MPI (libopenmpi-dev)");
+  int32_t status = HFRAC_ERR_EXCHANGE;
+  if (one_model) {
+    const auto begin =
+        function_of<int32_t (*)(hfrac_exchange*, int32_t*)>(library, "hfrac_mpi_begin_on_machines");
+    if (begin != nullptr) status = begin(&exchange_, &processes_here_);
+    end_ = function_of<int32_t (*)(int32_t)>(library, "hfrac_mpi_end");
+  } else {
+    status = join(exchange_);
+  }
+  if (status != HFRAC_OK)
     throw BadInput(
         fmt::format("{} processes were started together, but MPI could not be begun; is {} of the MPI that "
                     "started them?",
@@ -77,6 +95,10 @@ int32_t Team::join(hfrac_exchange& exchange) const {
 
 int32_t Team::create(const hfrac_sim_def& definition, hfrac_sim** sim) const {
   if (!asks_for_petsc(definition)) return hfrac_sim_create_on(&definition, &exchange_, sim);
+  if (processes_here_ > 1)
+    throw BadInput(
+        "--one-model leaves one process of a machine at work, and \"petsc\" shares work among "
+        "processes; leave either out");
   void* library = load(kPetscLibrary, "\"petsc\" as a solver", "PETSc (petsc-dev)");
   hfrac_exchange exchange = exchange_;
   if (end_ == nullptr) run::require(join(exchange), nullptr);
@@ -91,6 +113,13 @@ int32_t Team::create(const hfrac_sim_def& definition, hfrac_sim** sim) const {
 
 Team::~Team() {
   if (end_ != nullptr) end_(1);
+}
+
+ExitCode Team::rest() {
+  catch_interrupts();
+  const auto end = end_;
+  end_ = nullptr;
+  return end(0) == HFRAC_OK ? kGood : kRunFailed;
 }
 
 void Team::done() {

@@ -21,13 +21,13 @@ _hfrac() {
       esac
       ;;
     run)
-      options='--help --output --discs --bonds --grid --steps --workers --checkpoint-every --checkpoint-steps --no-space-check --overwrite --movie --quiet'
+      options='--help --output --discs --bonds --grid --steps --workers --checkpoint-every --checkpoint-steps --no-space-check --one-model --overwrite --movie --quiet'
       case $before in
         -o|--output|--discs|--bonds|--grid|--steps|--workers|--checkpoint-every|--checkpoint-steps) files=yes ;;
       esac
       ;;
     resume)
-      options='--help --steps --workers --quiet'
+      options='--help --steps --workers --one-model --quiet'
       case $before in
         --steps|--workers) files=yes ;;
       esac

@@ -28,6 +28,11 @@ HFRAC_UNSTABLE_API int32_t hfrac_mpi_exchange(int32_t fortran_comm, hfrac_exchan
  * Unstable since 0.2. */
 HFRAC_UNSTABLE_API int32_t hfrac_mpi_begin(hfrac_exchange *exchange);
 
+/** The same for one model on each machine: of the processes there the first takes part, with the table over those of all machines, and may run
+ * on the cores of all of them; `processes_here` is how many they are, for run.workers. The others get 0, and hfrac_mpi_end says on them whether
+ * the first has come to its end; they sleep until it has. Unstable since 0.2. */
+HFRAC_UNSTABLE_API int32_t hfrac_mpi_begin_on_machines(hfrac_exchange *exchange, int32_t *processes_here);
+
 /** The end of that: all processes wait for each other, unless one has failed. Nonzero `failed` says that this one has.
  * Unstable since 0.2. */
 HFRAC_UNSTABLE_API int32_t hfrac_mpi_end(int32_t failed);
