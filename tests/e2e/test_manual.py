@@ -41,7 +41,7 @@ class Manual(unittest.TestCase):
 
     def test_completion(self):
         self.assertEqual(completed("re"), ["resume", "render", "report"])
-        self.assertEqual(completed("run", "case.toml", "--o"), ["--output", "--overwrite"])
+        self.assertEqual(completed("run", "case.toml", "--o"), ["--output", "--one-model", "--overwrite"])
         self.assertEqual(completed("new", "f"), ["fracture"])
         self.assertEqual(completed("lab", "p"), ["pressurised-crack", "permeability"])
         self.assertEqual(completed("render", "out/first", "--view", "joint-s"), ["joint-slip", "joint-state"])
