@@ -17,7 +17,6 @@
 //   softening      tension, F_s and M of the bond times 1 - D from there on, and breakage at D = 1 (softening.hpp)
 #pragma once
 
-#include "core/negligible.hpp"
 #include "solid/kernels.hpp"
 
 namespace hfrac {
@@ -265,7 +264,7 @@ inline __attribute__((always_inline)) double move(double step, double damping, d
                                                   double& displacement) {
   const double v = velocity, against = v > 0.0 ? 1.0 : (v < 0.0 ? -1.0 : 0.0);
   const double drag = damping * magnitude(force) * against;
-  const double after = unless_negligible(v + step * (force - drag) * inverse_mass);
+  const double after = v + step * (force - drag) * inverse_mass;
   velocity = after;
   displacement += step * after;
   return 0.5 * step * drag * (v + after);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Memory and time of a whole simulation: set-up, then a few steps, undo image and all.
 //
-//     bench_memory N dry|coupled [STEPS] [WORKERS]
+//     bench_memory N dry|coupled [STEPS] [WORKERS] [MPA]
 //
-// The paper's rock around a well in tiled bricks, real time, a millisecond a step. Prints
+// The paper's rock around a well in tiled bricks, real time, a millisecond a step, under so much stress (none: 0, where a wave runs into rock
+// that has not moved at all). Prints
 //
 //     hfrac-memory N kind bytes_per_disc bond_updates_per_s | seconds of set-up, of a step, peak, in use before and after a step
 //
@@ -53,9 +54,10 @@ double peak_bytes() {
   return status_bytes("VmHWM:");
 }
 
-void measure(std::int64_t count, bool coupled, int steps, int workers) {
+void measure(std::int64_t count, bool coupled, int steps, int workers, double stress) {
   const double empty = peak_bytes();
   CaseDefinition definition = bench::hole_case(count, workers);
+  definition.options.stress_sigma_Hmax = definition.options.stress_sigma_hmin = stress;
   if (!coupled) definition.options.flow_scheme = static_cast<std::int64_t>(FlowScheme::off);
   const double start = now(), cpu_start = processor_seconds();
   Simulation s(definition, {}, {});
@@ -91,12 +93,13 @@ int main(int argc, char** argv) {
   const std::int64_t count = argc > 1 ? std::atoll(argv[1]) : 0;
   const std::string kind = argc > 2 ? argv[2] : "";
   const int steps = argc > 3 ? std::atoi(argv[3]) : 2, workers = argc > 4 ? std::atoi(argv[4]) : 1;
+  const double stress = argc > 5 ? 1e6 * std::atof(argv[5]) : 0.0;
   if (count < 1000 || count > 5000000 || (kind != "dry" && kind != "coupled") || steps < 0 || workers < 1) {
-    std::fprintf(stderr, "usage: bench_memory N dry|coupled [STEPS] [WORKERS]   1 000 to 5 000 000 discs\n");
+    std::fprintf(stderr, "usage: bench_memory N dry|coupled [STEPS] [WORKERS] [MPA]   1 000 to 5 000 000 discs\n");
     return 2;
   }
   try {
-    measure(count, kind == "coupled", steps, workers);
+    measure(count, kind == "coupled", steps, workers, stress);
   } catch (const Error& error) {
     std::fprintf(stderr, "bench_memory: %s\n", error.what());
     return 1;
