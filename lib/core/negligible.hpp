@@ -10,8 +10,7 @@
 
 namespace hfrac {
 
-constexpr double negligible =
-    1e-130;  // in SI units; the smallest pressure that a state tells from none is 1e-9 Pa
+constexpr double negligible = 1e-130;  // in SI units; pressures of rock are known to some 1e-9 Pa
 
 // What is not finite stays as it is.
 inline double unless_negligible(double value) {
