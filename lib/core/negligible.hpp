@@ -5,7 +5,7 @@
 // 2e-308, which processors take a hundred times as long for. Solvers of flow cut it off where even products of two such numbers
 // are ordinary ones. By arithmetic, not by a mode of the processor, so that a card has the same bits and the host's mode stays as it is.
 //
-// No standard templates here, since kernels include it (solid/kernels.hpp).
+// No standard templates here, since kernels for devices include it (linear/multigrid_kernels.hpp).
 #pragma once
 
 namespace hfrac {

@@ -24,15 +24,11 @@ void CoupledFactor::compute(const CoupledSystem& system) {
     return_unused_pages();  // the factor wants the room
     entries_ = all;
   }
-  if (!exact_) {
-    const double largest = system.entries(single_, tree_.wanted);
-    doubled_ = sharing().any(!(largest < most_single));
-  }
-  doubled_ = doubled_ || exact_;
+  doubled_ = exact_ || sharing().any(!(system.entries(single_, tree_.wanted, entries_) < most_single));
   if (doubled_) {
     give_back(single_);
     coarse_.clear();
-    system.entries(values_, tree_.wanted);
+    system.entries(values_, tree_.wanted, entries_);
     fine_.factorise(tree_, values_, workers_, sharing());
     give_back(values_);
   } else {

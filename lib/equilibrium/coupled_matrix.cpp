@@ -134,8 +134,9 @@ std::size_t CoupledSystem::entry_count() const {
 }
 
 template <class Real>
-double CoupledSystem::entries(std::vector<Real>& values, const std::vector<std::int32_t>& wanted) const {
-  const std::size_t count = wanted.empty() ? entry_count() : wanted.size();
+double CoupledSystem::entries(std::vector<Real>& values, const std::vector<std::int32_t>& wanted,
+                              std::size_t all) const {
+  const std::size_t count = wanted.empty() ? all : wanted.size();
   values.clear();
   values.reserve(count);
   double largest = 0.0;
@@ -150,8 +151,10 @@ double CoupledSystem::entries(std::vector<Real>& values, const std::vector<std::
   return largest;
 }
 
-template double CoupledSystem::entries(std::vector<float>&, const std::vector<std::int32_t>&) const;
-template double CoupledSystem::entries(std::vector<double>&, const std::vector<std::int32_t>&) const;
+template double CoupledSystem::entries(std::vector<float>&, const std::vector<std::int32_t>&,
+                                       std::size_t) const;
+template double CoupledSystem::entries(std::vector<double>&, const std::vector<std::int32_t>&,
+                                       std::size_t) const;
 
 std::vector<std::int32_t> CoupledSystem::entries_of_rows() const {
   std::vector<std::int32_t> count(static_cast<std::size_t>(size()), 0);

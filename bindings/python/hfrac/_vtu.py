@@ -67,6 +67,8 @@ def arrays(path: pathlib.Path) -> Dict[str, Dict[str, Tuple[Any, str]]]:
     except (OSError, xml.ParseError) as error:
         raise FileError(f"'{path}' cannot be read: {error}") from error
     listed = [piece.attrib["Source"] for piece in root.iterfind("PUnstructuredGrid/Piece")]
+    if any(pathlib.Path(file).suffix != ".vtu" for file in listed):
+        raise FileError(f"'{path}' cannot be read: it lists a piece that is no VTU file")
     if listed:
         return _one_grid([arrays(path.parent / pathlib.Path(file).name) for file in listed])
     packer = root.attrib.get("compressor", "")
