@@ -1,0 +1,65 @@
+"""The renderer is loaded by the commands that draw, and by them alone; where it cannot be, everything else goes on."""
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from hfrac_runs import COMMAND
+
+LIBRARY = "libhfrac_viz.so.0"
+CASE_TEXT = """[packing]
+disc_count = 300
+[solver]
+kind = "quasi-static"
+[[well]]
+radius = 8.0
+pressure = 30e6
+"""
+
+
+def hfrac(*arguments, **environment):
+    return subprocess.run([COMMAND, *map(str, arguments)], env=os.environ | environment, text=True, capture_output=True, timeout=300)
+
+
+class Renderer(unittest.TestCase):
+    def setUp(self):
+        self.top = pathlib.Path(tempfile.mkdtemp(prefix="hfrac-e2e-"))
+        self.addCleanup(shutil.rmtree, self.top)
+        self.case = self.top / "case.toml"
+        self.case.write_text(CASE_TEXT)
+        self.folder = self.top / "run"
+
+    def loads_it(self, *arguments):
+        run = hfrac(*arguments, LD_DEBUG="files", LD_DEBUG_OUTPUT=str(self.top / "loaded"))
+        self.assertEqual(run.returncode, 0, run.stderr)
+        logs = list(self.top.glob("loaded.*"))
+        found = any(LIBRARY in log.read_text() for log in logs)
+        for log in logs:
+            log.unlink()
+        return found
+
+    def test_only_commands_that_draw_load_it(self):
+        self.assertFalse(self.loads_it("--version"))
+        self.assertFalse(self.loads_it("run", self.case, "-o", self.folder, "--steps", "1"))
+        self.assertFalse(self.loads_it("info", self.folder))
+        self.assertTrue(self.loads_it("render", "--help"))
+        self.assertTrue(self.loads_it("plot", self.folder))
+
+    def test_without_it_runs_go_on_and_pictures_say_what_is_missing(self):
+        broken = self.top / "libraries"
+        broken.mkdir()
+        (broken / LIBRARY).write_text("no library")
+        without = {"LD_LIBRARY_PATH": str(broken)}
+        run = hfrac("run", self.case, "-o", self.folder, "--steps", "1", **without)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        for command in (["render"], ["render", "--view", "discs", "-o", self.top / "x.png"], ["plot"], ["report"]):
+            drawn = hfrac(command[0], self.folder, *command[1:], **without)
+            self.assertEqual(drawn.returncode, 1, command)
+            self.assertRegex(drawn.stderr, f"^hfrac: pictures need the renderer, {LIBRARY}, .*; install hfrac with it")
+            self.assertFalse((self.top / "x.png").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
