@@ -74,7 +74,8 @@ void add_view_options(CLI::App& command, ViewRequest& request) {
       "One picture of these views side by side, up to nine, instead of the usual pictures:\n");
   view->delimiter(',')->expected(1, 9);
   // Their list is the renderer's, which is loaded only where this command was chosen.
-  command.preparse_callback([view](std::size_t) { view->description(view->get_description() + view_help()); });
+  command.preparse_callback(
+      [view](std::size_t) { view->description(view->get_description() + view_help()); });
   const auto only_with_view = [view](CLI::Option* option) { option->needs(view); };
   only_with_view(command.add_option("-o,--output", request.target, "That picture, .png, .svg or .pdf")
                      ->capture_default_str());

@@ -33,7 +33,7 @@ const Renderer& renderer() {
 
 /** The function of this name there, of the type that the header says. */
 template <class... Parameters>
-int32_t call(int32_t (*/*like*/)(Parameters...), const char* name,
+int32_t call(int32_t (* /*like*/)(Parameters...), const char* name,
              std::type_identity_t<Parameters>... arguments) {
   void* function = renderer().library != nullptr ? dlsym(renderer().library, name) : nullptr;
   if (function == nullptr) return HFRAC_VIZ_ERR_DRAW;
