@@ -134,27 +134,24 @@ std::size_t CoupledSystem::entry_count() const {
 }
 
 template <class Real>
-double CoupledSystem::entries(std::vector<Real>& values, const std::vector<std::int32_t>& wanted,
-                              std::size_t all) const {
-  const std::size_t count = wanted.empty() ? all : wanted.size();
+double CoupledSystem::entries(std::vector<Real>& values, const std::vector<bool>& wanted,
+                              std::size_t count) const {
   values.clear();
   values.reserve(count);
   double largest = 0.0;
-  std::int32_t number = 0;
+  std::size_t number = 0;
   each_entry([&](std::int32_t, std::int32_t, double value) {
-    if (values.size() < count && (wanted.empty() || wanted[values.size()] == number)) {
-      values.push_back(static_cast<Real>(value));
-      if (const double size = std::abs(value); size > largest) largest = size;
-    }
+    const bool is_wanted = values.size() < count && (wanted.empty() || wanted[number]);
     ++number;
+    if (!is_wanted) return;
+    values.push_back(static_cast<Real>(value));
+    if (const double size = std::abs(value); size > largest) largest = size;
   });
   return largest;
 }
 
-template double CoupledSystem::entries(std::vector<float>&, const std::vector<std::int32_t>&,
-                                       std::size_t) const;
-template double CoupledSystem::entries(std::vector<double>&, const std::vector<std::int32_t>&,
-                                       std::size_t) const;
+template double CoupledSystem::entries(std::vector<float>&, const std::vector<bool>&, std::size_t) const;
+template double CoupledSystem::entries(std::vector<double>&, const std::vector<bool>&, std::size_t) const;
 
 std::vector<std::int32_t> CoupledSystem::entries_of_rows() const {
   std::vector<std::int32_t> count(static_cast<std::size_t>(size()), 0);

@@ -69,13 +69,12 @@ class CoupledSystem {
   void limit(Vector& x, double longest) const;
 
   // The tangent as a list of entries, places always the same while the same discs are near; and what they make of a pattern.
-  // How many there are; how many each row has; those with the numbers `wanted`, ascending (none: all that there are), returning the largest size
-  // among them;
-  // those of the rows from `first` up to `end`, returning how many there are in all rows; and where they belong.
+  // How many there are; how many each row has; the `count` of those that are `wanted` by their numbers (empty: all are), returning the
+  // largest size among them; those of the rows from `first` up to `end`, returning how many there are in all rows; and where they belong.
   [[nodiscard]] std::size_t entry_count() const;
   [[nodiscard]] std::vector<std::int32_t> entries_of_rows() const;
   template <class Real>
-  double entries(std::vector<Real>& values, const std::vector<std::int32_t>& wanted, std::size_t all) const;
+  double entries(std::vector<Real>& values, const std::vector<bool>& wanted, std::size_t count) const;
   std::size_t entries(std::vector<double>& values, std::int64_t first, std::int64_t end) const;
   void places(std::vector<std::int32_t>& row, std::vector<std::int32_t>& column, std::int64_t first,
               std::int64_t end) const;

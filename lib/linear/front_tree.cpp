@@ -182,6 +182,13 @@ void FrontTree::share_out(int rank, int ranks) {
   find_owners(ranks);
   columns = rows = swaps = carried = 0;
   solved.assign(at(ranks) + 1, 0);
+  std::int64_t unknowns_kept = 0, places_kept = 0;
+  const auto keep = [](std::vector<std::int32_t>& list, std::int64_t& from, std::int64_t count,
+                       std::int64_t& listed) {
+    std::copy_n(list.begin() + from, count, list.begin() + listed);
+    from = listed;
+    listed += count;
+  };
   for (auto& front : fronts) {
     const std::int64_t m = front.size, p = front.pivots;
     solved[at(front.owner) + 1] += p;
@@ -191,10 +198,17 @@ void FrontTree::share_out(int rank, int ranks) {
     front.carried = carried;
     const bool handed_up = front.parent >= 0 && fronts[at(front.parent)].owner == rank;
     if (front.owner == rank || handed_up) carried += m - p + dense_slack;
+    // Of others' fronts all it takes are the pivots, whose solution they tell, and where what they hand over goes.
+    keep(unknowns, front.unknowns, front.owner == rank ? m : p, unknowns_kept);
+    keep(into_parent, front.into_parent, handed_up ? m - p : 0, places_kept);
     if (front.owner != rank) continue;
     columns += m * p;
     rows += p * (m - p);
     swaps += p;
+  }
+  for (auto* list : {&unknowns, &into_parent}) {
+    list->resize(at(list == &unknowns ? unknowns_kept : places_kept));
+    list->shrink_to_fit();
   }
   for (std::size_t r = 0; r < at(ranks); ++r) solved[r + 1] += solved[r];
   subtrees.erase(
@@ -207,16 +221,17 @@ void FrontTree::share_out(int rank, int ranks) {
 void FrontTree::share_entries(const EachPlace& each_place, const std::vector<std::int32_t>& front_of,
                               const std::vector<std::int32_t>& turn_of, int rank) {
   std::vector<std::int64_t> count(fronts.size() + 1, 0);
-  const auto each_own = [&](const auto& visit) {
-    std::int32_t number = 0;
-    each_place([&](MatrixPlace place) {
-      const auto r = at(place.row), c = at(place.column);
-      const auto f = at(turn_of[r] < turn_of[c] ? front_of[r] : front_of[c]);
-      if (fronts[f].owner == rank) visit(f, place, number);
-      ++number;
-    });
+  const auto front_at = [&](MatrixPlace place) {
+    const auto r = at(place.row), c = at(place.column);
+    return at(turn_of[r] < turn_of[c] ? front_of[r] : front_of[c]);
   };
-  each_own([&](std::size_t f, MatrixPlace, std::int32_t) { ++count[f + 1]; });
+  const bool alone = solved.empty();
+  each_place([&](MatrixPlace place) {
+    const std::size_t f = front_at(place);
+    const bool own = fronts[f].owner == rank;
+    count[f + 1] += own ? 1 : 0;
+    if (!alone) wanted.push_back(own);
+  });
   for (std::size_t f = 0; f < fronts.size(); ++f) {
     count[f + 1] += count[f];
     fronts[f].first_entry = count[f];
@@ -225,16 +240,15 @@ void FrontTree::share_entries(const EachPlace& each_place, const std::vector<std
   const auto own = at(count.back());
   entry.resize(own);
   entry_place.resize(own);
-  const bool alone = solved.empty();
-  if (!alone) wanted.reserve(own);
   // Where an unknown stands in the front at hand: entries come in no order of fronts, so first by front, then front by front.
   std::vector<MatrixPlace> by_front(own);
   std::int32_t so_far = 0;
-  each_own([&](std::size_t f, MatrixPlace place, std::int32_t number) {
+  each_place([&](MatrixPlace place) {
+    const std::size_t f = front_at(place);
+    if (fronts[f].owner != rank) return;
     const auto k = at(count[f]++);
     entry[k] = so_far++;
     by_front[k] = place;
-    if (!alone) wanted.push_back(number);
   });
   std::vector<std::int32_t> local(at(unknown_count), -1);
   for (const Front& front : fronts) {

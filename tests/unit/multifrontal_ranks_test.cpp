@@ -28,7 +28,8 @@ FrontTree tree_of(const GridMatrix& m, int rank = 0, int ranks = 1) {
 template <class Real>
 std::vector<Real> own_values(const FrontTree& tree, const GridMatrix& m) {
   std::vector<Real> values;
-  for (const auto k : tree.wanted) values.push_back(static_cast<Real>(m.values[static_cast<std::size_t>(k)]));
+  for (std::size_t k = 0; k < tree.wanted.size(); ++k)
+    if (tree.wanted[k]) values.push_back(static_cast<Real>(m.values[k]));
   return values;
 }
 
