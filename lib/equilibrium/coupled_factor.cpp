@@ -24,7 +24,8 @@ void CoupledFactor::compute(const CoupledSystem& system) {
     return_unused_pages();  // the factor wants the room
     entries_ = all;
   }
-  doubled_ = exact_ || sharing().any(!(system.entries(single_, tree_.wanted, tree_.entry.size()) < most_single));
+  doubled_ =
+      exact_ || sharing().any(!(system.entries(single_, tree_.wanted, tree_.entry.size()) < most_single));
   if (doubled_) {
     give_back(single_);
     coarse_.clear();

@@ -31,9 +31,10 @@ struct FrontTree {
   struct Front {
     std::int32_t pivots = 0, size = 0;  // unknowns of its own, and with its boundary
     std::int32_t parent = -1, child[2] = {-1, -1};
-    std::int32_t owner = 0;     // rank
-    bool kept = false;          // what it leaves over is kept, not stacked
-    std::int64_t unknowns = 0;  // where in unknowns: size of them, pivots first; of another rank's front no more than those
+    std::int32_t owner = 0;  // rank
+    bool kept = false;       // what it leaves over is kept, not stacked
+    std::int64_t unknowns =
+        0;  // where in unknowns: size of them, pivots first; of another rank's front no more than those
     std::int64_t columns = 0, rows = 0, swaps = 0, into_parent = 0,
                  carried = 0;   // where its parts of the factor begin
     std::int64_t leftover = 0;  // in what is kept, or on a worker's stack
@@ -50,7 +51,8 @@ struct FrontTree {
   // Entries by front: number among this rank's, place in the front as it is worked on (row + height * column).
   std::vector<std::int32_t> entry;
   std::vector<std::uint32_t> entry_place;
-  std::vector<bool> wanted;  // by number among all entries: whether it is this rank's; one rank alone: empty, all are
+  std::vector<bool>
+      wanted;  // by number among all entries: whether it is this rank's; one rank alone: empty, all are
   std::int64_t columns = 0, rows = 0, swaps = 0, carried = 0, kept = 0, stacked = 0;  // sizes
   std::int64_t largest = 0, largest_above = 0,
                largest_below = 0;    // front of all, above subtrees, within them
