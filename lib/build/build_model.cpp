@@ -11,6 +11,7 @@
 #include "build/wellbores.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "core/workers.hpp"
 #include "geom/faces.hpp"
 #include "model/joint_pores.hpp"
 #include "solid/joints.hpp"
@@ -63,8 +64,10 @@ Packing take_discs(const CaseDefinition& definition, std::span<const double> giv
   } else if (given_discs.empty()) {
     PackingOptions asked = packing_options(o);
     asked.sizes = grading_of(definition);
+    Workers workers(static_cast<int>(o.run_workers));
     packing = pack_discs(
-        asked, [&](double done) { return stop = progress && progress(0.5 * done, "packing the discs"); });
+        asked, [&](double done) { return stop = progress && progress(0.5 * done, "packing the discs"); },
+        &workers);
     if (stop) throw Stopped{};
   } else {
     packing = take_given(given_discs);

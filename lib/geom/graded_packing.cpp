@@ -104,7 +104,7 @@ void size_by_place(const PackingOptions& o, const Array<double>& proportion, Pac
 
 }  // namespace
 
-Packing pack_graded(const PackingOptions& o, const std::function<bool(double)>& progress) {
+Packing pack_graded(const PackingOptions& o, const std::function<bool(double)>& progress, Workers* workers) {
   Random random(o.seed);
   Packing p;
   p.radius = spread_radii(o, o.count, o.width * o.height, random);
@@ -121,7 +121,8 @@ Packing pack_graded(const PackingOptions& o, const std::function<bool(double)>& 
     const double before = 0.1 * round, share = last ? 1.0 - before : 0.1;
     now.residual = last ? o.residual : std::max(loose, o.residual);
     size_by_place(o, proportion, p);
-    relax_packing(now, p, [&](double done) { return stop = progress && progress(before + share * done); });
+    relax_packing(
+        now, p, [&](double done) { return stop = progress && progress(before + share * done); }, workers);
   }
   renumber(p);
   return p;

@@ -22,7 +22,7 @@ double mean_of(const Array<double>& values) {
 
 // Discs at random, grown from half their size in stages, loosely relaxed at each (relax_packing() does the last one).
 void grow(const PackingOptions& options, Random& random, Packing& p,
-          const std::function<bool(double)>& progress) {
+          const std::function<bool(double)>& progress, Workers* workers) {
   constexpr int stages = 10;
   constexpr double first_size = 0.5, loose = 3e-2;
   const auto n = static_cast<std::size_t>(options.count);
@@ -38,8 +38,9 @@ void grow(const PackingOptions& options, Random& random, Packing& p,
     const double size = first_size + (1.0 - first_size) * stage / stages;
     std::transform(p.radius.begin(), p.radius.end(), small.begin(), [&](double r) { return size * r; });
     bool stop = false;
-    relax_overlaps({options.width, options.height}, small, p.x, p.y, {}, loose, most_iterations,
-                   [&](double done) { return stop = progress && progress(0.5 * (stage + done) / stages); });
+    relax_overlaps(
+        {options.width, options.height}, small, p.x, p.y, {}, loose, most_iterations,
+        [&](double done) { return stop = progress && progress(0.5 * (stage + done) / stages); }, workers);
     if (stop) return;
   }
 }
@@ -55,9 +56,10 @@ void renumber(Packing& p) {
   }
 }
 
-void relax_packing(const PackingOptions& options, Packing& p, const std::function<bool(double)>& progress) {
+void relax_packing(const PackingOptions& options, Packing& p, const std::function<bool(double)>& progress,
+                   Workers* workers) {
   const auto report = relax_overlaps({options.width, options.height}, p.radius, p.x, p.y, {},
-                                     options.residual, most_iterations, progress);
+                                     options.residual, most_iterations, progress, workers);
   p.residual = report.residual;
   p.mean_overlap = report.mean_overlap;
   if (report.iterations < most_iterations) return;
@@ -157,9 +159,10 @@ PackingOptions packing_options(const Options& options) {
   return p;
 }
 
-Packing pack_discs(const PackingOptions& options, const std::function<bool(double)>& progress) {
+Packing pack_discs(const PackingOptions& options, const std::function<bool(double)>& progress,
+                   Workers* workers) {
   if (options.method == PackingMethod::tiled) {
-    Packing tiled = pack_tiled(options, progress);
+    Packing tiled = pack_tiled(options, progress, workers);
     renumber(tiled);
     return tiled;
   }
@@ -168,7 +171,7 @@ Packing pack_discs(const PackingOptions& options, const std::function<bool(doubl
     renumber(square);
     return square;
   }
-  if (options.sizes.graded()) return pack_graded(options, progress);
+  if (options.sizes.graded()) return pack_graded(options, progress, workers);
   Random random(options.seed);
   Packing p;
   p.radius = spread_radii(options, options.count, options.width * options.height, random);
@@ -179,12 +182,13 @@ Packing pack_discs(const PackingOptions& options, const std::function<bool(doubl
     return stop = progress && progress(grown ? 0.5 + 0.5 * done : done);
   };
   if (grown) {
-    grow(options, random, p, [&](double done) { return stop = progress && progress(done); });
+    grow(
+        options, random, p, [&](double done) { return stop = progress && progress(done); }, workers);
   } else {
     place_on_lattice(options.width, options.height, random, p);
     renumber(p);
   }
-  if (!stop) relax_packing(options, p, last_stage);
+  if (!stop) relax_packing(options, p, last_stage, workers);
   renumber(p);
   return p;
 }

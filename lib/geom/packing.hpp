@@ -27,6 +27,7 @@
 namespace hfrac {
 
 struct Options;
+class Workers;
 
 struct PackingOptions {
   double width = 100.0;        // m
@@ -53,7 +54,9 @@ struct Packing {
 };
 
 // progress(fraction) may return true to stop; the packing is then not relaxed. Throws Error(model) if it does not relax.
-Packing pack_discs(const PackingOptions& options, const std::function<bool(double)>& progress = {});
+// `workers` share the work (none: the calling thread alone); the packing is the same.
+Packing pack_discs(const PackingOptions& options, const std::function<bool(double)>& progress = {},
+                   Workers* workers = nullptr);
 
 // The permutation that numbers points along a Hilbert curve: order[new] = old.
 std::vector<std::int32_t> hilbert_order(const Array<double>& x, const Array<double>& y);
@@ -65,9 +68,11 @@ Array<double> spread_radii(const PackingOptions& options, std::int64_t count, do
 void place_on_lattice(double width, double height, Random& random, Packing& packing);
 // To rest, or Error(model); numbered along the curve.
 void relax_packing(const PackingOptions& options, Packing& packing,
-                   const std::function<bool(double)>& progress);
+                   const std::function<bool(double)>& progress, Workers* workers);
 void renumber(Packing& packing);
-Packing pack_tiled(const PackingOptions& options, const std::function<bool(double)>& progress);
-Packing pack_graded(const PackingOptions& options, const std::function<bool(double)>& progress);
+Packing pack_tiled(const PackingOptions& options, const std::function<bool(double)>& progress,
+                   Workers* workers);
+Packing pack_graded(const PackingOptions& options, const std::function<bool(double)>& progress,
+                    Workers* workers);
 
 }  // namespace hfrac

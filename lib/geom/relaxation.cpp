@@ -2,208 +2,38 @@
 #include "geom/relaxation.hpp"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
-#include "geom/cell_grid.hpp"
+#include "geom/neighbour_pairs.hpp"
 
 namespace hfrac {
 namespace {
 
-// To the nearest image of a periodic box; a step of at most one box does.
-double nearest_image(double distance, double side) {
-  if (distance > 0.5 * side) return distance - side;
-  return distance < -0.5 * side ? distance + side : distance;
-}
-
-// Pairs that may touch before some disc has moved half the skin, first[k] < second[k], in ascending order of the first. One flat
-// list: a loop over each disc's own few would end at a number of turns no processor foresees.
-class NeighbourList {
- public:
-  NeighbourList(const RelaxationBox& box, const Array<double>& radius, double skin)
-      : box_(box), radius_(radius), skin_(skin) {}
-
-  void refresh(Array<double>& x, Array<double>& y) {
-    if (!moved_too_far(x, y)) return;
-    if (box_.periodic) wrap(x, y);
-    x_ = x;
-    y_ = y;
-    const double largest = *std::max_element(radius_.begin(), radius_.end());
-    const CellGrid grid(x, y, 2.0 * largest + skin_);
-    const auto n = static_cast<std::int32_t>(x.size());
-    first.clear();
-    second.clear();
-    for (std::int32_t i = 0; i < n; ++i) {
-      const double reach_i = radius_[i] + largest + skin_;
-      const auto take = [&](std::int32_t j) {
-        if (j <= i) return;
-        const Vec2 d = between(x, y, i, j);
-        const double reach = radius_[i] + radius_[j] + skin_;
-        if (d.x * d.x + d.y * d.y >= reach * reach) return;
-        first.push_back(i);
-        second.push_back(j);
-      };
-      if (box_.periodic && near_side(x[i], y[i], reach_i)) {
-        take_images(grid, x[i], y[i], reach_i, take);
-      } else {
-        grid.near(x[i], y[i], reach_i, take);
-      }
-    }
-  }
-
-  // From disc i to (the nearest image of) disc j.
-  [[nodiscard]] Vec2 between(const Array<double>& x, const Array<double>& y, std::size_t i,
-                             std::size_t j) const {
-    Vec2 d{x[j] - x[i], y[j] - y[i]};
-    if (box_.periodic) d = {nearest_image(d.x, box_.width), nearest_image(d.y, box_.height)};
-    return d;
-  }
-
-  std::vector<std::int32_t> first, second;
-
- private:
-  void wrap(Array<double>& x, Array<double>& y) const {
-    for (auto& v : x) v -= box_.width * std::floor(v / box_.width);
-    for (auto& v : y) v -= box_.height * std::floor(v / box_.height);
-  }
-  [[nodiscard]] bool near_side(double x, double y, double reach) const {
-    return x < reach || x > box_.width - reach || y < reach || y > box_.height - reach;
-  }
-  // Cells around the point and around its images; each partner once, in ascending order.
-  template <class Take>
-  void take_images(const CellGrid& grid, double x, double y, double reach, Take&& take) {
-    around_.clear();
-    for (const double shift_y : {-box_.height, 0.0, box_.height}) {
-      if (y + shift_y < -reach || y + shift_y > box_.height + reach) continue;
-      for (const double shift_x : {-box_.width, 0.0, box_.width}) {
-        if (x + shift_x < -reach || x + shift_x > box_.width + reach) continue;
-        grid.near(x + shift_x, y + shift_y, reach, [this](std::int32_t j) { around_.push_back(j); });
-      }
-    }
-    std::sort(around_.begin(), around_.end());
-    around_.erase(std::unique(around_.begin(), around_.end()), around_.end());
-    for (const auto j : around_) take(j);
-  }
-  [[nodiscard]] bool moved_too_far(const Array<double>& x, const Array<double>& y) const {
-    if (x_.empty()) return true;
-    const double limit = 0.25 * skin_ * skin_;
-    int far = 0;  // no early end, so that it runs in vectors
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      const double dx = x[i] - x_[i], dy = y[i] - y_[i];
-      far |= dx * dx + dy * dy > limit ? 1 : 0;
-    }
-    return far != 0;
-  }
-
-  const RelaxationBox& box_;
-  const Array<double>& radius_;
-  double skin_;
-  Array<double> x_, y_;
-  std::vector<std::int32_t> around_;
-};
-
-// Of all discs, stiffness 1. A disc's own pairs and those it is second in are added up apart.
-struct Forces {
-  explicit Forces(std::size_t n) : x(n, 0.0), y(n, 0.0), own_x(n, 0.0), own_y(n, 0.0) {}
-  Array<double> x, y, own_x, own_y;
-};
-
-struct Contacts {
-  double overlap = 0.0;  // sum of all, which is that of their forces
-  std::int64_t count = 0;
-};
-
-// What overlapping discs push each other with. Nothing branches on whether two touch: that would be guessed wrong too often.
-template <bool periodic>
-Contacts push_discs(const Array<double>& radius, const Array<double>& x, const Array<double>& y,
-                    const NeighbourList& list, Forces& f) {
-  double sum = 0.0, count = 0.0;
-  double* __restrict own_x = f.own_x.data();
-  double* __restrict own_y = f.own_y.data();
-  double* __restrict fx = f.x.data();
-  double* __restrict fy = f.y.data();
-  for (std::size_t k = 0; k < list.first.size(); ++k) {
-    const auto i = static_cast<std::size_t>(list.first[k]), j = static_cast<std::size_t>(list.second[k]);
-    const Vec2 d = periodic ? list.between(x, y, i, j) : Vec2{x[j] - x[i], y[j] - y[i]};
-    const double reach = radius[i] + radius[j], d2 = d.x * d.x + d.y * d.y, distance = std::sqrt(d2);
-    const double touch = d2 < reach * reach ? 1.0 : 0.0;
-    const double overlap = touch * (reach - distance), scale = overlap / std::max(distance, 1e-300);
-    own_x[i] -= scale * d.x;
-    own_y[i] -= scale * d.y;
-    fx[j] += scale * d.x;
-    fy[j] += scale * d.y;
-    sum += overlap;
-    count += touch;
-  }
-  return {sum, static_cast<std::int64_t>(count)};
-}
-
-// What the box's walls push disc i with.
-Vec2 push_of_walls(const RelaxationBox& box, double x, double y, double radius, Vec2 force,
-                   Contacts& contacts) {
-  const double west = radius - x, east = x + radius - box.width, south = radius - y,
-               north = y + radius - box.height;
-  if (std::max(std::max(west, east), std::max(south, north)) <= 0.0) return force;
-  for (const double overlap : {west, east, south, north}) {
-    if (overlap <= 0.0) continue;
-    contacts.overlap += overlap;
-    ++contacts.count;
-  }
-  return {force.x + std::max(0.0, west) - std::max(0.0, east),
-          force.y + std::max(0.0, south) - std::max(0.0, north)};
-}
+constexpr std::size_t discs_of_block = 512, discs_worth_sharing = 4000;
+constexpr std::int64_t iterations_between_reports = 50;
 
 struct Sums {
+  double overlap = 0.0;  // of all contacts, whose forces are their overlaps
+  std::int64_t contacts = 0;
   double unbalanced = 0.0;                 // of the sizes of forces
   double power = 0.0, f2 = 0.0, v2 = 0.0;  // force times velocity, squares of both
 };
 
-}  // namespace
-
-RelaxationReport relax_overlaps(const RelaxationBox& box, const Array<double>& radius, Array<double>& x,
-                                Array<double>& y, const std::vector<char>& held, double residual,
-                                std::int64_t most, const std::function<bool(double)>& progress) {
-  const std::size_t n = x.size();
-  const double mean_radius = std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(n);
-  const auto moving = static_cast<double>(std::max<std::int64_t>(
-      1,
-      static_cast<std::int64_t>(n) - std::count_if(held.begin(), held.end(), [](char h) { return h != 0; })));
-  Forces f(n);
-  Array<double> vx(n, 0.0), vy(n, 0.0);
-  NeighbourList list(box, radius, 0.4 * mean_radius);
-  constexpr double step_max = 0.55, grow = 1.1, shrink = 0.5, mixing_start = 0.1, mixing_decay = 0.99;
-  constexpr int patience = 5;
+// Where FIRE is on its way.
+struct Course {
+  static constexpr double step_max = 0.55, grow = 1.1, shrink = 0.5, mixing_start = 0.1, mixing_decay = 0.99;
+  static constexpr int patience = 5;
   double step = 0.1, mixing = mixing_start;
   int downhill = 0;
-  double first = 0.0, done = 0.0;
-  RelaxationReport report;
-  for (;; ++report.iterations) {
-    list.refresh(x, y);
-    Contacts contacts =
-        box.periodic ? push_discs<true>(radius, x, y, list, f) : push_discs<false>(radius, x, y, list, f);
-    Sums sums;
-    for (std::size_t i = 0; i < n; ++i) {
-      Vec2 force{f.own_x[i], f.own_y[i]};
-      if (!box.periodic) force = push_of_walls(box, x[i], y[i], radius[i], force, contacts);
-      const bool stays = !held.empty() && held[i] != 0;
-      const double fx = f.x[i] = stays ? 0.0 : f.x[i] + force.x, fy = f.y[i] = stays ? 0.0 : f.y[i] + force.y;
-      sums.unbalanced += std::sqrt(fx * fx + fy * fy);
-      sums.power += fx * vx[i] + fy * vy[i];
-      sums.f2 += fx * fx + fy * fy;
-      sums.v2 += vx[i] * vx[i] + vy[i] * vy[i];
-    }
-    const double mean_force =
-        contacts.count > 0 ? contacts.overlap / static_cast<double>(contacts.count) : 0.0;
-    report.residual = mean_force > 0.0 ? sums.unbalanced / moving / mean_force : 0.0;
-    report.mean_overlap = mean_force / mean_radius;
-    // Below the jamming density all overlaps vanish: that is at rest too.
-    report.at_rest = report.residual <= residual || report.mean_overlap < 1e-6;
-    if (report.at_rest || report.iterations == most) return report;
-    // The residual falls by fits and starts; what was reached once is what counts as done.
-    if (report.iterations == 0) first = std::max(report.residual, 10.0 * residual);
-    done = std::clamp(std::log(first / report.residual) / std::log(first / residual), done, 1.0);
-    if (progress && report.iterations % 50 == 0 && progress(done)) return report;
-    double keep = 1.0, turn = 0.0;
+  double keep = 1.0, turn = 0.0;  // velocity: so much of what it was, so much of the force
+
+  void turn_by(const Sums& sums) {
+    keep = 1.0;
+    turn = 0.0;
     if (sums.power > 0.0) {
       keep = 1.0 - mixing;
       turn = mixing * std::sqrt(sums.v2 / std::max(sums.f2, 1e-300));
@@ -217,14 +47,334 @@ RelaxationReport relax_overlaps(const RelaxationBox& box, const Array<double>& r
       mixing = mixing_start;
       downhill = 0;
     }
-    for (std::size_t i = 0; i < n; ++i) {
-      vx[i] = keep * vx[i] + (turn + step) * f.x[i];
-      vy[i] = keep * vy[i] + (turn + step) * f.y[i];
-      x[i] += step * vx[i];
-      y[i] += step * vy[i];
-      f.x[i] = f.y[i] = f.own_x[i] = f.own_y[i] = 0.0;
+  }
+};
+
+struct Discs {
+  const double *radius, *x, *y;
+};
+
+struct Answer {
+  double overlap;
+  std::int64_t touches;  // 1 or 0
+  Vec2 push;             // on the second disc
+};
+
+// Nothing branches on whether two touch: that would be guessed wrong too often.
+template <bool periodic>
+[[gnu::always_inline]] inline Answer answer(const RelaxationBox& box, const Discs& discs, std::size_t i,
+                                            std::size_t j) {
+  const Vec2 d = box.between<periodic>(discs.x[i], discs.y[i], discs.x[j], discs.y[j]);
+  const double reach = discs.radius[i] + discs.radius[j], d2 = d.x * d.x + d.y * d.y,
+               distance = std::sqrt(d2);
+  const std::int64_t touches = d2 < reach * reach ? 1 : 0;
+  const double overlap = static_cast<double>(touches) * (reach - distance),
+               scale = overlap / std::max(distance, 1e-300);
+  return {overlap, touches, {scale * d.x, scale * d.y}};
+}
+
+// Forces of a block's pairs: own_x, own_y of a disc's own pairs, fx, fy of those it is second in. Overlaps of pairs that touch are added up,
+// or, with `list`, listed. Returns how many there are.
+template <bool periodic, bool list>
+std::int64_t push_pairs(const RelaxationBox& box, const Discs& discs, const NeighbourPairs::Block& block,
+                        double* __restrict own_x, double* __restrict own_y, double* __restrict fx,
+                        double* __restrict fy, double* __restrict touching, double& overlap) {
+  const std::int32_t *first = block.first.data(), *second = block.second.data(),
+                     *receives = block.receiver.data();
+  const std::size_t pairs = block.first.size();
+  double sum = 0.0;
+  std::int64_t count = 0;
+  for (std::size_t k = 0; k < pairs; ++k) {
+    const auto i = static_cast<std::size_t>(first[k]), j = static_cast<std::size_t>(second[k]),
+               receiver = list ? static_cast<std::size_t>(receives[k]) : j;
+    const Answer a = answer<periodic>(box, discs, i, j);
+    own_x[i] -= a.push.x;
+    own_y[i] -= a.push.y;
+    fx[receiver] += a.push.x;
+    fy[receiver] += a.push.y;
+    if constexpr (list)
+      touching[count] = a.overlap;
+    else
+      sum += a.overlap;
+    count += a.touches;
+  }
+  if (!list) overlap = sum;
+  return count;
+}
+
+// Of a velocity what stays, and what a force adds to it; and by what of it a place moves.
+struct Motion {
+  double keep, push, step;
+};
+
+void move_discs(const Motion& motion, std::size_t first, std::size_t last, const double* __restrict force,
+                double* __restrict velocity, double* __restrict place) {
+  for (std::size_t i = first; i < last; ++i) {
+    velocity[i] = motion.keep * velocity[i] + motion.push * force[i];
+    place[i] += motion.step * velocity[i];
+  }
+}
+
+// Workers take blocks of discs; whatever is added up over discs or contacts is so by one of them, in one order.
+class Relaxation {
+ public:
+  using Member = Workers::Member;
+
+  Relaxation(const RelaxationBox& box, const Array<double>& radius, Array<double>& x, Array<double>& y,
+             const std::vector<char>& held, Workers* workers)
+      : box_(box),
+        radius_(radius),
+        x_(x),
+        y_(y),
+        held_(held),
+        workers_(workers != nullptr ? *workers : alone_),
+        shared_(workers != nullptr && workers->count() > 1 && x.size() >= discs_worth_sharing),
+        mean_radius_(std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(x.size())),
+        moving_(static_cast<double>(std::max<std::int64_t>(
+            1, static_cast<std::int64_t>(x.size()) -
+                   std::count_if(held.begin(), held.end(), [](char h) { return h != 0; })))),
+        pairs_(box, radius, 0.4 * mean_radius_, shared_ ? discs_of_block : 0) {
+    for (auto* values : {&own_x_, &own_y_, &vx_, &vy_}) values->assign(x.size(), 0.0);
+    // And a place for each block, where what it pushes others' discs with is lost.
+    for (auto* values : {&fx_, &fy_}) values->assign(pairs_.nowhere(pairs_.blocks.size()), 0.0);
+    if (shared_) touching_.resize(pairs_.blocks.size());
+  }
+
+  RelaxationReport run(double residual, std::int64_t most, const std::function<bool(double)>& progress) {
+    double start = 0.0, done = 0.0;
+    residual_ = residual;
+    most_ = most;
+    for (;;) {
+      if (due_) find_pairs();
+      const bool judged = std::exchange(judged_, false);
+      workers_.share(shared_, [&](const Member& member) { go_on(member, judged); });
+      if (over_) return report_;
+      if (!judged_) continue;
+      // The residual falls by fits and starts; what was reached once is what counts as done.
+      if (report_.iterations == 0) start = std::max(report_.residual, 10.0 * residual);
+      done = std::clamp(std::log(start / report_.residual) / std::log(start / residual), done, 1.0);
+      if (progress && progress(done)) return report_;
     }
   }
+
+ private:
+  [[nodiscard]] Discs discs() const { return {radius_.data(), x_.data(), y_.data()}; }
+
+  void find_pairs() {
+    pairs_.find(x_, y_, workers_);
+    due_ = false;
+    for (std::size_t b = 0; shared_ && b < touching_.size(); ++b)
+      touching_[b].overlap.resize(pairs_.blocks[b].first.size() + 1);  // written ahead of what counts
+  }
+
+  // Iterations until the end, until pairs have to be found anew, or until it is time to report, which is before discs move: so `judged`.
+  void go_on(const Member& member, bool judged) {
+    for (;; judged = false) {
+      if (!judged) {
+        if (box_.periodic)
+          push<true>(member);
+        else
+          push<false>(member);
+        if (member.number == 0) judge();
+        member.barrier();
+        if (over_ || judged_) return;
+      }
+      move(member);
+      if (due_ || member.team.cut_short()) return;
+    }
+  }
+
+  // Calls visit(block) for every block, each by one member; a barrier.
+  template <class Visit>
+  void each_block(const Member& member, const Visit& visit) {
+    const auto count = static_cast<std::int64_t>(pairs_.blocks.size());
+    const auto mine = member.part(count, 1);
+    for (auto b = mine.first; b < mine.last; ++b) visit(static_cast<std::size_t>(b));
+    member.barrier();
+  }
+
+  template <bool periodic>
+  void push(const Member& member) {
+    if (member.count == 1 && !shared_) {
+      sums_ = {};
+      push_block<periodic, false>(0);
+      add_walls();
+      return;
+    }
+    each_block(member, [&](std::size_t b) { push_others<periodic>(b); });
+    each_block(member, [&](std::size_t b) { push_block<periodic, true>(b); });
+    if (member.number == 0) sums_ = {};
+    member.barrier();
+    // By three members, or by as many as there are.
+    if (member.number == 0) {
+      add_overlaps();
+      add_walls();
+    }
+    const bool three = member.count > 2;
+    if (member.number == 1 || member.count == 1) three ? add_up<true, false>() : add_up<true, true>();
+    if (member.number == 2) add_up<false, true>();
+    member.barrier();
+  }
+
+  // What a block's discs push those of others with.
+  template <bool periodic>
+  void push_others(std::size_t b) {
+    auto& block = pairs_.blocks[b];
+    for (std::size_t k = 0; k < block.leaving.size(); ++k) {
+      const auto pair = block.leaving[k];
+      block.push[k] = answer<periodic>(box_, discs(), static_cast<std::size_t>(block.first[pair]),
+                                       static_cast<std::size_t>(block.second[pair]))
+                          .push;
+    }
+  }
+
+  // Forces on a block's discs. A disc's own pairs and those it is second in are added up apart.
+  template <bool periodic, bool list>
+  void push_block(std::size_t b) {
+    const auto& block = pairs_.blocks[b];
+    for (auto* values : {&fx_, &fy_, &own_x_, &own_y_})
+      std::fill(values->begin() + static_cast<std::ptrdiff_t>(block.first_disc),
+                values->begin() + static_cast<std::ptrdiff_t>(block.last_disc), 0.0);
+    for (const auto [other, k] : block.arriving) {
+      const auto& from = pairs_.blocks[other];
+      const auto j = static_cast<std::size_t>(from.second[from.leaving[k]]);
+      fx_[j] += from.push[k].x;
+      fy_[j] += from.push[k].y;
+    }
+    (list ? touching_[b].count : sums_.contacts) =
+        push_pairs<periodic, list>(box_, discs(), block, own_x_.data(), own_y_.data(), fx_.data(), fy_.data(),
+                                   list ? touching_[b].overlap.data() : nullptr, sums_.overlap);
+    Sums sums;
+    for (auto i = block.first_disc; i < block.last_disc; ++i) {
+      Vec2 force{own_x_[i], own_y_[i]};
+      if (!periodic) force = pushed_by_walls(i, force);
+      const bool stays = !held_.empty() && held_[i] != 0;
+      fx_[i] = stays ? 0.0 : fx_[i] + force.x;
+      fy_[i] = stays ? 0.0 : fy_[i] + force.y;
+      if (!list) add<true, true>(i, sums);
+    }
+    if (!list) take_sums<true, true>(sums);
+  }
+
+  // Overlaps of a disc with the box's walls: west, east, south, north.
+  [[nodiscard]] std::array<double, 4> overlaps_with_walls(std::size_t i) const {
+    return {radius_[i] - x_[i], x_[i] + radius_[i] - box_.width, radius_[i] - y_[i],
+            y_[i] + radius_[i] - box_.height};
+  }
+  [[nodiscard]] Vec2 pushed_by_walls(std::size_t i, Vec2 force) const {
+    const auto [west, east, south, north] = overlaps_with_walls(i);
+    if (std::max(std::max(west, east), std::max(south, north)) <= 0.0) return force;
+    return {force.x + std::max(0.0, west) - std::max(0.0, east),
+            force.y + std::max(0.0, south) - std::max(0.0, north)};
+  }
+
+  void add_overlaps() {
+    double sum = 0.0;
+    std::int64_t count = 0;
+    for (const auto& block : touching_) {
+      for (std::size_t k = 0; k < static_cast<std::size_t>(block.count); ++k) sum += block.overlap[k];
+      count += block.count;
+    }
+    sums_.overlap = sum;
+    sums_.contacts = count;
+  }
+  void add_walls() {
+    for (const auto& block : pairs_.blocks) {
+      for (const auto i : block.at_walls) {
+        for (const double overlap : overlaps_with_walls(static_cast<std::size_t>(i))) {
+          if (overlap <= 0.0) continue;
+          sums_.overlap += overlap;
+          ++sums_.contacts;
+        }
+      }
+    }
+  }
+
+  template <bool sizes, bool powers>
+  void add(std::size_t i, Sums& sums) const {
+    const double fx = fx_[i], fy = fy_[i], vx = vx_[i], vy = vy_[i];
+    if (sizes) {
+      sums.unbalanced += std::sqrt(fx * fx + fy * fy);
+      sums.v2 += vx * vx + vy * vy;
+    }
+    if (powers) {
+      sums.power += fx * vx + fy * vy;
+      sums.f2 += fx * fx + fy * fy;
+    }
+  }
+  template <bool sizes, bool powers>
+  void take_sums(const Sums& sums) {
+    if (sizes) {
+      sums_.unbalanced = sums.unbalanced;
+      sums_.v2 = sums.v2;
+    }
+    if (powers) {
+      sums_.power = sums.power;
+      sums_.f2 = sums.f2;
+    }
+  }
+  template <bool sizes, bool powers>
+  void add_up() {
+    Sums sums;
+    for (std::size_t i = 0; i < x_.size(); ++i) add<sizes, powers>(i, sums);
+    take_sums<sizes, powers>(sums);
+  }
+
+  // By one member.
+  void judge() {
+    const double mean_force = sums_.contacts > 0 ? sums_.overlap / static_cast<double>(sums_.contacts) : 0.0;
+    report_.residual = mean_force > 0.0 ? sums_.unbalanced / moving_ / mean_force : 0.0;
+    report_.mean_overlap = mean_force / mean_radius_;
+    // Below the jamming density all overlaps vanish: that is at rest too.
+    report_.at_rest = report_.residual <= residual_ || report_.mean_overlap < 1e-6;
+    over_ = report_.at_rest || report_.iterations == most_;
+    if (over_) return;
+    course_.turn_by(sums_);
+    judged_ = report_.iterations % iterations_between_reports == 0;
+  }
+
+  void move(const Member& member) {
+    const Motion motion{course_.keep, course_.turn + course_.step, course_.step};
+    each_block(member, [&](std::size_t b) {
+      const auto& block = pairs_.blocks[b];
+      move_discs(motion, block.first_disc, block.last_disc, fx_.data(), vx_.data(), x_.data());
+      move_discs(motion, block.first_disc, block.last_disc, fy_.data(), vy_.data(), y_.data());
+      if (pairs_.are_due(x_, y_, block.first_disc, block.last_disc)) due_ = true;
+    });
+    if (member.number == 0) ++report_.iterations;
+    member.barrier();
+  }
+
+  const RelaxationBox& box_;
+  const Array<double>& radius_;
+  Array<double>&x_, &y_;
+  const std::vector<char>& held_;
+  Workers alone_{1};
+  Workers& workers_;
+  bool shared_;
+  double mean_radius_, moving_, residual_ = 0.0;
+  std::int64_t most_ = 0;
+  NeighbourPairs pairs_;
+  Array<double> fx_, fy_, own_x_, own_y_, vx_, vy_;
+  struct Touching {  // of a block: overlaps of pairs that touch
+    std::int64_t count = 0;
+    Array<double> overlap;
+  };
+  std::vector<Touching> touching_;
+  Sums sums_;
+  Course course_;
+  RelaxationReport report_;
+  std::atomic<bool> due_{true};  // pairs are to be found anew
+  bool judged_ = false, over_ = false;
+};
+
+}  // namespace
+
+RelaxationReport relax_overlaps(const RelaxationBox& box, const Array<double>& radius, Array<double>& x,
+                                Array<double>& y, const std::vector<char>& held, double residual,
+                                std::int64_t most, const std::function<bool(double)>& progress,
+                                Workers* workers) {
+  return Relaxation(box, radius, x, y, held, workers).run(residual, most, progress);
 }
 
 }  // namespace hfrac

@@ -9,7 +9,10 @@
 //
 // What stays periodic is the frame: about 9 discs in 100 at 5 000 discs a brick repeat with the brick's period.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <exception>
+#include <mutex>
 #include <numeric>
 
 #include "core/error.hpp"
@@ -47,9 +50,8 @@ void wrap(Brick& brick) {
   for (auto& y : brick.discs.y) y -= brick.height * std::floor(y / brick.height);
 }
 
-// The same brick with its inside shuffled: radii change places, places are jittered, the frame stands.
-Brick another_kind(const Brick& first, const std::vector<char>& frame, double residual, Random& random,
-                   const std::function<bool(double)>& progress) {
+// The same brick with its inside shuffled: radii change places, places are jittered, the frame stands. To be relaxed.
+Brick another_kind(const Brick& first, const std::vector<char>& frame, Random& random) {
   Brick brick = first;
   Packing& p = brick.discs;
   std::vector<std::size_t> inside;
@@ -65,15 +67,47 @@ Brick another_kind(const Brick& first, const std::vector<char>& frame, double re
     p.x[i] += p.mean_radius * (random.uniform() - 0.5);
     p.y[i] += p.mean_radius * (random.uniform() - 0.5);
   }
-  relax_overlaps({brick.width, brick.height, true}, p.radius, p.x, p.y, frame, residual, most_relaxations,
-                 progress);
-  wrap(brick);
   return brick;
+}
+
+// All but the first, a kind by one worker each. The calling thread alone reports, with what it has done of all.
+void relax_kinds(std::vector<Brick>& kinds, const std::vector<char>& frame, double residual,
+                 const std::function<bool(double)>& progress, Workers& workers) {
+  const auto count = static_cast<std::int64_t>(kinds.size()) - 1;
+  std::atomic<std::int64_t> next{1}, made{1};
+  std::atomic<bool> stop{false};
+  std::exception_ptr failure;
+  std::mutex failing;
+  const auto relax = [&](Brick& brick, bool reports) {
+    relax_overlaps({brick.width, brick.height, true}, brick.discs.radius, brick.discs.x, brick.discs.y, frame,
+                   residual, most_relaxations, [&](double done) {
+                     if (reports && progress &&
+                         progress((static_cast<double>(made) + done) / static_cast<double>(count + 1)))
+                       stop = true;
+                     return stop.load();
+                   });
+    wrap(brick);
+    ++made;
+  };
+  workers.run(
+      [&](int worker) {
+        try {
+          for (auto k = next++; k <= count && !stop; k = next++)
+            relax(kinds[static_cast<std::size_t>(k)], worker == 0);
+        } catch (...) {
+          const std::lock_guard lock(failing);
+          failure = std::current_exception();
+          stop = true;
+        }
+      },
+      false);
+  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace
 
-Packing pack_tiled(const PackingOptions& options, const std::function<bool(double)>& progress) {
+Packing pack_tiled(const PackingOptions& options, const std::function<bool(double)>& progress,
+                   Workers* workers) {
   Random random(options.seed);
   const double bricks =
       std::max(1.0, std::round(static_cast<double>(options.count) / static_cast<double>(options.brick)));
@@ -86,24 +120,24 @@ Packing pack_tiled(const PackingOptions& options, const std::function<bool(doubl
   const std::int64_t count =
       std::max<std::int64_t>(1, (options.count + columns * rows / 2) / (columns * rows));
 
+  Workers alone(1);
+  Workers& team = workers != nullptr ? *workers : alone;
   bool stop = false;
   const std::size_t kind_count = std::min(most_kinds, places);
-  std::size_t made = 0;
-  const auto watch = [&](double done) {
-    return stop = progress &&
-                  progress(0.5 * (static_cast<double>(made) + done) / static_cast<double>(kind_count));
-  };
+  const auto watch = [&](double done) { return stop = progress && progress(0.5 * done); };
   first.discs.radius = spread_radii(options, count, first.width * first.height, random);
   first.discs.mean_radius =
       std::accumulate(first.discs.radius.begin(), first.discs.radius.end(), 0.0) / static_cast<double>(count);
   place_on_lattice(first.width, first.height, random, first.discs);
-  relax_overlaps({first.width, first.height, true}, first.discs.radius, first.discs.x, first.discs.y, {},
-                 options.residual, most_relaxations, watch);
+  relax_overlaps(
+      {first.width, first.height, true}, first.discs.radius, first.discs.x, first.discs.y, {},
+      options.residual, most_relaxations,
+      [&](double done) { return watch(done / static_cast<double>(kind_count)); }, &team);
   wrap(first);
   const std::vector<char> frame = frame_of(first);
   std::vector<Brick> kinds{std::move(first)};
-  for (made = 1; made < kind_count && !stop; ++made)
-    kinds.push_back(another_kind(kinds[0], frame, options.residual, random, watch));
+  while (kinds.size() < kind_count) kinds.push_back(another_kind(kinds[0], frame, random));
+  if (!stop) relax_kinds(kinds, frame, options.residual, watch, team);
 
   Packing p;
   p.mean_radius = kinds[0].discs.mean_radius;
@@ -120,9 +154,9 @@ Packing pack_tiled(const PackingOptions& options, const std::function<bool(doubl
   }
   kinds.clear();
   if (stop) return p;
-  const auto report = relax_overlaps({options.width, options.height}, p.radius, p.x, p.y, {},
-                                     std::max(options.residual, seam_residual), most_seam_iterations,
-                                     [&](double done) { return progress && progress(0.5 + 0.5 * done); });
+  const auto report = relax_overlaps(
+      {options.width, options.height}, p.radius, p.x, p.y, {}, std::max(options.residual, seam_residual),
+      most_seam_iterations, [&](double done) { return progress && progress(0.5 + 0.5 * done); }, &team);
   p.residual = report.residual;
   p.mean_overlap = report.mean_overlap;
   return p;

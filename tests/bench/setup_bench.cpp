@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What it takes to build a model, stage by stage: seconds and resident memory per disc.
 //
-//     bench_setup N [relaxed|tiled|growth]
+//     bench_setup N [relaxed|tiled|growth] [WORKERS of the packing]
 #include <malloc.h>
 #include <sys/resource.h>
 
@@ -60,7 +60,7 @@ class Stages {
   double discs_, start_, last_, empty_;
 };
 
-void build(std::int64_t count, PackingMethod method) {
+void build(std::int64_t count, PackingMethod method, int packers) {
   Options o;
   o.packing_disc_count = count;
   PackingOptions p;
@@ -68,7 +68,8 @@ void build(std::int64_t count, PackingMethod method) {
   p.method = method;
   p.brick = o.packing_brick_discs;
   Stages stages(static_cast<double>(count));
-  Packing packing = pack_discs(p);
+  Workers packing_workers(packers);
+  Packing packing = pack_discs(p, {}, &packing_workers);
   stages.done("packing");
   std::printf("  residual %.2g, mean overlap %.2g radii\n", packing.residual, packing.mean_overlap);
   ContactGraph graph =
@@ -109,14 +110,19 @@ void build(std::int64_t count, PackingMethod method) {
 int main(int argc, char** argv) {
   const std::int64_t count = argc > 1 ? std::atoll(argv[1]) : 0;
   const std::string method = argc > 2 ? argv[2] : "tiled";
-  if (count < 1000 || count > 5000000 || (method != "tiled" && method != "relaxed" && method != "growth")) {
-    std::fprintf(stderr, "usage: bench_setup N [relaxed|tiled|growth]   1 000 to 5 000 000 discs\n");
+  const int packers = argc > 3 ? std::atoi(argv[3]) : 1;
+  if (count < 1000 || count > 5000000 || packers < 1 || packers > 1000 ||
+      (method != "tiled" && method != "relaxed" && method != "growth")) {
+    std::fprintf(stderr,
+                 "usage: bench_setup N [relaxed|tiled|growth] [WORKERS]   1 000 to 5 000 000 discs\n");
     return 2;
   }
   try {
-    build(count, method == "tiled"    ? PackingMethod::tiled
-                 : method == "growth" ? PackingMethod::growth
-                                      : PackingMethod::relaxed);
+    build(count,
+          method == "tiled"    ? PackingMethod::tiled
+          : method == "growth" ? PackingMethod::growth
+                               : PackingMethod::relaxed,
+          packers);
   } catch (const Error& error) {
     std::fprintf(stderr, "bench_setup: %s\n", error.what());
     return 1;

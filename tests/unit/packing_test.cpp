@@ -2,6 +2,7 @@
 // The packing: fills what it is asked to fill, at rest, inside the box, the same for the same seed.
 #include "geom/packing.hpp"
 
+#include "core/workers.hpp"
 #include "geom/relaxation.hpp"
 
 #include <gtest/gtest.h>
@@ -73,6 +74,45 @@ TEST(Packing, DependsOnTheSeedAlone) {
   std::sort(sizes.begin(), sizes.end());
   std::sort(other_sizes.begin(), other_sizes.end());
   EXPECT_TRUE(same_bits(sizes, other_sizes));
+}
+
+TEST(Packing, IsTheSameOnAnyNumberOfWorkers) {
+  PackingOptions asked;
+  asked.count = 9000;
+  asked.brick = 1500;
+  asked.residual = 1e-2;
+  for (const auto method : {PackingMethod::relaxed, PackingMethod::tiled, PackingMethod::growth}) {
+    asked.method = method;
+    const Packing alone = pack_discs(asked);
+    for (const int count : {1, 2, 3, 5}) {
+      Workers workers(count);
+      const Packing p = pack_discs(asked, {}, &workers);
+      EXPECT_TRUE(same_bits(p.x, alone.x) && same_bits(p.y, alone.y) && same_bits(p.radius, alone.radius))
+          << count << " workers, method " << static_cast<int>(method);
+      EXPECT_EQ(p.residual, alone.residual);
+      EXPECT_EQ(p.mean_overlap, alone.mean_overlap);
+    }
+  }
+}
+
+TEST(Packing, StopsOnAnyWorker) {
+  PackingOptions asked;
+  asked.count = 9000;
+  asked.brick = 1500;
+  asked.method = PackingMethod::tiled;
+  for (const double when : {0.02, 0.2, 0.55}) {
+    Workers workers(3);
+    double last = 0.0;
+    (void)pack_discs(
+        asked,
+        [&](double done) {
+          last = done;
+          return done >= when;
+        },
+        &workers);
+    EXPECT_GE(last, when);
+    EXPECT_LT(last, when + 0.5);
+  }
 }
 
 TEST(Packing, HasTheCoordinationOfAJammedPacking) {
