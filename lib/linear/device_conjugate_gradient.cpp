@@ -67,6 +67,7 @@ void DeviceConjugateGradient::send(const Multigrid::Level& level, Twin& twin) co
     twin.pattern = level.pattern;
   }
   at.rows = rows;
+  at.share = level.share;
   at.value = put(twin.value, level.value);
   at.diagonal = put(twin.diagonal, level.diagonal);
   at.weight = put(twin.weight, level.weight);
@@ -85,9 +86,11 @@ void DeviceConjugateGradient::send(const Multigrid& multigrid) {
   depth_ = multigrid.arrays().size();
   while (twins_.size() < depth_) twins_.emplace_back(device_);
   std::vector<LevelArrays> levels;
+  factors_.clear();
   for (std::size_t k = 0; k < depth_; ++k) {
     send(multigrid.level(k), twins_[k]);
     levels.push_back(twins_[k].at);
+    factors_.push_back(multigrid.level(k).factor.get());
   }
   task_.levels = put(levels_, levels);
   task_.depth = static_cast<std::int64_t>(depth_);
@@ -121,6 +124,13 @@ void DeviceConjugateGradient::cycle(std::size_t at, const double* r, double* z) 
     task_.z = z;
     launch_on(kernel, at, level.rows, row_group);
   };
+  if (SymmetricFactor* factor = factors_[at]) {  // of few unknowns, which go to the host and back
+    right_.resize(static_cast<std::size_t>(level.rows));
+    device_.download(right_.data(), r, right_.size() * sizeof(double));
+    factor->solve(right_.data(), right_.data());
+    device_.upload(z, right_.data(), right_.size() * sizeof(double));
+    return;
+  }
   if (level.rows <= few_rows) {
     task_.r = r;
     task_.z = z;
@@ -132,7 +142,7 @@ void DeviceConjugateGradient::cycle(std::size_t at, const double* r, double* z) 
     const LevelArrays& coarse = twins_[at + 1].at;
     launch_on(device_take_to_coarser, at, coarse.rows, device_threads);
     cycle(at + 1, coarse.right, coarse.after);
-    if (coarse.rows > few_rows) {
+    if (coarse.rows > few_rows && factors_[at + 1] == nullptr) {
       launch_on(device_find_rest, at + 1, coarse.rows, row_group);
       cycle(at + 1, coarse.rest, coarse.more);
       launch_on(device_add_more, at + 1, coarse.rows, row_group);

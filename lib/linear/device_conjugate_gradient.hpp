@@ -41,6 +41,8 @@ class DeviceConjugateGradient {
 
   const Device& device_;
   std::vector<Twin> twins_;
+  std::vector<SymmetricFactor*> factors_;  // by level, of the host; null: none
+  std::vector<double> right_;
   std::size_t depth_ = 0;
   DeviceArray levels_, state_;
   std::vector<DeviceArray> vectors_;

@@ -20,8 +20,28 @@ constexpr double strong = 0.25;
 // Nor does an entry between merged rows below this share of what joins the weaker of them: Gauss-Seidel on the finer level would hardly
 // bring such two together.
 constexpr double weak = 0.25;
+// The coarser level's correction, times this: constants on pieces are stiffer than what they stand for (Braess 1995, Computing 55,
+// 379-393, who takes 1.8 for larger pieces).
+constexpr double over_correction = 1.15;
+// Where no more than one row in so many depends on others, and no more than so many do, those are the next level as they are, and the last.
+constexpr std::int64_t rows_of_one = 8, most_factorised = 20000;
 // Groups of a level that a rank gets on the mean where ranks share it.
 constexpr std::int64_t groups_of_a_rank = 4;
+
+bool is_dominant(const SymmetricRows& a, std::size_t i) {
+  double others = 0.0;
+  for (auto k = static_cast<std::size_t>(a.start[i]); k < static_cast<std::size_t>(a.start[i + 1]); ++k)
+    others += std::abs(a.value[k]);
+  return a.diagonal[i] > dominant * others;
+}
+
+// Numbers the rows that depend on others; those that hardly do get -1. Returns how many there are.
+std::int32_t number_the_joined(const SymmetricRows& a, std::vector<std::int32_t>& number) {
+  std::int32_t count = 0;
+  number.resize(static_cast<std::size_t>(a.count()));
+  for (std::size_t i = 0; i < number.size(); ++i) number[i] = is_dominant(a, i) ? -1 : count++;
+  return count;
+}
 
 // Joins each row with the one that it is most strongly joined to among those still alone; who finds none alone joins that one's
 // pair. With `leave_dominant` rows that hardly depend on others get -1. Returns how many pairs there are.
@@ -33,11 +53,8 @@ std::int32_t join_in_pairs(const SymmetricRows& a, bool leave_dominant, std::vec
     for (auto k = static_cast<std::size_t>(a.start[i]); k < static_cast<std::size_t>(a.start[i + 1]); ++k)
       visit(static_cast<std::size_t>(a.column[k]), -a.value[k]);
   };
-  for (std::size_t i = 0; leave_dominant && i < rows; ++i) {
-    double others = 0.0;
-    each_entry(i, [&](std::size_t, double joined) { others += std::abs(joined); });
-    if (a.diagonal[i] > dominant * others) pair[i] = -1;
-  }
+  for (std::size_t i = 0; leave_dominant && i < rows; ++i)
+    if (is_dominant(a, i)) pair[i] = -1;
   std::int32_t count = 0;
   for (std::size_t i = 0; i < rows; ++i) {
     if (pair[i] != open) continue;
@@ -237,8 +254,7 @@ void Multigrid::Level::take_values(const SymmetricRows& a, bool finest) {
   value.resize(from.size());
   for (auto* per_row : {&diagonal, &weight, &before}) per_row->resize(rows);
   for (auto* per_row : {&right, &after}) per_row->resize(finest ? 0 : rows);
-  const bool visited_twice = !finest && static_cast<std::int64_t>(rows) > few_rows;
-  for (auto* per_row : {&rest, &more}) per_row->resize(visited_twice ? rows : 0);
+  for (auto* per_row : {&rest, &more}) per_row->resize(finest ? 0 : rows);
   aggregate.assign(rows, -1);
   members = {};
   inverse.clear();
@@ -253,9 +269,24 @@ void Multigrid::Level::take_values(const SymmetricRows& a, bool finest) {
   }
 }
 
+bool Multigrid::Level::factorise() {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t p = 0; p < order.size(); ++p) {
+    const auto row = static_cast<std::int32_t>(p);
+    entries.emplace_back(row, row, diagonal[p]);
+    for (auto k = static_cast<std::size_t>(start[p]); k < static_cast<std::size_t>(start[p + 1]); ++k)
+      if (column[k] < row) entries.emplace_back(row, column[k], value[k]);
+  }
+  SparseMatrix lower(rows(), rows());
+  lower.setFromTriplets(entries.begin(), entries.end());
+  factor = std::make_unique<SymmetricFactor>(lower);
+  return factor->succeeded();
+}
+
 LevelArrays Multigrid::Level::arrays() {
   LevelArrays a{};
   a.rows = rows();
+  a.share = share;
   a.start = start.data();
   a.upper = upper.data();
   a.outer = outer.data();
@@ -284,6 +315,7 @@ bool Multigrid::prepare(const SparseMatrix& lower) {
   for (const double d : rows_.diagonal)
     if (!(d > 0.0) || !std::isfinite(d)) return false;
   std::size_t depth = 0;
+  bool as_they_are = false;
   for (std::int32_t count = 0;;) {
     if (levels_.size() == depth) levels_.emplace_back();
     Level& level = levels_[depth];
@@ -299,13 +331,30 @@ bool Multigrid::prepare(const SparseMatrix& lower) {
       for (std::size_t p = 0; p < finer.order.size(); ++p) {
         const auto pair = pair_[static_cast<std::size_t>(finer.order[p])];
         if (pair >= 0)
-          finer.aggregate[p] =
-              level.place[static_cast<std::size_t>(pair_of_pairs_[static_cast<std::size_t>(pair)])];
+          finer.aggregate[p] = level.place[static_cast<std::size_t>(
+              as_they_are ? pair : pair_of_pairs_[static_cast<std::size_t>(pair)])];
       }
+      finer.share = as_they_are ? 1.0 : over_correction;
       finer.members = RowsByPart(finer.aggregate, count);
     }
+    level.factor.reset();
     ++depth;
     if (rows_.count() <= largest_coarsest) break;
+    if (as_they_are) {
+      if (!level.factorise()) return false;
+      break;
+    }
+    if (level.rows() > few_rows) {
+      count = number_the_joined(rows_, pair_);
+      if (count == 0) break;
+      as_they_are = count <= std::min(level.rows() / rows_of_one, most_factorised);
+      if (as_they_are) {
+        merge(rows_, pair_, count, place_, merged_);
+        std::swap(rows_, merged_);
+        rows_.inside.clear();
+        continue;
+      }
+    }
     merge(rows_, pair_, join_in_pairs(rows_, true, pair_), place_, merged_);
     count = join_in_pairs(merged_, false, pair_of_pairs_);
     if (count == 0 || count >= level.rows()) break;
@@ -347,7 +396,8 @@ void Multigrid::share_out() {
   halos_.clear();
   if (ranks_.alone()) return;
   const auto is_shared = [&](std::size_t at) {
-    return at < arrays_.size() && arrays_[at].rows >= groups_of_a_rank * row_group * ranks_.size();
+    return at < arrays_.size() && !levels_[at].factor &&
+           arrays_[at].rows >= groups_of_a_rank * row_group * ranks_.size();
   };
   for (std::size_t at = 0; is_shared(at); ++at) halos_.push_back(find_halo(at, is_shared(at + 1)));
 }
@@ -417,6 +467,10 @@ Halo Multigrid::find_halo(std::size_t at, bool coarser_is_shared) const {
 void Multigrid::cycle(const RankTeam::Member& team, std::size_t at, const double* r, double* z) {
   const LevelArrays& level = arrays_[at];
   SerialBlock block;
+  if (levels_[at].factor) {
+    if (team.is_first()) levels_[at].factor->solve(r, z);
+    return;
+  }
   if (level.rows <= few_rows) {
     if (team.is_first())
       visit_few(block, arrays_.data(), static_cast<std::int64_t>(at),
@@ -438,7 +492,7 @@ void Multigrid::cycle(const RankTeam::Member& team, std::size_t at, const double
       member.gather(coarse->right, coarse->rows, parts);
     cycle(team, at + 1, coarse->right, coarse->after);
     below.exchange(halo(at + 1), coarse->after);
-    if (coarse->rows > few_rows) {
+    if (coarse->rows > few_rows && !levels_[at + 1].factor) {
       const auto each_coarse = [&](const auto& visit) { each_group(below, coarse->rows, visit); };
       each_coarse([&](std::int64_t group) { find_rest_of_group(block, *coarse, group); });
       cycle(team, at + 1, coarse->rest, coarse->more);

@@ -5,8 +5,10 @@
 // Rows that are joined most strongly are merged, two and two, and once more two and two (Notay 2010, Electron. Trans. Numer. Anal. 37,
 // 123-146); the equations of merged rows, added up, are those of a matrix a fifth as large. So on until few rows are left, which are
 // factorised. An open crack, whose pipes conduct 1e10 times as well as the rock's, is merged first and so is one unknown after a
-// few levels; rows that hardly depend on others (large storage, short steps) are not merged at all. Levels of many rows are
-// visited twice in a cycle (W), so that iterations hardly grow with the model; those of few rows once, by one worker.
+// few levels; rows that hardly depend on others (large storage, short steps) are not merged at all. Where nearly all are of that kind, as with
+// cracks in tight rock and steps of milliseconds, what is left, the cracks, is the next level as it is, unmerged, and solved for exactly:
+// two iterations do then what took twelve.
+// Levels of many rows are visited twice in a cycle (W), so that iterations hardly grow with the model; those of few rows once, by one worker.
 //
 // Each level is smoothed by Gauss-Seidel, forward before and backward after the coarser one, within groups of fixed length; of other
 // groups the values from before are taken. So that this converges whatever the groups are, a row's diagonal counts more by half of
@@ -21,12 +23,14 @@
 #include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "core/rank_team.hpp"
 #include "linear/multigrid_arrays.hpp"
 #include "linear/sparse.hpp"
+#include "linear/symmetric_factor.hpp"
 
 namespace hfrac {
 
@@ -75,12 +79,16 @@ class Multigrid {
     RowsByPart members;
     std::vector<double> inverse;
     std::vector<double> before, right, after, rest, more;  // where the cycle needs them
+    double share = 1.0;                                    // as LevelArrays has it
+    // Of a last level as it is; none: it is smoothed, or there is an inverse.
+    std::unique_ptr<SymmetricFactor> factor;
     std::int64_t pattern = 0;  // another number for every pattern that came to any level
 
     [[nodiscard]] std::int64_t rows() const { return static_cast<std::int64_t>(diagonal.size()); }
     [[nodiscard]] bool fits(const SymmetricRows& rows) const;  // of the pattern that came last
     void take_pattern(const SymmetricRows& rows);
     void take_values(const SymmetricRows& rows, bool finest);
+    [[nodiscard]] bool factorise();
     [[nodiscard]] LevelArrays arrays();
   };
 

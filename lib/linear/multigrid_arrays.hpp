@@ -28,6 +28,7 @@ struct LevelArrays {
   const int32_t* aggregate;     // of a row: row of the coarser level; -1: none
   const int32_t *first,
       *member;  // of a row of the coarser level: its rows, first[g] up to first[g + 1] of member; null: no coarser level
+  double share;           // of the coarser level's correction that is added
   const double* inverse;  // of the coarsest level's matrix, column by column; null: this one is smoothed
   double *right, *before, *after, *rest, *more;
 };

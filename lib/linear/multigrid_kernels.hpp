@@ -13,10 +13,6 @@
 namespace hfrac {
 namespace {
 
-// The coarser level's correction, times this: constants on pieces are stiffer than what they stand for (Braess 1995, Computing 55,
-// 379-393, who takes 1.8 for larger pieces).
-constexpr double over_correction = 1.15;
-
 inline int64_t end_of_group(const LevelArrays& l, int64_t group) {
   return (group + 1) * row_group < l.rows ? (group + 1) * row_group : l.rows;
 }
@@ -61,7 +57,7 @@ void take_to_coarser(Block& block, const LevelArrays& l, const LevelArrays& coar
 
 inline double corrected(const LevelArrays& l, const double* coarse, int64_t i) {
   return coarse == nullptr || l.aggregate[i] < 0 ? l.before[i]
-                                                 : l.before[i] + over_correction * coarse[l.aggregate[i]];
+                                                 : l.before[i] + l.share * coarse[l.aggregate[i]];
 }
 
 // Adds the coarser level's correction (null: none), then colour by colour backward: into z.

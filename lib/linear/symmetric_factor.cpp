@@ -224,16 +224,22 @@ void SymmetricFactor::backward(double* x) const {
 
 Eigen::MatrixXd SymmetricFactor::solve(const Eigen::Ref<const Eigen::MatrixXd>& rhs) const {
   Eigen::MatrixXd solution(rhs.rows(), rhs.cols());
-  std::vector<double> x(place_.size());
-  for (Eigen::Index column = 0; column < rhs.cols(); ++column) {
-    for (std::size_t i = 0; i < x.size(); ++i) x[at(place_[i])] = rhs(static_cast<Eigen::Index>(i), column);
-    forward(x.data());
-    for (std::size_t k = 0; k < x.size(); ++k) x[k] *= 1.0 / pivot_[k];
-    backward(x.data());
-    for (std::size_t i = 0; i < x.size(); ++i)
-      solution(static_cast<Eigen::Index>(i), column) = x[at(place_[i])];
-  }
+  std::vector<double> work(place_.size());
+  for (Eigen::Index column = 0; column < rhs.cols(); ++column)
+    solve(rhs.col(column).data(), solution.col(column).data(), work);
   return solution;
+}
+
+void SymmetricFactor::solve(const double* rhs, double* solution) {
+  solve(rhs, solution, row_);
+}
+
+void SymmetricFactor::solve(const double* rhs, double* solution, std::vector<double>& x) const {
+  for (std::size_t i = 0; i < place_.size(); ++i) x[at(place_[i])] = rhs[i];
+  forward(x.data());
+  for (std::size_t k = 0; k < place_.size(); ++k) x[k] *= 1.0 / pivot_[k];
+  backward(x.data());
+  for (std::size_t i = 0; i < place_.size(); ++i) solution[i] = x[at(place_[i])];
 }
 
 std::size_t SymmetricFactor::bytes() const {

@@ -30,6 +30,8 @@ class SymmetricFactor {
   [[nodiscard]] bool succeeded() const { return succeeded_; }
   // Column by column of the right-hand side.
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& rhs) const;
+  // The same of one column, without asking for memory.
+  void solve(const double* rhs, double* solution);
   // What the factor holds.
   [[nodiscard]] std::size_t bytes() const;
 
@@ -51,6 +53,7 @@ class SymmetricFactor {
   void find_blocks(const std::vector<std::int32_t>& parent, const std::vector<std::int32_t>& count);
   void find_pieces(const std::vector<std::int32_t>& parent);
   double take_piece(const Piece& piece, std::int32_t row, double pivot);
+  void solve(const double* rhs, double* solution, std::vector<double>& work) const;
   void forward(double* x) const;
   void backward(double* x) const;
 
