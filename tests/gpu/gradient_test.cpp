@@ -46,11 +46,12 @@ TEST_F(GradientOnADevice, HasTheBitsOfWorkers) {
   }
 }
 
-// Matrices of many levels, of one, and of other places by turns: nothing of one stays for the next.
+// Matrices of many levels, of one, of cracks that are a level as they are, and of other places by turns: nothing of one stays for the next.
 TEST_F(GradientOnADevice, HasTheBitsOfWorkersWhateverCameBefore) {
   ConjugateGradient there(nullptr, device_.get());
-  const auto deep = grid(150, 1e-3, 1e6), other = with_a_shortcut(deep), shallow = grid(150, 1e3, 1e2);
-  for (const auto* lower : {&deep, &shallow, &other, &shallow, &deep}) {
+  const auto deep = grid(150, 1e-3, 1e6), other = with_a_shortcut(deep), shallow = grid(150, 1e3, 1e2),
+             cracked = crossing_cracks(150, 1e-10, 1);
+  for (const auto* lower : {&deep, &shallow, &other, &cracked, &shallow, &cracked, &deep}) {
     ConjugateGradient here;
     Eigen::VectorXd rhs = Eigen::VectorXd::Zero(lower->cols()), x = rhs, y = rhs;
     rhs[lower->cols() / 2] = 1.0;

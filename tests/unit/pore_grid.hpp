@@ -54,4 +54,27 @@ inline SparseMatrix with_a_shortcut(const SparseMatrix& lower) {
   return other;
 }
 
+// Cracks that cross, of conductances over three powers of ten, in rock of conductance `rock`.
+inline SparseMatrix crossing_cracks(int side, double rock, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int k = 0; k < side * side; ++k) entries.emplace_back(k, k, 1e-6);
+  const auto join = [&](int k, int other, bool cracked) {
+    const double c = cracked ? std::pow(10.0, -3.0 * random.uniform()) : rock;
+    entries.emplace_back(k, k, c);
+    entries.emplace_back(other, other, c);
+    entries.emplace_back(other, k, -c);
+  };
+  const auto inside = [side](int at) { return at > side / 8 && at < 7 * side / 8; };
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      if (x + 1 < side) join(y * side + x, y * side + x + 1, y % 20 == 10 && inside(x));
+      if (y + 1 < side) join(y * side + x, y * side + x + side, x % 25 == 12 && inside(y));
+    }
+  }
+  SparseMatrix lower(side * side, side * side);
+  lower.setFromTriplets(entries.begin(), entries.end());
+  return lower;
+}
+
 }  // namespace hfrac

@@ -34,7 +34,7 @@ Eigen::VectorXd random_vector(Eigen::Index size, std::uint64_t seed) {
   return x;
 }
 
-// Two matrices of one pattern, one after the other, and one of another; the second from the solution of the first.
+// Two matrices of one pattern, one after the other, one of another, and one of cracks that are a level as they are; the second from the solution of the first.
 std::vector<Eigen::VectorXd> solutions(const std::vector<SparseMatrix>& matrices, Workers& workers,
                                        const Ranks& ranks) {
   ConjugateGradient solver(&workers, nullptr, ranks);
@@ -56,7 +56,8 @@ TEST(RankTeam, SolvesFlowWithTheBitsOfOneRank) {
   const std::vector<std::pair<int, std::vector<int>>> cases{{100, {2, 3}}, {160, {2, 3, 5}}, {300, {3}}};
   for (const auto& [side, sizes] : cases) {
     const std::vector<SparseMatrix> matrices{grid(side, 1e-3, 1e6, 1), grid(side, 1.0, 1e2, 2),
-                                             with_a_shortcut(grid(side, 1e-2, 1e4, 3))};
+                                             with_a_shortcut(grid(side, 1e-2, 1e4, 3)),
+                                             crossing_cracks(side, 1e-10, 4)};
     Workers one(1);
     const auto alone = solutions(matrices, one, {});
     for (const int size : sizes) {
