@@ -9,6 +9,14 @@ import subprocess
 COMMAND = os.environ["HFRAC_COMMAND"]
 CASE = os.environ["HFRAC_CASE"]
 READER = os.environ["HFRAC_READER"]
+TINY_CASE = """[packing]
+disc_count = 300
+[solver]
+kind = "quasi-static"
+[[well]]
+radius = 8.0
+pressure = 30e6
+"""
 SERIES = ("discs", "bonds", "cracks", "flow", "fractures")
 
 

@@ -6,17 +6,9 @@ import subprocess
 import tempfile
 import unittest
 
-from hfrac_runs import COMMAND
+from hfrac_runs import COMMAND, TINY_CASE
 
 LIBRARY = "libhfrac_viz.so.0"
-CASE_TEXT = """[packing]
-disc_count = 300
-[solver]
-kind = "quasi-static"
-[[well]]
-radius = 8.0
-pressure = 30e6
-"""
 
 
 def hfrac(*arguments, **environment):
@@ -28,7 +20,7 @@ class Renderer(unittest.TestCase):
         self.top = pathlib.Path(tempfile.mkdtemp(prefix="hfrac-e2e-"))
         self.addCleanup(shutil.rmtree, self.top)
         self.case = self.top / "case.toml"
-        self.case.write_text(CASE_TEXT)
+        self.case.write_text(TINY_CASE)
         self.folder = self.top / "run"
 
     def loads_it(self, *arguments):

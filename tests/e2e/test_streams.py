@@ -9,18 +9,10 @@ import tempfile
 import time
 import unittest
 
-from hfrac_runs import COMMAND, hfrac, history, summary
+from hfrac_runs import COMMAND, TINY_CASE, hfrac, history, summary
 
 MANY = 1000000  # more steps than any of these runs will take
 LOG_PAUSE = 5  # seconds between two lines of progress in a log
-CASE_TEXT = """[packing]
-disc_count = 300
-[solver]
-kind = "quasi-static"
-[[well]]
-radius = 8.0
-pressure = 30e6
-"""
 
 
 def close(number):
@@ -32,7 +24,7 @@ class Streams(unittest.TestCase):
         self.top = pathlib.Path(tempfile.mkdtemp(prefix="hfrac-e2e-"))
         self.addCleanup(shutil.rmtree, self.top)
         self.case = self.top / "case.toml"
-        self.case.write_text(CASE_TEXT)
+        self.case.write_text(TINY_CASE)
 
     def start(self, folder, *arguments, **options):
         """A run that has taken a few steps and goes on."""
