@@ -28,40 +28,12 @@
 #include <vector>
 
 #include "core/rank_team.hpp"
+#include "linear/aggregation.hpp"
 #include "linear/multigrid_arrays.hpp"
 #include "linear/sparse.hpp"
 #include "linear/symmetric_factor.hpp"
 
 namespace hfrac {
-
-// Both triangles by rows, without the diagonal.
-struct SymmetricRows {
-  std::vector<std::int32_t> start, column;
-  std::vector<double> value, diagonal;
-  std::vector<double> inside;  // of merged rows: the largest entry by which they were joined, positive
-
-  [[nodiscard]] std::int64_t count() const { return static_cast<std::int64_t>(diagonal.size()); }
-  // Of the lower triangle, each column beginning with its diagonal.
-  void assign(const SparseMatrix& lower);
-};
-
-// The rows that have the same number, ascending; negative: in no part.
-class RowsByPart {
- public:
-  RowsByPart() = default;
-  RowsByPart(const std::vector<std::int32_t>& part, std::int32_t parts);
-  [[nodiscard]] std::span<const std::int32_t> of(std::int32_t part) const {
-    const auto p = static_cast<std::size_t>(part);
-    return std::span(row_).subspan(static_cast<std::size_t>(first_[p]),
-                                   static_cast<std::size_t>(first_[p + 1] - first_[p]));
-  }
-  // All of them, part by part, and where each part begins.
-  [[nodiscard]] const std::vector<std::int32_t>& rows() const { return row_; }
-  [[nodiscard]] const std::vector<std::int32_t>& first() const { return first_; }
-
- private:
-  std::vector<std::int32_t> first_, row_;
-};
 
 class Multigrid {
  public:
