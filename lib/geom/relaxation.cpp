@@ -195,7 +195,7 @@ class Relaxation {
 
   template <bool periodic>
   void push(const Member& member) {
-    if (member.count == 1 && !shared_) {
+    if (!shared_) {
       sums_ = {};
       push_block<periodic, false>(0);
       add_walls();
@@ -205,14 +205,16 @@ class Relaxation {
     each_block(member, [&](std::size_t b) { push_block<periodic, true>(b); });
     if (member.number == 0) sums_ = {};
     member.barrier();
-    // By three members, or by as many as there are.
+    // One after the other, or at once.
     if (member.number == 0) {
       add_overlaps();
       add_walls();
     }
-    const bool three = member.count > 2;
-    if (member.number == 1 || member.count == 1) three ? add_up<true, false>() : add_up<true, true>();
-    if (member.number == 2) add_up<false, true>();
+    if (member.number == 1 || member.count == 1) {
+      Sums sums;
+      for (std::size_t i = 0; i < x_.size(); ++i) add(i, sums);
+      take(sums);
+    }
     member.barrier();
   }
 
@@ -251,9 +253,9 @@ class Relaxation {
       const bool stays = !held_.empty() && held_[i] != 0;
       fx_[i] = stays ? 0.0 : fx_[i] + force.x;
       fy_[i] = stays ? 0.0 : fy_[i] + force.y;
-      if (!list) add<true, true>(i, sums);
+      if (!list) add(i, sums);
     }
-    if (!list) take_sums<true, true>(sums);
+    if (!list) take(sums);
   }
 
   // Overlaps of a disc with the box's walls: west, east, south, north.
@@ -290,34 +292,19 @@ class Relaxation {
     }
   }
 
-  template <bool sizes, bool powers>
   void add(std::size_t i, Sums& sums) const {
     const double fx = fx_[i], fy = fy_[i], vx = vx_[i], vy = vy_[i];
-    if (sizes) {
-      sums.unbalanced += std::sqrt(fx * fx + fy * fy);
-      sums.v2 += vx * vx + vy * vy;
-    }
-    if (powers) {
-      sums.power += fx * vx + fy * vy;
-      sums.f2 += fx * fx + fy * fy;
-    }
+    sums.unbalanced += std::sqrt(fx * fx + fy * fy);
+    sums.power += fx * vx + fy * vy;
+    sums.f2 += fx * fx + fy * fy;
+    sums.v2 += vx * vx + vy * vy;
   }
-  template <bool sizes, bool powers>
-  void take_sums(const Sums& sums) {
-    if (sizes) {
-      sums_.unbalanced = sums.unbalanced;
-      sums_.v2 = sums.v2;
-    }
-    if (powers) {
-      sums_.power = sums.power;
-      sums_.f2 = sums.f2;
-    }
-  }
-  template <bool sizes, bool powers>
-  void add_up() {
-    Sums sums;
-    for (std::size_t i = 0; i < x_.size(); ++i) add<sizes, powers>(i, sums);
-    take_sums<sizes, powers>(sums);
+  // All but those of contacts.
+  void take(const Sums& sums) {
+    sums_.unbalanced = sums.unbalanced;
+    sums_.power = sums.power;
+    sums_.f2 = sums.f2;
+    sums_.v2 = sums.v2;
   }
 
   // By one member.

@@ -14,6 +14,7 @@ constexpr double strong = 0.25;
 // Nor does an entry between merged rows below this share of what joins the weaker of them: Gauss-Seidel on the finer level would hardly
 // bring such two together.
 constexpr double weak = 0.25;
+
 bool is_dominant(const SymmetricRows& a, std::size_t i) {
   double others = 0.0;
   for (auto k = static_cast<std::size_t>(a.start[i]); k < static_cast<std::size_t>(a.start[i + 1]); ++k)
@@ -30,16 +31,15 @@ std::int32_t number_the_joined(const SymmetricRows& a, std::vector<std::int32_t>
   return count;
 }
 
-std::int32_t join_in_pairs(const SymmetricRows& a, bool leave_dominant, std::vector<std::int32_t>& pair) {
+std::int32_t join_in_pairs(const SymmetricRows& a, std::vector<std::int32_t>& pair) {
   constexpr std::int32_t open = -2;
   const auto rows = static_cast<std::size_t>(a.count());
-  pair.assign(rows, open);
+  for (auto& of_row : pair)
+    if (of_row >= 0) of_row = open;
   const auto each_entry = [&](std::size_t i, const auto& visit) {
     for (auto k = static_cast<std::size_t>(a.start[i]); k < static_cast<std::size_t>(a.start[i + 1]); ++k)
       visit(static_cast<std::size_t>(a.column[k]), -a.value[k]);
   };
-  for (std::size_t i = 0; leave_dominant && i < rows; ++i)
-    if (is_dominant(a, i)) pair[i] = -1;
   std::int32_t count = 0;
   for (std::size_t i = 0; i < rows; ++i) {
     if (pair[i] != open) continue;

@@ -44,8 +44,8 @@ class RowsByPart {
 std::int32_t number_the_joined(const SymmetricRows& rows, std::vector<std::int32_t>& number);
 
 // Joins each row with the one that it is most strongly joined to among those still alone; who finds none alone joins that one's
-// pair. With `leave_dominant` rows that hardly depend on others get -1. Returns how many pairs there are.
-std::int32_t join_in_pairs(const SymmetricRows& rows, bool leave_dominant, std::vector<std::int32_t>& pair);
+// pair. Rows for which `pair` is -1 keep it. Returns how many pairs there are.
+std::int32_t join_in_pairs(const SymmetricRows& rows, std::vector<std::int32_t>& pair);
 
 // The sums of the equations of rows that have the same number in `part`, of which there are `parts`. place: work space.
 void merge_rows(const SymmetricRows& rows, const std::vector<std::int32_t>& part, std::int32_t parts,

@@ -109,7 +109,8 @@ void Multigrid::Level::take_values(const SymmetricRows& a, bool finest) {
   value.resize(from.size());
   for (auto* per_row : {&diagonal, &weight, &before}) per_row->resize(rows);
   for (auto* per_row : {&right, &after}) per_row->resize(finest ? 0 : rows);
-  for (auto* per_row : {&rest, &more}) per_row->resize(finest ? 0 : rows);
+  const bool visited_twice = !finest && static_cast<std::int64_t>(rows) > few_rows;
+  for (auto* per_row : {&rest, &more}) per_row->resize(visited_twice ? rows : 0);
   aggregate.assign(rows, -1);
   members = {};
   inverse.clear();
@@ -199,19 +200,18 @@ bool Multigrid::prepare(const SparseMatrix& lower) {
       if (!level.factorise()) return false;
       break;
     }
-    if (level.rows() > few_rows) {
-      count = number_the_joined(rows_, pair_);
-      if (count == 0) break;
-      as_they_are = count <= std::min(level.rows() / rows_of_one, most_factorised);
-      if (as_they_are) {
-        merge_rows(rows_, pair_, count, place_, merged_);
-        std::swap(rows_, merged_);
-        rows_.inside.clear();
-        continue;
-      }
+    count = number_the_joined(rows_, pair_);
+    if (count == 0) break;
+    as_they_are = level.rows() > few_rows && count <= std::min(level.rows() / rows_of_one, most_factorised);
+    if (as_they_are) {
+      merge_rows(rows_, pair_, count, place_, merged_);
+      std::swap(rows_, merged_);
+      rows_.inside.clear();
+      continue;
     }
-    merge_rows(rows_, pair_, join_in_pairs(rows_, true, pair_), place_, merged_);
-    count = join_in_pairs(merged_, false, pair_of_pairs_);
+    merge_rows(rows_, pair_, join_in_pairs(rows_, pair_), place_, merged_);
+    pair_of_pairs_.assign(static_cast<std::size_t>(merged_.count()), 0);
+    count = join_in_pairs(merged_, pair_of_pairs_);
     if (count == 0 || count >= level.rows()) break;
     merge_rows(merged_, pair_of_pairs_, count, place_, rows_);
     rows_.inside.clear();

@@ -6,8 +6,7 @@
 // 123-146); the equations of merged rows, added up, are those of a matrix a fifth as large. So on until few rows are left, which are
 // factorised. An open crack, whose pipes conduct 1e10 times as well as the rock's, is merged first and so is one unknown after a
 // few levels; rows that hardly depend on others (large storage, short steps) are not merged at all. Where nearly all are of that kind, as with
-// cracks in tight rock and steps of milliseconds, what is left, the cracks, is the next level as it is, unmerged, and solved for exactly:
-// two iterations do then what took twelve.
+// cracks in tight rock and steps of milliseconds, what is left, the cracks, is the next level as it is, unmerged, and solved for exactly.
 // Levels of many rows are visited twice in a cycle (W), so that iterations hardly grow with the model; those of few rows once, by one worker.
 //
 // Each level is smoothed by Gauss-Seidel, forward before and backward after the coarser one, within groups of fixed length; of other

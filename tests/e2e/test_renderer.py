@@ -2,17 +2,12 @@
 import os
 import pathlib
 import shutil
-import subprocess
 import tempfile
 import unittest
 
-from hfrac_runs import COMMAND, TINY_CASE
+from hfrac_runs import TINY_CASE, hfrac
 
 LIBRARY = "libhfrac_viz.so.0"
-
-
-def hfrac(*arguments, **environment):
-    return subprocess.run([COMMAND, *map(str, arguments)], env=os.environ | environment, text=True, capture_output=True, timeout=300)
 
 
 class Renderer(unittest.TestCase):
@@ -24,7 +19,7 @@ class Renderer(unittest.TestCase):
         self.folder = self.top / "run"
 
     def loads_it(self, *arguments):
-        run = hfrac(*arguments, LD_DEBUG="files", LD_DEBUG_OUTPUT=str(self.top / "loaded"))
+        run = hfrac(*arguments, env=os.environ | {"LD_DEBUG": "files", "LD_DEBUG_OUTPUT": str(self.top / "loaded")})
         self.assertEqual(run.returncode, 0, run.stderr)
         logs = list(self.top.glob("loaded.*"))
         found = any(LIBRARY in log.read_text() for log in logs)
@@ -43,11 +38,11 @@ class Renderer(unittest.TestCase):
         broken = self.top / "libraries"
         broken.mkdir()
         (broken / LIBRARY).write_text("no library")
-        without = {"LD_LIBRARY_PATH": str(broken)}
-        run = hfrac("run", self.case, "-o", self.folder, "--steps", "1", **without)
+        without = os.environ | {"LD_LIBRARY_PATH": str(broken)}
+        run = hfrac("run", self.case, "-o", self.folder, "--steps", "1", env=without)
         self.assertEqual(run.returncode, 0, run.stderr)
         for command in (["render"], ["render", "--view", "discs", "-o", self.top / "x.png"], ["plot"], ["report"]):
-            drawn = hfrac(command[0], self.folder, *command[1:], **without)
+            drawn = hfrac(command[0], self.folder, *command[1:], env=without)
             self.assertEqual(drawn.returncode, 1, command)
             self.assertRegex(drawn.stderr, f"^hfrac: pictures need the renderer, {LIBRARY}, .*; install hfrac with it")
             self.assertFalse((self.top / "x.png").exists())

@@ -5,10 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iostream>
 
 #include "core/error.hpp"
-#include "model.hpp"
+#include "linear/multigrid_arrays.hpp"
+#include "small_case.hpp"
 
 namespace flow_solver_test {
 
@@ -199,6 +202,35 @@ TEST(FlowSolver, IterativeSolverAgreesWithTheFactorisation) {
       EXPECT_NEAR(iterative->network.pressure[d], direct->network.pressure[d], 0.06)
           << "domain " << d;  // Pa, of 6e7
     EXPECT_NEAR(sum(iterative->network.content), injected, 1e-8 * std::abs(injected) + 1e-15);
+  }
+}
+
+// As users have it: packings at random under stress, cracks that grew there, a step of a millisecond.
+TEST(FlowSolver, IterativeSolverFollowsCracksThatGrewInPackingsUnderStress) {
+  for (const std::int64_t seed : {1, 2, 3, 4, 5}) {
+    CaseDefinition definition = cracking_case();
+    Options& o = definition.options;
+    o.model_seed = seed;
+    o.packing_disc_count = 2500;
+    o.stepping_mode = choice(SteppingMode::dynamic);
+    o.stepping_flow_step = 1e-3;
+    o.stress_sigma_Hmax = o.stress_sigma_hmin = 20e6;
+    definition.wells[0].pressure = 90e6;
+    Simulation simulation(definition, {}, {});
+    for (int k = 0; k < 60 && simulation.cracks().size() < 15; ++k) simulation.step();
+    std::cout << " seed " << seed << ": " << simulation.cracks().size() << " cracks\n";
+    EXPECT_GE(simulation.cracks().size(), 5U) << "seed " << seed;
+    Network by_factor = simulation.network(), by_iterations = by_factor;
+    ASSERT_GT(by_factor.domain_count(), few_rows) << "or cracks are no level of their own";
+    Options direct = o, iterative = o;
+    direct.flow_solver = choice(FlowMatrixSolver::direct);
+    iterative.flow_solver = choice(FlowMatrixSolver::iterative);
+    FlowSolver(by_factor, direct).advance(by_factor, 1e-3, {});
+    FlowSolver(by_iterations, iterative).advance(by_iterations, 1e-3, {});
+    const auto [least, most] = std::minmax_element(by_factor.pressure.begin(), by_factor.pressure.end());
+    for (std::size_t d = 0; d < by_factor.pressure.size(); ++d)
+      EXPECT_NEAR(by_iterations.pressure[d], by_factor.pressure[d], 1e-9 * (*most - *least))
+          << "domain " << d << ", seed " << seed;
   }
 }
 
