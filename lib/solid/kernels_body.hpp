@@ -140,6 +140,12 @@ void tile_forces(const KernelArrays& a, int64_t tile, double* scratch) {
   const int64_t discs = t.last_disc - t.first_disc;
   Quad* motion = reinterpret_cast<Quad*>(scratch);
   Quad* force = motion + tile_size;
+  // To be written, too: where another worker read them, asking for the lines one at a time, in tile_move, would stop it each time.
+  for (int64_t k = t.first_disc; k < t.last_disc; k += 8) {
+    __builtin_prefetch(a.ux + k, 1);
+    __builtin_prefetch(a.uy + k, 1);
+    __builtin_prefetch(a.rotation + k, 1);
+  }
   to_records(a.ux + t.first_disc, a.uy + t.first_disc, a.rotation + t.first_disc, discs, motion);
   if (t.left_alone != 0) {
     for (int64_t k = 0; k < discs; ++k) force[k] = Quad{0.0, 0.0, 0.0, 0.0};
@@ -231,16 +237,9 @@ void tile_move(const KernelArrays& a, int64_t tile, const double* scratch) {
   Partial unbalanced{}, damped{};
   for (int64_t first = t.first_disc; first < t.last_disc; first += chunk) {
     const int64_t n = first + chunk < t.last_disc ? chunk : t.last_disc - first;
-    alignas(32) double fx[chunk], fy[chunk], moment[chunk], size[chunk];
+    alignas(64) double fx[chunk], fy[chunk], moment[chunk], size[chunk];
     // A chunk of records is whole in the scratch memory even where the tile ends.
-    for (int64_t k = 0; k < n; k += 4) {
-      const Quad* f = force + (first - t.first_disc + k);
-      Quad f0 = f[0], f1 = f[1], f2 = f[2], f3 = f[3];
-      transpose(f0, f1, f2, f3);
-      *reinterpret_cast<Quad*>(fx + k) = f0;
-      *reinterpret_cast<Quad*>(fy + k) = f1;
-      *reinterpret_cast<Quad*>(moment + k) = f2;
-    }
+    from_records(force + (first - t.first_disc), n, fx, fy, moment);
     for (int64_t k = 0; k < n; ++k) size[k] = magnitude(fx[k]) + magnitude(fy[k]);
     add_up(unbalanced, size, n);
     integrate(n, a.step, a.damping, fx, a.inverse_mass + first, a.vx + first, a.ux + first, damped);

@@ -106,6 +106,10 @@ inline Oct side_by_side(const Quad& a, const Quad& b) {
   return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
+inline void put_eight(const Quad& low, const Quad& high, double* to) {
+  *reinterpret_cast<Oct*>(to) = side_by_side(low, high);
+}
+
 // Eight at once take half the shuffles of twice four.
 inline void gather_eight(const Quad* at, const int32_t* i, const int32_t* j, int64_t k, Chunk& c) {
   const Oct i02 = side_by_side(at[i[0]], at[i[2]]), i13 = side_by_side(at[i[1]], at[i[3]]),
@@ -125,11 +129,30 @@ inline void gather_eight(const Quad* at, const int32_t* i, const int32_t* j, int
       __builtin_shufflevector(theta0, theta4, 2, 3, 6, 7, 10, 11, 14, 15);
 }
 #else
+inline void put_eight(const Quad& low, const Quad& high, double* to) {
+  *reinterpret_cast<Quad*>(to) = low;
+  *reinterpret_cast<Quad*>(to + 4) = high;
+}
+
 inline void gather_eight(const Quad* at, const int32_t* i, const int32_t* j, int64_t k, Chunk& c) {
   gather_four(at, i, j, k, c);
   gather_four(at, i + 4, j + 4, k + 4, c);
 }
 #endif
+
+// Records (x, y, z, -) to arrays of n values each, and what fills the last eight up. Stored as wide as the loops behind read: a load
+// wider than the store it follows waits until all stores before are in the cache.
+inline void from_records(const Quad* records, int64_t n, double* x, double* y, double* z) {
+  for (int64_t k = 0; k < n; k += 8) {
+    Quad f[8];
+    for (int64_t q = 0; q < 8; ++q) f[q] = records[k + q];
+    transpose(f[0], f[1], f[2], f[3]);
+    transpose(f[4], f[5], f[6], f[7]);
+    put_eight(f[0], f[4], x + k);
+    put_eight(f[1], f[5], y + k);
+    put_eight(f[2], f[6], z + k);
+  }
+}
 
 // Motion of the discs of n bonds. Records are counted from disc `base` on.
 inline void gather(const int32_t* first, const int32_t* second, int64_t base, const Quad* records, int64_t n,
