@@ -94,25 +94,33 @@ void Workers::give(int active) {
   tasks_.notify_all();
 }
 
-// Waits until a number is no longer `old`; returns for how long beyond patience [ns]. With more workers at work than cores
-// whoever spins keeps the core from whom it waits for.
+// Whether a number is no longer `old` before patience ends. With more workers at work than cores nobody spins: it would keep the core
+// from whom it waits for.
 template <class Number>
-std::int64_t Workers::wait_while(const std::atomic<Number>& number, Number old, int at_work) const {
+bool Workers::spin_while(const std::atomic<Number>& number, Number old, int at_work) const {
   constexpr int spins = 64;  // between looks at the clock
   const auto came = [&] { return number.load(std::memory_order_acquire) != old; };
-  if (came()) return 0;
+  if (came()) return true;
   const auto begin = Clock::now();
-  const auto waited = [&] { return nanoseconds(Clock::now() - begin); };
-  while (at_work <= cores_ && waited() < patience) {
+  while (at_work <= cores_ && nanoseconds(Clock::now() - begin) < patience) {
     for (int k = 0; k < spins; ++k) {
-      if (came()) return 0;
+      if (came()) return true;
 #if defined(__x86_64__)
       __builtin_ia32_pause();
 #endif
     }
   }
-  while (!came()) number.wait(old, std::memory_order_acquire);
-  return std::max<std::int64_t>(0, waited() - patience);
+  return came();
+}
+
+// Waits until a number is no longer `old`; returns for how long beyond patience [ns].
+template <class Number>
+std::int64_t Workers::wait_while(const std::atomic<Number>& number, Number old, int at_work) const {
+  if (number.load(std::memory_order_acquire) != old) return 0;
+  const auto begin = Clock::now();
+  if (spin_while(number, old, at_work)) return 0;
+  while (number.load(std::memory_order_acquire) == old) number.wait(old, std::memory_order_acquire);
+  return std::max<std::int64_t>(0, nanoseconds(Clock::now() - begin) - patience);
 }
 
 template <class Number>
@@ -208,6 +216,14 @@ void Workers::barrier() {
   } else {
     wait_and_count(phase_, phase);
   }
+}
+
+bool Workers::comes_soon(const std::atomic<std::int32_t>& done, std::int32_t at_least) const {
+  for (std::int32_t now = done.load(std::memory_order_acquire); now < at_least;
+       now = done.load(std::memory_order_acquire)) {
+    if (!spin_while(done, now, active_)) return false;
+  }
+  return true;
 }
 
 void Workers::wait_for(const std::atomic<std::int32_t>& done, std::int32_t at_least) const {

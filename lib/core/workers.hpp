@@ -51,6 +51,8 @@ class Workers {
   // Inside a task: waits until all active workers have come here.
   void barrier();
 
+  // Inside a task: whether `done` is at least that, or is so before whoever works on it can be thought to have lost its core.
+  [[nodiscard]] bool comes_soon(const std::atomic<std::int32_t>& done, std::int32_t at_least) const;
   // Inside a task: waits until `done`, which another worker raises and notifies of, is at least that.
   void wait_for(const std::atomic<std::int32_t>& done, std::int32_t at_least) const;
 
@@ -115,6 +117,8 @@ class Workers {
   void loop(int worker);
   void end_threads();
 
+  template <class Number>
+  bool spin_while(const std::atomic<Number>& number, Number old, int at_work) const;
   template <class Number>
   std::int64_t wait_while(const std::atomic<Number>& number, Number old, int at_work) const;
   template <class Number>

@@ -56,8 +56,7 @@ ExplicitSolver::ExplicitSolver(Model& model, Boundary& boundary, const Options& 
   }
   bind_arrays();
   refresh_stiffness();
-  if (arrays_.tile_count >= fewest_blocked_tiles && ranks.alone())
-    set_blocking(blocking_shape(workers.count()));
+  if (is_worth_blocking(arrays_.tile_count, workers.count()) && ranks.alone()) set_blocking(blocking_shape);
 }
 
 void ExplicitSolver::bind_arrays() {

@@ -241,10 +241,8 @@ class ExplicitSolver {
   KernelArrays arrays_{};
   Array<double> inverse_mass_, inverse_inertia_;
   Array<double> filled_;  // m2, per domain: content and growth, of water that feels temperature; else empty
-  std::vector<Array<double>> scratch_;                            // one per worker
-  TemporalBlocking blocking_;                                     // empty where the caches hold the model
-  std::vector<std::atomic<std::int32_t>> tile_done_, part_done_;  // cycles of the batch
-  std::atomic<std::int64_t> next_task_{0};
+  std::vector<Array<double>> scratch_;  // one per worker
+  BlockedBatch blocked_;                // empty where the caches hold the model
   std::vector<TileSums> bond_sums_, disc_sums_, domain_sums_;
   double real_step_ = 0.0;
   bool scaled_ = true, undrained_ = false;

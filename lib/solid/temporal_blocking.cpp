@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solid/temporal_blocking.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hfrac {
 namespace {
@@ -40,17 +43,20 @@ void link(const TilePlan& plan, const Assembly& a, const Network& n, TemporalBlo
   }
 }
 
-// Tiles in the order in which the front reaches them: up one strip, down the next.
-std::vector<std::int32_t> front_order(const TilePlan& plan, const Assembly& a, std::int32_t width) {
-  const auto tiles = plan.tiles.size();
+// A region's tiles in the order in which the front reaches them: up one strip, down the next.
+std::vector<std::int32_t> front_order(const TilePlan& plan, const Assembly& a, std::int32_t width,
+                                      std::size_t first_tile, std::size_t last_tile) {
+  const auto tiles = last_tile - first_tile;
+  if (tiles == 0) return {};
   std::vector<Vec2> centre(tiles);
   for (std::size_t t = 0; t < tiles; ++t) {
-    const Tile& tile = plan.tiles[t];
+    const Tile& tile = plan.tiles[first_tile + t];
     for (auto i = tile.first_disc; i < tile.last_disc; ++i) centre[t] = centre[t] + Vec2{a.x[i], a.y[i]};
     centre[t] = (1.0 / static_cast<double>(tile.last_disc - tile.first_disc)) * centre[t];
   }
-  const auto [left, right] = std::minmax_element(a.x.begin(), a.x.end());
-  const auto [low, high] = std::minmax_element(a.y.begin(), a.y.end());
+  const auto first_disc = plan.tiles[first_tile].first_disc, last_disc = plan.tiles[last_tile - 1].last_disc;
+  const auto [left, right] = std::minmax_element(a.x.begin() + first_disc, a.x.begin() + last_disc);
+  const auto [low, high] = std::minmax_element(a.y.begin() + first_disc, a.y.begin() + last_disc);
   const double across = std::sqrt((*right - *left) * (*high - *low) / static_cast<double>(tiles));
   const double strips = std::max(1.0, std::round((*right - *left) / (across * width)));
   const double strip_width = (*right - *left) / strips;
@@ -62,7 +68,7 @@ std::vector<std::int32_t> front_order(const TilePlan& plan, const Assembly& a, s
   for (std::size_t t = 0; t < tiles; ++t) {
     const double strip = std::floor((centre[t].x - *left) / strip_width);
     const double up = std::fmod(strip, 2.0) == 0.0 ? 1.0 : -1.0;
-    places[t] = {strip, up * centre[t].y, static_cast<std::int32_t>(t)};
+    places[t] = {strip, up * centre[t].y, static_cast<std::int32_t>(first_tile + t)};
   }
   std::sort(places.begin(), places.end(), [](const Place& p, const Place& q) {
     if (p.strip != q.strip) return p.strip < q.strip;
@@ -77,8 +83,12 @@ std::vector<std::int32_t> front_order(const TilePlan& plan, const Assembly& a, s
 // Puts tasks on the list as soon as what they need stands there.
 class Planner {
  public:
-  Planner(TemporalBlocking& blocking, std::size_t tiles)
-      : blocking_(blocking), tile_done_(tiles, 0), part_done_(blocking.part_start.size() - 1, 0) {}
+  // first: the first tile of each region, and how many there are.
+  Planner(TemporalBlocking& blocking, const std::vector<std::size_t>& first)
+      : blocking_(blocking),
+        first_(first),
+        tile_done_(first.back(), 0),
+        part_done_(blocking.part_start.size() - 1, 0) {}
 
   // Tiles in `front` may begin: they and all behind them do what can be done now.
   void advance(std::vector<std::int32_t> front) {
@@ -110,10 +120,17 @@ class Planner {
       const auto part = blocking_.tile_part[k];
       if (part_done_[part] >= cycle) continue;
       part_done_[part] = cycle;
-      blocking_.tasks.push_back({~part, cycle});
+      blocking_.tasks.push_back({~part, cycle, region_of(part)});
     }
     tile_done_[tile] = cycle;
-    blocking_.tasks.push_back({tile, cycle});
+    blocking_.tasks.push_back({tile, cycle, region_of(tile)});
+  }
+
+  [[nodiscard]] std::int32_t region_of(std::int32_t tile) const {
+    return static_cast<std::int32_t>(
+               std::upper_bound(first_.begin(), first_.end(), static_cast<std::size_t>(tile)) -
+               first_.begin()) -
+           1;
   }
 
   // Tiles that may have waited for this one to do their next cycle.
@@ -131,25 +148,98 @@ class Planner {
   }
 
   TemporalBlocking& blocking_;
+  const std::vector<std::size_t>& first_;
   std::vector<std::int32_t> tile_done_, part_done_;  // cycles, by what stands on the list
 };
 
 }  // namespace
 
+bool is_worth_blocking(std::int64_t tiles, int workers) {
+  constexpr std::int64_t tile_bytes = 160'000, smallest_cache = 512'000, caches = 40;
+  std::int64_t cache = smallest_cache;
+#if defined(_SC_LEVEL2_CACHE_SIZE)
+  cache = std::max<std::int64_t>(cache, ::sysconf(_SC_LEVEL2_CACHE_SIZE));
+#endif
+  return tiles * tile_bytes >= caches * cache * workers;
+}
+
 TemporalBlocking plan_blocking(const TilePlan& plan, const Assembly& assembly, const Network& network,
-                               const BlockingShape& shape) {
+                               const BlockingShape& shape, std::int32_t regions) {
   TemporalBlocking blocking;
   blocking.cycles = shape.cycles;
+  blocking.regions = regions;
   link(plan, assembly, network, blocking);
-  const auto order = front_order(plan, assembly, shape.width);
-  blocking.tasks.reserve(static_cast<std::size_t>(shape.cycles) * 2 * plan.tiles.size());
-  Planner planner(blocking, plan.tiles.size());
-  for (std::size_t at = 0; at < order.size(); at += static_cast<std::size_t>(shape.front)) {
-    const auto end = std::min(order.size(), at + static_cast<std::size_t>(shape.front));
-    planner.advance(
-        {order.begin() + static_cast<std::ptrdiff_t>(at), order.begin() + static_cast<std::ptrdiff_t>(end)});
+  const auto tiles = plan.tiles.size();
+  blocking.tasks.reserve(static_cast<std::size_t>(shape.cycles) * 2 * tiles);
+  // Where each region begins; tiles in a row are a patch of the plane (tiles.hpp).
+  std::vector<std::size_t> first;
+  for (std::size_t r = 0; r <= static_cast<std::size_t>(regions); ++r)
+    first.push_back(r * tiles / static_cast<std::size_t>(regions));
+  std::vector<std::vector<std::int32_t>> orders;
+  for (std::size_t r = 0; r + 1 < first.size(); ++r)
+    orders.push_back(front_order(plan, assembly, shape.width, first[r], first[r + 1]));
+  Planner planner(blocking, first);
+  for (std::size_t at = 0, rest = tiles; rest > 0; at += static_cast<std::size_t>(shape.front)) {
+    for (const auto& order : orders) {
+      if (at >= order.size()) continue;
+      const auto end = std::min(order.size(), at + static_cast<std::size_t>(shape.front));
+      planner.advance({order.begin() + static_cast<std::ptrdiff_t>(at),
+                       order.begin() + static_cast<std::ptrdiff_t>(end)});
+      rest -= end - at;
+    }
   }
   return blocking;
+}
+
+void BlockedBatch::use(TemporalBlocking blocking) {
+  blocking_ = std::move(blocking);
+  const auto tiles = blocking_.empty() ? 0 : blocking_.tile_start.size() - 1;
+  tile_done_ = std::vector<Done>(tiles);
+  part_done_ = std::vector<Done>(tiles);
+  claimed_ = std::vector<Done>(blocking_.tasks.size());
+  place_ = std::vector<Place>(static_cast<std::size_t>(blocking_.regions));
+}
+
+void BlockedBatch::begin(std::int64_t cycles) {
+  for (auto* of : {&tile_done_, &part_done_, &claimed_}) {
+    for (auto& number : *of) number.store(0, std::memory_order_relaxed);
+  }
+  for (auto& place : place_) place.at.store(0, std::memory_order_relaxed);
+  cycles_ = cycles;
+  length_ = (cycles + blocking_.cycles - 1) / blocking_.cycles * in_list();
+}
+
+// Of the batch; more than it has: nothing is to be done there.
+std::int32_t BlockedBatch::cycle_at(std::int64_t at) const {
+  return static_cast<std::int32_t>(at / in_list()) * blocking_.cycles +
+         blocking_.tasks[static_cast<std::size_t>(at % in_list())].cycle;
+}
+
+bool BlockedBatch::is_of(int worker, const Workers& team, std::int64_t at) const {
+  const auto region = blocking_.tasks[static_cast<std::size_t>(at % in_list())].region;
+  return region * team.active() / blocking_.regions == worker && cycle_at(at) <= cycles_;
+}
+
+BlockedBatch::Wait BlockedBatch::missing(std::int64_t at) const {
+  const auto& task = blocking_.tasks[static_cast<std::size_t>(at % in_list())];
+  const auto of_tile = task.item >= 0;
+  const auto item = static_cast<std::size_t>(of_tile ? task.item : ~task.item);
+  const auto& start = of_tile ? blocking_.tile_start : blocking_.part_start;
+  const auto& needed = of_tile ? blocking_.tile_part : blocking_.part_tile;
+  const auto& done = of_tile ? part_done_ : tile_done_;
+  const auto at_least = of_tile ? cycle_at(at) : cycle_at(at) - 1;
+  for (auto k = start[item]; k < start[item + 1]; ++k) {
+    const Done& one = done[static_cast<std::size_t>(needed[static_cast<std::size_t>(k)])];
+    if (one.load(std::memory_order_acquire) < at_least) return {&one, at_least};
+  }
+  return {};
+}
+
+// Whoever gets true does it.
+bool BlockedBatch::claim(std::int64_t at) {
+  auto sweep = static_cast<std::int32_t>(at / in_list());
+  return claimed_[static_cast<std::size_t>(at % in_list())].compare_exchange_strong(
+      sweep, sweep + 1, std::memory_order_relaxed);
 }
 
 }  // namespace hfrac

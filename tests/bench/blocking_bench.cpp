@@ -142,7 +142,7 @@ void run(std::int64_t count, int worker_count, std::vector<Contender>& contender
   const TilePlan plan = plan_tiles(a, sheet.network, false, false);
   const double tile_bytes = 160e3;
   for (const auto& c : contenders) {
-    const TemporalBlocking blocking = plan_blocking(plan, a, sheet.network, c.shape);
+    const TemporalBlocking blocking = plan_blocking(plan, a, sheet.network, c.shape, worker_count);
     std::printf(
         "%d:%d:%d tiles fetched %.2f %.2f %.2f | %.1f million bond updates/s | patches instead: %.1f times "
         "the work | %s\n",

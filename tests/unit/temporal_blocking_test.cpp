@@ -150,7 +150,7 @@ TEST(TemporalBlocking, ListsEverythingAfterWhatItNeeds) {
   Options o = dry_options(100);
   TestModel m(o, hexagonal(104, 102));
   const TilePlan plan = plan_tiles(m.assembly, m.network, false, false);
-  const TemporalBlocking blocking = plan_blocking(plan, m.assembly, m.network, {6, 2, 3});
+  const TemporalBlocking blocking = plan_blocking(plan, m.assembly, m.network, {6, 2, 3}, 3);
   std::vector<std::int32_t> tiles(plan.tiles.size(), 0), parts(plan.tiles.size(), 0);
   for (const auto& task : blocking.tasks) {
     if (task.item < 0) {
