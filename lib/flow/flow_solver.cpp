@@ -15,6 +15,9 @@ namespace {
 // Whoever solves iteratively, in passes: residual over right-hand side of a pass; change of a pressure over the largest difference of
 // pressures at which they have settled.
 constexpr PassRules pass_rules{1e-6, 1e-11, 20, 20000};
+// The same for a first look at which pores cavitate: one pass. Only in so many rounds of a step.
+constexpr PassRules look_rules{1e-6, 1e-11, 1, 20000};
+constexpr int most_looks = 20;
 // A pressure this far below the floor is below it: less is what conjugate gradients leave open.
 constexpr double floor_slack = 0.1;  // Pa
 // A fluid that thins: sum of the flows' errors over the flows, at which conductances and pressures agree.
@@ -141,8 +144,8 @@ void FlowSolver::list_places() {
 
 // What is left is found by the product, whoever solves, and solved for again until pressures stay: where conductances differ by powers of
 // ten a small residual alone says little about the pressures of tight rock.
-void FlowSolver::solve_in_passes(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
-  if (outside_ ? settle_outside(rhs, p) : conjugate_gradient_.settle(rhs, p, pass_rules)) return;
+void FlowSolver::solve_in_passes(const Eigen::VectorXd& rhs, Eigen::VectorXd& p, double change) {
+  if (outside_ ? settle_outside(rhs, p) : conjugate_gradient_.settle(rhs, p, pass_rules, change)) return;
   throw Error(ErrorKind::diverged,
               "the flow step's pressures did not settle in " + std::to_string(pass_rules.most_passes) +
                   " passes of " +
@@ -172,7 +175,7 @@ bool FlowSolver::settle_outside(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) 
   return false;
 }
 
-void FlowSolver::solve_pressures(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
+void FlowSolver::prepare_matrix() {
   bool prepared = true;
   if (!iterative_) {
     prepared = factor_.factorise(matrix_);
@@ -184,8 +187,12 @@ void FlowSolver::solve_pressures(const Eigen::VectorXd& rhs, Eigen::VectorXd& p)
         ErrorKind::diverged,
         "the flow matrix cannot be factorised (eq. 6, 8): an aperture, a volume or their ratio left "
         "the range of finite numbers; use a shorter stepping.flow_step or a smaller flow.aperture_limit");
+}
+
+// change: of a pass before, 0 if there was none.
+void FlowSolver::solve_pressures(const Eigen::VectorXd& rhs, Eigen::VectorXd& p, double change) {
   if (iterative_) {
-    solve_in_passes(rhs, p);
+    solve_in_passes(rhs, p, change);
   } else {
     p = factor_.solve(rhs);
   }
@@ -310,6 +317,35 @@ void FlowSolver::answer_of_wellbores(const Network& n, double step, Eigen::Vecto
   }
 }
 
+// Flows by the pressures found, what they bring to each domain, and whether other domains than before are at the floor.
+bool FlowSolver::follow_flow(Network& n, double step, const std::vector<double>& source) {
+  const auto domains = static_cast<std::size_t>(n.domain_count());
+  const double slack = iterative_ ? floor_slack : 0.0;
+  const Eigen::VectorXd& p = pressure_;
+  for (std::size_t e = 0; e < n.left.size(); ++e) {
+    n.flow[e] = n.conductance[e] * (p[n.left[e]] - p[n.right[e]]);
+  }
+  for (std::size_t k = 0; k < n.outer_pipe.size(); ++k) n.flow[n.outer_pipe[k]] += outer_flow(n, k);
+  fill_.assign(domains, 0.0);
+  for (std::size_t e = 0; e < n.left.size(); ++e) {
+    fill_[static_cast<std::size_t>(n.left[e])] -= step * n.flow[e];
+    fill_[static_cast<std::size_t>(n.right[e])] += step * n.flow[e];
+  }
+  // What a domain at the floor would hold after the step decides whether it stays there.
+  bool changed = false;
+  for (std::size_t d = 0; d < domains; ++d) {
+    if (n.stiffness[d] <= 0.0) continue;
+    const double gain = fill_[d] + (source.empty() ? 0.0 : step * source[d]);
+    const bool at_floor = cavitated_[d] ? full_pressure(n, d) + n.stiffness[d] * gain <= n.floor_pressure
+                                        : p[static_cast<Eigen::Index>(d)] < n.floor_pressure - slack;
+    if (at_floor != (cavitated_[d] != 0)) {
+      cavitated_[d] = at_floor ? 1 : 0;
+      changed = true;
+    }
+  }
+  return changed;
+}
+
 int FlowSolver::solve_step(Network& n, double step, const std::vector<double>& source) {
   const auto domains = static_cast<std::size_t>(n.domain_count());
   // A domain is solved for unless its pressure is imposed or, in this round, at the floor.
@@ -319,7 +355,6 @@ int FlowSolver::solve_step(Network& n, double step, const std::vector<double>& s
   rhs.resize(static_cast<Eigen::Index>(domains));
   p = Eigen::Map<const Eigen::VectorXd>(n.pressure.data(),
                                         static_cast<Eigen::Index>(domains));  // a good guess
-  const double slack = iterative_ ? floor_slack : 0.0;
   // Rows of imposed pressures weigh as much as others, or the residual would be all theirs.
   const double unit = iterative_ ? imposed_weight_ : 1.0;
   linear_at_.clear();
@@ -361,29 +396,16 @@ int FlowSolver::solve_step(Network& n, double step, const std::vector<double>& s
       if (solved(inner)) rhs[static_cast<Eigen::Index>(inner)] += step * n.conductance[e] * n.outer_excess[k];
     }
     if (wellbores_ != nullptr) answer_of_wellbores(n, step, rhs);
-    solve_pressures(rhs, p);
-
-    changed = wellbores_ != nullptr && drive_wellbores(n, p) > wellbore_tolerance;
-    for (std::size_t e = 0; e < n.left.size(); ++e) {
-      n.flow[e] = n.conductance[e] * (p[n.left[e]] - p[n.right[e]]);
-    }
-    for (std::size_t k = 0; k < n.outer_pipe.size(); ++k) n.flow[n.outer_pipe[k]] += outer_flow(n, k);
-    // What a domain at the floor would hold after the step decides whether it stays there.
-    fill_.assign(domains, 0.0);
-    for (std::size_t e = 0; e < n.left.size(); ++e) {
-      fill_[static_cast<std::size_t>(n.left[e])] -= step * n.flow[e];
-      fill_[static_cast<std::size_t>(n.right[e])] += step * n.flow[e];
-    }
-    for (std::size_t d = 0; d < domains; ++d) {
-      if (n.stiffness[d] <= 0.0) continue;
-      const double gain = fill_[d] + (source.empty() ? 0.0 : step * source[d]);
-      const bool at_floor = cavitated_[d] ? full_pressure(n, d) + n.stiffness[d] * gain <= n.floor_pressure
-                                          : p[static_cast<Eigen::Index>(d)] < n.floor_pressure - slack;
-      if (at_floor != (cavitated_[d] != 0)) {
-        cavitated_[d] = at_floor ? 1 : 0;
-        changed = true;
-      }
-    }
+    prepare_matrix();
+    // Most rounds find pores that cavitate or no longer do: for that the first pass will do.
+    double change = 0.0;
+    const bool looks = iterative_ && !outside_ && wellbores_ == nullptr && round < most_looks;
+    const bool settled = looks && conjugate_gradient_.settle(rhs, p, look_rules, change);
+    changed = looks && !settled && follow_flow(n, step, source);
+    if (changed) continue;
+    if (!settled) solve_pressures(rhs, p, change);
+    const bool driven = wellbores_ != nullptr && drive_wellbores(n, p) > wellbore_tolerance;
+    changed = follow_flow(n, step, source) || driven;
   }
   if (changed) {
     throw Error(ErrorKind::diverged,

@@ -54,9 +54,11 @@ class FlowSolver {
 
   using Matrix = SparseMatrix;
   // Pressures of the system as it stands in matrix_ into p.
-  void solve_pressures(const Eigen::VectorXd& rhs, Eigen::VectorXd& p);
+  bool follow_flow(Network& network, double step, const std::vector<double>& source);
+  void prepare_matrix();
+  void solve_pressures(const Eigen::VectorXd& rhs, Eigen::VectorXd& p, double change);
   // The same by conjugate gradients, or by a solver from outside.
-  void solve_in_passes(const Eigen::VectorXd& rhs, Eigen::VectorXd& p);
+  void solve_in_passes(const Eigen::VectorXd& rhs, Eigen::VectorXd& p, double change);
   bool settle_outside(const Eigen::VectorXd& rhs, Eigen::VectorXd& p);
   void list_places();
 

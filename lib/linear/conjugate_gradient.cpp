@@ -136,16 +136,17 @@ int ConjugateGradient::iterate(double target, int most) {
   return -1;
 }
 
-bool ConjugateGradient::settle(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, const PassRules& rules) {
+bool ConjugateGradient::settle(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, const PassRules& rules,
+                               double& change) {
   take(rhs, x);
-  const bool settled = on_device_ ? on_device_->settle(multigrid_, b_, x_, rules) : settle_here(rules);
+  const bool settled =
+      on_device_ ? on_device_->settle(multigrid_, b_, x_, rules, change) : settle_here(rules, change);
   give(x);
   return settled;
 }
 
-bool ConjugateGradient::settle_here(const PassRules& rules) {
+bool ConjugateGradient::settle_here(const PassRules& rules, double& before) {
   SerialBlock mine;
-  double before = 0.0;
   for (int pass = 0; pass < rules.most_passes; ++pass) {
     begin();
     const double length = std::sqrt(total_of_groups(mine, arrays_.sums, arrays_.groups));
@@ -153,10 +154,10 @@ bool ConjugateGradient::settle_here(const PassRules& rules) {
     if (iterate(rules.pass_tolerance * length, rules.most_iterations) < 0) return false;
     end();
     const double change = *std::max_element(sums_.begin(), sums_.end());
-    if (rules.are_there(change, before, *std::min_element(lowest_.begin(), lowest_.end()),
-                        *std::max_element(highest_.begin(), highest_.end())))
-      return true;
+    const bool there = rules.are_there(change, before, *std::min_element(lowest_.begin(), lowest_.end()),
+                                       *std::max_element(highest_.begin(), highest_.end()));
     before = change;
+    if (there) return true;
   }
   return false;
 }

@@ -54,8 +54,14 @@ class ConjugateGradient {
   // Improves x until the residual, scaled by the diagonal, is below `tolerance` of the right-hand side's. Returns the iterations it
   // took, or -1 if `most` were not enough.
   int solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, double tolerance, int most);
-  // Improves x in passes; false if the rules' numbers of them were not enough.
-  [[nodiscard]] bool settle(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, const PassRules& rules);
+  // Improves x in passes; false if the rules' numbers of them were not enough. change: by how much values changed in the last pass, 0
+  // before the first.
+  [[nodiscard]] bool settle(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, const PassRules& rules,
+                            double& change);
+  [[nodiscard]] bool settle(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, const PassRules& rules) {
+    double change = 0.0;
+    return settle(rhs, x, rules, change);
+  }
 
  private:
   void take(const Eigen::VectorXd& rhs, const Eigen::VectorXd& x);
@@ -63,7 +69,7 @@ class ConjugateGradient {
   void begin();
   void end();
   int iterate(double target, int most);
-  bool settle_here(const PassRules& rules);
+  bool settle_here(const PassRules& rules, double& before);
   template <class Task>
   void share(const Task& task);
 

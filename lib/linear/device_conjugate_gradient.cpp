@@ -172,13 +172,12 @@ bool DeviceConjugateGradient::iterate(int most) {
 }
 
 bool DeviceConjugateGradient::settle(const Multigrid& multigrid, const std::vector<double>& b,
-                                     std::vector<double>& x, const PassRules& rules) {
+                                     std::vector<double>& x, const PassRules& rules, double& before) {
   send(multigrid);
   const std::int64_t groups = task_.c.groups;
   device_.upload(task_.c.b, b.data(), b.size() * sizeof(double));
   device_.upload(task_.c.x, x.data(), x.size() * sizeof(double));
   task_.pass_tolerance = rules.pass_tolerance;
-  double before = 0.0;
   bool settled = false;
   for (int pass = 0; !settled && pass < rules.most_passes; ++pass) {
     launch(device_begin_pass, groups);

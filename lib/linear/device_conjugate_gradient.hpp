@@ -21,7 +21,7 @@ class DeviceConjugateGradient {
   explicit DeviceConjugateGradient(const Device& device);
   // b and x in the order of the finest level's rows.
   bool settle(const Multigrid& multigrid, const std::vector<double>& b, std::vector<double>& x,
-              const PassRules& rules);
+              const PassRules& rules, double& before);
 
  private:
   // A level's copy.
