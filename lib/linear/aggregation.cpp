@@ -24,10 +24,16 @@ bool is_dominant(const SymmetricRows& a, std::size_t i) {
 
 }  // namespace
 
-std::int32_t number_the_joined(const SymmetricRows& a, std::vector<std::int32_t>& number) {
+void mark_the_joined(const SymmetricRows& a, std::int64_t first, std::int64_t last,
+                     std::vector<std::int32_t>& number) {
+  for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
+    number[i] = is_dominant(a, i) ? -1 : 0;
+}
+
+std::int32_t number_the_joined(std::vector<std::int32_t>& number) {
   std::int32_t count = 0;
-  number.resize(static_cast<std::size_t>(a.count()));
-  for (std::size_t i = 0; i < number.size(); ++i) number[i] = is_dominant(a, i) ? -1 : count++;
+  for (auto& of_row : number)
+    if (of_row >= 0) of_row = count++;
   return count;
 }
 

@@ -40,8 +40,11 @@ class RowsByPart {
   std::vector<std::int32_t> first_, row_;
 };
 
-// Numbers the rows that depend on others; those that hardly do get -1. Returns how many there are.
-std::int32_t number_the_joined(const SymmetricRows& rows, std::vector<std::int32_t>& number);
+// Of rows first to last - 1, those that hardly depend on others get -1 in `number`, the others 0.
+void mark_the_joined(const SymmetricRows& rows, std::int64_t first, std::int64_t last,
+                     std::vector<std::int32_t>& number);
+// Numbers all that were marked 0. Returns how many there are.
+std::int32_t number_the_joined(std::vector<std::int32_t>& number);
 
 // Joins each row with the one that it is most strongly joined to among those still alone; who finds none alone joins that one's
 // pair. Rows for which `pair` is -1 keep it. Returns how many pairs there are.

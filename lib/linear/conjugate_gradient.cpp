@@ -9,11 +9,6 @@
 #include "linear/serial_block.hpp"
 
 namespace hfrac {
-namespace {
-
-constexpr std::int64_t rows_worth_sharing = 8 * row_group;
-
-}  // namespace
 
 void symmetric_product(const SparseMatrix& lower, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
   const auto n = lower.cols();
@@ -35,7 +30,7 @@ void symmetric_product(const SparseMatrix& lower, const Eigen::VectorXd& x, Eige
 ConjugateGradient::ConjugateGradient(Workers* workers, const Device* device, const Ranks& ranks)
     : team_(workers != nullptr ? *workers : alone_, ranks),
       has_workers_(workers != nullptr),
-      multigrid_(device != nullptr ? Ranks{} : ranks) {
+      multigrid_(device != nullptr ? Ranks{} : ranks, workers) {
   if (device != nullptr) on_device_ = std::make_unique<DeviceConjugateGradient>(*device);
 }
 

@@ -2,6 +2,7 @@
 #include "linear/multigrid.hpp"
 
 #include <Eigen/Cholesky>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -23,9 +24,8 @@ constexpr std::int64_t groups_of_a_rank = 4;
 
 }  // namespace
 
-bool Multigrid::Level::fits(const SymmetricRows& a) const {
-  if (order.size() != a.diagonal.size() || from.size() != a.column.size()) return false;
-  for (std::size_t p = 0; p < order.size(); ++p) {
+bool Multigrid::Level::fits(const SymmetricRows& a, std::int64_t first, std::int64_t last) const {
+  for (auto p = static_cast<std::size_t>(first); p < static_cast<std::size_t>(last); ++p) {
     const auto i = static_cast<std::size_t>(order[p]);
     if (start[p + 1] - start[p] != a.start[i + 1] - a.start[i]) return false;
     for (auto k = static_cast<std::size_t>(start[p]); k < static_cast<std::size_t>(start[p + 1]); ++k) {
@@ -104,7 +104,7 @@ void Multigrid::Level::take_pattern(const SymmetricRows& a) {
   }
 }
 
-void Multigrid::Level::take_values(const SymmetricRows& a, bool finest) {
+void Multigrid::Level::make_room(bool finest) {
   const auto rows = order.size();
   value.resize(from.size());
   for (auto* per_row : {&diagonal, &weight, &before}) per_row->resize(rows);
@@ -114,7 +114,10 @@ void Multigrid::Level::take_values(const SymmetricRows& a, bool finest) {
   aggregate.assign(rows, -1);
   members = {};
   inverse.clear();
-  for (std::size_t p = 0; p < rows; ++p) {
+}
+
+void Multigrid::Level::take_values(const SymmetricRows& a, std::int64_t first, std::int64_t last) {
+  for (auto p = static_cast<std::size_t>(first); p < static_cast<std::size_t>(last); ++p) {
     diagonal[p] = a.diagonal[static_cast<std::size_t>(order[p])];
     double elsewhere = 0.0;
     for (auto k = static_cast<std::size_t>(start[p]); k < static_cast<std::size_t>(start[p + 1]); ++k) {
@@ -166,6 +169,25 @@ LevelArrays Multigrid::Level::arrays() {
   return a;
 }
 
+// Runs task(first, last) on parts of so many rows.
+template <class Task>
+void Multigrid::share_rows(std::int64_t rows, const Task& task) {
+  if (workers_ == nullptr || rows < rows_worth_sharing) return task(std::int64_t{0}, rows);
+  workers_->share(true, [&](const Workers::Member& member) {
+    const auto mine = member.part(rows, row_group);
+    task(mine.first, mine.last);
+  });
+}
+
+bool Multigrid::fits(const Level& level) {
+  if (!level.is_as_large(rows_)) return false;
+  std::atomic<bool> all{true};
+  share_rows(rows_.count(), [&](std::int64_t first, std::int64_t last) {
+    if (!level.fits(rows_, first, last)) all = false;
+  });
+  return all;
+}
+
 bool Multigrid::prepare(const SparseMatrix& lower) {
   rows_.assign(lower);
   for (const double d : rows_.diagonal)
@@ -175,11 +197,13 @@ bool Multigrid::prepare(const SparseMatrix& lower) {
   for (std::int32_t count = 0;;) {
     if (levels_.size() == depth) levels_.emplace_back();
     Level& level = levels_[depth];
-    if (depth > 0 || !level.fits(rows_)) {
+    if (depth > 0 || !fits(level)) {
       level.take_pattern(rows_);
       level.pattern = ++patterns_;
     }
-    level.take_values(rows_, depth == 0);
+    level.make_room(depth == 0);
+    share_rows(rows_.count(),
+               [&](std::int64_t first, std::int64_t last) { level.take_values(rows_, first, last); });
     if (depth > 0) {
       give_back(level.from);  // its pattern is taken anew each time
       // The finer one's rows now know where theirs stand.
@@ -200,7 +224,10 @@ bool Multigrid::prepare(const SparseMatrix& lower) {
       if (!level.factorise()) return false;
       break;
     }
-    count = number_the_joined(rows_, pair_);
+    pair_.resize(static_cast<std::size_t>(rows_.count()));
+    share_rows(rows_.count(),
+               [&](std::int64_t first, std::int64_t last) { mark_the_joined(rows_, first, last, pair_); });
+    count = number_the_joined(pair_);
     if (count == 0) break;
     as_they_are = level.rows() > few_rows && count <= std::min(level.rows() / rows_of_one, most_factorised);
     if (as_they_are) {

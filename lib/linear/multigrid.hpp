@@ -34,9 +34,13 @@
 
 namespace hfrac {
 
+constexpr std::int64_t rows_worth_sharing = 8 * row_group;  // among workers
+
 class Multigrid {
  public:
-  explicit Multigrid(const Ranks& ranks = {}) : ranks_(ranks) {}
+  // Workers, if any, share what goes row by row.
+  explicit Multigrid(const Ranks& ranks = {}, Workers* workers = nullptr)
+      : ranks_(ranks), workers_(workers) {}
 
   // A matrix and what the next coarser one is made of. Rows stand by groups and, within a group, by colours.
   struct Level {
@@ -56,9 +60,14 @@ class Multigrid {
     std::int64_t pattern = 0;  // another number for every pattern that came to any level
 
     [[nodiscard]] std::int64_t rows() const { return static_cast<std::int64_t>(diagonal.size()); }
-    [[nodiscard]] bool fits(const SymmetricRows& rows) const;  // of the pattern that came last
+    // Whether rows stand where those of the pattern that came last did; from `first` to `last` - 1 of this level's, if there are as many.
+    [[nodiscard]] bool is_as_large(const SymmetricRows& rows) const {
+      return order.size() == rows.diagonal.size() && from.size() == rows.column.size();
+    }
+    [[nodiscard]] bool fits(const SymmetricRows& rows, std::int64_t first, std::int64_t last) const;
     void take_pattern(const SymmetricRows& rows);
-    void take_values(const SymmetricRows& rows, bool finest);
+    void make_room(bool finest);
+    void take_values(const SymmetricRows& rows, std::int64_t first, std::int64_t last);
     [[nodiscard]] bool factorise();
     [[nodiscard]] LevelArrays arrays();
   };
@@ -87,6 +96,9 @@ class Multigrid {
   }
 
  private:
+  template <class Task>
+  void share_rows(std::int64_t rows, const Task& task);
+  [[nodiscard]] bool fits(const Level& level);
   void cycle(const RankTeam::Member& member, std::size_t level, const double* r, double* z);
   void invert_coarsest();
   // Of rows of a level, that ranks get multiples of.
@@ -95,6 +107,7 @@ class Multigrid {
   [[nodiscard]] Halo find_halo(std::size_t level, bool coarser_is_shared) const;
 
   Ranks ranks_;
+  Workers* workers_;
   std::vector<Halo> halos_;  // of the levels that ranks share
 
   std::deque<Level> levels_;

@@ -153,11 +153,12 @@ void ExplicitSolver::take_tile(std::int64_t tile, std::int64_t cycle, double* sc
   kernels_.tile_move(arrays_, tile, scratch);
 }
 
-// Which tiles nothing outside pushes, now and in the cycles to come: most, and they are spared three arrays.
+// Which of the rank's tiles nothing outside pushes, now and in the cycles to come: most, and they are spared three arrays.
 void ExplicitSolver::mark_left_alone() {
   const auto zero = [](double force) { return std::bit_cast<std::uint64_t>(force) == 0; };
   const auto& a = assembly_;
-  for (auto& tile : plan_.tiles) {
+  for (auto t = shared_.first_tile(); t < shared_.last_tile(); ++t) {
+    Tile& tile = plan_.tiles[static_cast<std::size_t>(t)];
     bool alone = true;
     for (const auto* force : {&a.external_x, &a.external_y, &a.external_moment})
       alone = alone && std::all_of(force->begin() + tile.first_disc, force->begin() + tile.last_disc, zero);

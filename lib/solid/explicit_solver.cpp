@@ -403,11 +403,18 @@ void ExplicitSolver::evaluate() {
     const SmoothContact& contact = assembly_.smooth.contacts[k];
     smooth_forces_[k] = answer_of(assembly_, contact, assembly_.slip[contact.bond], energies_.friction);
   }
-  for (std::int64_t pair = 0; pair < arrays_.pair_count; ++pair) kernels_.cross_bonds(arrays_, pair);
-  for (std::int64_t part = 0; arrays_.with_pressure != 0 && part <= arrays_.tile_count; ++part)
-    kernels_.cross_domains(arrays_, part);
-  for (std::int64_t tile = 0; tile < arrays_.tile_count; ++tile)
-    kernels_.tile_forces(arrays_, tile, scratch_[0].data());
+  // As a cycle, but nothing moves or breaks.
+  workers_.share(arrays_.tile_count >= 2 * workers_.count(), [&](const Workers::Member& member) {
+    const auto parts = member.part(arrays_.tile_count + 1, 1), tiles = member.part(arrays_.tile_count, 1);
+    for (auto part = parts.first; part < parts.last; ++part) {
+      const CrossPart& p = plan_.cross_parts[static_cast<std::size_t>(part)];
+      for (auto pair = p.first_pair; pair < p.last_pair; ++pair) kernels_.cross_bonds(arrays_, pair);
+      if (arrays_.with_pressure != 0) kernels_.cross_domains(arrays_, part);
+    }
+    member.barrier();
+    double* scratch = scratch_[static_cast<std::size_t>(member.number)].data();
+    for (auto tile = tiles.first; tile < tiles.last; ++tile) kernels_.tile_forces(arrays_, tile, scratch);
+  });
   take_works();
   if (!facets_.active()) return;
   facets_.answer(true);
