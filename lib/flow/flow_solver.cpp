@@ -189,7 +189,6 @@ void FlowSolver::prepare_matrix() {
         "the range of finite numbers; use a shorter stepping.flow_step or a smaller flow.aperture_limit");
 }
 
-// change: of a pass before, 0 if there was none.
 void FlowSolver::solve_pressures(const Eigen::VectorXd& rhs, Eigen::VectorXd& p, double change) {
   if (iterative_) {
     solve_in_passes(rhs, p, change);
@@ -317,7 +316,6 @@ void FlowSolver::answer_of_wellbores(const Network& n, double step, Eigen::Vecto
   }
 }
 
-// Flows by the pressures found, what they bring to each domain, and whether other domains than before are at the floor.
 bool FlowSolver::follow_flow(Network& n, double step, const std::vector<double>& source) {
   const auto domains = static_cast<std::size_t>(n.domain_count());
   const double slack = iterative_ ? floor_slack : 0.0;

@@ -52,9 +52,11 @@ class FlowSolver {
   void answer_of_wellbores(const Network& network, double step, Eigen::VectorXd& rhs);
   int advance_explicit(Network& network, double step, const std::vector<double>& source);
 
-  using Matrix = SparseMatrix;
-  // Pressures of the system as it stands in matrix_ into p.
+  // Flows at the pressures found and what each domain gains; whether other domains than before are at the floor.
   bool follow_flow(Network& network, double step, const std::vector<double>& source);
+
+  using Matrix = SparseMatrix;
+  // matrix_ as it stands, for whoever solves; pressures of that system into p. change: of a pass before (ConjugateGradient::settle).
   void prepare_matrix();
   void solve_pressures(const Eigen::VectorXd& rhs, Eigen::VectorXd& p, double change);
   // The same by conjugate gradients, or by a solver from outside.

@@ -21,6 +21,7 @@
 #include "core/workers.hpp"
 #include "model/model.hpp"
 #include "options/options.hpp"
+#include "solid/blocked_batch.hpp"
 #include "solid/bond_law.hpp"
 #include "solid/boundary.hpp"
 #include "solid/device_cycles.hpp"
@@ -30,7 +31,6 @@
 #include "solid/non_bonded_contacts.hpp"
 #include "solid/shared_tiles.hpp"
 #include "solid/smooth_joints.hpp"
-#include "solid/temporal_blocking.hpp"
 #include "solid/tiles.hpp"
 
 namespace hfrac {

@@ -6,11 +6,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <memory>
 
 #include "core/hash.hpp"
 #include "model.hpp"
+#include "solid/blocked_batch.hpp"
 
 namespace temporal_blocking_test {
 
@@ -169,6 +172,39 @@ TEST(TemporalBlocking, ListsEverythingAfterWhatItNeeds) {
   }
   EXPECT_TRUE(std::all_of(tiles.begin(), tiles.end(), [](auto done) { return done == 6; }));
   EXPECT_TRUE(std::all_of(parts.begin(), parts.end(), [](auto done) { return done == 6; }));
+}
+
+// A worker that lost its core, here one that stands in its first item until another has done one of its region, holds up nobody for good.
+TEST(TemporalBlocking, AWorkerIsHelpedWhileItStands) {
+  Options o = dry_options(100);
+  TestModel m(o, hexagonal(104, 102));
+  const TilePlan plan = plan_tiles(m.assembly, m.network, false, false);
+  const TemporalBlocking blocking = plan_blocking(plan, m.assembly, m.network, {3, 2, 3}, 2);
+  std::vector<std::int32_t> region_of(plan.tiles.size());
+  for (const auto& task : blocking.tasks)
+    if (task.item >= 0) region_of[static_cast<std::size_t>(task.item)] = task.region;
+  ASSERT_TRUE(std::count(region_of.begin(), region_of.end(), 1) > 4);
+  BlockedBatch batch;
+  batch.use(blocking);
+  Workers team(2);
+  for (const int stands : {0, 1}) {
+    std::atomic<int> helped{0}, wrong{0};
+    std::vector<std::atomic<std::int32_t>> done(2 * plan.tiles.size());
+    batch.begin(7);
+    team.run([&](int worker) {
+      batch.work(team, worker, [&](std::int32_t item, std::int32_t cycle) {
+        const auto at = static_cast<std::size_t>(item >= 0 ? item : ~item);
+        if (region_of[at] != worker) ++helped;
+        const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+        while (worker == stands && helped == 0 && std::chrono::steady_clock::now() < limit) {
+        }
+        if (done[item >= 0 ? at : at + plan.tiles.size()].exchange(cycle) != cycle - 1) ++wrong;
+      });
+    });
+    EXPECT_GT(helped, 0);
+    EXPECT_EQ(wrong, 0) << "done twice, or in another order";
+    EXPECT_TRUE(std::all_of(done.begin(), done.end(), [](const auto& cycle) { return cycle == 7; }));
+  }
 }
 
 // Who could know of distant discs in every cycle keeps a model from temporal blocking: servo walls, here, move as without.
