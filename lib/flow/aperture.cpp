@@ -159,8 +159,8 @@ CrackApertureResponse joint_aperture_response(const Options& o, const JointLaw& 
   return {w.value, 0.0, w.slope};
 }
 
-double pipe_aperture(const Options& o, PipeAtRest rest, const BondView& bond, bool intact) {
-  return aperture_response(o, rest, bond.gap, bond.normal_force(), 0.0, intact).aperture;
+double pipe_aperture(const Options& o, PipeAtRest rest, const NormalView& bond, bool intact) {
+  return aperture_response(o, rest, bond.gap, bond.force, 0.0, intact).aperture;
 }
 
 void update_apertures(Network& n, const Assembly& a, const Options& o, Workers* workers) {
@@ -168,8 +168,8 @@ void update_apertures(Network& n, const Assembly& a, const Options& o, Workers* 
   const bool closed = OuterPores{o.flow_outer} == OuterPores::closed;
   const FluidLaw law(o);
   n.planes.refresh(n, a);
-  const auto update = [&](std::size_t e) {
-    const BondView bond = view_bond(a, o, static_cast<std::int64_t>(e));
+  const auto update = [&](std::size_t part, std::size_t e) {
+    const auto bond = [&] { return view_normal(a, o, part, static_cast<std::int64_t>(e)); };
     const double joint = joint_opening(a, static_cast<std::int64_t>(e));
     const CrackPlane* plane = n.planes.of(e);
     const double way = n.facet_way.empty() ? 0.0 : n.facet_way[e];
@@ -183,11 +183,10 @@ void update_apertures(Network& n, const Assembly& a, const Options& o, Workers* 
     } else if (joint > 0.0) {
       w = aperture_response(o, n.pipe_at_rest(e), joint, 0.0, 0.0, false).aperture;
     } else if (plane != nullptr) {
-      w = crack_aperture_response(o, n.pipe_at_rest(e), CrackPlanes::opening(*plane, a, e),
-                                  bond.normal_force(), 0.0)
+      w = crack_aperture_response(o, n.pipe_at_rest(e), CrackPlanes::opening(*plane, a, e), bond().force, 0.0)
               .aperture;
     } else {
-      w = pipe_aperture(o, n.pipe_at_rest(e), bond, a.intact[e] != 0);
+      w = pipe_aperture(o, n.pipe_at_rest(e), bond(), a.intact[e] != 0);
     }
     n.aperture[e] = w;
     if (!n.length.empty()) n.length[e] = length;
@@ -199,14 +198,19 @@ void update_apertures(Network& n, const Assembly& a, const Options& o, Workers* 
                                    n.beyond_of(e))
                    .conductance;
   };
-  if (workers == nullptr) {
-    for (std::size_t e = 0; e < n.left.size(); ++e) update(e);
-    return;
-  }
   const auto pipes = static_cast<std::int64_t>(n.left.size());
+  const auto update_from = [&](std::int64_t first, std::int64_t last) {
+    if (first >= last) return;
+    std::size_t part = a.part_of(first);
+    for (auto e = first; e < last; ++e) {
+      while (a.part_first_bond[part + 1] <= e) ++part;
+      update(part, static_cast<std::size_t>(e));
+    }
+  };
+  if (workers == nullptr) return update_from(0, pipes);
   workers->share(pipes >= worth_sharing, [&](const Workers::Member& member) {
     const auto mine = member.part(pipes, grain);
-    for (auto e = mine.first; e < mine.last; ++e) update(static_cast<std::size_t>(e));
+    update_from(mine.first, mine.last);
   });
 }
 

@@ -12,7 +12,7 @@ namespace hfrac {
 //   pressed together   w = r0 F0 / (F + F0)                                             (eq. 7)
 //   open               w = r0 + lambda gap, lambda by whether the bond still holds      (eq. 7)
 // capped at flow.aperture_limit.
-double pipe_aperture(const Options& options, PipeAtRest rest, const BondView& bond, bool intact);
+double pipe_aperture(const Options& options, PipeAtRest rest, const NormalView& bond, bool intact);
 
 // The same with its change, for a pipe whose discs answer a gap with `normal` [N, tension positive] and normal_stiffness [N/m].
 struct ApertureResponse {

@@ -10,31 +10,59 @@
 namespace hfrac {
 namespace {
 
+// How far the centres are apart, at bonding and now.
+struct Stretch {
+  Vec2 before, change;      // m, from first to second disc
+  double length, now, gap;  // m, as in PairMotion
+};
+Stretch stretch_of(const Assembly& a, std::size_t part, std::int64_t e) {
+  const auto i = a.first[e], j = a.second[e];
+  const auto value = [&](std::int64_t row) { return a.geometry.at(part, e, row); };
+  Stretch s{{value(block_dx), value(block_dy)},
+            {a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]},
+            value(block_length),
+            0.0,
+            0.0};
+  s.now = norm(s.before + s.change);
+  s.gap =
+      (2.0 * dot(s.before, s.change) + dot(s.change, s.change)) / (s.now + s.length) - a.factors.growth_of(e);
+  return s;
+}
+
 PairMotion motion_of(const Assembly& a, std::int64_t e) {
   const auto i = a.first[e], j = a.second[e];
-  const Vec2 du{a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]}, d0{a.dx(e), a.dy(e)}, d = d0 + du;
+  const auto part = a.part_of(e);
+  const Stretch s = stretch_of(a, part, e);
   PairMotion m{};
-  m.now = norm(d);
-  m.length = a.length(e);
-  m.arm_i = a.arm(e);
+  m.now = s.now;
+  m.length = s.length;
+  m.arm_i = a.geometry.at(part, e, block_arm);
   m.arm_j = m.length - m.arm_i;
-  m.normal = (1.0 / m.now) * d;
-  m.gap = (2.0 * dot(d0, du) + dot(du, du)) / (m.now + m.length) - a.factors.growth_of(e);
+  m.normal = (1.0 / m.now) * (s.before + s.change);
+  m.gap = s.gap;
   // L0 asin(sine / L0) to the seventh order.
-  const double sine = cross(d0, du) / m.now, s2 = sine * sine / (m.length * m.length);
+  const double sine = cross(s.before, s.change) / m.now, s2 = sine * sine / (m.length * m.length);
   m.shear = sine * (1.0 + s2 * (1.0 / 6.0 + s2 * (3.0 / 40.0 + s2 * (15.0 / 336.0)))) -
             (m.arm_i * a.rotation[i] + m.arm_j * a.rotation[j]);
   m.bend = a.rotation[j] - a.rotation[i];
   return m;
 }
 
-// The contact's normal force and moment by gap and bend: a line of springs that bear pressure only (kernels_law.hpp).
+// Of a contact that is closed at least in part: a line of springs that bear pressure only (kernels_law.hpp), whose ends `edge` [m] is
+// how far from the mean gap [N].
+double contact_force(double stiffness, double gap, double edge) {
+  if (-gap >= edge) return -stiffness * gap;
+  const double deep = edge - gap;
+  return 0.25 * stiffness * deep * (deep / edge);
+}
+
+// The contact's normal force and moment by gap and bend.
 void press(BondLaw& law, double stiffness, double radius, bool flat) {
   const PairMotion& m = law.motion;
   const double edge = flat ? radius * std::abs(m.bend) : 0.0;
   law.contact_stiffness = stiffness;
+  law.contact_normal = contact_force(stiffness, m.gap, edge);
   if (-m.gap >= edge) {
-    law.contact_normal = -stiffness * m.gap;
     law.contact_energy = 0.5 * law.contact_normal * std::max(0.0, -m.gap);
     if (!flat) return;
     law.contact_moment_stiffness = stiffness * radius * radius / 3.0;
@@ -44,7 +72,6 @@ void press(BondLaw& law, double stiffness, double radius, bool flat) {
   }
   const double deep = edge - m.gap, part = deep / edge;
   law.contact_stiffness = 0.5 * stiffness * part;
-  law.contact_normal = 0.25 * stiffness * deep * part;
   law.contact_moment = std::copysign(law.contact_normal * radius * (1.0 - part / 3.0), m.bend);
   law.contact_moment_stiffness = stiffness * radius * radius * part * (3.0 - 3.0 * part + part * part) / 6.0;
   law.contact_coupling = -std::copysign(0.25 * stiffness * radius * part * (2.0 - part), m.bend);
@@ -95,6 +122,22 @@ BondLaw bond_law(const Assembly& a, const Options& o, std::int64_t e) {
   law.slides = !(std::abs(trial) <= limit);
   law.contact_shear = law.slides ? std::copysign(limit, trial) : trial;
   return law;
+}
+
+NormalView view_normal(const Assembly& a, const Options& o, std::size_t part, std::int64_t e) {
+  if (!a.softening.empty() || a.smooth.of(e) != nullptr) {
+    const BondView view = view_bond(a, o, e);
+    return {view.gap, view.normal_force()};
+  }
+  const double gap = stretch_of(a, part, e).gap, share = a.factors.stiffness_of(e);
+  const bool intact = a.intact[e] != 0;
+  const double pull = intact ? o.bond_normal_stiffness * share * gap : 0.0;
+  const double edge =
+      ContactShape{o.contact_shape} == ContactShape::flat
+          ? a.geometry.at(part, e, block_radius) * std::abs(a.rotation[a.second[e]] - a.rotation[a.first[e]])
+          : 0.0;
+  const bool pressed = gap < edge && (!intact || ContactMode{o.contact_mode} == ContactMode::parallel);
+  return {gap, pressed ? pull - contact_force(o.contact_normal_stiffness * share, gap, edge) : pull};
 }
 
 BondView view_bond(const Assembly& a, const Options& o, std::int64_t e) {

@@ -67,4 +67,10 @@ struct BondView {
 };
 BondView view_bond(const Assembly& assembly, const Options& options, std::int64_t bond);
 
+// Of a view only what an aperture follows from, for all bonds in every step. part: that of the bond (Assembly::part_of).
+struct NormalView {
+  double gap, force;  // m, positive: open; N, of bond and contact, tension positive
+};
+NormalView view_normal(const Assembly& assembly, const Options& options, std::size_t part, std::int64_t bond);
+
 }  // namespace hfrac
