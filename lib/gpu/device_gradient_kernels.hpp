@@ -68,7 +68,7 @@ void gradient_take_first_length(Block& block, const MultigridTask& t) {
   block.each(1, [&](int64_t) {
     ConjugateState& s = *t.c.state;
     s.length = __builtin_sqrt(all);
-    s.target = t.pass_tolerance * s.length;
+    s.target = larger(t.pass_tolerance * s.length, t.least_target);
     s.product = 1.0;
     s.iterations = 0;
     s.done = s.length > s.target ? 0 : 1;

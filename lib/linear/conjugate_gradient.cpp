@@ -93,20 +93,22 @@ int ConjugateGradient::solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, dou
     keep_sum(block, arrays_.sums, g, squared_length(block, level, arrays_.b, g));
   const double target = tolerance * std::sqrt(total_of_groups(block, arrays_.sums, arrays_.groups));
   begin();
-  const int iterations = iterate(target, most);
+  double length = 0.0;
+  const int iterations = iterate(target, most, length);
   end();
   give(x);
   return iterations;
 }
 
-// Of d, until what is left of r is no longer than `target`.
-int ConjugateGradient::iterate(double target, int most) {
+// Of d, until what is left of r is no longer than `target`: then of this length.
+int ConjugateGradient::iterate(double target, int most, double& length) {
   const LevelArrays& level = multigrid_.arrays()[0];
   const ConjugateArrays& c = arrays_;
   double product = 1.0, far = 0.0;
   SerialBlock mine;
   for (int iteration = 0; iteration <= most; ++iteration) {
-    if (std::sqrt(total_of_groups(mine, c.sums, c.groups)) <= target) return iteration;
+    length = std::sqrt(total_of_groups(mine, c.sums, c.groups));
+    if (length <= target) return iteration;
     share([&](const RankTeam::Member& member) {
       SerialBlock block;
       const auto each = [&](const auto& visit) { Multigrid::each_group(member, level.rows, visit); };
@@ -142,15 +144,21 @@ bool ConjugateGradient::settle(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, c
 
 bool ConjugateGradient::settle_here(const PassRules& rules, double& before) {
   SerialBlock mine;
+  const ErrorBound& bound = multigrid_.error_bound();
+  // Of the pass before, with before > 0.
+  const auto lowest = [this] { return *std::min_element(lowest_.begin(), lowest_.end()); };
+  const auto highest = [this] { return *std::max_element(highest_.begin(), highest_.end()); };
   for (int pass = 0; pass < rules.most_passes; ++pass) {
     begin();
-    const double length = std::sqrt(total_of_groups(mine, arrays_.sums, arrays_.groups));
+    double length = std::sqrt(total_of_groups(mine, arrays_.sums, arrays_.groups));
     if (!(length > 0.0)) return true;
-    if (iterate(rules.pass_tolerance * length, rules.most_iterations) < 0) return false;
+    const double least = before > 0.0 ? rules.least_target(bound, lowest(), highest()) : 0.0;
+    if (iterate(std::max(rules.pass_tolerance * length, least), rules.most_iterations, length) < 0)
+      return false;
     end();
     const double change = *std::max_element(sums_.begin(), sums_.end());
-    const bool there = rules.are_there(change, before, *std::min_element(lowest_.begin(), lowest_.end()),
-                                       *std::max_element(highest_.begin(), highest_.end()));
+    const bool there = rules.are_there(bound, length, lowest(), highest()) ||
+                       rules.are_there(change, before, lowest(), highest());
     before = change;
     if (there) return true;
   }

@@ -23,8 +23,8 @@ class DeviceConjugateGradient;
 // y = A x of a symmetric matrix by its lower triangle, each column beginning with its diagonal.
 void symmetric_product(const SparseMatrix& lower, const Eigen::VectorXd& x, Eigen::VectorXd& y);
 
-// When a solution in passes is good enough: each solves for what is left to `pass_tolerance` of it, until no value changes by more than
-// `settled` times the largest difference of values. Where all values are nearly alike that is less than their rounding: once a pass no
+// When a solution in passes is good enough: each solves for what is left to `pass_tolerance` of it, until the matrix bounds the error
+// (ErrorBound) by `settled` times the largest difference of values, or no value changes by more than that. Where all values are nearly alike that is less than their rounding: once a pass no
 // longer halves the change, `settled` times the largest value will do.
 struct PassRules {
   double pass_tolerance, settled;
@@ -35,6 +35,14 @@ struct PassRules {
     const bool halved = !(before > 0.0) || change <= 0.5 * before;
     const double next = before > 0.0 ? change * std::min(1.0, change / before) : change;
     return next <= settled * (halved ? highest - lowest : std::max({highest - lowest, highest, -lowest}));
+  }
+  // The same of values whose residual is so long.
+  [[nodiscard]] bool are_there(const ErrorBound& bound, double length, double lowest, double highest) const {
+    return bound.at(length, std::max(highest, -lowest)) <= settled * (highest - lowest);
+  }
+  // Length of a residual below which a pass need not go, where the values after the last one are known; half of what would do.
+  [[nodiscard]] double least_target(const ErrorBound& bound, double lowest, double highest) const {
+    return 0.5 * bound.length_for(settled * (highest - lowest));
   }
 };
 
@@ -55,7 +63,7 @@ class ConjugateGradient {
   // took, or -1 if `most` were not enough.
   int solve(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, double tolerance, int most);
   // Improves x in passes; false if the rules' numbers of them were not enough. change: by how much values changed in the last pass, 0
-  // before the first.
+  // before the first, of this matrix.
   [[nodiscard]] bool settle(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, const PassRules& rules,
                             double& change);
   [[nodiscard]] bool settle(const Eigen::VectorXd& rhs, Eigen::VectorXd& x, const PassRules& rules) {
@@ -68,7 +76,7 @@ class ConjugateGradient {
   void give(Eigen::VectorXd& x);
   void begin();
   void end();
-  int iterate(double target, int most);
+  int iterate(double target, int most, double& length);
   bool settle_here(const PassRules& rules, double& before);
   template <class Task>
   void share(const Task& task);

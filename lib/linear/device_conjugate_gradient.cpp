@@ -178,8 +178,10 @@ bool DeviceConjugateGradient::settle(const Multigrid& multigrid, const std::vect
   device_.upload(task_.c.b, b.data(), b.size() * sizeof(double));
   device_.upload(task_.c.x, x.data(), x.size() * sizeof(double));
   task_.pass_tolerance = rules.pass_tolerance;
+  const ErrorBound& bound = multigrid.error_bound();
   bool settled = false;
   for (int pass = 0; !settled && pass < rules.most_passes; ++pass) {
+    task_.least_target = before > 0.0 ? rules.least_target(bound, reached_.lowest, reached_.highest) : 0.0;
     launch(device_begin_pass, groups);
     launch(device_take_first_length, 1);
     state_.get(&reached_, sizeof reached_);
@@ -189,7 +191,8 @@ bool DeviceConjugateGradient::settle(const Multigrid& multigrid, const std::vect
     launch(device_end_pass, groups);
     launch(device_take_extremes, 1);
     state_.get(&reached_, sizeof reached_);
-    settled = rules.are_there(reached_.change, before, reached_.lowest, reached_.highest);
+    settled = rules.are_there(bound, reached_.length, reached_.lowest, reached_.highest) ||
+              rules.are_there(reached_.change, before, reached_.lowest, reached_.highest);
     before = reached_.change;
   }
   device_.download(x.data(), task_.c.x, x.size() * sizeof(double));

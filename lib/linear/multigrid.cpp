@@ -4,6 +4,8 @@
 #include <Eigen/Cholesky>
 #include <atomic>
 #include <cmath>
+#include <limits>
+#include <mutex>
 #include <utility>
 
 #include "core/give_back.hpp"
@@ -23,6 +25,19 @@ constexpr std::int64_t rows_of_one = 8, most_factorised = 20000;
 constexpr std::int64_t groups_of_a_rank = 4;
 
 }  // namespace
+
+void ErrorBound::take(double diagonal, double others) {
+  const double sum = diagonal - others;
+  // What is left of a row by rounding alone bounds nothing.
+  const bool rules = sum > 1e-12 * diagonal;
+  constexpr double none = std::numeric_limits<double>::infinity();
+  take({rules ? std::sqrt(diagonal) / sum : none, rules ? diagonal / sum : none});
+}
+
+double ErrorBound::at(double length, double largest) const {
+  constexpr double rounding = 8.0 * std::numeric_limits<double>::epsilon();
+  return of_length * length + of_rounding * rounding * largest;
+}
 
 bool Multigrid::Level::fits(const SymmetricRows& a, std::int64_t first, std::int64_t last) const {
   for (auto p = static_cast<std::size_t>(first); p < static_cast<std::size_t>(last); ++p) {
@@ -116,16 +131,19 @@ void Multigrid::Level::make_room(bool finest) {
   inverse.clear();
 }
 
-void Multigrid::Level::take_values(const SymmetricRows& a, std::int64_t first, std::int64_t last) {
+ErrorBound Multigrid::Level::take_values(const SymmetricRows& a, std::int64_t first, std::int64_t last) {
+  ErrorBound bound;
   for (auto p = static_cast<std::size_t>(first); p < static_cast<std::size_t>(last); ++p) {
     diagonal[p] = a.diagonal[static_cast<std::size_t>(order[p])];
-    double elsewhere = 0.0;
+    double inside = 0.0, elsewhere = 0.0;
     for (auto k = static_cast<std::size_t>(start[p]); k < static_cast<std::size_t>(start[p + 1]); ++k) {
       value[k] = a.value[static_cast<std::size_t>(from[k])];
-      if (k >= static_cast<std::size_t>(outer[p])) elsewhere += std::abs(value[k]);
+      (k >= static_cast<std::size_t>(outer[p]) ? elsewhere : inside) += std::abs(value[k]);
     }
     weight[p] = diagonal[p] + 0.5 * elsewhere;
+    bound.take(diagonal[p], inside + elsewhere);
   }
+  return bound;
 }
 
 bool Multigrid::Level::factorise() {
@@ -202,8 +220,14 @@ bool Multigrid::prepare(const SparseMatrix& lower) {
       level.pattern = ++patterns_;
     }
     level.make_room(depth == 0);
-    share_rows(rows_.count(),
-               [&](std::int64_t first, std::int64_t last) { level.take_values(rows_, first, last); });
+    ErrorBound bound;
+    std::mutex one_by_one;
+    share_rows(rows_.count(), [&](std::int64_t first, std::int64_t last) {
+      const ErrorBound mine = level.take_values(rows_, first, last);
+      const std::lock_guard lock(one_by_one);
+      bound.take(mine);
+    });
+    if (depth == 0) error_bound_ = bound;
     if (depth > 0) {
       give_back(level.from);  // its pattern is taken anew each time
       // The finer one's rows now know where theirs stand.

@@ -36,6 +36,24 @@ namespace hfrac {
 
 constexpr std::int64_t rows_worth_sharing = 8 * row_group;  // among workers
 
+// How far from right a solution is at most. With s_i = a_ii - sum_j |a_ij| > 0 in every row no value is off by more than max |r_i| / s_i
+// (Varah 1975, Linear Algebra Appl. 11, 3-5), and no |r_i| is larger than the residual's length in units of the diagonal's roots times
+// the root of a_ii. So says storage where it rules, as in short steps; where conductances are much larger it says little.
+struct ErrorBound {
+  double of_length = 0.0,
+         of_rounding = 0.0;  // max of root(a_ii) / s_i and a_ii / s_i; infinite: there is none
+
+  void take(double diagonal, double others);
+  void take(const ErrorBound& rows) {
+    of_length = std::max(of_length, rows.of_length);
+    of_rounding = std::max(of_rounding, rows.of_rounding);
+  }
+  // Of a residual of this length, known to as many digits as a product with values up to `largest`.
+  [[nodiscard]] double at(double length, double largest) const;
+  // Length of the residual at which that is no more than `error`.
+  [[nodiscard]] double length_for(double error) const { return error / of_length; }
+};
+
 class Multigrid {
  public:
   // Workers, if any, share what goes row by row.
@@ -67,7 +85,7 @@ class Multigrid {
     [[nodiscard]] bool fits(const SymmetricRows& rows, std::int64_t first, std::int64_t last) const;
     void take_pattern(const SymmetricRows& rows);
     void make_room(bool finest);
-    void take_values(const SymmetricRows& rows, std::int64_t first, std::int64_t last);
+    ErrorBound take_values(const SymmetricRows& rows, std::int64_t first, std::int64_t last);
     [[nodiscard]] bool factorise();
     [[nodiscard]] LevelArrays arrays();
   };
@@ -79,6 +97,8 @@ class Multigrid {
   // Levels in use, the finest first.
   [[nodiscard]] std::span<const LevelArrays> arrays() const { return arrays_; }
   [[nodiscard]] const Level& level(std::size_t at) const { return levels_[at]; }
+  // Of the matrix given.
+  [[nodiscard]] const ErrorBound& error_bound() const { return error_bound_; }
 
   // Whether ranks share a level, and what of its rows they tell each other then; null: each has all of it.
   [[nodiscard]] bool is_over_ranks(std::size_t level = 0) const { return level < halos_.size(); }
@@ -110,6 +130,7 @@ class Multigrid {
   Workers* workers_;
   std::vector<Halo> halos_;  // of the levels that ranks share
 
+  ErrorBound error_bound_;
   std::deque<Level> levels_;
   std::int64_t patterns_ = 0;        // so far
   std::vector<LevelArrays> arrays_;  // of those in use

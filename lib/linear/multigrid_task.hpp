@@ -12,7 +12,8 @@ struct MultigridTask {
   const double* r;       // what a level is solved for, and where its answer goes
   double* z;
   ConjugateArrays c;
-  double pass_tolerance;
+  double pass_tolerance,
+      least_target;  // of the residual's length: over the first one, and however long that was
 };
 
 // Bytes of a block's own memory.

@@ -69,6 +69,48 @@ TEST(ConjugateGradient, SettlesWhereAllPressuresAreAlike) {
   }
 }
 
+// Where storage rules, the residual alone says how far off pressures are: one pass will do, and what it promises is so.
+TEST(ConjugateGradient, KnowsByStorageThatOnePassWillDo) {
+  constexpr PassRules one{1e-9, 1e-8, 1, 20000}, many{1e-9, 1e-8, 20, 20000};
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+    for (const double storage : {1e6, 1e3, 1e-3}) {
+      const auto lower = grid(90, storage, 1.0, seed);
+      const Eigen::VectorXd rhs = from_the_middle(lower), exact = SymmetricFactor(lower).solve(rhs);
+      const double range = exact.maxCoeff() - exact.minCoeff();
+      ConjugateGradient solver;
+      ASSERT_TRUE(solver.prepare(lower));
+      Eigen::VectorXd x = Eigen::VectorXd::Zero(lower.cols());
+      EXPECT_EQ(solver.settle(rhs, x, one), storage >= 1e3) << storage << ' ' << seed;
+      EXPECT_LE((x - exact).cwiseAbs().maxCoeff(), (storage >= 1e3 ? one.settled : 1e-3) * range) << storage;
+      EXPECT_TRUE(solver.settle(rhs, x, many)) << storage << ' ' << seed;
+      EXPECT_LE((x - exact).cwiseAbs().maxCoeff(), one.settled * range) << storage << ' ' << seed;
+    }
+  }
+}
+
+// Of a row that depends on others as much as on itself nothing is known.
+TEST(ConjugateGradient, BoundsTheErrorOfEveryMatrixItBounds) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const double storage : {1e3, 1.0, 1e-3}) {
+      const auto lower = grid(40, storage, 1e4, seed);
+      Multigrid multigrid;
+      ASSERT_TRUE(multigrid.prepare(lower));
+      const Eigen::VectorXd rhs = from_the_middle(lower), exact = SymmetricFactor(lower).solve(rhs);
+      const Eigen::VectorXd guess = exact + 1e-3 * exact.cwiseProduct(Eigen::VectorXd::Random(exact.size()));
+      Eigen::VectorXd product;
+      symmetric_product(lower, guess, product);
+      const Eigen::VectorXd diagonal = Eigen::MatrixXd(lower).diagonal();
+      const double length = (rhs - product).cwiseQuotient(diagonal.cwiseSqrt()).norm();
+      EXPECT_GE(multigrid.error_bound().at(length, guess.cwiseAbs().maxCoeff()),
+                (guess - exact).cwiseAbs().maxCoeff());
+    }
+  }
+  ErrorBound none;
+  none.take(1.0, 1.0);
+  EXPECT_TRUE(std::isinf(none.at(1.0, 1.0)));
+  EXPECT_EQ(none.length_for(1.0), 0.0);
+}
+
 // As many rows and entries, elsewhere: two pores joined over the model instead of side by side.
 TEST(ConjugateGradient, NoticesAMatrixOfAnotherPattern) {
   const auto side_by_side = grid(30, 0.1, 1e4), across = with_a_shortcut(side_by_side);
