@@ -2,6 +2,7 @@
 #include "flow/flow_solver.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -25,12 +26,6 @@ constexpr double thinning_tolerance = 1e-7;
 // Error of a cluster's rate over what its wellbore's clusters take, at which rates and pressures agree; and above which rates answer by
 // their chord instead of their tangent, which goes to and fro where flow turns round.
 constexpr double wellbore_tolerance = 1e-9, wellbore_settled = 0.2;
-
-// Pressure from content without the floor of cavitation.
-double full_pressure(const Network& n, std::size_t d) {
-  return n.reference_pressure +
-         n.stiffness[d] * (n.content[d] + n.growth_of(static_cast<std::int64_t>(d)) - n.volume_change[d]);
-}
 
 // What the pressure that a host set beyond a pipe of the outer boundary adds to its flow, left to right.
 double outer_flow(const Network& n, std::size_t k) {
@@ -58,71 +53,25 @@ FlowSolver::FlowSolver(const Network& n, const Options& options, std::vector<Wel
   for (std::size_t d = 1; d < n.volume.size(); ++d) volume += n.volume[d];
   imposed_weight_ = volume / static_cast<double>(domains) / options.fluid_bulk_modulus;
 
-  // The pattern, column by column: the diagonal, then the neighbours with higher numbers. Two pipes between the same two
-  // domains share a place.
-  std::vector<int> start(static_cast<std::size_t>(domains) + 1, 0);
-  const auto joins = [&](std::size_t e) { return n.left[e] != n.right[e]; };
-  for (std::size_t e = 0; e < n.left.size(); ++e) {
-    if (joins(e)) ++start[static_cast<std::size_t>(std::min(n.left[e], n.right[e])) + 1];
+  std::vector<FlowMatrix::Pair> joined;
+  for (std::size_t w = 0; wellbores_ != nullptr && w < wellbores_->size(); ++w) {
+    const auto& clusters = (*wellbores_)[w].clusters;
+    for (std::size_t i = 0; i < clusters.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) joined.emplace_back(clusters[i].domain, clusters[j].domain);
   }
-  const auto each_pair = [&](const auto& visit) {
-    for (std::size_t w = 0; wellbores_ != nullptr && w < wellbores_->size(); ++w) {
-      const auto& clusters = (*wellbores_)[w].clusters;
-      for (std::size_t i = 0; i < clusters.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j)
-          visit(std::min(clusters[i].domain, clusters[j].domain),
-                std::max(clusters[i].domain, clusters[j].domain));
-      }
-    }
-  };
-  each_pair([&](std::int32_t low, std::int32_t) { ++start[static_cast<std::size_t>(low) + 1]; });
-  for (std::size_t d = 0; d < static_cast<std::size_t>(domains); ++d) start[d + 1] += start[d];
-  std::vector<int> neighbour(static_cast<std::size_t>(start.back()));
-  auto cursor = start;
-  for (std::size_t e = 0; e < n.left.size(); ++e) {
-    if (joins(e))
-      neighbour[static_cast<std::size_t>(
-          cursor[static_cast<std::size_t>(std::min(n.left[e], n.right[e]))]++)] =
-          std::max(n.left[e], n.right[e]);
-  }
-  each_pair([&](std::int32_t low, std::int32_t high) {
-    neighbour[static_cast<std::size_t>(cursor[static_cast<std::size_t>(low)]++)] = high;
-  });
-  matrix_.resize(domains, domains);
-  Eigen::VectorXi most(domains);
-  for (Eigen::Index d = 0; d < domains; ++d)
-    most[d] = 1 + start[static_cast<std::size_t>(d) + 1] - start[static_cast<std::size_t>(d)];
-  matrix_.reserve(most);
-  for (Eigen::Index d = 0; d < domains; ++d) {
-    const auto begin = neighbour.begin() + start[static_cast<std::size_t>(d)],
-               end = neighbour.begin() + start[static_cast<std::size_t>(d) + 1];
-    std::sort(begin, end);
-    matrix_.insert(d, d) = 1.0;
-    for (auto at = begin, last = std::unique(begin, end); at != last; ++at) matrix_.insert(*at, d) = 1.0;
-  }
-  matrix_.makeCompressed();
-  if (!iterative_) factor_.analyse(matrix_);
-  const auto place = [&](std::int32_t row, std::int32_t column) {
-    const auto* begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column];
-    const auto* end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column + 1];
-    return static_cast<std::int32_t>(std::lower_bound(begin, end, row) - matrix_.innerIndexPtr());
-  };
-  off_diagonal_.reserve(n.left.size());
-  for (std::size_t e = 0; e < n.left.size(); ++e) {
-    off_diagonal_.push_back(joins(e) ? place(std::max(n.left[e], n.right[e]), std::min(n.left[e], n.right[e]))
-                                     : -1);
-  }
-  each_pair([&](std::int32_t low, std::int32_t high) { cluster_places_.push_back(place(high, low)); });
+  matrix_.emplace(n, joined, !iterative_ || outside_, workers);
+  if (!iterative_) factor_.analyse(matrix_->pattern());
   if (outside_) list_places();
 }
 
 // This rank's rows, of both triangles.
 void FlowSolver::list_places() {
-  std::vector<std::int32_t> entries(static_cast<std::size_t>(matrix_.cols()), 0);
-  for (std::int32_t k = 0; k < matrix_.cols(); ++k) {
-    for (auto a = matrix_.outerIndexPtr()[k]; a < matrix_.outerIndexPtr()[k + 1]; ++a) {
+  const SparseMatrix& lower = matrix_->pattern();
+  std::vector<std::int32_t> entries(static_cast<std::size_t>(lower.cols()), 0);
+  for (std::int32_t k = 0; k < lower.cols(); ++k) {
+    for (auto a = lower.outerIndexPtr()[k]; a < lower.outerIndexPtr()[k + 1]; ++a) {
       ++entries[static_cast<std::size_t>(k)];
-      if (matrix_.innerIndexPtr()[a] != k) ++entries[static_cast<std::size_t>(matrix_.innerIndexPtr()[a])];
+      if (lower.innerIndexPtr()[a] != k) ++entries[static_cast<std::size_t>(lower.innerIndexPtr()[a])];
     }
   }
   outside_->share_out(entries);
@@ -133,9 +82,9 @@ void FlowSolver::list_places() {
     column_.push_back(column);
     entry_.push_back(entry);
   };
-  for (std::int32_t k = 0; k < matrix_.cols(); ++k) {
-    for (auto a = matrix_.outerIndexPtr()[k]; a < matrix_.outerIndexPtr()[k + 1]; ++a) {
-      const auto row = matrix_.innerIndexPtr()[a];
+  for (std::int32_t k = 0; k < lower.cols(); ++k) {
+    for (auto a = lower.outerIndexPtr()[k]; a < lower.outerIndexPtr()[k + 1]; ++a) {
+      const auto row = lower.innerIndexPtr()[a];
       list(row, k, a);
       if (row != k) list(k, row, a);
     }
@@ -155,15 +104,16 @@ void FlowSolver::solve_in_passes(const Eigen::VectorXd& rhs, Eigen::VectorXd& p,
 }
 
 bool FlowSolver::settle_outside(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
+  const SparseMatrix& lower = matrix_->lower();
   value_.clear();
-  for (const auto a : entry_) value_.push_back(matrix_.valuePtr()[a]);
+  for (const auto a : entry_) value_.push_back(lower.valuePtr()[a]);
   outside_->prepare(row_, column_, value_);
   give_back(row_);
   give_back(column_);
   change_.resize(p.size());
   double before = 0.0;
   for (int pass = 0; pass < pass_rules.most_passes; ++pass) {
-    symmetric_product(matrix_, p, residual_);
+    symmetric_product(lower, p, residual_);
     residual_ = rhs - residual_;
     if (!(residual_.squaredNorm() > 0.0)) return true;
     outside_->solve(residual_.data(), change_.data(), pass_rules.pass_tolerance);
@@ -178,9 +128,10 @@ bool FlowSolver::settle_outside(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) 
 void FlowSolver::prepare_matrix() {
   bool prepared = true;
   if (!iterative_) {
-    prepared = factor_.factorise(matrix_);
+    prepared = factor_.factorise(matrix_->lower());
   } else if (!outside_) {
-    prepared = conjugate_gradient_.prepare(matrix_);
+    prepared = conjugate_gradient_.prepare(matrix_->rows(), ConjugateGradient::Pattern::kept);
+    matrix_->forget_values();  // the levels have them
   }
   if (!prepared)
     throw Error(
@@ -205,7 +156,7 @@ int FlowSolver::advance_implicit(Network& n, double step, const std::vector<doub
   const auto domains = static_cast<std::size_t>(n.domain_count());
   for (std::size_t d = 0; d < domains; ++d) {
     cavitated_[d] =
-        n.stiffness[d] > 0.0 && n.pressure[d] <= n.floor_pressure && full_pressure(n, d) < n.floor_pressure
+        n.stiffness[d] > 0.0 && n.pressure[d] <= n.floor_pressure && n.full_pressure(d) < n.floor_pressure
             ? 1
             : 0;
   }
@@ -239,7 +190,7 @@ int FlowSolver::advance_implicit(Network& n, double step, const std::vector<doub
   for (std::size_t d = 0; d < domains; ++d) {
     if (n.stiffness[d] <= 0.0) continue;
     n.content[d] += fill_[d] + (fed.empty() ? 0.0 : step * fed[d]);
-    n.pressure[d] = std::max(n.floor_pressure, full_pressure(n, d));
+    n.pressure[d] = std::max(n.floor_pressure, n.full_pressure(d));
   }
   for (std::size_t w = 0; w < wellbore_flow_.size(); ++w) wellbore_flow_[w].keep((*wellbores_)[w]);
   return rounds;
@@ -293,8 +244,6 @@ double FlowSolver::drive_wellbores(const Network& n, const Eigen::VectorXd& p) {
 }
 
 void FlowSolver::answer_of_wellbores(const Network& n, double step, Eigen::VectorXd& rhs) {
-  double* value = matrix_.valuePtr();
-  const int* diagonal = matrix_.outerIndexPtr();
   std::size_t at = 0, pair = 0;
   for (std::size_t w = 0; w < wellbore_flow_.size(); ++w) {
     const auto& clusters = (*wellbores_)[w].clusters;
@@ -304,12 +253,12 @@ void FlowSolver::answer_of_wellbores(const Network& n, double step, Eigen::Vecto
     for (std::size_t i = 0; i < clusters.size(); ++i) {
       for (std::size_t j = 0; j < clusters.size(); ++j) {
         const double by = step * wellbore_flow_[w].by_pressure(i, j);
-        const std::size_t place = i > j ? static_cast<std::size_t>(cluster_places_[pair++])
-                                        : static_cast<std::size_t>(diagonal[clusters[i].domain]);
+        const std::size_t this_pair = i > j ? pair++ : pair;
         if (!solved(i)) continue;
         rhs[clusters[i].domain] -=
             by * (solved(j) ? linear_at_[at + j] : linear_at_[at + j] - n.floor_pressure);
-        if (solved(j) && i >= j) value[place] -= by;
+        if (i == j) matrix_->add(clusters[i].domain, -by);
+        if (i > j && solved(j)) matrix_->add_to_pair(this_pair, -by);
       }
     }
     at += clusters.size();
@@ -317,40 +266,33 @@ void FlowSolver::answer_of_wellbores(const Network& n, double step, Eigen::Vecto
 }
 
 bool FlowSolver::follow_flow(Network& n, double step, const std::vector<double>& source) {
-  const auto domains = static_cast<std::size_t>(n.domain_count());
   const double slack = iterative_ ? floor_slack : 0.0;
   const Eigen::VectorXd& p = pressure_;
-  for (std::size_t e = 0; e < n.left.size(); ++e) {
-    n.flow[e] = n.conductance[e] * (p[n.left[e]] - p[n.right[e]]);
-  }
+  matrix_->share(n.left.size(), [&](std::size_t from, std::size_t to) {
+    for (auto e = from; e < to; ++e) n.flow[e] = n.conductance[e] * (p[n.left[e]] - p[n.right[e]]);
+  });
   for (std::size_t k = 0; k < n.outer_pipe.size(); ++k) n.flow[n.outer_pipe[k]] += outer_flow(n, k);
-  fill_.assign(domains, 0.0);
-  for (std::size_t e = 0; e < n.left.size(); ++e) {
-    fill_[static_cast<std::size_t>(n.left[e])] -= step * n.flow[e];
-    fill_[static_cast<std::size_t>(n.right[e])] += step * n.flow[e];
-  }
+  matrix_->add_up_flows(n, step, fill_);
   // What a domain at the floor would hold after the step decides whether it stays there.
-  bool changed = false;
-  for (std::size_t d = 0; d < domains; ++d) {
-    if (n.stiffness[d] <= 0.0) continue;
-    const double gain = fill_[d] + (source.empty() ? 0.0 : step * source[d]);
-    const bool at_floor = cavitated_[d] ? full_pressure(n, d) + n.stiffness[d] * gain <= n.floor_pressure
-                                        : p[static_cast<Eigen::Index>(d)] < n.floor_pressure - slack;
-    if (at_floor != (cavitated_[d] != 0)) {
+  std::atomic<bool> changed{false};
+  matrix_->share(fill_.size(), [&](std::size_t from, std::size_t to) {
+    for (auto d = from; d < to; ++d) {
+      if (n.stiffness[d] <= 0.0) continue;
+      const double gain = fill_[d] + (source.empty() ? 0.0 : step * source[d]);
+      const bool at_floor = cavitated_[d] ? n.full_pressure(d) + n.stiffness[d] * gain <= n.floor_pressure
+                                          : p[static_cast<Eigen::Index>(d)] < n.floor_pressure - slack;
+      if (at_floor == (cavitated_[d] != 0)) continue;
       cavitated_[d] = at_floor ? 1 : 0;
       changed = true;
     }
-  }
+  });
   return changed;
 }
 
 int FlowSolver::solve_step(Network& n, double step, const std::vector<double>& source) {
   const auto domains = static_cast<std::size_t>(n.domain_count());
-  // A domain is solved for unless its pressure is imposed or, in this round, at the floor.
-  const auto solved = [&](std::size_t d) { return n.stiffness[d] > 0.0 && !cavitated_[d]; };
   constexpr int most_rounds = 60;
   Eigen::VectorXd &rhs = rhs_, &p = pressure_;
-  rhs.resize(static_cast<Eigen::Index>(domains));
   p = Eigen::Map<const Eigen::VectorXd>(n.pressure.data(),
                                         static_cast<Eigen::Index>(domains));  // a good guess
   // Rows of imposed pressures weigh as much as others, or the residual would be all theirs.
@@ -360,38 +302,11 @@ int FlowSolver::solve_step(Network& n, double step, const std::vector<double>& s
   int round = 0;
   bool changed = true;
   for (; changed && round < most_rounds; ++round) {
-    double* value = matrix_.valuePtr();
-    const int* diagonal = matrix_.outerIndexPtr();  // each column begins with it
-    std::fill(value, value + matrix_.nonZeros(), 0.0);
-    for (std::size_t d = 0; d < domains; ++d) {
-      const auto row = static_cast<Eigen::Index>(d);
-      if (solved(d)) {
-        value[diagonal[d]] = 1.0 / n.stiffness[d];
-        rhs[row] = full_pressure(n, d) / n.stiffness[d] + (source.empty() ? 0.0 : step * source[d]);
-      } else {
-        value[diagonal[d]] = unit;
-        rhs[row] = unit * (n.stiffness[d] > 0.0 ? n.floor_pressure : n.pressure[d]);
-      }
-    }
-    for (std::size_t e = 0; e < n.left.size(); ++e) {
-      const auto l = static_cast<std::size_t>(n.left[e]), r = static_cast<std::size_t>(n.right[e]);
-      const double c = step * n.conductance[e];
-      if (l == r || c == 0.0) continue;
-      const bool solve_l = solved(l), solve_r = solved(r);
-      if (solve_l) value[diagonal[l]] += c;
-      if (solve_r) value[diagonal[r]] += c;
-      if (solve_l && solve_r) {
-        value[off_diagonal_[e]] -= c;
-      } else if (solve_l) {
-        rhs[static_cast<Eigen::Index>(l)] += c * (n.stiffness[r] > 0.0 ? n.floor_pressure : n.pressure[r]);
-      } else if (solve_r) {
-        rhs[static_cast<Eigen::Index>(r)] += c * (n.stiffness[l] > 0.0 ? n.floor_pressure : n.pressure[l]);
-      }
-    }
+    matrix_->assemble(n, step, source, {cavitated_, unit}, rhs);
     for (std::size_t k = 0; k < n.outer_pipe.size(); ++k) {
       const auto e = static_cast<std::size_t>(n.outer_pipe[k]);
       const auto inner = static_cast<std::size_t>(n.left[e] == 0 ? n.right[e] : n.left[e]);
-      if (solved(inner)) rhs[static_cast<Eigen::Index>(inner)] += step * n.conductance[e] * n.outer_excess[k];
+      if (n.stiffness[inner] > 0.0 && !cavitated_[inner]) rhs[static_cast<Eigen::Index>(inner)] += step * n.conductance[e] * n.outer_excess[k];
     }
     if (wellbores_ != nullptr) answer_of_wellbores(n, step, rhs);
     prepare_matrix();
@@ -460,7 +375,7 @@ int FlowSolver::advance_explicit(Network& n, double step, const std::vector<doub
         continue;
       }
       if (!source.empty()) n.content[d] += dt * source[d];
-      n.pressure[d] = std::max(n.floor_pressure, full_pressure(n, d));
+      n.pressure[d] = std::max(n.floor_pressure, n.full_pressure(d));
     }
   }
   return static_cast<int>(cycles);

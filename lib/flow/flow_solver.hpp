@@ -16,6 +16,7 @@
 #include <optional>
 #include <vector>
 
+#include "flow/flow_matrix.hpp"
 #include "flow/fluid_law.hpp"
 #include "flow/wellbore_flow.hpp"
 #include "linear/conjugate_gradient.hpp"
@@ -55,7 +56,6 @@ class FlowSolver {
   // Flows at the pressures found and what each domain gains; whether other domains than before are at the floor.
   bool follow_flow(Network& network, double step, const std::vector<double>& source);
 
-  using Matrix = SparseMatrix;
   // matrix_ as it stands, for whoever solves; pressures of that system into p. change: of a pass before (ConjugateGradient::settle).
   void prepare_matrix();
   void solve_pressures(const Eigen::VectorXd& rhs, Eigen::VectorXd& p, double change);
@@ -68,11 +68,9 @@ class FlowSolver {
   FluidLaw law_;
   std::vector<double> at_rest_, thinning_;  // per pipe, of a fluid that thins
   double imposed_weight_ = 1.0;
-  Matrix matrix_;                           // lower triangle, pattern of all domains
-  std::vector<std::int32_t> off_diagonal_;  // per pipe, its place in the value array (-1: none)
+  std::optional<FlowMatrix> matrix_;        // none of the explicit scheme
   std::vector<Wellbore>* wellbores_;
   std::vector<WellboreFlow> wellbore_flow_;
-  std::vector<std::int32_t> cluster_places_;  // of pairs i < j of each wellbore's clusters in the value array
   std::vector<double> source_;                // m2/s per domain with the clusters' rates
   std::vector<double> hole_, wellbore_rate_;  // Pa and m2/s, of a wellbore's clusters
   std::vector<double> linear_at_;             // Pa, by cluster: pressures about which the rates are linear

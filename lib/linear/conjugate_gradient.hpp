@@ -58,6 +58,11 @@ class ConjugateGradient {
   // `lower` is the lower triangle of a symmetric positive definite matrix, each column beginning with its diagonal. False if an entry of
   // the diagonal is not positive or not finite.
   [[nodiscard]] bool prepare(const SparseMatrix& lower) { return multigrid_.prepare(lower); }
+  // Of all rows.
+  using Pattern = Multigrid::Pattern;
+  [[nodiscard]] bool prepare(const SymmetricRows& rows, Pattern pattern) {
+    return multigrid_.prepare(rows, pattern);
+  }
 
   // Improves x until the residual, scaled by the diagonal, is below `tolerance` of the right-hand side's. Returns the iterations it
   // took, or -1 if `most` were not enough.

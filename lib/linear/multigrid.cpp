@@ -197,33 +197,41 @@ void Multigrid::share_rows(std::int64_t rows, const Task& task) {
   });
 }
 
-bool Multigrid::fits(const Level& level) {
-  if (!level.is_as_large(rows_)) return false;
+bool Multigrid::fits(const Level& level, const SymmetricRows& rows) {
+  if (!level.is_as_large(rows)) return false;
   std::atomic<bool> all{true};
-  share_rows(rows_.count(), [&](std::int64_t first, std::int64_t last) {
-    if (!level.fits(rows_, first, last)) all = false;
+  share_rows(rows.count(), [&](std::int64_t first, std::int64_t last) {
+    if (!level.fits(rows, first, last)) all = false;
   });
   return all;
 }
 
 bool Multigrid::prepare(const SparseMatrix& lower) {
-  rows_.assign(lower);
-  for (const double d : rows_.diagonal)
+  SymmetricRows rows;
+  rows.assign(lower);
+  return prepare(rows, Pattern::any);
+}
+
+bool Multigrid::prepare(const SymmetricRows& given, Pattern pattern) {
+  for (const double d : given.diagonal)
     if (!(d > 0.0) || !std::isfinite(d)) return false;
   std::size_t depth = 0;
   bool as_they_are = false;
   for (std::int32_t count = 0;;) {
-    if (levels_.size() == depth) levels_.emplace_back();
+    const bool has_pattern = levels_.size() > depth;
+    if (!has_pattern) levels_.emplace_back();
     Level& level = levels_[depth];
-    if (depth > 0 || !fits(level)) {
-      level.take_pattern(rows_);
+    const SymmetricRows& rows = depth == 0 ? given : rows_;
+    const bool fits_still = depth == 0 && has_pattern && (pattern == Pattern::kept || fits(level, rows));
+    if (!fits_still) {
+      level.take_pattern(rows);
       level.pattern = ++patterns_;
     }
     level.make_room(depth == 0);
     ErrorBound bound;
     std::mutex one_by_one;
-    share_rows(rows_.count(), [&](std::int64_t first, std::int64_t last) {
-      const ErrorBound mine = level.take_values(rows_, first, last);
+    share_rows(rows.count(), [&](std::int64_t first, std::int64_t last) {
+      const ErrorBound mine = level.take_values(rows, first, last);
       const std::lock_guard lock(one_by_one);
       bound.take(mine);
     });
@@ -243,24 +251,24 @@ bool Multigrid::prepare(const SparseMatrix& lower) {
     }
     level.factor.reset();
     ++depth;
-    if (rows_.count() <= largest_coarsest) break;
+    if (rows.count() <= largest_coarsest) break;
     if (as_they_are) {
       if (!level.factorise()) return false;
       break;
     }
-    pair_.resize(static_cast<std::size_t>(rows_.count()));
-    share_rows(rows_.count(),
-               [&](std::int64_t first, std::int64_t last) { mark_the_joined(rows_, first, last, pair_); });
+    pair_.resize(static_cast<std::size_t>(rows.count()));
+    share_rows(rows.count(),
+               [&](std::int64_t first, std::int64_t last) { mark_the_joined(rows, first, last, pair_); });
     count = number_the_joined(pair_);
     if (count == 0) break;
     as_they_are = level.rows() > few_rows && count <= std::min(level.rows() / rows_of_one, most_factorised);
     if (as_they_are) {
-      merge_rows(rows_, pair_, count, place_, merged_);
+      merge_rows(rows, pair_, count, place_, merged_);
       std::swap(rows_, merged_);
       rows_.inside.clear();
       continue;
     }
-    merge_rows(rows_, pair_, join_in_pairs(rows_, pair_), place_, merged_);
+    merge_rows(rows, pair_, join_in_pairs(rows, pair_), place_, merged_);
     pair_of_pairs_.assign(static_cast<std::size_t>(merged_.count()), 0);
     count = join_in_pairs(merged_, pair_of_pairs_);
     if (count == 0 || count >= level.rows()) break;
@@ -287,7 +295,7 @@ void Multigrid::invert_coarsest() {
     matrix(i, i) = last.diagonal[at];
     for (auto k = static_cast<std::size_t>(last.start[at]); k < static_cast<std::size_t>(last.start[at + 1]);
          ++k)
-      matrix(i, last.column[k]) = last.value[k];
+      matrix(i, last.column[k]) += last.value[k];
   }
   const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
   if (factor.info() != Eigen::Success) return;

@@ -92,6 +92,9 @@ class Multigrid {
 
   // False if an entry of the diagonal is not positive or not finite. Quicker where the pattern is that of the matrix before.
   [[nodiscard]] bool prepare(const SparseMatrix& lower);
+  // The same; kept: whoever calls knows that the pattern is that of the call before, if there was one.
+  enum class Pattern { any, kept };
+  [[nodiscard]] bool prepare(const SymmetricRows& rows, Pattern pattern);
   [[nodiscard]] std::int64_t rows() const { return levels_[0].rows(); }
   [[nodiscard]] std::int64_t groups() const { return (rows() + row_group - 1) / row_group; }
   // Levels in use, the finest first.
@@ -118,7 +121,7 @@ class Multigrid {
  private:
   template <class Task>
   void share_rows(std::int64_t rows, const Task& task);
-  [[nodiscard]] bool fits(const Level& level);
+  [[nodiscard]] bool fits(const Level& level, const SymmetricRows& rows);
   void cycle(const RankTeam::Member& member, std::size_t level, const double* r, double* z);
   void invert_coarsest();
   // Of rows of a level, that ranks get multiples of.

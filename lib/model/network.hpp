@@ -112,6 +112,12 @@ struct Network {
   [[nodiscard]] double fluid_in(std::size_t domain) const {
     return std::max(0.0, volume[domain] + content[domain]);
   }
+  // Pressure from content without the floor of cavitation [Pa].
+  [[nodiscard]] double full_pressure(std::size_t domain) const {
+    return reference_pressure +
+           stiffness[domain] *
+               (content[domain] + growth_of(static_cast<std::int64_t>(domain)) - volume_change[domain]);
+  }
   [[nodiscard]] double second_share_of(std::size_t domain) const {
     if (second_content.empty() || second_content[domain] == 0.0) return 0.0;
     const double all = fluid_in(domain);
