@@ -5,8 +5,10 @@
 
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <new>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace hfrac {
@@ -41,6 +43,24 @@ struct CacheLineAllocator {
 
 template <class T>
 using Array = std::vector<T, CacheLineAllocator<T>>;
+
+// Of numbers that are written before they are read: resize() leaves new ones as the memory was.
+template <class T>
+struct UnfilledAllocator : std::allocator<T> {
+  template <class U>
+  struct rebind {
+    using other = UnfilledAllocator<U>;
+  };
+  template <class U>
+  void construct(U* place) noexcept {
+    ::new (static_cast<void*>(place)) U;
+  }
+  template <class U, class... Given>
+  void construct(U* place, Given&&... given) {
+    ::new (static_cast<void*>(place)) U(std::forward<Given>(given)...);
+  }
+};
+using UnfilledVector = std::vector<double, UnfilledAllocator<double>>;
 
 struct Vec2 {
   double x = 0.0;

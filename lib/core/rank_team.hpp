@@ -19,6 +19,7 @@ class RankTeam {
   explicit RankTeam(Workers& workers, const Ranks& ranks = {}) : workers_(workers), ranks_(ranks) {}
 
   [[nodiscard]] const Ranks& ranks() const { return ranks_; }
+  [[nodiscard]] Workers& workers() const { return workers_; }
 
   // One worker of one rank.
   class Member {

@@ -73,8 +73,8 @@ void FlowMatrix::lay_out_lower() {
     const auto* end = lower_.innerIndexPtr() + lower_.outerIndexPtr()[row + 1];
     for (auto k = first; k < last; ++k) {
       if (rows_.column[k] > row)
-        lower_place_[k] = static_cast<std::int32_t>(std::lower_bound(begin, end, rows_.column[k]) -
-                                                    lower_.innerIndexPtr());
+        lower_place_[k] =
+            static_cast<std::int32_t>(std::lower_bound(begin, end, rows_.column[k]) - lower_.innerIndexPtr());
     }
   });
 }
@@ -86,9 +86,7 @@ void FlowMatrix::assemble(const Network& n, double step, const std::vector<doubl
   rows_.diagonal.resize(domains);
   rhs.resize(static_cast<Eigen::Index>(domains));
   const auto solved = [&](std::size_t d) { return n.stiffness[d] > 0.0 && !unknowns.cavitated[d]; };
-  const auto imposed = [&](std::size_t d) {
-    return n.stiffness[d] > 0.0 ? n.floor_pressure : n.pressure[d];
-  };
+  const auto imposed = [&](std::size_t d) { return n.stiffness[d] > 0.0 ? n.floor_pressure : n.pressure[d]; };
   share(domains, [&](std::size_t from, std::size_t to) {
     for (auto d = from; d < to; ++d) {
       const auto first = static_cast<std::size_t>(rows_.start[d]),
@@ -142,8 +140,8 @@ void FlowMatrix::add_up_flows(const Network& n, double step, std::vector<double>
   share(gain.size(), [&](std::size_t from, std::size_t to) {
     for (auto d = from; d < to; ++d) {
       double sum = 0.0;
-      for (auto k = static_cast<std::size_t>(rows_.start[d]); k < static_cast<std::size_t>(rows_.start[d + 1]);
-           ++k) {
+      for (auto k = static_cast<std::size_t>(rows_.start[d]);
+           k < static_cast<std::size_t>(rows_.start[d + 1]); ++k) {
         if (pipe_[k] < 0) continue;
         const double moved = step * n.flow[pipe_[k]];
         sum += n.left[static_cast<std::size_t>(pipe_[k])] == static_cast<std::int32_t>(d) ? -moved : moved;
@@ -151,6 +149,18 @@ void FlowMatrix::add_up_flows(const Network& n, double step, std::vector<double>
       gain[d] = sum;
     }
   });
+}
+
+double FlowMatrix::outflow(const Network& n, std::int32_t domain) const {
+  const auto d = static_cast<std::size_t>(domain);
+  double sum = 0.0;
+  for (auto k = static_cast<std::size_t>(rows_.start[d]); k < static_cast<std::size_t>(rows_.start[d + 1]);
+       ++k) {
+    if (pipe_[k] < 0) continue;
+    const double flow = n.flow[pipe_[k]];
+    sum += n.left[static_cast<std::size_t>(pipe_[k])] == domain ? flow : -flow;
+  }
+  return sum;
 }
 
 }  // namespace hfrac

@@ -47,6 +47,9 @@ class FlowMatrix {
   // gain: m2 per domain, by the network's flows in `step`.
   void add_up_flows(const Network& network, double step, std::vector<double>& gain) const;
 
+  // What flows out of a domain [m2/s].
+  [[nodiscard]] double outflow(const Network& network, std::int32_t domain) const;
+
   // Calls task(first, last) for parts of n items, each once, by whoever there is.
   template <class Task>
   void share(std::size_t n, const Task& task) const {
@@ -64,7 +67,7 @@ class FlowMatrix {
 
   Workers* workers_;
   SymmetricRows rows_;
-  std::vector<std::int32_t> pipe_;                // by entry; -1: a wellbore
+  std::vector<std::int32_t> pipe_;                                    // by entry; -1: a wellbore
   std::vector<std::pair<std::int32_t, std::int32_t>> place_of_pair_;  // its two entries
   SparseMatrix lower_;
   std::vector<std::int32_t> lower_place_;  // of an entry, in lower_'s values; -1: above the diagonal

@@ -34,39 +34,51 @@ double outer_flow(const Network& n, std::size_t k) {
   return n.left[e] == 0 ? inwards : -inwards;
 }
 
+// Pairs of domains that a wellbore joins.
+std::vector<FlowMatrix::Pair> pairs_of(const std::vector<Wellbore>* wellbores) {
+  std::vector<FlowMatrix::Pair> joined;
+  if (wellbores == nullptr) return joined;
+  for (const auto& wellbore : *wellbores) {
+    const auto& clusters = wellbore.clusters;
+    for (std::size_t i = 0; i < clusters.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) joined.emplace_back(clusters[i].domain, clusters[j].domain);
+  }
+  return joined;
+}
+
+FlowMatrixSolver solver_for(const Network& n, const Options& o) {
+  const FlowMatrixSolver wanted{o.flow_solver};
+  if (FlowScheme{o.flow_scheme} == FlowScheme::explicit_scheme) return FlowMatrixSolver::iterative;  // none
+  if (wanted != FlowMatrixSolver::automatic) return wanted;
+  return n.domain_count() > largest_to_factorise ? FlowMatrixSolver::iterative : FlowMatrixSolver::direct;
+}
+
 }  // namespace
 
 FlowSolver::FlowSolver(const Network& n, const Options& options, std::vector<Wellbore>* wellbores,
                        const Ranks& ranks, Workers* workers, const Device* device)
     : explicit_(FlowScheme{options.flow_scheme} == FlowScheme::explicit_scheme),
+      iterative_(solver_for(n, options) != FlowMatrixSolver::direct),
       law_(options),
+      matrix_(n, pairs_of(wellbores), solver_for(n, options) != FlowMatrixSolver::iterative, workers),
       wellbores_(wellbores != nullptr && !wellbores->empty() ? wellbores : nullptr),
       conjugate_gradient_(workers, device, ranks) {
-  const auto domains = static_cast<Eigen::Index>(n.domain_count());
-  cavitated_.assign(static_cast<std::size_t>(domains), 0);
-  const FlowMatrixSolver wanted{options.flow_solver};
-  iterative_ = wanted == FlowMatrixSolver::iterative || wanted == FlowMatrixSolver::petsc ||
-               (wanted == FlowMatrixSolver::automatic && n.domain_count() > largest_to_factorise);
+  const auto domains = n.kind.size();
+  cavitated_.assign(domains, 0);
   if (explicit_) return;
-  if (wanted == FlowMatrixSolver::petsc) outside_.emplace(ranks, OutsideMatrix::Kind::flow);
   double volume = 0.0;
   for (std::size_t d = 1; d < n.volume.size(); ++d) volume += n.volume[d];
   imposed_weight_ = volume / static_cast<double>(domains) / options.fluid_bulk_modulus;
-
-  std::vector<FlowMatrix::Pair> joined;
-  for (std::size_t w = 0; wellbores_ != nullptr && w < wellbores_->size(); ++w) {
-    const auto& clusters = (*wellbores_)[w].clusters;
-    for (std::size_t i = 0; i < clusters.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) joined.emplace_back(clusters[i].domain, clusters[j].domain);
+  if (!iterative_) factor_.analyse(matrix_.pattern());
+  if (solver_for(n, options) == FlowMatrixSolver::petsc) {
+    outside_.emplace(ranks, OutsideMatrix::Kind::flow);
+    list_places();
   }
-  matrix_.emplace(n, joined, !iterative_ || outside_, workers);
-  if (!iterative_) factor_.analyse(matrix_->pattern());
-  if (outside_) list_places();
 }
 
 // This rank's rows, of both triangles.
 void FlowSolver::list_places() {
-  const SparseMatrix& lower = matrix_->pattern();
+  const SparseMatrix& lower = matrix_.pattern();
   std::vector<std::int32_t> entries(static_cast<std::size_t>(lower.cols()), 0);
   for (std::int32_t k = 0; k < lower.cols(); ++k) {
     for (auto a = lower.outerIndexPtr()[k]; a < lower.outerIndexPtr()[k + 1]; ++a) {
@@ -104,7 +116,7 @@ void FlowSolver::solve_in_passes(const Eigen::VectorXd& rhs, Eigen::VectorXd& p,
 }
 
 bool FlowSolver::settle_outside(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) {
-  const SparseMatrix& lower = matrix_->lower();
+  const SparseMatrix& lower = matrix_.lower();
   value_.clear();
   for (const auto a : entry_) value_.push_back(lower.valuePtr()[a]);
   outside_->prepare(row_, column_, value_);
@@ -128,10 +140,10 @@ bool FlowSolver::settle_outside(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) 
 void FlowSolver::prepare_matrix() {
   bool prepared = true;
   if (!iterative_) {
-    prepared = factor_.factorise(matrix_->lower());
+    prepared = factor_.factorise(matrix_.lower());
   } else if (!outside_) {
-    prepared = conjugate_gradient_.prepare(matrix_->rows(), ConjugateGradient::Pattern::kept);
-    matrix_->forget_values();  // the levels have them
+    prepared = conjugate_gradient_.prepare(matrix_.rows(), ConjugateGradient::Pattern::kept);
+    matrix_.forget_values();  // the levels have them
   }
   if (!prepared)
     throw Error(
@@ -154,12 +166,14 @@ int FlowSolver::advance(Network& n, double step, const std::vector<double>& sour
 
 int FlowSolver::advance_implicit(Network& n, double step, const std::vector<double>& source) {
   const auto domains = static_cast<std::size_t>(n.domain_count());
-  for (std::size_t d = 0; d < domains; ++d) {
-    cavitated_[d] =
-        n.stiffness[d] > 0.0 && n.pressure[d] <= n.floor_pressure && n.full_pressure(d) < n.floor_pressure
-            ? 1
-            : 0;
-  }
+  matrix_.share(domains, [&](std::size_t from, std::size_t to) {
+    for (auto d = from; d < to; ++d) {
+      cavitated_[d] =
+          n.stiffness[d] > 0.0 && n.pressure[d] <= n.floor_pressure && n.full_pressure(d) < n.floor_pressure
+              ? 1
+              : 0;
+    }
+  });
   if (law_.thins()) {
     at_rest_.resize(n.left.size());
     thinning_.resize(n.left.size());
@@ -187,11 +201,13 @@ int FlowSolver::advance_implicit(Network& n, double step, const std::vector<doub
     }
     rounds += solve_step(n, step, fed);
   }
-  for (std::size_t d = 0; d < domains; ++d) {
-    if (n.stiffness[d] <= 0.0) continue;
-    n.content[d] += fill_[d] + (fed.empty() ? 0.0 : step * fed[d]);
-    n.pressure[d] = std::max(n.floor_pressure, n.full_pressure(d));
-  }
+  matrix_.share(domains, [&](std::size_t from, std::size_t to) {
+    for (auto d = from; d < to; ++d) {
+      if (n.stiffness[d] <= 0.0) continue;
+      n.content[d] += fill_[d] + (fed.empty() ? 0.0 : step * fed[d]);
+      n.pressure[d] = std::max(n.floor_pressure, n.full_pressure(d));
+    }
+  });
   for (std::size_t w = 0; w < wellbore_flow_.size(); ++w) wellbore_flow_[w].keep((*wellbores_)[w]);
   return rounds;
 }
@@ -257,8 +273,8 @@ void FlowSolver::answer_of_wellbores(const Network& n, double step, Eigen::Vecto
         if (!solved(i)) continue;
         rhs[clusters[i].domain] -=
             by * (solved(j) ? linear_at_[at + j] : linear_at_[at + j] - n.floor_pressure);
-        if (i == j) matrix_->add(clusters[i].domain, -by);
-        if (i > j && solved(j)) matrix_->add_to_pair(this_pair, -by);
+        if (i == j) matrix_.add(clusters[i].domain, -by);
+        if (i > j && solved(j)) matrix_.add_to_pair(this_pair, -by);
       }
     }
     at += clusters.size();
@@ -268,14 +284,14 @@ void FlowSolver::answer_of_wellbores(const Network& n, double step, Eigen::Vecto
 bool FlowSolver::follow_flow(Network& n, double step, const std::vector<double>& source) {
   const double slack = iterative_ ? floor_slack : 0.0;
   const Eigen::VectorXd& p = pressure_;
-  matrix_->share(n.left.size(), [&](std::size_t from, std::size_t to) {
+  matrix_.share(n.left.size(), [&](std::size_t from, std::size_t to) {
     for (auto e = from; e < to; ++e) n.flow[e] = n.conductance[e] * (p[n.left[e]] - p[n.right[e]]);
   });
   for (std::size_t k = 0; k < n.outer_pipe.size(); ++k) n.flow[n.outer_pipe[k]] += outer_flow(n, k);
-  matrix_->add_up_flows(n, step, fill_);
+  matrix_.add_up_flows(n, step, fill_);
   // What a domain at the floor would hold after the step decides whether it stays there.
   std::atomic<bool> changed{false};
-  matrix_->share(fill_.size(), [&](std::size_t from, std::size_t to) {
+  matrix_.share(fill_.size(), [&](std::size_t from, std::size_t to) {
     for (auto d = from; d < to; ++d) {
       if (n.stiffness[d] <= 0.0) continue;
       const double gain = fill_[d] + (source.empty() ? 0.0 : step * source[d]);
@@ -302,11 +318,12 @@ int FlowSolver::solve_step(Network& n, double step, const std::vector<double>& s
   int round = 0;
   bool changed = true;
   for (; changed && round < most_rounds; ++round) {
-    matrix_->assemble(n, step, source, {cavitated_, unit}, rhs);
+    matrix_.assemble(n, step, source, {cavitated_, unit}, rhs);
     for (std::size_t k = 0; k < n.outer_pipe.size(); ++k) {
       const auto e = static_cast<std::size_t>(n.outer_pipe[k]);
       const auto inner = static_cast<std::size_t>(n.left[e] == 0 ? n.right[e] : n.left[e]);
-      if (n.stiffness[inner] > 0.0 && !cavitated_[inner]) rhs[static_cast<Eigen::Index>(inner)] += step * n.conductance[e] * n.outer_excess[k];
+      if (n.stiffness[inner] > 0.0 && !cavitated_[inner])
+        rhs[static_cast<Eigen::Index>(inner)] += step * n.conductance[e] * n.outer_excess[k];
     }
     if (wellbores_ != nullptr) answer_of_wellbores(n, step, rhs);
     prepare_matrix();

@@ -38,6 +38,11 @@ class FlowSolver {
   // Domains with stiffness 0 keep their pressure. Returns sub-cycles (explicit) or rounds (implicit).
   int advance(Network& network, double step, const std::vector<double>& source);
 
+  // What the step's flows take out of a domain [m2/s].
+  [[nodiscard]] double outflow(const Network& network, std::int32_t domain) const {
+    return matrix_.outflow(network, domain);
+  }
+
   // Largest stable step of the explicit scheme [s].
   static double explicit_limit(const Network& network);
 
@@ -68,7 +73,7 @@ class FlowSolver {
   FluidLaw law_;
   std::vector<double> at_rest_, thinning_;  // per pipe, of a fluid that thins
   double imposed_weight_ = 1.0;
-  std::optional<FlowMatrix> matrix_;        // none of the explicit scheme
+  FlowMatrix matrix_;
   std::vector<Wellbore>* wellbores_;
   std::vector<WellboreFlow> wellbore_flow_;
   std::vector<double> source_;                // m2/s per domain with the clusters' rates

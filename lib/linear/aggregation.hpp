@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/array.hpp"
 #include "linear/sparse.hpp"
 
 namespace hfrac {
@@ -14,7 +15,7 @@ namespace hfrac {
 // Both triangles by rows, without the diagonal.
 struct SymmetricRows {
   std::vector<std::int32_t> start, column;
-  std::vector<double> value, diagonal;
+  UnfilledVector value, diagonal;
   std::vector<double> inside;  // of merged rows: the largest entry by which they were joined, positive
 
   [[nodiscard]] std::int64_t count() const { return static_cast<std::int64_t>(diagonal.size()); }

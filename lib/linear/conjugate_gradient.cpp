@@ -41,17 +41,29 @@ void ConjugateGradient::share(const Task& task) {
   team_.share(has_workers_ && multigrid_.rows() >= rows_worth_sharing, multigrid_.is_over_ranks(), task);
 }
 
+// Each rank all rows.
+template <class Task>
+void ConjugateGradient::share_rows(const Task& task) {
+  team_.workers().share(has_workers_ && multigrid_.rows() >= rows_worth_sharing,
+                        [&](const Workers::Member& member) {
+                          const auto mine = member.part(multigrid_.rows(), row_group);
+                          task(static_cast<std::size_t>(mine.first), static_cast<std::size_t>(mine.last));
+                        });
+}
+
 // Vectors from the order of the matrix's rows to that of the finest level, and back.
 void ConjugateGradient::take(const Eigen::VectorXd& rhs, const Eigen::VectorXd& x) {
   const auto& order = multigrid_.level(0).order;
   const auto rows = order.size();
-  for (auto* per_row : {&b_, &x_, &r_, &d_, &p_, &z_}) per_row->resize(rows);
+  for (auto* per_row : {&b_, &x_, &r_, &d_, &p_, &z_}) per_row->resize(rows);  // what is in them comes later
   for (auto* per_group : {&sums_, &others_, &highest_, &lowest_})
     per_group->resize(static_cast<std::size_t>(multigrid_.groups()));
-  for (std::size_t i = 0; i < rows; ++i) {
-    b_[i] = rhs[order[i]];
-    x_[i] = x[order[i]];
-  }
+  share_rows([&](std::size_t first, std::size_t last) {
+    for (auto i = first; i < last; ++i) {
+      b_[i] = rhs[order[i]];
+      x_[i] = x[order[i]];
+    }
+  });
   arrays_ = {multigrid_.groups(), b_.data(),    x_.data(),      r_.data(),       d_.data(),      p_.data(),
              z_.data(),           sums_.data(), others_.data(), highest_.data(), lowest_.data(), nullptr};
 }
@@ -59,7 +71,9 @@ void ConjugateGradient::take(const Eigen::VectorXd& rhs, const Eigen::VectorXd& 
 void ConjugateGradient::give(Eigen::VectorXd& x) {
   share([&](const RankTeam::Member& member) { member.gather(x_.data(), multigrid_.rows(), row_group); });
   const auto& order = multigrid_.level(0).order;
-  for (std::size_t i = 0; i < order.size(); ++i) x[order[i]] = x_[i];
+  share_rows([&](std::size_t first, std::size_t last) {
+    for (auto i = first; i < last; ++i) x[order[i]] = x_[i];
+  });
   // What makes the levels of the next matrix takes their place.
   for (auto* per_row : {&b_, &x_, &r_, &d_, &p_, &z_}) give_back(*per_row);
 }

@@ -85,6 +85,8 @@ class ConjugateGradient {
   bool settle_here(const PassRules& rules, double& before);
   template <class Task>
   void share(const Task& task);
+  template <class Task>
+  void share_rows(const Task& task);
 
   Workers alone_{1};
   RankTeam team_;
@@ -92,7 +94,8 @@ class ConjugateGradient {
   Multigrid multigrid_;
   std::unique_ptr<DeviceConjugateGradient> on_device_;
   // In the order of the finest level's rows, and of its groups.
-  std::vector<double> b_, x_, r_, d_, p_, z_, sums_, others_, highest_, lowest_;
+  UnfilledVector b_, x_, r_, d_, p_, z_;
+  std::vector<double> sums_, others_, highest_, lowest_;
   ConjugateArrays arrays_{};
 };
 

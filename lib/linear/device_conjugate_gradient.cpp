@@ -171,8 +171,8 @@ bool DeviceConjugateGradient::iterate(int most) {
   return reached_.iterations <= most && reached_.length <= reached_.target;
 }
 
-bool DeviceConjugateGradient::settle(const Multigrid& multigrid, const std::vector<double>& b,
-                                     std::vector<double>& x, const PassRules& rules, double& before) {
+bool DeviceConjugateGradient::settle(const Multigrid& multigrid, const UnfilledVector& b, UnfilledVector& x,
+                                     const PassRules& rules, double& before) {
   send(multigrid);
   const std::int64_t groups = task_.c.groups;
   device_.upload(task_.c.b, b.data(), b.size() * sizeof(double));

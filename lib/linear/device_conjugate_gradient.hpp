@@ -20,8 +20,8 @@ class DeviceConjugateGradient {
  public:
   explicit DeviceConjugateGradient(const Device& device);
   // b and x in the order of the finest level's rows.
-  bool settle(const Multigrid& multigrid, const std::vector<double>& b, std::vector<double>& x,
-              const PassRules& rules, double& before);
+  bool settle(const Multigrid& multigrid, const UnfilledVector& b, UnfilledVector& x, const PassRules& rules,
+              double& before);
 
  private:
   // A level's copy.

@@ -213,8 +213,13 @@ bool Multigrid::prepare(const SparseMatrix& lower) {
 }
 
 bool Multigrid::prepare(const SymmetricRows& given, Pattern pattern) {
-  for (const double d : given.diagonal)
-    if (!(d > 0.0) || !std::isfinite(d)) return false;
+  std::atomic<bool> positive{true};
+  share_rows(given.count(), [&](std::int64_t first, std::int64_t last) {
+    const auto* diagonal = given.diagonal.data();
+    if (!std::all_of(diagonal + first, diagonal + last, [](double d) { return d > 0.0 && std::isfinite(d); }))
+      positive = false;
+  });
+  if (!positive) return false;
   std::size_t depth = 0;
   bool as_they_are = false;
   for (std::int32_t count = 0;;) {

@@ -157,13 +157,16 @@ void ExplicitSolver::take_tile(std::int64_t tile, std::int64_t cycle, double* sc
 void ExplicitSolver::mark_left_alone() {
   const auto zero = [](double force) { return std::bit_cast<std::uint64_t>(force) == 0; };
   const auto& a = assembly_;
-  for (auto t = shared_.first_tile(); t < shared_.last_tile(); ++t) {
-    Tile& tile = plan_.tiles[static_cast<std::size_t>(t)];
-    bool alone = true;
-    for (const auto* force : {&a.external_x, &a.external_y, &a.external_moment})
-      alone = alone && std::all_of(force->begin() + tile.first_disc, force->begin() + tile.last_disc, zero);
-    tile.left_alone = alone ? 1 : 0;
-  }
+  workers_.share(shared_.tile_count() >= 16 * workers_.count(), [&](const Workers::Member& member) {
+    const auto mine = member.part(shared_.tile_count(), 1);
+    for (auto t = shared_.first_tile() + mine.first; t < shared_.first_tile() + mine.last; ++t) {
+      Tile& tile = plan_.tiles[static_cast<std::size_t>(t)];
+      bool alone = true;
+      for (const auto* force : {&a.external_x, &a.external_y, &a.external_moment})
+        alone = alone && std::all_of(force->begin() + tile.first_disc, force->begin() + tile.last_disc, zero);
+      tile.left_alone = alone ? 1 : 0;
+    }
+  });
   const auto pushed = [&](std::int32_t disc) {
     plan_.tiles[static_cast<std::size_t>(disc / tile_size)].left_alone = 0;
   };

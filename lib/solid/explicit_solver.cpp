@@ -140,7 +140,7 @@ void ExplicitSolver::bind_arrays() {
 void ExplicitSolver::stiffness(std::span<double> row_x, std::span<double> row_y,
                                std::span<double> row_rotation) const {
   stiffness_rows(assembly_, network_, options_, facets_.active() ? &facets_.rock_weight() : nullptr, row_x,
-                 row_y, row_rotation);
+                 row_y, row_rotation, &workers_);
   boundary_.add_stiffness(row_x, row_y);
   non_bonded_.add_stiffness(assembly_, row_x, row_y, row_rotation);
   add_smooth_stiffness(assembly_, row_x, row_y, row_rotation);

@@ -19,6 +19,7 @@
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "core/workers.hpp"
 
 namespace hfrac {
 
@@ -91,7 +92,9 @@ class Counter {
 // Writes into memory of the size a Counter found.
 class Saver {
  public:
-  explicit Saver(std::span<std::byte> to, bool compact = false) : to_(to), compact_(compact) {}
+  // Workers, if any, share what is long.
+  explicit Saver(std::span<std::byte> to, bool compact = false, Workers* workers = nullptr)
+      : to_(to), compact_(compact), workers_(workers) {}
   template <class Value>
   void value(const Value& v) {
     static_assert(std::is_arithmetic_v<Value> || std::is_enum_v<Value>);
@@ -161,11 +164,23 @@ class Saver {
  private:
   void append(const void* data, std::size_t size) {
     if (size > to_.size()) throw Error(ErrorKind::internal, "a state is larger than it was counted.");
-    if (size > 0) std::memcpy(to_.data(), data, size);
+    constexpr std::size_t worth_sharing = 1 << 19, grain = 1 << 12;
+    const auto copy = [&](std::size_t first, std::size_t last) {
+      std::memcpy(to_.data() + first, static_cast<const std::byte*>(data) + first, last - first);
+    };
+    if (size >= worth_sharing && workers_ != nullptr && !workers_->forked()) {
+      workers_->share(true, [&](const Workers::Member& member) {
+        const auto mine = member.part(static_cast<std::int64_t>(size), grain);
+        copy(static_cast<std::size_t>(mine.first), static_cast<std::size_t>(mine.last));
+      });
+    } else if (size > 0) {
+      copy(0, size);
+    }
     to_ = to_.subspan(size);
   }
   std::span<std::byte> to_;
   bool compact_;
+  Workers* workers_;
 };
 
 // Reads back, never past the end. Throws Error(argument) if the bytes are not those of such a simulation.
@@ -305,6 +320,15 @@ class ReadOnly {
   Look& look() { return static_cast<Look&>(*this); }
 };
 
+// By their bits, since compilers put no comparisons of numbers side by side that may not be ones: adding one to an exponent of ones alone
+// makes a sign.
+inline bool all_finite(const double* values, std::size_t count) {
+  constexpr std::uint64_t exponent = 0x7ffULL << 52, one = 1ULL << 52;
+  std::uint64_t signs = 0;
+  for (std::size_t k = 0; k < count; ++k) signs |= (std::bit_cast<std::uint64_t>(values[k]) & exponent) + one;
+  return (signs >> 63) == 0;
+}
+
 // Whether every number it is shown is finite.
 class FiniteCheck : public ReadOnly<FiniteCheck> {
  public:
@@ -315,9 +339,7 @@ class FiniteCheck : public ReadOnly<FiniteCheck> {
   template <class Values>
   void array(const Values& values) {
     if constexpr (std::is_floating_point_v<std::decay_t<decltype(values[0])>>) {
-      bool all = true;
-      for (const auto v : values) all &= std::isfinite(v);
-      finite_ = finite_ && all;
+      finite_ = finite_ && all_finite(values.data(), values.size());
     }
   }
   template <class Values, class Item>

@@ -125,16 +125,10 @@ void accumulate_flow(Engine& e, double duration) {
   std::vector<double> outflow(wells.size(), 0.0);
   if (e.flow) {
     double leak = 0.0;
-    for (std::size_t p = 0; p < n.left.size(); ++p) {
-      const auto l = n.left[p], r = n.right[p];
-      if (l == 0) leak -= n.flow[p];
-      if (r == 0) leak += n.flow[p];
-      for (std::size_t w = 0; w < wells.size(); ++w) {
-        if (l == wells[w].place.domain) outflow[w] += n.flow[p];
-        if (r == wells[w].place.domain) outflow[w] -= n.flow[p];
-      }
-    }
+    for (const auto p : n.outer_pipe)
+      leak += n.left[static_cast<std::size_t>(p)] == 0 ? -n.flow[p] : n.flow[p];
     e.model.accounts.leaked += duration * leak;
+    for (std::size_t w = 0; w < wells.size(); ++w) outflow[w] = e.flow->outflow(n, wells[w].place.domain);
   }
   for (std::size_t w = 0; w < wells.size(); ++w) {
     Well& well = wells[w];

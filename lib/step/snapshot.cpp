@@ -18,7 +18,7 @@ std::size_t size_here(const Engine& e, bool whole) {
 }
 
 void write_here(const Engine& e, std::span<std::byte> state, bool whole) {
-  Saver saver(state, !whole);
+  Saver saver(state, !whole, e.workers.get());
   visit_state(saver, e.model, e.wet());
   if (whole) visit_start(saver, e.model, e.wet());
 }
