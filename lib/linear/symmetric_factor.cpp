@@ -21,7 +21,9 @@ void SymmetricFactor::order(const SparseMatrix& lower) {
   const auto n = static_cast<std::int32_t>(lower.cols());
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> turn;  // which row stands here
   {
-    const SparseMatrix both = lower.selfadjointView<Eigen::Lower>();
+    SparseMatrix
+        both;  // made first: one that runs out of memory while it is made would keep what it got so far
+    both = lower.selfadjointView<Eigen::Lower>();
     Eigen::AMDOrdering<int>()(both, turn);
   }
   place_.resize(at(n));

@@ -39,7 +39,7 @@ TEST(Device, SolvesForTheFlowStepsPressures) {
   };
   constexpr int64_t direct = 1, iterative = 2;
   EXPECT_EQ(launches_in(direct), 0);
-  EXPECT_GT(launches_in(iterative), 10);
+  EXPECT_GT(launches_in(iterative), 0);
 }
 
 // A well's pore has more corners than one thread does, and with 2000 discs it lies across tiles.

@@ -32,9 +32,9 @@ hfrac::Definition quasi_static_def() {
   return def;
 }
 
-// Requests to fail at, of unknown number: the first 300 one by one, then ever farther apart.
+// Requests to fail at, of unknown number: the first 1 200 one by one, then ever farther apart.
 long next_place(long place) {
-  return place < 300 ? place + 1 : place + place / 40;
+  return place < 1200 ? place + 1 : place + place / 40;
 }
 
 // Calls `call` again and again, with memory running out ever later, until it gets through. `prepare` before and `look` after
