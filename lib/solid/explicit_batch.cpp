@@ -17,6 +17,29 @@
 
 namespace hfrac {
 
+namespace {
+
+// And two counts likewise, in one message.
+template <std::size_t Sums>
+void add_over_ranks(const Ranks& ranks, std::array<ExactSum, Sums>& sums,
+                    std::array<std::int64_t, 2>& counts) {
+  std::array<std::int64_t, Sums * ExactSum::word_count + 2> words{};
+  auto* to = std::copy(counts.begin(), counts.end(), words.data());
+  for (auto& sum : sums) {
+    sum.carry();
+    to = std::copy(sum.words().begin(), sum.words().end(), to);
+  }
+  ranks.sum(words);
+  const auto* from = words.data() + counts.size();
+  std::copy_n(words.data(), counts.size(), counts.begin());
+  for (auto& sum : sums) {
+    std::copy_n(from, ExactSum::word_count, sum.words().begin());
+    from += ExactSum::word_count;
+  }
+}
+
+}  // namespace
+
 // Adds up the works of a part's sums, which begin anew.
 void ExplicitSolver::take_work(TileSums& sums, ExactSum& total) {
   total.add(sums.work);
@@ -342,7 +365,6 @@ void ExplicitSolver::break_across(std::int64_t cycle, Found& found) {
 ExplicitSolver::Sums ExplicitSolver::sum_up(const std::vector<Found>& found) {
   enum { unbalanced, contact, friction, damping, fluid, momenta, count = momenta + 6 };
   std::array<ExactSum, count> sum{};
-  std::array<std::int64_t, count * ExactSum::word_count + 2> words{};
   const auto tiles = static_cast<std::size_t>(arrays_.tile_count);
   const auto add_bonds = [&](TileSums& of) {
     sum[contact].add(of.force);
@@ -371,25 +393,12 @@ ExplicitSolver::Sums ExplicitSolver::sum_up(const std::vector<Found>& found) {
   total.no_memory = no_memory_.exchange(false);
   for (const auto& part : found) total.broken = total.broken || !part.cracks.empty();
   if (!shared_.ranks().alone()) {
-    // What was done for others counts there.
-    for (auto* sums : {&bond_sums_, &domain_sums_})
-      for (auto& of : *sums) of.work = 0.0;
+    forget_works_of_others();
     for (auto& part : dropped_) part = {};
-    auto* to = words.data();
-    for (auto& one : sum) {
-      one.carry();
-      to = std::copy(one.words().begin(), one.words().end(), to);
-    }
-    to[0] = total.no_memory ? 1 : 0;
-    to[1] = total.broken ? 1 : 0;
-    shared_.ranks().sum(words);
-    total.no_memory = to[0] > 0;
-    total.broken = to[1] > 0;
-    const auto* from = words.data();
-    for (auto& one : sum) {
-      std::copy_n(from, ExactSum::word_count, one.words().begin());
-      from += ExactSum::word_count;
-    }
+    std::array<std::int64_t, 2> flags{total.no_memory ? 1 : 0, total.broken ? 1 : 0};
+    add_over_ranks(shared_.ranks(), sum, flags);
+    total.no_memory = flags[0] > 0;
+    total.broken = flags[1] > 0;
   }
   if (total.no_memory) throw std::bad_alloc();
   total.unbalanced = sum[unbalanced].value();
@@ -399,6 +408,33 @@ ExplicitSolver::Sums ExplicitSolver::sum_up(const std::vector<Found>& found) {
   energies_.fluid += sum[fluid].value();
   for (std::size_t k = 0; k < total.momenta.size(); ++k) total.momenta[k] = sum[momenta + k].value();
   return total;
+}
+
+// Of a shared evaluation, to the ledger: as sum_up.
+void ExplicitSolver::take_own_works() {
+  std::array<ExactSum, 2> sum{};
+  auto& [friction, fluid] = sum;
+  const auto tiles = static_cast<std::size_t>(arrays_.tile_count);
+  for (auto tile = shared_.first_tile(); tile < shared_.last_tile(); ++tile) {
+    const auto t = static_cast<std::size_t>(tile);
+    take_work(bond_sums_[t], friction);
+    for (auto p = plan_.cross_parts[t].first_pair; p < plan_.cross_parts[t].last_pair; ++p)
+      take_work(bond_sums_[tiles + static_cast<std::size_t>(p)], friction);
+    take_work(domain_sums_[t], fluid);
+    take_work(domain_sums_[tiles + t], fluid);
+  }
+  if (shared_.ranks().rank() == 0) take_work(domain_sums_[2 * tiles], fluid);
+  forget_works_of_others();
+  std::array<std::int64_t, 2> none{};
+  add_over_ranks(shared_.ranks(), sum, none);
+  energies_.friction += friction.value();
+  energies_.fluid += fluid.value();
+}
+
+// What was done for other ranks counts there.
+void ExplicitSolver::forget_works_of_others() {
+  for (auto* sums : {&bond_sums_, &domain_sums_})
+    for (auto& of : *sums) of.work = 0.0;
 }
 
 // All that broke, on whatever worker or rank, in the order of breakage.

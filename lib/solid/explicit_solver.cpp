@@ -310,7 +310,7 @@ std::string ExplicitSolver::first_not_finite() const {
 }
 
 ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, CrackLog& log,
-                                              const std::function<bool()>& interrupt) {
+                                              const std::function<bool()>& interrupt, Then then) {
   Outcome outcome;
   std::vector<Found> found(static_cast<std::size_t>(workers_.count()));
   const Ranks& ranks = shared_.ranks();
@@ -363,21 +363,27 @@ ExplicitSolver::Outcome ExplicitSolver::relax(double ratio, std::int64_t most, C
     if (ranks.any(slide > assembly_.mean_radius))
       break;  // past what the law holds for: Simulation refuses it
   }
+  const bool evaluates = then == Then::evaluate && !outcome.stopped;
+  if (evaluates && !ranks.alone() && !on_device_ && !facets_.active() && smooth_forces_.empty()) {
+    evaluate_own();
+    return outcome;
+  }
   if (!on_device_ || !stays_) fetch_state();
+  if (evaluates) evaluate();
   return outcome;
 }
 
 ExplicitSolver::Outcome ExplicitSolver::run(std::int64_t cycles, CrackLog& log,
-                                            const std::function<bool()>& interrupt) {
-  return relax(-1.0, cycles, log, interrupt);
+                                            const std::function<bool()>& interrupt, Then then) {
+  return relax(-1.0, cycles, log, interrupt, then);
 }
 
 ExplicitSolver::Outcome ExplicitSolver::run_for(double duration, CrackLog& log,
-                                                const std::function<bool()>& interrupt) {
+                                                const std::function<bool()>& interrupt, Then then) {
   const auto cycles =
       std::max<std::int64_t>(1, std::llround(std::ceil(duration / real_step_ * (1.0 - 1e-12))));
   arrays_.step = duration / static_cast<double>(cycles);
-  const Outcome outcome = run(cycles, log, interrupt);
+  const Outcome outcome = run(cycles, log, interrupt, then);
   arrays_.step = scaled_ ? 1.0 : real_step_;
   return outcome;
 }
@@ -387,6 +393,33 @@ void ExplicitSolver::take_contents() {
     filled_[d] = network_.content[d] + network_.growth_of(d);
 }
 
+void ExplicitSolver::begin_evaluation() {
+  arrays_.stiffness = facets_.active() ? facets_.stiffness() : network_.stiffness.data();
+  arrays_.undrained = 1;  // volumes are looked at
+  take_contents();
+  begin_smooth_joints();
+  mark_left_alone();
+}
+
+// As a cycle, but nothing moves or breaks: so many parts across tiles, and tiles.
+template <class PartOf>
+void ExplicitSolver::answer_once(std::int64_t parts, const PartOf& part_of, std::int64_t first_tile,
+                                 std::int64_t last_tile) {
+  workers_.share(last_tile - first_tile >= 2 * workers_.count(), [&](const Workers::Member& member) {
+    const auto my_parts = member.part(parts, 1), tiles = member.part(last_tile - first_tile, 1);
+    for (auto item = my_parts.first; item < my_parts.last; ++item) {
+      const auto part = part_of(item);
+      const CrossPart& p = plan_.cross_parts[static_cast<std::size_t>(part)];
+      for (auto pair = p.first_pair; pair < p.last_pair; ++pair) kernels_.cross_bonds(arrays_, pair);
+      if (arrays_.with_pressure != 0) kernels_.cross_domains(arrays_, part);
+    }
+    member.barrier();
+    double* scratch = scratch_[static_cast<std::size_t>(member.number)].data();
+    for (auto tile = first_tile + tiles.first; tile < first_tile + tiles.last; ++tile)
+      kernels_.tile_forces(arrays_, tile, scratch);
+  });
+}
+
 void ExplicitSolver::evaluate() {
   if (away_) {
     evaluate_on_device();
@@ -394,31 +427,28 @@ void ExplicitSolver::evaluate() {
   }
   take_facets();
   if (facets_.active()) facets_.begin_cycles();
-  arrays_.stiffness = facets_.active() ? facets_.stiffness() : network_.stiffness.data();
-  arrays_.undrained = 1;  // volumes are looked at
-  take_contents();
-  begin_smooth_joints();
-  mark_left_alone();
+  begin_evaluation();
   for (std::size_t k = 0; !smooth_forces_.empty() && k < smooth_forces_.size(); ++k) {
     const SmoothContact& contact = assembly_.smooth.contacts[k];
     smooth_forces_[k] = answer_of(assembly_, contact, assembly_.slip[contact.bond], energies_.friction);
   }
-  // As a cycle, but nothing moves or breaks.
-  workers_.share(arrays_.tile_count >= 2 * workers_.count(), [&](const Workers::Member& member) {
-    const auto parts = member.part(arrays_.tile_count + 1, 1), tiles = member.part(arrays_.tile_count, 1);
-    for (auto part = parts.first; part < parts.last; ++part) {
-      const CrossPart& p = plan_.cross_parts[static_cast<std::size_t>(part)];
-      for (auto pair = p.first_pair; pair < p.last_pair; ++pair) kernels_.cross_bonds(arrays_, pair);
-      if (arrays_.with_pressure != 0) kernels_.cross_domains(arrays_, part);
-    }
-    member.barrier();
-    double* scratch = scratch_[static_cast<std::size_t>(member.number)].data();
-    for (auto tile = tiles.first; tile < tiles.last; ++tile) kernels_.tile_forces(arrays_, tile, scratch);
-  });
+  answer_once(
+      arrays_.tile_count + 1, [](std::int64_t part) { return part; }, 0, arrays_.tile_count);
   take_works();
   if (!facets_.active()) return;
   facets_.answer(true);
   facets_.end_cycles();
+}
+
+// After cycles, before what they changed was gathered: each rank its own parts. Only the pore outside needs discs of all.
+void ExplicitSolver::evaluate_own() {
+  begin_evaluation();
+  answer_once(
+      shared_.part_count(), [this](std::int64_t item) { return shared_.part(item); }, shared_.first_tile(),
+      shared_.last_tile());
+  fetch_state();
+  if (arrays_.with_pressure != 0) kernels_.cross_domains(arrays_, arrays_.tile_count);
+  take_own_works();
 }
 
 // Of an evaluation, to the ledger.

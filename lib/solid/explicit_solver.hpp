@@ -74,14 +74,19 @@ class ExplicitSolver {
     bool stopped = false;  // by `interrupt`
   };
   // Cycles until the unbalanced-force ratio is below `ratio` and nothing breaks, at most `most` cycles. `interrupt` is
-  // asked now and then. New cracks are appended to `log` (bond, cycle, forces, energy, mode).
-  Outcome relax(double ratio, std::int64_t most, CrackLog& log, const std::function<bool()>& interrupt = {});
+  // asked now and then. New cracks are appended to `log` (bond, cycle, forces, energy, mode). With `then` an evaluation comes after them,
+  // unless they were stopped, of which ranks share what they can.
+  enum class Then { nothing, evaluate };
+  Outcome relax(double ratio, std::int64_t most, CrackLog& log, const std::function<bool()>& interrupt = {},
+                Then then = Then::nothing);
 
   // Exactly `cycles` cycles.
-  Outcome run(std::int64_t cycles, CrackLog& log, const std::function<bool()>& interrupt = {});
+  Outcome run(std::int64_t cycles, CrackLog& log, const std::function<bool()>& interrupt = {},
+              Then then = Then::nothing);
 
   // `duration` seconds of real motion (real masses) in equal cycles no longer than the stable one.
-  Outcome run_for(double duration, CrackLog& log, const std::function<bool()>& interrupt = {});
+  Outcome run_for(double duration, CrackLog& log, const std::function<bool()>& interrupt = {},
+                  Then then = Then::nothing);
 
   // Forces, pressures and volumes at the displacements as they stand (no motion, no breakage).
   void evaluate();
@@ -165,7 +170,14 @@ class ExplicitSolver {
   void batch_on_device(std::int64_t cycles, std::vector<Found>& found);
   void fetch_state();
   void evaluate_on_device();
+  void evaluate_own();
+  void begin_evaluation();
+  template <class PartOf>
+  void answer_once(std::int64_t parts, const PartOf& part_of, std::int64_t first_tile,
+                   std::int64_t last_tile);
   void take_works();
+  void take_own_works();
+  void forget_works_of_others();
   template <class Fetch>
   void fetch_or_lose(const Fetch& fetch) const;
   static void take_work(TileSums& sums, ExactSum& total);

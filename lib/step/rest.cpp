@@ -20,12 +20,11 @@ using End = EquilibriumSolver::End;
 
 RestOutcome relax(Engine& e, const Interrupt& interrupt) {
   const Options& o = e.options;
-  const auto motion =
-      e.mechanics->relax(o.stepping_force_ratio, o.stepping_max_cycles, e.model.cracks, interrupt);
+  const auto motion = e.mechanics->relax(o.stepping_force_ratio, o.stepping_max_cycles, e.model.cracks,
+                                         interrupt, ExplicitSolver::Then::evaluate);
   if (motion.stopped) return {true};
   e.model.clock.force_ratio = motion.force_ratio;
   e.model.clock.at_rest = motion.at_rest;
-  e.mechanics->evaluate();
   return {};
 }
 
@@ -111,11 +110,11 @@ RestOutcome find_rest(Engine& e, const Interrupt& interrupt) {
 
 RestOutcome move_rock(Engine& e, double duration, const Interrupt& interrupt) {
   e.mechanics->set_time(e.model.clock.time);
-  const auto motion = e.mechanics->run_for(duration, e.model.cracks, interrupt);
+  const auto motion =
+      e.mechanics->run_for(duration, e.model.cracks, interrupt, ExplicitSolver::Then::evaluate);
   if (motion.stopped) return {true};
   e.model.clock.force_ratio = motion.force_ratio;
   e.model.clock.at_rest = true;  // not asked for
-  e.mechanics->evaluate();
   return {};
 }
 

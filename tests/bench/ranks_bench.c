@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
  * bench_ranks DISCS dry|coupled WORKERS [MICROSECONDS], over as many ranks as mpirun starts: real motion of a tiled packing under far-field
- * stress; prints milliseconds a cycle and what a rank receives in one. Beside each other: mpirun -n 1 and -n 2, 1 and 2 workers.
+ * stress; prints milliseconds a cycle, what a rank receives in one, and what a step takes beyond its cycles, found by steps of ten cycles: what
+ * every rank does for all of the model. Beside each other: mpirun -n 1 and -n 2, 1 and 2 workers.
  * MICROSECONDS: messages count as received no sooner than that after they were sent, as over a network that takes so long.
  */
 #define HFRAC_ENABLE_UNSTABLE
@@ -47,6 +48,26 @@ static int32_t create(const hfrac_sim_def* def, hfrac_sim** sim) {
   return hfrac_sim_create_on(def, &slow, sim);
 }
 
+/* Seconds of so many steps of so long, and their cycles. */
+static double steps_of(hfrac_sim* sim, int number, double duration, int64_t* cycles) {
+  hfrac_sim_state state;
+  memset(&state, 0, sizeof state);
+  state.struct_size = sizeof state;
+  require(hfrac_sim_get_state(sim, &state), sim);
+  const int64_t before = state.cycles;
+  MPI_Barrier(MPI_COMM_WORLD);
+  const double begin = MPI_Wtime();
+  for (int k = 0; k < number; ++k) {
+    require(hfrac_step_prepare(sim), sim);
+    require(hfrac_step_do(sim, duration), sim);
+    require(hfrac_step_finalize(sim), sim);
+  }
+  const double seconds = MPI_Wtime() - begin;
+  require(hfrac_sim_get_state(sim, &state), sim);
+  *cycles = state.cycles - before;
+  return seconds;
+}
+
 int main(int count, char** arguments) {
   hfrac_sim_def def;
   hfrac_sim* sim = NULL;
@@ -74,19 +95,12 @@ int main(int count, char** arguments) {
   require(hfrac_sim_def_set_str(&def, "flow.scheme", dry ? "off" : "implicit"), NULL);
   require(create(&def, &sim), NULL);
   require(hfrac_sim_get_state(sim, &state), sim);
-  const double step = 400.0 * state.mechanical_step;
-  require(hfrac_step_prepare(sim), sim);
-  require(hfrac_step_do(sim, step), sim);
-  require(hfrac_step_finalize(sim), sim);
-  require(hfrac_sim_get_state(sim, &state), sim);
-  const int64_t before = state.cycles;
-  MPI_Barrier(MPI_COMM_WORLD);
-  const double begin = MPI_Wtime();
-  require(hfrac_step_prepare(sim), sim);
-  require(hfrac_step_do(sim, 5.0 * step), sim);
-  require(hfrac_step_finalize(sim), sim);
-  const double seconds = MPI_Wtime() - begin;
-  require(hfrac_sim_get_state(sim, &state), sim);
+  enum { short_steps = 30 };
+  int64_t cycles = 0, short_cycles = 0;
+  steps_of(sim, 1, 400.0 * state.mechanical_step, &cycles);
+  const double cycle = steps_of(sim, 1, 2000.0 * state.mechanical_step, &cycles) / (double)cycles;
+  const double in_short = steps_of(sim, short_steps, 10.0 * state.mechanical_step, &short_cycles);
+  const double beyond = (in_short - cycle * (double)short_cycles) / short_steps;
   require(hfrac_get_traffic(sim, &traffic), sim);
   int rank = 0, ranks = 1;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -94,9 +108,9 @@ int main(int count, char** arguments) {
   if (rank == 0)
     printf(
         "%s discs, %s, %d ranks x %s workers: %.4f ms a cycle over %lld cycles, %lld messages and %.1f kB "
-        "received a cycle\n",
-        arguments[1], arguments[2], ranks, arguments[3], 1e3 * seconds / (double)(state.cycles - before),
-        (long long)(state.cycles - before), (long long)traffic.messages, 1e-3 * (double)traffic.bytes);
+        "received a cycle, %.2f ms a step beyond its cycles\n",
+        arguments[1], arguments[2], ranks, arguments[3], 1e3 * cycle, (long long)cycles,
+        (long long)traffic.messages, 1e-3 * (double)traffic.bytes, 1e3 * beyond);
   require(hfrac_sim_destroy(&sim), NULL);
   require(hfrac_sim_def_free(&def), NULL);
   MPI_Finalize();
