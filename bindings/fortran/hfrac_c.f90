@@ -445,8 +445,9 @@ module hfrac_c
     !> 1e-6.
     real(c_double) :: solver_smallest_step = 0.0_c_double
     !> 0: auto, 1: direct, 2: iterative, 3: petsc. How the implicit scheme solves for pressures. direct:
-    !> factorisation. iterative: conjugate gradients, for large models, shared by all ranks. auto: direct up to 60
-    !> 000 domains. petsc: PETSc's conjugate gradients with algebraic multigrid, over all ranks. Default 0.
+    !> factorisation. iterative: conjugate gradients, for large models, shared by all ranks. auto: direct up to 20
+    !> 000 domains, and up to 60 000 in steps in which more than one pore in eight depends on others. petsc: PETSc's
+    !> conjugate gradients with algebraic multigrid, over all ranks. Default 0.
     integer(c_int64_t) :: flow_solver = 0_c_int64_t
     !> 0: zlib, 1: lz4, 2: none. How arrays in VTU files are packed. lz4: twice as fast as zlib, files a fifth
     !> larger. Default 0.

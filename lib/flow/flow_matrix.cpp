@@ -2,10 +2,17 @@
 #include "flow/flow_matrix.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 #include "core/give_back.hpp"
 
 namespace hfrac {
+namespace {
+
+constexpr double joined_above =
+    0.25;  // of what is stored; where multigrid leaves rows to its smoother (linear/aggregation.cpp)
+
+}  // namespace
 
 FlowMatrix::FlowMatrix(const Network& n, const std::vector<Pair>& joined, bool with_lower, Workers* workers)
     : workers_(workers) {
@@ -149,6 +156,23 @@ void FlowMatrix::add_up_flows(const Network& n, double step, std::vector<double>
       gain[d] = sum;
     }
   });
+}
+
+std::int64_t FlowMatrix::joined(const Network& n, double step) const {
+  std::atomic<std::int64_t> all{0};
+  share(n.kind.size(), [&](std::size_t from, std::size_t to) {
+    std::int64_t here = 0;
+    for (auto d = from; d < to; ++d) {
+      if (n.stiffness[d] <= 0.0) continue;
+      double conducted = 0.0;
+      for (auto k = static_cast<std::size_t>(rows_.start[d]);
+           k < static_cast<std::size_t>(rows_.start[d + 1]); ++k)
+        if (pipe_[k] >= 0) conducted += step * n.conductance[pipe_[k]];
+      here += conducted * n.stiffness[d] > joined_above ? 1 : 0;
+    }
+    all += here;
+  });
+  return all;
 }
 
 double FlowMatrix::outflow(const Network& n, std::int32_t domain) const {

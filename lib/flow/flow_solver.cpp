@@ -46,11 +46,12 @@ std::vector<FlowMatrix::Pair> pairs_of(const std::vector<Wellbore>* wellbores) {
   return joined;
 }
 
-FlowMatrixSolver solver_for(const Network& n, const Options& o) {
-  const FlowMatrixSolver wanted{o.flow_solver};
-  if (FlowScheme{o.flow_scheme} == FlowScheme::explicit_scheme) return FlowMatrixSolver::iterative;  // none
-  if (wanted != FlowMatrixSolver::automatic) return wanted;
-  return n.domain_count() > largest_to_factorise ? FlowMatrixSolver::iterative : FlowMatrixSolver::direct;
+// Domains from which on one step after the other may be solved by what is quicker; and of how many one may depend on others for
+// conjugate gradients to be that: in such steps they take a few iterations, in others dozens.
+constexpr std::int64_t fewest_by_step = 20000, domains_of_one_joined = 8;
+
+bool is_in_between(const Network& n) {
+  return n.domain_count() > fewest_by_step && n.domain_count() <= largest_to_factorise;
 }
 
 }  // namespace
@@ -58,9 +59,12 @@ FlowMatrixSolver solver_for(const Network& n, const Options& o) {
 FlowSolver::FlowSolver(const Network& n, const Options& options, std::vector<Wellbore>* wellbores,
                        const Ranks& ranks, Workers* workers, const Device* device)
     : explicit_(FlowScheme{options.flow_scheme} == FlowScheme::explicit_scheme),
-      iterative_(solver_for(n, options) != FlowMatrixSolver::direct),
+      wanted_(explicit_ ? FlowMatrixSolver::iterative : FlowMatrixSolver{options.flow_solver}),
+      by_step_(wanted_ == FlowMatrixSolver::automatic && is_in_between(n)),
+      iterative_(wanted_ == FlowMatrixSolver::iterative || wanted_ == FlowMatrixSolver::petsc ||
+                 (wanted_ == FlowMatrixSolver::automatic && n.domain_count() > largest_to_factorise)),
       law_(options),
-      matrix_(n, pairs_of(wellbores), solver_for(n, options) != FlowMatrixSolver::iterative, workers),
+      matrix_(n, pairs_of(wellbores), !iterative_ || wanted_ == FlowMatrixSolver::petsc, workers),
       wellbores_(wellbores != nullptr && !wellbores->empty() ? wellbores : nullptr),
       conjugate_gradient_(workers, device, ranks) {
   const auto domains = n.kind.size();
@@ -69,8 +73,8 @@ FlowSolver::FlowSolver(const Network& n, const Options& options, std::vector<Wel
   double volume = 0.0;
   for (std::size_t d = 1; d < n.volume.size(); ++d) volume += n.volume[d];
   imposed_weight_ = volume / static_cast<double>(domains) / options.fluid_bulk_modulus;
-  if (!iterative_) factor_.analyse(matrix_.pattern());
-  if (solver_for(n, options) == FlowMatrixSolver::petsc) {
+  if (!iterative_ && !by_step_) factor_.analyse(matrix_.pattern());
+  if (wanted_ == FlowMatrixSolver::petsc) {
     outside_.emplace(ranks, OutsideMatrix::Kind::flow);
     list_places();
   }
@@ -140,6 +144,8 @@ bool FlowSolver::settle_outside(const Eigen::VectorXd& rhs, Eigen::VectorXd& p) 
 void FlowSolver::prepare_matrix() {
   bool prepared = true;
   if (!iterative_) {
+    if (by_step_ && !analysed_) factor_.analyse(matrix_.pattern());
+    analysed_ = true;
     prepared = factor_.factorise(matrix_.lower());
   } else if (!outside_) {
     prepared = conjugate_gradient_.prepare(matrix_.rows(), ConjugateGradient::Pattern::kept);
@@ -166,6 +172,7 @@ int FlowSolver::advance(Network& n, double step, const std::vector<double>& sour
 
 int FlowSolver::advance_implicit(Network& n, double step, const std::vector<double>& source) {
   const auto domains = static_cast<std::size_t>(n.domain_count());
+  if (by_step_) iterative_ = domains_of_one_joined * matrix_.joined(n, step) <= n.domain_count();
   matrix_.share(domains, [&](std::size_t from, std::size_t to) {
     for (auto d = from; d < to; ++d) {
       cavitated_[d] =

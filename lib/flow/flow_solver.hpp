@@ -3,7 +3,8 @@
 //
 // Both schemes move content along pipes, so what one domain loses the next one gains to the last bit but rounding:
 //   implicit  backward Euler on all domains at once (sparse Cholesky, the pattern analysed once; conjugate gradients for
-//             more than some 60 000 domains, where factors outgrow memory, by all ranks together; or a solver from outside). Cavitation makes it
+//             more than some 60 000 domains, where factors outgrow memory, by all ranks together, and from 20 000 on in steps so short that
+//             pores hardly depend on each other; or a solver from outside). Cavitation makes it
 //             a complementarity problem: p >= floor, a domain at the floor first fills its void. A primal-dual active
 //             set finds it in a few rounds. A fluid that thins is followed by solving again at the conductances of the
 //             pressure drops found (Picard), until they agree.
@@ -24,6 +25,7 @@
 #include "linear/sparse.hpp"
 #include "linear/symmetric_factor.hpp"
 #include "model/network.hpp"
+#include "options/choices.hpp"
 
 namespace hfrac {
 
@@ -69,7 +71,10 @@ class FlowSolver {
   bool settle_outside(const Eigen::VectorXd& rhs, Eigen::VectorXd& p);
   void list_places();
 
-  bool explicit_, iterative_;
+  bool explicit_;
+  FlowMatrixSolver wanted_;
+  bool by_step_, iterative_;  // whether each step chooses; of the step at hand, or of all
+  bool analysed_ = false;     // where each step chooses, the factor's pattern
   FluidLaw law_;
   std::vector<double> at_rest_, thinning_;  // per pipe, of a fluid that thins
   double imposed_weight_ = 1.0;

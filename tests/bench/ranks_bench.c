@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause
- * bench_ranks DISCS dry|coupled WORKERS [MICROSECONDS], over as many ranks as mpirun starts: real motion of a tiled packing under far-field
+ * bench_ranks DISCS dry|coupled|direct WORKERS [MICROSECONDS], over as many ranks as mpirun starts: real motion of a tiled packing under far-field
  * stress; prints milliseconds a cycle, what a rank receives in one, and what a step takes beyond its cycles, found by steps of ten cycles: what
- * every rank does for all of the model. Beside each other: mpirun -n 1 and -n 2, 1 and 2 workers.
+ * every rank does for all of the model. direct: coupled, with flow.solver = "direct". Beside each other: mpirun -n 1 and -n 2, 1 and 2 workers.
  * MICROSECONDS: messages count as received no sooner than that after they were sent, as over a network that takes so long.
  */
 #define HFRAC_ENABLE_UNSTABLE
@@ -75,7 +75,7 @@ int main(int count, char** arguments) {
   hfrac_traffic traffic;
   MPI_Init(&count, &arguments);
   if (count != 4 && count != 5) {
-    fprintf(stderr, "usage: bench_ranks DISCS dry|coupled WORKERS [MICROSECONDS]\n");
+    fprintf(stderr, "usage: bench_ranks DISCS dry|coupled|direct WORKERS [MICROSECONDS]\n");
     MPI_Abort(MPI_COMM_WORLD, 2);
   }
   if (count == 5) latency = 1e-6 * atof(arguments[4]);
@@ -93,6 +93,8 @@ int main(int count, char** arguments) {
   require(hfrac_sim_def_set_f64(&def, "bond.tensile_strength", 1e12), NULL);
   require(hfrac_sim_def_set_f64(&def, "bond.shear_strength", 1e12), NULL);
   require(hfrac_sim_def_set_str(&def, "flow.scheme", dry ? "off" : "implicit"), NULL);
+  if (strcmp(arguments[2], "direct") == 0)
+    require(hfrac_sim_def_set_str(&def, "flow.solver", "direct"), NULL);
   require(create(&def, &sim), NULL);
   require(hfrac_sim_get_state(sim, &state), sim);
   enum { short_steps = 30 };

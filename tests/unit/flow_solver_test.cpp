@@ -18,9 +18,10 @@ namespace flow_solver_test {
 using namespace testing_unit;
 
 // Rigid rock of equal pipes, one of them wide; pores at the reference pressure.
-std::unique_ptr<TestModel> flow_model(FlowScheme scheme, double wide = 1e-3) {
-  Options o = dry_options(400);
+std::unique_ptr<TestModel> flow_model(FlowScheme scheme, double wide = 1e-3, std::int64_t discs = 400) {
+  Options o = dry_options(discs);
   o.flow_scheme = choice(scheme);
+  if (discs > 2000) o.packing_method = choice(PackingMethod::tiled);
   auto model = std::make_unique<TestModel>(o, packed(o), std::vector<Hole>{{{10.0, 10.0}, 3.0}});
   TestModel& m = *model;
   m.fill_pores();
@@ -202,6 +203,31 @@ TEST(FlowSolver, IterativeSolverAgreesWithTheFactorisation) {
       EXPECT_NEAR(iterative->network.pressure[d], direct->network.pressure[d], 0.06)
           << "domain " << d;  // Pa, of 6e7
     EXPECT_NEAR(sum(iterative->network.content), injected, 1e-8 * std::abs(injected) + 1e-15);
+  }
+}
+
+// Where both would do, the one that is quicker: conjugate gradients in a short step, the factor in a long one.
+TEST(FlowSolver, ChoosesByTheStepWhereBothWouldDo) {
+  const auto with = [](const TestModel& rock, FlowMatrixSolver solver, double step) {
+    Options o = rock.options;
+    o.flow_solver = choice(solver);
+    Network n = rock.network;
+    FlowSolver flow(n, o);
+    for (int k = 0; k < 2; ++k) flow.advance(n, step, {});
+    return n.pressure;
+  };
+  const auto rock = flow_model(FlowScheme::implicit_scheme, 1e-3, 18000);
+  ASSERT_GT(rock->network.domain_count(), 20000);
+  ASSERT_LE(rock->network.domain_count(), 60000);
+  rock->network.stiffness[rock->well_domains[0]] = 0.0;
+  rock->network.pressure[rock->well_domains[0]] = 60e6;
+  for (const double step : {1e-3, 10.0}) {
+    const auto chosen = with(*rock, FlowMatrixSolver::automatic, step),
+               direct = with(*rock, FlowMatrixSolver::direct, step),
+               iterative = with(*rock, FlowMatrixSolver::iterative, step);
+    ASSERT_NE(direct, iterative) << step;  // in last digits
+    EXPECT_EQ(chosen, step < 1.0 ? iterative : direct) << step;
+    for (std::size_t d = 0; d < direct.size(); ++d) ASSERT_NEAR(iterative[d], direct[d], 0.06) << d;
   }
 }
 

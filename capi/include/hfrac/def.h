@@ -306,8 +306,8 @@ typedef struct hfrac_sim_def {
 
   /** 0: auto, 1: direct, 2: iterative, 3: petsc. How the implicit scheme solves for pressures. direct:
    * factorisation. iterative: conjugate gradients, for large models, shared by all ranks. auto: direct up
-   * to 60 000 domains. petsc: PETSc's conjugate gradients with algebraic multigrid, over all ranks.
-   * Default 0. */
+   * to 20 000 domains, and up to 60 000 in steps in which more than one pore in eight depends on others.
+   * petsc: PETSc's conjugate gradients with algebraic multigrid, over all ranks. Default 0. */
   int64_t flow_solver;
 
   /** 0: zlib, 1: lz4, 2: none. How arrays in VTU files are packed. lz4: twice as fast as zlib, files a
