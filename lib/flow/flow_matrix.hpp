@@ -47,7 +47,7 @@ class FlowMatrix {
   // gain: m2 per domain, by the network's flows in `step`.
   void add_up_flows(const Network& network, double step, std::vector<double>& gain) const;
 
-  // Domains to which the pipes bring more than a fraction of what they store in such a step, those whose pressures depend on each other.
+  // How many domains depend on others in such a step: those whose pipes bring more than a quarter of what they store, pressure for pressure.
   [[nodiscard]] std::int64_t joined(const Network& network, double step) const;
   // What flows out of a domain [m2/s].
   [[nodiscard]] double outflow(const Network& network, std::int32_t domain) const;

@@ -46,8 +46,8 @@ std::vector<FlowMatrix::Pair> pairs_of(const std::vector<Wellbore>* wellbores) {
   return joined;
 }
 
-// Domains from which on one step after the other may be solved by what is quicker; and of how many one may depend on others for
-// conjugate gradients to be that: in such steps they take a few iterations, in others dozens.
+// From so many domains up to largest_to_factorise each step takes what is quicker for it: conjugate gradients if no more than one domain
+// of so many depends on others, which then need a few iterations, else the factor.
 constexpr std::int64_t fewest_by_step = 20000, domains_of_one_joined = 8;
 
 bool is_in_between(const Network& n) {
