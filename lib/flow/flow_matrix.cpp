@@ -14,8 +14,9 @@ constexpr double joined_above =
 
 }  // namespace
 
-FlowMatrix::FlowMatrix(const Network& n, const std::vector<Pair>& joined, bool with_lower, Workers* workers)
+FlowMatrix::FlowMatrix(const Network& n, const std::vector<Pair>& joined, Layout layout, Workers* workers)
     : workers_(workers) {
+  if (layout == Layout::nothing) return;
   const auto domains = n.kind.size();
   auto& start = rows_.start;
   start.assign(domains + 1, 0);
@@ -42,7 +43,7 @@ FlowMatrix::FlowMatrix(const Network& n, const std::vector<Pair>& joined, bool w
     const auto there = put(i, j), back = put(j, i);
     if (pipe < 0) place_of_pair_.emplace_back(there, back);
   });
-  if (with_lower) lay_out_lower();
+  if (layout == Layout::lower) lay_out_lower();
 }
 
 void FlowMatrix::lay_out_lower() {
@@ -176,14 +177,19 @@ std::int64_t FlowMatrix::joined(const Network& n, double step) const {
 }
 
 double FlowMatrix::outflow(const Network& n, std::int32_t domain) const {
-  const auto d = static_cast<std::size_t>(domain);
   double sum = 0.0;
-  for (auto k = static_cast<std::size_t>(rows_.start[d]); k < static_cast<std::size_t>(rows_.start[d + 1]);
-       ++k) {
-    if (pipe_[k] < 0) continue;
-    const double flow = n.flow[pipe_[k]];
-    sum += n.left[static_cast<std::size_t>(pipe_[k])] == domain ? flow : -flow;
+  const auto add = [&](std::size_t pipe) {
+    if (n.left[pipe] == domain) sum += n.flow[pipe];
+    if (n.right[pipe] == domain) sum -= n.flow[pipe];
+  };
+  if (rows_.start.empty()) {
+    for (std::size_t pipe = 0; pipe < n.left.size(); ++pipe) add(pipe);
+    return sum;
   }
+  const auto d = static_cast<std::size_t>(domain);
+  for (auto k = static_cast<std::size_t>(rows_.start[d]); k < static_cast<std::size_t>(rows_.start[d + 1]);
+       ++k)
+    if (pipe_[k] >= 0) add(static_cast<std::size_t>(pipe_[k]));
   return sum;
 }
 

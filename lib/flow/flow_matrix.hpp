@@ -21,8 +21,10 @@ namespace hfrac {
 class FlowMatrix {
  public:
   using Pair = std::pair<std::int32_t, std::int32_t>;
-  // `joined`: pairs of domains that no pipe joins, but a wellbore. with_lower: lower() is asked for.
-  FlowMatrix(const Network& network, const std::vector<Pair>& joined, bool with_lower, Workers* workers);
+  // nothing: of the explicit scheme, which has no equations and asks for outflow() alone; lower: lower() is asked for, too.
+  enum class Layout { nothing, rows, lower };
+  // `joined`: pairs of domains that no pipe joins, but a wellbore.
+  FlowMatrix(const Network& network, const std::vector<Pair>& joined, Layout layout, Workers* workers);
 
   // Which domains are solved for, and what the rows of the others weigh.
   struct Unknowns {

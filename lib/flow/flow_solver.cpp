@@ -64,7 +64,11 @@ FlowSolver::FlowSolver(const Network& n, const Options& options, std::vector<Wel
       iterative_(wanted_ == FlowMatrixSolver::iterative || wanted_ == FlowMatrixSolver::petsc ||
                  (wanted_ == FlowMatrixSolver::automatic && n.domain_count() > largest_to_factorise)),
       law_(options),
-      matrix_(n, pairs_of(wellbores), !iterative_ || wanted_ == FlowMatrixSolver::petsc, workers),
+      matrix_(n, pairs_of(wellbores),
+              explicit_                                           ? FlowMatrix::Layout::nothing
+              : !iterative_ || wanted_ == FlowMatrixSolver::petsc ? FlowMatrix::Layout::lower
+                                                                  : FlowMatrix::Layout::rows,
+              workers),
       wellbores_(wellbores != nullptr && !wellbores->empty() ? wellbores : nullptr),
       conjugate_gradient_(workers, device, ranks) {
   const auto domains = n.kind.size();
