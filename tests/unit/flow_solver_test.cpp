@@ -8,10 +8,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <span>
+#include <vector>
 
 #include "core/error.hpp"
 #include "linear/multigrid_arrays.hpp"
 #include "small_case.hpp"
+#include "solid/stable_step.hpp"
 
 namespace flow_solver_test {
 
@@ -208,11 +211,12 @@ TEST(FlowSolver, IterativeSolverAgreesWithTheFactorisation) {
 
 // Where both would do, the one that is quicker: conjugate gradients in a short step, the factor in a long one.
 TEST(FlowSolver, ChoosesByTheStepWhereBothWouldDo) {
-  const auto with = [](const TestModel& rock, FlowMatrixSolver solver, double step) {
+  const auto with = [](const TestModel& rock, FlowMatrixSolver solver, double step, int count = 1) {
     Options o = rock.options;
     o.flow_solver = choice(solver);
     Network n = rock.network;
-    FlowSolver flow(n, o);
+    Workers workers(count);
+    FlowSolver flow(n, o, nullptr, {}, &workers);
     for (int k = 0; k < 2; ++k) flow.advance(n, step, {});
     return n.pressure;
   };
@@ -227,7 +231,27 @@ TEST(FlowSolver, ChoosesByTheStepWhereBothWouldDo) {
                iterative = with(*rock, FlowMatrixSolver::iterative, step);
     ASSERT_NE(direct, iterative) << step;  // in last digits
     EXPECT_EQ(chosen, step < 1.0 ? iterative : direct) << step;
+    for (const int count : {2, 3})
+      EXPECT_EQ(with(*rock, FlowMatrixSolver::automatic, step, count), chosen) << step << ' ' << count;
     for (std::size_t d = 0; d < direct.size(); ++d) ASSERT_NEAR(iterative[d], direct[d], 0.06) << d;
+  }
+}
+
+TEST(StableStep, HasTheSameRowsOnAnyNumberOfWorkers) {
+  const auto rock = flow_model(FlowScheme::implicit_scheme, 1e-3, 6000);
+  const auto discs = static_cast<std::size_t>(rock->assembly.disc_count());
+  ASSERT_GE(rock->assembly.tile_count(), 8U);  // fewer are not shared
+  const auto rows = [&](Workers* workers) {
+    std::vector<double> all(3 * discs, -1.0);
+    const std::span<double> x(all.data(), discs), y(all.data() + discs, discs),
+        turn(all.data() + 2 * discs, discs);
+    stiffness_rows(rock->assembly, rock->network, rock->options, nullptr, x, y, turn, workers);
+    return all;
+  };
+  const auto alone = rows(nullptr);
+  for (const int count : {1, 2, 3}) {
+    Workers workers(count);
+    EXPECT_EQ(rows(&workers), alone) << count;
   }
 }
 
