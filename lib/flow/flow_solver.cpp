@@ -50,8 +50,22 @@ std::vector<FlowMatrix::Pair> pairs_of(const std::vector<Wellbore>* wellbores) {
 // of so many depends on others, which then need a few iterations, else the factor.
 constexpr std::int64_t fewest_by_step = 20000, domains_of_one_joined = 8;
 
-bool is_in_between(const Network& n) {
-  return n.domain_count() > fewest_by_step && n.domain_count() <= largest_to_factorise;
+bool chooses_by_step(const Network& n, const Options& o) {
+  return FlowMatrixSolver{o.flow_solver} == FlowMatrixSolver::automatic &&
+         n.domain_count() > fewest_by_step && n.domain_count() <= largest_to_factorise;
+}
+
+// Unless a step chooses.
+bool iterates(const Network& n, const Options& o) {
+  const FlowMatrixSolver wanted{o.flow_solver};
+  return wanted == FlowMatrixSolver::automatic ? n.domain_count() > largest_to_factorise
+                                               : wanted != FlowMatrixSolver::direct;
+}
+
+FlowMatrix::Layout layout_for(const Network& n, const Options& o) {
+  if (FlowScheme{o.flow_scheme} == FlowScheme::explicit_scheme) return FlowMatrix::Layout::nothing;
+  const bool outside = FlowMatrixSolver{o.flow_solver} == FlowMatrixSolver::petsc;
+  return iterates(n, o) && !outside ? FlowMatrix::Layout::rows : FlowMatrix::Layout::lower;
 }
 
 }  // namespace
@@ -59,16 +73,10 @@ bool is_in_between(const Network& n) {
 FlowSolver::FlowSolver(const Network& n, const Options& options, std::vector<Wellbore>* wellbores,
                        const Ranks& ranks, Workers* workers, const Device* device)
     : explicit_(FlowScheme{options.flow_scheme} == FlowScheme::explicit_scheme),
-      wanted_(explicit_ ? FlowMatrixSolver::iterative : FlowMatrixSolver{options.flow_solver}),
-      by_step_(wanted_ == FlowMatrixSolver::automatic && is_in_between(n)),
-      iterative_(wanted_ == FlowMatrixSolver::iterative || wanted_ == FlowMatrixSolver::petsc ||
-                 (wanted_ == FlowMatrixSolver::automatic && n.domain_count() > largest_to_factorise)),
+      by_step_(chooses_by_step(n, options)),
+      iterative_(iterates(n, options)),
       law_(options),
-      matrix_(n, pairs_of(wellbores),
-              explicit_                                           ? FlowMatrix::Layout::nothing
-              : !iterative_ || wanted_ == FlowMatrixSolver::petsc ? FlowMatrix::Layout::lower
-                                                                  : FlowMatrix::Layout::rows,
-              workers),
+      matrix_(n, pairs_of(wellbores), layout_for(n, options), workers),
       wellbores_(wellbores != nullptr && !wellbores->empty() ? wellbores : nullptr),
       conjugate_gradient_(workers, device, ranks) {
   const auto domains = n.kind.size();
@@ -78,7 +86,7 @@ FlowSolver::FlowSolver(const Network& n, const Options& options, std::vector<Wel
   for (std::size_t d = 1; d < n.volume.size(); ++d) volume += n.volume[d];
   imposed_weight_ = volume / static_cast<double>(domains) / options.fluid_bulk_modulus;
   if (!iterative_ && !by_step_) factor_.analyse(matrix_.pattern());
-  if (wanted_ == FlowMatrixSolver::petsc) {
+  if (FlowMatrixSolver{options.flow_solver} == FlowMatrixSolver::petsc) {
     outside_.emplace(ranks, OutsideMatrix::Kind::flow);
     list_places();
   }

@@ -25,7 +25,6 @@
 #include "linear/sparse.hpp"
 #include "linear/symmetric_factor.hpp"
 #include "model/network.hpp"
-#include "options/choices.hpp"
 
 namespace hfrac {
 
@@ -72,7 +71,6 @@ class FlowSolver {
   void list_places();
 
   bool explicit_;
-  FlowMatrixSolver wanted_;
   bool by_step_, iterative_;  // whether each step chooses; of the step at hand, or of all
   bool analysed_ = false;     // where each step chooses, the factor's pattern
   FluidLaw law_;
