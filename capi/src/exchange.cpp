@@ -133,7 +133,7 @@ int32_t hfrac_sim_create_on(const hfrac_sim_def* def, const hfrac_exchange* exch
 
 int32_t hfrac_get_traffic(const hfrac_sim* sim, hfrac_traffic* traffic) {
   return guarded_sim(sim, [&] {
-    const auto t = sim->simulation->engine().mechanics->shared_tiles().traffic();
+    const auto t = sim->simulation->engine_as_is().mechanics->shared_tiles().traffic();
     hfrac_traffic of{};
     of.messages = t.messages;
     of.bytes = t.bytes;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "internal.hpp"
 #include "options/number_text.hpp"
@@ -65,7 +66,7 @@ int32_t hfrac_set_cell_temperature(hfrac_sim* sim, const double* temperature, in
 int32_t hfrac_get_cell_temperature(hfrac_sim* sim, double* buffer, int64_t capacity, int64_t* count) {
   return guarded_sim(sim, Access::read, [&] {
     require_not_null(count, "count");
-    require_heat(sim->simulation->engine());
+    require_heat(sim->simulation->engine_as_is());
     require_grid(*sim);
     const std::vector<double> cells = cell_temperature(*sim->simulation);
     *count = static_cast<std::int64_t>(cells.size());
@@ -95,14 +96,14 @@ int32_t hfrac_well_get_temperature(const hfrac_sim* sim, int32_t index, double* 
   return guarded_sim(sim, [&] {
     require_not_null(temperature, "temperature");
     const Well& well = sim->simulation->wells()[require_well(*sim, index)];
-    require_heat(sim->simulation->engine());
+    require_heat(sim->simulation->engine_as_is());
     *temperature = sim->simulation->model().heat->fluid[static_cast<std::size_t>(well.place.domain)];
   });
 }
 
 int32_t hfrac_get_heat(const hfrac_sim* sim, hfrac_heat* heat) {
   return guarded_sim(sim, [&] {
-    const HeatBalance from = heat_balance_of(sim->simulation->engine());
+    const HeatBalance from = heat_balance_of(std::as_const(*sim->simulation).engine());
     hfrac_heat full{};
     full.mode = static_cast<std::int32_t>(sim->simulation->options().thermal_mode);
     full.stored = from.stored;

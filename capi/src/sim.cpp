@@ -380,7 +380,7 @@ int32_t hfrac_get_step_limits(const hfrac_sim* sim, hfrac_step_limits* limits) {
 int32_t hfrac_wall_count(const hfrac_sim* sim, int32_t* count) {
   return guarded_sim(sim, [&] {
     require_not_null(count, "count");
-    *count = sim->simulation->engine().boundary->walled() ? 4 : 0;
+    *count = sim->simulation->engine_as_is().boundary->walled() ? 4 : 0;
   });
 }
 

@@ -65,6 +65,8 @@ using UnfilledVector = std::vector<double, UnfilledAllocator<double>>;
 struct Vec2 {
   double x = 0.0;
   double y = 0.0;
+
+  bool operator==(const Vec2&) const = default;
 };
 inline Vec2 operator+(Vec2 a, Vec2 b) {
   return {a.x + b.x, a.y + b.y};

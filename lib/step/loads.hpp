@@ -29,6 +29,8 @@ struct Loads {
   std::vector<WellLoad> wells;
   std::vector<double> well_temperature;  // K, of what is injected; empty without temperature
   Array<std::uint8_t> held_temperature;  // per disc: 1 keeps its temperature; likewise
+
+  bool operator==(const Loads&) const = default;
 };
 
 // What acts on a model now: after it was built, or restored from an image.

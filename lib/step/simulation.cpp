@@ -137,6 +137,7 @@ CaseDefinition Simulation::given_definition() const {
 }
 
 void Simulation::take_well(const Well& well) {
+  as_opened_ = false;
   model_.wells.push_back(well);
   loads_.wells.push_back({well.drive, well.schedule});
   if (model_.heat) {
@@ -148,24 +149,33 @@ void Simulation::take_well(const Well& well) {
 
 StepOutcome Simulation::step(const Loads& loads, double duration, const Interrupt& interrupt) {
   Engine& e = *engine_;
+  const bool kept = as_opened_;
   impose(loads);
-  save_before_step(e, before_step_);
+  std::vector<std::byte>& before = kept ? opened_ : before_step_;
+  if (kept)
+    e.mechanics->keep_for_step();
+  else
+    save_before_step(e, before);
+  const auto go_back = [&] {
+    load_before_step(e, before);
+    as_opened_ = kept;
+  };
   note_places(e);
   try {
     // What a step does follows from the state alone, so no factor outlives the step before.
     if (e.equilibrium) e.equilibrium->begin_step();
     const StepOutcome outcome = stepper_of(options())(e, duration, interrupt);
     if (!outcome.stopped) return outcome;
-    load_before_step(e, before_step_);
+    go_back();
     return {true, model_.clock.at_rest};
   } catch (const Error& error) {
     // A solver that could not go on may not know which number kept it from it.
     const std::string what = error.kind() == ErrorKind::diverged ? not_finite(e) : std::string();
-    load_before_step(e, before_step_);
+    go_back();
     if (!what.empty()) throw Error(ErrorKind::diverged, what);
     throw;
   } catch (...) {
-    load_before_step(e, before_step_);
+    go_back();
     throw;
   }
 }
@@ -198,10 +208,11 @@ void Simulation::set_stop(double extent_fraction, std::int64_t cracks) {
 }
 
 void Simulation::begin_step() {
+  step_open_ = as_opened_ = false;
   save_state(*engine_, opened_);
   opened_loads_ = loads_;
   opened_logs_.reset();
-  step_open_ = true;
+  step_open_ = as_opened_ = true;
 }
 
 // Back to where the step was opened.
@@ -210,6 +221,7 @@ void Simulation::reopen() {
   if (opened_logs_) std::tie(model_.cracks, model_.slips) = *opened_logs_;
   load_state(*engine_, opened_);
   loads_ = opened_loads_;
+  as_opened_ = true;
 }
 
 void Simulation::require_open_step() const {
@@ -217,19 +229,21 @@ void Simulation::require_open_step() const {
 }
 
 StepOutcome Simulation::try_step(double duration, const Interrupt& interrupt) {
+  require_open_step();
   const Loads wanted = loads_;
-  reopen();
+  if (!as_opened_) reopen();
+  as_opened_ = loads_ == wanted;
   return step(wanted, duration, interrupt);
 }
 
 void Simulation::accept_step() {
   require_open_step();
-  step_open_ = false;
+  step_open_ = as_opened_ = false;
 }
 
 void Simulation::reject_step() {
   reopen();
-  step_open_ = false;
+  step_open_ = as_opened_ = false;
 }
 
 std::size_t Simulation::image_size() const {
@@ -242,6 +256,7 @@ void Simulation::write_image(std::span<std::byte> image) const {
 
 void Simulation::restore(std::span<const std::byte> image) {
   // What is kept of an open step has no more than the lengths of the logs.
+  as_opened_ = false;
   if (step_open_ && !opened_logs_) opened_logs_.emplace(model_.cracks, model_.slips);
   restore_image(*engine_, fingerprint_, image);
   loads_ = loads_of(model_);

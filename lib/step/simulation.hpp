@@ -48,6 +48,7 @@ class Simulation {
   [[nodiscard]] const Model& model() const { return bring_home().model; }
   [[nodiscard]] const Engine& engine() const { return bring_home(); }
   [[nodiscard]] Engine& engine() {
+    as_opened_ = false;
     bring_home();
     return *engine_;
   }
@@ -65,7 +66,10 @@ class Simulation {
   [[nodiscard]] const Loads& loads() const { return loads_; }
   // A further well, with its load (added_well.hpp).
   void take_well(const Well& well);
-  void impose(const Loads& wanted) { hfrac::impose(*engine_, loads_, wanted); }
+  void impose(const Loads& wanted) {
+    as_opened_ = false;
+    hfrac::impose(*engine_, loads_, wanted);
+  }
 
   // One step. If it is interrupted or fails, the state is as before it.
   StepOutcome step(const Interrupt& interrupt = {}) { return step(loads_, next_step(), interrupt); }
@@ -124,7 +128,7 @@ class Simulation {
   std::vector<std::byte> before_step_, opened_;  // states to go back to
   Loads opened_loads_;
   std::optional<std::pair<CrackLog, SlipLog>> opened_logs_;  // before another state came
-  bool step_open_ = false;
+  bool step_open_ = false, as_opened_ = false;  // as_opened_: nothing has changed since, so opened_ is what is now
   double stop_extent_fraction_ = 0.0;
   std::int64_t stop_cracks_ = 0;
 };
