@@ -147,4 +147,17 @@ class Workers {
   std::atomic<std::uint32_t> phase_{0};
 };
 
+// Calls task(first, last) for parts of n items, in multiples of `grain`, each item once: on every worker, if there are any and it is
+// worth that, else once on the calling thread.
+template <class Task>
+void share_items(Workers* workers, std::int64_t n, const Task& task, std::int64_t worth_sharing = 8192,
+                 std::int64_t grain = 1024) {
+  if (workers == nullptr || workers->count() == 1 || n < worth_sharing || workers->forked())
+    return task(std::int64_t{0}, n);
+  workers->share(true, [&](const Workers::Member& member) {
+    const auto mine = member.part(n, grain);
+    if (mine.first < mine.last) task(mine.first, mine.last);
+  });
+}
+
 }  // namespace hfrac

@@ -57,12 +57,8 @@ class FlowMatrix {
   // Calls task(first, last) for parts of n items, each once, by whoever there is.
   template <class Task>
   void share(std::size_t n, const Task& task) const {
-    constexpr std::int64_t worth_sharing = 8192, grain = 1024;
-    const auto count = static_cast<std::int64_t>(n);
-    if (workers_ == nullptr || count < worth_sharing) return task(std::size_t{0}, n);
-    workers_->share(true, [&](const Workers::Member& member) {
-      const auto mine = member.part(count, grain);
-      task(static_cast<std::size_t>(mine.first), static_cast<std::size_t>(mine.last));
+    share_items(workers_, static_cast<std::int64_t>(n), [&](std::int64_t first, std::int64_t last) {
+      task(static_cast<std::size_t>(first), static_cast<std::size_t>(last));
     });
   }
 

@@ -44,11 +44,12 @@ void ConjugateGradient::share(const Task& task) {
 // Each rank all rows.
 template <class Task>
 void ConjugateGradient::share_rows(const Task& task) {
-  team_.workers().share(has_workers_ && multigrid_.rows() >= rows_worth_sharing,
-                        [&](const Workers::Member& member) {
-                          const auto mine = member.part(multigrid_.rows(), row_group);
-                          task(static_cast<std::size_t>(mine.first), static_cast<std::size_t>(mine.last));
-                        });
+  share_items(
+      has_workers_ ? &team_.workers() : nullptr, multigrid_.rows(),
+      [&](std::int64_t first, std::int64_t last) {
+        task(static_cast<std::size_t>(first), static_cast<std::size_t>(last));
+      },
+      rows_worth_sharing, row_group);
 }
 
 // Vectors from the order of the matrix's rows to that of the finest level, and back.

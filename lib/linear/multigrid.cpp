@@ -190,11 +190,7 @@ LevelArrays Multigrid::Level::arrays() {
 // Runs task(first, last) on parts of so many rows.
 template <class Task>
 void Multigrid::share_rows(std::int64_t rows, const Task& task) {
-  if (workers_ == nullptr || rows < rows_worth_sharing) return task(std::int64_t{0}, rows);
-  workers_->share(true, [&](const Workers::Member& member) {
-    const auto mine = member.part(rows, row_group);
-    task(mine.first, mine.last);
-  });
+  share_items(workers_, rows, task, rows_worth_sharing, row_group);
 }
 
 bool Multigrid::fits(const Level& level, const SymmetricRows& rows) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 
 #include "core/error.hpp"
@@ -485,14 +486,24 @@ void ExplicitSolver::after_restore(double sigma_Hmax, double sigma_hmin) {
 
 double ExplicitSolver::kinetic_energy() const {
   bring_home();
-  double energy = 0.0;
-  for (std::size_t i = 0; i < inverse_mass_.size(); ++i) {
-    energy +=
-        0.5 * (assembly_.vx[i] * assembly_.vx[i] + assembly_.vy[i] * assembly_.vy[i]) / inverse_mass_[i];
-    if (inverse_inertia_[i] > 0.0)
-      energy += 0.5 * assembly_.spin[i] * assembly_.spin[i] / inverse_inertia_[i];
-  }
-  return energy;
+  const auto of_disc = [&](std::size_t i) {
+    const auto& a = assembly_;
+    const double moving = 0.5 * (a.vx[i] * a.vx[i] + a.vy[i] * a.vy[i]) / inverse_mass_[i];
+    return inverse_inertia_[i] > 0.0 ? moving + 0.5 * a.spin[i] * a.spin[i] / inverse_inertia_[i] : moving;
+  };
+  // In the order of tiles, whoever adds up what is in them.
+  std::vector<double> of_tile(plan_.tiles.size(), 0.0);
+  share_items(
+      &workers_, arrays_.tile_count,
+      [&](std::int64_t first, std::int64_t last) {
+        for (auto t = static_cast<std::size_t>(first); t < static_cast<std::size_t>(last); ++t) {
+          const Tile& tile = plan_.tiles[t];
+          for (auto i = tile.first_disc; i < tile.last_disc; ++i)
+            of_tile[t] += of_disc(static_cast<std::size_t>(i));
+        }
+      },
+      16, 1);
+  return std::accumulate(of_tile.begin(), of_tile.end(), 0.0);
 }
 
 }  // namespace hfrac

@@ -7,6 +7,8 @@
 // only the rest is kept, where that is shorter, and of a log its length, since going back cuts off what came later.
 #pragma once
 
+#include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -25,24 +27,29 @@ namespace hfrac {
 
 // Of the arrays' values, how many are not zero to the last bit.
 template <class Values>
-std::int64_t others_than_zero(const Values& values) {
-  std::int64_t others = 0;
-  for (const double v : values) others += std::bit_cast<std::uint64_t>(v) != 0 ? 1 : 0;
-  return others;
+std::int64_t others_than_zero(const Values& values, Workers* workers = nullptr) {
+  std::atomic<std::int64_t> all{0};
+  share_items(workers, static_cast<std::int64_t>(values.size()), [&](std::int64_t first, std::int64_t last) {
+    std::int64_t others = 0;
+    for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k)
+      others += std::bit_cast<std::uint64_t>(static_cast<double>(values[k])) != 0 ? 1 : 0;
+    all += others;
+  });
+  return all;
 }
 
 // Place and value of each, instead of all values.
 template <class Values>
-bool shorter_by_place(const Values& values) {
+bool shorter_by_place(const Values& values, Workers* workers = nullptr) {
   constexpr std::int64_t place_and_value = sizeof(std::int32_t) + sizeof(double);
-  return others_than_zero(values) * place_and_value <
+  return others_than_zero(values, workers) * place_and_value <
          static_cast<std::int64_t>(values.size() * sizeof(double));
 }
 
-// How many bytes the others write or read.
+// How many bytes the others write or read. Workers, if any, share what is long, here as below.
 class Counter {
  public:
-  explicit Counter(bool compact = false) : compact_(compact) {}
+  explicit Counter(bool compact = false, Workers* workers = nullptr) : compact_(compact), workers_(workers) {}
   template <class Value>
   void value(const Value&) {
     size_ += sizeof(Value);
@@ -53,12 +60,12 @@ class Counter {
   }
   template <class Values>
   void mostly_zero(const Values& values) {
-    size_ += 2 * sizeof(std::int64_t) + 12 * static_cast<std::size_t>(others_than_zero(values));
+    size_ += 2 * sizeof(std::int64_t) + 12 * static_cast<std::size_t>(others_than_zero(values, workers_));
   }
   template <class Values>
   void often_zero(const Values& values) {
     size_ += compact_ ? sizeof(bool) : 0;
-    if (compact_ && shorter_by_place(values)) {
+    if (compact_ && shorter_by_place(values, workers_)) {
       mostly_zero(values);
     } else {
       array(values);
@@ -86,13 +93,13 @@ class Counter {
 
  private:
   bool compact_;
+  Workers* workers_;
   std::size_t size_ = 0;
 };
 
 // Writes into memory of the size a Counter found.
 class Saver {
  public:
-  // Workers, if any, share what is long.
   explicit Saver(std::span<std::byte> to, bool compact = false, Workers* workers = nullptr)
       : to_(to), compact_(compact), workers_(workers) {}
   template <class Value>
@@ -109,19 +116,26 @@ class Saver {
   // The same, for an array most of which is zero: length, number of others, their places and values.
   template <class Values>
   void mostly_zero(const Values& values) {
-    const std::int64_t others = others_than_zero(values);
+    std::int64_t others = others_than_zero(values, workers_);
     value(static_cast<std::int64_t>(values.size()));
     value(others);
-    for (std::size_t k = 0; others > 0 && k < values.size(); ++k) {
-      if (std::bit_cast<std::uint64_t>(static_cast<double>(values[k])) == 0) continue;
-      value(static_cast<std::int32_t>(k));
-      value(values[k]);
+    constexpr std::size_t block = 64;
+    for (std::size_t first = 0; others > 0 && first < values.size(); first += block) {
+      const std::size_t last = std::min(values.size(), first + block);
+      std::uint64_t any = 0;
+      for (auto k = first; k < last; ++k) any |= std::bit_cast<std::uint64_t>(static_cast<double>(values[k]));
+      for (auto k = first; any != 0 && k < last; ++k) {
+        if (std::bit_cast<std::uint64_t>(static_cast<double>(values[k])) == 0) continue;
+        value(static_cast<std::int32_t>(k));
+        value(values[k]);
+        --others;
+      }
     }
   }
   // An array that may be zero here and there: in an image as any other, compact as is shorter.
   template <class Values>
   void often_zero(const Values& values) {
-    const bool by_place = compact_ && shorter_by_place(values);
+    const bool by_place = compact_ && shorter_by_place(values, workers_);
     if (compact_) value(by_place);
     if (by_place) {
       mostly_zero(values);
@@ -137,12 +151,16 @@ class Saver {
       return;
     }
     value(static_cast<std::int64_t>(values.size()));
-    for (std::size_t k = 0; k < values.size(); k += 8) {
-      unsigned char bits = 0;
-      for (std::size_t b = 0; b < 8 && k + b < values.size(); ++b)
-        bits = static_cast<unsigned char>(bits | (values[k + b] != 0 ? 1U << b : 0U));
-      value(bits);
-    }
+    const std::size_t bytes = (values.size() + 7) / 8;
+    const std::span<std::byte> to = take(bytes);
+    share_items(workers_, static_cast<std::int64_t>(bytes), [&](std::int64_t first, std::int64_t last) {
+      for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
+        unsigned bits = 0;
+        for (std::size_t b = 0; b < 8 && 8 * k + b < values.size(); ++b)
+          bits |= values[8 * k + b] != 0 ? 1U << b : 0U;
+        to[k] = static_cast<std::byte>(bits);
+      }
+    });
   }
   // A list that grows and shrinks; item(archive, element) visits one.
   template <class Values, class Item>
@@ -162,21 +180,23 @@ class Saver {
   static constexpr bool loading = false;
 
  private:
-  void append(const void* data, std::size_t size) {
+  std::span<std::byte> take(std::size_t size) {
     if (size > to_.size()) throw Error(ErrorKind::internal, "a state is larger than it was counted.");
-    constexpr std::size_t worth_sharing = 1 << 19, grain = 1 << 12;
-    const auto copy = [&](std::size_t first, std::size_t last) {
-      std::memcpy(to_.data() + first, static_cast<const std::byte*>(data) + first, last - first);
-    };
-    if (size >= worth_sharing && workers_ != nullptr && !workers_->forked()) {
-      workers_->share(true, [&](const Workers::Member& member) {
-        const auto mine = member.part(static_cast<std::int64_t>(size), grain);
-        copy(static_cast<std::size_t>(mine.first), static_cast<std::size_t>(mine.last));
-      });
-    } else if (size > 0) {
-      copy(0, size);
-    }
+    const auto taken = to_.first(size);
     to_ = to_.subspan(size);
+    return taken;
+  }
+  void append(const void* data, std::size_t size) {
+    constexpr std::int64_t worth_sharing = 1 << 17, grain = 1 << 12;
+    const std::span<std::byte> to = take(size);
+    if (size == 0) return;
+    share_items(
+        workers_, static_cast<std::int64_t>(size),
+        [&](std::int64_t first, std::int64_t last) {
+          std::memcpy(to.data() + first, static_cast<const std::byte*>(data) + first,
+                      static_cast<std::size_t>(last - first));
+        },
+        worth_sharing, grain);
   }
   std::span<std::byte> to_;
   bool compact_;
@@ -332,6 +352,7 @@ inline bool all_finite(const double* values, std::size_t count) {
 // Whether every number it is shown is finite.
 class FiniteCheck : public ReadOnly<FiniteCheck> {
  public:
+  explicit FiniteCheck(Workers* workers = nullptr) : workers_(workers) {}
   template <class Value>
   void value(const Value& v) {
     if constexpr (std::is_floating_point_v<Value>) finite_ = finite_ && std::isfinite(v);
@@ -339,7 +360,13 @@ class FiniteCheck : public ReadOnly<FiniteCheck> {
   template <class Values>
   void array(const Values& values) {
     if constexpr (std::is_floating_point_v<std::decay_t<decltype(values[0])>>) {
-      finite_ = finite_ && all_finite(values.data(), values.size());
+      std::atomic<bool> all{finite_};
+      share_items(workers_, static_cast<std::int64_t>(values.size()),
+                  [&](std::int64_t first, std::int64_t last) {
+                    if (!all_finite(values.data() + first, static_cast<std::size_t>(last - first)))
+                      all = false;
+                  });
+      finite_ = all;
     }
   }
   template <class Values, class Item>
@@ -349,6 +376,7 @@ class FiniteCheck : public ReadOnly<FiniteCheck> {
   [[nodiscard]] bool finite() const { return finite_; }
 
  private:
+  Workers* workers_;
   bool finite_ = true;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Numbers that are no numbers are found at the end of the step that made them, and named. The mechanics watch their forces while they move; this looks at all a step leaves behind, by the one list of what a state is
 // (visit_state). Only if something is wrong is it asked what, and where.
+#include <atomic>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -102,25 +103,34 @@ void watch_energy(const Engine& e) {
 void note_places(Engine& e) {
   const Assembly& a = e.model.assembly;
   e.moved_before.resize(a.ux.size());
-  for (std::size_t i = 0; i < a.ux.size(); ++i)
-    e.moved_before[i] = {static_cast<float>(a.ux[i]), static_cast<float>(a.uy[i])};
+  share_items(e.workers.get(), a.disc_count(), [&](std::int64_t first, std::int64_t last) {
+    for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
+      e.moved_before[i] = {static_cast<float>(a.ux[i]), static_cast<float>(a.uy[i])};
+  });
 }
 
 void require_discs_in_place(const Engine& e) {
   constexpr double most_diameters = 1.0;
   const Assembly& a = e.model.assembly;
-  std::size_t farthest = 0, beyond = 0;
-  double most = 0.0;
-  for (std::size_t i = 0; i < a.ux.size(); ++i) {
+  const auto diameters_moved = [&](std::size_t i) {
     const double x = a.ux[i] - static_cast<double>(e.moved_before[i][0]),
-                 y = a.uy[i] - static_cast<double>(e.moved_before[i][1]), diameter = 2.0 * a.radius[i];
-    const double moved = std::sqrt(x * x + y * y) / diameter;
-    beyond += moved > most_diameters ? 1 : 0;
-    if (moved <= most) continue;
-    most = moved;
-    farthest = i;
+                 y = a.uy[i] - static_cast<double>(e.moved_before[i][1]);
+    return std::sqrt(x * x + y * y) / (2.0 * a.radius[i]);
+  };
+  std::atomic<std::int64_t> all_beyond{0};
+  share_items(e.workers.get(), a.disc_count(), [&](std::int64_t first, std::int64_t last) {
+    std::int64_t here = 0;
+    for (auto i = first; i < last; ++i)
+      here += diameters_moved(static_cast<std::size_t>(i)) > most_diameters ? 1 : 0;
+    all_beyond += here;
+  });
+  const std::int64_t beyond = all_beyond;
+  if (beyond == 0) return;
+  std::size_t farthest = 0;
+  for (std::size_t i = 1; i < a.ux.size(); ++i) {
+    if (diameters_moved(i) > diameters_moved(farthest)) farthest = i;
   }
-  if (most <= most_diameters) return;
+  const double most = diameters_moved(farthest);
   const double diameter = 2.0 * a.radius[farthest];
   throw Error(ErrorKind::collapsed,
               "the rock fell apart in step " + std::to_string(e.model.clock.step) + ": disc " +

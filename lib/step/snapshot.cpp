@@ -11,7 +11,7 @@ namespace hfrac {
 namespace {
 
 std::size_t size_here(const Engine& e, bool whole) {
-  Counter counter(!whole);
+  Counter counter(!whole, e.workers.get());
   visit_state(counter, e.model, e.wet());
   if (whole) visit_start(counter, e.model, e.wet());
   return counter.size();
@@ -89,7 +89,7 @@ void load_before_step(Engine& e, std::span<const std::byte> image) {
 }
 
 bool is_finite(const Engine& e) {
-  FiniteCheck check;
+  FiniteCheck check(e.workers.get());
   visit_state(check, e.model, e.wet());
   return check.finite() && e.mechanics->holds_numbers();
 }
