@@ -115,11 +115,6 @@ bool ExplicitSolver::holds_numbers() const {
 }
 
 // The device's sum has another order than the host's, so it decides where it is clear.
-bool ExplicitSolver::is_slower(double kinetic) const {
-  constexpr double clear = 1.0 - 1e-6;
-  return (away_ && device_cycles_->look_over().kinetic <= clear * kinetic) || kinetic_energy() <= kinetic;
-}
-
 void ExplicitSolver::keep_for_step() {
   if (lost_) bring_home();
   kept_ = away_;

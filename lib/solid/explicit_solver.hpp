@@ -206,6 +206,7 @@ class ExplicitSolver {
   void stiffness(std::span<double> row_x, std::span<double> row_y, std::span<double> row_rotation) const;
   [[nodiscard]] double force_ratio(const Sums& sums);
   void bind_arrays();
+  [[nodiscard]] double kinetic_of(std::size_t first, std::size_t last) const;
 
   Assembly& assembly_;
   Network& network_;
