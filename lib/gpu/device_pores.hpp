@@ -30,18 +30,8 @@ void large_pores(Block& block, const DeviceTask& t) {
     block.each(1, [&](int64_t) { *sum = sum_of_every(1, terms, 0, each * n, begin == first ? 0.0 : *sum); });
   }
   block.each(1, [&](int64_t) {
-    double pressure = a.pressure[d];
+    double pressure = 0.0;
     t.d.large_works[place] = a.undrained != 0 ? undrained_pressure(a, d, *sum, pressure) : 0.0;
-    *sum = pressure;
-  });
-  const int32_t* slots = a.corner_slot + a.cross_corner_start[place];
-  block.each(last - first, [&](int64_t c) {
-    if (slots[c] < 0) return;
-    const int64_t k = first + c;
-    BufferedForce& to = a.force_buffer[slots[c]];
-    to.fx = *sum * a.domain_corner_weight[2 * k];
-    to.fy = *sum * a.domain_corner_weight[2 * k + 1];
-    if (turns) to.moment = *sum * a.domain_corner_turn[k];
   });
 }
 
@@ -58,48 +48,27 @@ void cross_pores(Block& block, const DeviceTask& t) {
   block.each(p.last_domain - p.first_domain, [&](int64_t q) {
     const int64_t d = a.cross_domain[p.first_domain + q];
     const int32_t first = a.domain_corner_start[d], last = a.domain_corner_start[d + 1];
-    const int32_t* place = a.corner_slot + a.cross_corner_start[p.first_domain + q];
     if (last - first > most_corners) {
       works[q] = t.d.large_works[p.first_domain + q];
       return;
     }
-    double pressure = a.pressure[d];
     works[q] = 0.0;
-    if (a.undrained != 0) {
-      double change = 0.0;
-      for (int32_t begin = first; begin < last; begin += at_once) {
-        double x[at_once], turn[at_once];
-        for (int32_t c = 0; c < at_once; ++c) {
-          const int32_t k = begin + c < last ? begin + c : begin, disc = a.domain_corner_disc[k];
-          x[c] = a.domain_corner_weight[2 * k] * a.ux[disc] + a.domain_corner_weight[2 * k + 1] * a.uy[disc];
-          turn[c] = turns ? a.domain_corner_turn[k] * a.rotation[disc] : 0.0;
-        }
-        for (int32_t c = 0; c < at_once; ++c) {
-          if (begin + c >= last) continue;
-          change += x[c];
-          if (turns) change += turn[c];
-        }
-      }
-      works[q] = undrained_pressure(a, d, change, pressure);
-    }
+    if (a.undrained == 0) return;
+    double pressure = 0.0, change = 0.0;
     for (int32_t begin = first; begin < last; begin += at_once) {
-      int32_t slot[at_once];
-      double x[at_once], y[at_once], turn[at_once];
+      double x[at_once], turn[at_once];
       for (int32_t c = 0; c < at_once; ++c) {
-        const int32_t k = begin + c < last ? begin + c : begin;
-        slot[c] = place[k - first];
-        x[c] = a.domain_corner_weight[2 * k];
-        y[c] = a.domain_corner_weight[2 * k + 1];
-        turn[c] = turns ? a.domain_corner_turn[k] : 0.0;
+        const int32_t k = begin + c < last ? begin + c : begin, disc = a.domain_corner_disc[k];
+        x[c] = a.domain_corner_weight[2 * k] * a.ux[disc] + a.domain_corner_weight[2 * k + 1] * a.uy[disc];
+        turn[c] = turns ? a.domain_corner_turn[k] * a.rotation[disc] : 0.0;
       }
       for (int32_t c = 0; c < at_once; ++c) {
-        if (begin + c >= last || slot[c] < 0) continue;
-        BufferedForce& to = a.force_buffer[slot[c]];
-        to.fx = pressure * x[c];
-        to.fy = pressure * y[c];
-        if (turns) to.moment = pressure * turn[c];
+        if (begin + c >= last) continue;
+        change += x[c];
+        if (turns) change += turn[c];
       }
     }
+    works[q] = undrained_pressure(a, d, change, pressure);
   });
   block.each(1, [&](int64_t) {
     a.domain_sums[a.tile_count + part].work +=

@@ -105,6 +105,18 @@ inline __attribute__((always_inline)) void add_pores(const DeviceArrays& d, int3
   }
 }
 
+// And from pores across tiles.
+inline __attribute__((always_inline)) void add_pores_across(const KernelArrays& a, int32_t first,
+                                                            int32_t last, double* f) {
+  for (int32_t m = first; m < last; ++m) {
+    const CrossCorner at = a.cross_corner[m];
+    const double p = a.pressure[at.domain];
+    f[0] += p * a.domain_corner_weight[2 * at.corner];
+    f[1] += p * a.domain_corner_weight[2 * at.corner + 1];
+    f[2] += a.domain_corner_turn != nullptr ? p * a.domain_corner_turn[at.corner] : 0.0;
+  }
+}
+
 template <bool plain, class Block>
 inline __attribute__((always_inline)) void step_tile(Block& block, const DeviceTask& t) {
   if (*t.d.stop < t.stage) return;
@@ -168,6 +180,7 @@ inline __attribute__((always_inline)) void step_tile(Block& block, const DeviceT
     const DiscMotion disc(a, i);
     const DeviceBonds bonds_of = d.bonds_of[i];
     const int32_t first_slot = d.slot_start[i], last_slot = d.slot_start[i + 1],
+                  first_cross = d.cross_start[i], last_cross = d.cross_start[i + 1],
                   first_corner = domains > 0 ? d.corner_start[i] : 0,
                   last_corner = domains > 0 ? d.corner_start[i + 1] : 0;
     hold(disc.inverse_mass);
@@ -198,6 +211,7 @@ inline __attribute__((always_inline)) void step_tile(Block& block, const DeviceT
         f[2] += moment[q];
       }
     }
+    add_pores_across(a, first_cross, last_cross, f);
     forces.add_all(d, i, bonds_of, f);
     add_pores(d, first_corner, last_corner, first_domain, pressures, f);
     if (!moves) {

@@ -2,6 +2,7 @@
 #include "solid/device_cycles.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <cstring>
 #include <map>
 #include <type_traits>
@@ -114,12 +115,9 @@ void DeviceCycles::lay_out(const TilePlan& plan) {
   twin(h.pairs, h.pair_count, a.pairs, once);
   twin(h.cross_parts, static_cast<std::int64_t>(plan.cross_parts.size()), a.cross_parts, once);
   twin(h.cross_domain, static_cast<std::int64_t>(plan.cross_domain.size()), a.cross_domain, once);
-  twin(h.cross_corner_start, static_cast<std::int64_t>(plan.cross_corner_start.size()), a.cross_corner_start,
-       once);
+  twin(h.cross_corner, static_cast<std::int64_t>(plan.cross_corner.size()), a.cross_corner, once);
   twin(h.bond_slot, static_cast<std::int64_t>(plan.bond_slot.size()), a.bond_slot, once);
-  twin(h.corner_slot, static_cast<std::int64_t>(plan.corner_slot.size()), a.corner_slot, once);
-  // The pressure outside pushes by what the host has put there.
-  twin(h.force_buffer, static_cast<std::int64_t>(plan.force_buffer.size()), a.force_buffer, there);
+  twin(h.force_buffer, static_cast<std::int64_t>(plan.force_buffer.size()), a.force_buffer, once);
   // What stopped a batch, and its sums: one after the other, so that they come home at once.
   const auto of_bonds_count = static_cast<std::size_t>(h.tile_count + h.pair_count),
              tiles = static_cast<std::size_t>(h.tile_count);
@@ -164,7 +162,8 @@ void DeviceCycles::lay_out(const TilePlan& plan) {
 // By disc, what adds to its force, in the order in which a worker comes to it.
 void DeviceCycles::list_forces(const TilePlan& plan) {
   const auto discs = static_cast<std::size_t>(host_.disc_count);
-  std::vector<std::int32_t> bond_start(discs + 1, 0), slot_start(discs + 1, 0), corner_start(discs + 1, 0);
+  std::vector<std::int32_t> bond_start(discs + 1, 0), slot_start = bond_start, corner_start = bond_start,
+                            cross_start = bond_start;
   const auto each_bond = [&](const auto& visit) {
     for (const auto& tile : plan.tiles) {
       for (auto e = tile.first_bond; e < tile.last_bond; ++e) {
@@ -195,7 +194,9 @@ void DeviceCycles::list_forces(const TilePlan& plan) {
   by_disc(each_bond, bond_start, bond_of);
   by_disc(each_corner, corner_start, corner_of);
   for (const auto& entry : plan.force_buffer) ++slot_start[static_cast<std::size_t>(entry.disc) + 1];
-  for (std::size_t i = 0; i < discs; ++i) slot_start[i + 1] += slot_start[i];
+  for (const auto& entry : plan.cross_corner) ++cross_start[static_cast<std::size_t>(entry.disc) + 1];
+  for (auto* start : {&slot_start, &cross_start})
+    std::partial_sum(start->begin(), start->end(), start->begin());
   std::vector<DeviceBonds> bonds_of(discs);
   for (std::size_t i = 0; i < discs; ++i) {
     const auto count = bond_start[i + 1] - bond_start[i];
@@ -212,6 +213,7 @@ void DeviceCycles::list_forces(const TilePlan& plan) {
   list(bond_start, d.bond_start);
   list(bond_of, d.bond_of);
   list(slot_start, d.slot_start);
+  list(cross_start, d.cross_start);
   list(corner_start, d.corner_start);
   list(corner_of, d.corner_of);
 }
@@ -413,7 +415,7 @@ void DeviceCycles::clear_sums() {
   launch(device_clear_sums, (most + device_threads - 1) / device_threads);
 }
 
-void DeviceCycles::push_by_pores() {
+void DeviceCycles::answer_pores_across() {
   launch(device_large_pores, large_pore_count_);
   launch(device_cross_pores, host_.tile_count);
 }
@@ -429,8 +431,7 @@ std::int64_t DeviceCycles::run(std::int64_t stage, std::int64_t last) {
       launch(plain_ ? device_plain_tile_step : device_tile_step, h.tile_count);
       continue;
     }
-    // Pores that keep their pressure push as they did in the first cycle.
-    if (h.with_pressure != 0 && (h.undrained != 0 || stage == 0)) push_by_pores();
+    if (h.with_pressure != 0 && h.undrained != 0) answer_pores_across();
     launch(plain_ ? device_plain_cross_pairs : device_cross_pairs, h.pair_count);
     if (task_.d.walled != 0)
       launch(device_press_walls, (task_.d.wall_disc_count + device_threads - 1) / device_threads);
@@ -512,7 +513,7 @@ void DeviceCycles::evaluate() {
   task_.stage = 0;
   task_.looks_only = task_.wants_forces = 1;
   task_.d.a.undrained = 1;  // volumes are looked at
-  if (host_.with_pressure != 0) push_by_pores();
+  if (host_.with_pressure != 0) answer_pores_across();
   launch(plain_ ? device_plain_cross_pairs : device_cross_pairs, host_.pair_count);
   launch(plain_ ? device_plain_tile_step : device_tile_step, host_.tile_count);
   task_.looks_only = 0;

@@ -104,7 +104,7 @@ class DeviceCycles {
   void get_bonds(std::int64_t first, std::int64_t last);
   [[nodiscard]] bool is_pushed() const;
   std::int64_t get_sums();
-  void push_by_pores();
+  void answer_pores_across();
   void take_numbers();
   void clear_sums();
   void get_pores();

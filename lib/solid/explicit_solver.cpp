@@ -114,9 +114,8 @@ void ExplicitSolver::bind_arrays() {
   k.cross_parts = plan_.cross_parts.data();
   k.tile_count = static_cast<std::int64_t>(plan_.tiles.size());
   k.cross_domain = plan_.cross_domain.data();
-  k.cross_corner_start = plan_.cross_corner_start.data();
+  k.cross_corner = plan_.cross_corner.data();
   k.bond_slot = plan_.bond_slot.data();
-  k.corner_slot = plan_.corner_slot.data();
   k.force_buffer = plan_.force_buffer.data();
   k.bond_normal = options_.bond_normal_stiffness;
   k.bond_shear = options_.bond_shear_stiffness;

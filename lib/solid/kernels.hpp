@@ -63,8 +63,10 @@ struct TileSums {
 };
 
 struct Tile {
-  int64_t first_disc, last_disc, first_bond, last_bond, first_domain, last_domain, first_slot, last_slot;
-  int64_t first_block;  // of its bonds
+  int64_t first_disc, last_disc, first_bond, last_bond, first_domain, last_domain;
+  int64_t first_slot, last_slot;      // of its discs in the buffer of forces
+  int64_t first_corner, last_corner;  // of its discs in `cross_corner`
+  int64_t first_block;                // of its bonds
   int64_t left_alone;   // 1: nothing outside pushes its discs, and external_* need not be looked at
 };
 
@@ -76,6 +78,11 @@ struct TilePair {
 // What lies across tiles and belongs to the first of them: pairs of it with later ones, and domains as places in `cross_domain`.
 struct CrossPart {
   int64_t first_pair, last_pair, first_domain, last_domain;
+};
+
+// A corner of a domain that touches several tiles, as the tile of its disc finds it.
+struct CrossCorner {
+  int32_t disc, domain, corner;
 };
 
 struct KernelArrays {
@@ -109,10 +116,9 @@ struct KernelArrays {
   const TilePair* pairs;
   const CrossPart* cross_parts;  // by tile, and one for the outside
   int64_t tile_count, pair_count;
-  const int32_t* cross_domain;  // domains that touch two tiles, by the first of them, and last the outside
-  const int32_t* cross_corner_start;  // their corners' places in corner_slot
-  const int32_t* bond_slot;           // two places per bond across tiles: first disc, second disc
-  const int32_t* corner_slot;         // place per corner of a cross domain; -1: pushes nobody
+  const int32_t* cross_domain;      // domains that touch two tiles, by the first of them, and last the outside
+  const CrossCorner* cross_corner;  // of those that push, by disc
+  const int32_t* bond_slot;         // two places per bond across tiles: first disc, second disc
   BufferedForce* force_buffer;
   // constants
   double bond_normal, bond_shear;           // N/m: parallel bond stiffness times area

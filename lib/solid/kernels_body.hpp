@@ -157,6 +157,7 @@ void tile_forces(const KernelArrays& a, int64_t tile, double* scratch) {
     const BufferedForce& entry = a.force_buffer[m];
     force[entry.disc - t.first_disc] += Quad{entry.fx, entry.fy, entry.moment, 0.0};
   }
+  push_across(a, t, force);
   Chunk c;
   BondSums sums;
   int64_t contact = a.smooth.contacts != nullptr ? a.smooth.from[tile] : 0;

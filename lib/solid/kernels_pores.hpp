@@ -203,36 +203,37 @@ double tile_domains(const KernelArrays& a, const Tile& t, const Quad* motion, Qu
   return work;
 }
 
-// Of pores across tiles.
+// Pressures of pores across tiles, if they answer. What these push with, each tile takes for itself.
 template <bool turns>
 void cross_domains_with(const KernelArrays& a, int64_t part) {
+  if (a.undrained == 0) return;
   const Corners corners(a);
   const double* __restrict ux = a.ux;
   const double* __restrict uy = a.uy;
   double work = 0.0;
   for (int64_t q = a.cross_parts[part].first_domain; q < a.cross_parts[part].last_domain; ++q) {
     const int64_t d = a.cross_domain[q];
-    const int32_t first = corners.start[d], last = corners.start[d + 1];
-    double p = a.pressure[d];
-    if (a.undrained != 0) {
-      double change = 0.0;
-      for (int32_t k = first; k < last; ++k) {
-        const int32_t disc = corners.disc[k];
-        change += corners.weight[k][0] * ux[disc] + corners.weight[k][1] * uy[disc];
-        if constexpr (turns) change += corners.turn[k] * a.rotation[disc];
-      }
-      work += undrained_pressure(a, d, change, p);
+    double p = 0.0, change = 0.0;
+    for (int32_t k = corners.start[d]; k < corners.start[d + 1]; ++k) {
+      const int32_t disc = corners.disc[k];
+      change += corners.weight[k][0] * ux[disc] + corners.weight[k][1] * uy[disc];
+      if constexpr (turns) change += corners.turn[k] * a.rotation[disc];
     }
-    const int32_t* place = a.corner_slot + a.cross_corner_start[q];
-    for (int32_t k = first; k < last; ++k) {
-      if (place[k - first] < 0) continue;
-      BufferedForce& to = a.force_buffer[place[k - first]];
-      to.fx = p * corners.weight[k][0];
-      to.fy = p * corners.weight[k][1];
-      if constexpr (turns) to.moment = p * corners.turn[k];
-    }
+    work += undrained_pressure(a, d, change, p);
   }
   a.domain_sums[a.tile_count + part].work += work;
+}
+
+// Adds to the forces of the tile's discs, as records, what pores across tiles push them with.
+inline void push_across(const KernelArrays& a, const Tile& t, Quad* force) {
+  const Corners corners(a);
+  for (int64_t m = t.first_corner; m < t.last_corner; ++m) {
+    const CrossCorner& at = a.cross_corner[m];
+    const double p = a.pressure[at.domain];
+    const Pair push = Pair{p, p} * corners.weight[at.corner];
+    const double moment = corners.turn != nullptr ? p * corners.turn[at.corner] : 0.0;
+    force[at.disc - t.first_disc] += Quad{push[0], push[1], moment, 0.0};
+  }
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ void SharedTiles::find_shared(const Assembly& a, const Network& n) {
     return needs_others[static_cast<std::size_t>(t)] == 0;
   });
   inner_ = outer - own_part_.begin();
-  // The shared pores at the end of the list of pores across, where they find the places of their forces as well.
+  // The shared pores at the end of the list of pores across.
   constexpr std::int64_t together = 64;
   for (std::size_t k = 0; k < domains.size(); ++k) {
     const auto q = static_cast<std::size_t>(domains[k]);
@@ -123,9 +123,6 @@ void SharedTiles::find_shared(const Assembly& a, const Network& n) {
     if (k % together == 0) plan_.cross_parts.push_back({0, 0, listed, listed});
     ++plan_.cross_parts.back().last_domain;
     plan_.cross_domain.push_back(plan_.cross_domain[q]);
-    for (auto c = plan_.cross_corner_start[q]; c < plan_.cross_corner_start[q + 1]; ++c)
-      plan_.corner_slot.push_back(plan_.corner_slot[static_cast<std::size_t>(c)]);
-    plan_.cross_corner_start.push_back(static_cast<std::int32_t>(plan_.corner_slot.size()));
   }
 }
 

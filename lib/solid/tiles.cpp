@@ -2,6 +2,7 @@
 #include "solid/tiles.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace hfrac {
 namespace {
@@ -75,27 +76,32 @@ TilePlan plan_tiles(const Assembly& a, const Network& n, bool fluid, bool outsid
     part.last_domain = place_of_domain;
   }
 
-  // A place in the inter-tile force buffer for either end of a bond and every corner of a domain, in the order of discs.
-  const auto pushes = [&](std::int32_t domain) { return domain != 0 || outside_pushes; };
-  std::vector<std::int32_t> place(static_cast<std::size_t>(discs) + 1, 0);
+  // A place in the inter-tile force buffer for either end of a bond, in the order of discs.
+  std::vector<std::int32_t> place(static_cast<std::size_t>(discs) + 1, 0), corner = place;
+  const auto add_up = [](std::vector<std::int32_t>& of) { std::partial_sum(of.begin(), of.end(), of.begin()); };
   for (auto e = a.first_cross_bond(); e < bonds; ++e) {
     ++place[a.first[e] + 1];
     ++place[a.second[e] + 1];
   }
-  plan.cross_corner_start.push_back(0);
-  std::int32_t corners = 0;
-  for (const auto domain : plan.cross_domain) {
-    for (auto k = n.corner_start[domain]; k < n.corner_start[domain + 1]; ++k) {
-      if (pushes(domain)) ++place[n.corner_disc[k] + 1];
+  add_up(place);
+  // Of the corners, too, but for those that push nobody.
+  const auto each_corner = [&](const auto& visit) {
+    for (const auto domain : plan.cross_domain) {
+      if (domain == 0 && !outside_pushes) continue;
+      for (auto k = n.corner_start[domain]; k < n.corner_start[domain + 1]; ++k)
+        visit(CrossCorner{n.corner_disc[k], domain, k});
     }
-    corners += n.corner_start[domain + 1] - n.corner_start[domain];
-    plan.cross_corner_start.push_back(corners);
-  }
-  for (std::int64_t i = 0; i < discs; ++i) place[i + 1] += place[i];
+  };
+  each_corner([&](const CrossCorner& c) { ++corner[c.disc + 1]; });
+  add_up(corner);
   for (auto& tile : plan.tiles) {
     tile.first_slot = place[tile.first_disc];
     tile.last_slot = place[tile.last_disc];
+    tile.first_corner = corner[tile.first_disc];
+    tile.last_corner = corner[tile.last_disc];
   }
+  plan.cross_corner.resize(static_cast<std::size_t>(corner[discs]));
+  each_corner([&](const CrossCorner& c) { plan.cross_corner[corner[c.disc]++] = c; });
   plan.force_buffer.assign(static_cast<std::size_t>(place[discs]), BufferedForce{0.0, 0.0, 0.0, 0});
   const auto take_place = [&](std::int32_t disc) {
     const auto at = place[disc]++;
@@ -106,11 +112,6 @@ TilePlan plan_tiles(const Assembly& a, const Network& n, bool fluid, bool outsid
   for (auto e = a.first_cross_bond(); e < bonds; ++e) {
     plan.bond_slot.push_back(take_place(a.first[e]));
     plan.bond_slot.push_back(take_place(a.second[e]));
-  }
-  plan.corner_slot.reserve(static_cast<std::size_t>(corners));
-  for (const auto domain : plan.cross_domain) {
-    for (auto k = n.corner_start[domain]; k < n.corner_start[domain + 1]; ++k)
-      plan.corner_slot.push_back(pushes(domain) ? take_place(n.corner_disc[k]) : -1);
   }
   return plan;
 }
