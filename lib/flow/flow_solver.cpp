@@ -78,6 +78,7 @@ FlowSolver::FlowSolver(const Network& n, const Options& options, std::vector<Wel
       law_(options),
       matrix_(n, pairs_of(wellbores), layout_for(n, options), workers),
       wellbores_(wellbores != nullptr && !wellbores->empty() ? wellbores : nullptr),
+      workers_(workers),
       conjugate_gradient_(workers, device, ranks) {
   const auto domains = n.kind.size();
   cavitated_.assign(domains, 0);
@@ -158,7 +159,7 @@ void FlowSolver::prepare_matrix() {
   if (!iterative_) {
     if (by_step_ && !analysed_) factor_.analyse(matrix_.pattern());
     analysed_ = true;
-    prepared = factor_.factorise(matrix_.lower());
+    prepared = factor_.factorise(matrix_.lower(), workers_);
   } else if (!outside_) {
     prepared = conjugate_gradient_.prepare(matrix_.rows(), ConjugateGradient::Pattern::kept);
     matrix_.forget_values();  // the levels have them

@@ -31,7 +31,7 @@ namespace hfrac {
 class FlowSolver {
  public:
   // `wellbores` are moved along with the network; none: there are no such.
-  // `workers` share conjugate gradients; none: the calling thread. With a device they run there.
+  // `workers` share the equations; none: the calling thread. With a device they run there.
   FlowSolver(const Network& network, const Options& options, std::vector<Wellbore>* wellbores = nullptr,
              const Ranks& ranks = {}, Workers* workers = nullptr, const Device* device = nullptr);
 
@@ -82,6 +82,7 @@ class FlowSolver {
   std::vector<double> source_;                // m2/s per domain with the clusters' rates
   std::vector<double> hole_, wellbore_rate_;  // Pa and m2/s, of a wellbore's clusters
   std::vector<double> linear_at_;             // Pa, by cluster: pressures about which the rates are linear
+  Workers* workers_;
   SymmetricFactor factor_;
   ConjugateGradient conjugate_gradient_;
   std::optional<OutsideMatrix> outside_;

@@ -3,13 +3,18 @@
 
 #include <Eigen/OrderingMethods>
 #include <algorithm>
+#include <atomic>
 #include <numeric>
+
+#include "core/workers.hpp"
 
 namespace hfrac {
 namespace {
 
 // Numbers of a piece, columns times rows, from which the dense kernels are quicker than a plain loop.
 constexpr std::int64_t worth_kernels = 24;
+// Numbers changed in all from which workers make a factor sooner than one.
+constexpr double worth_sharing = 2e5;
 
 std::size_t at(std::int64_t k) {
   return static_cast<std::size_t>(k);
@@ -89,8 +94,9 @@ void SymmetricFactor::find_blocks(const std::vector<std::int32_t>& parent,
   // The kernels touch up to dense_slack rows behind the last one.
   value_.assign(at(values + dense_slack), 0.0);
   pivot_.resize(at(n));
-  row_.assign(at(n + dense_slack), 0.0);
-  gathered_.assign(at(longest + dense_slack), 0.0);
+  benches_.resize(1);
+  benches_[0].row.assign(at(n + dense_slack), 0.0);
+  benches_[0].gathered.assign(at(longest + dense_slack), 0.0);
   no_swaps_.resize(at(widest));
   std::iota(no_swaps_.begin(), no_swaps_.end(), 0);
 }
@@ -100,6 +106,7 @@ void SymmetricFactor::find_blocks(const std::vector<std::int32_t>& parent,
 void SymmetricFactor::find_pieces(const std::vector<std::int32_t>& parent) {
   const auto n = static_cast<std::int32_t>(place_.size());
   std::vector<std::int32_t> seen(at(n), -1), reached(at(n)), way;
+  std::vector<double> work(at(n), 1.0);
   block_of_.resize(at(n));
   for (std::size_t b = 0; b < blocks_.size(); ++b)
     std::fill(block_of_.begin() + blocks_[b].first, block_of_.begin() + blocks_[b].last,
@@ -127,13 +134,15 @@ void SymmetricFactor::find_pieces(const std::vector<std::int32_t>& parent) {
         pieces_.push_back({i, i + 1});
       Block& block = blocks_[at(b)];
       if (i + 1 == block.last && k >= block.last) below_[at(block.below + block.filled++)] = k;
+      work[at(k)] += block.last - i + block.filled;
     }
     piece_start_.push_back(static_cast<std::int64_t>(pieces_.size()));
   }
+  subtrees_.cut(parent, work);
 }
 
-// row_ less what the piece's columns do to it; their own values become row k of L. Returns the pivot less their share.
-inline double SymmetricFactor::take_piece(const Piece& piece, std::int32_t k, double pivot) {
+// The row at hand less what the piece's columns do to it; their own values become row k of L. Returns the pivot less their share.
+inline double SymmetricFactor::take_piece(const Piece& piece, std::int32_t k, double pivot, Bench& bench) {
   Block& block = blocks_[at(block_of_[at(piece.first)])];
   const std::int64_t ld = block.rows, columns = piece.last - piece.first;
   const bool inside = k < block.last;
@@ -141,7 +150,7 @@ inline double SymmetricFactor::take_piece(const Piece& piece, std::int32_t k, do
   const std::int64_t own = (inside ? k : block.last) - piece.first, below = inside ? 0 : block.filled,
                      low = block.last - piece.first;
   double* corner = value_.data() + block.value + (piece.first - block.first) * (ld + 1);
-  double* row = row_.data();
+  double* row = bench.row.data();
   double* x = row + piece.first;
   const std::int32_t* rows = below_.data() + block.below;
   for (std::int64_t c = 0; c < columns; ++c) x[c] = unless_negligible(x[c]);
@@ -161,7 +170,7 @@ inline double SymmetricFactor::take_piece(const Piece& piece, std::int32_t k, do
     for (std::int64_t c = 0; columns < own && c < columns; ++c) {
       for (std::int64_t r = columns; r < own; ++r) x[r] -= corner[r + c * ld] * x[c];
     }
-    double* gathered = gathered_.data();
+    double* gathered = bench.gathered.data();
     for (std::int64_t r = 0; r < below; ++r) gathered[r] = row[rows[r]];
     kernels_.below(corner + (low - columns), ld, columns, x, gathered, 0, below);
     for (std::int64_t r = 0; r < below; ++r) row[rows[r]] = gathered[r];
@@ -178,22 +187,37 @@ inline double SymmetricFactor::take_piece(const Piece& piece, std::int32_t k, do
   return pivot;
 }
 
-bool SymmetricFactor::factorise(const SparseMatrix& lower) {
+inline bool SymmetricFactor::make_row(std::int32_t row, const double* given, Bench& bench) {
+  const auto k = at(row);
+  for (auto e = entry_start_[k]; e < entry_start_[k + 1]; ++e)
+    bench.row[at(entry_column_[at(e)])] += given[entry_value_[at(e)]];
+  double pivot = bench.row[k];
+  bench.row[k] = 0.0;
+  for (auto p = piece_start_[k]; p < piece_start_[k + 1]; ++p)
+    pivot = take_piece(pieces_[at(p)], row, pivot, bench);
+  pivot_[k] = pivot;
+  return pivot != 0.0;
+}
+
+bool SymmetricFactor::factorise(const SparseMatrix& lower, Workers* workers) {
   const double* given = lower.valuePtr();
   for (Block& block : blocks_) block.filled = 0;
-  std::fill(row_.begin(), row_.end(), 0.0);
   succeeded_ = false;
-  for (std::size_t k = 0; k < place_.size(); ++k) {
-    for (auto e = entry_start_[k]; e < entry_start_[k + 1]; ++e)
-      row_[at(entry_column_[at(e)])] += given[entry_value_[at(e)]];
-    double pivot = row_[k];
-    row_[k] = 0.0;
-    for (auto p = piece_start_[k]; p < piece_start_[k + 1]; ++p)
-      pivot = take_piece(pieces_[at(p)], static_cast<std::int32_t>(k), pivot);
-    pivot_[k] = pivot;
-    if (pivot == 0.0) return false;
+  std::atomic<bool> sound{true};
+  const auto make_rows = [&](Bench& bench) {
+    std::fill(bench.row.begin(), bench.row.end(), 0.0);
+    subtrees_.take([&](std::int32_t row) {
+      if (sound.load(std::memory_order_relaxed) && !make_row(row, given, bench)) sound = false;
+    });
+  };
+  subtrees_.begin();
+  if (workers != nullptr && workers->count() > 1 && !workers->forked() && subtrees_.work() > worth_sharing) {
+    benches_.resize(at(workers->count()), benches_.front());
+    workers->run([&](int worker) { make_rows(benches_[at(worker)]); }, false);
+  } else {
+    make_rows(benches_.front());
   }
-  return succeeded_ = true;
+  return succeeded_ = sound;
 }
 
 void SymmetricFactor::forward(double* x) const {
@@ -233,7 +257,7 @@ Eigen::MatrixXd SymmetricFactor::solve(const Eigen::Ref<const Eigen::MatrixXd>& 
 }
 
 void SymmetricFactor::solve(const double* rhs, double* solution) {
-  solve(rhs, solution, row_);
+  solve(rhs, solution, benches_.front().row);
 }
 
 void SymmetricFactor::solve(const double* rhs, double* solution, std::vector<double>& x) const {
@@ -245,10 +269,10 @@ void SymmetricFactor::solve(const double* rhs, double* solution, std::vector<dou
 }
 
 std::size_t SymmetricFactor::bytes() const {
-  return (value_.size() + pivot_.size() + row_.size()) * sizeof(double) + pieces_.size() * sizeof(Piece) +
-         piece_start_.size() * sizeof(std::int64_t) +
+  return (value_.size() + pivot_.size() + benches_.size() * place_.size()) * sizeof(double) +
+         pieces_.size() * sizeof(Piece) + piece_start_.size() * sizeof(std::int64_t) +
          (below_.size() + block_of_.size() + entry_column_.size() + entry_value_.size() +
-          entry_start_.size() + place_.size()) *
+          entry_start_.size() + 5 * place_.size()) *
              sizeof(std::int32_t);
 }
 

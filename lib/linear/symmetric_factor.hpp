@@ -4,6 +4,7 @@
 // Row k of L solves a triangular system with the rows before it. Columns that have the same rows below them (a supernode) stand side by side
 // as one dense block, and what a block does to a row is done by the dense kernels (dense_kernels.hpp): each entry's sum is made in
 // the order in which the plain algorithm makes it, so the bits are those of Eigen's SimplicialLDLT, in half of its time (docs/performance.md).
+// Workers make the rows of whole subtrees each (subtrees.hpp); the bits stay.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,8 +13,11 @@
 
 #include "linear/dense_kernels.hpp"
 #include "linear/sparse.hpp"
+#include "linear/subtrees.hpp"
 
 namespace hfrac {
+
+class Workers;
 
 class SymmetricFactor {
  public:
@@ -26,7 +30,7 @@ class SymmetricFactor {
   // Of the lower triangle, diagonal included; what stands above it is not looked at. Its pattern, once; then its numbers, which leave a
   // zero on D's diagonal if this returns false.
   void analyse(const SparseMatrix& lower);
-  bool factorise(const SparseMatrix& lower);
+  bool factorise(const SparseMatrix& lower, Workers* workers = nullptr);
   [[nodiscard]] bool succeeded() const { return succeeded_; }
   // Column by column of the right-hand side.
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& rhs) const;
@@ -52,7 +56,12 @@ class SymmetricFactor {
   void order(const SparseMatrix& lower);
   void find_blocks(const std::vector<std::int32_t>& parent, const std::vector<std::int32_t>& count);
   void find_pieces(const std::vector<std::int32_t>& parent);
-  double take_piece(const Piece& piece, std::int32_t row, double pivot);
+  // What a row is made in.
+  struct Bench {
+    std::vector<double> row, gathered;
+  };
+  bool make_row(std::int32_t row, const double* given, Bench& bench);
+  double take_piece(const Piece& piece, std::int32_t row, double pivot, Bench& bench);
   void solve(const double* rhs, double* solution, std::vector<double>& work) const;
   void forward(double* x) const;
   void backward(double* x) const;
@@ -69,8 +78,9 @@ class SymmetricFactor {
   std::vector<double> value_, pivot_;
   const DenseKernels<double>& kernels_ = dense_kernels().double_precision;
   // Work space.
-  std::vector<double> row_, gathered_;
+  std::vector<Bench> benches_{1};  // by worker
   std::vector<std::int32_t> no_swaps_;
+  Subtrees subtrees_;
 };
 
 }  // namespace hfrac

@@ -2,9 +2,9 @@
 #include "solid/device_cycles.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <cstring>
 #include <map>
+#include <numeric>
 #include <type_traits>
 
 namespace hfrac {
@@ -163,7 +163,7 @@ void DeviceCycles::lay_out(const TilePlan& plan) {
 void DeviceCycles::list_forces(const TilePlan& plan) {
   const auto discs = static_cast<std::size_t>(host_.disc_count);
   std::vector<std::int32_t> bond_start(discs + 1, 0), slot_start = bond_start, corner_start = bond_start,
-                            cross_start = bond_start;
+                                                      cross_start = bond_start;
   const auto each_bond = [&](const auto& visit) {
     for (const auto& tile : plan.tiles) {
       for (auto e = tile.first_bond; e < tile.last_bond; ++e) {

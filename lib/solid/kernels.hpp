@@ -67,7 +67,7 @@ struct Tile {
   int64_t first_slot, last_slot;      // of its discs in the buffer of forces
   int64_t first_corner, last_corner;  // of its discs in `cross_corner`
   int64_t first_block;                // of its bonds
-  int64_t left_alone;   // 1: nothing outside pushes its discs, and external_* need not be looked at
+  int64_t left_alone;  // 1: nothing outside pushes its discs, and external_* need not be looked at
 };
 
 // The bonds between two tiles, and where their geometry begins.
@@ -116,7 +116,7 @@ struct KernelArrays {
   const TilePair* pairs;
   const CrossPart* cross_parts;  // by tile, and one for the outside
   int64_t tile_count, pair_count;
-  const int32_t* cross_domain;      // domains that touch two tiles, by the first of them, and last the outside
+  const int32_t* cross_domain;  // domains that touch two tiles, by the first of them, and last the outside
   const CrossCorner* cross_corner;  // of those that push, by disc
   const int32_t* bond_slot;         // two places per bond across tiles: first disc, second disc
   BufferedForce* force_buffer;

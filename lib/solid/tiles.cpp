@@ -78,7 +78,9 @@ TilePlan plan_tiles(const Assembly& a, const Network& n, bool fluid, bool outsid
 
   // A place in the inter-tile force buffer for either end of a bond, in the order of discs.
   std::vector<std::int32_t> place(static_cast<std::size_t>(discs) + 1, 0), corner = place;
-  const auto add_up = [](std::vector<std::int32_t>& of) { std::partial_sum(of.begin(), of.end(), of.begin()); };
+  const auto add_up = [](std::vector<std::int32_t>& of) {
+    std::partial_sum(of.begin(), of.end(), of.begin());
+  };
   for (auto e = a.first_cross_bond(); e < bonds; ++e) {
     ++place[a.first[e] + 1];
     ++place[a.second[e] + 1];

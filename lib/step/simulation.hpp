@@ -128,7 +128,8 @@ class Simulation {
   std::vector<std::byte> before_step_, opened_;  // states to go back to
   Loads opened_loads_;
   std::optional<std::pair<CrackLog, SlipLog>> opened_logs_;  // before another state came
-  bool step_open_ = false, as_opened_ = false;  // as_opened_: nothing has changed since, so opened_ is what is now
+  bool step_open_ = false,
+       as_opened_ = false;  // as_opened_: nothing has changed since, so opened_ is what is now
   double stop_extent_fraction_ = 0.0;
   std::int64_t stop_cracks_ = 0;
 };

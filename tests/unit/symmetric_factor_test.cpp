@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/SparseCholesky>
+#include <atomic>
 #include <vector>
 
 #include "core/random.hpp"
+#include "core/workers.hpp"
 #include "pore_grid.hpp"
 
 namespace symmetric_factor_test {
@@ -31,6 +33,7 @@ void expect_the_bits_of_eigen(const SparseMatrix& lower, SymmetricFactor& factor
 }
 
 TEST(SymmetricFactor, HasTheBitsOfThePlainAlgorithmOnPores) {
+  Workers two(2), five(5);
   for (const std::uint64_t seed : {1, 2, 3}) {
     Random random(seed);
     for (const std::int32_t across : {1, 2, 7, 30, 90}) {
@@ -38,8 +41,44 @@ TEST(SymmetricFactor, HasTheBitsOfThePlainAlgorithmOnPores) {
       for (const double crack : {1.0, 1e8}) {
         const auto lower = grid(across, 1e-3, crack, seed);
         if (crack == 1.0) factor.analyse(lower);
-        ASSERT_TRUE(factor.factorise(lower)) << across;
-        expect_the_bits_of_eigen(lower, factor, random);
+        for (Workers* workers : {static_cast<Workers*>(nullptr), &two, &five}) {
+          ASSERT_TRUE(factor.factorise(lower, workers)) << across;
+          expect_the_bits_of_eigen(lower, factor, random);
+        }
+      }
+    }
+  }
+}
+
+// Each row once, and not before those beneath it: of any tree, also of one that is a chain, or of none.
+TEST(SymmetricFactor, RowsWaitForThoseBeneathThem) {
+  Workers workers(3);
+  for (const std::int32_t n : {0, 1, 2, 50, 3000}) {
+    for (const std::int32_t reach : {1, 2, 20, 100000}) {
+      Random random(static_cast<std::uint64_t>(n + reach));
+      std::vector<std::int32_t> parent, beneath(static_cast<std::size_t>(n), 0);
+      std::vector<double> work;
+      for (std::int32_t k = 0; k < n; ++k) {
+        const auto up = k + 1 + static_cast<std::int32_t>(random.uniform() * reach);
+        parent.push_back(up < n ? up : -1);
+        work.push_back(random.uniform() + (k + 10 > n ? n : 0));
+        if (up < n) ++beneath[static_cast<std::size_t>(up)];
+      }
+      Subtrees subtrees;
+      subtrees.cut(parent, work);
+      for (int round = 0; round < 3; ++round) {
+        std::vector<std::atomic<std::int32_t>> made(static_cast<std::size_t>(n)), made_beneath(made.size());
+        std::atomic<bool> in_turn{true};
+        subtrees.begin();
+        workers.run([&](int) {
+          subtrees.take([&](std::int32_t row) {
+            const auto k = static_cast<std::size_t>(row);
+            if (made_beneath[k] != beneath[k] || made[k]++ != 0) in_turn = false;
+            if (parent[k] >= 0) ++made_beneath[static_cast<std::size_t>(parent[k])];
+          });
+        });
+        EXPECT_TRUE(in_turn) << n << ", " << reach;
+        for (const auto& times : made) ASSERT_EQ(times, 1) << n << ", " << reach;
       }
     }
   }
