@@ -571,11 +571,13 @@ void DeviceCycles::keep() {
   for (std::size_t k = 0; k < twins_.size(); ++k)
     if (twins_[k].when == Travels::kept) copy(copies_[k], of_twins_[k], twins_[k].bytes);
   copy(pairs_copy_, pairs_, contacts_.size() * sizeof(DevicePair));
+  contacts_kept_ = contacts_.size();
 }
 
 void DeviceCycles::get_kept(ContactPairs& contacts) {
   for (std::size_t k = 0; k < twins_.size(); ++k)
     if (twins_[k].when == Travels::kept) copies_[k].get(twins_[k].host, twins_[k].bytes);
+  contacts_.resize(contacts_kept_);  // of those found since it knows nothing
   pairs_copy_.get(contacts_.data(), contacts_.size() * sizeof(DevicePair));
   take_contacts(contacts);
 }

@@ -122,6 +122,7 @@ class DeviceCycles {
       pushed_, pushed_pairs_, pairs_copy_, looked_;
   DeviceArray smooth_contacts_, smooth_settled_, smooth_law_number_, smooth_laws_, smooth_from_;
   std::vector<DevicePair> contacts_;
+  std::size_t contacts_kept_ = 0;  // of them, in the copy
   DeviceOutside walls_{};
   DeviceTask task_{};
   std::vector<std::byte> came_;  // what stopped a batch, and its sums

@@ -114,7 +114,6 @@ bool ExplicitSolver::holds_numbers() const {
   return !away_ || device_cycles_->look_over().finite;
 }
 
-// The device's sum has another order than the host's, so it decides where it is clear.
 void ExplicitSolver::keep_for_step() {
   if (lost_) bring_home();
   kept_ = away_;

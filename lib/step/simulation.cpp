@@ -149,16 +149,21 @@ void Simulation::take_well(const Well& well) {
 
 StepOutcome Simulation::step(const Loads& loads, double duration, const Interrupt& interrupt) {
   Engine& e = *engine_;
-  const bool kept = as_opened_;
+  const bool as_opened = as_opened_;
   impose(loads);
-  std::vector<std::byte>& before = kept ? opened_ : before_step_;
-  if (kept)
-    e.mechanics->keep_for_step();
-  else
-    save_before_step(e, before);
+  // What a device keeps a copy of is as an open step began, until that is closed.
+  if (!step_open_)
+    save_before_step(e, before_step_);
+  else if (!as_opened)
+    save_state(e, before_step_);
   const auto go_back = [&] {
-    load_before_step(e, before);
-    as_opened_ = kept;
+    if (!step_open_)
+      load_before_step(e, before_step_);
+    else if (!as_opened)
+      load_state(e, before_step_);
+    else
+      load_before_step(e, opened_);
+    as_opened_ = as_opened;
   };
   note_places(e);
   try {
@@ -209,7 +214,7 @@ void Simulation::set_stop(double extent_fraction, std::int64_t cracks) {
 
 void Simulation::begin_step() {
   step_open_ = as_opened_ = false;
-  save_state(*engine_, opened_);
+  save_before_step(*engine_, opened_);
   opened_loads_ = loads_;
   opened_logs_.reset();
   step_open_ = as_opened_ = true;
@@ -219,7 +224,7 @@ void Simulation::begin_step() {
 void Simulation::reopen() {
   require_open_step();
   if (opened_logs_) std::tie(model_.cracks, model_.slips) = *opened_logs_;
-  load_state(*engine_, opened_);
+  load_before_step(*engine_, opened_);
   loads_ = opened_loads_;
   as_opened_ = true;
 }

@@ -8,6 +8,7 @@
 #include <Eigen/SparseCholesky>
 
 #include "../unit/pore_grid.hpp"
+#include "core/workers.hpp"
 #include "linear/symmetric_factor.hpp"
 
 namespace {
@@ -23,6 +24,15 @@ void ours(benchmark::State& state) {
   factor.analyse(matrix);
   for (auto _ : state) benchmark::DoNotOptimize(factor.factorise(matrix));
   state.counters["bytes"] = static_cast<double>(factor.bytes());
+}
+
+// By so many workers.
+void ours_shared(benchmark::State& state) {
+  const SparseMatrix matrix = pores(state);
+  Workers workers(static_cast<int>(state.range(1)));
+  SymmetricFactor factor;
+  factor.analyse(matrix);
+  for (auto _ : state) benchmark::DoNotOptimize(factor.factorise(matrix, &workers));
 }
 
 void eigen(benchmark::State& state) {
@@ -55,6 +65,10 @@ void eigen_solve(benchmark::State& state) {
 }  // namespace
 
 BENCHMARK(ours)->Arg(50)->Arg(110)->Arg(240)->Unit(benchmark::kMillisecond);
+BENCHMARK(ours_shared)
+    ->ArgsProduct({{50, 110, 240}, {1, 2, 4}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK(eigen)->Arg(50)->Arg(110)->Arg(240)->Unit(benchmark::kMillisecond);
 BENCHMARK(ours_solve)->Arg(110)->Unit(benchmark::kMillisecond);
 BENCHMARK(eigen_solve)->Arg(110)->Unit(benchmark::kMillisecond);
