@@ -130,11 +130,17 @@ void FlowMatrix::add_to_pair(std::size_t pair, double value) {
 
 const SparseMatrix& FlowMatrix::lower() {
   double* value = lower_.valuePtr();
-  std::fill(value, value + lower_.nonZeros(), 0.0);
-  for (std::size_t d = 0; d < rows_.diagonal.size(); ++d)
-    value[lower_.outerIndexPtr()[d]] = rows_.diagonal[d];
-  for (std::size_t k = 0; k < lower_place_.size(); ++k)
-    if (lower_place_[k] >= 0) value[lower_place_[k]] += rows_.value[k];
+  // A column has what stands right of the diagonal in its row; several pipes may join two domains.
+  const auto* start = lower_.outerIndexPtr();
+  share(rows_.diagonal.size(), [&](std::size_t from, std::size_t to) {
+    for (auto d = from; d < to; ++d) {
+      std::fill(value + start[d], value + start[d + 1], 0.0);
+      value[start[d]] = rows_.diagonal[d];
+      for (auto k = static_cast<std::size_t>(rows_.start[d]);
+           k < static_cast<std::size_t>(rows_.start[d + 1]); ++k)
+        if (lower_place_[k] >= 0) value[lower_place_[k]] += rows_.value[k];
+    }
+  });
   return lower_;
 }
 

@@ -175,7 +175,8 @@ void FlowSolver::solve_pressures(const Eigen::VectorXd& rhs, Eigen::VectorXd& p,
   if (iterative_) {
     solve_in_passes(rhs, p, change);
   } else {
-    p = factor_.solve(rhs);
+    p.resize(rhs.size());
+    factor_.solve(rhs.data(), p.data());
   }
 }
 
