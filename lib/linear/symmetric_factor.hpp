@@ -27,8 +27,8 @@ class SymmetricFactor {
     (void)factorise(lower);
   }
 
-  // Of the lower triangle, diagonal included; what stands above it is not looked at. Its pattern, once; then its numbers, which leave a
-  // zero on D's diagonal if this returns false.
+  // Of the lower triangle, diagonal included; what stands above it is not looked at. Its pattern, once; then its numbers, by workers if
+  // there are any, which leave a zero on D's diagonal if this returns false.
   void analyse(const SparseMatrix& lower);
   bool factorise(const SparseMatrix& lower, Workers* workers = nullptr);
   [[nodiscard]] bool succeeded() const { return succeeded_; }
