@@ -207,11 +207,7 @@ void update_apertures(Network& n, const Assembly& a, const Options& o, Workers* 
       update(part, static_cast<std::size_t>(e));
     }
   };
-  if (workers == nullptr) return update_from(0, pipes);
-  workers->share(pipes >= worth_sharing, [&](const Workers::Member& member) {
-    const auto mine = member.part(pipes, grain);
-    update_from(mine.first, mine.last);
-  });
+  share_items(workers, pipes, update_from, worth_sharing, grain);
 }
 
 double measure_permeability(const Network& n, const Assembly& a, const std::vector<WellOptions>& wells,

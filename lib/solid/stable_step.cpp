@@ -127,11 +127,7 @@ void stiffness_rows(const Assembly& a, const Network& n, const Options& o, const
     if (wet) mine.add_pores(n, facets ? *rock_weight : n.corner_weight);
   };
   const auto tiles = static_cast<std::int64_t>(a.tile_count());
-  if (workers == nullptr) return add(0, tiles);
-  workers->share(tiles >= worth_sharing && !workers->forked(), [&](const Workers::Member& member) {
-    const auto mine = member.part(tiles, 1);
-    add(mine.first, mine.last);
-  });
+  share_items(workers, tiles, add, worth_sharing, 1);
 }
 
 }  // namespace hfrac

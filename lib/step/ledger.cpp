@@ -85,13 +85,13 @@ ElasticEnergy elastic_energy(const Engine& e) {
   std::vector<OfBond> held(static_cast<std::size_t>(std::min(chunk, a.bond_count())));
   for (std::int64_t first = 0; first < a.bond_count(); first += chunk) {
     const auto count = std::min(chunk, a.bond_count() - first);
-    e.workers->share(count >= worth_sharing && !e.workers->forked(), [&](const Workers::Member& member) {
-      const auto mine = member.part(count, grain);
-      for (auto k = mine.first; k < mine.last; ++k) {
+    const auto look = [&](std::int64_t from, std::int64_t to) {
+      for (auto k = from; k < to; ++k) {
         const BondView view = view_bond(a, e.options, first + k);
         held[static_cast<std::size_t>(k)] = {view.bond_energy, view.contact_energy};
       }
-    });
+    };
+    share_items(e.workers.get(), count, look, worth_sharing, grain);
     for (std::int64_t k = 0; k < count; ++k) {
       energy.bonds += held[static_cast<std::size_t>(k)].bond;
       if (e.facets.of(first + k) < 0) energy.contacts += held[static_cast<std::size_t>(k)].contact;

@@ -149,7 +149,7 @@ void Simulation::take_well(const Well& well) {
 
 StepOutcome Simulation::step(const Loads& loads, double duration, const Interrupt& interrupt) {
   Engine& e = *engine_;
-  const bool as_opened = as_opened_;
+  const bool as_opened = as_opened_ && loads == loads_;
   impose(loads);
   // What a device keeps a copy of is as an open step began, until that is closed.
   if (!step_open_)
@@ -237,7 +237,6 @@ StepOutcome Simulation::try_step(double duration, const Interrupt& interrupt) {
   require_open_step();
   const Loads wanted = loads_;
   if (!as_opened_) reopen();
-  as_opened_ = loads_ == wanted;
   return step(wanted, duration, interrupt);
 }
 
