@@ -51,7 +51,7 @@ static void let_others(double since) {
 /* Until all requests are done; nonzero once a rank has failed. */
 static int wait_for(Talk* talk, MPI_Request* requests, int count) {
   double since = 0.0;
-  for (int turn = 1;; ++turn) {
+  for (int64_t turn = 1;; ++turn) {
     int done = 0;
     if (MPI_Testall(count, requests, &done, MPI_STATUSES_IGNORE) != MPI_SUCCESS) return talk->failed = 1;
     if (done) return 0;

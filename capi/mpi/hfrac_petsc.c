@@ -203,7 +203,11 @@ static PetscErrorCode set_up(Solvers* s, void* of) {
 
 static int32_t prepare(void* user, const hfrac_matrix* m, void** prepared) {
   Solvers* s = user;
-  snprintf(s->reason, sizeof s->reason, "no memory for %lld entries", (long long)m->count);
+  snprintf(s->reason, sizeof s->reason,
+           m->count > INT32_MAX
+               ? "%lld entries on one rank, and PETSc counts up to 2147483647; take more ranks"
+               : "no memory for %lld entries",
+           (long long)m->count);
   int status = m->size > PETSC_MAX_INT;
   if (*prepared == NULL) *prepared = calloc(1, sizeof(Prepared));
   Prepared* p = *prepared;

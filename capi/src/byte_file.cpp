@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
+#include <utility>
 
 #include "core/error.hpp"
 
@@ -79,27 +80,43 @@ void write_whole_file(const std::string& path, std::span<const std::byte> bytes)
     refuse("written", path, errno, fix);
 }
 
-std::vector<std::byte> read_whole_file(const std::string& path, std::size_t limit) {
-  const Descriptor file(path.c_str(), O_RDONLY | O_NONBLOCK);
-  if (!file.is_open()) refuse("read", path, errno, "give the path of a file that was saved before.");
+SavedFile::SavedFile(std::string path, std::size_t limit)
+    : path_(std::move(path)), file_(::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
+  if (file_ < 0) refuse("read", path_, errno, "give the path of a file that was saved before.");
   struct stat status {};
-  if (::fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode))
-    throw Error(ErrorKind::file, "'" + path + "' is not a regular file; give the path of a saved one.");
-  if (static_cast<std::size_t>(status.st_size) > limit) {
-    throw Error(ErrorKind::file,
-                "'" + path + "' has " + std::to_string(status.st_size) +
-                    " bytes, more than any state of this model; give the path of a saved one.");
-  }
-  std::vector<std::byte> bytes(static_cast<std::size_t>(status.st_size));
+  std::string why;
+  if (::fstat(file_, &status) != 0 || !S_ISREG(status.st_mode))
+    why = "is not a regular file; give the path of a saved one.";
+  else if (static_cast<std::size_t>(status.st_size) > limit)
+    why = "has " + std::to_string(status.st_size) +
+          " bytes, more than any state of this model; give the path of a saved one.";
+  size_ = static_cast<std::size_t>(status.st_size);
+  if (why.empty()) return;
+  ::close(file_);
+  throw Error(ErrorKind::file, "'" + path_ + "' " + why);
+}
+
+SavedFile::~SavedFile() {
+  ::close(file_);
+}
+
+std::size_t SavedFile::read(std::size_t from, std::span<std::byte> bytes) const {
   std::size_t at = 0;
   while (at < bytes.size()) {
-    const ::ssize_t got = ::read(file.number(), bytes.data() + at, bytes.size() - at);
+    const ::ssize_t got =
+        ::pread(file_, bytes.data() + at, bytes.size() - at, static_cast<::off_t>(from + at));
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) refuse("read", path, errno, "see that the disk is sound.");
-    if (got == 0) break;  // cut while it was read
+    if (got < 0) refuse("read", path_, errno, "see that the disk is sound.");
+    if (got == 0) break;
     at += static_cast<std::size_t>(got);
   }
-  bytes.resize(at);
+  return at;
+}
+
+std::vector<std::byte> read_whole_file(const std::string& path, std::size_t limit) {
+  const SavedFile file(path, limit);
+  std::vector<std::byte> bytes(file.size());
+  bytes.resize(file.read(0, bytes));
   return bytes;
 }
 

@@ -13,6 +13,25 @@ namespace hfrac::capi {
 // a crash or a power cut there is the old file or the new one. Throws Error(file); what it wrote beside is gone then.
 void write_whole_file(const std::string& path, std::span<const std::byte> bytes);
 
+// A file that is read, as a whole or in parts. All throw Error(file).
+class SavedFile {
+ public:
+  // Refuses what is no regular file or is larger than `limit` bytes.
+  SavedFile(std::string path, std::size_t limit);
+  ~SavedFile();
+  SavedFile(const SavedFile&) = delete;
+  SavedFile& operator=(const SavedFile&) = delete;
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  // From the place `from` on, as many bytes as there is room for. Returns how many there were: fewer if it is cut meanwhile.
+  std::size_t read(std::size_t from, std::span<std::byte> bytes) const;
+
+ private:
+  std::string path_;
+  int file_;
+  std::size_t size_ = 0;
+};
+
 // All of a file. Throws Error(file), also for what is no regular file or is larger than `limit` bytes.
 std::vector<std::byte> read_whole_file(const std::string& path, std::size_t limit);
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model_file.hpp"
 
+#include <span>
 #include <string>
 
 #include "byte_file.hpp"
+#include "core/hash.hpp"
 #include "def_image.hpp"
 #include "hfrac/state.h"
 #include "internal.hpp"
@@ -11,6 +13,7 @@
 #include "options/choices.hpp"
 #include "options/number_text.hpp"
 #include "sim_handle.hpp"
+#include "state/seal.hpp"
 #include "step/simulation.hpp"
 #include "stepping.hpp"
 
@@ -29,50 +32,70 @@ std::string path_of(const CaseDefinition& definition) {
   return path;
 }
 
+// What all ranks do at once: if it fails on one, it is refused on all.
+template <class Do>
+void all_or_none(const Ranks& ranks, const std::string& path, const Do& act) {
+  std::optional<Error> fault;
+  try {
+    act();
+  } catch (const Error& error) {
+    fault.emplace(ErrorKind::file,
+                  std::string("packing.file: ") + error.what() +
+                      " Without packing.file the model is packed anew, with the same result.");
+  }
+  const bool failed = ranks.any(fault.has_value());
+  if (fault) throw Error(*fault);
+  if (failed)
+    throw Error(ErrorKind::file, "packing.file: '" + path +
+                                     "' cannot be read by another rank; put it where all ranks find it.");
+}
+
+// Each rank reads its part and tells it to the others, so that a disk that many machines share gives every byte once.
+std::vector<std::byte> bytes_by_ranks(const std::string& path, const Ranks& ranks) {
+  std::optional<SavedFile> file;
+  std::vector<std::byte> head(seal_size);
+  all_or_none(ranks, path, [&] {
+    file.emplace(path, largest_file);
+    file->read(0, head);
+  });
+  // The head has the checksum of what follows, so those of the same head are the same file. Half of a hash: a sum over all ranks does not overflow.
+  Hash hash;
+  hash.add(static_cast<std::int64_t>(file->size()));
+  hash.add_all(std::span(reinterpret_cast<const unsigned char*>(head.data()), head.size()));
+  const auto own = static_cast<std::int64_t>(hash.value() & 0xffffffffU);
+  std::int64_t sum = own;
+  ranks.sum({&sum, 1});
+  if (ranks.any(sum != ranks.size() * own))
+    throw Error(ErrorKind::file,
+                "packing.file: '" + path +
+                    "' is not the same file on all ranks; copy one of them to where all ranks find it.");
+  constexpr std::int64_t grain = 1 << 20;
+  std::vector<std::byte> bytes(file->size());
+  const auto size = static_cast<std::int64_t>(bytes.size());
+  std::vector<std::int64_t> begin{0};
+  for (int r = 0; r < ranks.size(); ++r) begin.push_back(ranks.part(r, size, grain).end);
+  const auto from = static_cast<std::size_t>(begin[static_cast<std::size_t>(ranks.rank())]),
+             end = static_cast<std::size_t>(begin[static_cast<std::size_t>(ranks.rank()) + 1]);
+  all_or_none(ranks, path, [&] { file->read(from, std::span(bytes).subspan(from, end - from)); });
+  ranks.gather(bytes.data(), begin);
+  return bytes;
+}
+
 }  // namespace
 
-std::optional<PackedModel> hfrac::capi::packed_model_of(const CaseDefinition& definition, bool discs_given) {
+std::optional<PackedModel> hfrac::capi::packed_model_of(const CaseDefinition& definition, bool discs_given,
+                                                        const Ranks& ranks) {
   if (definition.packing_file.empty()) return std::nullopt;
   if (discs_given)
     throw Error(ErrorKind::model,
                 "packing.file names a packed model, and discs are given, too; leave one of them out.");
   const std::string path = path_of(definition);
+  const std::vector<std::byte> bytes = bytes_by_ranks(path, ranks);
   try {
-    return packed_model(read_whole_file(path, largest_file),
-                        PackingReuse{definition.options.packing_reuse} == PackingReuse::discs);
+    return packed_model(bytes, PackingReuse{definition.options.packing_reuse} == PackingReuse::discs);
   } catch (const Error& error) {
-    const std::string what = error.kind() == ErrorKind::file ? "" : "'" + path + "': ";
-    throw Error(ErrorKind::file, "packing.file: " + what + error.what() +
-                                     (error.kind() == ErrorKind::file
-                                          ? " Without packing.file the model is packed anew, with the same "
-                                            "result."
-                                          : ""));
+    throw Error(ErrorKind::file, "packing.file: '" + path + "': " + error.what());
   }
-}
-
-std::optional<PackedModel> hfrac::capi::packed_model_of(const CaseDefinition& definition, bool discs_given,
-                                                        const Ranks& ranks) {
-  if (definition.packing_file.empty()) return std::nullopt;
-  std::optional<PackedModel> model;
-  std::optional<Error> fault;
-  try {
-    model = packed_model_of(definition, discs_given);
-  } catch (const Error& error) {
-    fault = error;
-  }
-  const bool failed = ranks.any(fault.has_value());
-  if (fault) throw Error(*fault);
-  const std::string path = "packing.file: '" + path_of(definition) + "'";
-  if (failed)
-    throw Error(ErrorKind::file, path + " cannot be read by another rank; put it where all ranks find it.");
-  // Half of the checksum, of which a sum over all ranks does not overflow.
-  const auto own = static_cast<std::int64_t>(model->checksum & 0xffffffffU);
-  std::int64_t sum = own;
-  ranks.sum({&sum, 1});
-  if (ranks.any(sum != ranks.size() * own))
-    throw Error(ErrorKind::file,
-                path + " is not the same file on all ranks; copy one of them to where all ranks find it.");
-  return model;
 }
 
 int32_t hfrac_pack(const hfrac_sim_def* def, const char* path) {

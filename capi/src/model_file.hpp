@@ -9,12 +9,9 @@
 
 namespace hfrac::capi {
 
-// Of the file that the definition names, if it does. Throws Error(file) if it cannot be read or is no such file, Error(model) if a host gives
-// discs, too.
-std::optional<PackedModel> packed_model_of(const CaseDefinition& definition, bool discs_given);
-
-// The same on all ranks, each of which reads the file: refused on all if one cannot, or if they read different ones.
+// Of the file that the definition names, if it does; several ranks read a part of it each. Throws Error(file) if it cannot be read or is no such
+// file, on all ranks if one cannot or if theirs are different files; Error(model) if a host gives discs, too.
 std::optional<PackedModel> packed_model_of(const CaseDefinition& definition, bool discs_given,
-                                           const Ranks& ranks);
+                                           const Ranks& ranks = {});
 
 }  // namespace hfrac::capi

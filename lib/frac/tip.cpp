@@ -17,11 +17,11 @@ constexpr double widest_turn = 0.5;  // cosine
 constexpr double beta_cubed = 2.0 * 15.588457268119896;  // 2 * 3^(5/2)
 constexpr double shortest_time = 1e-9;                   // s
 
-// Half the way from a tip to the farthest pore of its fracture, holes included [m].
-double half_length(const Facets& facets, const Assembly& a, const Network& n, std::int32_t tip) {
+// Half the way from a tip to the farthest pore of its fracture, holes included [m]. `seen` by domain, 0 before and after.
+double half_length(const Facets& facets, const Assembly& a, const Network& n, std::int32_t tip,
+                   std::vector<char>& seen) {
   double farthest = 0.0;
   std::vector<std::int32_t> pores{tip};
-  std::vector<char> seen(n.kind.size(), 0);
   seen[tip] = 1;
   for (std::size_t k = 0; k < pores.size(); ++k) {
     for (const auto e : facets.bonds_of(pores[k])) {
@@ -38,6 +38,7 @@ double half_length(const Facets& facets, const Assembly& a, const Network& n, st
       farthest = std::max(farthest, way);
     }
   }
+  for (const auto pore : pores) seen[pore] = 0;
   return 0.5 * farthest;
 }
 
@@ -84,9 +85,9 @@ Path path_behind(const Facets& facets, const Assembly& a, const Network& n, cons
 
 // Openings behind the tip against those of K = 1 and of a tip that goes on at this speed [m/s], by least squares.
 void measure(const Path& path, const Facets& facets, const Assembly& a, const Network& n, const Options& o,
-             double speed, Tip& tip) {
+             double speed, std::vector<char>& seen, Tip& tip) {
   const Vec2 normal{-path.ahead.y, path.ahead.x};
-  const double half = half_length(facets, a, n, tip.domain) + beyond * a.mean_radius_at(path.end);
+  const double half = half_length(facets, a, n, tip.domain, seen) + beyond * a.mean_radius_at(path.end);
   const double modulus = o.fracture_plane_modulus;
   const double tough = 4.0 * std::sqrt(2.0 / std::numbers::pi) * o.bond_fracture_toughness / modulus;
   const double viscosity =
@@ -138,6 +139,7 @@ std::int64_t bond_ahead(const Path& path, const Facets& facets, const Assembly& 
 std::vector<Tip> find_tips(const Facets& facets, const Assembly& a, const Network& n, const Options& o,
                            double time) {
   std::vector<Tip> tips;
+  std::vector<char> seen(n.kind.size(), 0);
   for (const Facet& last : facets.all()) {
     for (const auto domain : {last.left, last.right}) {
       if (n.kind[domain] != DomainKind::rock) continue;
@@ -148,7 +150,7 @@ std::vector<Tip> find_tips(const Facets& facets, const Assembly& a, const Networ
       const double speed = last.way / std::max(time - n.facet_time[last.bond], shortest_time);
       Tip tip;
       tip.domain = domain;
-      measure(path, facets, a, n, o, speed, tip);
+      measure(path, facets, a, n, o, speed, seen, tip);
       tip.ahead = bond_ahead(path, facets, a, n, o, domain);
       tips.push_back(tip);
     }

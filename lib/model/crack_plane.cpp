@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geom/cell_grid.hpp"
 #include "model/assembly.hpp"
 #include "model/joint_pores.hpp"
 #include "model/network.hpp"
@@ -49,12 +50,14 @@ Vec2 CrackPlanes::middle(const Assembly& a, std::int32_t bond) const {
 
 void CrackPlanes::refresh(const Network& n, const Assembly& a) {
   if (planes_.empty() || intact_ == a.intact) return;
-  std::vector<Vec2> changed;
+  std::vector<double> x, y;  // of what changed
   bool mended = false;
   for (std::size_t e = 0; e < intact_.size(); ++e) {
     if (intact_[e] == a.intact[e]) continue;
     const auto bond = static_cast<std::int32_t>(e);
-    changed.push_back(middle(a, bond));
+    const Vec2 at = middle(a, bond);
+    x.push_back(at.x);
+    y.push_back(at.y);
     if (a.intact[e] == 0) {
       broken_.push_back(bond);
     } else {
@@ -66,12 +69,14 @@ void CrackPlanes::refresh(const Network& n, const Assembly& a) {
   if (mended)
     std::erase_if(broken_, [&](std::int32_t e) { return intact_[static_cast<std::size_t>(e)] != 0; });
   std::sort(broken_.begin(), broken_.end());
+  const CellGrid changed(x, y, reach * a.mean_radius);
   for (const auto e : broken_) {
     const double far = reach * a.mean_radius_of(e);
     const Vec2 at = middle(a, e);
-    const bool near = std::any_of(changed.begin(), changed.end(), [&](Vec2 place) {
-      const Vec2 between = place - at;
-      return dot(between, between) <= far * far;
+    bool near = false;
+    changed.near(at.x, at.y, far, [&](std::int32_t k) {
+      const Vec2 between{x[static_cast<std::size_t>(k)] - at.x, y[static_cast<std::size_t>(k)] - at.y};
+      near = near || dot(between, between) <= far * far;
     });
     if (near) planes_[static_cast<std::size_t>(e)] = fit(n, a, e);
   }

@@ -12,6 +12,7 @@
 #include "options/choices.hpp"
 #include "options/fracture_law.hpp"
 #include "options/grading.hpp"
+#include "options/model_size.hpp"
 #include "options/number_text.hpp"
 #include "options/options.hpp"
 
@@ -58,13 +59,13 @@ Radii radii_of_given(std::span<const double> discs, const Options& o) {
   double mean = 0.0, largest = 0.0;
   for (std::int64_t i = 0; i < count; ++i) {
     const double* disc = &discs[static_cast<std::size_t>(3 * i)];
-    const std::string name = "given_discs[" + number_text(i) + "]";
+    const auto name = [i] { return "given_discs[" + number_text(i) + "]"; };
     if (!std::isfinite(disc[0]) || !std::isfinite(disc[1]) || !std::isfinite(disc[2])) {
-      refuse(name + " has a coordinate or radius that is not a finite number.");
+      refuse(name() + " has a coordinate or radius that is not a finite number.");
     }
-    if (!(disc[2] > 0.0)) refuse(name + " has radius " + number_text(disc[2]) + " m; it must be positive.");
+    if (!(disc[2] > 0.0)) refuse(name() + " has radius " + number_text(disc[2]) + " m; it must be positive.");
     if (disc[0] < 0.0 || disc[0] > o.model_width || disc[1] < 0.0 || disc[1] > o.model_height) {
-      refuse(name + " lies at (" + number_text(disc[0]) + ", " + number_text(disc[1]) +
+      refuse(name() + " lies at (" + number_text(disc[0]) + ", " + number_text(disc[1]) +
              ") m, outside the model of " + number_text(o.model_width) + " m x " +
              number_text(o.model_height) + " m; the origin is its lower left corner.");
     }
@@ -187,7 +188,7 @@ void check_stresses(const Options& o) {
 }
 
 // The rock beyond the model.
-void check_exterior(const Options& o, std::size_t given_discs) {
+void check_exterior(const Options& o, std::int64_t discs) {
   const bool infinite = BoundaryKind{o.boundary_kind} == BoundaryKind::infinite;
   const auto need = [&](bool fine, const std::string& text) {
     if (!fine) refuse(text);
@@ -200,7 +201,6 @@ void check_exterior(const Options& o, std::size_t given_discs) {
   need(o.boundary_exterior_modulus > 0.0 || !(o.boundary_exterior_poisson_ratio > 0.0),
        value_text("boundary.exterior_poisson_ratio", o.boundary_exterior_poisson_ratio, "") +
            "needs boundary.exterior_modulus: both are measured, or both given.");
-  const std::int64_t discs = given_discs > 0 ? static_cast<std::int64_t>(given_discs) : o.packing_disc_count;
   need(!infinite || discs <= most_discs_of_block,
        "boundary.kind = \"infinite\" solves for the rest of all discs at once, and " + number_text(discs) +
            " discs are more than its " + number_text(most_discs_of_block) +
@@ -641,11 +641,13 @@ void validate(const CaseDefinition& definition, std::span<const double> given_di
               std::span<const std::int64_t> given_bonds) {
   check_ranges(definition);
   const Options& o = definition.options;
+  const std::int64_t discs = disc_count_of(o, given_discs);
+  if (const std::string why = why_too_large(definition, discs); !why.empty()) refuse(why);
   const Radii radii = given_discs.empty() ? radii_of_packing(definition) : radii_of_given(given_discs, o);
   check_bonds(given_bonds, given_discs);
   check_packing(o, radii, !given_discs.empty());
   check_stresses(o);
-  check_exterior(o, given_discs.size() / 3);
+  check_exterior(o, discs);
   check_facets(definition);
   check_rock(definition);
   check_material(o);

@@ -67,7 +67,7 @@ Sealed open_seal(std::span<const std::byte> whole, const SealKind& kind) {
            std::to_string(whole.size()) + ": it was cut, or something was added.");
   }
   if (header.checksum != checksum(header, body)) refuse("it is damaged: its checksum differs.");
-  return {body, header.model, header.checksum};
+  return {body, header.model};
 }
 
 }  // namespace hfrac

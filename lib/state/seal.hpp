@@ -24,7 +24,7 @@ void put_seal(std::span<std::byte> whole, const SealKind& kind, std::uint64_t mo
 
 struct Sealed {
   std::span<const std::byte> body;
-  std::uint64_t model, checksum;
+  std::uint64_t model;
 };
 // Throws Error(argument).
 Sealed open_seal(std::span<const std::byte> whole, const SealKind& kind);

@@ -104,9 +104,7 @@ std::vector<std::byte> bytes_of(const PackedModel& model) {
 
 PackedModel packed_model(std::span<const std::byte> bytes, bool discs_alone) {
   PackedModel model;
-  const Sealed opened = open_seal(bytes, packed_seal);
-  model.checksum = opened.checksum;
-  Loader loader(opened.body);
+  Loader loader(open_seal(bytes, packed_seal).body);
   try {
     visit(loader, model, discs_alone);
     loader.require((discs_alone || loader.left() == 0) && sound(model.packing) &&

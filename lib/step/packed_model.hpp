@@ -44,8 +44,6 @@ struct PackedModel {
   std::vector<SettledContact> settled;  // of joints that conduct
   std::vector<std::byte> state;         // of visit_state, at rest
 
-  std::uint64_t checksum = 0;  // of the bytes it was read from
-
   // With its law of fractures decided.
   void take_definition(const CaseDefinition& definition);
 };

@@ -11,6 +11,7 @@
 #include "core/water.hpp"
 #include "options/choices.hpp"
 #include "options/fracture_law.hpp"
+#include "options/model_size.hpp"
 #include "step/checks.hpp"
 #include "step/device_choice.hpp"
 #include "step/exterior_rock.hpp"
@@ -36,6 +37,11 @@ void resolve_fluid(Options& o) {
 bool wants_plane_modulus(const Options& o) {
   return FractureLaw{o.fracture_law} == FractureLaw::facet && o.bond_fracture_toughness > 0.0 &&
          o.fracture_plane_modulus == 0.0;
+}
+
+void require_memory(const CaseDefinition& definition, std::int64_t discs, const Ranks& ranks) {
+  const std::string why = why_no_memory(definition, discs, ranks.alone(), machine_memory());
+  if (!why.empty()) throw Error(ErrorKind::memory, why);
 }
 
 // Solvers from outside the library come with the ranks.
@@ -68,6 +74,7 @@ Simulation::Simulation(CaseDefinition definition, const Progress& progress, cons
                        const Parts& parts)
     : definition_(std::move(definition)), given_(definition_.options) {
   validate(definition_, parts.discs, parts.bonds);
+  require_memory(definition_, disc_count_of(options(), parts.discs), ranks);
   require_solvers(options(), ranks);
   definition_.options.fracture_law = static_cast<std::int64_t>(fracture_law_of(definition_));
   if (parts.from != nullptr) require_fit(*parts.from, definition_);

@@ -166,7 +166,7 @@ int main(int argc, char** argv) {
     if (std::sscanf(argv[k], "%d:%d:%d", &c.shape.cycles, &c.shape.width, &c.shape.front) != 3)
       contenders.clear();
   }
-  if (count < 16 || count > 5000000 || workers < 1 || workers > 256 || contenders.empty()) {
+  if (count < 16 || count > 100000000 || workers < 1 || workers > 256 || contenders.empty()) {
     std::fprintf(stderr,
                  "usage: bench_blocking N WORKERS CYCLES:WIDTH:FRONT...   the first is what others are "
                  "compared with\n");

@@ -94,9 +94,9 @@ int main(int argc, char** argv) {
   const std::string kind = argc > 2 ? argv[2] : "";
   const int steps = argc > 3 ? std::atoi(argv[3]) : 2, workers = argc > 4 ? std::atoi(argv[4]) : 1;
   const double stress = argc > 5 ? 1e6 * std::atof(argv[5]) : 0.0;
-  if (count < 1000 || count > 5000000 || (kind != "dry" && kind != "coupled") || steps < 0 || workers < 1) {
+  if (count < 1000 || count > 100000000 || (kind != "dry" && kind != "coupled") || steps < 0 || workers < 1) {
     std::fprintf(stderr,
-                 "usage: bench_memory N dry|coupled [STEPS] [WORKERS] [MPA]   1 000 to 5 000 000 discs\n");
+                 "usage: bench_memory N dry|coupled [STEPS] [WORKERS] [MPA]   1 000 to 100 000 000 discs\n");
     return 2;
   }
   try {

@@ -235,7 +235,7 @@ int main(int count, char** arguments) {
   const std::string what = count > 2 ? arguments[1] : "", by = count > 3 ? arguments[3] : "petsc";
   const std::int64_t discs = count > 2 ? std::atoll(arguments[2]) : 0;
   const int workers = count > 4 ? std::atoi(arguments[4]) : 1;
-  if ((what != "flow" && what != "tangent") || discs < 100 || discs > 5000000 || workers < 1) {
+  if ((what != "flow" && what != "tangent") || discs < 100 || discs > 100000000 || workers < 1) {
     std::fprintf(stderr, "usage: bench_petsc flow|tangent DISCS [petsc|iterative|own [WORKERS]]\n");
     return 2;
   }

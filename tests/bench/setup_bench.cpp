@@ -111,10 +111,10 @@ int main(int argc, char** argv) {
   const std::int64_t count = argc > 1 ? std::atoll(argv[1]) : 0;
   const std::string method = argc > 2 ? argv[2] : "tiled";
   const int packers = argc > 3 ? std::atoi(argv[3]) : 1;
-  if (count < 1000 || count > 5000000 || packers < 1 || packers > 1000 ||
+  if (count < 1000 || count > 100000000 || packers < 1 || packers > 1000 ||
       (method != "tiled" && method != "relaxed" && method != "growth")) {
     std::fprintf(stderr,
-                 "usage: bench_setup N [relaxed|tiled|growth] [WORKERS]   1 000 to 5 000 000 discs\n");
+                 "usage: bench_setup N [relaxed|tiled|growth] [WORKERS]   1 000 to 100 000 000 discs\n");
     return 2;
   }
   try {

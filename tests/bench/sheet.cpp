@@ -115,9 +115,9 @@ int main(int argc, char** argv) {
   for (int k = 3; k < argc; ++k) {
     if (std::strcmp(argv[k], "after-break") == 0) parallel = false;
   }
-  if (count < 16 || count > 5000000 || workers < 1 || workers > 256) {
+  if (count < 16 || count > 100000000 || workers < 1 || workers > 256) {
     std::fprintf(stderr,
-                 "usage: sheet N WORKERS|gpu [parallel|after-break]   16 to 5 000 000 discs, 1 to 256 "
+                 "usage: sheet N WORKERS|gpu [parallel|after-break]   16 to 100 000 000 discs, 1 to 256 "
                  "workers, or a card\n");
     return 2;
   }

@@ -50,7 +50,7 @@ const Fault faults[] = {
      ":2: well.radus is not a known key; did you mean well.radius?"},
     {"OutOfRange", "[packing]\nporosity = 0.9\n", ":2: packing.porosity = 0.9 is outside 0.08 to 0.2."},
     {"OutOfRangeInteger", "[packing]\ndisc_count = 3\n",
-     ":2: packing.disc_count = 3 is outside 20 to 5000000."},
+     ":2: packing.disc_count = 3 is outside 20 to 100000000."},
     {"FirstFaultFirst", "[stop]\ncracks = -1\n[bond]\nshear_strength = -1\n", ":2: stop.cracks = -1"},
     {"NotANumber", "[disc]\ndensity = nan\n",
      ":2: disc.density = nan is not a finite number; allowed is 1 to 1e5 kg/m3."},

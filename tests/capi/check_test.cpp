@@ -63,7 +63,7 @@ const Contradiction contradictions[] = {
     {"TooManyDiscs",
      [](auto& d) { d.packing_disc_count = INT64_MAX; },
      HFRAC_ERR_ARGUMENT,
-     {"packing.disc_count = 9223372036854775807", "20 to 5000000"}},
+     {"packing.disc_count = 9223372036854775807", "20 to 100000000"}},
     {"ModelTooThin",
      [](auto& d) {
        d.model_height = 1.0;

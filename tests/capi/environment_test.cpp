@@ -125,9 +125,9 @@ TEST(Environment, LocaleOfTheHostChangesNothing) {
   EXPECT_EQ(hfrac_sim_def_load(&read, folder.write(text).c_str()), HFRAC_OK) << last_error();
   EXPECT_EQ(read.model_width, 100.5);
   def.packing_porosity = 0.9;
-  def.packing_disc_count = 10000000;
+  def.packing_disc_count = 1000000000;
   EXPECT_EQ(hfrac_sim_def_check(&def), HFRAC_ERR_ARGUMENT);
-  EXPECT_EQ(last_error(), "packing.disc_count = 10000000 is outside 20 to 5000000.");
+  EXPECT_EQ(last_error(), "packing.disc_count = 1000000000 is outside 20 to 100000000.");
   EXPECT_STREQ(std::localeconv()->decimal_point, ",");
   std::locale::global(std::locale::classic());  // C's too
 }

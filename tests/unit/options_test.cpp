@@ -11,6 +11,8 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "options/choices.hpp"
+#include "options/model_size.hpp"
 #include "options/nearest.hpp"
 #include "options/number_text.hpp"
 
@@ -82,6 +84,54 @@ TEST(Validate, NamesKeyValueAndRange) {
     EXPECT_EQ(error.kind(), ErrorKind::argument);
     EXPECT_STREQ(error.what(), "packing.porosity = 0.9 is outside 0.08 to 0.2.");
   }
+}
+
+// Up to where each way of solving counts in 32 bits, and not beyond.
+TEST(ModelSize, WhatSolvesForAllDiscsAtOnceEndsEarlier) {
+  constexpr std::int64_t ten_millions = 10'000'000, most = 100'000'000;
+  CaseDefinition rock;
+  EXPECT_EQ(why_too_large(rock, most), "");
+  const auto refusal = [&](auto change, std::int64_t discs) {
+    CaseDefinition definition = rock;
+    change(definition.options);
+    return why_too_large(definition, discs);
+  };
+  const auto quasi_static = [](Options& o) {
+    o.solver_kind = static_cast<std::int64_t>(SolverKind::quasi_static);
+  };
+  EXPECT_EQ(refusal(quasi_static, ten_millions), "");
+  EXPECT_EQ(
+      refusal(quasi_static, ten_millions + 1),
+      "10000001 discs are more than the 10000000 that solver.kind = \"quasi-static\" takes; give fewer, "
+      "or set solver.kind = \"explicit\".");
+  const auto has = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  EXPECT_TRUE(has(refusal([](Options& o) { o.bond_fracture_toughness = 1e6; }, most),
+                  "fracture.law = \"facet\", which \"auto\" is here,"));
+  EXPECT_TRUE(has(
+      refusal([](Options& o) { o.flow_solver = static_cast<std::int64_t>(FlowMatrixSolver::direct); }, most),
+      "flow.solver = \"direct\""));
+  EXPECT_TRUE(has(
+      refusal([](Options& o) { o.thermal_mode = static_cast<std::int64_t>(ThermalMode::transport); }, most),
+      "thermal.mode = \"transport\""));
+}
+
+// Before the system ends the host's program for it.
+TEST(ModelSize, IsRefusedByAMachineThatCannotHoldIt) {
+  constexpr double gib = 1024.0 * 1024.0 * 1024.0;
+  CaseDefinition definition;
+  EXPECT_EQ(why_no_memory(definition, 1'000'000, true, 2.0 * gib), "");
+  EXPECT_EQ(why_no_memory(definition, 100'000'000, true, 64.0 * gib),
+            "a model of 100000000 discs takes 79.2 GiB at least, and this machine has 64 GiB, swap included; "
+            "lower packing.disc_count or give fewer discs.");
+  definition.options.flow_scheme = static_cast<std::int64_t>(FlowScheme::off);
+  EXPECT_EQ(why_no_memory(definition, 100'000'000, true, 64.0 * gib), "");
+  definition.options.solver_kind = static_cast<std::int64_t>(SolverKind::quasi_static);
+  EXPECT_NE(why_no_memory(definition, 10'000'000, true, 16.0 * gib), "");
+  // Over ranks the factor is shared out.
+  EXPECT_EQ(why_no_memory(definition, 10'000'000, false, 16.0 * gib), "");
+  EXPECT_GT(machine_memory(), 0.1 * gib);
 }
 
 TEST(ExpectedRadius, FillsTheModel) {

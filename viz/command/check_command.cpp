@@ -94,7 +94,9 @@ ExitCode check(const std::string& file) {
   if (definition.well_count == 0) fmt::print("  wells      none\n");
   for (const auto& note : notes) fmt::print("  record     {}\n", note);
   fmt::print("  run        {}, a snapshot every {}\n", length_line(definition), definition.output_every);
-  fmt::print("  writes     {}, unless it ends earlier\n", size_text(size_of_run(definition, -1)));
+  const RunSize size = size_of_run(definition, -1);
+  fmt::print("  writes     {}, unless it ends earlier\n", size_text(size));
+  fmt::print("  memory     about {}\n", memory_text(size));
   for (const auto& text : unlikely_values(definition)) tell("hfrac: warning: {}: {}\n", file, text);
   return kGood;
 }

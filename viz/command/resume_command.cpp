@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <utility>
 
 #include "command/case_file.hpp"
 #include "command/commands.hpp"
@@ -53,6 +54,7 @@ bool is_complete(const std::string& ended) {
   return ended != "running" && ended != "interrupted" && !ended.starts_with("failed");
 }
 
+/** Restores it; of another case, in words. */
 void require_image_of(hfrac_sim* sim, const output::Checkpoint& checkpoint, const fs::path& folder) {
   const int32_t status =
       hfrac_state_restore(sim, checkpoint.image.data(), static_cast<int64_t>(checkpoint.image.size()));
@@ -91,7 +93,7 @@ ExitCode go_on(const ResumeRequest& request, const Team& team) {
   if (team.follows()) return follow(std::move(definition), folder, terms.steps, team);
   const output::FolderClaim claim(folder);
   std::vector<std::string> damaged;
-  const auto checkpoint = output::CheckpointFolder(folder).newest(damaged);
+  auto checkpoint = output::CheckpointFolder(folder).newest(damaged);
   for (const auto& text : damaged) tell("hfrac: {}\n", text);
   if (!checkpoint && !request.quiet) fmt::print("no checkpoint: the run starts from its beginning again\n");
   if (checkpoint && terms.steps >= 0 && checkpoint->step > terms.steps) {
@@ -110,7 +112,11 @@ ExitCode go_on(const ResumeRequest& request, const Team& team) {
     return kInterrupted;
   }
   if (checkpoint) require_image_of(sim.get(), *checkpoint, folder);
-  restore(sim.get(), checkpoint ? checkpoint->image : std::string{}, team);
+  // Its image, a fifth of the model's memory, is kept no longer than it is needed.
+  std::string image;
+  if (checkpoint) image.swap(checkpoint->image);
+  if (!team.alone()) restore(sim.get(), std::move(image), team);
+  image = {};
   lay_grid(sim.get(), terms);
   if (checkpoint) {
     for (const auto& warning : output::warnings_of(summary, checkpoint->step))

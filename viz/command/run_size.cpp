@@ -23,6 +23,18 @@ constexpr double kFilesOfSnapshot = 5.0;
 constexpr double kOtherFiles = 14.0;  // lists, tables, case, summary, state, two checkpoints
 constexpr double kPlainly = 2.0;      // the estimate's factor
 
+// Of the whole process. Explicit per disc, without and with fluid (bench_memory, and a snapshot in hand); quasi-static per disc and
+// log2 of their number, as a factor of a plane's equations fills (bench_petsc tangent, tests/mpi/million.py).
+constexpr double kProcess = 30e6, kDry = 650.0, kWet = 1250.0, kSolved = 550.0;
+
+double memory_of(const hfrac_sim_def& definition, double discs) {
+  constexpr int64_t off = 2, quasi_static = 1;  // of flow.scheme, solver.kind
+  const double per_disc = definition.solver_kind == quasi_static ? kSolved * std::log2(discs)
+                          : definition.flow_scheme == off        ? kDry
+                                                                 : kWet;
+  return kProcess + per_disc * discs;
+}
+
 double steps_of(const hfrac_sim_def& definition, int64_t steps) {
   if (steps >= 0) return static_cast<double>(steps);
   if (definition.stepping_end_time > 0.0)
@@ -53,7 +65,12 @@ RunSize size_of_run(const hfrac_sim_def& definition, int64_t steps) {
   size.files = kFilesOfSnapshot * size.snapshots + kOtherFiles;
   size.bytes = size.snapshots * (kSnapshotHead + kSeriesLine + discs * kSnapshotBytes.at(packing)) +
                all * kHistoryLine + 3.0 * discs * kStateBytes;
+  size.memory = memory_of(definition, discs);
   return size;
+}
+
+std::string memory_text(const RunSize& size) {
+  return bytes_text(size.memory);
 }
 
 std::string size_text(const RunSize& size) {

@@ -6,10 +6,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "command/interrupt.hpp"
 
@@ -149,7 +150,7 @@ struct EndOfRun {
 void save_checkpoint(hfrac_sim* sim, output::RunFolder& folder, ProgressLine& line) {
   try {
     folder.checkpoint(sim);
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {  // a full disk, or memory that does not hold the image
     line.end();
     tell("hfrac: no checkpoint, the earlier ones stand: {}\n", error.what());
   }
@@ -300,8 +301,8 @@ ExitCode run_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_d
   }
 }
 
-bool restore(hfrac_sim* sim, const std::string& image, const Team& team) {
-  const auto all = team.share(image);
+bool restore(hfrac_sim* sim, std::string image, const Team& team) {
+  const auto all = team.share(std::move(image));
   if (!all.empty())
     output::require(hfrac_state_restore(sim, all.data(), static_cast<int64_t>(all.size())), sim);
   return !all.empty();

@@ -40,6 +40,6 @@ ExitCode run_to_end(hfrac_sim* sim, output::RunFolder& folder, const hfrac_sim_d
 ExitCode follow(Definition definition, const std::filesystem::path& folder, int64_t steps, const Team& team);
 
 /** Into a simulation that was just built, on all processes; empty: nothing. Returns whether the first one had an image. */
-bool restore(hfrac_sim* sim, const std::string& image, const Team& team);
+bool restore(hfrac_sim* sim, std::string image, const Team& team);
 
 }  // namespace hfrac::command

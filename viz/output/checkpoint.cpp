@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "run/files.hpp"
 #include "run/text.hpp"
@@ -33,10 +35,15 @@ struct Header {
 static_assert(sizeof(Header) == 40);
 
 /** Of all but itself. */
-uint32_t checksum_of(Header header, std::string_view content) {
+uint32_t checksum_of(Header header, std::initializer_list<std::string_view> content) {
   header.checksum = 0;
-  const uint32_t first = libdeflate_crc32(0, &header, sizeof header);
-  return libdeflate_crc32(first, content.data(), content.size());
+  uint32_t sum = libdeflate_crc32(0, &header, sizeof header);
+  for (const auto part : content) sum = libdeflate_crc32(sum, part.data(), part.size());
+  return sum;
+}
+
+std::string_view bytes_of(const Header& header) {
+  return {reinterpret_cast<const char*>(&header), sizeof header};
 }
 
 json course_of(const Checkpoint& checkpoint) {
@@ -71,26 +78,29 @@ int64_t step_of(const std::string& name) {
   return number_in<int64_t>(number).value_or(-1);
 }
 
-}  // namespace
-
-std::string pack_checkpoint(const Checkpoint& checkpoint) {
-  const std::string course = course_of(checkpoint).dump();
+Header header_of(std::string_view course, std::string_view image) {
   Header header{};
   std::memcpy(header.magic, magic, sizeof magic);
   header.format = format;
   header.byte_order = byte_order;
   header.course_size = course.size();
-  header.image_size = checkpoint.image.size();
-  const std::string content = course + checkpoint.image;
-  header.checksum = checksum_of(header, content);
-  return std::string(reinterpret_cast<const char*>(&header), sizeof header) + content;
+  header.image_size = image.size();
+  header.checksum = checksum_of(header, {course, image});
+  return header;
 }
 
-Checkpoint unpack_checkpoint(std::string_view bytes) {
+}  // namespace
+
+std::string pack_checkpoint(const Checkpoint& checkpoint) {
+  const std::string course = course_of(checkpoint).dump();
+  return std::string(bytes_of(header_of(course, checkpoint.image))) + course + checkpoint.image;
+}
+
+Checkpoint unpack_checkpoint(std::string bytes) {
   Header header{};
   if (bytes.size() < sizeof header) throw CheckpointError("it is shorter than a checkpoint's header");
   std::memcpy(&header, bytes.data(), sizeof header);
-  const auto content = bytes.substr(sizeof header);
+  const auto content = std::string_view(bytes).substr(sizeof header);
   if (std::memcmp(header.magic, magic, sizeof magic) != 0)
     throw CheckpointError("it is no checkpoint of hfrac");
   if (header.byte_order != byte_order)
@@ -102,12 +112,13 @@ Checkpoint unpack_checkpoint(std::string_view bytes) {
   }
   if (header.course_size > content.size() || header.image_size != content.size() - header.course_size)
     throw CheckpointError("its length is not what it says: it was cut, or something was added");
-  if (header.checksum != checksum_of(header, content))
+  if (header.checksum != checksum_of(header, {content}))
     throw CheckpointError("it is damaged: its checksum differs");
   try {
     const auto size = static_cast<size_t>(header.course_size);
     Checkpoint checkpoint = checkpoint_of(json::parse(content.substr(0, size)));
-    checkpoint.image = content.substr(size);
+    bytes.erase(0, sizeof header + size);
+    checkpoint.image = std::move(bytes);
     return checkpoint;
   } catch (const json::exception& error) {
     throw CheckpointError(fmt::format("its account of the run cannot be read: {}", error.what()));
@@ -131,7 +142,9 @@ std::vector<int64_t> CheckpointFolder::steps() const {
 
 void CheckpointFolder::write(const Checkpoint& checkpoint) const {
   make_real_folder(folder_);
-  write_whole(file(checkpoint.step), pack_checkpoint(checkpoint));
+  const std::string course = course_of(checkpoint).dump();
+  write_whole(file(checkpoint.step),
+              {bytes_of(header_of(course, checkpoint.image)), course, checkpoint.image});
   const auto there = steps();
   for (size_t k = kept; k < there.size(); ++k) {
     std::error_code ignored;  // one too many does no harm

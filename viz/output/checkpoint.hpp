@@ -13,7 +13,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "run/series.hpp"
@@ -38,7 +37,7 @@ class CheckpointError : public std::runtime_error {
 
 std::string pack_checkpoint(const Checkpoint& checkpoint);
 /** Throws CheckpointError. */
-Checkpoint unpack_checkpoint(std::string_view bytes);
+Checkpoint unpack_checkpoint(std::string bytes);
 
 /** The folder `checkpoints` of a run folder. */
 class CheckpointFolder {

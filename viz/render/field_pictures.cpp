@@ -57,7 +57,7 @@ void pressure_picture(const Studio& studio, const Scene& scene, const PageSink& 
                           [](const Domain& a, const Domain& b) { return a.pressure < b.pressure; });
   const double lowest = low->pressure;
   const double highest = high->pressure > lowest ? high->pressure : lowest + pascal_per_megapascal;
-  sheet.view.renderer->AddActor(domain_layer(scene.flow, lowest, highest));
+  sheet.view.renderer->AddActor(domain_layer(scene.flow, bounds_of(sheet.view.extent), lowest, highest));
   if (!scene.cracks.cracks.empty()) {
     sheet.view.renderer->AddActor(crack_layer(scene.cracks.cracks, sheet.metres(1.5), sheet.metres(1.1)));
   }

@@ -107,7 +107,7 @@ void add_growth_layers(const View& view, const Page& page, const RunFolder& run,
       discs_in_view(view, scene.discs, palette().disc, rim, view.metres_per_pixel / page.drawn_pixels()));
   if (!scene.bonds.intact.empty() && !drawn_as_density(view, scene.discs)) {
     const double width = bond_width(radius / view.metres_per_pixel) * page.drawn_pixels();
-    view.renderer->AddActor(bond_layer(scene.bonds.intact, palette().bond, width));
+    view.renderer->AddActor(bond_layer(scene.bonds.intact, bounds_of(view.extent), palette().bond, width));
   }
   if (!scene.cracks.cracks.empty()) {
     view.renderer->AddActor(crack_layer(scene.cracks.cracks, crack_half_width(unit_metres, radius), 0.0));
@@ -122,7 +122,8 @@ void model_picture(const Studio& studio, const Scene& scene, const PageSink& sin
       discs_in_view(sheet.view, scene.discs, palette().disc, palette().soft_disc_rim, sheet.drawn_pixel()));
   if (!scene.bonds.intact.empty() && !drawn_as_density(sheet.view, scene.discs)) {
     const double width = bond_width(radius_pixels) * sheet.page.drawn_pixels();
-    sheet.view.renderer->AddActor(bond_layer(scene.bonds.intact, palette().ink, width));
+    sheet.view.renderer->AddActor(
+        bond_layer(scene.bonds.intact, bounds_of(sheet.view.extent), palette().ink, width));
   }
   const auto disc_count = static_cast<std::int64_t>(scene.discs.discs.size());
   const auto bond_count = static_cast<std::int64_t>(scene.bonds.intact.size());
@@ -156,9 +157,10 @@ void stage_picture(const Studio& studio, const Scene& scene, const PageSink& sin
   sink(sheet.page);
 }
 
-void growth_picture(const Studio& studio, const std::vector<Scene>& scenes, const PageSink& sink) {
-  if (scenes.empty()) fail_reading("the run has no snapshots");
-  const Extent extent = whole_model(*studio.run, scenes.front().discs);
+void growth_picture(const Studio& studio, const SceneList& scenes, const PageSink& sink) {
+  if (scenes.count == 0) fail_reading("the run has no snapshots");
+  Scene scene = scenes.load(0);
+  const Extent extent = whole_model(*studio.run, scene.discs);
   const GrowthGrid grid(studio, extent);
   const double unit = grid.unit;
   Page page(studio.window, studio.size.width, grid.page_height);
@@ -167,12 +169,16 @@ void growth_picture(const Studio& studio, const std::vector<Scene>& scenes, cons
   draw_title(page, unit, grid.margin, untitled ? what : studio.run->title, untitled ? "" : what);
   double metres_per_pixel = 1;
   bool bonds = false;
-  for (int i = 0; i < static_cast<int>(scenes.size()) && i < grid.columns * grid.rows - 1; ++i) {
+  for (int i = 0; i < scenes.count && i < grid.columns * grid.rows - 1; ++i) {
+    if (i > 0) {
+      scene = {};
+      scene = scenes.load(i);
+    }
     const View view = page.view(grid.cell(i), extent);
-    const HistoryPoint& point = scenes[i].point;
+    const HistoryPoint& point = scene.point;
     metres_per_pixel = view.metres_per_pixel;
-    bonds = bonds || !scenes[i].bonds.intact.empty();
-    add_growth_layers(view, page, *studio.run, scenes[i], 0.8 * unit * view.metres_per_pixel);
+    bonds = bonds || !scene.bonds.intact.empty();
+    add_growth_layers(view, page, *studio.run, scene, 0.8 * unit * view.metres_per_pixel);
     draw_frame(page, unit, view);
     std::string caption = "(a) ";
     caption[1] = static_cast<char>('a' + i);

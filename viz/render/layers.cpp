@@ -46,12 +46,22 @@ bool lies_in(std::span<const Point> corners, Point at) {
 
 }  // namespace
 
-vtkSmartPointer<vtkActor> bond_layer(std::span<const Segment> bonds, Colour colour, double width) {
+vtkSmartPointer<vtkActor> bond_layer(std::span<const Segment> bonds, const Bounds& seen, Colour colour,
+                                     double width) {
+  const auto meets = [&](const Segment& bond) {
+    Bounds bounds;
+    bounds.include(bond.from);
+    bounds.include(bond.to);
+    return bounds.meet(seen);
+  };
+  const auto count = std::count_if(bonds.begin(), bonds.end(), meets);
+  require_drawable(2 * static_cast<std::size_t>(count));
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
-  points->SetNumberOfPoints(2 * static_cast<vtkIdType>(bonds.size()));
+  points->SetNumberOfPoints(2 * static_cast<vtkIdType>(count));
   vtkIdType next = 0;
   for (const Segment& bond : bonds) {
+    if (!meets(bond)) continue;
     lines->InsertNextCell(2);
     for (const Point& end : {bond.from, bond.to}) {
       points->SetPoint(next, end.x, end.y, 0.0);
@@ -104,17 +114,18 @@ vtkSmartPointer<vtkActor> aperture_layer(std::span<const Crack> cracks, double w
   return mesh.actor(depth::cracks);
 }
 
-vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, double lowest, double highest) {
+vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, const Bounds& seen, double lowest, double highest) {
   const double range = highest > lowest ? highest - lowest : 1.0;
-  Mesh mesh;
+  Mesh mesh(seen);
   for (const Domain& domain : flow.domains) {
     mesh.polygon(corners_of(flow, domain), pressure_map.at((domain.pressure - lowest) / range));
   }
   return mesh.actor(depth::domains);
 }
 
-vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, std::span<const Colour> colours) {
-  Mesh mesh;
+vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, const Bounds& seen,
+                                       std::span<const Colour> colours) {
+  Mesh mesh(seen);
   for (const Domain& domain : flow.domains) {
     if (domain.cell < colours.size()) mesh.polygon(corners_of(flow, domain), colours[domain.cell]);
   }
@@ -170,7 +181,8 @@ vtkSmartPointer<vtkActor> well_rings(const Flow& flow, std::span<const WellPlace
 
 // Layers whose bands say something by colour or width: force chains, cracks by their age, bonds by anything.
 
-vtkSmartPointer<vtkActor> force_layer(std::span<const BondForce> bonds, double largest, double half_width) {
+vtkSmartPointer<vtkActor> force_layer(std::span<const BondForce> bonds, const Bounds& seen, double largest,
+                                      double half_width) {
   constexpr double weakest = 0.02;  // of the largest
   std::vector<BondForce> by_force;
   for (const BondForce& bond : bonds) {
@@ -180,7 +192,7 @@ vtkSmartPointer<vtkActor> force_layer(std::span<const BondForce> bonds, double l
   std::stable_sort(by_force.begin(), by_force.end(), [](const BondForce& a, const BondForce& b) {
     return std::fabs(a.normal) < std::fabs(b.normal);
   });
-  Mesh mesh;
+  Mesh mesh(seen);
   for (const BondForce& bond : by_force) {
     const double half = half_width * std::min(1.0, std::fabs(bond.normal) / largest);
     mesh.band(bond.line, half, half / 2, bond.normal > 0 ? palette().pull : palette().push);
@@ -197,9 +209,9 @@ vtkSmartPointer<vtkActor> coloured_cracks(std::span<const Crack> cracks, std::sp
   return mesh.actor(depth::cracks);
 }
 
-vtkSmartPointer<vtkActor> coloured_bonds(std::span<const Segment> bonds, std::span<const Colour> colours,
-                                         double half_width) {
-  Mesh mesh;
+vtkSmartPointer<vtkActor> coloured_bonds(std::span<const Segment> bonds, const Bounds& seen,
+                                         std::span<const Colour> colours, double half_width) {
+  Mesh mesh(seen);
   for (std::size_t i = 0; i < bonds.size() && i < colours.size(); ++i) {
     mesh.band(bonds[i], half_width, half_width / 2, colours[i]);
   }

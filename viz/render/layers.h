@@ -32,8 +32,11 @@ vtkSmartPointer<vtkActor> disc_layer(const Discs& discs, Colour fill, Colour rim
 // Discs, each in its own colour with a darker rim.
 vtkSmartPointer<vtkActor> disc_layer(const Discs& discs, std::span<const Colour> fills, double pixel);
 
+// Of the following those draw what meets `seen` alone that may have millions of shapes to leave out.
+
 // Lines between disc centres, `width` drawn pixels wide; below one they fade instead of getting thinner.
-vtkSmartPointer<vtkActor> bond_layer(std::span<const Segment> bonds, Colour colour, double width);
+vtkSmartPointer<vtkActor> bond_layer(std::span<const Segment> bonds, const Bounds& seen, Colour colour,
+                                     double width);
 
 // Cracks as bands of equal width, tension and shear in their colours; `casing` [m] of paper around them, if
 // positive.
@@ -44,22 +47,23 @@ vtkSmartPointer<vtkActor> aperture_layer(std::span<const Crack> cracks, double w
 
 // Bonds as bands as wide as their force is large: half_width [m] at `largest` [N] and above; weaker ones than
 // a fiftieth of it are left out.
-vtkSmartPointer<vtkActor> force_layer(std::span<const BondForce> bonds, double largest, double half_width);
+vtkSmartPointer<vtkActor> force_layer(std::span<const BondForce> bonds, const Bounds& seen, double largest,
+                                      double half_width);
 
 // Cracks and bonds in colours of their own: that of cell i of their file is colours[i].
 vtkSmartPointer<vtkActor> coloured_cracks(std::span<const Crack> cracks, std::span<const Colour> colours,
                                           double half_width);
-vtkSmartPointer<vtkActor> coloured_bonds(std::span<const Segment> bonds, std::span<const Colour> colours,
-                                         double half_width);
+vtkSmartPointer<vtkActor> coloured_bonds(std::span<const Segment> bonds, const Bounds& seen,
+                                         std::span<const Colour> colours, double half_width);
 
 // Contacts of joints in colours of their own, with a thin line around each joint, since one colour may be that of the rock.
 vtkSmartPointer<vtkActor> joint_layer(std::span<const Segment> contacts, std::span<const Colour> colours,
                                       double half_width, double casing);
 
 // Domains in colours of their own, by cell of their file.
-vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, std::span<const Colour> colours);
+vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, const Bounds& seen, std::span<const Colour> colours);
 // Domains in the colour of their pressure between two values.
-vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, double lowest, double highest);
+vtkSmartPointer<vtkActor> domain_layer(const Flow& flow, const Bounds& seen, double lowest, double highest);
 
 // The holes of the wells, to lie under the discs: the wells' domains if flow has any, otherwise circles.
 vtkSmartPointer<vtkActor> well_layer(const Flow& flow, std::span<const WellPlace> wells,

@@ -12,12 +12,28 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <string>
+
+#include "failure.h"
 
 namespace hfrac::viz {
 
+void require_drawable(std::size_t corners) {
+  constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() / (3 * sizeof(float));
+  if (corners > most)
+    fail_drawing("a layer of " + std::to_string(corners) + " corners is more than the " +
+                 std::to_string(most) + " that are drawn at once; look at a part of the model");
+}
+
 void Mesh::polygon(std::span<const Point> corners, Colour colour) {
   if (corners.size() < 3) return;
+  if (seen_) {
+    Bounds bounds;
+    for (const Point corner : corners) bounds.include(corner);
+    if (!bounds.meet(*seen_)) return;
+  }
   points_.insert(points_.end(), corners.begin(), corners.end());
   colours_.insert(colours_.end(), corners.size(), colour);
   sizes_.push_back(static_cast<std::uint32_t>(corners.size()));
@@ -55,6 +71,7 @@ void Mesh::circle(Point centre, double radius, Colour colour) {
 }
 
 vtkSmartPointer<vtkActor> Mesh::actor(double depth) const {
+  require_drawable(points_.size());
   vtkNew<vtkPoints> points;
   vtkNew<vtkUnsignedCharArray> colours;
   colours->SetNumberOfComponents(3);

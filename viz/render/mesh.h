@@ -5,7 +5,9 @@
 #include <vtkActor.h>
 #include <vtkSmartPointer.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +18,9 @@ namespace hfrac::viz {
 
 class Mesh {
  public:
+  Mesh() = default;
+  // Of what meets this part of the plane alone.
+  explicit Mesh(const Bounds& seen) : seen_(seen) {}
   void polygon(std::span<const Point> corners, Colour colour);
   // A straight band with square ends, `overhang` longer at both.
   void band(const Segment& line, double half_width, double overhang, Colour colour);
@@ -29,6 +34,10 @@ class Mesh {
   std::vector<Point> points_;
   std::vector<Colour> colours_;
   std::vector<std::uint32_t> sizes_;  // corners of each polygon
+  std::optional<Bounds> seen_;
 };
+
+// Throws unless OpenGL draws so many corners at once: their places go into one buffer, counted in 32 bits.
+void require_drawable(std::size_t corners);
 
 }  // namespace hfrac::viz

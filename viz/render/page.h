@@ -63,6 +63,10 @@ struct Extent {
   double height = 0;
 };
 
+inline Bounds bounds_of(const Extent& extent) {
+  return {extent.left, extent.left + extent.width, extent.bottom, extent.bottom + extent.height};
+}
+
 enum class Align { left, centre, right };
 
 struct TextStyle {

@@ -38,6 +38,12 @@ struct Scene {
   Flow flow;
 };
 
+// Scenes in order of time, each read when it is asked for.
+struct SceneList {
+  int count = 0;
+  std::function<Scene(int)> load;
+};
+
 // "step 120, t = 3.4 s"
 std::string moment_text(const HistoryPoint& point);
 
@@ -45,7 +51,7 @@ Scene load_scene(const RunFolder& run, const HistoryPoint& point, bool with_bond
 
 void model_picture(const Studio& studio, const Scene& scene, const PageSink& sink);
 void stage_picture(const Studio& studio, const Scene& scene, const PageSink& sink);
-void growth_picture(const Studio& studio, const std::vector<Scene>& scenes, const PageSink& sink);
+void growth_picture(const Studio& studio, const SceneList& scenes, const PageSink& sink);
 // Throws ReadError if the scene has no domains.
 void pressure_picture(const Studio& studio, const Scene& scene, const PageSink& sink);
 void aperture_picture(const Studio& studio, const Scene& scene, const PageSink& sink);

@@ -37,13 +37,12 @@ struct Workshop {
   vtkSmartPointer<OffscreenWindow> window;
 };
 
-std::vector<Scene> stage_scenes(const Workshop& shop) {
-  std::vector<Scene> scenes;
+// Of which only one is read at a time: of a large model each takes as much memory as some of its fields.
+SceneList stage_scenes(const Workshop& shop) {
   const std::vector<HistoryPoint> history = read_history(shop.run);
-  for (const int stage : growth_stages(history)) {
-    scenes.push_back(load_scene(shop.run, history[stage], true, true));
-  }
-  return scenes;
+  const std::vector<int> stages = growth_stages(history);
+  return {static_cast<int>(stages.size()),
+          [&shop, history, stages](int i) { return load_scene(shop.run, history[stages[i]], true, true); }};
 }
 
 // The movie's picture of one snapshot, with the curves and axes it has there.
@@ -142,10 +141,10 @@ void render_run(const std::filesystem::path& folder, const hfrac_viz_options& op
   };
   if (wanted(HFRAC_VIZ_MODEL)) single("model", HFRAC_VIZ_MODEL);
   if (wanted(HFRAC_VIZ_STAGE | HFRAC_VIZ_GROWTH)) {
-    const std::vector<Scene> scenes = stage_scenes(shop);
-    for (std::size_t i = 0; i < scenes.size() && wanted(HFRAC_VIZ_STAGE); ++i) {
+    const SceneList scenes = stage_scenes(shop);
+    for (int i = 0; i < scenes.count && wanted(HFRAC_VIZ_STAGE); ++i) {
       picture("growth_" + std::to_string(i + 1),
-              [&](const PageSink& sink) { stage_picture(shop.studio(), scenes[i], sink); });
+              [&](const PageSink& sink) { stage_picture(shop.studio(), scenes.load(i), sink); });
     }
     if (wanted(HFRAC_VIZ_GROWTH))
       picture("growth", [&](const PageSink& sink) { growth_picture(shop.studio(), scenes, sink); });

@@ -97,6 +97,9 @@ struct Bounds {
     top = std::max(top, centre.y + radius);
   }
   bool empty() const { return !(right >= left); }
+  bool meet(const Bounds& other) const {
+    return left <= other.right && other.left <= right && bottom <= other.top && other.bottom <= top;
+  }
   double width() const { return right - left; }
   double height() const { return top - bottom; }
   Point middle() const { return {(left + right) / 2, (bottom + top) / 2}; }

@@ -259,7 +259,8 @@ Key show_forces(const Job& job) {
   }
   job.add_well();
   job.add_quiet_discs();
-  job.add(force_layer(bonds, largest, std::max(0.45 * job.radius, 1.2 * job.size.unit_metres)));
+  job.add(force_layer(bonds, bounds_of(job.view.extent), largest,
+                      std::max(0.45 * job.radius, 1.2 * job.size.unit_metres)));
   job.add_cracks(true);
   Key key;
   key.entries = {{Sign::band, palette().push, {}, "compression"},
@@ -278,7 +279,8 @@ Key show_bonds(const Job& job) {
   job.add_discs(palette().disc, palette().soft_disc_rim);
   if (!drawn_as_density(job.view, job.scene.discs)) {
     const double half = 0.06 * job.radius;
-    job.add(coloured_bonds(bonds.intact, std::vector<Colour>(bonds.intact.size(), palette().bond), half));
+    job.add(coloured_bonds(bonds.intact, bounds_of(job.view.extent),
+                           std::vector<Colour>(bonds.intact.size(), palette().bond), half));
   }
   job.add_cracks(false);
   Key key;
@@ -421,7 +423,7 @@ void show_colours(const Job& job, const ViewSpec& spec, const FoundArray& found,
     job.add(discs_in_view(job.view, job.scene.discs, colours, job.size.drawn_pixel));
     job.add_cracks(true);
   } else if (series == &RunFolder::flow) {
-    job.add(domain_layer(job.scene.flow, colours));
+    job.add(domain_layer(job.scene.flow, bounds_of(job.view.extent), colours));
     job.add_cracks(true);
     job.add_ring();
   } else if (series == &RunFolder::cracks) {
@@ -432,7 +434,8 @@ void show_colours(const Job& job, const ViewSpec& spec, const FoundArray& found,
     job.add_well();
     job.add_quiet_discs();
     const double half_width = std::max(0.16 * job.radius, 0.8 * job.size.unit_metres);
-    job.add(coloured_bonds(read_lines(job.file(job.run.bonds, "bonds")), colours, half_width));
+    job.add(coloured_bonds(read_lines(job.file(job.run.bonds, "bonds")), bounds_of(job.view.extent), colours,
+                           half_width));
   }
 }
 

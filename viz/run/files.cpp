@@ -96,12 +96,17 @@ void WholeFile::commit() {
   sync_folder(target_.parent_path());
 }
 
-void write_whole(const std::filesystem::path& file, std::string_view bytes) {
+void write_whole(const std::filesystem::path& file, std::initializer_list<std::string_view> parts) {
   WholeFile whole(file);
   Descriptor descriptor(whole.working_path(), O_WRONLY | O_CREAT | O_EXCL);
-  if (!descriptor.is_open() || !write_all(descriptor.number(), bytes) || !descriptor.close())
-    fail("write", file, errno);
+  bool good = descriptor.is_open();
+  for (const auto part : parts) good = good && write_all(descriptor.number(), part);
+  if (!good || !descriptor.close()) fail("write", file, errno);
   whole.commit();
+}
+
+void write_whole(const std::filesystem::path& file, std::string_view bytes) {
+  write_whole(file, {bytes});
 }
 
 void write_whole(const std::filesystem::path& file, std::span<const uint8_t> bytes) {
@@ -154,6 +159,9 @@ std::string read_whole(const std::filesystem::path& file) {
   const Descriptor descriptor(file, O_RDONLY, true);
   if (!descriptor.is_open()) fail_reading(cannot("read", file, errno));
   std::string content;
+  struct stat there {};
+  if (::fstat(descriptor.number(), &there) == 0 && there.st_size > 0)
+    content.reserve(static_cast<size_t>(there.st_size));
   for (char part[65536];;) {
     const ssize_t got = ::read(descriptor.number(), part, sizeof part);
     if (got < 0 && errno == EINTR) continue;

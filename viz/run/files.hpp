@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <initializer_list>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -57,6 +58,8 @@ class WholeFile {
 /** Puts `bytes` into `file` as a whole, replacing what was there. Throws WriteError, as all that write do. */
 void write_whole(const std::filesystem::path& file, std::string_view bytes);
 void write_whole(const std::filesystem::path& file, std::span<const uint8_t> bytes);
+/** The same of what stands in several places, one after the other. */
+void write_whole(const std::filesystem::path& file, std::initializer_list<std::string_view> parts);
 
 /** Adds whole `lines` to the end of `file`. If they do not fit, none of them stays. */
 void append_whole(const std::filesystem::path& file, std::string_view lines);
