@@ -14,7 +14,8 @@ namespace hfrac {
 namespace {
 
 constexpr std::size_t discs_of_block = 512, discs_worth_sharing = 4000;
-constexpr std::int64_t iterations_between_reports = 50;
+// Iterations between reports: so many, of many discs fewer, so that who waits is told, and can stop it, within a second or two.
+constexpr std::int64_t most_between_reports = 50, moves_between_reports = 5'000'000;
 
 struct Sums {
   double overlap = 0.0;  // of all contacts, whose forces are their overlaps
@@ -133,6 +134,8 @@ class Relaxation {
         moving_(static_cast<double>(std::max<std::int64_t>(
             1, static_cast<std::int64_t>(x.size()) -
                    std::count_if(held.begin(), held.end(), [](char h) { return h != 0; })))),
+        between_reports_(std::clamp<std::int64_t>(moves_between_reports / static_cast<std::int64_t>(x.size()),
+                                                  1, most_between_reports)),
         pairs_(box, radius, 0.4 * mean_radius_, shared_ ? discs_of_block : 0) {
     for (auto* values : {&own_x_, &own_y_, &vx_, &vy_}) values->assign(x.size(), 0.0);
     // And a place for each block, where what it pushes others' discs with is lost.
@@ -153,6 +156,7 @@ class Relaxation {
       // The residual falls by fits and starts; what was reached once is what counts as done.
       if (report_.iterations == 0) start = std::max(report_.residual, 10.0 * residual);
       done = std::clamp(std::log(start / report_.residual) / std::log(start / residual), done, 1.0);
+      done = std::max(done, static_cast<double>(report_.iterations) / static_cast<double>(most));
       if (progress && progress(done)) return report_;
     }
   }
@@ -317,7 +321,7 @@ class Relaxation {
     over_ = report_.at_rest || report_.iterations == most_;
     if (over_) return;
     course_.turn_by(sums_);
-    judged_ = report_.iterations % iterations_between_reports == 0;
+    judged_ = report_.iterations % between_reports_ == 0;
   }
 
   void move(const Member& member) {
@@ -340,7 +344,7 @@ class Relaxation {
   Workers& workers_;
   bool shared_;
   double mean_radius_, moving_, residual_ = 0.0;
-  std::int64_t most_ = 0;
+  std::int64_t most_ = 0, between_reports_;
   NeighbourPairs pairs_;
   Array<double> fx_, fy_, own_x_, own_y_, vx_, vy_;
   struct Touching {  // of a block: overlaps of pairs that touch

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options/model_size.hpp"
 
+#ifdef __linux__
 #include <sys/sysinfo.h>
+#endif
 
 #include <limits>
 
@@ -64,10 +66,13 @@ std::string why_no_memory(const CaseDefinition& definition, std::int64_t discs, 
 }
 
 double machine_memory() {
+#ifdef __linux__
   struct sysinfo info {};
-  if (sysinfo(&info) != 0) return std::numeric_limits<double>::infinity();
-  return (static_cast<double>(info.totalram) + static_cast<double>(info.totalswap)) *
-         static_cast<double>(info.mem_unit);
+  if (sysinfo(&info) == 0)
+    return (static_cast<double>(info.totalram) + static_cast<double>(info.totalswap)) *
+           static_cast<double>(info.mem_unit);
+#endif
+  return std::numeric_limits<double>::infinity();
 }
 
 }  // namespace hfrac

@@ -26,7 +26,7 @@ std::string why_too_large(const CaseDefinition& definition, std::int64_t discs);
 double least_memory(const CaseDefinition& definition, std::int64_t discs, bool alone);
 // Why it does not fit into a machine with so many bytes; empty: it may.
 std::string why_no_memory(const CaseDefinition& definition, std::int64_t discs, bool alone, double machine);
-// Memory of this machine, swap included [bytes].
+// Memory of this machine, swap included [bytes]; infinite where the system does not tell.
 double machine_memory();
 
 }  // namespace hfrac

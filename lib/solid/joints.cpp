@@ -54,12 +54,18 @@ std::int64_t find_crossed(const Assembly& a, const std::vector<JointOptions>& jo
 // Fluid passes such a bond as it passes the nearest contact of the joint.
 void bridge_flow(Assembly& a, const std::vector<KeptBond>& kept) {
   const auto& contacts = a.smooth.contacts;
+  std::vector<std::vector<std::size_t>> of_joint;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const auto joint = static_cast<std::size_t>(contacts[k].joint);
+    of_joint.resize(std::max(of_joint.size(), joint + 1));
+    of_joint[joint].push_back(k);
+  }
   for (const auto& [bond, joint] : kept) {
+    if (static_cast<std::size_t>(joint) >= of_joint.size()) continue;
     const Vec2 at{a.x[a.first[bond]] + 0.5 * a.dx(bond), a.y[a.first[bond]] + 0.5 * a.dy(bond)};
     std::int32_t nearest = -1;
     double least = 0.0;
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-      if (contacts[k].joint != joint) continue;
+    for (const auto k : of_joint[static_cast<std::size_t>(joint)]) {
       const auto i = a.first[contacts[k].bond];
       const Vec2 way = Vec2{a.x[i], a.y[i]} + contacts[k].first_arm() - at;
       if (nearest >= 0 && dot(way, way) >= least) continue;

@@ -16,7 +16,10 @@ extern "C" {
 #endif
 
 /** Builds a simulation. On failure *sim is NULL and hfrac_last_error(NULL, ...) says why. HFRAC_ERR_COLLAPSED: more than
- * initial.broken_fraction of the bonds broke under the far field, or the rock found no rest at all. Stable since 0.1. */
+ * initial.broken_fraction of the bonds broke under the far field, or the rock found no rest at all. HFRAC_ERR_MEMORY: also, before
+ * anything is made, where this machine's memory, swap included, is less than the model takes at the very least: a system that
+ * lends more than it has would end the program later. HFRAC_ERR_MODEL: also for more discs than the way of solving takes, 1e7
+ * quasi-static, with facets or with flow.solver "direct", 5e7 with transported heat, else 1e8. Stable since 0.1. */
 HFRAC_API int32_t hfrac_sim_create(const hfrac_sim_def *def, hfrac_sim **sim);
 
 /** Frees a simulation and sets *sim to NULL; NULL and *sim == NULL are fine. Stable since 0.1. */
