@@ -134,8 +134,9 @@ class Relaxation {
         moving_(static_cast<double>(std::max<std::int64_t>(
             1, static_cast<std::int64_t>(x.size()) -
                    std::count_if(held.begin(), held.end(), [](char h) { return h != 0; })))),
-        between_reports_(std::clamp<std::int64_t>(moves_between_reports / static_cast<std::int64_t>(x.size()),
-                                                  1, most_between_reports)),
+        between_reports_(std::clamp<std::int64_t>(
+            moves_between_reports / std::max<std::int64_t>(1, static_cast<std::int64_t>(x.size())), 1,
+            most_between_reports)),
         pairs_(box, radius, 0.4 * mean_radius_, shared_ ? discs_of_block : 0) {
     for (auto* values : {&own_x_, &own_y_, &vx_, &vy_}) values->assign(x.size(), 0.0);
     // And a place for each block, where what it pushes others' discs with is lost.

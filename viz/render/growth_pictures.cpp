@@ -159,8 +159,8 @@ void stage_picture(const Studio& studio, const Scene& scene, const PageSink& sin
 
 void growth_picture(const Studio& studio, const SceneList& scenes, const PageSink& sink) {
   if (scenes.count == 0) fail_reading("the run has no snapshots");
-  Scene scene = scenes.load(0);
-  const Extent extent = whole_model(*studio.run, scene.discs);
+  auto scene = scenes.load(0);
+  const Extent extent = whole_model(*studio.run, scene->discs);
   const GrowthGrid grid(studio, extent);
   const double unit = grid.unit;
   Page page(studio.window, studio.size.width, grid.page_height);
@@ -171,14 +171,14 @@ void growth_picture(const Studio& studio, const SceneList& scenes, const PageSin
   bool bonds = false;
   for (int i = 0; i < scenes.count && i < grid.columns * grid.rows - 1; ++i) {
     if (i > 0) {
-      scene = {};
+      scene.reset();
       scene = scenes.load(i);
     }
     const View view = page.view(grid.cell(i), extent);
-    const HistoryPoint& point = scene.point;
+    const HistoryPoint& point = scene->point;
     metres_per_pixel = view.metres_per_pixel;
-    bonds = bonds || !scene.bonds.intact.empty();
-    add_growth_layers(view, page, *studio.run, scene, 0.8 * unit * view.metres_per_pixel);
+    bonds = bonds || !scene->bonds.intact.empty();
+    add_growth_layers(view, page, *studio.run, *scene, 0.8 * unit * view.metres_per_pixel);
     draw_frame(page, unit, view);
     std::string caption = "(a) ";
     caption[1] = static_cast<char>('a' + i);

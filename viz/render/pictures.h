@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,7 @@ struct Scene {
 // Scenes in order of time, each read when it is asked for.
 struct SceneList {
   int count = 0;
-  std::function<Scene(int)> load;
+  std::function<std::shared_ptr<const Scene>(int)> load;
 };
 
 // "step 120, t = 3.4 s"

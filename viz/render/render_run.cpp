@@ -2,6 +2,7 @@
 #include "render_run.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -37,12 +38,20 @@ struct Workshop {
   vtkSmartPointer<OffscreenWindow> window;
 };
 
-// Of which only one is read at a time: of a large model each takes as much memory as some of its fields.
+// Kept once they are read; but of a large model, of which each takes as much memory as some of its fields, one at a time.
 SceneList stage_scenes(const Workshop& shop) {
+  constexpr std::size_t most_kept = 5'000'000;  // discs, of all scenes
   const std::vector<HistoryPoint> history = read_history(shop.run);
   const std::vector<int> stages = growth_stages(history);
-  return {static_cast<int>(stages.size()),
-          [&shop, history, stages](int i) { return load_scene(shop.run, history[stages[i]], true, true); }};
+  auto kept = std::make_shared<std::vector<std::shared_ptr<const Scene>>>(stages.size());
+  return {static_cast<int>(stages.size()), [&shop, history, stages, kept](int i) {
+            auto& place = (*kept)[static_cast<std::size_t>(i)];
+            if (place) return place;
+            const auto scene = std::make_shared<const Scene>(
+                load_scene(shop.run, history[stages[static_cast<std::size_t>(i)]], true, true));
+            if (scene->discs.discs.size() * stages.size() <= most_kept) place = scene;
+            return scene;
+          }};
 }
 
 // The movie's picture of one snapshot, with the curves and axes it has there.
@@ -144,7 +153,7 @@ void render_run(const std::filesystem::path& folder, const hfrac_viz_options& op
     const SceneList scenes = stage_scenes(shop);
     for (int i = 0; i < scenes.count && wanted(HFRAC_VIZ_STAGE); ++i) {
       picture("growth_" + std::to_string(i + 1),
-              [&](const PageSink& sink) { stage_picture(shop.studio(), scenes.load(i), sink); });
+              [&](const PageSink& sink) { stage_picture(shop.studio(), *scenes.load(i), sink); });
     }
     if (wanted(HFRAC_VIZ_GROWTH))
       picture("growth", [&](const PageSink& sink) { growth_picture(shop.studio(), scenes, sink); });
