@@ -47,7 +47,7 @@ SceneList stage_scenes(const Workshop& shop) {
   return {static_cast<int>(stages.size()), [&shop, history, stages, kept](int i) {
             auto& place = (*kept)[static_cast<std::size_t>(i)];
             if (place) return place;
-            const auto scene = std::make_shared<const Scene>(
+            auto scene = std::make_shared<const Scene>(
                 load_scene(shop.run, history[stages[static_cast<std::size_t>(i)]], true, true));
             if (scene->discs.discs.size() * stages.size() <= most_kept) place = scene;
             return scene;
