@@ -1545,7 +1545,10 @@ module hfrac_c
     end function hfrac_schedule_option_at
     !> Builds a simulation. On failure *sim is NULL and hfrac_last_error(NULL, ...) says why. HFRAC_ERR_COLLAPSED:
     !> more than initial.broken_fraction of the bonds broke under the far field, or the rock found no rest at all.
-    !> Stable since 0.1.
+    !> HFRAC_ERR_MEMORY: also, before anything is made, where this machine's memory, swap included, is less than the
+    !> model takes at the very least: a system that lends more than it has would end the program later.
+    !> HFRAC_ERR_MODEL: also for more discs than the way of solving takes, 1e7 quasi-static, with facets or with
+    !> flow.solver "direct", 5e7 with transported heat, else 1e8. Stable since 0.1.
     integer(c_int32_t) function hfrac_sim_create(def, sim) bind(C, name="hfrac_sim_create")
       import
       type(hfrac_sim_def), intent(in) :: def

@@ -80,31 +80,30 @@ void write_whole_file(const std::string& path, std::span<const std::byte> bytes)
     refuse("written", path, errno, fix);
 }
 
-SavedFile::SavedFile(std::string path, std::size_t limit)
-    : path_(std::move(path)), file_(::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
-  if (file_ < 0) refuse("read", path_, errno, "give the path of a file that was saved before.");
-  struct stat status {};
-  std::string why;
-  if (::fstat(file_, &status) != 0 || !S_ISREG(status.st_mode))
-    why = "is not a regular file; give the path of a saved one.";
-  else if (static_cast<std::size_t>(status.st_size) > limit)
-    why = "has " + std::to_string(status.st_size) +
-          " bytes, more than any state of this model; give the path of a saved one.";
-  size_ = static_cast<std::size_t>(status.st_size);
-  if (why.empty()) return;
-  ::close(file_);
-  throw Error(ErrorKind::file, "'" + path_ + "' " + why);
+SavedFile::Open::Open(const char* path) : number(::open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {}
+
+SavedFile::Open::~Open() {
+  if (number >= 0) ::close(number);
 }
 
-SavedFile::~SavedFile() {
-  ::close(file_);
+SavedFile::SavedFile(std::string path, std::size_t limit) : path_(std::move(path)), file_(path_.c_str()) {
+  if (file_.number < 0) refuse("read", path_, errno, "give the path of a file that was saved before.");
+  struct stat status {};
+  if (::fstat(file_.number, &status) != 0 || !S_ISREG(status.st_mode))
+    throw Error(ErrorKind::file, "'" + path_ + "' is not a regular file; give the path of a saved one.");
+  size_ = static_cast<std::size_t>(status.st_size);
+  if (size_ > limit) {
+    throw Error(ErrorKind::file,
+                "'" + path_ + "' has " + std::to_string(size_) +
+                    " bytes, more than any state of this model; give the path of a saved one.");
+  }
 }
 
 std::size_t SavedFile::read(std::size_t from, std::span<std::byte> bytes) const {
   std::size_t at = 0;
   while (at < bytes.size()) {
     const ::ssize_t got =
-        ::pread(file_, bytes.data() + at, bytes.size() - at, static_cast<::off_t>(from + at));
+        ::pread(file_.number, bytes.data() + at, bytes.size() - at, static_cast<::off_t>(from + at));
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) refuse("read", path_, errno, "see that the disk is sound.");
     if (got == 0) break;

@@ -18,17 +18,21 @@ class SavedFile {
  public:
   // Refuses what is no regular file or is larger than `limit` bytes.
   SavedFile(std::string path, std::size_t limit);
-  ~SavedFile();
-  SavedFile(const SavedFile&) = delete;
-  SavedFile& operator=(const SavedFile&) = delete;
 
   [[nodiscard]] std::size_t size() const { return size_; }
   // From the place `from` on, as many bytes as there is room for. Returns how many there were: fewer if it is cut meanwhile.
   std::size_t read(std::size_t from, std::span<std::byte> bytes) const;
 
  private:
+  struct Open {
+    explicit Open(const char* path);
+    ~Open();
+    Open(const Open&) = delete;
+    Open& operator=(const Open&) = delete;
+    int number;
+  };
   std::string path_;
-  int file_;
+  Open file_;
   std::size_t size_ = 0;
 };
 

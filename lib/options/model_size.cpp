@@ -18,8 +18,11 @@ namespace {
 constexpr std::int64_t most_in_a_tangent = 10'000'000, most_in_a_flow_factor = 10'000'000,
                        most_with_heat = 50'000'000;
 
-// Bytes a disc, rounded down from what `bench_memory` and `bench_petsc tangent` print: explicit without and with fluid, quasi-static.
-constexpr double dry_disc = 400.0, wet_disc = 850.0, solved_disc = 4000.0;
+// Bytes a disc, rounded down from what `bench_memory` and `bench_petsc tangent` print, without and with fluid.
+struct BytesOfADisc {
+  double dry, wet;
+};
+constexpr BytesOfADisc explicit_disc{400.0, 850.0}, quasi_static_disc{2000.0, 5000.0};
 
 constexpr double gib = 1024.0 * 1024.0 * 1024.0;
 
@@ -49,9 +52,9 @@ std::string why_too_large(const CaseDefinition& definition, std::int64_t discs) 
 
 double least_memory(const CaseDefinition& definition, std::int64_t discs, bool alone) {
   const Options& o = definition.options;
-  double disc = FlowScheme{o.flow_scheme} == FlowScheme::off ? dry_disc : wet_disc;
-  if (alone && SolverKind{o.solver_kind} == SolverKind::quasi_static) disc = solved_disc;
-  return disc * static_cast<double>(discs);
+  const bool solved = alone && SolverKind{o.solver_kind} == SolverKind::quasi_static;
+  const BytesOfADisc bytes = solved ? quasi_static_disc : explicit_disc;
+  return (FlowScheme{o.flow_scheme} == FlowScheme::off ? bytes.dry : bytes.wet) * static_cast<double>(discs);
 }
 
 std::string why_no_memory(const CaseDefinition& definition, std::int64_t discs, bool alone, double machine) {
