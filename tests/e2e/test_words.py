@@ -117,6 +117,31 @@ class Words(unittest.TestCase):
             self.assertIn(option, done.stderr)
             self.assertIn(meant, done.stderr)
 
+    def test_what_memory_a_run_takes_is_told(self):
+        for flow in ("implicit", "off"):
+            for kind in ("explicit", "quasi-static"):
+                case = self.write(f"""[packing]
+method = "tiled"
+disc_count = 20000
+[flow]
+scheme = "{flow}"
+[solver]
+kind = "{kind}"
+[stress]
+convention = "effective"
+sigma_Hmax = 10e6
+sigma_hmin = 5e6
+[[well]]
+radius = 3.0
+pressure = 1e6
+""")
+                told = float(re.search(r"memory +about ([\d.]+) MB", hfrac("check", case).stdout).group(1))
+                folder = self.top / f"{kind}-{flow}"
+                child = os.posix_spawn(COMMAND, [str(COMMAND), "run", str(case), "-o", str(folder), "-q", "--steps", "1"], os.environ)
+                _, status, used = os.wait4(child, 0)
+                self.assertEqual(status, 0)
+                self.assertTrue(0.5 < used.ru_maxrss * 1024 / (1e6 * told) < 2, (kind, flow, told, used.ru_maxrss))
+
     def test_what_a_run_will_write_is_told_and_looked_at(self):
         done = hfrac("check", self.case)
         snapshots, files, size = re.search(r"writes +(\d+) snapshots, about (\d+) files and (\d+) kB", done.stdout).groups()

@@ -112,11 +112,10 @@ ExitCode go_on(const ResumeRequest& request, const Team& team) {
     return kInterrupted;
   }
   if (checkpoint) require_image_of(sim.get(), *checkpoint, folder);
-  // Its image, a fifth of the model's memory, is kept no longer than it is needed.
-  std::string image;
-  if (checkpoint) image.swap(checkpoint->image);
-  if (!team.alone()) restore(sim.get(), std::move(image), team);
-  image = {};
+  {  // Its image, a fifth of the model's memory, is kept no longer than it is needed.
+    std::string image = checkpoint ? std::exchange(checkpoint->image, {}) : std::string();
+    if (!team.alone()) restore(sim.get(), std::move(image), team);
+  }
   lay_grid(sim.get(), terms);
   if (checkpoint) {
     for (const auto& warning : output::warnings_of(summary, checkpoint->step))

@@ -25,13 +25,14 @@ constexpr double kPlainly = 2.0;      // the estimate's factor
 
 // Of the whole process. Explicit per disc, without and with fluid (bench_memory, and a snapshot in hand); quasi-static per disc and
 // log2 of their number, as a factor of a plane's equations fills (bench_petsc tangent, tests/mpi/million.py).
-constexpr double kProcess = 30e6, kDry = 650.0, kWet = 1250.0, kSolved = 550.0;
+constexpr double kProcess = 30e6, kDry = 650.0, kWet = 1250.0, kSolvedDry = 310.0, kSolvedWet = 550.0;
 
 double memory_of(const hfrac_sim_def& definition, double discs) {
   constexpr int64_t off = 2, quasi_static = 1;  // of flow.scheme, solver.kind
-  const double per_disc = definition.solver_kind == quasi_static ? kSolved * std::log2(discs)
-                          : definition.flow_scheme == off        ? kDry
-                                                                 : kWet;
+  const bool dry = definition.flow_scheme == off;
+  const double per_disc = definition.solver_kind == quasi_static
+                              ? (dry ? kSolvedDry : kSolvedWet) * std::log2(discs)
+                              : (dry ? kDry : kWet);
   return kProcess + per_disc * discs;
 }
 
