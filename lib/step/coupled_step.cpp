@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Steps in which flow, equilibrium and breakage are solved together (equilibrium/coupled_system.hpp), in increments as long as
-// increment.hpp allows. Where the shortest finds no equilibrium, damped motion leads on (relax_dynamically).
+// increment.hpp allows. Where the shortest finds no equilibrium, or one that may be led on, damped motion leads on (relax_dynamically).
 //
 // Heat moves with the flow of an increment once that is known; the rock feels it in the next.
 #include <vector>
@@ -47,7 +47,7 @@ void put_back(Engine& e, const Outcome& outcome) {
   count(e, outcome);
 }
 
-// The shortest increment found no equilibrium: on by damped motion.
+// An increment as short as that found no equilibrium: on by damped motion.
 Outcome lead_on(Engine& e, const Outcome& stuck, IncrementControl& control, double length,
                 const Interrupt& interrupt) {
   ++e.model.work.rejected_divergence;
@@ -64,7 +64,7 @@ Outcome lead_on(Engine& e, const Outcome& stuck, IncrementControl& control, doub
                     " (eq. 8, 11, 12); the state before the step stands. Use a "
                     "lower pressure or rate, or change them in smaller steps");
   }
-  control.was_sudden();
+  control.was_led_on();
   return settled;
 }
 
@@ -88,7 +88,7 @@ StepOutcome coupled_step(Engine& e, double duration, const Interrupt& interrupt)
                       place_text(outcome.where) +
                       "; the state before the step stands. Use a lower pressure or rate, or a "
                       "shorter solver.smallest_step");
-    if (outcome.end == End::not_converged && control.shortest())
+    if (outcome.end == End::not_converged && control.leads_on() && !e.facets.active())
       outcome = lead_on(e, outcome, control, length, interrupt);
     if (outcome.end == End::stopped) return {true, m.clock.at_rest};
     if (!control.accepts(outcome)) {

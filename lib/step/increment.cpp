@@ -12,11 +12,16 @@ using End = EquilibriumSolver::End;
 constexpr double longest_growth = 4.0, shortest_cut = 0.1;
 // A length at which no rest was found is kept away from in the rest of the step, less and less so with every increment that went well.
 constexpr double below_failed = 0.7, forgetting = 1.2;
+// Without rest so many times while nothing broke; each time more doubles the length that is led on.
+constexpr int patience = 16;
 
 }  // namespace
 
 IncrementControl::IncrementControl(Engine& engine, double duration)
-    : engine_(engine), state_(engine.model.increment), duration_(duration) {
+    : engine_(engine),
+      state_(engine.model.increment),
+      duration_(duration),
+      longest_led_(engine.options.solver_smallest_step) {
   if (!(state_.length > 0.0)) state_.length = duration;
 }
 
@@ -33,6 +38,15 @@ double IncrementControl::begin() {
 double IncrementControl::most_excess() const {
   return shortest() || sudden_ ? std::numeric_limits<double>::infinity()
                                : 1.0 + engine_.options.solver_strength_overshoot;
+}
+
+void IncrementControl::found_no_rest() {
+  if (++without_rest_ > patience) longest_led_ *= 2.0;
+}
+
+void IncrementControl::was_led_on() {
+  sudden_ = true;
+  found_no_rest();
 }
 
 // Backward Euler's error: how far the pressures lie from where the increment before was heading, half of it, over
@@ -79,6 +93,7 @@ void IncrementControl::reject(const EquilibriumSolver::Outcome& outcome) {
   } else {
     ++work.rejected_divergence;
     stuck_length_ = std::min(stuck_length_, length_);
+    found_no_rest();
   }
   sudden_ = sudden_ || jump;
   state_.length = jump ? o.solver_smallest_step
@@ -91,6 +106,10 @@ void IncrementControl::accept(const EquilibriumSolver::Outcome& outcome) {
   const auto& pressure = engine_.model.network.pressure;
   const double rise = outcome.last_excess - state_.excess,
                room = 1.0 + 0.5 * o.solver_strength_overshoot - outcome.last_excess;
+  if (broke) {
+    without_rest_ = 0;
+    longest_led_ = std::max(0.25 * longest_led_, o.solver_smallest_step);
+  }
   state_.excess = std::min(outcome.last_excess, 1.0);
   for (std::size_t d = 0; d < state_.pressure_rate.size(); ++d)
     state_.pressure_rate[d] = broke || sudden_ ? 0.0 : (pressure[d] - pressure_before_[d]) / length_;

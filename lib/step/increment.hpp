@@ -4,6 +4,10 @@
 // As long as three things allow: the error of backward Euler, estimated against a straight line through the increment before; no
 // bond farther beyond its strength than solver.strength_overshoot before it breaks; convergence. An increment that fails one of
 // them is rejected and tried again shorter, down to solver.smallest_step.
+//
+// Where the shortest finds no equilibrium either, damped motion leads on. A piece between cracks whose contacts slide stops and slips by
+// micrometres again and again, with nothing broken; then longer and longer increments are led on, as far as the first of the three allows,
+// or a step of seconds would be one of millions of increments.
 #pragma once
 
 #include <limits>
@@ -26,8 +30,10 @@ class IncrementControl {
   [[nodiscard]] bool shortest() const { return length_ <= engine_.options.solver_smallest_step; }
   // Stress over strength beyond which the increment is not to be kept.
   [[nodiscard]] double most_excess() const;
-  // Damped motion led on: what pressures were heading for says nothing any more.
-  void was_sudden() { sudden_ = true; }
+  // Whether damped motion leads on from an increment as short as this one that found no equilibrium.
+  [[nodiscard]] bool leads_on() const { return length_ <= longest_led_; }
+  // It did: what pressures were heading for says nothing any more.
+  void was_led_on();
 
   // Whether an increment that ended like this is kept.
   [[nodiscard]] bool accepts(const EquilibriumSolver::Outcome& outcome);
@@ -38,6 +44,7 @@ class IncrementControl {
 
  private:
   [[nodiscard]] double error() const;
+  void found_no_rest();
 
   Engine& engine_;
   IncrementState& state_;
@@ -46,6 +53,8 @@ class IncrementControl {
   std::size_t cracks_before_ = 0;
   double tried_length_ = 0.0, tried_rise_ = 0.0;
   double stuck_length_ = std::numeric_limits<double>::infinity();
+  double longest_led_;    // s
+  int without_rest_ = 0;  // increments without one since something broke
   bool sudden_ = false;
   std::vector<double> pressure_before_;  // Pa per domain
 };
