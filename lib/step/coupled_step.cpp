@@ -47,14 +47,17 @@ void put_back(Engine& e, const Outcome& outcome) {
   count(e, outcome);
 }
 
-// An increment as short as that found no equilibrium: on by damped motion.
+// An increment as short as that found no equilibrium: on by damped motion, or, unless it is the shortest, by a shorter one.
 Outcome lead_on(Engine& e, const Outcome& stuck, IncrementControl& control, double length,
                 const Interrupt& interrupt) {
-  ++e.model.work.rejected_divergence;
   put_back(e, stuck);
   feel_heat(e);
   const Outcome settled = relax_dynamically(e, length, interrupt);
   if (settled.end == End::not_converged) {
+    if (!control.shortest()) {
+      control.was_not_led_on();
+      return settled;
+    }
     throw Error(ErrorKind::diverged,
                 "no equilibrium was found at " + number_text(e.model.clock.time + control.done()) +
                     " s, not even for a part of " + number_text(length) +
@@ -64,6 +67,7 @@ Outcome lead_on(Engine& e, const Outcome& stuck, IncrementControl& control, doub
                     " (eq. 8, 11, 12); the state before the step stands. Use a "
                     "lower pressure or rate, or change them in smaller steps");
   }
+  ++e.model.work.rejected_divergence;
   control.was_led_on();
   return settled;
 }

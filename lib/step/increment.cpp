@@ -49,6 +49,11 @@ void IncrementControl::was_led_on() {
   found_no_rest();
 }
 
+void IncrementControl::was_not_led_on() {
+  without_rest_ = 0;
+  longest_led_ = std::max(shortest_cut * length_, engine_.options.solver_smallest_step);
+}
+
 // Backward Euler's error: how far the pressures lie from where the increment before was heading, half of it, over
 // how far they lie from the formation's; both summed over the pores.
 double IncrementControl::error() const {

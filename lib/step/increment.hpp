@@ -32,8 +32,9 @@ class IncrementControl {
   [[nodiscard]] double most_excess() const;
   // Whether damped motion leads on from an increment as short as this one that found no equilibrium.
   [[nodiscard]] bool leads_on() const { return length_ <= longest_led_; }
-  // It did: what pressures were heading for says nothing any more.
+  // It did: what pressures were heading for says nothing any more. Or it did not come to rest either.
   void was_led_on();
+  void was_not_led_on();
 
   // Whether an increment that ended like this is kept.
   [[nodiscard]] bool accepts(const EquilibriumSolver::Outcome& outcome);
