@@ -67,8 +67,6 @@ Outcome lead_on(Engine& e, const Outcome& stuck, IncrementControl& control, doub
                     " (eq. 8, 11, 12); the state before the step stands. Use a "
                     "lower pressure or rate, or change them in smaller steps");
   }
-  ++e.model.work.rejected_divergence;
-  control.was_led_on();
   return settled;
 }
 
@@ -92,8 +90,8 @@ StepOutcome coupled_step(Engine& e, double duration, const Interrupt& interrupt)
                       place_text(outcome.where) +
                       "; the state before the step stands. Use a lower pressure or rate, or a "
                       "shorter solver.smallest_step");
-    if (outcome.end == End::not_converged && control.leads_on() && !e.facets.active())
-      outcome = lead_on(e, outcome, control, length, interrupt);
+    const bool led = outcome.end == End::not_converged && control.leads_on() && !e.facets.active();
+    if (led) outcome = lead_on(e, outcome, control, length, interrupt);
     if (outcome.end == End::stopped) return {true, m.clock.at_rest};
     if (!control.accepts(outcome)) {
       put_back(e, outcome);
@@ -102,6 +100,7 @@ StepOutcome coupled_step(Engine& e, double duration, const Interrupt& interrupt)
     }
     count(e, outcome);
     ++m.work.increments;
+    if (led) control.was_led_on();
     control.accept(outcome);
     m.clock.force_ratio = outcome.force_ratio;
     m.clock.at_rest = true;

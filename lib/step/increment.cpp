@@ -12,8 +12,9 @@ using End = EquilibriumSolver::End;
 constexpr double longest_growth = 4.0, shortest_cut = 0.1;
 // A length at which no rest was found is kept away from in the rest of the step, less and less so with every increment that went well.
 constexpr double below_failed = 0.7, forgetting = 1.2;
-// Without rest so many times while nothing broke; each time more doubles the length that is led on.
+// Without rest so many times while nothing broke; each time more lengthens what is led on, and what breaks shortens it.
 constexpr int patience = 16;
+constexpr double led_longer = 2.0, led_shorter = 0.25;
 
 }  // namespace
 
@@ -41,17 +42,18 @@ double IncrementControl::most_excess() const {
 }
 
 void IncrementControl::found_no_rest() {
-  if (++without_rest_ > patience) longest_led_ *= 2.0;
+  if (++without_rest_ > patience) longest_led_ *= led_longer;
 }
 
 void IncrementControl::was_led_on() {
   sudden_ = true;
+  ++engine_.model.work.rejected_divergence;
   found_no_rest();
 }
 
 void IncrementControl::was_not_led_on() {
   without_rest_ = 0;
-  longest_led_ = std::max(shortest_cut * length_, engine_.options.solver_smallest_step);
+  longest_led_ = engine_.options.solver_smallest_step;
 }
 
 // Backward Euler's error: how far the pressures lie from where the increment before was heading, half of it, over
@@ -113,7 +115,7 @@ void IncrementControl::accept(const EquilibriumSolver::Outcome& outcome) {
                room = 1.0 + 0.5 * o.solver_strength_overshoot - outcome.last_excess;
   if (broke) {
     without_rest_ = 0;
-    longest_led_ = std::max(0.25 * longest_led_, o.solver_smallest_step);
+    longest_led_ = std::max(led_shorter * longest_led_, o.solver_smallest_step);
   }
   state_.excess = std::min(outcome.last_excess, 1.0);
   for (std::size_t d = 0; d < state_.pressure_rate.size(); ++d)

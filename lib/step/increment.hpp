@@ -5,8 +5,8 @@
 // bond farther beyond its strength than solver.strength_overshoot before it breaks; convergence. An increment that fails one of
 // them is rejected and tried again shorter, down to solver.smallest_step.
 //
-// Where the shortest finds no equilibrium either, damped motion leads on. A piece between cracks whose contacts slide stops and slips by
-// micrometres again and again, with nothing broken; then longer and longer increments are led on, as far as the first of the three allows,
+// Where the shortest finds no equilibrium either, damped motion leads on. A piece between cracks whose contacts slide stops and slips
+// a little again and again, with nothing broken; then longer and longer increments are led on, as far as the first of the three allows,
 // or a step of seconds would be one of millions of increments.
 #pragma once
 
@@ -32,8 +32,9 @@ class IncrementControl {
   [[nodiscard]] double most_excess() const;
   // Whether damped motion leads on from an increment as short as this one that found no equilibrium.
   [[nodiscard]] bool leads_on() const { return length_ <= longest_led_; }
-  // It did: what pressures were heading for says nothing any more. Or it did not come to rest either.
+  // It did, and the increment is to be kept: what pressures were heading for says nothing any more.
   void was_led_on();
+  // It did not come to rest either: from now on the shortest alone is led on.
   void was_not_led_on();
 
   // Whether an increment that ended like this is kept.

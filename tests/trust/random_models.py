@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Models nobody thought of: options, wells (added ones, too), joints, temperatures drawn by a stated seed, and what must hold of every one.
 
-usage: tests/trust/random_models.py [--models N] [--seed S] [--only K] [--strict]    (PYTHONPATH=bindings/python)
+usage: tests/trust/random_models.py [--models N] [--seed S] [--only K] [--times N] [--strict]    (PYTHONPATH=bindings/python)
 
 Whatever is drawn,
   - it is built and steps, or is refused, or a step fails, in words; a failed step leaves the state as it was;
@@ -262,12 +262,16 @@ def main():
     parser.add_argument("--models", type=int, default=100)
     parser.add_argument("--seed", type=int, default=20261122)
     parser.add_argument("--only", type=int)
+    parser.add_argument("--times", type=int, default=1, help="so many times the discs")
     parser.add_argument("--strict", action="store_true")
     chosen = parser.parse_args()
     numbers = range(chosen.models) if chosen.only is None else (chosen.only,)
     count, bad, last = {}, 0, time.monotonic()
     for n in numbers:
         model, deeds = draw(chosen.seed, n)
+        model["packing_disc_count"] *= chosen.times
+        for well in model["wells"]:
+            well["radius"] /= math.sqrt(chosen.times)
         if chosen.only is not None:
             print(model, deeds, sep="\n")
         outcome, wrong = try_model(model, deeds, chosen.strict)

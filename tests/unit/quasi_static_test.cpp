@@ -169,7 +169,7 @@ TEST(QuasiStaticParts, AJumpThatNewtonsMethodCannotFollowIsSettledByMotion) {
   }
 }
 
-// Hot water breaks the rock; then, as pressures die away, a disc whose contacts all slide stops and slips by micrometres. Unless longer
+// Hot water breaks the rock; then, as pressures die away, a disc whose contacts all slide stops and slips a little. Unless longer
 // increments are led on the more often that happens, the step of half a minute is one of millions. (By chance: number 2 of seed 28 of
 // tests/trust/random_models.py, with 400 discs.)
 TEST(QuasiStaticParts, APieceThatSlidesByFitsHoldsUpNoStep) {
