@@ -28,6 +28,9 @@ void advise_large_pages([[maybe_unused]] void* array, [[maybe_unused]] std::size
 
 void return_unused_pages() noexcept {
 #ifdef __GLIBC__
+  // The first caller alone: where the host brought an allocator of its own, this is what makes glibc prepare its heap, which
+  // it does without a lock, and a second thread would read lists that are not there yet.
+  [[maybe_unused]] static const int prepared = malloc_trim(0);
   malloc_trim(0);
 #endif
 }
