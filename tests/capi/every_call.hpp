@@ -89,7 +89,7 @@ constexpr bool is_sized_struct = requires(T t) {
   t.struct_size;
 };
 
-// The bad values of a type. `kept` keeps what they point to.
+// The bad values of a type. `kept` keeps what they point to, which must not move.
 template <class T>
 std::vector<Bad<T>> bad_values(std::vector<std::vector<unsigned char>>& kept) {
   using Pointed = std::remove_const_t<std::remove_pointer_t<T>>;
@@ -144,61 +144,58 @@ std::vector<Bad<T>> bad_values(std::vector<std::vector<unsigned char>>& kept) {
   }
 }
 
-// One function of the interface.
+// A bad value for the argument number `at`; `put` writes it where the argument stands.
+struct Change {
+  std::size_t at;
+  Fault fault;
+  std::function<void(void* argument)> put;
+};
+
+// What bad values point to.
+using Kept = std::vector<std::vector<unsigned char>>;
+
+template <class T>
+void add_changes(std::size_t at, bool may_be_null, Kept& kept, std::vector<Change>& changes) {
+  for (const auto& bad : bad_values<T>(kept)) {
+    const bool allowed = may_be_null && (bad.fault == Fault::null || bad.value == T{});
+    changes.push_back({at, allowed ? Fault::odd : bad.fault,
+                       [value = bad.value](void* argument) { *static_cast<T*>(argument) = value; }});
+  }
+}
+
+// One function of the interface. What is made anew for each stays short: the compiler has two hundred of them to translate.
 struct Row {
   std::string name;
   bool takes_sim;  // as a handle, to read or to change
   bool changes;    // refused inside a callback
-  std::function<int32_t(Ground&)> good;
-  // Calls it with one or two arguments replaced by bad values; `told` gets the status and the faults.
-  std::function<void(Ground&, const std::function<void(int32_t, std::vector<Fault>)>& told)> bad;
+  // Calls it with good arguments but for those that are changed.
+  std::function<int32_t(Ground&, const std::vector<const Change*>&)> call;
+  std::function<std::vector<Change>(Kept&)> bad;
+  int32_t good(Ground& ground) const { return call(ground, {}); }
 };
 
 // `optional`: arguments, counted from 0, that may be NULL.
 template <class... P, class Good>
 Row make_row(const char* name, int32_t (*function)(P...), bool changes, std::set<std::size_t> optional,
              Good good) {
-  using Arguments = std::tuple<P...>;
   Row row;
   row.name = name;
   row.takes_sim = (std::is_same_v<std::remove_const_t<std::remove_pointer_t<P>>, hfrac_sim> || ...);
   row.changes = changes;
-  row.good = [=](Ground& ground) { return std::apply(function, Arguments(good(ground))); };
-  row.bad = [=](Ground& ground, const auto& told) {
-    std::vector<std::vector<unsigned char>> kept;
-    kept.reserve(256);
-    // Every bad value of argument number K, as a change of the arguments.
-    struct Change {
-      std::size_t at;
-      Fault fault;
-      std::function<void(Arguments&)> apply;
-    };
-    std::vector<Change> changes_of;
-    const auto collect = [&]<std::size_t K>(std::integral_constant<std::size_t, K>) {
-      using T = std::tuple_element_t<K, Arguments>;
-      for (const auto& bad : bad_values<T>(kept)) {
-        const bool allowed = optional.count(K) != 0 && (bad.fault == Fault::null || bad.value == T{});
-        changes_of.push_back(
-            {K, allowed ? Fault::odd : bad.fault, [bad](Arguments& all) { std::get<K>(all) = bad.value; }});
-      }
-    };
-    [&]<std::size_t... K>(std::index_sequence<K...>) {
-      (collect(std::integral_constant<std::size_t, K>()), ...);
-    }
-    (std::index_sequence_for<P...>());
-    for (std::size_t one = 0; one < changes_of.size(); ++one) {
-      for (std::size_t two = one; two < changes_of.size(); ++two) {
-        if (two != one && changes_of[two].at == changes_of[one].at) continue;
-        Arguments all(good(ground));
-        changes_of[one].apply(all);
-        std::vector<Fault> faults = {changes_of[one].fault};
-        if (two != one) {
-          changes_of[two].apply(all);
-          faults.push_back(changes_of[two].fault);
-        }
-        told(std::apply(function, all), faults);
-      }
-    }
+  row.call = [=](Ground& ground, const std::vector<const Change*>& changed) {
+    return std::apply(
+        [&](auto... argument) {
+          void* const at[] = {&argument...};
+          for (const auto* change : changed) change->put(at[change->at]);
+          return function(argument...);
+        },
+        std::tuple<P...>(good(ground)));
+  };
+  row.bad = [optional = std::move(optional)](Kept& kept) {
+    std::vector<Change> all;
+    std::size_t at = 0;
+    ((add_changes<P>(at, optional.count(at) != 0, kept, all), ++at), ...);
+    return all;
   };
   return row;
 }

@@ -105,6 +105,21 @@ TEST_F(EveryCall, IsInTheTable) {
   EXPECT_EQ(there, listed);
 }
 
+// Calls it with each bad argument, and each two together; `told` gets the status and the faults.
+void with_bad_arguments(const Row& row, Ground& ground,
+                        const std::function<void(int32_t, const std::vector<Fault>&)>& told) {
+  Kept kept;
+  kept.reserve(256);
+  const auto bad = row.bad(kept);
+  for (std::size_t one = 0; one < bad.size(); ++one) {
+    told(row.call(ground, {&bad[one]}), {bad[one].fault});
+    for (std::size_t two = one + 1; two < bad.size(); ++two) {
+      if (bad[two].at == bad[one].at) continue;
+      told(row.call(ground, {&bad[one], &bad[two]}), {bad[one].fault, bad[two].fault});
+    }
+  }
+}
+
 // Otherwise the bad arguments would be refused for another reason.
 TEST_F(EveryCall, IsGoodWithGoodArguments) {
   for (const auto& row : every_call()) {
@@ -129,7 +144,7 @@ TEST_F(EveryCall, RefusesWhatIsNoArgument) {
       ASSERT_EQ(hfrac_step_prepare(g_.sim), HFRAC_OK);
     }
     std::size_t calls = 0;
-    row.bad(g_, [&](int32_t status, const std::vector<Fault>& faults) {
+    with_bad_arguments(row, g_, [&](int32_t status, const std::vector<Fault>& faults) {
       ++calls;
       const auto has = [&](Fault fault) { return std::count(faults.begin(), faults.end(), fault) != 0; };
       EXPECT_TRUE(is_known(status)) << row.name << " gave " << status;
