@@ -46,13 +46,7 @@ class RankTeam {
     // A barrier for all workers of the rank, and all ranks know all n items of which each made its part.
     template <class T>
     void gather(T* all, std::int64_t n, std::int64_t grain) const {
-      talk([&](const Ranks& ranks) {
-        std::vector<std::int64_t> begin;
-        begin.reserve(static_cast<std::size_t>(ranks.size()) + 1);
-        for (int rank = 0; rank < ranks.size(); ++rank) begin.push_back(ranks.part(rank, n, grain).first);
-        begin.push_back(n);
-        ranks.gather(all, std::move(begin));
-      });
+      talk([&](const Ranks& ranks) { ranks.gather_parts(all, n, grain); });
     }
     // The same for what others need of a part.
     void exchange(Halo* halo, double* values) const {

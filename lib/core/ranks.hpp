@@ -84,6 +84,16 @@ class Ranks {
     for (auto& place : begin) place *= static_cast<std::int64_t>(sizeof(T));
     check(exchange_.gather(exchange_.user, all, begin.data()));
   }
+  // The same where each made its part of n items.
+  template <class T>
+  void gather_parts(T* all, std::int64_t n, std::int64_t grain) const {
+    if (alone()) return;
+    std::vector<std::int64_t> begin;
+    begin.reserve(static_cast<std::size_t>(size()) + 1);
+    for (int r = 0; r < size(); ++r) begin.push_back(part(r, n, grain).first);
+    begin.push_back(n);
+    gather(all, std::move(begin));
+  }
   // What each rank has of a list, in order of ranks.
   template <class T>
   [[nodiscard]] std::vector<T> gather(const std::vector<T>& mine) const {

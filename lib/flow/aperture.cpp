@@ -163,7 +163,7 @@ double pipe_aperture(const Options& o, PipeAtRest rest, const NormalView& bond, 
   return aperture_response(o, rest, bond.gap, bond.force, 0.0, intact).aperture;
 }
 
-void update_apertures(Network& n, const Assembly& a, const Options& o, Workers* workers) {
+void update_apertures(Network& n, const Assembly& a, const Options& o, Workers* workers, const Ranks& ranks) {
   constexpr std::int64_t worth_sharing = 4096, grain = 64;  // pipes
   const bool closed = OuterPores{o.flow_outer} == OuterPores::closed;
   const FluidLaw law(o);
@@ -207,7 +207,14 @@ void update_apertures(Network& n, const Assembly& a, const Options& o, Workers* 
       update(part, static_cast<std::size_t>(e));
     }
   };
-  share_items(workers, pipes, update_from, worth_sharing, grain);
+  const auto mine = ranks.part(ranks.rank(), pipes, grain);
+  share_items(
+      workers, mine.end - mine.first,
+      [&](std::int64_t first, std::int64_t last) { update_from(mine.first + first, mine.first + last); },
+      worth_sharing, grain);
+  for (auto* found : {&n.aperture, &n.conductance, &n.length}) {
+    if (!found->empty()) ranks.gather_parts(found->data(), pipes, grain);
+  }
 }
 
 double measure_permeability(const Network& n, const Assembly& a, const std::vector<WellOptions>& wells,

@@ -2,6 +2,7 @@
 // From forces and gaps to apertures and conductances of pipes (eq. 6 and 7).
 #pragma once
 
+#include "core/ranks.hpp"
 #include "core/workers.hpp"
 #include "model/network.hpp"
 #include "solid/bond_law.hpp"
@@ -36,9 +37,9 @@ CrackApertureResponse crack_aperture_response(const Options& options, PipeAtRest
 CrackApertureResponse joint_aperture_response(const Options& options, const JointLaw& law, double opening);
 
 // All apertures from the assembly as it stands and the planes of its cracks, and conductances (fluid_law.hpp) from them and the pressures;
-// shared by workers, if there are any.
+// shared by workers and ranks, if there are any.
 void update_apertures(Network& network, const Assembly& assembly, const Options& options,
-                      Workers* workers = nullptr);
+                      Workers* workers = nullptr, const Ranks& ranks = {});
 
 // Permeability of the network as it stands, k = q eta L / dp [m2]: a steady solve between two bands of domains across the part
 // of the model left of the wells and, likewise, right of them; their mean. A large network is solved by iteration, from

@@ -32,9 +32,10 @@ std::unique_ptr<Heat> begin_heat(const Options& o, Model& model) {
 
 }  // namespace
 
-Engine::Engine(const Options& given, Model& of, const Ranks& ranks, std::unique_ptr<Device> on)
+Engine::Engine(const Options& given, Model& of, const Ranks& of_ranks, std::unique_ptr<Device> on)
     : options(given),
       model(of),
+      ranks(of_ranks),
       workers(new Workers(static_cast<int>(given.run_workers))),
       heat(begin_heat(given, of)),
       boundary(std::make_unique<Boundary>(of, given)),

@@ -38,6 +38,7 @@ struct Engine {
 
   const Options& options;
   Model& model;
+  const Ranks ranks;
   std::unique_ptr<Workers, Workers::Release> workers;
   std::unique_ptr<Heat> heat;           // none with thermal.mode = "off"
   std::unique_ptr<WaterInPores> water;  // with fluid.kind = "water" and temperature

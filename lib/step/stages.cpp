@@ -173,7 +173,7 @@ void update_geometry(Engine& e) {
   e.facets.tell_openings(e.model.assembly, e.model.network);
   // Of facets the quasi-static solver finds the apertures with the equilibrium.
   if (e.flow && !(e.facets.active() && e.equilibrium))
-    update_apertures(e.model.network, e.model.assembly, e.options, e.workers.get());
+    update_apertures(e.model.network, e.model.assembly, e.options, e.workers.get(), e.ranks);
   e.mechanics->search_contacts(e.model.cracks);
 }
 
