@@ -89,9 +89,12 @@ constexpr bool is_sized_struct = requires(T t) {
   t.struct_size;
 };
 
-// The bad values of a type. `kept` keeps what they point to, which must not move.
+// What bad values point to.
+using Kept = std::vector<std::vector<unsigned char>>;
+
+// The bad values of a type.
 template <class T>
-std::vector<Bad<T>> bad_values(std::vector<std::vector<unsigned char>>& kept) {
+std::vector<Bad<T>> bad_values(Kept& kept) {
   using Pointed = std::remove_const_t<std::remove_pointer_t<T>>;
   if constexpr (std::is_same_v<T, double>) {
     constexpr double inf = std::numeric_limits<double>::infinity();
@@ -150,9 +153,6 @@ struct Change {
   Fault fault;
   std::function<void(void* argument)> put;
 };
-
-// What bad values point to.
-using Kept = std::vector<std::vector<unsigned char>>;
 
 template <class T>
 void add_changes(std::size_t at, bool may_be_null, Kept& kept, std::vector<Change>& changes) {
