@@ -65,7 +65,7 @@ void snapshot(benchmark::State& state, Compression compression) {
   const auto file = std::filesystem::temp_directory_path() / "hfrac_output_bench.vtu";
   size_t bytes = 0;
   for (auto _ : state) {
-    const std::string text = encode(grid_of(discs), Moment{}, compression);
+    const std::string text = encode(grid_of(discs), Moment{}, compression, static_cast<int>(state.range(1)));
     write_whole(file, text);
     bytes = text.size();
   }
@@ -76,15 +76,18 @@ void snapshot(benchmark::State& state, Compression compression) {
 constexpr int64_t million = 1'000'000;
 
 BENCHMARK_CAPTURE(snapshot, zlib, Compression::zlib)
-    ->Arg(million)
+    ->Args({million, 1})
+    ->Args({million, 2})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK_CAPTURE(snapshot, lz4, Compression::lz4)
-    ->Arg(million)
+    ->Args({million, 1})
+    ->Args({million, 2})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK_CAPTURE(snapshot, none, Compression::none)
-    ->Arg(million)
+    ->Args({million, 1})
+    ->Args({million, 2})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 

@@ -27,7 +27,8 @@ std::string write_series(const std::filesystem::path& folder, const Writers& wri
   VtuGrid heads;
   for (int64_t k = writers.rank; k < pieces; k += writers.count) {
     VtuGrid grid = grid_of(frame, Part{k, pieces});
-    run::write_whole(folder / files[static_cast<size_t>(k)], encode(grid, frame.moment, packing));
+    run::write_whole(folder / files[static_cast<size_t>(k)],
+                     encode(grid, frame.moment, packing, static_cast<int>(definition.run_workers)));
     if (k == 0) heads = std::move(grid);
   }
   return encode_list(heads, files, packing);

@@ -142,8 +142,12 @@ void RunFolder::write_series(const SnapshotFrame& frame) {
   const int64_t step = frame.state.step;
   const bool due = snapshots_.empty() || step != snapshots_.back().step;
   const SnapshotEntry entry{step, frame.state.time};
-  const auto packing = static_cast<Compression>(definition_of(frame.sim).output_compression);
-  if (definition_of(frame.sim).output_pieces > 1) {
+  const auto definition = definition_of(frame.sim);
+  const auto text_of = [&](const run::VtuGrid& grid) {
+    return encode(grid, frame.moment, static_cast<Compression>(definition.output_compression),
+                  static_cast<int>(definition.run_workers));
+  };
+  if (definition.output_pieces > 1) {
     const auto lists = pieces_.write(frame, due);
     if (!due) return;
     discs_.add(entry, lists.discs);
@@ -151,13 +155,13 @@ void RunFolder::write_series(const SnapshotFrame& frame) {
     flow_.add(entry, lists.flow);
   } else {
     if (!due) return;
-    discs_.add(entry, encode(disc_grid(frame), frame.moment, packing));
-    bonds_.add(entry, encode(bond_grid(frame), frame.moment, packing));
-    flow_.add(entry, encode(flow_grid(frame), frame.moment, packing));
+    discs_.add(entry, text_of(disc_grid(frame)));
+    bonds_.add(entry, text_of(bond_grid(frame)));
+    flow_.add(entry, text_of(flow_grid(frame)));
   }
-  fractures_.add(entry, encode(fracture_grid(frame), frame.moment, packing));
-  if (frame.jointed) joints_.add(entry, encode(joint_grid(frame), frame.moment, packing));
-  cracks_.add(entry, encode(crack_grid(frame), frame.moment, packing));
+  fractures_.add(entry, text_of(fracture_grid(frame)));
+  if (frame.jointed) joints_.add(entry, text_of(joint_grid(frame)));
+  cracks_.add(entry, text_of(crack_grid(frame)));
   write_logs(frame);
   snapshots_.push_back(entry);
   ++course_.snapshots;

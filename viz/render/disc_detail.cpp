@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "layers.h"
+#include "run/threads.hpp"
 
 namespace hfrac::viz {
 
@@ -131,11 +132,10 @@ Raster disc_raster(const Discs& discs, std::span<const Colour> fills, const Exte
   };
   const int workers =
       std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, std::min(8, height));
-  std::vector<std::thread> others;
-  for (int k = 1; k < workers; ++k)
-    others.emplace_back(draw, height * k / workers, height * (k + 1) / workers);
-  draw(0, height / workers);
-  for (std::thread& other : others) other.join();
+  run::share_out(workers, static_cast<std::size_t>(workers), [&](std::size_t, std::size_t band) {
+    const int k = static_cast<int>(band);
+    draw(height * k / workers, height * (k + 1) / workers);
+  });
   return raster;
 }
 

@@ -2,10 +2,9 @@
 // The numbers of an array as they stand in a VTK XML file: cut into blocks, each packed by itself, with their sizes in
 // front; as base64 inside the XML. Written inline only; read as ascii, inline or appended.
 //
-// Packing is most of the time that a snapshot takes. libdeflate makes the same zlib streams as zlib, at a third of the cost;
-// a million discs with six arrays are below a second (tests/bench/output_bench.cpp). In reading every size is checked
-// against what is there before it is used: VTK's own readers trust what a file says about itself and end the process on
-// some damaged ones.
+// Packing is most of the time that a snapshot takes. libdeflate makes the same zlib streams as zlib, at a third of the cost, and
+// blocks are packed side by side (build/bin/bench_output). In reading every size is checked against what is there before it is
+// used: VTK's own readers trust what a file says about itself and end the process on some damaged ones.
 #pragma once
 
 #include <cstddef>
@@ -27,8 +26,13 @@ std::string_view compressor_name(Compression compression);
 /** Nothing if the name is unknown. */
 std::optional<Compression> compression_named(std::string_view name);
 
-/** Adds the coded form of `bytes`, numbers in the machine's little-endian order, to `text`. */
-void append_coded(std::string& text, std::span<const std::byte> bytes, Compression compression);
+/** An array's numbers in the machine's little-endian order. */
+using RawBytes = std::span<const std::byte>;
+
+/** words[0], the coded form of arrays[0], words[1], ... : one word more than arrays. Up to `workers` threads code blocks side by
+ * side; the text is the same for any number. */
+std::string with_coded_arrays(std::span<const std::string> words, std::span<const RawBytes> arrays,
+                              Compression compression, int workers);
 
 /** What is wrong with an array, without the file's name. */
 class ArrayDamage : public std::runtime_error {

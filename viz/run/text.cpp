@@ -54,8 +54,11 @@ bool is_control(std::string_view character) {
 
 void append_base64(std::string& text, std::span<const std::byte> bytes) {
   const size_t begin = text.size();
-  text.resize(begin + (bytes.size() + 2) / 3 * 4, '=');
-  char* place = text.data() + begin;
+  text.resize(begin + base64_length(bytes.size()), '=');
+  put_base64(text.data() + begin, bytes);
+}
+
+void put_base64(char* place, std::span<const std::byte> bytes) {
   const auto at = [&](size_t i) { return i < bytes.size() ? std::to_integer<unsigned>(bytes[i]) : 0U; };
   size_t i = 0;
   for (; i + 3 <= bytes.size(); i += 3, place += 4) {

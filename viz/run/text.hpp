@@ -13,7 +13,15 @@
 
 namespace hfrac::run {
 
-/** Adds `bytes` to `text` as base64 (RFC 4648). */
+/** Letters that so many bytes take as base64 (RFC 4648), with the signs that fill the last four up. */
+constexpr size_t base64_length(size_t bytes) {
+  return (bytes + 2) / 3 * 4;
+}
+
+/** Writes them to `to`, where only the signs that fill up, '=', have to stand already. */
+void put_base64(char* to, std::span<const std::byte> bytes);
+
+/** Adds `bytes` to `text` as base64. */
 void append_base64(std::string& text, std::span<const std::byte> bytes);
 
 /** One or more runs of base64 behind each other, with white space between the letters. Nothing if it is none. */

@@ -21,18 +21,27 @@ constexpr const char* kTypeName<int32_t> = "Int32";
 template <>
 constexpr const char* kTypeName<uint8_t> = "UInt8";
 
-/** Grows the text of a file, element by element. */
+/** Grows the text of a file, element by element. Arrays stay the caller's until finish() codes them. */
 class Text {
  public:
   explicit Text(Compression compression) : compression_(compression) {}
 
   void line(std::string_view words) {
-    text_ += words;
-    text_ += '\n';
+    text_.back() += words;
+    text_.back() += '\n';
   }
 
   void array(const VtuArray& array, const char* extra = "") {
-    std::visit([&](const auto& values) { this->array(array, values, extra); }, array.values);
+    std::visit(
+        [&]<class Value>(const std::vector<Value>& values) {
+          element(array, kTypeName<Value>, std::as_bytes(std::span(values)), extra);
+        },
+        array.values);
+  }
+
+  /** An array without a unit, of numbers that stand elsewhere. */
+  void integers(const char* name, std::span<const int32_t> values) {
+    element(whole(name, {}), kTypeName<int32_t>, std::as_bytes(values), "");
   }
 
   /** The section `name` with its arrays. */
@@ -64,28 +73,27 @@ class Text {
     line(fmt::format("</{}>", name));
   }
 
-  std::string finish(const char* kind) {
+  std::string finish(const char* kind, int workers = 1) {
     line(fmt::format("</{}>", kind));
     line("</VTKFile>");
-    return std::move(text_);
+    return with_coded_arrays(text_, arrays_, compression_, workers);
   }
 
  private:
   /** An element's beginning: what an array holds, but not its values. */
   void head(const char* element, const char* type, const VtuArray& array, const char* extra = "") {
-    text_ += fmt::format("<{} type=\"{}\" Name=\"{}\"{}", element, type, array.name, extra);
+    text_.back() += fmt::format("<{} type=\"{}\" Name=\"{}\"{}", element, type, array.name, extra);
     if (!array.components.empty())
-      text_ += fmt::format(" NumberOfComponents=\"{}\"", array.components.size());
+      text_.back() += fmt::format(" NumberOfComponents=\"{}\"", array.components.size());
     for (size_t i = 0; i < array.components.size(); ++i)
-      text_ += fmt::format(" ComponentName{}=\"{}\"", i, array.components[i]);
+      text_.back() += fmt::format(" ComponentName{}=\"{}\"", i, array.components[i]);
   }
 
-  template <class Value>
-  void array(const VtuArray& array, const std::vector<Value>& values, const char* extra) {
-    head("DataArray", kTypeName<Value>, array, extra);
+  void element(const VtuArray& array, const char* type, RawBytes bytes, const char* extra) {
+    head("DataArray", type, array, extra);
     line(" format=\"binary\">");
-    append_coded(text_, std::as_bytes(std::span(values)), compression_);
-    text_ += '\n';
+    arrays_.push_back(bytes);
+    text_.emplace_back("\n");
     unit(array);
     line("</DataArray>");
   }
@@ -97,27 +105,13 @@ class Text {
   }
 
   Compression compression_;
-  std::string text_;
+  std::vector<std::string> text_ = {""};  ///< before each array, and behind the last
+  std::vector<RawBytes> arrays_;
 };
 
-void add_moment(Text& text, const Moment& moment) {
-  text.line("<FieldData>");
-  for (const auto& array :
-       {exact("TimeValue", "s", {moment.time}), exact("step", "", {static_cast<double>(moment.step)}),
-        exact("well_pressure_Pa", "Pa", moment.well_pressure)}) {
-    const auto count = std::get<std::vector<double>>(array.values).size();
-    text.array(array, fmt::format(" NumberOfTuples=\"{}\"", count).c_str());
-  }
-  text.line("</FieldData>");
-}
-
-void add_cells(Text& text, const VtuGrid& grid, size_t cells) {
-  std::vector<int32_t> ends;  // a file has the end of each cell
-  if (cells > 0) ends.assign(std::next(grid.offsets.begin()), grid.offsets.end());
-  text.section("Cells",
-               {whole("connectivity", grid.connectivity),
-                whole("offsets", std::move(ends)),
-                {"types", "", {}, std::vector<uint8_t>(cells, static_cast<uint8_t>(grid.cell_type))}});
+std::vector<VtuArray> arrays_of(const Moment& moment) {
+  return {exact("TimeValue", "s", {moment.time}), exact("step", "", {static_cast<double>(moment.step)}),
+          exact("well_pressure_Pa", "Pa", moment.well_pressure)};
 }
 
 }  // namespace
@@ -152,19 +146,34 @@ std::vector<double> in_space(const std::vector<double>& plane) {
   return space;
 }
 
-std::string encode(const VtuGrid& grid, const Moment& moment, Compression compression) {
+std::string encode(const VtuGrid& grid, const Moment& moment, Compression compression, int workers) {
   const size_t cells = grid.offsets.empty() ? 0 : grid.offsets.size() - 1;
+  const auto when = arrays_of(moment);
+  const VtuArray points{"Points", "", {"x", "y", "z"}, in_space(grid.positions)};
+  const VtuArray types{"types", "", {}, std::vector<uint8_t>(cells, static_cast<uint8_t>(grid.cell_type))};
   Text text(compression);
   text.begin("UnstructuredGrid", "");
-  add_moment(text, moment);
+  text.line("<FieldData>");
+  for (const auto& array : when) {
+    const auto count = std::get<std::vector<double>>(array.values).size();
+    text.array(array, fmt::format(" NumberOfTuples=\"{}\"", count).c_str());
+  }
+  text.line("</FieldData>");
   text.line(
       fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">", grid.positions.size() / 2, cells));
   text.section("PointData", grid.point_data);
   text.section("CellData", grid.cell_data);
-  text.section("Points", {{"Points", "", {"x", "y", "z"}, in_space(grid.positions)}});
-  add_cells(text, grid, cells);
+  text.line("<Points>");
+  text.array(points);
+  text.line("</Points>");
+  text.line("<Cells>");
+  text.integers("connectivity", grid.connectivity);
+  // A file has the end of each cell.
+  text.integers("offsets", std::span(grid.offsets).last(cells));
+  text.array(types);
+  text.line("</Cells>");
   text.line("</Piece>");
-  return text.finish("UnstructuredGrid");
+  return text.finish("UnstructuredGrid", workers);
 }
 
 std::string encode_list(const VtuGrid& piece, const std::vector<std::string>& files,

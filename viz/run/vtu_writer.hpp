@@ -53,8 +53,8 @@ struct Moment {
   std::vector<double> well_pressure;  ///< [Pa] one per well, may be empty
 };
 
-/** The file's text, with the moment in its field data. */
-std::string encode(const VtuGrid& grid, const Moment& moment, Compression compression);
+/** The file's text, with the moment in its field data, coded on up to `workers` threads. */
+std::string encode(const VtuGrid& grid, const Moment& moment, Compression compression, int workers = 1);
 
 /** The text of a PVTU file: the list of `files`, pieces of one grid, beside it. `piece` is one of them, maybe an empty one, for the names
  * and kinds of its arrays. */
