@@ -17,6 +17,7 @@ struct Search {
   const Line& line;
   std::vector<std::int32_t> passed;  // pores
   std::vector<std::int64_t> cut;     // bonds on the way there
+  std::int64_t kept;                 // bonds of each disc
   double best = -1e300;
   std::int64_t first = -1;  // bond of the best way
 
@@ -24,15 +25,16 @@ struct Search {
     return dot(network.centroid[pore] - line.through, line.along);
   }
   [[nodiscard]] double off_line(Vec2 at) const { return std::abs(cross(line.along, at - line.through)); }
-  // Whether a disc would be left without any bond.
+  // Whether a disc would be left with fewer bonds than it is to keep.
   [[nodiscard]] bool frees(std::int64_t bond) const {
-    const auto alone = [&](std::int32_t disc) {
+    const auto loose = [&](std::int32_t disc) {
       const auto& bonds = facets.bonds_of_disc(disc);
-      return std::none_of(bonds.begin(), bonds.end(), [&](std::int32_t e) {
+      const auto left = std::count_if(bonds.begin(), bonds.end(), [&](std::int32_t e) {
         return e != bond && assembly.intact[e] != 0 && std::find(cut.begin(), cut.end(), e) == cut.end();
       });
+      return left < kept;
     };
-    return alone(assembly.first[bond]) || alone(assembly.second[bond]);
+    return loose(assembly.first[bond]) || loose(assembly.second[bond]);
   }
   // Goes on from the last pore passed; `off`: sum of what its pores are off the line [m].
   void look(std::int64_t by, int depth, double off) {
@@ -65,8 +67,8 @@ struct Search {
 
 std::int64_t straightest(const Facets& facets, const Assembly& assembly, const Network& network,
                          std::int32_t from, const Line& line, const std::vector<std::int32_t>& passed,
-                         const std::vector<std::int64_t>& cut) {
-  Search search{facets, assembly, network, line, passed, cut};
+                         const std::vector<std::int64_t>& cut, std::int64_t kept) {
+  Search search{facets, assembly, network, line, passed, cut, kept};
   search.passed.push_back(from);
   search.look(-1, 0, 0.0);
   return search.first;
@@ -78,7 +80,8 @@ std::vector<std::int64_t> perforation(const Facets& facets, const Assembly& asse
   std::vector<std::int32_t> passed;
   const Line line{well.centre, way};
   for (std::int32_t at = well.domain;;) {
-    const auto bond = straightest(facets, assembly, network, at, line, passed, bonds);
+    auto bond = straightest(facets, assembly, network, at, line, passed, bonds, 2);
+    if (bond < 0) bond = straightest(facets, assembly, network, at, line, passed, bonds);
     if (bond < 0) return bonds;
     bonds.push_back(bond);
     passed.push_back(at);

@@ -18,13 +18,15 @@ struct Line {
   Vec2 along;    // unit
 };
 
-// The first bond of that way, -1: none. `passed`: pores that it must not come to; `cut`: bonds as good as broken. No way
-// takes the last bond of a disc.
+// The first bond of that way, -1: none. `passed`: pores that it must not come to; `cut`: bonds as good as broken. Of
+// each disc's bonds a way leaves `kept`.
 std::int64_t straightest(const Facets& facets, const Assembly& assembly, const Network& network,
                          std::int32_t from, const Line& line, const std::vector<std::int32_t>& passed,
-                         const std::vector<std::int64_t>& cut);
+                         const std::vector<std::int64_t>& cut, std::int64_t kept = 1);
 
-// Bonds that a perforation of this length [m] cuts into the rock beside a well, along `way` from its centre.
+// Bonds that a perforation of this length [m] cuts into the rock beside a well, along `way` from its centre. It leaves each disc two
+// bonds if it can: on one, at the hole's wall, a disc is a cantilever into the hole, which the stress that the slot releases pries off,
+// and the wall beside it with it, before anything is injected.
 std::vector<std::int64_t> perforation(const Facets& facets, const Assembly& assembly, const Network& network,
                                       const WellPlace& well, Vec2 way, double length);
 

@@ -246,6 +246,27 @@ TEST(Facets, GrowWithoutLosingFluidAndGoOnFromAnImage) {
   EXPECT_EQ(go_on(other), hash);
 }
 
+// On one bond a disc at the hole's wall is a cantilever, which the stress that the slot releases pries off, and the wall with it.
+TEST(Facets, SlotsLeaveEachDiscTwoBonds) {
+  CaseDefinition definition = with_hole(4.3);
+  definition.options.fracture_perforation_length = 2.6;
+  for (definition.options.model_seed = 1; definition.options.model_seed <= 30;
+       ++definition.options.model_seed) {
+    const Simulation s(definition, {}, {});
+    const Assembly& a = s.assembly();
+    std::vector<int> bonds(static_cast<std::size_t>(a.disc_count()));
+    for (std::int64_t e = 0; e < a.bond_count(); ++e) {
+      bonds[a.first[e]] += a.intact[e];
+      bonds[a.second[e]] += a.intact[e];
+    }
+    ASSERT_GE(s.cracks().size(), 2U);
+    for (const auto& crack : s.cracks()) {
+      EXPECT_GE(bonds[a.first[crack.bond]], 2) << "seed " << definition.options.model_seed;
+      EXPECT_GE(bonds[a.second[crack.bond]], 2) << "seed " << definition.options.model_seed;
+    }
+  }
+}
+
 // Two stages, each with its own perforations; a third as the options say of all.
 TEST(Facets, AreCutAsEachWellsPerforationsSay) {
   CaseDefinition definition = with_hole(5.0);
