@@ -74,20 +74,43 @@ std::int64_t straightest(const Facets& facets, const Assembly& assembly, const N
   return search.first;
 }
 
-std::vector<std::int64_t> perforation(const Facets& facets, const Assembly& assembly, const Network& network,
-                                      const WellPlace& well, Vec2 way, double length) {
+namespace {
+
+// As far as it gets; one that leaves discs more than a bond each gets there or is none.
+std::vector<std::int64_t> way_into(const Facets& facets, const Assembly& assembly, const Network& network,
+                                   const WellPlace& well, const Line& line, double reach, std::int64_t kept) {
   std::vector<std::int64_t> bonds;
   std::vector<std::int32_t> passed;
-  const Line line{well.centre, way};
   for (std::int32_t at = well.domain;;) {
-    auto bond = straightest(facets, assembly, network, at, line, passed, bonds, 2);
-    if (bond < 0) bond = straightest(facets, assembly, network, at, line, passed, bonds);
+    const auto bond = straightest(facets, assembly, network, at, line, passed, bonds, kept);
+    if (bond < 0 && kept > 1) return {};
     if (bond < 0) return bonds;
     bonds.push_back(bond);
     passed.push_back(at);
     at = network.left[bond] == at ? network.right[bond] : network.left[bond];
-    if (dot(network.centroid[at] - well.centre, way) >= well.equivalent_radius + length) return bonds;
+    if (dot(network.centroid[at] - line.through, line.along) >= reach) return bonds;
   }
+}
+
+// Largest share of a bond's normal along the line; of no bonds more than any.
+double steepest(const Assembly& assembly, const std::vector<std::int64_t>& bonds, const Line& line) {
+  double most = bonds.empty() ? 2.0 : 0.0;
+  for (const auto e : bonds) {
+    const Vec2 across = assembly.position(assembly.second[e]) - assembly.position(assembly.first[e]);
+    most = std::max(most, std::abs(dot(across, line.along)) / norm(across));
+  }
+  return most;
+}
+
+}  // namespace
+
+std::vector<std::int64_t> perforation(const Facets& facets, const Assembly& assembly, const Network& network,
+                                      const WellPlace& well, Vec2 way, double length) {
+  const Line line{well.centre, way};
+  const double reach = well.equivalent_radius + length;
+  const auto any = way_into(facets, assembly, network, well, line, reach, 1),
+             held = way_into(facets, assembly, network, well, line, reach, 2);
+  return steepest(assembly, held, line) <= steepest(assembly, any, line) ? held : any;
 }
 
 }  // namespace hfrac

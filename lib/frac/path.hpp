@@ -24,9 +24,10 @@ std::int64_t straightest(const Facets& facets, const Assembly& assembly, const N
                          std::int32_t from, const Line& line, const std::vector<std::int32_t>& passed,
                          const std::vector<std::int64_t>& cut, std::int64_t kept = 1);
 
-// Bonds that a perforation of this length [m] cuts into the rock beside a well, along `way` from its centre. It leaves each disc two
-// bonds if it can: on one, at the hole's wall, a disc is a cantilever into the hole, which the stress that the slot releases pries off,
-// and the wall beside it with it, before anything is injected.
+// Bonds that a perforation of this length [m] cuts into the rock beside a well, along `way` from its centre. On a single bond a disc at
+// the hole's wall is a cantilever into the hole, which the stress that the slot releases pries off, and the wall beside it with it,
+// before anything is injected. So a way that leaves each disc two bonds is taken, unless it has a steeper bond: across such a one the
+// larger stress shuts the slot.
 std::vector<std::int64_t> perforation(const Facets& facets, const Assembly& assembly, const Network& network,
                                       const WellPlace& well, Vec2 way, double length);
 
