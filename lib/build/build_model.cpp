@@ -54,7 +54,7 @@ std::vector<std::int32_t> faces_of_wells(const CaseDefinition& definition, const
 }  // namespace
 
 Packing take_discs(const CaseDefinition& definition, std::span<const double> given_discs,
-                   const Progress& progress, SetupReport& report, const Packing* made) {
+                   const Progress& progress, SetupReport& report, const Packing* made, const Ranks& ranks) {
   const Options& o = definition.options;
   const auto start = std::chrono::steady_clock::now();
   bool stop = false;
@@ -67,7 +67,7 @@ Packing take_discs(const CaseDefinition& definition, std::span<const double> giv
     Workers workers(static_cast<int>(o.run_workers));
     packing = pack_discs(
         asked, [&](double done) { return stop = progress && progress(0.5 * done, "packing the discs"); },
-        &workers);
+        &workers, ranks);
     if (stop) throw Stopped{};
   } else {
     packing = take_given(given_discs);

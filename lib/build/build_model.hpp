@@ -39,9 +39,10 @@ struct SetupReport {
                broken_joints = 0;  // of the cracks, bonds of joints that were broken from the start
 };
 
-// The host's own discs (x, y, radius each), or those of a packing made before, or else a packing by the options.
+// The host's own discs (x, y, radius each), or those of a packing made before, or else a packing by the options, which ranks may share.
 Packing take_discs(const CaseDefinition& definition, std::span<const double> given_discs,
-                   const Progress& progress, SetupReport& report, const Packing* made = nullptr);
+                   const Progress& progress, SetupReport& report, const Packing* made = nullptr,
+                   const Ranks& ranks = {});
 
 // Discs, bonds, joints, pores and wells of the definition; `given_bonds` (two indices each): which discs are bonded, empty for all
 // that are near. Throws Error(model).

@@ -84,6 +84,14 @@ class Ranks {
     for (auto& place : begin) place *= static_cast<std::int64_t>(sizeof(T));
     check(exchange_.gather(exchange_.user, all, begin.data()));
   }
+  // The same where one knows all n of it.
+  template <class T>
+  void tell(int from, T* all, std::int64_t n) const {
+    if (alone()) return;
+    std::vector<std::int64_t> begin(static_cast<std::size_t>(size()) + 1, n);
+    std::fill_n(begin.begin(), from + 1, 0);
+    gather(all, std::move(begin));
+  }
   // The same where each made its part of n items.
   template <class T>
   void gather_parts(T* all, std::int64_t n, std::int64_t grain) const {

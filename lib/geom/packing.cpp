@@ -160,9 +160,9 @@ PackingOptions packing_options(const Options& options) {
 }
 
 Packing pack_discs(const PackingOptions& options, const std::function<bool(double)>& progress,
-                   Workers* workers) {
+                   Workers* workers, const Ranks& ranks) {
   if (options.method == PackingMethod::tiled) {
-    Packing tiled = pack_tiled(options, progress, workers);
+    Packing tiled = pack_tiled(options, progress, workers, ranks);
     renumber(tiled);
     return tiled;
   }

@@ -21,6 +21,7 @@
 
 #include "core/array.hpp"
 #include "core/random.hpp"
+#include "core/ranks.hpp"
 #include "options/choices.hpp"
 #include "options/grading.hpp"
 
@@ -54,9 +55,9 @@ struct Packing {
 };
 
 // progress(fraction) may return true to stop; the packing is then not relaxed. Throws Error(model) if it does not relax.
-// `workers` share the work (none: the calling thread alone); the packing is the same.
+// `workers` share the work (none: the calling thread alone), and so do `ranks` where bricks are laid; the packing is the same.
 Packing pack_discs(const PackingOptions& options, const std::function<bool(double)>& progress = {},
-                   Workers* workers = nullptr);
+                   Workers* workers = nullptr, const Ranks& ranks = {});
 
 // The permutation that numbers points along a Hilbert curve: order[new] = old.
 std::vector<std::int32_t> hilbert_order(const Array<double>& x, const Array<double>& y);
@@ -71,7 +72,7 @@ void relax_packing(const PackingOptions& options, Packing& packing,
                    const std::function<bool(double)>& progress, Workers* workers);
 void renumber(Packing& packing);
 Packing pack_tiled(const PackingOptions& options, const std::function<bool(double)>& progress,
-                   Workers* workers);
+                   Workers* workers, const Ranks& ranks);
 Packing pack_graded(const PackingOptions& options, const std::function<bool(double)>& progress,
                     Workers* workers);
 

@@ -25,7 +25,7 @@ struct Sums {
 };
 
 // Where FIRE is on its way.
-struct Course {
+struct Fire {
   static constexpr double step_max = 0.55, grow = 1.1, shrink = 0.5, mixing_start = 0.1, mixing_decay = 0.99;
   static constexpr int patience = 5;
   double step = 0.1, mixing = mixing_start;
@@ -116,13 +116,15 @@ void move_discs(const Motion& motion, std::size_t first, std::size_t last, const
   }
 }
 
+}  // namespace
+
 // Workers take blocks of discs; whatever is added up over discs or contacts is so by one of them, in one order.
-class Relaxation {
+class Relaxation::Course {
  public:
   using Member = Workers::Member;
 
-  Relaxation(const RelaxationBox& box, const Array<double>& radius, Array<double>& x, Array<double>& y,
-             const std::vector<char>& held, Workers* workers)
+  Course(const RelaxationBox& box, const Array<double>& radius, Array<double>& x, Array<double>& y,
+         const std::vector<char>& held, double residual, std::int64_t most, Workers* workers)
       : box_(box),
         radius_(radius),
         x_(x),
@@ -130,6 +132,8 @@ class Relaxation {
         held_(held),
         workers_(workers != nullptr ? *workers : alone_),
         shared_(workers != nullptr && workers->count() > 1 && x.size() >= discs_worth_sharing),
+        residual_(residual),
+        most_(most),
         mean_radius_(std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(x.size())),
         moving_(static_cast<double>(std::max<std::int64_t>(
             1, static_cast<std::int64_t>(x.size()) -
@@ -137,30 +141,30 @@ class Relaxation {
         between_reports_(std::clamp<std::int64_t>(
             moves_between_reports / std::max<std::int64_t>(1, static_cast<std::int64_t>(x.size())), 1,
             most_between_reports)),
-        pairs_(box, radius, 0.4 * mean_radius_, shared_ ? discs_of_block : 0) {
+        pairs_(box_, radius, 0.4 * mean_radius_, shared_ ? discs_of_block : 0) {
     for (auto* values : {&own_x_, &own_y_, &vx_, &vy_}) values->assign(x.size(), 0.0);
     // And a place for each block, where what it pushes others' discs with is lost.
     for (auto* values : {&fx_, &fy_}) values->assign(pairs_.nowhere(pairs_.blocks.size()), 0.0);
     if (shared_) touching_.resize(pairs_.blocks.size());
   }
 
-  RelaxationReport run(double residual, std::int64_t most, const std::function<bool(double)>& progress) {
-    double start = 0.0, done = 0.0;
-    residual_ = residual;
-    most_ = most;
+  bool go_on() {
     for (;;) {
       if (due_) find_pairs();
       const bool judged = std::exchange(judged_, false);
-      workers_.share(shared_, [&](const Member& member) { go_on(member, judged); });
-      if (over_) return report_;
-      if (!judged_) continue;
-      // The residual falls by fits and starts; what was reached once is what counts as done.
-      if (report_.iterations == 0) start = std::max(report_.residual, 10.0 * residual);
-      done = std::clamp(std::log(start / report_.residual) / std::log(start / residual), done, 1.0);
-      done = std::max(done, static_cast<double>(report_.iterations) / static_cast<double>(most));
-      if (progress && progress(done)) return report_;
+      workers_.share(shared_, [&](const Member& member) { iterate(member, judged); });
+      if (over_) return false;
+      if (judged_) break;
     }
+    // The residual falls by fits and starts; what was reached once is what counts as done.
+    if (report_.iterations == 0) start_ = std::max(report_.residual, 10.0 * residual_);
+    done_ = std::clamp(std::log(start_ / report_.residual) / std::log(start_ / residual_), done_, 1.0);
+    done_ = std::max(done_, static_cast<double>(report_.iterations) / static_cast<double>(most_));
+    return true;
   }
+
+  [[nodiscard]] double done() const { return over_ ? 1.0 : done_; }
+  [[nodiscard]] const RelaxationReport& report() const { return report_; }
 
  private:
   [[nodiscard]] Discs discs() const { return {radius_.data(), x_.data(), y_.data()}; }
@@ -173,7 +177,7 @@ class Relaxation {
   }
 
   // Iterations until the end, until pairs have to be found anew, or until it is time to report, which is before discs move: so `judged`.
-  void go_on(const Member& member, bool judged) {
+  void iterate(const Member& member, bool judged) {
     for (;; judged = false) {
       if (!judged) {
         if (box_.periodic)
@@ -321,12 +325,12 @@ class Relaxation {
     report_.at_rest = report_.residual <= residual_ || report_.mean_overlap < 1e-6;
     over_ = report_.at_rest || report_.iterations == most_;
     if (over_) return;
-    course_.turn_by(sums_);
+    fire_.turn_by(sums_);
     judged_ = report_.iterations % between_reports_ == 0;
   }
 
   void move(const Member& member) {
-    const Motion motion{course_.keep, course_.turn + course_.step, course_.step};
+    const Motion motion{fire_.keep, fire_.turn + fire_.step, fire_.step};
     each_block(member, [&](std::size_t b) {
       const auto& block = pairs_.blocks[b];
       move_discs(motion, block.first_disc, block.last_disc, fx_.data(), vx_.data(), x_.data());
@@ -337,15 +341,17 @@ class Relaxation {
     member.barrier();
   }
 
-  const RelaxationBox& box_;
+  RelaxationBox box_;
   const Array<double>& radius_;
   Array<double>&x_, &y_;
   const std::vector<char>& held_;
   Workers alone_{1};
   Workers& workers_;
   bool shared_;
-  double mean_radius_, moving_, residual_ = 0.0;
-  std::int64_t most_ = 0, between_reports_;
+  double residual_, start_ = 0.0, done_ = 0.0;
+  std::int64_t most_;
+  double mean_radius_, moving_;
+  std::int64_t between_reports_;
   NeighbourPairs pairs_;
   Array<double> fx_, fy_, own_x_, own_y_, vx_, vy_;
   struct Touching {  // of a block: overlaps of pairs that touch
@@ -354,19 +360,40 @@ class Relaxation {
   };
   std::vector<Touching> touching_;
   Sums sums_;
-  Course course_;
+  Fire fire_;
   RelaxationReport report_;
   std::atomic<bool> due_{true};  // pairs are to be found anew
   bool judged_ = false, over_ = false;
 };
 
-}  // namespace
+Relaxation::Relaxation(const RelaxationBox& box, const Array<double>& radius, Array<double>& x,
+                       Array<double>& y, const std::vector<char>& held, double residual, std::int64_t most,
+                       Workers* workers)
+    : course_(std::make_unique<Course>(box, radius, x, y, held, residual, most, workers)) {}
+
+Relaxation::Relaxation(Relaxation&&) noexcept = default;
+Relaxation::~Relaxation() = default;
+
+bool Relaxation::go_on() {
+  return course_->go_on();
+}
+
+double Relaxation::done() const {
+  return course_->done();
+}
+
+const RelaxationReport& Relaxation::report() const {
+  return course_->report();
+}
 
 RelaxationReport relax_overlaps(const RelaxationBox& box, const Array<double>& radius, Array<double>& x,
                                 Array<double>& y, const std::vector<char>& held, double residual,
                                 std::int64_t most, const std::function<bool(double)>& progress,
                                 Workers* workers) {
-  return Relaxation(box, radius, x, y, held, workers).run(residual, most, progress);
+  Relaxation relaxation(box, radius, x, y, held, residual, most, workers);
+  while (relaxation.go_on() && !(progress && progress(relaxation.done()))) {
+  }
+  return relaxation.report();
 }
 
 }  // namespace hfrac

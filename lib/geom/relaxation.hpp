@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "core/array.hpp"
@@ -21,9 +22,27 @@ struct RelaxationReport {
   bool at_rest = false;  // the residual asked for was reached, or nothing overlaps any more
 };
 
-// Moves x and y. held[i] != 0: disc i stays (empty: none does). Ends at rest, after `most` iterations, or when
-// progress(fraction) returns true, which is asked on the calling thread now and then. `workers` share it if it is large; none: the
-// calling thread alone.
+// Moves x and y, from report to report. What it is given stays where it is, and x and y are left alone meanwhile.
+class Relaxation {
+ public:
+  // held[i] != 0: disc i stays (empty: none does). Ends at rest or after `most` iterations. `workers` share it if it is large; none: the
+  // calling thread alone.
+  Relaxation(const RelaxationBox& box, const Array<double>& radius, Array<double>& x, Array<double>& y,
+             const std::vector<char>& held, double residual, std::int64_t most, Workers* workers = nullptr);
+  Relaxation(Relaxation&&) noexcept;
+  ~Relaxation();
+
+  // To where there is something to report, after the same number of iterations on any number of workers. False: it has ended.
+  bool go_on();
+  [[nodiscard]] double done() const;  // 0 to 1
+  [[nodiscard]] const RelaxationReport& report() const;
+
+ private:
+  class Course;
+  std::unique_ptr<Course> course_;
+};
+
+// The same to its end, or until progress(fraction) returns true, which is asked on the calling thread now and then.
 RelaxationReport relax_overlaps(const RelaxationBox& box, const Array<double>& radius, Array<double>& x,
                                 Array<double>& y, const std::vector<char>& held, double residual,
                                 std::int64_t most, const std::function<bool(double)>& progress = {},

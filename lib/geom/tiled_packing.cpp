@@ -70,44 +70,60 @@ Brick another_kind(const Brick& first, const std::vector<char>& frame, Random& r
   return brick;
 }
 
-// All but the first, a kind by one worker each. The calling thread alone reports, with what it has done of all.
-void relax_kinds(std::vector<Brick>& kinds, const std::vector<char>& frame, double residual,
-                 const std::function<bool(double)>& progress, Workers& workers) {
-  const auto count = static_cast<std::int64_t>(kinds.size()) - 1;
-  std::atomic<std::int64_t> next{1}, made{1};
-  std::atomic<bool> stop{false};
+// Each of those that have not ended to its next report, by one worker.
+void go_on(std::vector<Relaxation>& relaxations, std::vector<char>& ended, Workers& workers) {
+  std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
   std::mutex failing;
-  const auto relax = [&](Brick& brick, bool reports) {
-    relax_overlaps({brick.width, brick.height, true}, brick.discs.radius, brick.discs.x, brick.discs.y, frame,
-                   residual, most_relaxations, [&](double done) {
-                     if (reports && progress &&
-                         progress((static_cast<double>(made) + done) / static_cast<double>(count + 1)))
-                       stop = true;
-                     return stop.load();
-                   });
-    wrap(brick);
-    ++made;
-  };
   workers.run(
-      [&](int worker) {
+      [&](int) {
         try {
-          for (auto k = next++; k <= count && !stop; k = next++)
-            relax(kinds[static_cast<std::size_t>(k)], worker == 0);
+          for (auto k = next++; k < relaxations.size(); k = next++)
+            if (ended[k] == 0) ended[k] = relaxations[k].go_on() ? 0 : 1;
         } catch (...) {
           const std::lock_guard lock(failing);
           failure = std::current_exception();
-          stop = true;
         }
       },
       false);
   if (failure) std::rethrow_exception(failure);
 }
 
+// All but the first: each rank some, which it then shows the others, and of those a worker one at a time. All at hand go on together from
+// report to report, so that all ranks ask `progress` as often.
+void relax_kinds(std::vector<Brick>& kinds, const std::vector<char>& frame, double residual,
+                 const std::function<bool(double)>& progress, Workers& workers, const Ranks& ranks) {
+  const std::size_t count = kinds.size() - 1;
+  const auto owner = [&](std::size_t k) {
+    return static_cast<int>((k - 1) % static_cast<std::size_t>(ranks.size()));
+  };
+  std::vector<Relaxation> mine;
+  for (std::size_t k = 1; k <= count; ++k) {
+    Packing& p = kinds[k].discs;
+    if (owner(k) == ranks.rank())
+      mine.emplace_back(RelaxationBox{kinds[k].width, kinds[k].height, true}, p.radius, p.x, p.y, frame,
+                        residual, most_relaxations);
+  }
+  std::vector<char> ended(mine.size(), 0);
+  for (;;) {
+    go_on(mine, ended, workers);
+    if (!ranks.any(std::count(ended.begin(), ended.end(), 0) > 0)) break;
+    double done = 0.0;
+    for (const auto& relaxation : mine) done += relaxation.done() / static_cast<double>(mine.size());
+    if (progress && progress((1.0 + done * static_cast<double>(count)) / static_cast<double>(count + 1)))
+      return;
+  }
+  for (std::size_t k = 1; k <= count; ++k) {
+    for (auto* values : {&kinds[k].discs.x, &kinds[k].discs.y})
+      ranks.tell(owner(k), values->data(), static_cast<std::int64_t>(values->size()));
+    wrap(kinds[k]);
+  }
+}
+
 }  // namespace
 
 Packing pack_tiled(const PackingOptions& options, const std::function<bool(double)>& progress,
-                   Workers* workers) {
+                   Workers* workers, const Ranks& ranks) {
   Random random(options.seed);
   const double bricks =
       std::max(1.0, std::round(static_cast<double>(options.count) / static_cast<double>(options.brick)));
@@ -137,7 +153,7 @@ Packing pack_tiled(const PackingOptions& options, const std::function<bool(doubl
   const std::vector<char> frame = frame_of(first);
   std::vector<Brick> kinds{std::move(first)};
   while (kinds.size() < kind_count) kinds.push_back(another_kind(kinds[0], frame, random));
-  if (!stop) relax_kinds(kinds, frame, options.residual, watch, team);
+  if (!stop) relax_kinds(kinds, frame, options.residual, watch, team, ranks);
 
   Packing p;
   p.mean_radius = kinds[0].discs.mean_radius;

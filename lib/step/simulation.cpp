@@ -84,7 +84,7 @@ Simulation::Simulation(CaseDefinition definition, const Progress& progress, cons
   auto device = device_for(definition_, ranks.size(), setup_.why_no_device);
   if (device) setup_.device = device->name();
   Packing packing = take_discs(definition_, parts.discs, progress, setup_,
-                               parts.from != nullptr ? &parts.from->packing : nullptr);
+                               parts.from != nullptr ? &parts.from->packing : nullptr, ranks);
   const auto bonds = parts.from != nullptr ? std::span<const std::int64_t>(parts.from->bonds) : parts.bonds;
   if (progress && progress(0.5, "bonding")) throw Stopped{};
   if (parts.kept != nullptr) {

@@ -21,6 +21,15 @@ struct Case {
   friend std::ostream& operator<<(std::ostream& out, const Case& which) { return out << which.name; }
 };
 
+// Bricks whose relaxations take longer or shorter, and report more or less often.
+constexpr Case tiled{"tiled", 6000, 1,
+                     [](auto& def) {
+                       def.packing_method = 1;
+                       def.packing_brick_discs = 600;
+                       def.flow_scheme = 2;
+                     },
+                     0};
+
 constexpr Case cases[] = {
     {"walls", 2400, 2, [](auto&) {}, 3},
     {"far_field", 2400, 2,
@@ -39,6 +48,7 @@ constexpr Case cases[] = {
      },
      3},
     {"dry", 2400, 1, [](auto& def) { def.flow_scheme = 2; }, 0},
+    tiled,
     {"rock_beyond", 1200, 1,
      [](auto& def) {
        def.stress_convention = 0;
@@ -196,6 +206,20 @@ TEST(RanksStop, AllIfOneAsksTo) {
     ASSERT_EQ(hfrac_set_progress(sim, nullptr, nullptr, 0.0), HFRAC_OK);
     EXPECT_GE(hfrac_step(sim, 1), 0);
     hfrac_sim_destroy(&sim);
+  });
+}
+
+// Ranks relax bricks of their own, which takes each as long as it takes.
+TEST(RanksStop, WhileBricksAreRelaxed) {
+  const hfrac::Definition def = def_of(tiled, 2);
+  Meeting meeting(3);
+  meeting.run([&](int32_t rank) {
+    const auto exchange = meeting.exchange(rank);
+    hfrac_sim_def mine = def;
+    if (rank == 1) mine.progress = [](void*, double done, const char*) { return done > 0.1 ? 1 : 0; };
+    hfrac_sim* sim = nullptr;
+    EXPECT_EQ(hfrac_sim_create_on(&mine, &exchange, &sim), HFRAC_STOPPED) << last_error();
+    EXPECT_EQ(sim, nullptr);
   });
 }
 
