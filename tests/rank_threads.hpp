@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <cstdio>
@@ -98,7 +99,7 @@ class Meeting {
     std::unique_lock lock(mutex_);
     for (const auto& [from, to, bytes] : seat.expected) {
       auto& box = mail_[{from, seat.rank}];
-      changed_.wait(lock, [&] { return failed_ || !box.empty(); });
+      wait(lock, [&] { return !box.empty(); });
       if (failed_) break;
       EXPECT_EQ(box.front().size(), bytes) << "from rank " << from << " to " << seat.rank;
       std::memcpy(to, box.front().data(), std::min(bytes, box.front().size()));
@@ -108,10 +109,30 @@ class Meeting {
     return failed_ ? 1 : 0;
   }
 
-  // Each brings something; the last to come opens the door for all, and `meet` says false to all once a rank has failed.
+  // Until it is so or a rank has failed. Who waits for so long waits for one that makes other calls, or none: then all fail.
+  template <class Condition>
+  void wait(std::unique_lock<std::mutex>& lock, const Condition& condition) {
+    constexpr std::chrono::seconds longest{60};
+    if (changed_.wait_for(lock, longest, [&] { return failed_ || condition(); })) return;
+    give_up("a rank has waited for the others for a minute");
+  }
+
+  void give_up(const char* why) {
+    ADD_FAILURE() << why;
+    failed_ = true;
+    changed_.notify_all();
+  }
+
+  // Each brings something; the last to come opens the door for all, and `meet` says false to all once a rank has failed. All come for
+  // the same, a sum of so many or an array of so many bytes.
   template <class Bring>
-  bool meet(std::unique_lock<std::mutex>& lock, const Bring& bring) {
+  bool meet(std::unique_lock<std::mutex>& lock, std::int64_t what, const Bring& bring) {
     if (failed_) return false;
+    if (here_ == 0) what_ = what;
+    if (what != what_) {
+      give_up("ranks make different calls at once");
+      return false;
+    }
     bring();
     const auto round = round_;
     if (++here_ == size_) {
@@ -119,7 +140,7 @@ class Meeting {
       ++round_;
       changed_.notify_all();
     } else {
-      changed_.wait(lock, [&] { return failed_ || round_ != round; });
+      wait(lock, [&] { return round_ != round; });
     }
     return round_ != round;
   }
@@ -129,14 +150,13 @@ class Meeting {
     std::unique_lock lock(mutex_);
     const auto add = [&] {
       if (here_ == 0) total_.assign(n, 0);
-      EXPECT_EQ(total_.size(), n);
       for (std::size_t k = 0; k < n; ++k)
         total_[k] = static_cast<int64_t>(static_cast<std::uint64_t>(total_[k]) +
                                          static_cast<std::uint64_t>(values[k]));
     };
-    if (!meet(lock, add)) return 1;
+    if (!meet(lock, count, add)) return 1;
     std::copy(total_.begin(), total_.end(), values);
-    return meet(lock, [] {}) ? 0 : 1;
+    return meet(lock, count, [] {}) ? 0 : 1;
   }
 
   int32_t gather(const Seat& seat, void* all, const int64_t* begin) {
@@ -147,9 +167,10 @@ class Meeting {
       if (here_ == 0) whole_.assign(static_cast<std::size_t>(begin[size_]), 0);
       std::copy(to + begin[r], to + begin[r + 1], whole_.begin() + begin[r]);
     };
-    if (!meet(lock, bring)) return 1;
+    const std::int64_t gathered = -1 - begin[size_];  // no number of a sum's
+    if (!meet(lock, gathered, bring)) return 1;
     std::copy(whole_.begin() + begin[0], whole_.end(), to + begin[0]);
-    return meet(lock, [] {}) ? 0 : 1;
+    return meet(lock, gathered, [] {}) ? 0 : 1;
   }
 
   int32_t fail() {
@@ -181,6 +202,7 @@ class Meeting {
   std::vector<int64_t> total_;
   Bytes whole_;
   int32_t here_ = 0;
+  std::int64_t what_ = 0;
   std::uint64_t round_ = 0;
   bool failed_ = false;
   std::map<int32_t, std::string> reasons_;
