@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <system_error>
 
+#include "web/server/averages.hpp"
+
 namespace hfrac::web {
 
 std::shared_ptr<const Grid> GridCache::get(const std::filesystem::path& file) {
@@ -24,7 +26,7 @@ std::shared_ptr<const Grid> GridCache::get(const std::filesystem::path& file) {
     held_ -= found->bytes;
     entries_.erase(found);
   }
-  auto grid = read_grid(file);
+  auto grid = averaged(read_grid(file), kMostDrawn);
   const size_t bytes = grid->bytes();
   entries_.push_front({file, written, grid, bytes});
   held_ += bytes;
