@@ -39,10 +39,10 @@ class Items {
     of_cells = first_ != nullptr && corner_ != nullptr;
     count = of_cells ? grid.cells : grid.points;
     if (of_cells && static_cast<int64_t>(corner_->size()) <= 2 * count)
-      throw GridError(
-          fmt::format("it has {} lines, and the page draws {} at most; draw a part of them with hfrac render "
-                      "DIR --view bonds --zoom well, or open the run in ParaView",
-                      count, kMostDrawn));
+      throw GridError(fmt::format(
+          "it has {} bonds or cracks, and the page draws {} at most; draw a part of them with hfrac render "
+          "DIR --view bonds --zoom well, or open the run in ParaView",
+          count, kMostDrawn));
   }
 
   Item operator[](int64_t i) const {
@@ -157,8 +157,9 @@ void add_squares(Grid& coarse, const Raster& raster) {
   std::vector<float> position;
   std::vector<int32_t> first{0}, corner;
   for (const auto square : raster.square) {
-    const double x = raster.left + raster.side * static_cast<double>(square % raster.columns),
-                 y = raster.below + raster.side * static_cast<double>(square / raster.columns);
+    const int64_t row = square / raster.columns, column = square % raster.columns;
+    const double x = raster.left + raster.side * static_cast<double>(column),
+                 y = raster.below + raster.side * static_cast<double>(row);
     for (const auto& [i, j] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
       corner.push_back(static_cast<int32_t>(corner.size()));
       position.push_back(static_cast<float>(x + i * raster.side));
