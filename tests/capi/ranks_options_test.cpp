@@ -97,9 +97,9 @@ void compare(const hfrac::Definition& alone, const std::string& what) {
   });
 }
 
-class RanksOption : public testing::TestWithParam<int32_t> {};
+class RanksOptionSlow : public testing::TestWithParam<int32_t> {};
 
-TEST_P(RanksOption, GivesTheBitsOfOne) {
+TEST_P(RanksOptionSlow, GivesTheBitsOfOne) {
   const auto info = read_struct<hfrac_option_info>([&](auto* to) { return hfrac_option_at(GetParam(), to); });
   // Other sizes take long, workers are two, and a card is refused for a reason of the ranks' own.
   for (const char* key : {"packing.disc_count", "run.workers", "run.device"})
@@ -123,7 +123,7 @@ int32_t option_count() {
   return count;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, RanksOption, testing::Range(0, option_count()), [](const auto& at) {
+INSTANTIATE_TEST_SUITE_P(All, RanksOptionSlow, testing::Range(0, option_count()), [](const auto& at) {
   const auto option = read_struct<hfrac_option_info>([&](auto* to) { return hfrac_option_at(at.param, to); });
   std::string name = option.key;
   std::replace(name.begin(), name.end(), '.', '_');
