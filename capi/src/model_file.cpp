@@ -32,29 +32,27 @@ std::string path_of(const CaseDefinition& definition) {
   return path;
 }
 
-// What all ranks do at once: if it fails on one, it is refused on all.
 template <class Do>
-void all_or_none(const Ranks& ranks, const std::string& path, const Do& act) {
-  std::optional<Error> fault;
-  try {
-    act();
-  } catch (const Error& error) {
-    fault.emplace(ErrorKind::file,
+void all_or_none_read(const Ranks& ranks, const std::string& path, const Do& act) {
+  const Error elsewhere(
+      ErrorKind::file,
+      "packing.file: '" + path + "' cannot be read by another rank; put it where all ranks find it.");
+  all_or_none(ranks, elsewhere, [&] {
+    try {
+      act();
+    } catch (const Error& error) {
+      throw Error(ErrorKind::file,
                   std::string("packing.file: ") + error.what() +
                       " Without packing.file the model is packed anew, with the same result.");
-  }
-  const bool failed = ranks.any(fault.has_value());
-  if (fault) throw Error(*fault);
-  if (failed)
-    throw Error(ErrorKind::file, "packing.file: '" + path +
-                                     "' cannot be read by another rank; put it where all ranks find it.");
+    }
+  });
 }
 
 // Each rank reads its part and tells it to the others, so that a disk that many machines share gives every byte once.
 std::vector<std::byte> bytes_by_ranks(const std::string& path, const Ranks& ranks) {
   std::optional<SavedFile> file;
   std::vector<std::byte> head(seal_size);
-  all_or_none(ranks, path, [&] {
+  all_or_none_read(ranks, path, [&] {
     file.emplace(path, largest_file);
     file->read(0, head);
   });
@@ -76,7 +74,7 @@ std::vector<std::byte> bytes_by_ranks(const std::string& path, const Ranks& rank
   for (int r = 0; r < ranks.size(); ++r) begin.push_back(ranks.part(r, size, grain).end);
   const auto from = static_cast<std::size_t>(begin[static_cast<std::size_t>(ranks.rank())]),
              end = static_cast<std::size_t>(begin[static_cast<std::size_t>(ranks.rank()) + 1]);
-  all_or_none(ranks, path, [&] { file->read(from, std::span(bytes).subspan(from, end - from)); });
+  all_or_none_read(ranks, path, [&] { file->read(from, std::span(bytes).subspan(from, end - from)); });
   ranks.gather(bytes.data(), begin);
   return bytes;
 }

@@ -18,6 +18,7 @@
 #include "options/number_text.hpp"
 #include "sim_handle.hpp"
 #include "step/added_well.hpp"
+#include "step/alike.hpp"
 #include "step/impose.hpp"
 #include "step/simulation.hpp"
 #include "step/step_limits.hpp"
@@ -144,7 +145,16 @@ std::int32_t hfrac::capi::create(const hfrac_sim_def* def, const hfrac_exchange&
       return poll.stop(done, what);
     };
     handle->simulation = together(*handle, [&] {
-      CaseDefinition definition = case_of(full);
+      CaseDefinition definition;
+      all_or_none(handle->ranks,
+                  Error(ErrorKind::argument,
+                        "another rank was given a definition that is refused there; give all the same."),
+                  [&] {
+                    definition = case_of(full);
+                    static_cast<void>(given_discs_of(full));
+                    static_cast<void>(given_bonds_of(full));
+                  });
+      require_same_definition(handle->ranks, definition, given_discs_of(full), given_bonds_of(full));
       const auto packed = packed_model_of(definition, full.given_disc_count > 0, handle->ranks);
       return std::make_unique<Simulation>(std::move(definition), given_discs_of(full), progress,
                                           given_bonds_of(full), handle->ranks, packed ? &*packed : nullptr);

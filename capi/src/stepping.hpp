@@ -4,6 +4,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 #include "internal.hpp"
@@ -27,6 +28,20 @@ auto together(const hfrac_sim& sim, const Work& work) {
     sim.ranks.fail(text.get().data());
     throw;
   }
+}
+
+// What all ranks do at once: if it is refused on one, it is on all; the others say `elsewhere`.
+template <class Do>
+void all_or_none(const Ranks& ranks, const Error& elsewhere, const Do& act) {
+  std::optional<Error> fault;
+  try {
+    act();
+  } catch (const Error& error) {
+    fault.emplace(error);
+  }
+  const bool failed = ranks.any(fault.has_value());
+  if (fault) throw Error(*fault);
+  if (failed) throw Error(elsewhere);
 }
 
 // The host's progress callback, asked about every so many seconds. Once it has said stop it is not asked again. On several ranks

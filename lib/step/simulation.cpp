@@ -12,6 +12,7 @@
 #include "options/choices.hpp"
 #include "options/fracture_law.hpp"
 #include "options/model_size.hpp"
+#include "step/alike.hpp"
 #include "step/checks.hpp"
 #include "step/device_choice.hpp"
 #include "step/exterior_rock.hpp"
@@ -155,6 +156,11 @@ void Simulation::take_well(const Well& well) {
 }
 
 StepOutcome Simulation::step(const Loads& loads, double duration, const Interrupt& interrupt) {
+  require_same_step(engine_->ranks, model_, loads, duration);
+  return take_step(loads, duration, interrupt);
+}
+
+StepOutcome Simulation::take_step(const Loads& loads, double duration, const Interrupt& interrupt) {
   Engine& e = *engine_;
   const bool as_opened = as_opened_ && loads == loads_;
   impose(loads);
@@ -243,8 +249,9 @@ void Simulation::require_open_step() const {
 StepOutcome Simulation::try_step(double duration, const Interrupt& interrupt) {
   require_open_step();
   const Loads wanted = loads_;
+  require_same_step(engine_->ranks, model_, wanted, duration);
   if (!as_opened_) reopen();
-  return step(wanted, duration, interrupt);
+  return take_step(wanted, duration, interrupt);
 }
 
 void Simulation::accept_step() {

@@ -113,6 +113,7 @@ class Simulation {
   struct Parts;
   Simulation(CaseDefinition definition, const Progress& progress, const Ranks& ranks, const Parts& parts);
   void require_open_step() const;
+  StepOutcome take_step(const Loads& loads, double duration, const Interrupt& interrupt);
   void reopen();
 
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();

@@ -223,6 +223,69 @@ TEST(RanksStop, WhileBricksAreRelaxed) {
   });
 }
 
+// A host that told its ranks different things is told which, on all ranks, before any waits for another.
+TEST(RanksRefuse, DefinitionsThatDiffer) {
+  struct Difference {
+    const char* named;
+    void (*make)(hfrac::Definition&);
+  };
+  for (const auto& [named, make] :
+       {Difference{"bond.tensile_strength", [](auto& def) { def.bond_tensile_strength *= 1.0 + 1e-15; }},
+        Difference{"model.seed", [](auto& def) { def.model_seed = 2; }},
+        Difference{"output.pieces", [](auto& def) { def.output_pieces = 3; }},
+        Difference{"the list of wells", [](auto& def) { def.wells[0].pressure += 1.0; }},
+        Difference{"the list of joints", [](auto& def) { hfrac_sim_def_set_i64(&def, "joint_count", 1); }},
+        Difference{"the list of given discs",
+                   [](auto& def) {
+                     static const double discs[] = {50.0, 50.0, 1.0};
+                     def.given_discs = discs;
+                     def.given_disc_count = 1;
+                   }},
+        Difference{"packing.file",
+                   [](auto& def) { hfrac_sim_def_set_str(&def, "packing.file", "nowhere.model"); }}}) {
+    Meeting meeting(3);
+    meeting.run([&](int32_t rank) {
+      const auto exchange = meeting.exchange(rank);
+      hfrac::Definition def = def_of(cases[0], 1 + rank);  // workers may differ
+      if (rank == 1) make(def);
+      hfrac_sim* sim = nullptr;
+      EXPECT_EQ(hfrac_sim_create_on(&def, &exchange, &sim), HFRAC_ERR_ARGUMENT);
+      EXPECT_NE(last_error().find(named), std::string::npos) << last_error();
+    });
+  }
+}
+
+// The same of calls on the way: what differs is refused before the step, and forgiven once it is the same.
+TEST(RanksRefuse, StepsThatDiffer) {
+  const hfrac::Definition def = def_of(cases[1], 1);
+  Meeting meeting(3);
+  meeting.run([&](int32_t rank) {
+    const auto exchange = meeting.exchange(rank);
+    hfrac_sim* sim = nullptr;
+    ASSERT_EQ(hfrac_sim_create_on(&def, &exchange, &sim), HFRAC_OK);
+    const auto cycles = [&] {
+      return read_struct<hfrac_sim_state>([&](auto* to) { return hfrac_sim_get_state(sim, to); }).cycles;
+    };
+    const auto before = cycles();
+    const auto refused = [&](int32_t status, const char* named) {
+      EXPECT_EQ(status, HFRAC_ERR_ARGUMENT);
+      EXPECT_NE(last_error(sim).find(named), std::string::npos) << last_error(sim);
+      EXPECT_EQ(cycles(), before);
+    };
+    ASSERT_EQ(hfrac_well_set_pressure(sim, 0, rank == 2 ? 71e6 : 70e6), HFRAC_OK);
+    refused(hfrac_step(sim, 1), "how wells are driven");
+    ASSERT_EQ(hfrac_well_set_pressure(sim, 0, 70e6), HFRAC_OK);
+    ASSERT_EQ(hfrac_set_far_field(sim, 33e6, rank == 0 ? 28e6 : 29e6), HFRAC_OK);
+    refused(hfrac_step(sim, 1), "the far field");
+    ASSERT_EQ(hfrac_set_far_field(sim, 33e6, 28e6), HFRAC_OK);
+    ASSERT_EQ(hfrac_step_prepare(sim), HFRAC_OK);
+    refused(hfrac_step_do(sim, rank == 1 ? 1e-3 : 2e-3), "the length of the step");
+    EXPECT_GE(hfrac_step_do(sim, 1e-3), 0) << last_error(sim);
+    EXPECT_EQ(hfrac_step_finalize(sim), HFRAC_OK);
+    hfrac_sim_destroy(&sim);
+  });
+}
+
 // One goes away, as a killed process does: the others' calls end, and the state they had stands.
 TEST(RanksFail, AllIfOneIsGone) {
   const hfrac::Definition def = def_of(cases[1], 1);

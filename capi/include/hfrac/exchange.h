@@ -8,8 +8,9 @@
  * every rank does for itself. So a model needs the memory of one on each rank, but for that factor, which is the largest part.
  * State images are those of a single simulation: any number of ranks goes on from what any other wrote.
  *
- * Calls that change the simulation are collective: all ranks make them, in the same order and with the same arguments. Calls that
- * read are not. A progress or log function may differ by rank; if one asks to stop, all stop. What fails on all ranks alike is
+ * Calls that change the simulation are collective: all ranks make them, in the same order and with the same arguments. Definitions that
+ * differ, but for run.workers, and loads, lengths of steps or states that differ before a step are refused on all ranks with
+ * HFRAC_ERR_ARGUMENT and the name of what differs. Calls that read are not collective. A progress or log function may differ by rank; if one asks to stop, all stop. What fails on all ranks alike is
  * undone as ever. If one rank alone fails (memory, a rank killed), the calls of the others end with HFRAC_ERR_EXCHANGE and its text, if
  * it could still give one, and the simulation can only be destroyed: go on from the last saved state.
  *
