@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step/alike.hpp"
 
-#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,20 +16,25 @@ struct Named {
   std::uint64_t hash;
 };
 
-// The first that is not the same on all ranks, the same one on all of them; empty: there is none. Half a hash at a time: a sum over all
-// ranks does not overflow.
+// The first that is not the same on all ranks; empty: there is none. Numbers a of n ranks are all the same where n sum(a^2) is the square of
+// sum(a) (Cauchy and Schwarz), so one sum tells all ranks alike. Of each hash 32 bits, in two numbers whose squares add up without overflow.
 std::string_view find_differing(const Ranks& ranks, const std::vector<Named>& values) {
-  std::vector<std::int64_t> own;
+  std::vector<std::int64_t> sums;
   for (const auto& value : values) {
-    own.push_back(static_cast<std::int64_t>(value.hash & 0xffffffffU));
-    own.push_back(static_cast<std::int64_t>(value.hash >> 32U));
+    for (const int shift : {0, 16}) {
+      const auto number = static_cast<std::int64_t>((value.hash >> shift) & 0xffffU);
+      sums.push_back(number);
+      sums.push_back(number * number);
+    }
   }
-  std::vector<std::int64_t> sum = own;
-  ranks.sum(sum);
-  for (std::size_t k = 0; k < own.size(); ++k) sum[k] = sum[k] != ranks.size() * own[k] ? 1 : 0;
-  ranks.sum(sum);
-  const auto at = std::find_if(sum.begin(), sum.end(), [](std::int64_t count) { return count > 0; });
-  return at == sum.end() ? std::string_view() : values[static_cast<std::size_t>(at - sum.begin()) / 2].name;
+  ranks.sum(sums);
+  const auto n = static_cast<std::uint64_t>(ranks.size());
+  for (std::size_t k = 0; k < sums.size(); k += 2) {
+    const auto sum = static_cast<std::uint64_t>(sums[k]),
+               of_squares = static_cast<std::uint64_t>(sums[k + 1]);
+    if (n * of_squares != sum * sum) return values[k / 4].name;
+  }
+  return {};
 }
 
 template <class Items, class Table>
