@@ -32,6 +32,7 @@ std::string path_of(const CaseDefinition& definition) {
   return path;
 }
 
+// Reading, by all ranks or none.
 template <class Do>
 void all_or_none_read(const Ranks& ranks, const std::string& path, const Do& act) {
   const Error elsewhere(
