@@ -191,13 +191,21 @@ TEST(RanksGoOn, FromWhatAnyOtherNumberWrote) {
   EXPECT_EQ(image, straight.image);
 }
 
-TEST(RanksStop, AllIfOneAsksTo) {
-  const hfrac::Definition def = def_of(cases[0], 1);
-  Meeting meeting(3);
+// work(rank, its simulation, its table) on each of some ranks.
+template <class Work>
+void on_each(int32_t size, const hfrac::Definition& def, const Work& work) {
+  Meeting meeting(size);
   meeting.run([&](int32_t rank) {
     const auto exchange = meeting.exchange(rank);
     hfrac_sim* sim = nullptr;
-    ASSERT_EQ(hfrac_sim_create_on(&def, &exchange, &sim), HFRAC_OK);
+    ASSERT_EQ(hfrac_sim_create_on(&def, &exchange, &sim), HFRAC_OK) << last_error();
+    work(rank, sim, exchange);
+    EXPECT_EQ(hfrac_sim_destroy(&sim), HFRAC_OK);
+  });
+}
+
+TEST(RanksStop, AllIfOneAsksTo) {
+  on_each(3, def_of(cases[0], 1), [](int32_t rank, hfrac_sim* sim, const hfrac_exchange&) {
     const auto before = hash_of(sim);
     const auto stop = [](void*, double, const char*) { return 1; };
     ASSERT_EQ(hfrac_set_progress(sim, rank == 1 ? +stop : nullptr, nullptr, 0.0), HFRAC_OK);
@@ -205,7 +213,6 @@ TEST(RanksStop, AllIfOneAsksTo) {
     EXPECT_EQ(hash_of(sim), before);
     ASSERT_EQ(hfrac_set_progress(sim, nullptr, nullptr, 0.0), HFRAC_OK);
     EXPECT_GE(hfrac_step(sim, 1), 0);
-    hfrac_sim_destroy(&sim);
   });
 }
 
@@ -257,12 +264,7 @@ TEST(RanksRefuse, DefinitionsThatDiffer) {
 
 // The same of calls on the way: what differs is refused before the step, and forgiven once it is the same.
 TEST(RanksRefuse, StepsThatDiffer) {
-  const hfrac::Definition def = def_of(cases[1], 1);
-  Meeting meeting(3);
-  meeting.run([&](int32_t rank) {
-    const auto exchange = meeting.exchange(rank);
-    hfrac_sim* sim = nullptr;
-    ASSERT_EQ(hfrac_sim_create_on(&def, &exchange, &sim), HFRAC_OK);
+  on_each(3, def_of(cases[1], 1), [](int32_t rank, hfrac_sim* sim, const hfrac_exchange&) {
     const auto cycles = [&] {
       return read_struct<hfrac_sim_state>([&](auto* to) { return hfrac_sim_get_state(sim, to); }).cycles;
     };
@@ -282,18 +284,12 @@ TEST(RanksRefuse, StepsThatDiffer) {
     refused(hfrac_step_do(sim, rank == 1 ? 1e-3 : 2e-3), "the length of the step");
     EXPECT_GE(hfrac_step_do(sim, 1e-3), 0) << last_error(sim);
     EXPECT_EQ(hfrac_step_finalize(sim), HFRAC_OK);
-    hfrac_sim_destroy(&sim);
   });
 }
 
 // One goes away, as a killed process does: the others' calls end, and the state they had stands.
 TEST(RanksFail, AllIfOneIsGone) {
-  const hfrac::Definition def = def_of(cases[1], 1);
-  Meeting meeting(3);
-  meeting.run([&](int32_t rank) {
-    const auto exchange = meeting.exchange(rank);
-    hfrac_sim* sim = nullptr;
-    ASSERT_EQ(hfrac_sim_create_on(&def, &exchange, &sim), HFRAC_OK);
+  on_each(3, def_of(cases[1], 1), [](int32_t rank, hfrac_sim* sim, const hfrac_exchange& exchange) {
     if (rank == 2) {
       exchange.fail(exchange.user);
     } else {
@@ -303,18 +299,12 @@ TEST(RanksFail, AllIfOneIsGone) {
       EXPECT_EQ(hash_of(sim), before);
       EXPECT_EQ(hfrac_step(sim, 1), HFRAC_ERR_EXCHANGE);
     }
-    EXPECT_EQ(hfrac_sim_destroy(&sim), HFRAC_OK);
   });
 }
 
 // A host's function that throws does so on one rank only.
 TEST(RanksFail, AllIfACallbackThrowsOnOne) {
-  const hfrac::Definition def = def_of(cases[1], 1);
-  Meeting meeting(2);
-  meeting.run([&](int32_t rank) {
-    const auto exchange = meeting.exchange(rank);
-    hfrac_sim* sim = nullptr;
-    ASSERT_EQ(hfrac_sim_create_on(&def, &exchange, &sim), HFRAC_OK);
+  on_each(2, def_of(cases[1], 1), [](int32_t rank, hfrac_sim* sim, const hfrac_exchange&) {
     const auto thrower = [](void*, double, const char*) -> int32_t { throw 1; };
     ASSERT_EQ(hfrac_set_progress(sim, rank == 1 ? +thrower : nullptr, nullptr, 0.0), HFRAC_OK);
     EXPECT_EQ(hfrac_step(sim, 1), rank == 1 ? HFRAC_ERR_CALLBACK : HFRAC_ERR_EXCHANGE);
@@ -322,7 +312,6 @@ TEST(RanksFail, AllIfACallbackThrowsOnOne) {
     const std::string said = last_error(sim);
     EXPECT_NE(said.find("callback"), std::string::npos) << said;
     EXPECT_EQ(said.find("rank 1 has failed") != std::string::npos, rank == 0) << said;
-    EXPECT_EQ(hfrac_sim_destroy(&sim), HFRAC_OK);
   });
 }
 
@@ -362,15 +351,10 @@ TEST(RanksRefuse, WhatIsNoTable) {
 TEST(RanksTalk, OfTheDiscsBetweenThemOnly) {
   hfrac::Definition def = quiet_def(6000);
   def.flow_scheme = 2;
-  Meeting meeting(2);
   std::vector<hfrac_traffic> traffic(2);
-  meeting.run([&](int32_t rank) {
-    const auto exchange = meeting.exchange(rank);
-    hfrac_sim* sim = nullptr;
-    ASSERT_EQ(hfrac_sim_create_on(&def, &exchange, &sim), HFRAC_OK) << last_error();
+  on_each(2, def, [&](int32_t rank, hfrac_sim* sim, const hfrac_exchange&) {
     traffic[static_cast<std::size_t>(rank)] =
         read_struct<hfrac_traffic>([&](auto* to) { return hfrac_get_traffic(sim, to); });
-    hfrac_sim_destroy(&sim);
   });
   for (const auto& of : traffic) {
     EXPECT_EQ(of.messages, 1);
