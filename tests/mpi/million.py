@@ -42,6 +42,19 @@ def memory_of(processes):
     return total
 
 
+def peaks_of(processes, program):
+    """Most memory [bytes] that each process of a program has had so far."""
+    peaks = {}
+    for process in processes:
+        try:
+            rows = dict(row.split(":", 1) for row in pathlib.Path(f"/proc/{process}/status").read_text().splitlines())
+        except OSError:
+            continue  # it has gone
+        if rows["Name"].strip() == program and "VmHWM" in rows:
+            peaks[process] = 1024 * int(rows["VmHWM"].split()[0])
+    return peaks
+
+
 def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("--discs", type=int, default=1_000_000)
@@ -57,17 +70,21 @@ def main():
         (folder / "factor").mkdir()
         environment = dict(ENVIRONMENT, PETSC_OPTIONS="-hfrac_tangent_mat_mumps_icntl_22 1", MUMPS_OOC_TMPDIR=str(folder / "factor"))
         begin, most, on_disk = time.monotonic(), 0, 0
+        peaks = {}
         with subprocess.Popen(over(options.ranks, HFRAC, "run", folder / "case.toml", "-o", folder / "run", "-q", "--workers", options.workers),
                               env=environment) as running:
             while running.poll() is None:
-                most = max(most, memory_of(children(running.pid)))
+                processes = children(running.pid)
+                most = max(most, memory_of(processes))
+                peaks |= peaks_of([running.pid, *processes], pathlib.Path(HFRAC).name)
                 on_disk = max(on_disk, sum(path.stat().st_size for path in (folder / "factor").glob("mumps*")))
-                time.sleep(3.0)
+                time.sleep(min(3.0, 1e-5 * options.discs))
         if running.returncode != 0:
             sys.exit(f"million: hfrac ended with {running.returncode}")
         with open(folder / "run" / "history.csv", encoding="utf-8") as file:
             last = list(csv.DictReader(file))[-1]
-    print(f"{options.discs} discs, {options.ranks} ranks, {options.factor} factor: {1e-9 * most:.2f} GB in all, {1e-9 * on_disk:.2f} GB on disk, "
+    print(f"{options.discs} discs, {options.ranks} ranks, {options.factor} factor: {1e-9 * most:.2f} GB in all, "
+          f"{1e-6 * min(peaks.values(), default=0):.0f} to {1e-6 * max(peaks.values(), default=0):.0f} MB a rank, {1e-9 * on_disk:.2f} GB on disk, "
           f"{time.monotonic() - begin:.0f} s, {last['newton_iterations']} Newton iterations, force ratio {last['force_ratio']}, "
           f"fluid error {float(last['fluid_error_m2']) / float(last['injected_volume_m2']):.1e} of the injected")
     if last["at_rest"] != "1":
