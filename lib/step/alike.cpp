@@ -116,10 +116,9 @@ void require_same_definition(const Ranks& ranks, const CaseDefinition& definitio
 
 void require_same_step(const Ranks& ranks, const Model& model, const Loads& loads, double duration) {
   if (ranks.alone()) return;
-  std::vector<Vec2> const& on_cells = loads.cell_load;
   Hash cells;
-  cells.add(static_cast<std::int64_t>(on_cells.size()));
-  for (const auto& load : on_cells) {
+  cells.add(static_cast<std::int64_t>(loads.cell_load.size()));
+  for (const auto& load : loads.cell_load) {
     cells.add(load.x);
     cells.add(load.y);
   }

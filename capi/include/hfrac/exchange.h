@@ -10,8 +10,8 @@
  *
  * Calls that change the simulation are collective: all ranks make them, in the same order and with the same arguments. Definitions that
  * differ, but for run.workers, and loads, lengths of steps or states that differ before a step are refused on all ranks with
- * HFRAC_ERR_ARGUMENT and the name of what differs. Calls that read are not collective. A progress or log function may differ by rank; if one asks to stop, all stop. What fails on all ranks alike is
- * undone as ever. If one rank alone fails (memory, a rank killed), the calls of the others end with HFRAC_ERR_EXCHANGE and its text, if
+ * HFRAC_ERR_ARGUMENT and the name of what differs. Calls that read are not collective. A progress or log function may differ by
+ * rank; if one asks to stop, all stop. What fails on all ranks alike is undone as ever. If one rank alone fails (memory, a rank killed), the calls of the others end with HFRAC_ERR_EXCHANGE and its text, if
  * it could still give one, and the simulation can only be destroyed: go on from the last saved state.
  *
  * The library knows no MPI: a table of functions carries its messages. hfrac/mpi.h (libhfrac_mpi) fills it with MPI's.

@@ -11,7 +11,7 @@
 
 namespace hfrac::web {
 
-/** Discs, bonds or pores. Far more than pixels; of twice as many, browsers run out of memory for a layer. */
+/** Discs, bonds or pores: several for each pixel of a screen. */
 constexpr int64_t kMostDrawn = 4'000'000;
 
 /** The grid itself if it has no more than `most` points and cells; else a quarter as many squares. Lines have no average that shows
