@@ -34,6 +34,8 @@ class CoupledFactor {
   // Of the tangent at the last evaluation.
   void compute(const CoupledSystem& system);
   [[nodiscard]] bool ready() const { return ready_; }
+  // Solutions have the digits of single precision, and no more.
+  [[nodiscard]] bool single() const { return !doubled_; }
   void forget() { ready_ = exact_ = false; }
   // Other pairs of discs are near: the pattern is found anew with the next factor.
   void forget_pattern() { entries_ = 0; }

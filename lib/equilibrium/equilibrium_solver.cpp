@@ -153,16 +153,20 @@ bool EquilibriumSolver::find_rest(Outcome& outcome, const std::function<bool()>&
       factor_.compute(system_);
       ++outcome.factors;
     };
+    const auto solve_linear = [&](double to) {
+      const auto digits = factor_.single() ? Krylov::Digits::of_single : Krylov::Digits::of_double;
+      return krylov_.solve(product, precondition, right, to, most_krylov, step, digits);
+    };
     if (!factor_.ready() || krylov_rate_ > renew_rate) {
       renew();
       fresh = true;
     }
-    auto linear = krylov_.solve(product, precondition, right, linear_tolerance, most_krylov, step);
+    auto linear = solve_linear(linear_tolerance);
     outcome.krylov += linear.iterations;
     if ((!linear.converged && !fresh) ||
         (fresh && linear.iterations > most_iterations_of_fresh && factor_.refine())) {
       renew();
-      linear = krylov_.solve(product, precondition, right, linear_tolerance, most_krylov, step);
+      linear = solve_linear(linear_tolerance);
       outcome.krylov += linear.iterations;
     }
     krylov_rate_ = linear.iterations / -std::log10(linear_tolerance);

@@ -60,8 +60,16 @@ void Krylov::gather(Vector& whole) {
               [&](const RankTeam::Member& member) { member.gather(whole.data(), whole.size(), chunk); });
 }
 
+template <class Part>
+Part& Krylov::part_in(std::vector<Part>& set, int k) const {
+  if (set.size() <= static_cast<std::size_t>(k)) set.emplace_back();
+  Part& part = set[static_cast<std::size_t>(k)];
+  part.resize(count_);
+  return part;
+}
+
 Krylov::Outcome Krylov::solve(const Apply& product, const Apply& precondition, const Vector& right,
-                              double tolerance, int most, Vector& x) {
+                              double tolerance, int most, Vector& x, Digits digits) {
   Outcome outcome;
   x.setZero(right.size());
   const double size = right.norm();
@@ -72,22 +80,21 @@ Krylov::Outcome Krylov::solve(const Apply& product, const Apply& precondition, c
   const auto mine = team_.ranks().part(team_.ranks().rank(), right.size(), chunk);
   first_ = mine.first;
   count_ = mine.end - mine.first;
-  const auto part = [&](std::vector<Vector>& set, int k) -> Vector& {
-    if (set.size() <= static_cast<std::size_t>(k)) set.emplace_back();
-    set[static_cast<std::size_t>(k)].resize(count_);
-    return set[static_cast<std::size_t>(k)];
-  };
+  const bool single = digits == Digits::of_single;
   for (auto& sums : sums_) sums.resize(static_cast<std::size_t>((right.size() + chunk - 1) / chunk));
   last_ = right / size;
-  part(basis_, 0) = part_of(last_);
+  part_in(basis_, 0) = part_of(last_);
   Eigen::MatrixXd h = Eigen::MatrixXd::Zero(most + 1, most);
   Vector cosine(most), sine(most), g = Vector::Zero(most + 1);
   g[0] = size;
   int k = 0;
   for (; k < most; ++k) {
-    part(basis_, k + 1);
+    part_in(basis_, k + 1);
     precondition(last_, direction_);
-    part(directions_, k) = part_of(direction_);
+    if (single)
+      part_in(single_directions_, k) = part_of(direction_).cast<float>();
+    else
+      part_in(directions_, k) = part_of(direction_);
     product(direction_, next_);
     orthogonalise(k, h.col(k).data());
     for (int i = 0; i < k; ++i) {
@@ -111,7 +118,13 @@ Krylov::Outcome Krylov::solve(const Apply& product, const Apply& precondition, c
     }
   }
   const Vector y = h.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(g.head(k));
-  for (int i = 0; i < k; ++i) part_of(x) += y[i] * directions_[static_cast<std::size_t>(i)];
+  for (int i = 0; i < k; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (single)
+      part_of(x) += y[i] * single_directions_[at].cast<double>();
+    else
+      part_of(x) += y[i] * directions_[at];
+  }
   gather(x);
   return outcome;
 }

@@ -27,13 +27,16 @@ class Krylov {
     int iterations = 0;
     bool converged = false;
   };
+  // What `precondition` gives is of double precision, or has no more digits than single precision and is kept in it, in half of the memory.
+  enum class Digits { of_double, of_single };
   // Solves A x = right to |A x - right| <= tolerance |right|, from x = 0; `product` gives A x, `precondition` about A^-1 x.
   Outcome solve(const Apply& product, const Apply& precondition, const Vector& right, double tolerance,
-                int most, Vector& x);
+                int most, Vector& x, Digits digits = Digits::of_double);
   // Gives the memory of its vectors back, two an iteration of the longest solve so far: while a factor is made there is other use for it.
   void forget() {
     basis_.clear();
     directions_.clear();
+    single_directions_.clear();
   }
 
  private:
@@ -44,9 +47,14 @@ class Krylov {
   void gather(Vector& whole);
   [[nodiscard]] auto part_of(Vector& whole) const { return whole.segment(first_, count_); }
 
+  // The k-th of a set of parts of a vector.
+  template <class Part>
+  Part& part_in(std::vector<Part>& set, int k) const;
+
   RankTeam team_;
   Eigen::Index first_ = 0, count_ = 0;      // this rank's part of a vector
   std::vector<Vector> basis_, directions_;  // of them that part
+  std::vector<Eigen::VectorXf> single_directions_;
   Vector next_, last_, direction_;
   std::vector<double> sums_[2];  // of chunks, in turns
 };
