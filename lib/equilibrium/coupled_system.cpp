@@ -408,7 +408,7 @@ void CoupledSystem::evaluate_domains() {
 
 double CoupledSystem::volume_change(std::int64_t d) const {
   const auto& n = network_;
-  double change = facets_.fractured(d) ? facet_change_[static_cast<std::size_t>(d)] : facets_.active() ? network_.facet_offset[d] : 0.0;
+  double change = facets_.fractured(d) ? facet_change_[static_cast<std::size_t>(d)] : 0.0;
   for (auto k = n.corner_start[d]; k < n.corner_start[d + 1]; ++k) {
     change += n.corner_weight[2 * k] * assembly_.ux[n.corner_disc[k]] +
               n.corner_weight[2 * k + 1] * assembly_.uy[n.corner_disc[k]];

@@ -260,7 +260,8 @@ void EquilibriumSolver::keep_round() {
   const Array<double> change = facets_.active() ? network_.volume_change : Array<double>{};
   mechanics_.evaluate();
   for (std::int64_t d = 0; d < network_.domain_count(); ++d)
-    if (facets_.fractured(d) || (facets_.active() && network_.facet_offset[d] != 0.0)) {  // the kernel knows no facets: it counted the work of other pressures and volumes
+    if (facets_.fractured(
+            d)) {  // the kernel knows no facets: it counted the work of other pressures and volumes
       double& p = network_.pressure[d];
       double& v = network_.volume_change[d];
       const double counted = (pressure_start_[d] + p) * (v - change[d]);

@@ -53,7 +53,6 @@ void Facets::begin(const Assembly& a, Network& n, const std::vector<WellPlace>& 
   start_.rotation = a.rotation;
   of_.assign(bonds, -1);
   cut_.assign(bonds, 0);
-  lent_.assign(2 * bonds, 0);
   fractured_.assign(n.kind.size(), 0);
   bonds_.assign(n.kind.size(), {});
   n.facet_offset.assign(n.kind.size(), 0.0);
@@ -138,9 +137,7 @@ void Facets::stress_around(const Assembly& a, const Network& n, const Options& o
       } else {
         const auto borne = [&](std::int32_t pore) {
           if (in_joint(pore)) return n.pressure[pore];
-          if (!fractured_[pore]) return biot_ * n.pressure[pore];
-          const auto beyond = n.left[e] == pore ? n.right[e] : n.left[e];
-          return lends(a, e, pore) ? pressure_[pore] - pressure_[beyond] + biot_ * n.pressure[beyond] : pressure_[pore];
+          return fractured_[pore] ? pressure_[pore] : biot_ * n.pressure[pore];
         };
         now = force_on_first(a, e, view_bond(a, o, e)) - (borne(n.left[e]) * h_l + borne(n.right[e]) * h_r);
       }

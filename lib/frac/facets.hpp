@@ -94,8 +94,6 @@ class Facets {
   [[nodiscard]] Facet face_of(const Assembly& a, const Network& n, std::int64_t bond) const;
   [[nodiscard]] double change_before(const Assembly& a, const Network& n, std::int32_t domain) const;
   void put_weights(Network& n, std::int32_t domain, bool open) const;
-  void lend_rock(const Assembly& a, Network& n, bool restored);
-  [[nodiscard]] bool lends(const Assembly& a, std::int64_t bond, std::int32_t pore) const;
   void put_push(const Assembly& a, Network& n, std::int64_t bond, bool restored);
   void put_pipe(Network& n, const Facet& f) const;
   void tell_motion(const Assembly& a, Network& n, bool restored) const;
@@ -109,7 +107,7 @@ class Facets {
   const Network* network_ = nullptr;
   std::vector<std::int32_t> of_;
   std::vector<Facet> facets_;
-  std::vector<char> fractured_, cut_, lent_;
+  std::vector<char> fractured_, cut_;
   std::vector<std::vector<std::int32_t>> bonds_;  // of a domain
   Array<double> force_;   // per bond at the initial state: force on the first disc, two couples
   Array<double> energy_;  // likewise: of bond and contact [J/m]

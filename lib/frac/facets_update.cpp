@@ -96,48 +96,13 @@ void Facets::tell_motion(const Assembly& a, Network& n, bool restored) const {
   motion_->take(facets_, std::move(pushes), std::move(faces), restored);
 }
 
-// Rock beside a fracture's pore, up to a bond that is whole, goes with the pore across it.
-bool Facets::lends(const Assembly& a, std::int64_t e, std::int32_t d) const {
-  const Network& n = *network_;
-  if (of_[e] >= 0 || a.smooth.of(e) != nullptr || fractured_[d] == 0 || in_joint(d)) return false;
-  const auto beyond = n.left[e] == d ? n.right[e] : n.left[e];
-  return n.kind[d] == DomainKind::rock && n.kind[beyond] == DomainKind::rock && fractured_[beyond] == 0 && !in_joint(beyond);
-}
-
-void Facets::lend_rock(const Assembly& a, Network& n, bool restored) {
-  std::vector<std::int32_t> reset;
-  std::vector<std::pair<std::int64_t, std::int32_t>> lend;
-  for (const Facet& f : facets_)
-    for (const auto d : {f.left, f.right})
-      for (const auto e : bonds_[d])
-        if (fractured_[d] != 0 && lends(a, e, d)) lend.emplace_back(e, d);
-  std::sort(lend.begin(), lend.end());
-  lend.erase(std::unique(lend.begin(), lend.end()), lend.end());
-  for (const auto& [e, d] : lend) put_weights(n, n.left[e] == d ? n.right[e] : n.left[e], false);
-  std::vector<char> now(lent_.size(), 0);
-  for (const auto& [e, d] : lend) {
-    const auto side = static_cast<std::size_t>(2 * e + (n.left[e] == d ? 0 : 1));
-    const auto beyond = n.left[e] == d ? n.right[e] : n.left[e];
-    const Vec2 h = biot_ * part(e, n.left[e] == d);
-    now[side] = 1;
-    const auto i = a.first[e], j = a.second[e];
-    for (auto k = n.corner_start[beyond]; k < n.corner_start[beyond + 1]; ++k) {
-      const double sign = n.corner_disc[k] == i ? -1.0 : n.corner_disc[k] == j ? 1.0 : 0.0;
-      n.corner_weight[2 * k] += sign * h.x;
-      n.corner_weight[2 * k + 1] += sign * h.y;
-    }
-    if (lent_[side] == 0 && !restored) n.facet_offset[beyond] -= dot(h, {a.ux[j] - a.ux[i], a.uy[j] - a.uy[i]});
-  }
-  lent_ = now;
-}
-
 void Facets::put_push(const Assembly& a, Network& n, std::int64_t e, bool restored) {
   Vec2 push{};
   const auto low = std::min(n.left[e], n.right[e]), high = std::max(n.left[e], n.right[e]);
   if (of_[e] < 0 && a.smooth.of(e) == nullptr)
     for (const auto d : {low, high})
       if (fractured_[d] != 0 && (d == low || high != low))
-        push = push - (pressure_[d] - (lends(a, e, d) ? pressure_[n.left[e] == d ? n.right[e] : n.left[e]] : 0.0)) * pushed(e, n.left[e] == d);
+        push = push - pressure_[d] * pushed(e, n.left[e] == d);
   if (!restored) n.facet_pushed += push_energy(a, start_, e, push - locked_of(e));
   pore_push_[2 * e] = push.x;
   pore_push_[2 * e + 1] = push.y;
@@ -166,10 +131,9 @@ void Facets::update(const Assembly& a, Network& n, bool restored) {
   for (std::int32_t d = 1; d < n.domain_count(); ++d) {
     if (fractured_[d] != before[d]) put_weights(n, d, false);
     if (fractured_[d] == 0) continue;
-    if (before[d] == 0 && !restored) n.facet_offset[d] += change_before(a, n, d);
+    if (before[d] == 0 && !restored) n.facet_offset[d] = change_before(a, n, d);
     put_weights(n, d, true);
   }
-  lend_rock(a, n, restored);
   for (std::int64_t e = 0; e < a.bond_count(); ++e) put_push(a, n, e, restored);
   tell_motion(a, n, restored);
 }
@@ -189,7 +153,7 @@ void Facets::add(const Assembly& a, Network& n, std::span<const std::int64_t> br
   for (const auto e : fresh)
     for (const auto d : {n.left[e], n.right[e]}) {
       if (n.kind[d] != DomainKind::rock || fractured_[d] != 0) continue;
-      n.facet_offset[d] += change_before(a, n, d);
+      n.facet_offset[d] = change_before(a, n, d);
       fractured_[d] = 1;
     }
   for (const auto bond : near_to(a, n, fresh)) {
@@ -201,7 +165,6 @@ void Facets::add(const Assembly& a, Network& n, std::span<const std::int64_t> br
   for (const Facet& f : facets_)
     for (const auto d : {f.left, f.right})
       if (fractured_[d] != 0) put_weights(n, d, true);
-  lend_rock(a, n, false);
   for (const auto e : fresh)
     for (const auto d : {n.left[e], n.right[e]})
       for (const auto bond : bonds_[d]) put_push(a, n, bond, false);
