@@ -82,12 +82,12 @@ TEST(RankTeam, SolvesByGmresWithTheBitsOfOneRank) {
     Krylov krylov(workers, ranks);
     for (const auto digits : {Krylov::Digits::of_double, Krylov::Digits::of_single}) {
       Eigen::VectorXd& x = found[digits == Krylov::Digits::of_single];
-      const auto outcome = krylov.solve(
-          [&](const auto& in, auto& out) { symmetric_product(lower, in, out); },
-          [&](const auto& in, auto& out) {
-            out = in.cwiseQuotient(diagonal).template cast<float>().template cast<double>();
-          },
-          right, 1e-4, 120, x, digits);
+      const auto outcome =
+          krylov.solve([&](const auto& in, auto& out) { symmetric_product(lower, in, out); },
+                       [&](const auto& in, auto& out) {
+                         out = in.cwiseQuotient(diagonal).template cast<float>().template cast<double>();
+                       },
+                       right, 1e-4, 120, x, digits);
       EXPECT_TRUE(outcome.converged);
       EXPECT_GT(outcome.iterations, 10);
       krylov.forget();
