@@ -97,14 +97,15 @@ class Continuum {
       time_ += step;
     }
   }
-  // Between the faces of both wings, beyond the hole [m2].
-  [[nodiscard]] double volume() const {
+  void load_drained() { rock_->load_steady(); }
+  // Between the faces of both wings, from a distance to the middle on [m2].
+  [[nodiscard]] double volume(double from = hole) const {
     double sum = 0.0;
     for (const auto& edge : rock_->mesh().edge) {
       if (edge.side != RockSide::well) continue;
       const auto y = [&](std::int32_t node) { return rock_->displacement(node).y; };
       const auto x = [&](std::int32_t node) { return rock_->mesh().node[static_cast<std::size_t>(node)].x; };
-      if (x(edge.middle) < hole) continue;
+      if (x(edge.middle) < from) continue;
       sum += std::abs(x(edge.to) - x(edge.from)) / 6.0 * (y(edge.from) + 4.0 * y(edge.middle) + y(edge.to));
     }
     return 4.0 * sum;
@@ -213,6 +214,21 @@ void compare(int64_t discs, int64_t seed, const Tolerances& tolerance) {
     report(name + "pressed on by what leaked, over at once", of_discs.by_excess / first,
            wanted.by_excess / at_once, tolerance.leaked);
   }
+}
+
+// In a plate of 25 half lengths: 2 pi l^2 dp / E', undrained and drained (Sneddon 1946).
+TEST(V36PoroelasticSlitSmoke, ContinuumOpensAsInRockWithoutEnd) {
+  constexpr double half = 16.0, net = 1e6;  // m, Pa
+  BiotMaterial m;
+  Continuum continuum(m, half, 25.0 * half);
+  continuum.load(net, 0.0);
+  const auto wanted = [&](double poisson) {
+    return 2.0 * verification::pi * half * half * net * (1.0 - poisson) / (2.0 * m.shear_modulus());
+  };
+  continuum.load_at_once();
+  report("continuum, volume at once, m2", continuum.volume(0.0), wanted(m.undrained_poissons_ratio()), 0.02);
+  continuum.load_drained();
+  report("continuum, volume drained, m2", continuum.volume(0.0), wanted(m.poissons_ratio), 0.02);
 }
 
 TEST(V36PoroelasticSlit, OpensDrainsAndIsPressedOn) {
