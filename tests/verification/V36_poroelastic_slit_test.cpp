@@ -90,6 +90,7 @@ class Continuum {
     rock_->set_pressure(RockSide::well, excess);
   }
   void load_at_once() { rock_->load_undrained(); }
+  void load_drained() { rock_->load_steady(); }
   void go(double until) {
     while (time_ < until * (1.0 - 1e-12)) {
       const double step = std::min(std::max(1e-6 * until, 0.2 * time_), until - time_);
@@ -97,7 +98,6 @@ class Continuum {
       time_ += step;
     }
   }
-  void load_drained() { rock_->load_steady(); }
   // Between the faces of both wings, from a distance to the middle on [m2].
   [[nodiscard]] double volume(double from = hole) const {
     double sum = 0.0;
@@ -116,7 +116,7 @@ class Continuum {
   std::unique_ptr<BiotSolver> rock_;
 };
 
-// Of the slit per MPa: by net pressure alone and by what leaks alone [m2].
+// Of the slit [m2]: by its net pressure alone, and by what leaks under an excess as large as that.
 struct Volumes {
   double by_net, by_excess;
 };
@@ -126,8 +126,9 @@ struct Tolerances {
 constexpr std::array<double, 2> formations = {9.9e6, 8e6};                   // Pa
 constexpr std::array<double, 6> times = {1e-3, 1e-2, 0.03, 0.1, 1.0, 10.0};  // over l^2 / c
 Volumes split(double little, double much) {
-  const double by_excess = (much - little) / 1.9;
-  return {little - 1.1 * by_excess, by_excess};
+  const auto excess = [](double formation) { return (fluid - formation) / (fluid - stress); };
+  const double by_excess = (much - little) / (excess(formations[1]) - excess(formations[0]));
+  return {little - excess(formations[0]) * by_excess, by_excess};
 }
 
 double reach_of(verification::Simulation& rock) {
@@ -170,7 +171,7 @@ void compare(int64_t discs, int64_t seed, const Tolerances& tolerance) {
     continuum[k]->load(fluid - stress, fluid - formations[k]);
     continuum[k]->load_at_once();
   }
-  // Without an excess there is nothing that leaks at once.
+  // Nothing has leaked at once, so the excess is none of it.
   const double at_once = continuum[0]->volume(), scale = reach * reach / m.consolidation();
   std::printf("  %lld discs, packing %lld: E %.2f GPa, nu %.3f, nu_u %.3f, c %.3e m2/s, l %.2f m\n",
               static_cast<long long>(discs), static_cast<long long>(seed), 1e-9 * m.youngs_modulus,
@@ -193,7 +194,7 @@ void compare(int64_t discs, int64_t seed, const Tolerances& tolerance) {
     }
     const Volumes of_discs = split(volume[0], volume[1]),
                   wanted = split(continuum[0]->volume(), continuum[1]->volume());
-    // Nothing is quick enough to be at once, so the first is taken back to it as the continuum is.
+    // A first step takes some time: the volume after it is taken back to that at once by the continuum's ratio.
     if (first == 0.0) {
       first = of_discs.by_net / wanted.by_net * at_once;
       report(name + "volume at once, m2", first, at_once, tolerance.at_once);
