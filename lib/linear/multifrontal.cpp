@@ -20,7 +20,7 @@ const DenseKernels<Real>* kernels() {
 }
 
 // A worker's part of `count` columns or rows, in whole vectors of the kernels.
-constexpr std::int64_t grain = 32;
+constexpr std::int64_t kernel_rows = 32;
 
 // Subtrees, one after the other as `next` hands them out; what other workers take is left out.
 template <class Visit>
@@ -68,6 +68,17 @@ void Multifrontal<Real>::prepare(const FrontTree& tree, const Workers& workers) 
     fit(bench.stack, tree.stacked);
     fit(bench.pivots, tree.largest + dense_slack);
     fit(bench.boundary, tree.largest + dense_slack);
+  }
+}
+
+// What a factor is made in goes before the vectors of GMRES come.
+template <class Real>
+void Multifrontal<Real>::tidy() {
+  give_back(kept_);
+  give_back(top_);
+  for (auto& bench : benches_) {
+    give_back(bench.front);
+    give_back(bench.stack);
   }
 }
 
@@ -126,14 +137,14 @@ void Multifrontal<Real>::factorise_top(const FrontTree& tree, const Front& front
   const std::int64_t m = front.size, p = front.pivots, ld = FrontTree::height(m);
   Bench& bench = benches_[static_cast<std::size_t>(worker)];
   Real* w = top_.data();
-  const auto all = workers.part(worker, m, grain);
+  const auto all = workers.part(worker, m, kernel_rows);
   assemble(tree, front, values, w, bench, all.first, all.last);
   workers.barrier();
   for (std::int64_t begin = 0; begin < p; begin += dense_panel) {
     const std::int64_t end = std::min(begin + dense_panel, p);
     if (worker == 0) dense_->factor_panel(w, m, p, ld, begin, end, swaps_.data() + front.swaps);
     workers.barrier();
-    const auto right = workers.part(worker, m - end, grain);
+    const auto right = workers.part(worker, m - end, kernel_rows);
     dense_->update(w, m, ld, begin, end, end + right.first, end + right.last);
     workers.barrier();
   }
@@ -237,6 +248,7 @@ void Multifrontal<Real>::factorise(const FrontTree& tree, const std::vector<Real
     task(0);
   else
     workers.run(task, false);
+  tidy();
   if (failure_) std::rethrow_exception(failure_);
 }
 
@@ -284,7 +296,7 @@ void Multifrontal<Real>::forward_top(const FrontTree& tree, const Front& front, 
     for (std::int64_t k = 0; k < p; ++k) solution_[static_cast<std::size_t>(unknown[k])] = pivots[k];
   }
   workers.barrier();
-  const auto mine = workers.part(worker, m - p, grain);
+  const auto mine = workers.part(worker, m - p, kernel_rows);
   dense_->below(columns, m, p, pivots, boundary, mine.first, mine.last);
   workers.barrier();
 }
@@ -312,7 +324,7 @@ void Multifrontal<Real>::backward_top(const FrontTree& tree, const Front& front,
     for (std::int64_t k = p; k < m; ++k) boundary[k - p] = solution_[static_cast<std::size_t>(unknown[k])];
   }
   workers.barrier();
-  const auto mine = workers.part(worker, p, grain);
+  const auto mine = workers.part(worker, p, kernel_rows);
   dense_->right(rows_.data() + front.rows, p, m - p, boundary, pivots, mine.first, mine.last);
   workers.barrier();
   if (worker != 0) return;

@@ -43,6 +43,7 @@ class Multifrontal {
     Array<Real> front, stack, pivots, boundary;
   };
   void prepare(const FrontTree& tree, const Workers& workers);
+  void tidy();
   Real* leftover(const Front& front, Bench& bench) {
     return (front.kept ? kept_.data() : bench.stack.data()) + front.leftover;
   }
@@ -67,9 +68,10 @@ class Multifrontal {
   void backward_top(const FrontTree& tree, const Front& front, Workers& workers, int worker);
 
   const DenseKernels<Real>* dense_ = nullptr;
-  Array<Real> columns_, rows_, kept_;  // the factor; what subtrees and the fronts above them left over
-  Array<Real> top_;                    // the front above subtrees that is worked on
-  Array<Real> carried_;                // right sides handed from front to parent
+  Array<Real> columns_, rows_;  // the factor
+  // While it is made: what subtrees and the fronts above them left over, and the front above subtrees that is worked on.
+  Array<Real> kept_, top_;
+  Array<Real> carried_;  // right sides handed from front to parent
   Array<Real> solution_;
   std::vector<std::int32_t> swaps_;
   std::vector<Bench> benches_;
