@@ -9,6 +9,9 @@
 namespace hfrac {
 namespace {
 
+constexpr std::size_t entries_of_pair = 36;
+constexpr double no_tangent[16] = {};
+
 // The 6 x 6 block of a pair, from its tangent in q = (d, theta_i, theta_j).
 template <class Emit>
 void emit_pair(const double* tangent, std::int32_t i, std::int32_t j, double force_scale, double length_scale,
@@ -24,15 +27,19 @@ void emit_pair(const double* tangent, std::int32_t i, std::int32_t j, double for
 
 }  // namespace
 
-template <class Emit>
-void CoupledSystem::each_entry(const Emit& emit) const {
+template <class Emit, class Needs>
+void CoupledSystem::each_entry(const Emit& emit, const Needs& needs) const {
   const auto& a = assembly_;
   const auto& n = network_;
   const auto at = [&](std::int64_t domain) { return static_cast<std::int32_t>(pressure_at(domain)); };
   for (std::size_t e = 0; e < changes_.size(); ++e) {
-    with_tangent(e, [&](const double* tangent) {
+    const auto emit_bond = [&](const double* tangent) {
       emit_pair(tangent, a.first[e], a.second[e], force_scale_, length_scale_, emit);
-    });
+    };
+    if (needs(entries_of_pair))
+      with_tangent(e, emit_bond);
+    else
+      emit_bond(no_tangent);
   }
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     const auto& pair = non_bonded_.pairs()[k];
@@ -127,9 +134,15 @@ void CoupledSystem::each_entry(const Emit& emit) const {
   }
 }
 
+template <class Visit>
+void CoupledSystem::each_place(const Visit& visit) const {
+  each_entry([&](std::int32_t row, std::int32_t column, double) { visit(row, column); },
+             [](std::size_t) { return false; });
+}
+
 std::size_t CoupledSystem::entry_count() const {
   std::size_t all = 0;
-  each_entry([&](std::int32_t, std::int32_t, double) { ++all; });
+  each_place([&](std::int32_t, std::int32_t) { ++all; });
   return all;
 }
 
@@ -140,13 +153,19 @@ double CoupledSystem::entries(std::vector<Real>& values, const std::vector<bool>
   values.reserve(count);
   double largest = 0.0;
   std::size_t number = 0;
-  each_entry([&](std::int32_t, std::int32_t, double value) {
+  const auto take = [&](std::int32_t, std::int32_t, double value) {
     const bool is_wanted = values.size() < count && (wanted.empty() || wanted[number]);
     ++number;
     if (!is_wanted) return;
     values.push_back(static_cast<Real>(value));
     if (const double size = std::abs(value); size > largest) largest = size;
-  });
+  };
+  const auto needs = [&](std::size_t next) {
+    return wanted.empty() || std::any_of(wanted.begin() + static_cast<std::ptrdiff_t>(number),
+                                         wanted.begin() + static_cast<std::ptrdiff_t>(number + next),
+                                         [](bool is) { return is; });
+  };
+  each_entry(take, needs);
   return largest;
 }
 
@@ -155,28 +174,30 @@ template double CoupledSystem::entries(std::vector<double>&, const std::vector<b
 
 std::vector<std::int32_t> CoupledSystem::entries_of_rows() const {
   std::vector<std::int32_t> count(static_cast<std::size_t>(size()), 0);
-  each_entry([&](std::int32_t row, std::int32_t, double) { ++count[static_cast<std::size_t>(row)]; });
+  each_place([&](std::int32_t row, std::int32_t) { ++count[static_cast<std::size_t>(row)]; });
   return count;
 }
 
 std::size_t CoupledSystem::entries(std::vector<double>& values, std::int64_t first, std::int64_t end) const {
   std::size_t all = 0, wanted = 0;
   const auto is_wanted = [&](std::int32_t row) { return row >= first && row < end; };
-  each_entry([&](std::int32_t row, std::int32_t, double) {
+  each_place([&](std::int32_t row, std::int32_t) {
     ++all;
     wanted += is_wanted(row) ? 1 : 0;
   });
   values.clear();
   values.reserve(wanted);
-  each_entry([&](std::int32_t row, std::int32_t, double value) {
-    if (is_wanted(row)) values.push_back(value);
-  });
+  each_entry(
+      [&](std::int32_t row, std::int32_t, double value) {
+        if (is_wanted(row)) values.push_back(value);
+      },
+      [](std::size_t) { return true; });
   return all;
 }
 
 void CoupledSystem::places(std::vector<std::int32_t>& rows, std::vector<std::int32_t>& columns,
                            std::int64_t first, std::int64_t end) const {
-  each_entry([&](std::int32_t row, std::int32_t column, double) {
+  each_place([&](std::int32_t row, std::int32_t column) {
     if (row < first || row >= end) return;
     rows.push_back(row);
     columns.push_back(column);
@@ -206,7 +227,7 @@ CoupledSystem::Structure CoupledSystem::structure() const {
     s.late[static_cast<std::size_t>(nodes - tractions_ + k)] = 1;
   }
   s.each_place = [this](const auto& visit) {
-    each_entry([&](std::int32_t row, std::int32_t column, double) { visit({row, column}); });
+    each_place([&](std::int32_t row, std::int32_t column) { visit({row, column}); });
   };
   const auto node_of = [&](std::int32_t unknown) {
     return unknown < 3 * discs ? unknown / 3 : unknown - 2 * discs;
@@ -215,7 +236,7 @@ CoupledSystem::Structure CoupledSystem::structure() const {
   std::vector<std::int64_t> begin(static_cast<std::size_t>(nodes) + 1, 0);
   const auto each_edge = [&](const auto& visit) {
     std::int32_t last_p = -1, last_q = -1;  // entries of the same two nodes often follow each other
-    each_entry([&](std::int32_t row, std::int32_t column, double) {
+    each_place([&](std::int32_t row, std::int32_t column) {
       const auto p = node_of(row), q = node_of(column);
       if (p == q || (p == last_p && q == last_q)) return;
       visit(p, q);

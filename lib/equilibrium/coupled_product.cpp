@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The tangent of coupled_system.hpp times a vector, without a matrix: bonds answer one by one, then discs and domains pick up what
 // theirs answered, in the order of their numbers. Nobody adds into what somebody else adds into, so workers share all of it and
-// their number changes no bit.
+// their number changes no bit. Ranks share discs and domains, too: what lies between two of them is answered on both, and all are told
+// of all rows.
 #include "equilibrium/coupled_system.hpp"
 
 namespace hfrac {
@@ -48,6 +49,27 @@ void CoupledSystem::list_neighbours() {
     corner_domain_[k] = domain[static_cast<std::size_t>(corner_of_[k])];
 }
 
+void CoupledSystem::find_own_bonds() {
+  const Ranks& ranks = team_.ranks();
+  if (ranks.alone() || !worth_sharing()) return;
+  own_.slot.assign(changes_.size(), -1);
+  const auto want = [&](std::int64_t count, const std::vector<std::int32_t>& start,
+                        const std::vector<std::int32_t>& ends) {
+    const auto mine = ranks.part(ranks.rank(), count, grain);
+    for (auto k = start[static_cast<std::size_t>(mine.first)]; k < start[static_cast<std::size_t>(mine.end)];
+         ++k)
+      own_.slot[static_cast<std::size_t>(ends[static_cast<std::size_t>(k)] / 2)] = 0;
+  };
+  want(discs_, bond_start_, bond_of_);
+  if (wet_) want(domains_, pipe_start_, pipe_of_);
+  for (std::size_t e = 0; e < own_.slot.size(); ++e) {
+    if (own_.slot[e] < 0) continue;
+    own_.slot[e] = static_cast<std::int32_t>(own_.bond.size());
+    own_.bond.push_back(static_cast<std::int32_t>(e));
+  }
+  own_.bond.shrink_to_fit();
+}
+
 void CoupledSystem::pair_product(const double* k, std::int32_t i, std::int32_t j, const Vector& x,
                                  double* f) const {
   const double q[4] = {x[3 * j] - x[3 * i], x[3 * j + 1] - x[3 * i + 1], x[3 * i + 2] / length_scale_,
@@ -62,7 +84,8 @@ void CoupledSystem::products_of_bonds(const Vector& x, Workers::Range bonds) con
   const auto& n = network_;
   const bool flows = wet_ && duration_ > 0.0;
   for (auto k = bonds.first; k < bonds.last; ++k) {
-    const auto e = static_cast<std::size_t>(k);
+    const auto e = own_.all() ? static_cast<std::size_t>(k)
+                              : static_cast<std::size_t>(own_.bond[static_cast<std::size_t>(k)]);
     Change& change = changes_[e];
     with_tangent(e, [&](const double* tangent) {
       pair_product(tangent, assembly_.first[e], assembly_.second[e], x, change.force);
@@ -199,13 +222,17 @@ void CoupledSystem::products_of_exterior(const Vector& x, Vector& y) const {
 }
 
 void CoupledSystem::product(const Vector& x, Vector& y) const {
-  const auto bonds = static_cast<std::int64_t>(changes_.size());
+  const bool by_ranks = !own_.all();
+  const auto bonds = static_cast<std::int64_t>(by_ranks ? own_.bond.size() : changes_.size());
   y.resize(x.size());
-  workers_.share(worth_sharing(), [&](const Workers::Member& member) {
-    products_of_bonds(x, member.part(bonds, grain));
+  team_.share(worth_sharing(), by_ranks, [&](const RankTeam::Member& member) {
+    products_of_bonds(x, member.among(false).part(bonds, grain));
     member.barrier();
     products_on_discs(x, y, member.part(discs_, grain));
     products_on_domains(x, y, member.part(domains_, grain));
+    if (!by_ranks) return;
+    member.gather(y.data(), 3 * discs_, 3 * grain);
+    member.gather(y.data() + pressure_at(0), domains_, grain);
   });
   products_of_few(x, y);
   if (!wet_) return;

@@ -15,13 +15,13 @@ namespace hfrac {
 
 CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& boundary,
                              const NonBondedContacts& non_bonded, const Options& options, Workers& workers,
-                             Facets& facets, std::vector<Wellbore>* wellbores)
+                             Facets& facets, std::vector<Wellbore>* wellbores, const Ranks& ranks)
     : assembly_(assembly),
       network_(network),
       boundary_(boundary),
       non_bonded_(non_bonded),
       options_(options),
-      workers_(workers),
+      team_(workers, ranks),
       facets_(facets),
       wellbores_(wellbores),
       discs_(assembly.disc_count()),
@@ -39,7 +39,6 @@ CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& bou
       at_floor_(static_cast<std::size_t>(domains_), 0) {
   const auto bonds = static_cast<std::size_t>(assembly.bond_count());
   changes_.resize(bonds);
-  if (keeps_tangents_) tangents_.resize(bonds);
   if (wet_) {
     for (auto* per_pipe : {&aperture_change_, &squeeze_change_, &slope_, &opening_})
       per_pipe->assign(bonds, 0.0);
@@ -47,6 +46,8 @@ CoupledSystem::CoupledSystem(Assembly& assembly, Network& network, Boundary& bou
   }
   residual_.setZero(traction_at(tractions_));
   list_neighbours();
+  find_own_bonds();
+  if (keeps_tangents_) tangents_.resize(own_.all() ? bonds : own_.bond.size());
   if (boundary.walled() || tractions_ > 0) return;
   // A body held by nothing: three springs take up rounding. At equilibrium they bear nothing.
   const auto [lowest, far, distance] = far_discs(assembly_);
@@ -187,7 +188,7 @@ void CoupledSystem::answer_all() {
   holds_.resize(changes_.size());
   by_push_.resize(facets_.all().size());
   bond_forces_.resize(static_cast<std::size_t>((bonds + grain - 1) / grain));
-  workers_.share(worth_sharing(), [&](const Workers::Member& member) {
+  team_.workers().share(worth_sharing(), [&](const Workers::Member& member) {
     const auto mine = member.part(bonds, grain);
     for (auto begin = mine.first; begin < mine.last; begin += grain) {
       double force = 0.0;
@@ -195,7 +196,8 @@ void CoupledSystem::answer_all() {
         const auto e = static_cast<std::size_t>(k);
         const BondResponse bond = answer_of(e);
         std::copy_n(bond.force, 4, changes_[e].force);
-        if (keeps_tangents_) std::copy_n(bond.tangent, 16, tangents_[e].data());
+        if (const auto kept = own_.all() ? k : own_.slot[e]; keeps_tangents_ && kept >= 0)
+          std::copy_n(bond.tangent, 16, tangents_[static_cast<std::size_t>(kept)].data());
         if (const auto facet = facets_.of(k); facet >= 0)
           by_push_[static_cast<std::size_t>(facet)] = bond.by_push;
         holds_[e] = assembly_.intact[e] > 0.0 || bond.gap < 0.0 ? 1 : 0;
@@ -392,8 +394,8 @@ void CoupledSystem::evaluate_domains() {
   struct Most {
     double off = 0.0, range = 1.0;
   };
-  std::vector<Most> most(static_cast<std::size_t>(workers_.count()));
-  workers_.share(worth_sharing(), [&](const Workers::Member& member) {
+  std::vector<Most> most(static_cast<std::size_t>(team_.workers().count()));
+  team_.workers().share(worth_sharing(), [&](const Workers::Member& member) {
     Most& mine = most[static_cast<std::size_t>(member.number)];
     const auto domains = member.part(domains_, grain);
     for (auto d = domains.first; d < domains.last; ++d) {

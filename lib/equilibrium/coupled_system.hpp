@@ -18,7 +18,7 @@
 #include <array>
 #include <vector>
 
-#include "core/workers.hpp"
+#include "core/rank_team.hpp"
 #include "equilibrium/bond_response.hpp"
 #include "flow/fluid_law.hpp"
 #include "flow/wellbore_flow.hpp"
@@ -36,7 +36,7 @@ class CoupledSystem {
 
   CoupledSystem(Assembly& assembly, Network& network, Boundary& boundary, const NonBondedContacts& non_bonded,
                 const Options& options, Workers& workers, Facets& facets,
-                std::vector<Wellbore>* wellbores = nullptr);
+                std::vector<Wellbore>* wellbores = nullptr, const Ranks& ranks = {});
 
   // What the step starts from: contents, shear forces and pins as they stand now. `duration` [s] of flow, 0 for none;
   // source[d] [m2/s] into domain d.
@@ -59,7 +59,7 @@ class CoupledSystem {
   // Where the equations are farthest from fulfilled: the place of that disc or domain [m].
   [[nodiscard]] Vec2 worst_place() const;
 
-  // y = tangent x at the last evaluation.
+  // y = tangent x at the last evaluation; of several ranks all call, and each makes its discs' and domains' rows.
   void product(const Vector& x, Vector& y) const;
   // Displacements and pressures change by `share` of x.
   void move(const Vector& x, double share);
@@ -140,6 +140,7 @@ class CoupledSystem {
   void products_of_exterior(const Vector& x, Vector& y) const;
   void add_pair(const BondResponse& r, std::int32_t i, std::int32_t j);
   void list_neighbours();
+  void find_own_bonds();
   // What the forces of a pair change by if unknowns change by x.
   void pair_product(const double* tangent, std::int32_t i, std::int32_t j, const Vector& x, double* f) const;
   void products_of_bonds(const Vector& x, Workers::Range bonds) const;
@@ -147,8 +148,11 @@ class CoupledSystem {
   void products_on_domains(const Vector& x, Vector& y, Workers::Range domains) const;
   void products_of_few(const Vector& x, Vector& y) const;
   void products_of_facets(const Vector& x, Vector& y) const;
-  template <class Emit>
-  void each_entry(const Emit& emit) const;
+  // emit(row, column, value) of every entry; needs(n): whether the values of the next n are looked at.
+  template <class Emit, class Needs>
+  void each_entry(const Emit& emit, const Needs& needs) const;
+  template <class Visit>
+  void each_place(const Visit& visit) const;
   // Pressure that drives flow from left to right [Pa], with what a host set beyond the outer boundary.
   [[nodiscard]] double drop(std::size_t pipe) const {
     const double own = network_.pressure[network_.left[pipe]] - network_.pressure[network_.right[pipe]];
@@ -164,8 +168,11 @@ class CoupledSystem {
   // Calls visit(tangent) of a bond at the last evaluation.
   template <class Visit>
   void with_tangent(std::size_t e, const Visit& visit) const {
-    if (keeps_tangents_)
-      visit(tangents_[e].data());
+    const std::int64_t kept = !keeps_tangents_ ? -1
+                              : own_.all()     ? static_cast<std::int64_t>(e)
+                                               : own_.slot[e];
+    if (kept >= 0)
+      visit(tangents_[static_cast<std::size_t>(kept)].data());
     else
       visit(answer_of(e).tangent);
   }
@@ -189,7 +196,7 @@ class CoupledSystem {
   Boundary& boundary_;
   const NonBondedContacts& non_bonded_;
   const Options& options_;
-  Workers& workers_;
+  mutable RankTeam team_;
   Facets& facets_;
   std::vector<Wellbore>* wellbores_;  // none: there are none with friction
   std::vector<WellboreFlow> wellbore_flow_;
@@ -210,7 +217,12 @@ class CoupledSystem {
   std::vector<Pin> pins_;
   // at the last evaluation
   std::vector<BondResponse> pairs_;
-  // Of bonds. 128 bytes each: where memory is short they answer anew for every product.
+  // Bonds that this rank's rows of a product need: all, or those of the list, with the place of each bond in it, -1 of others.
+  struct OwnBonds {
+    std::vector<std::int32_t> bond, slot;
+    [[nodiscard]] bool all() const { return slot.empty(); }
+  } own_;
+  // Of those. 128 bytes each: where memory is short they answer anew for every product, as others do where a factor asks for them.
   bool keeps_tangents_;
   std::vector<std::array<double, 16>> tangents_;
   std::vector<double> by_push_;          // of a facet that slides: shear force by the fluid's push across it

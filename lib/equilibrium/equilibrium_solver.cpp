@@ -40,7 +40,7 @@ EquilibriumSolver::EquilibriumSolver(Model& model, Facets& facets, Boundary& bou
       options_(options),
       facets_(facets),
       system_(model.assembly, model.network, boundary, mechanics.non_bonded_contacts(), options, workers,
-              facets, &model.wellbores),
+              facets, &model.wellbores, mechanics.shared_tiles().ranks()),
       factor_(workers, mechanics.shared_tiles().ranks(), FactorOf{options.solver_factor} == FactorOf::petsc),
       krylov_(workers, mechanics.shared_tiles().ranks()) {}
 

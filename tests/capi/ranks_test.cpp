@@ -143,18 +143,34 @@ std::vector<End> on_ranks(const Case& which, int32_t size, int64_t workers, int6
 
 class Ranks : public testing::TestWithParam<Case> {};
 
-TEST_P(Ranks, GiveTheBitsOfOne) {
-  const Case& which = GetParam();
+// Numbers of ranks, and workers of each.
+void expect_the_bits_of_one(const Case& which, const std::vector<std::pair<int32_t, int64_t>>& teams) {
   const Sim sim(def_of(which, 1));
   ASSERT_GE(hfrac_step(sim, which.steps), 0);
   const End alone = end_of(sim);
   EXPECT_GE(static_cast<int64_t>(alone.cracks.size()), which.fewest_cracks);
-  for (const auto& [size, workers] : {std::pair{2, 1}, std::pair{3, 2}, std::pair{5, 1}}) {
+  for (const auto& [size, workers] : teams) {
     for (const auto& end : on_ranks(which, size, workers, which.steps)) {
       EXPECT_EQ(end.hash, alone.hash) << size << " ranks, " << workers << " workers";
       EXPECT_EQ(end.image, alone.image) << size << " ranks, " << workers << " workers";
     }
   }
+}
+
+TEST_P(Ranks, GiveTheBitsOfOne) {
+  expect_the_bits_of_one(GetParam(), {{2, 1}, {3, 2}, {5, 1}});
+}
+
+// Of so many discs each answers for its own rows of the tangent only, and has its part of the factor.
+TEST(RanksShare, TheTangentOfAQuasiStaticModel) {
+  constexpr Case large{"quasi_static", 2400, 1,
+                       [](auto& def) {
+                         def.solver_kind = 1;
+                         def.stepping_mode = 2;
+                         def.wells[0].pressure = 55e6;
+                       },
+                       1};
+  expect_the_bits_of_one(large, {{3, 2}});
 }
 
 // What was packed by one is what any number begins from, to the last bit; how wells are driven may differ.
