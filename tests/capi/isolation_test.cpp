@@ -6,6 +6,7 @@
 #include <functional>
 #include <thread>
 
+#include "../thread_sanitizer.hpp"
 #include "sim_support.hpp"
 
 namespace isolation_test {
@@ -137,7 +138,7 @@ TEST(Isolation, WorkersDoNotChangeResults) {
   };
   for (std::size_t v = 0; v < variants.size(); ++v) {
     std::vector<Sight> sights;
-    for (const int64_t workers : {1, 2, 3}) {
+    for (const int workers : thread_sanitizer::numbers({1, 2, 3}, {3})) {
       hfrac::Definition def = cracking_def(600);
       def.run_workers = workers;
       def.wells[0].pressure = 80e6;

@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 
+#include "../thread_sanitizer.hpp"
 #include "core/hash.hpp"
 #include "model.hpp"
 #include "solid/blocked_batch.hpp"
@@ -139,8 +140,8 @@ TEST(TemporalBlocking, GivesTheBitsOfSingleCycles) {
     EXPECT_GT(alone.cracks, 20U);
     EXPECT_GT(alone.friction, 0.0);
     EXPECT_EQ(alone.loose > 0, model == &rock);
-    for (const int cycles : {2, 4, 8}) {
-      for (const int workers : {1, 2, 3}) {
+    for (const int cycles : thread_sanitizer::numbers({2, 4, 8}, {4})) {
+      for (const int workers : thread_sanitizer::numbers({1, 2, 3}, {3})) {
         const Result swept = model({cycles, 2, workers}, workers);
         EXPECT_EQ(swept.state, alone.state) << cycles << " cycles, " << workers << " workers";
         EXPECT_EQ(swept.cracks, alone.cracks);

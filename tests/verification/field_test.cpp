@@ -17,7 +17,7 @@ using verification::Simulation;
 
 hfrac::Definition example(const char* name) {
   hfrac::Definition def = verification::new_def();
-  const std::string path = std::string(HFRAC_EXAMPLES) + "/field/" + name;
+  const std::string path = HFRAC_EXAMPLES "/field/" + std::string(name);
   if (hfrac_sim_def_load(&def, path.c_str()) != HFRAC_OK) throw std::runtime_error(path);
   return def;
 }
