@@ -7,9 +7,12 @@ usage: notebooks.py FOLDER     runs them with Debian's Jupyter; the notebooks wi
 """
 import importlib.util
 import json
+import os
 import pathlib
+import signal
 import subprocess
 import sys
+import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 NOTEBOOKS = sorted((ROOT / "examples/notebooks").glob("*.ipynb"))
@@ -29,6 +32,22 @@ def faults_of(path):
     return faults
 
 
+def run(path, folder):
+    """What nbconvert ended with and said; None if it came to no end. A notebook takes a minute, but Jupyter has waited for a kernel that had
+    gone before the first cell, without end."""
+    command = [sys.executable, "-m", "nbconvert", "--to", "notebook", "--execute", "--ExecutePreprocessor.timeout=300", "--output-dir", folder, path]
+    with tempfile.TemporaryFile("w+") as words:
+        running = subprocess.Popen(command, stdout=words, stderr=words, start_new_session=True)
+        try:
+            code = running.wait(timeout=480)
+        except subprocess.TimeoutExpired:
+            code = None
+            os.killpg(running.pid, signal.SIGKILL)  # a kernel ends with its parent
+            running.wait()
+        words.seek(0)
+        return code, words.read()[-3000:]
+
+
 def main(arguments):
     if len(NOTEBOOKS) != 3:
         return f"examples/notebooks has {len(NOTEBOOKS)} notebooks, not three"
@@ -38,11 +57,12 @@ def main(arguments):
             print("skipped: cmake/install-packages notebooks")
             return 77
         for path in NOTEBOOKS:
-            command = [sys.executable, "-m", "nbconvert", "--to", "notebook", "--execute", "--ExecutePreprocessor.timeout=900",
-                       "--output-dir", arguments[0], path]
-            done = subprocess.run(command, capture_output=True, text=True)
-            if done.returncode:
-                faults.append(f"{path.name}: {done.stderr[-3000:]}")
+            code, said = run(path, arguments[0])
+            if code is None:
+                print(f"{path.name}: once more, since Jupyter stood still: {said}")
+                code, said = run(path, arguments[0])
+            if code != 0:
+                faults.append(f"{path.name}: {said}")
                 continue
             cells = json.loads((pathlib.Path(arguments[0]) / path.name).read_text())["cells"]
             for output in (output for cell in cells for output in cell.get("outputs", []) if output["output_type"] == "stream"):
