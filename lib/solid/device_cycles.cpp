@@ -115,7 +115,6 @@ void DeviceCycles::lay_out(const TilePlan& plan) {
   twin(h.pairs, h.pair_count, a.pairs, once);
   twin(h.cross_parts, static_cast<std::int64_t>(plan.cross_parts.size()), a.cross_parts, once);
   twin(h.cross_domain, static_cast<std::int64_t>(plan.cross_domain.size()), a.cross_domain, once);
-  twin(h.cross_corner, static_cast<std::int64_t>(plan.cross_corner.size()), a.cross_corner, once);
   twin(h.bond_slot, static_cast<std::int64_t>(plan.bond_slot.size()), a.bond_slot, once);
   twin(h.force_buffer, static_cast<std::int64_t>(plan.force_buffer.size()), a.force_buffer, once);
   // What stopped a batch, and its sums: one after the other, so that they come home at once.
@@ -193,10 +192,14 @@ void DeviceCycles::list_forces(const TilePlan& plan) {
   std::vector<DeviceCorner> corner_of;
   by_disc(each_bond, bond_start, bond_of);
   by_disc(each_corner, corner_start, corner_of);
+  std::vector<CrossCorner> cross_corner;
+  by_disc(
+      [&](const auto& visit) {
+        for (const auto& corner : plan.cross_corner) visit(static_cast<std::size_t>(corner.disc), corner);
+      },
+      cross_start, cross_corner);
   for (const auto& entry : plan.force_buffer) ++slot_start[static_cast<std::size_t>(entry.disc) + 1];
-  for (const auto& entry : plan.cross_corner) ++cross_start[static_cast<std::size_t>(entry.disc) + 1];
-  for (auto* start : {&slot_start, &cross_start})
-    std::partial_sum(start->begin(), start->end(), start->begin());
+  std::partial_sum(slot_start.begin(), slot_start.end(), slot_start.begin());
   std::vector<DeviceBonds> bonds_of(discs);
   for (std::size_t i = 0; i < discs; ++i) {
     const auto count = bond_start[i + 1] - bond_start[i];
@@ -214,6 +217,7 @@ void DeviceCycles::list_forces(const TilePlan& plan) {
   list(bond_of, d.bond_of);
   list(slot_start, d.slot_start);
   list(cross_start, d.cross_start);
+  list(cross_corner, d.a.cross_corner);
   list(corner_start, d.corner_start);
   list(corner_of, d.corner_of);
 }

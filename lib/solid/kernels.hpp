@@ -117,7 +117,7 @@ struct KernelArrays {
   const CrossPart* cross_parts;  // by tile, and one for the outside
   int64_t tile_count, pair_count;
   const int32_t* cross_domain;  // domains that touch two tiles, by the first of them, and last the outside
-  const CrossCorner* cross_corner;  // of those that push, by disc
+  const CrossCorner* cross_corner;  // of those that push, by tile
   const int32_t* bond_slot;         // two places per bond across tiles: first disc, second disc
   BufferedForce* force_buffer;
   // constants

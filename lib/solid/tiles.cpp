@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace hfrac {
 namespace {
@@ -77,16 +78,13 @@ TilePlan plan_tiles(const Assembly& a, const Network& n, bool fluid, bool outsid
   }
 
   // A place in the inter-tile force buffer for either end of a bond, in the order of discs.
-  std::vector<std::int32_t> place(static_cast<std::size_t>(discs) + 1, 0), corner = place;
-  const auto add_up = [](std::vector<std::int32_t>& of) {
-    std::partial_sum(of.begin(), of.end(), of.begin());
-  };
+  std::vector<std::int32_t> place(static_cast<std::size_t>(discs) + 1, 0);
   for (auto e = a.first_cross_bond(); e < bonds; ++e) {
     ++place[a.first[e] + 1];
     ++place[a.second[e] + 1];
   }
-  add_up(place);
-  // Of the corners, too, but for those that push nobody.
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  // Corners of pores across by tile, pore by pore, so that what belongs to one is together; but for those that push nobody.
   const auto each_corner = [&](const auto& visit) {
     for (const auto domain : plan.cross_domain) {
       if (domain == 0 && !outside_pushes) continue;
@@ -94,16 +92,16 @@ TilePlan plan_tiles(const Assembly& a, const Network& n, bool fluid, bool outsid
         visit(CrossCorner{n.corner_disc[k], domain, k});
     }
   };
-  each_corner([&](const CrossCorner& c) { ++corner[c.disc + 1]; });
-  add_up(corner);
+  each_corner([&](const CrossCorner& c) { ++plan.tiles[tile_of(c.disc)].last_corner; });
+  std::int64_t corners = 0;
   for (auto& tile : plan.tiles) {
     tile.first_slot = place[tile.first_disc];
     tile.last_slot = place[tile.last_disc];
-    tile.first_corner = corner[tile.first_disc];
-    tile.last_corner = corner[tile.last_disc];
+    tile.first_corner = corners;
+    corners += std::exchange(tile.last_corner, corners);
   }
-  plan.cross_corner.resize(static_cast<std::size_t>(corner[discs]));
-  each_corner([&](const CrossCorner& c) { plan.cross_corner[corner[c.disc]++] = c; });
+  plan.cross_corner.resize(static_cast<std::size_t>(corners));
+  each_corner([&](const CrossCorner& c) { plan.cross_corner[plan.tiles[tile_of(c.disc)].last_corner++] = c; });
   plan.force_buffer.assign(static_cast<std::size_t>(place[discs]), BufferedForce{0.0, 0.0, 0.0, 0});
   const auto take_place = [&](std::int32_t disc) {
     const auto at = place[disc]++;

@@ -30,7 +30,7 @@ struct TilePlan {
   std::vector<TilePair> pairs;
   std::vector<CrossPart> cross_parts;  // by tile, and the last of the outside's pore alone
   std::vector<std::int32_t> cross_domain;
-  std::vector<CrossCorner> cross_corner;  // by disc, of each in the order of cross_domain
+  std::vector<CrossCorner> cross_corner;  // by tile of the disc, in the order of cross_domain
   std::vector<std::int32_t> bond_slot;    // places in `force_buffer`
   Array<BufferedForce> force_buffer;      // by disc
 };
