@@ -3,8 +3,9 @@
 processes together, which is sampled every few seconds (counting the pages of 15 GB takes a core some tenths), and the balance at its end. A hole
 under 5 MPa in tiled rock, so that nothing breaks.
 
-  million.py [--discs N] [--ranks N] [--workers N] [--factor own|petsc] [--gigabytes N]      exits with 1 if they took more, or found no
-                                                                                              equilibrium
+  million.py [--discs N] [--ranks N] [--workers N] [--factor own|petsc] [--one-model] [--gigabytes N]
+
+exits with 1 if they took more, or found no equilibrium. --one-model: the ranks are processes of one machine that share a model.
 """
 import argparse
 import csv
@@ -61,6 +62,7 @@ def main():
     arguments.add_argument("--ranks", type=int, default=4)
     arguments.add_argument("--workers", type=int, default=1)
     arguments.add_argument("--factor", choices=("own", "petsc"), default="petsc")
+    arguments.add_argument("--one-model", action="store_true")
     arguments.add_argument("--gigabytes", type=float, default=16.0)
     options = arguments.parse_args()
     with tempfile.TemporaryDirectory() as name:
@@ -71,7 +73,8 @@ def main():
         environment = dict(ENVIRONMENT, PETSC_OPTIONS="-hfrac_tangent_mat_mumps_icntl_22 1", MUMPS_OOC_TMPDIR=str(folder / "factor"))
         begin, most, on_disk = time.monotonic(), 0, 0
         peaks = {}
-        with subprocess.Popen(over(options.ranks, HFRAC, "run", folder / "case.toml", "-o", folder / "run", "-q", "--workers", options.workers),
+        shares = ["--one-model"] if options.one_model else []
+        with subprocess.Popen(over(options.ranks, HFRAC, "run", folder / "case.toml", "-o", folder / "run", "-q", "--workers", options.workers, *shares),
                               env=environment) as running:
             while running.poll() is None:
                 processes = children(running.pid)
@@ -83,7 +86,7 @@ def main():
             sys.exit(f"million: hfrac ended with {running.returncode}")
         with open(folder / "run" / "history.csv", encoding="utf-8") as file:
             last = list(csv.DictReader(file))[-1]
-    print(f"{options.discs} discs, {options.ranks} ranks, {options.factor} factor: {1e-9 * most:.2f} GB in all, "
+    print(f"{options.discs} discs, {options.ranks} ranks{' with one model' if options.one_model else ''}, {options.factor} factor: {1e-9 * most:.2f} GB in all, "
           f"{1e-6 * min(peaks.values(), default=0):.0f} to {1e-6 * max(peaks.values(), default=0):.0f} MB a rank, {1e-9 * on_disk:.2f} GB on disk, "
           f"{time.monotonic() - begin:.0f} s, {last['newton_iterations']} Newton iterations, force ratio {last['force_ratio']}, "
           f"fluid error {float(last['fluid_error_m2']) / float(last['injected_volume_m2']):.1e} of the injected")
