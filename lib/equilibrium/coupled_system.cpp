@@ -196,7 +196,7 @@ void CoupledSystem::answer_all() {
         const auto e = static_cast<std::size_t>(k);
         const BondResponse bond = answer_of(e);
         std::copy_n(bond.force, 4, changes_[e].force);
-        if (const auto kept = own_.all() ? k : own_.slot[e]; keeps_tangents_ && kept >= 0)
+        if (const auto kept = place_of_tangent(e); kept >= 0)
           std::copy_n(bond.tangent, 16, tangents_[static_cast<std::size_t>(kept)].data());
         if (const auto facet = facets_.of(k); facet >= 0)
           by_push_[static_cast<std::size_t>(facet)] = bond.by_push;

@@ -165,13 +165,15 @@ class CoupledSystem {
   void evaluate_facet_pipe(std::size_t e, std::size_t facet);
   // What a bond answers, as it stands.
   [[nodiscard]] BondResponse answer_of(std::size_t e) const;
+  // Where a bond's tangent is kept, -1: it is not.
+  [[nodiscard]] std::int64_t place_of_tangent(std::size_t e) const {
+    if (!keeps_tangents_) return -1;
+    return own_.all() ? static_cast<std::int64_t>(e) : own_.slot[e];
+  }
   // Calls visit(tangent) of a bond at the last evaluation.
   template <class Visit>
   void with_tangent(std::size_t e, const Visit& visit) const {
-    const std::int64_t kept = !keeps_tangents_ ? -1
-                              : own_.all()     ? static_cast<std::int64_t>(e)
-                                               : own_.slot[e];
-    if (kept >= 0)
+    if (const auto kept = place_of_tangent(e); kept >= 0)
       visit(tangents_[static_cast<std::size_t>(kept)].data());
     else
       visit(answer_of(e).tangent);
