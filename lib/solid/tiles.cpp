@@ -101,7 +101,8 @@ TilePlan plan_tiles(const Assembly& a, const Network& n, bool fluid, bool outsid
     corners += std::exchange(tile.last_corner, corners);
   }
   plan.cross_corner.resize(static_cast<std::size_t>(corners));
-  each_corner([&](const CrossCorner& c) { plan.cross_corner[plan.tiles[tile_of(c.disc)].last_corner++] = c; });
+  each_corner(
+      [&](const CrossCorner& c) { plan.cross_corner[plan.tiles[tile_of(c.disc)].last_corner++] = c; });
   plan.force_buffer.assign(static_cast<std::size_t>(place[discs]), BufferedForce{0.0, 0.0, 0.0, 0});
   const auto take_place = [&](std::int32_t disc) {
     const auto at = place[disc]++;
