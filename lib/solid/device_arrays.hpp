@@ -63,7 +63,7 @@ struct DeviceOutside {
 struct DeviceArrays {
   KernelArrays a;
   // by disc: bonds of its tile, as 2 * (bond - first of the tile) + (0: it is the first disc, 1: the second); its slots in the force
-  // buffer; corners of pores across tiles, and of the tile's
+  // buffer; corners of pores across tiles (a.cross_corner, which here goes disc by disc), and of the tile's
   const int32_t *bond_start, *slot_start, *cross_start, *corner_start;
   const uint16_t* bond_of;
   const DeviceBonds* bonds_of;
